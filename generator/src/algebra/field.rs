@@ -1,0 +1,111 @@
+//! The prime field Z_p, p below 2^31.
+//!
+//! Elements are `u32` in `0..p`; a product of two fits a `u64` with two bits to spare, which is what lets the row
+//! echelon code delay its reductions.
+
+/// Primes just below 2^31, largest first. Searches use the first, checks the others.
+pub const PRIMES: [u32; 6] = [2147483647, 2147483629, 2147483587, 2147483579, 2147483563, 2147483549];
+
+/// The field of integers modulo a prime p < 2^31.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PrimeField {
+    modulus: u32,
+}
+
+impl PrimeField {
+    /// The field with `prime` elements. `prime` must be a prime below 2^31, such as one of [`PRIMES`].
+    pub const fn new(prime: u32) -> Self {
+        assert!(prime > 2 && prime < 1 << 31);
+        Self { modulus: prime }
+    }
+
+    /// The prime p.
+    pub const fn modulus(self) -> u32 {
+        self.modulus
+    }
+
+    /// The image of an integer.
+    pub const fn from_integer(self, value: i64) -> u32 {
+        value.rem_euclid(self.modulus as i64) as u32
+    }
+
+    /// The image of an unsigned integer.
+    #[inline]
+    pub const fn reduce(self, value: u64) -> u32 {
+        (value % self.modulus as u64) as u32
+    }
+
+    /// a + b.
+    #[inline]
+    pub const fn add(self, a: u32, b: u32) -> u32 {
+        let sum = a + b;
+        if sum >= self.modulus { sum - self.modulus } else { sum }
+    }
+
+    /// a - b.
+    #[inline]
+    pub const fn sub(self, a: u32, b: u32) -> u32 {
+        if a >= b { a - b } else { a + self.modulus - b }
+    }
+
+    /// -a.
+    #[inline]
+    pub const fn neg(self, a: u32) -> u32 {
+        if a == 0 { 0 } else { self.modulus - a }
+    }
+
+    /// a b.
+    #[inline]
+    pub const fn mul(self, a: u32, b: u32) -> u32 {
+        self.reduce(a as u64 * b as u64)
+    }
+
+    /// a^n, with 0^0 = 1.
+    pub const fn pow(self, mut a: u32, mut n: u32) -> u32 {
+        let mut result = 1;
+        while n > 0 {
+            if n & 1 == 1 {
+                result = self.mul(result, a);
+            }
+            a = self.mul(a, a);
+            n >>= 1;
+        }
+        result
+    }
+
+    /// 1 / a, or `None` for a = 0.
+    pub const fn inverse(self, a: u32) -> Option<u32> {
+        // Extended Euclid on (p, a), keeping only the cofactor of a.
+        let (mut r0, mut r1) = (self.modulus as i64, a as i64);
+        let (mut t0, mut t1) = (0i64, 1i64);
+        while r1 != 0 {
+            let quotient = r0 / r1;
+            (r0, r1) = (r1, r0 - quotient * r1);
+            (t0, t1) = (t1, t0 - quotient * t1);
+        }
+        if r0 == 1 { Some(self.from_integer(t0)) } else { None }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_listed_primes_are_prime() {
+        for p in PRIMES {
+            assert!((2u64..).take_while(|d| d * d <= u64::from(p)).all(|d| u64::from(p) % d != 0), "{p}");
+        }
+    }
+
+    #[test]
+    fn inverses_invert() {
+        for p in PRIMES {
+            let field = PrimeField::new(p);
+            assert_eq!(field.inverse(0), None);
+            for a in [1, 2, 3, 65537, p - 1, p / 2] {
+                assert_eq!(field.mul(a, field.inverse(a).unwrap()), 1);
+            }
+        }
+    }
+}

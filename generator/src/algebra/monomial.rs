@@ -1,0 +1,171 @@
+//! Monomials with integer exponents.
+
+use std::fmt;
+
+/// The largest number of unknowns of a problem.
+pub const MAX_UNKNOWNS: usize = 16;
+
+/// x_0^e_0 ... x_15^e_15. Exponents may be negative (Laurent monomials); the algebra of ideals uses non-negative ones.
+///
+/// `Ord` is the graded reverse lexicographic order with x_0 > x_1 > ...: it is the canonical order of terms everywhere.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Monomial {
+    exponents: [i8; MAX_UNKNOWNS],
+}
+
+impl Monomial {
+    /// The monomial 1.
+    pub const ONE: Self = Self { exponents: [0; MAX_UNKNOWNS] };
+
+    /// The unknown with index `unknown`.
+    pub fn unknown(unknown: usize) -> Self {
+        let mut exponents = [0; MAX_UNKNOWNS];
+        exponents[unknown] = 1;
+        Self { exponents }
+    }
+
+    /// The monomial with the given exponents, the rest zero.
+    pub fn from_exponents(exponents: &[i8]) -> Self {
+        let mut all = [0; MAX_UNKNOWNS];
+        all[..exponents.len()].copy_from_slice(exponents);
+        Self { exponents: all }
+    }
+
+    /// All exponents, [`MAX_UNKNOWNS`] of them.
+    #[inline]
+    pub fn exponents(&self) -> &[i8; MAX_UNKNOWNS] {
+        &self.exponents
+    }
+
+    /// The exponent of one unknown.
+    #[inline]
+    pub fn exponent(&self, unknown: usize) -> i8 {
+        self.exponents[unknown]
+    }
+
+    /// Sum of the exponents.
+    #[inline]
+    pub fn degree(&self) -> i32 {
+        self.exponents.iter().map(|&e| i32::from(e)).sum()
+    }
+
+    /// Sum of weight times exponent.
+    pub fn weighted_degree(&self, weights: &[i32]) -> i32 {
+        self.exponents.iter().zip(weights).map(|(&e, &w)| i32::from(e) * w).sum()
+    }
+
+    /// The product, or `None` where an exponent leaves the range of `i8`.
+    pub fn checked_mul(&self, other: &Self) -> Option<Self> {
+        let mut exponents = [0; MAX_UNKNOWNS];
+        for i in 0..MAX_UNKNOWNS {
+            exponents[i] = self.exponents[i].checked_add(other.exponents[i])?;
+        }
+        Some(Self { exponents })
+    }
+
+    /// The product. Exponents wrap outside the range of `i8`: callers bound the degrees.
+    #[inline]
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Self {
+        let mut exponents = [0; MAX_UNKNOWNS];
+        for i in 0..MAX_UNKNOWNS {
+            exponents[i] = self.exponents[i].wrapping_add(other.exponents[i]);
+        }
+        Self { exponents }
+    }
+
+    /// The quotient as a Laurent monomial. Exponents wrap as in [`Monomial::times`].
+    #[inline]
+    #[must_use]
+    pub fn over(&self, other: &Self) -> Self {
+        let mut exponents = [0; MAX_UNKNOWNS];
+        for i in 0..MAX_UNKNOWNS {
+            exponents[i] = self.exponents[i].wrapping_sub(other.exponents[i]);
+        }
+        Self { exponents }
+    }
+
+    /// Whether every exponent of `self` is at most that of `other`.
+    #[inline]
+    pub fn divides(&self, other: &Self) -> bool {
+        (0..MAX_UNKNOWNS).all(|i| self.exponents[i] <= other.exponents[i])
+    }
+
+    /// The least common multiple.
+    #[inline]
+    #[must_use]
+    pub fn lcm(&self, other: &Self) -> Self {
+        let mut exponents = [0; MAX_UNKNOWNS];
+        for i in 0..MAX_UNKNOWNS {
+            exponents[i] = self.exponents[i].max(other.exponents[i]);
+        }
+        Self { exponents }
+    }
+
+    /// Whether no exponent is negative.
+    pub fn is_polynomial(&self) -> bool {
+        self.exponents.iter().all(|&e| e >= 0)
+    }
+
+    /// The monomial in the problem's own names, such as `x^2*y` or `x/y`; `1` for the unit.
+    pub fn display<'a>(&'a self, names: &'a [String]) -> impl fmt::Display + 'a {
+        DisplayMonomial { monomial: self, names }
+    }
+}
+
+impl Ord for Monomial {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.degree().cmp(&other.degree()).then_with(|| {
+            for i in (0..MAX_UNKNOWNS).rev() {
+                if self.exponents[i] != other.exponents[i] {
+                    return other.exponents[i].cmp(&self.exponents[i]);
+                }
+            }
+            std::cmp::Ordering::Equal
+        })
+    }
+}
+
+impl PartialOrd for Monomial {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl fmt::Debug for Monomial {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let last = self.exponents.iter().rposition(|&e| e != 0).map_or(0, |i| i + 1);
+        write!(f, "x^{:?}", &self.exponents[..last])
+    }
+}
+
+struct DisplayMonomial<'a> {
+    monomial: &'a Monomial,
+    names: &'a [String],
+}
+
+impl fmt::Display for DisplayMonomial<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let factor = |f: &mut fmt::Formatter<'_>, name: &str, e: i8| match e {
+            1 => write!(f, "{name}"),
+            _ => write!(f, "{name}^{e}"),
+        };
+        let exponents = || self.names.iter().zip(self.monomial.exponents);
+        let mut first = true;
+        for (name, e) in exponents().filter(|&(_, e)| e > 0) {
+            if !first {
+                write!(f, "*")?;
+            }
+            factor(f, name, e)?;
+            first = false;
+        }
+        if first {
+            write!(f, "1")?;
+        }
+        for (name, e) in exponents().filter(|&(_, e)| e < 0) {
+            write!(f, "/")?;
+            factor(f, name, -e)?;
+        }
+        Ok(())
+    }
+}

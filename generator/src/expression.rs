@@ -1,0 +1,333 @@
+//! Coefficient expressions: a directed acyclic graph of arithmetic on the data, shared by value.
+//!
+//! Every node carries its value at two fixed random points of the data's variety, one over each of two primes near 2^31.
+//! Two nodes with equal values are the same node, whatever way they were written: `a * b + c` and `c + b * a` share,
+//! `a * b - b * a` is 0, and with `#[symmetric]` data `g[0][1]` and `g[1][0]` share. A false merge among 10^5 nodes has a
+//! probability below 10^-6, and every template is checked at further primes anyway.
+
+use std::collections::HashMap;
+
+use crate::algebra::{Monomial, PRIMES, Polynomial, PrimeField};
+use crate::arithmetic::Arithmetic;
+use crate::rational::Rational;
+
+/// A node of an [`ExpressionGraph`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ExpressionId(u32);
+
+impl ExpressionId {
+    /// Position among the nodes of its graph.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// One operation. Operands always have smaller ids.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Expression {
+    /// A constant.
+    Constant(Rational),
+    /// The scalar number `.0` of the flattened data (see [`crate::problem::DataParameter`]).
+    Input(u32),
+    /// a + b
+    Add(ExpressionId, ExpressionId),
+    /// a - b
+    Subtract(ExpressionId, ExpressionId),
+    /// a * b
+    Multiply(ExpressionId, ExpressionId),
+    /// a / b; the divisor depends on the data (only presolve makes these).
+    Divide(ExpressionId, ExpressionId),
+    /// -a
+    Negate(ExpressionId),
+}
+
+type Fingerprint = [u32; 2];
+
+/// The fields in which fingerprints are taken: not the primes that searches and checks use first.
+pub(crate) const FINGERPRINT_FIELDS: [PrimeField; 2] = [PrimeField::new(PRIMES[4]), PrimeField::new(PRIMES[5])];
+
+/// A polynomial whose coefficients are nodes of a graph.
+pub type SymbolicPolynomial = Polynomial<ExpressionId>;
+
+/// Expressions in the data, each value once. Nodes are in topological order.
+#[derive(Clone, Debug)]
+pub struct ExpressionGraph {
+    nodes: Vec<Expression>,
+    fingerprints: Vec<Fingerprint>,
+    by_fingerprint: HashMap<Fingerprint, ExpressionId>,
+}
+
+impl ExpressionGraph {
+    /// The graph of the constants 0 and 1 and the inputs. `points[k]` are the values of all inputs at the k-th
+    /// fingerprint point, see [`crate::instance::fingerprint_points`].
+    pub fn new(points: &[Vec<u32>; 2]) -> Self {
+        let mut graph = Self { nodes: Vec::new(), fingerprints: Vec::new(), by_fingerprint: HashMap::new() };
+        graph.push(Expression::Constant(Rational::ZERO), [0, 0]);
+        graph.push(Expression::Constant(Rational::ONE), [1, 1]);
+        for (input, (&a, &b)) in (0u32..).zip(points[0].iter().zip(&points[1])) {
+            graph.push_unshared(Expression::Input(input), [a, b]);
+        }
+        graph
+    }
+
+    /// The constant 0.
+    pub const ZERO: ExpressionId = ExpressionId(0);
+    /// The constant 1.
+    pub const ONE: ExpressionId = ExpressionId(1);
+
+    /// The node of the input with flat index `input`; equal inputs (symmetric data) are one node.
+    pub fn input(&self, input: usize) -> ExpressionId {
+        let own = 2 + input;
+        self.by_fingerprint.get(&self.fingerprints[own]).copied().unwrap_or(ExpressionId(own as u32))
+    }
+
+    /// All nodes, operands before their users.
+    pub fn nodes(&self) -> &[Expression] {
+        &self.nodes
+    }
+
+    /// What a node is.
+    pub fn node(&self, id: ExpressionId) -> Expression {
+        self.nodes[id.index()]
+    }
+
+    /// The value of a constant node.
+    pub fn as_constant(&self, id: ExpressionId) -> Option<Rational> {
+        match self.node(id) {
+            Expression::Constant(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// A constant.
+    pub fn constant(&mut self, value: Rational) -> ExpressionId {
+        let image = FINGERPRINT_FIELDS.map(|field| field.constant(value));
+        match image {
+            [Some(a), Some(b)] => self.push(Expression::Constant(value), [a, b]),
+            // The denominator is one of the fingerprint primes: no sharing for such a constant.
+            _ => self.push_unshared(Expression::Constant(value), [0, 0]),
+        }
+    }
+
+    /// a + b
+    pub fn add(&mut self, a: ExpressionId, b: ExpressionId) -> ExpressionId {
+        if let (Some(x), Some(y)) = (self.as_constant(a), self.as_constant(b))
+            && let Some(sum) = x.checked_add(y)
+        {
+            return self.constant(sum);
+        }
+        let fingerprint = self.combine(a, b, PrimeField::add);
+        // a + (-b) is a - b: one operation instead of two.
+        match (self.node(a), self.node(b)) {
+            (_, Expression::Negate(c)) => self.push(Expression::Subtract(a, c), fingerprint),
+            (Expression::Negate(c), _) => self.push(Expression::Subtract(b, c), fingerprint),
+            _ => self.push(Expression::Add(a.min(b), a.max(b)), fingerprint),
+        }
+    }
+
+    /// a - b
+    pub fn sub(&mut self, a: ExpressionId, b: ExpressionId) -> ExpressionId {
+        if a == Self::ZERO {
+            return self.neg(b);
+        }
+        if let (Some(x), Some(y)) = (self.as_constant(a), self.as_constant(b))
+            && let Some(difference) = y.checked_neg().and_then(|y| x.checked_add(y))
+        {
+            return self.constant(difference);
+        }
+        let fingerprint = self.combine(a, b, PrimeField::sub);
+        match self.node(b) {
+            Expression::Negate(c) => self.push(Expression::Add(a.min(c), a.max(c)), fingerprint),
+            _ => self.push(Expression::Subtract(a, b), fingerprint),
+        }
+    }
+
+    /// a b
+    pub fn mul(&mut self, a: ExpressionId, b: ExpressionId) -> ExpressionId {
+        if let (Some(x), Some(y)) = (self.as_constant(a), self.as_constant(b))
+            && let Some(product) = x.checked_mul(y)
+        {
+            return self.constant(product);
+        }
+        // Signs move outwards: (-a) b = -(a b).
+        if let Expression::Negate(c) = self.node(a) {
+            let product = self.mul(c, b);
+            return self.neg(product);
+        }
+        if let Expression::Negate(c) = self.node(b) {
+            let product = self.mul(a, c);
+            return self.neg(product);
+        }
+        let minus_one = Rational::integer(-1);
+        if self.as_constant(a) == Some(minus_one) {
+            return self.neg(b);
+        }
+        if self.as_constant(b) == Some(minus_one) {
+            return self.neg(a);
+        }
+        let fingerprint = self.combine(a, b, PrimeField::mul);
+        self.push(Expression::Multiply(a.min(b), a.max(b)), fingerprint)
+    }
+
+    /// a / b, or `None` where b is zero for all data.
+    pub fn div(&mut self, a: ExpressionId, b: ExpressionId) -> Option<ExpressionId> {
+        let inverses = [0, 1].map(|k| FINGERPRINT_FIELDS[k].inverse(self.fingerprints[b.index()][k]));
+        let [Some(x), Some(y)] = inverses else { return None };
+        if let Some(divisor) = self.as_constant(b) {
+            let reciprocal = Rational::ONE.checked_div(divisor)?;
+            let reciprocal = self.constant(reciprocal);
+            return Some(self.mul(a, reciprocal));
+        }
+        let fingerprint = [0, 1].map(|k| {
+            let numerator = self.fingerprints[a.index()][k];
+            FINGERPRINT_FIELDS[k].mul(numerator, [x, y][k])
+        });
+        Some(self.push(Expression::Divide(a, b), fingerprint))
+    }
+
+    /// -a
+    pub fn neg(&mut self, a: ExpressionId) -> ExpressionId {
+        match self.node(a) {
+            Expression::Negate(b) => return b,
+            Expression::Constant(value) => {
+                if let Some(negative) = value.checked_neg() {
+                    return self.constant(negative);
+                }
+            }
+            _ => {}
+        }
+        let fingerprint = self.negated(self.fingerprints[a.index()]);
+        self.push(Expression::Negate(a), fingerprint)
+    }
+
+    /// Whether the value is zero for all data (on their variety).
+    pub fn is_zero(&self, id: ExpressionId) -> bool {
+        self.fingerprints[id.index()] == [0, 0]
+    }
+
+    /// The values of all nodes for the given values of the inputs; `None` where a divisor is zero there.
+    pub fn evaluate<A: Arithmetic>(&self, arithmetic: A, inputs: &[A::Value]) -> Option<Vec<A::Value>> {
+        let mut values: Vec<A::Value> = Vec::with_capacity(self.nodes.len());
+        for node in &self.nodes {
+            let at = |id: &ExpressionId| values[id.index()];
+            let value = match node {
+                Expression::Constant(value) => arithmetic.constant(*value)?,
+                Expression::Input(input) => inputs[*input as usize],
+                Expression::Add(a, b) => arithmetic.add(at(a), at(b)),
+                Expression::Subtract(a, b) => arithmetic.sub(at(a), at(b)),
+                Expression::Multiply(a, b) => arithmetic.mul(at(a), at(b)),
+                Expression::Divide(a, b) => arithmetic.div(at(a), at(b))?,
+                Expression::Negate(a) => arithmetic.neg(at(a)),
+            };
+            values.push(value);
+        }
+        Some(values)
+    }
+
+    fn combine(&self, a: ExpressionId, b: ExpressionId, op: fn(PrimeField, u32, u32) -> u32) -> Fingerprint {
+        [0, 1].map(|k| op(FINGERPRINT_FIELDS[k], self.fingerprints[a.index()][k], self.fingerprints[b.index()][k]))
+    }
+
+    fn negated(&self, fingerprint: Fingerprint) -> Fingerprint {
+        [0, 1].map(|k| FINGERPRINT_FIELDS[k].neg(fingerprint[k]))
+    }
+
+    /// The node with this value: an old one, the negative of an old one, or a new one.
+    fn push(&mut self, node: Expression, fingerprint: Fingerprint) -> ExpressionId {
+        if let Some(&shared) = self.by_fingerprint.get(&fingerprint) {
+            return shared;
+        }
+        let negation = matches!(node, Expression::Negate(_) | Expression::Constant(_));
+        let node = match self.by_fingerprint.get(&self.negated(fingerprint)) {
+            Some(&opposite) if !negation => Expression::Negate(opposite),
+            _ => node,
+        };
+        let id = self.push_unshared(node, fingerprint);
+        self.by_fingerprint.insert(fingerprint, id);
+        id
+    }
+
+    fn push_unshared(&mut self, node: Expression, fingerprint: Fingerprint) -> ExpressionId {
+        let id = ExpressionId(self.nodes.len() as u32);
+        self.nodes.push(node);
+        self.fingerprints.push(fingerprint);
+        if let Expression::Input(_) = node {
+            self.by_fingerprint.entry(fingerprint).or_insert(id);
+        }
+        id
+    }
+}
+
+/// Polynomial arithmetic with coefficients in the graph.
+impl ExpressionGraph {
+    /// c m as a polynomial; zero if c is zero for all data.
+    pub fn term(&self, coefficient: ExpressionId, monomial: Monomial) -> SymbolicPolynomial {
+        if self.is_zero(coefficient) {
+            return Polynomial::ZERO;
+        }
+        Polynomial::from_terms(vec![(monomial, coefficient)])
+    }
+
+    /// p + q
+    pub fn polynomial_add(&mut self, p: &SymbolicPolynomial, q: &SymbolicPolynomial) -> SymbolicPolynomial {
+        self.sum_terms(p.terms().iter().chain(q.terms()).copied().collect())
+    }
+
+    /// p - q
+    pub fn polynomial_sub(&mut self, p: &SymbolicPolynomial, q: &SymbolicPolynomial) -> SymbolicPolynomial {
+        let negative = self.polynomial_neg(q);
+        self.polynomial_add(p, &negative)
+    }
+
+    /// -p
+    pub fn polynomial_neg(&mut self, p: &SymbolicPolynomial) -> SymbolicPolynomial {
+        p.map(|&c| Some(self.neg(c)))
+    }
+
+    /// c p
+    pub fn polynomial_scale(&mut self, p: &SymbolicPolynomial, c: ExpressionId) -> SymbolicPolynomial {
+        if self.is_zero(c) {
+            return Polynomial::ZERO;
+        }
+        p.map(|&a| Some(self.mul(a, c)).filter(|&product| !self.is_zero(product)))
+    }
+
+    /// p q, or `None` where an exponent overflows.
+    pub fn polynomial_mul(&mut self, p: &SymbolicPolynomial, q: &SymbolicPolynomial) -> Option<SymbolicPolynomial> {
+        let mut terms = Vec::with_capacity(p.terms().len() * q.terms().len());
+        for &(m, a) in p.terms() {
+            for &(n, b) in q.terms() {
+                terms.push((m.checked_mul(&n)?, self.mul(a, b)));
+            }
+        }
+        Some(self.sum_terms(terms))
+    }
+
+    /// dp / dx for the unknown with index `unknown`.
+    pub fn polynomial_derivative(&mut self, p: &SymbolicPolynomial, unknown: usize) -> SymbolicPolynomial {
+        let x = Monomial::unknown(unknown);
+        let mut terms = Vec::new();
+        for &(m, c) in p.terms() {
+            if m.exponent(unknown) != 0 {
+                let factor = self.constant(Rational::integer(i64::from(m.exponent(unknown))));
+                terms.push((m.over(&x), self.mul(factor, c)));
+            }
+        }
+        self.sum_terms(terms)
+    }
+
+    /// Collects equal monomials and drops coefficients that are zero for all data.
+    fn sum_terms(&mut self, mut terms: Vec<(Monomial, ExpressionId)>) -> SymbolicPolynomial {
+        // Stable: equal monomials stay in order, so that the sums are built the same way every time.
+        terms.sort_by(|a, b| b.0.cmp(&a.0));
+        let mut sums: Vec<(Monomial, ExpressionId)> = Vec::with_capacity(terms.len());
+        for (monomial, coefficient) in terms {
+            match sums.last_mut() {
+                Some((last, sum)) if *last == monomial => *sum = self.add(*sum, coefficient),
+                _ => sums.push((monomial, coefficient)),
+            }
+        }
+        sums.retain(|&(_, c)| !self.is_zero(c));
+        Polynomial::from_terms(sums)
+    }
+}

@@ -1,0 +1,106 @@
+//! A polynomial problem: unknowns, data with their variety, equations with coefficients in the data.
+
+use std::ops::Range;
+
+use crate::algebra::Polynomial;
+use crate::expression::{ExpressionGraph, SymbolicPolynomial};
+
+/// A problem file as it was read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SourceFile {
+    /// The path to show in messages.
+    pub path: String,
+    /// The whole text.
+    pub text: String,
+}
+
+/// A range of bytes of a [`SourceFile`].
+pub type Span = Range<usize>;
+
+/// What the data of one parameter satisfy, so that random instances are drawn on the right variety.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DataAttribute {
+    /// No condition.
+    Generic,
+    /// `#[symmetric]`: a square matrix with m\[i\]\[j\] = m\[j\]\[i\].
+    Symmetric,
+    /// `#[rotation]`: a 3x3 rotation matrix (or an array of them).
+    Rotation,
+    /// `#[unit]`: a vector of length 1 (or an array of them).
+    Unit,
+    /// `#[integer]`: small integers.
+    Integer,
+}
+
+/// One parameter of the problem function: an array of scalars, flattened row by row.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DataParameter {
+    /// Its name.
+    pub name: String,
+    /// Outermost dimension first: `[[f64; 3]; 4]` is \[4, 3\]; empty for a scalar.
+    pub shape: Vec<usize>,
+    /// What its values satisfy.
+    pub attribute: DataAttribute,
+    /// Index of its first scalar among all inputs.
+    pub first_input: usize,
+    /// Where it was declared.
+    pub span: Span,
+}
+
+impl DataParameter {
+    /// Number of scalars.
+    pub fn len(&self) -> usize {
+        self.shape.iter().product()
+    }
+
+    /// Whether there are no scalars (an array of length 0).
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// A polynomial stated in the file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Statement {
+    /// `left - right` of an equation, or the factor that must not vanish.
+    pub polynomial: SymbolicPolynomial,
+    /// Where it was stated.
+    pub span: Span,
+    /// Element of an element-wise statement, such as `[1][2]`; empty for a scalar one.
+    pub element: String,
+}
+
+/// A polynomial problem, names resolved and shapes checked.
+#[derive(Clone, Debug)]
+pub struct Problem {
+    /// Name of the function, which is the name of the solver.
+    pub name: String,
+    /// Doc comment, a line each, without the leading `///`.
+    pub docs: Vec<String>,
+    /// The data.
+    pub data: Vec<DataParameter>,
+    /// Names of the unknowns. Monomials index into this.
+    pub unknowns: Vec<String>,
+    /// Each polynomial is 0 at a solution.
+    pub equations: Vec<Statement>,
+    /// No polynomial is 0 at a solution (`!= 0`).
+    pub nonzero: Vec<Statement>,
+    /// The coefficients of all polynomials.
+    pub graph: ExpressionGraph,
+    /// The file it came from.
+    pub source: SourceFile,
+    /// Where the function's name and unknowns stand, for messages about the whole problem.
+    pub span: Span,
+}
+
+impl Problem {
+    /// Number of scalars in all data.
+    pub fn input_count(&self) -> usize {
+        self.data.iter().map(DataParameter::len).sum()
+    }
+
+    /// The polynomials of the equations.
+    pub fn polynomials(&self) -> impl ExactSizeIterator<Item = &Polynomial<crate::expression::ExpressionId>> {
+        self.equations.iter().map(|equation| &equation.polynomial)
+    }
+}
