@@ -10,13 +10,15 @@ pub const PRIMES: [u32; 6] = [2147483647, 2147483629, 2147483587, 2147483579, 21
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PrimeField {
     modulus: u32,
+    /// floor(2^64 / p), for division by multiplication (Barrett).
+    reciprocal: u64,
 }
 
 impl PrimeField {
     /// The field with `prime` elements. `prime` must be a prime below 2^31, such as one of [`PRIMES`].
     pub const fn new(prime: u32) -> Self {
         assert!(prime > 2 && prime < 1 << 31);
-        Self { modulus: prime }
+        Self { modulus: prime, reciprocal: u64::MAX / prime as u64 }
     }
 
     /// The prime p.
@@ -32,7 +34,10 @@ impl PrimeField {
     /// The image of an unsigned integer.
     #[inline]
     pub const fn reduce(self, value: u64) -> u32 {
-        (value % self.modulus as u64) as u32
+        // The estimated quotient is at most one too small, and the remainder then below 2p < 2^32.
+        let quotient = ((value as u128 * self.reciprocal as u128) >> 64) as u64;
+        let remainder = (value - quotient * self.modulus as u64) as u32;
+        if remainder >= self.modulus { remainder - self.modulus } else { remainder }
     }
 
     /// a + b.
