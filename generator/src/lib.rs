@@ -5,5 +5,7 @@ pub mod arithmetic;
 pub mod diagnostic;
 pub mod expression;
 pub mod instance;
+pub mod presolve;
 pub mod problem;
 pub mod rational;
+pub mod template;

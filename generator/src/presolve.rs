@@ -1,0 +1,142 @@
+//! Eliminates unknowns that some equation gives explicitly.
+//!
+//! An equation `c x + rest = 0`, where x occurs in no other term and c depends on the data only, gives `x = -rest / c`. The
+//! unknown is substituted away in all other equations and recovered after the solve. Substitution can also hurt (degrees grow, coefficients swell): a
+//! search judges [`Presolve::None`], [`Presolve::Constant`] and [`Presolve::Linear`] side by side.
+
+use crate::algebra::Monomial;
+use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
+use crate::problem::Problem;
+
+/// How far to presolve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Presolve {
+    /// Keep every unknown.
+    None,
+    /// Only where the coefficient is a constant.
+    Constant,
+    /// Wherever the coefficient depends on data only.
+    Linear,
+}
+
+/// `unknown = value`, where `value` holds unknowns that are kept or recovered earlier.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Recovery {
+    /// Index of the unknown that was eliminated.
+    pub unknown: usize,
+    /// Its value.
+    pub value: SymbolicPolynomial,
+}
+
+/// A problem with some unknowns substituted away. Monomials keep the indices of the original unknowns.
+#[derive(Clone, Debug)]
+pub struct ReducedProblem {
+    /// The problem with the remaining equations; `unknowns` still lists all of them.
+    pub problem: Problem,
+    /// Indices of the unknowns that are left, increasing.
+    pub kept: Vec<usize>,
+    /// How to recover the others, in the order in which it can be done.
+    pub recoveries: Vec<Recovery>,
+}
+
+/// No substitution may make an equation longer than this.
+const MAX_TERMS: usize = 2_000;
+
+/// Eliminates unknowns until none qualifies. Constant coefficients go first, then short right-hand sides.
+pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
+    let mut reduced = ReducedProblem {
+        problem: problem.clone(),
+        kept: (0..problem.unknowns.len()).collect(),
+        recoveries: Vec::new(),
+    };
+    while reduced.kept.len() > 1 {
+        let mut candidates = candidates(&reduced, presolve);
+        candidates.sort_by_key(|candidate| candidate.preference);
+        if !candidates.iter().any(|candidate| eliminate(&mut reduced, candidate)) {
+            break;
+        }
+    }
+    // Recovery runs backwards: what was eliminated last depends on kept unknowns only.
+    reduced.recoveries.reverse();
+    reduced
+}
+
+struct Candidate {
+    equation: usize,
+    unknown: usize,
+    coefficient: ExpressionId,
+    /// Smaller is better: (data-dependent, terms, equation, unknown).
+    preference: (bool, usize, usize, usize),
+}
+
+fn candidates(reduced: &ReducedProblem, presolve: Presolve) -> Vec<Candidate> {
+    let mut found = Vec::new();
+    if presolve == Presolve::None {
+        return found;
+    }
+    let graph = &reduced.problem.graph;
+    for (equation, polynomial) in reduced.problem.polynomials().enumerate() {
+        for &unknown in &reduced.kept {
+            let x = Monomial::unknown(unknown);
+            let mut with_x = polynomial.terms().iter().filter(|(m, _)| m.exponent(unknown) != 0);
+            let (Some(&(monomial, coefficient)), None) = (with_x.next(), with_x.next()) else { continue };
+            let depends_on_data = graph.as_constant(coefficient).is_none();
+            if monomial == x && !(depends_on_data && presolve == Presolve::Constant) {
+                let preference = (depends_on_data, polynomial.terms().len(), equation, unknown);
+                found.push(Candidate { equation, unknown, coefficient, preference });
+            }
+        }
+    }
+    found
+}
+
+/// Substitutes one unknown everywhere; false (and no change) where an equation would grow too long or overflow.
+fn eliminate(reduced: &mut ReducedProblem, candidate: &Candidate) -> bool {
+    let mut problem = reduced.problem.clone();
+    let equation = problem.equations.remove(candidate.equation);
+    let graph = &mut problem.graph;
+    let Some(inverse) = graph.div(ExpressionGraph::ONE, candidate.coefficient) else { return false };
+    let factor = graph.neg(inverse);
+    let x = Monomial::unknown(candidate.unknown);
+    let rest = SymbolicPolynomial::from_terms(
+        equation.polynomial.terms().iter().filter(|&&(m, _)| m != x).copied().collect(),
+    );
+    let value = graph.polynomial_scale(&rest, factor);
+    for statement in problem.equations.iter_mut().chain(&mut problem.nonzero) {
+        let Some(substituted) = substitute(graph, &statement.polynomial, candidate.unknown, &value) else { return false };
+        statement.polynomial = substituted;
+    }
+    problem.equations.retain(|statement| !statement.polynomial.is_zero());
+    reduced.problem = problem;
+    reduced.kept.retain(|&unknown| unknown != candidate.unknown);
+    reduced.recoveries.push(Recovery { unknown: candidate.unknown, value });
+    true
+}
+
+/// p with x replaced by `value`.
+fn substitute(
+    graph: &mut ExpressionGraph,
+    p: &SymbolicPolynomial,
+    unknown: usize,
+    value: &SymbolicPolynomial,
+) -> Option<SymbolicPolynomial> {
+    let highest = p.monomials().map(|m| m.exponent(unknown)).max().unwrap_or(0);
+    if p.monomials().any(|m| m.exponent(unknown) < 0) {
+        return None;
+    }
+    // Horner in x: ((p_n value + p_(n-1)) value + ...) + p_0.
+    let mut result = SymbolicPolynomial::ZERO;
+    for power in (0..=highest).rev() {
+        result = graph.polynomial_mul(&result, value)?;
+        if result.terms().len() > MAX_TERMS {
+            return None;
+        }
+        let mut x_power = [0; crate::algebra::MAX_UNKNOWNS];
+        x_power[unknown] = power;
+        let x_power = Monomial::from_exponents(&x_power);
+        let slice = p.terms().iter().filter(|(m, _)| m.exponent(unknown) == power);
+        let slice = SymbolicPolynomial::from_terms(slice.map(|&(m, c)| (m.over(&x_power), c)).collect());
+        result = graph.polynomial_add(&result, &slice);
+    }
+    Some(result)
+}

@@ -1,0 +1,56 @@
+//! Elimination templates: which multiples of the equations to stack, and what to read off after elimination.
+//!
+//! ```text
+//!                     excess E   reducible R = aB \ B   basis B
+//!                   +----------+----------------------+---------+
+//! shift m1 * f1     |          |                      |         |
+//! shift m2 * f1     |       M_ER (square, invertible) |   M_B   |     rows = |E| + |R|
+//! ...               |          |                      |         |
+//!                   +----------+----------------------+---------+
+//! ```
+//!
+//! After elimination every monomial of E and R is a combination of B: (E; R) = -M_ER^-1 M_B B. With the unit rows for those a b
+//! that are in B already this is the matrix of multiplication by the action monomial a: T B = a B at every solution.
+
+pub mod grow;
+pub mod reduce;
+pub mod shift_matrix;
+pub mod solving_set;
+
+use crate::algebra::Monomial;
+
+/// The polynomial `multiplier * equation`: one row of a template.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Shift {
+    /// Index of the equation in the (reduced) problem.
+    pub equation: usize,
+    /// What it is multiplied by.
+    pub multiplier: Monomial,
+}
+
+/// An elimination template, drawn at the top of this module.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct EliminationTemplate {
+    /// The rows, |E| + |R| of them.
+    pub shifts: Vec<Shift>,
+    /// The action monomial a; it may be a Laurent monomial such as 1/x.
+    pub action: Monomial,
+    /// The excess columns E.
+    pub excess: Vec<Monomial>,
+    /// The reducible columns R = aB \ B.
+    pub reducible: Vec<Monomial>,
+    /// The basis columns B; at least as many as there are solutions.
+    pub basis: Vec<Monomial>,
+}
+
+impl EliminationTemplate {
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.shifts.len()
+    }
+
+    /// Number of columns.
+    pub fn columns(&self) -> usize {
+        self.excess.len() + self.reducible.len() + self.basis.len()
+    }
+}

@@ -1,0 +1,70 @@
+//! The coefficient matrix of a set of shifts over Z_p.
+
+use std::collections::HashMap;
+
+use super::Shift;
+use crate::algebra::{Monomial, Polynomial, PrimeField};
+
+/// Rows of `m * f` for a set of shifts, sparse, with their monomials.
+///
+/// ```text
+///              monomials[0]  monomials[1]  ...      (decreasing)
+/// shifts[0]         .             c
+/// shifts[1]         c             .
+/// ```
+#[derive(Clone, Debug)]
+pub struct ShiftMatrix {
+    /// The field of the entries.
+    pub field: PrimeField,
+    /// The rows' shifts.
+    pub shifts: Vec<Shift>,
+    /// The columns, decreasing.
+    pub monomials: Vec<Monomial>,
+    /// Position of each monomial among the columns.
+    pub column_of: HashMap<Monomial, usize>,
+    /// Nonzero entries (column, value) of each row.
+    pub rows: Vec<Vec<(usize, u32)>>,
+}
+
+impl ShiftMatrix {
+    /// The matrix of the given shifts of `equations`.
+    pub fn new(field: PrimeField, equations: &[Polynomial<u32>], shifts: &[Shift]) -> Self {
+        let mut monomials: Vec<Monomial> =
+            shifts.iter().flat_map(|s| equations[s.equation].monomials().map(|m| m.times(&s.multiplier))).collect();
+        monomials.sort_unstable_by(|a, b| b.cmp(a));
+        monomials.dedup();
+        let column_of: HashMap<Monomial, usize> = monomials.iter().enumerate().map(|(i, &m)| (m, i)).collect();
+        let row = |s: &Shift| {
+            let terms = equations[s.equation].terms().iter();
+            terms.map(|&(m, c)| (column_of[&m.times(&s.multiplier)], c)).collect()
+        };
+        let rows = shifts.iter().map(row).collect();
+        Self { field, shifts: shifts.to_vec(), monomials, column_of, rows }
+    }
+
+    /// The same without some rows; columns that become empty go too.
+    #[must_use]
+    pub fn retain_rows(&self, keep: impl Fn(usize) -> bool) -> Self {
+        let kept: Vec<usize> = (0..self.rows.len()).filter(|&row| keep(row)).collect();
+        let mut used = vec![false; self.monomials.len()];
+        for &row in &kept {
+            for &(column, _) in &self.rows[row] {
+                used[column] = true;
+            }
+        }
+        let mut renumbered = vec![usize::MAX; used.len()];
+        let mut monomials = Vec::new();
+        for (column, _) in used.iter().enumerate().filter(|(_, used)| **used) {
+            renumbered[column] = monomials.len();
+            monomials.push(self.monomials[column]);
+        }
+        let row = |&row: &usize| self.rows[row].iter().map(|&(c, v)| (renumbered[c], v)).collect();
+        Self {
+            field: self.field,
+            shifts: kept.iter().map(|&row| self.shifts[row]).collect(),
+            column_of: monomials.iter().enumerate().map(|(i, &m)| (m, i)).collect(),
+            monomials,
+            rows: kept.iter().map(row).collect(),
+        }
+    }
+}
