@@ -205,6 +205,11 @@ impl ExpressionGraph {
         self.fingerprints[id.index()] == [0, 0]
     }
 
+    /// The value at the two fingerprint points: what identifies an expression, however it was written.
+    pub fn fingerprint(&self, id: ExpressionId) -> [u32; 2] {
+        self.fingerprints[id.index()]
+    }
+
     /// The values of all nodes for the given values of the inputs; `None` where a divisor is zero there.
     pub fn evaluate<A: Arithmetic>(&self, arithmetic: A, inputs: &[A::Value]) -> Option<Vec<A::Value>> {
         let mut values: Vec<A::Value> = Vec::with_capacity(self.nodes.len());

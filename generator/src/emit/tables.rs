@@ -1,0 +1,107 @@
+//! Prints the tables of the elimination and of the equations.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use crate::plan::{Entry, Plan, Term};
+
+pub(super) fn tables(plan: &Plan) -> TokenStream {
+    let right = entries(&plan.elimination.right);
+    let blocks = plan.elimination.blocks.iter().map(|block| {
+        let (first, needed) = (Literal::usize_unsuffixed(block.first), Literal::usize_unsuffixed(block.needed));
+        let (diagonal, coupling) = (entries(&block.diagonal), entries(&block.coupling));
+        quote!(eliminant::Block { first: #first, needed: #needed, diagonal: &[#diagonal], coupling: &[#coupling] })
+    });
+    let count = plan.elimination.blocks.len();
+    let equations = system(plan, &plan.equations, quote!(EQUATIONS), " The equations of the problem.");
+    let nonzero = match plan.nonzero.is_empty() {
+        true => quote!(),
+        false => system(plan, &plan.nonzero, quote!(NONZERO), " What must not vanish."),
+    };
+    quote! {
+        /// Entries of the template in the basis columns.
+        const RIGHT: &[eliminant::Entry] = &[#right];
+
+        /// The diagonal blocks of the template, in order of solution.
+        static BLOCKS: [eliminant::Block; #count] = [#(#blocks),*];
+
+        #equations
+        #nonzero
+    }
+}
+
+fn entries(entries: &[Entry]) -> TokenStream {
+    let entries = entries.iter().map(|entry| {
+        let [row, column, slot] = [entry.row, entry.column, entry.coefficient.0].map(Literal::u16_unsuffixed);
+        quote!((#row, #column, #slot))
+    });
+    quote!(#(#entries),*)
+}
+
+/// Polynomials as tables over a chain of monomials, each an earlier one times an unknown.
+fn system(plan: &Plan, polynomials: &[Vec<Term>], name: TokenStream, doc: &str) -> TokenStream {
+    let chain = Chain::of(polynomials, plan.unknowns.len());
+    let products = chain.products.iter().map(|&(parent, unknown)| {
+        let (parent, unknown) = (Literal::usize_unsuffixed(parent), Literal::usize_unsuffixed(unknown));
+        quote!(eliminant::Product { parent: #parent, unknown: #unknown })
+    });
+    let mut ends = Vec::new();
+    let mut terms = Vec::new();
+    for polynomial in polynomials {
+        for term in polynomial {
+            let monomial = Literal::usize_unsuffixed(chain.position(&term.exponents));
+            let coefficient = Literal::u16_unsuffixed(term.coefficient.0);
+            terms.push(quote!(eliminant::Term { coefficient: #coefficient, monomial: #monomial }));
+        }
+        ends.push(Literal::usize_unsuffixed(terms.len()));
+    }
+    let (unknowns, count) = (plan.unknowns.len(), polynomials.len());
+    let (monomials, coefficients) = (chain.products.len(), plan.coefficients.len());
+    quote! {
+        #[doc = #doc]
+        const #name: eliminant::Tables<#unknowns, #count, #monomials, #coefficients> =
+            eliminant::Tables::new(&[#(#products),*], &[#(#ends),*], &[#(#terms),*]);
+    }
+}
+
+/// All monomials of some polynomials and the intermediate products that lead to them; the first is 1.
+struct Chain {
+    /// Sorted by degree, then exponents.
+    monomials: Vec<Vec<u8>>,
+    /// (position of an earlier monomial, unknown) for each.
+    products: Vec<(usize, usize)>,
+}
+
+impl Chain {
+    fn of(polynomials: &[Vec<Term>], unknowns: usize) -> Self {
+        let mut monomials: Vec<Vec<u8>> = polynomials.iter().flatten().map(|term| term.exponents.clone()).collect();
+        monomials.push(vec![0; unknowns]);
+        let mut at = 0;
+        while at < monomials.len() {
+            if let Some((parent, _)) = parent(&monomials[at])
+                && !monomials.contains(&parent)
+            {
+                monomials.push(parent);
+            }
+            at += 1;
+        }
+        monomials.sort_unstable_by_key(|m| (m.iter().map(|&e| u32::from(e)).sum::<u32>(), m.clone()));
+        monomials.dedup();
+        let find = |monomial: &[u8]| monomials.iter().position(|m| m == monomial).unwrap_or(0);
+        let product = |m: &Vec<u8>| parent(m).map_or((0, 0), |(parent, unknown)| (find(&parent), unknown));
+        let products = monomials.iter().map(product).collect();
+        Self { monomials, products }
+    }
+
+    fn position(&self, monomial: &[u8]) -> usize {
+        self.monomials.iter().position(|m| m == monomial).unwrap_or(0)
+    }
+}
+
+/// The monomial divided by its last unknown, and that unknown; `None` for 1.
+fn parent(monomial: &[u8]) -> Option<(Vec<u8>, usize)> {
+    let unknown = monomial.iter().rposition(|&e| e > 0)?;
+    let mut parent = monomial.to_vec();
+    parent[unknown] -= 1;
+    Some((parent, unknown))
+}

@@ -1,0 +1,282 @@
+//! What an emitted solver does, with no algebra left: the last form before printing.
+//!
+//! ```text
+//! data --code--> coefficients --fill, eliminate--> action matrix T --roots--> eigenpairs (a, v) --extract--> kept unknowns
+//!                      |                                                                                        |
+//!                      +------------------------------ polish on all equations <---- recover eliminated unknowns
+//! ```
+//!
+//! Every decision is taken here; [`crate::emit`] prints and [`crate::interpret`] executes, and the two must agree.
+
+use crate::problem::DataParameter;
+use crate::rational::Rational;
+
+/// Position of a value in [`Plan::code`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ValueId(pub u32);
+
+/// Position in the array of coefficients that the tables refer to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct CoefficientId(pub u16);
+
+/// Position among the eliminated monomials (excess and reducible) in the order of solution.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct PivotId(pub u16);
+
+/// Position in the basis B.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct BasisId(pub u16);
+
+/// One step of the straight-line code; its result is the value with the step's own position.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Operation {
+    /// A constant.
+    Constant(Rational),
+    /// A scalar of the flattened data.
+    Input(u32),
+    /// a + b
+    Add(ValueId, ValueId),
+    /// a - b
+    Subtract(ValueId, ValueId),
+    /// a * b
+    Multiply(ValueId, ValueId),
+    /// a / b
+    Divide(ValueId, ValueId),
+    /// -a
+    Negate(ValueId),
+}
+
+/// An entry of a table that is filled from the coefficients.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// Row, counted as the table says.
+    pub row: u16,
+    /// Column, counted as the table says.
+    pub column: u16,
+    /// What stands there.
+    pub coefficient: CoefficientId,
+}
+
+/// One diagonal block of the block-triangular template.
+///
+/// ```text
+///                    pivots solved before   pivots first..first+size    basis
+/// row first + i   [        coupling       |      diagonal            |  right  ]
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Block {
+    /// First row and pivot.
+    pub first: usize,
+    /// Number of rows and pivots.
+    pub size: usize,
+    /// How many of its last pivots are read by later blocks or by the action matrix; the others only serve the elimination.
+    pub needed: usize,
+    /// The square block; rows and columns count from `first`.
+    pub diagonal: Vec<Entry>,
+    /// Entries at pivots solved before; rows count from `first`, columns are absolute pivots.
+    pub coupling: Vec<Entry>,
+}
+
+/// The elimination: the template's rows and pivot columns permuted to block-triangular form, blocks in order of solution.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Elimination {
+    /// Number of rows, which is the number of pivots.
+    pub rows: usize,
+    /// |B|.
+    pub basis: usize,
+    /// Entries in the basis columns; rows are absolute.
+    pub right: Vec<Entry>,
+    /// The diagonal blocks; block k couples only to blocks before it.
+    pub blocks: Vec<Block>,
+}
+
+/// Where a row of the action matrix comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ActionRow {
+    /// a b is the basis monomial itself.
+    Unit(BasisId),
+    /// a b is this pivot: minus its solved row.
+    Solved(PivotId),
+}
+
+/// A monomial whose value follows from an eigenpair (a, v).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum KnownMonomial {
+    /// v at this position.
+    Basis(BasisId),
+    /// a times v at this position.
+    Image(BasisId),
+}
+
+/// An unknown as the least-squares ratio of monomial values: x = sum conj(m_k) (x m_k) / sum |m_k|^2.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Extraction {
+    /// The unknown.
+    pub unknown: usize,
+    /// (m, x m).
+    pub pairs: Vec<(KnownMonomial, KnownMonomial)>,
+}
+
+/// A term of a polynomial in the unknowns: coefficient and exponent of each unknown.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Term {
+    /// The coefficient.
+    pub coefficient: CoefficientId,
+    /// One exponent per unknown, not negative.
+    pub exponents: Vec<u8>,
+}
+
+/// `unknown = sum of terms`, in unknowns that are known by then.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PlannedRecovery {
+    /// The unknown that presolve eliminated.
+    pub unknown: usize,
+    /// Its value.
+    pub terms: Vec<Term>,
+}
+
+/// How the real roots are found. Complex roots are always eigenvalues.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RootMethod {
+    /// QR iteration on the Hessenberg form.
+    Eigenvalues,
+    /// Real roots of the characteristic polynomial.
+    CharacteristicPolynomial,
+}
+
+/// Floating-point operations of one solve, additions and multiplications counted alike; divisions count as one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct OperationCount {
+    /// Straight-line code.
+    pub coefficients: usize,
+    /// Elimination and back-substitution.
+    pub elimination: usize,
+    /// Hessenberg form and eigenvalues, by the usual estimate 10 |B|^3.
+    pub roots: usize,
+}
+
+impl OperationCount {
+    /// The sum.
+    pub fn total(&self) -> usize {
+        self.coefficients + self.elimination + self.roots
+    }
+}
+
+/// A solver with all decisions taken.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Plan {
+    /// Name of the problem and of the emitted module.
+    pub name: String,
+    /// Doc comment of the problem.
+    pub docs: Vec<String>,
+    /// The data.
+    pub data: Vec<DataParameter>,
+    /// Names of the unknowns: the fields of the solution.
+    pub unknowns: Vec<String>,
+    /// Number of complex solutions of a generic instance.
+    pub solutions: usize,
+    /// The straight-line code.
+    pub code: Vec<Operation>,
+    /// The value of each coefficient.
+    pub coefficients: Vec<ValueId>,
+    /// The elimination.
+    pub elimination: Elimination,
+    /// The rows of the action matrix, |B| of them.
+    pub action: Vec<ActionRow>,
+    /// How real roots are found.
+    pub roots: RootMethod,
+    /// How kept unknowns follow from an eigenpair.
+    pub extractions: Vec<Extraction>,
+    /// How eliminated unknowns follow, in this order.
+    pub recoveries: Vec<PlannedRecovery>,
+    /// All equations as stated in the problem, for the polish and the residual.
+    pub equations: Vec<Vec<Term>>,
+    /// Polynomials that must not vanish at a solution.
+    pub nonzero: Vec<Vec<Term>>,
+}
+
+impl Plan {
+    /// Operations of one solve.
+    pub fn operations(&self) -> OperationCount {
+        let coefficients = self.code.iter().filter(|op| !matches!(op, Operation::Constant(_) | Operation::Input(_))).count();
+        let width = self.elimination.basis;
+        let elimination = self.elimination.blocks.iter().map(|block| {
+            let n = block.size;
+            let factor: usize = (0..n).map(|k| (n - k - 1) * (1 + 2 * (n - k - 1))).sum();
+            let forward = n * (n - 1) * width;
+            let backward = block.needed * block.needed * width;
+            factor + forward + backward + 2 * block.coupling.len() * width
+        });
+        OperationCount { coefficients, elimination: elimination.sum(), roots: 10 * width * width * width }
+    }
+
+    /// Checks that every table stays in range and that every value and pivot is written before it is read.
+    pub fn check(&self) -> Result<(), PlanError> {
+        let written = |at: usize, id: &ValueId| (id.0 as usize) < at;
+        let code_ok = self.code.iter().enumerate().all(|(at, op)| match op {
+            Operation::Constant(_) => true,
+            Operation::Input(input) => (*input as usize) < self.data.iter().map(DataParameter::len).sum(),
+            Operation::Negate(a) => written(at, a),
+            Operation::Add(a, b) | Operation::Subtract(a, b) | Operation::Multiply(a, b) | Operation::Divide(a, b) => {
+                written(at, a) && written(at, b)
+            }
+        });
+        let coefficient_ok = |id: CoefficientId| usize::from(id.0) < self.coefficients.len();
+        let e = &self.elimination;
+        let mut next = 0;
+        let mut blocks_ok = true;
+        for block in &e.blocks {
+            let inside = |entry: &Entry, columns: usize| {
+                usize::from(entry.row) < block.size && usize::from(entry.column) < columns && coefficient_ok(entry.coefficient)
+            };
+            blocks_ok &= block.first == next && block.size > 0 && block.needed <= block.size;
+            blocks_ok &= block.diagonal.iter().all(|entry| inside(entry, block.size));
+            blocks_ok &= block.coupling.iter().all(|entry| inside(entry, block.first));
+            next += block.size;
+        }
+        let right_ok = e.right.iter().all(|entry| {
+            usize::from(entry.row) < e.rows && usize::from(entry.column) < e.basis && coefficient_ok(entry.coefficient)
+        });
+        let reads_needed = |pivot: u16| e.blocks.iter().any(|block| {
+            let end = block.first + block.size;
+            (end - block.needed..end).contains(&usize::from(pivot))
+        });
+        let couplings_ok = e.blocks.iter().flat_map(|block| &block.coupling).all(|entry| reads_needed(entry.column));
+        let action_ok = self.action.len() == e.basis
+            && self.action.iter().all(|row| match row {
+                ActionRow::Unit(b) => usize::from(b.0) < e.basis,
+                ActionRow::Solved(p) => reads_needed(p.0),
+            });
+        let mut known = vec![false; self.unknowns.len()];
+        self.extractions.iter().for_each(|x| known[x.unknown] |= !x.pairs.is_empty());
+        let mut terms_ok = true;
+        for recovery in &self.recoveries {
+            let reads_known = |t: &Term| t.exponents.iter().zip(&known).all(|(&e, &k)| e == 0 || k);
+            terms_ok &= recovery.terms.iter().all(reads_known);
+            known[recovery.unknown] = true;
+        }
+        let all_terms = self.equations.iter().chain(&self.nonzero).chain(self.recoveries.iter().map(|r| &r.terms)).flatten();
+        terms_ok &= all_terms.clone().all(|t| coefficient_ok(t.coefficient) && t.exponents.len() == self.unknowns.len());
+        let values_ok = self.coefficients.iter().all(|id| (id.0 as usize) < self.code.len());
+        for (ok, what) in [
+            (code_ok, "a value is read before it is written"),
+            (values_ok, "a coefficient has no value"),
+            (blocks_ok && next == e.rows, "the blocks do not tile the rows"),
+            (couplings_ok, "a block reads a pivot that is not solved"),
+            (right_ok, "a basis entry is out of range"),
+            (action_ok, "a row of the action matrix is out of range"),
+            (terms_ok, "a term reads something unknown"),
+            (known.iter().all(|&k| k), "an unknown is never recovered"),
+        ] {
+            if !ok {
+                return Err(PlanError(what));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A plan that contradicts itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("inconsistent plan: {0}")]
+pub struct PlanError(pub &'static str);

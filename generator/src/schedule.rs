@@ -1,0 +1,301 @@
+//! From an elimination template to a [`Plan`].
+
+use std::collections::HashMap;
+
+use crate::algebra::Monomial;
+use crate::block_triangular::{DiagonalBlock, block_triangular_form};
+use crate::expression::{Expression, ExpressionGraph, ExpressionId, SymbolicPolynomial};
+use crate::plan::{
+    ActionRow, BasisId, Block, CoefficientId, Elimination, Entry, Extraction, KnownMonomial, Operation, PivotId, Plan,
+    PlanError, PlannedRecovery, RootMethod, Term, ValueId,
+};
+use crate::presolve::ReducedProblem;
+use crate::problem::Problem;
+use crate::template::{EliminationTemplate, Shift};
+
+/// Why a template cannot be turned into a plan.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ScheduleError {
+    /// The template does not fit the problem.
+    #[error("the template does not belong to the problem: {0}")]
+    Mismatch(String),
+    /// The square part of the template is singular for every instance.
+    #[error("the template is structurally singular")]
+    Singular,
+    /// An unknown is no ratio of monomials in the basis and its image.
+    #[error("the unknown `{0}` cannot be read from the template's monomials")]
+    Unreadable(String),
+    /// More coefficients, rows or basis monomials than the tables can index.
+    #[error("the problem is too large: more than 65,535 {0}")]
+    TooLarge(&'static str),
+    /// The result contradicts itself: a fault of this crate.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+}
+
+/// Plans the solver of `problem` from a template for its presolved form. `solutions` is the number of complex solutions.
+pub fn schedule(
+    problem: &Problem,
+    reduced: &ReducedProblem,
+    template: &EliminationTemplate,
+    solutions: usize,
+    roots: RootMethod,
+) -> Result<Plan, ScheduleError> {
+    check_shape(reduced, template)?;
+    let mut coefficients = Coefficients { graph: &reduced.problem.graph, ids: HashMap::new(), used: Vec::new() };
+    let (elimination, pivots) = plan_elimination(reduced, template, &mut coefficients)?;
+    let action = plan_action(template, &pivots)?;
+    let extractions =
+        reduced.kept.iter().map(|&unknown| plan_extraction(problem, template, unknown)).collect::<Result<_, _>>()?;
+    let width = problem.unknowns.len();
+    let recoveries: Vec<_> = reduced
+        .recoveries
+        .iter()
+        .map(|r| PlannedRecovery { unknown: r.unknown, terms: coefficients.terms(&r.value, width) })
+        .collect();
+    let equations = problem.polynomials().map(|p| coefficients.terms(p, width)).collect();
+    let nonzero = problem.nonzero.iter().map(|s| coefficients.terms(&s.polynomial, width)).collect();
+    if coefficients.used.len() > usize::from(u16::MAX) {
+        return Err(ScheduleError::TooLarge("coefficients"));
+    }
+    let (code, values) = straight_line_code(&reduced.problem.graph, &coefficients.used);
+    let plan = Plan {
+        name: problem.name.clone(),
+        docs: problem.docs.clone(),
+        data: problem.data.clone(),
+        unknowns: problem.unknowns.clone(),
+        solutions,
+        code,
+        coefficients: values,
+        elimination,
+        action,
+        roots,
+        extractions,
+        recoveries,
+        equations,
+        nonzero,
+    };
+    plan.check()?;
+    Ok(plan)
+}
+
+fn check_shape(reduced: &ReducedProblem, template: &EliminationTemplate) -> Result<(), ScheduleError> {
+    let mismatch = |what: String| Err(ScheduleError::Mismatch(what));
+    if template.rows() > usize::from(u16::MAX) || template.basis.len() > usize::from(u16::MAX) {
+        return Err(ScheduleError::TooLarge("rows or basis monomials"));
+    }
+    if template.rows() != template.excess.len() + template.reducible.len() {
+        return mismatch(format!(
+            "{} rows for {} excess and {} reducible columns",
+            template.rows(),
+            template.excess.len(),
+            template.reducible.len()
+        ));
+    }
+    let equations = reduced.problem.equations.len();
+    match template.shifts.iter().find(|shift| shift.equation >= equations) {
+        Some(shift) => mismatch(format!("a shift of equation {}, but there are {equations}", shift.equation + 1)),
+        None => Ok(()),
+    }
+}
+
+/// The coefficients that the tables refer to, in order of first use.
+struct Coefficients<'a> {
+    graph: &'a ExpressionGraph,
+    ids: HashMap<ExpressionId, u32>,
+    used: Vec<ExpressionId>,
+}
+
+impl Coefficients<'_> {
+    fn id(&mut self, expression: ExpressionId) -> CoefficientId {
+        let next = self.used.len() as u32;
+        let id = *self.ids.entry(expression).or_insert(next);
+        if id == next {
+            self.used.push(expression);
+        }
+        // More than 65,535 are refused at the end.
+        CoefficientId(id as u16)
+    }
+
+    fn terms(&mut self, polynomial: &SymbolicPolynomial, width: usize) -> Vec<Term> {
+        let term = |&(m, c): &(Monomial, ExpressionId)| Term {
+            coefficient: self.id(c),
+            exponents: m.exponents()[..width].iter().map(|&e| e.max(0) as u8).collect(),
+        };
+        polynomial.terms().iter().map(term).collect()
+    }
+}
+
+fn plan_elimination(
+    reduced: &ReducedProblem,
+    template: &EliminationTemplate,
+    coefficients: &mut Coefficients<'_>,
+) -> Result<(Elimination, HashMap<Monomial, PivotId>), ScheduleError> {
+    let left: HashMap<Monomial, usize> =
+        template.excess.iter().chain(&template.reducible).enumerate().map(|(at, &m)| (m, at)).collect();
+    let basis: HashMap<Monomial, usize> = template.basis.iter().enumerate().map(|(at, &m)| (m, at)).collect();
+    let rows: Vec<Row> = template
+        .shifts
+        .iter()
+        .map(|shift| Row::of(&reduced.problem.equations[shift.equation].polynomial, shift, &left, &basis))
+        .collect();
+    let pattern: Vec<Vec<usize>> = rows.iter().map(|row| row.left.iter().map(|&(column, _)| column).collect()).collect();
+    let mut diagonal = block_triangular_form(&pattern).ok_or(ScheduleError::Singular)?;
+    let needed = needed_last(&mut diagonal, &pattern, template);
+    let mut pivot_of_column = vec![0; template.rows()];
+    for (pivot, &column) in diagonal.iter().flat_map(|block| &block.columns).enumerate() {
+        pivot_of_column[column] = pivot;
+    }
+    let mut elimination =
+        Elimination { rows: template.rows(), basis: template.basis.len(), right: Vec::new(), blocks: Vec::new() };
+    let mut first = 0;
+    for (block, needed) in diagonal.iter().zip(needed) {
+        let planned = plan_block(block, first, &rows, &pivot_of_column, coefficients, &mut elimination.right);
+        elimination.blocks.push(Block { needed, ..planned });
+        first += block.rows.len();
+    }
+    let pivots = left.into_iter().map(|(m, at)| (m, PivotId(pivot_of_column[at] as u16))).collect();
+    Ok((elimination, pivots))
+}
+
+/// Reorders the columns of each block so that those which something else reads come last; returns their number for each block.
+fn needed_last(blocks: &mut [DiagonalBlock], pattern: &[Vec<usize>], template: &EliminationTemplate) -> Vec<usize> {
+    let mut block_of_column = vec![0; pattern.len()];
+    for (at, block) in blocks.iter().enumerate() {
+        block.columns.iter().for_each(|&column| block_of_column[column] = at);
+    }
+    // Reducible columns stand behind the excess columns.
+    let mut is_read: Vec<bool> = (0..pattern.len()).map(|column| column >= template.excess.len()).collect();
+    for (at, block) in blocks.iter().enumerate() {
+        for &column in block.rows.iter().flat_map(|&row| &pattern[row]) {
+            is_read[column] |= block_of_column[column] != at;
+        }
+    }
+    blocks
+        .iter_mut()
+        .map(|block| {
+            block.columns.sort_by_key(|&column| (is_read[column], column));
+            block.columns.iter().filter(|&&column| is_read[column]).count()
+        })
+        .collect()
+}
+
+fn plan_block(
+    block: &DiagonalBlock,
+    first: usize,
+    rows: &[Row],
+    pivot_of_column: &[usize],
+    coefficients: &mut Coefficients<'_>,
+    right: &mut Vec<Entry>,
+) -> Block {
+    let mut planned = Block { first, size: block.rows.len(), needed: 0, diagonal: Vec::new(), coupling: Vec::new() };
+    for (at, &row) in block.rows.iter().enumerate() {
+        for &(column, c) in &rows[row].left {
+            let pivot = pivot_of_column[column];
+            let coefficient = coefficients.id(c);
+            let row = at as u16;
+            match pivot.checked_sub(first) {
+                Some(column) => planned.diagonal.push(Entry { row, column: column as u16, coefficient }),
+                None => planned.coupling.push(Entry { row, column: pivot as u16, coefficient }),
+            }
+        }
+        for &(column, c) in &rows[row].right {
+            let coefficient = coefficients.id(c);
+            right.push(Entry { row: (first + at) as u16, column: column as u16, coefficient });
+        }
+    }
+    planned
+}
+
+/// Entries of a template row: positions among the eliminated and the basis columns.
+struct Row {
+    left: Vec<(usize, ExpressionId)>,
+    right: Vec<(usize, ExpressionId)>,
+}
+
+impl Row {
+    /// Monomials that are no column cancel in every combination that is read, and are left out.
+    fn of(
+        equation: &SymbolicPolynomial,
+        shift: &Shift,
+        left: &HashMap<Monomial, usize>,
+        basis: &HashMap<Monomial, usize>,
+    ) -> Self {
+        let terms = || equation.terms().iter().map(|&(m, c)| (m.times(&shift.multiplier), c));
+        Self {
+            left: terms().filter_map(|(m, c)| Some((*left.get(&m)?, c))).collect(),
+            right: terms().filter_map(|(m, c)| Some((*basis.get(&m)?, c))).collect(),
+        }
+    }
+}
+
+fn plan_action(
+    template: &EliminationTemplate,
+    pivots: &HashMap<Monomial, PivotId>,
+) -> Result<Vec<ActionRow>, ScheduleError> {
+    let row = |b: &Monomial| {
+        let image = b.times(&template.action);
+        let in_basis = template.basis.iter().position(|&m| m == image).map(|at| ActionRow::Unit(BasisId(at as u16)));
+        in_basis.or_else(|| pivots.get(&image).map(|&pivot| ActionRow::Solved(pivot)))
+    };
+    let missing = || ScheduleError::Mismatch("the image of a basis monomial is no column".into());
+    template.basis.iter().map(|b| row(b).ok_or_else(missing)).collect()
+}
+
+/// All pairs (m, x m) among the basis monomials; where there are none, among basis and image.
+fn plan_extraction(
+    problem: &Problem,
+    template: &EliminationTemplate,
+    unknown: usize,
+) -> Result<Extraction, ScheduleError> {
+    let ids = || (0u16..).map(BasisId);
+    let basis: Vec<(Monomial, KnownMonomial)> =
+        template.basis.iter().copied().zip(ids().map(KnownMonomial::Basis)).collect();
+    let images = template.basis.iter().map(|b| b.times(&template.action)).zip(ids().map(KnownMonomial::Image));
+    let all: Vec<_> = basis.iter().copied().chain(images).collect();
+    let x = Monomial::unknown(unknown);
+    let pairs = |known: &[(Monomial, KnownMonomial)]| -> Vec<_> {
+        let find = |m: Monomial| known.iter().find(|(n, _)| *n == m).map(|&(_, at)| at);
+        known.iter().filter_map(|&(m, at)| Some((at, find(m.times(&x))?))).collect()
+    };
+    let found = [pairs(&basis), pairs(&all)].into_iter().find(|pairs| !pairs.is_empty());
+    let unreadable = || ScheduleError::Unreadable(problem.unknowns[unknown].clone());
+    Ok(Extraction { unknown, pairs: found.ok_or_else(unreadable)? })
+}
+
+/// The nodes that `used` depends on, in order, and the position of each used one.
+fn straight_line_code(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Vec<Operation>, Vec<ValueId>) {
+    let mut needed = vec![false; graph.nodes().len()];
+    used.iter().for_each(|id| needed[id.index()] = true);
+    for at in (0..needed.len()).rev() {
+        if needed[at] {
+            operands(graph.nodes()[at]).into_iter().flatten().for_each(|id| needed[id.index()] = true);
+        }
+    }
+    let mut position = vec![ValueId(0); needed.len()];
+    let mut code = Vec::new();
+    for (at, node) in graph.nodes().iter().enumerate().filter(|&(at, _)| needed[at]) {
+        position[at] = ValueId(code.len() as u32);
+        let to = |id: ExpressionId| position[id.index()];
+        code.push(match *node {
+            Expression::Constant(value) => Operation::Constant(value),
+            Expression::Input(input) => Operation::Input(input),
+            Expression::Add(a, b) => Operation::Add(to(a), to(b)),
+            Expression::Subtract(a, b) => Operation::Subtract(to(a), to(b)),
+            Expression::Multiply(a, b) => Operation::Multiply(to(a), to(b)),
+            Expression::Divide(a, b) => Operation::Divide(to(a), to(b)),
+            Expression::Negate(a) => Operation::Negate(to(a)),
+        });
+    }
+    (code, used.iter().map(|id| position[id.index()]).collect())
+}
+
+fn operands(node: Expression) -> [Option<ExpressionId>; 2] {
+    match node {
+        Expression::Constant(_) | Expression::Input(_) => [None, None],
+        Expression::Negate(a) => [Some(a), None],
+        Expression::Add(a, b) | Expression::Subtract(a, b) | Expression::Multiply(a, b) | Expression::Divide(a, b) => {
+            [Some(a), Some(b)]
+        }
+    }
+}

@@ -1,0 +1,246 @@
+//! `NAME.template.toml`: an elimination template as a person reads it.
+
+use std::fmt::Write as _;
+
+use serde::Deserialize;
+
+use super::{EliminationTemplate, Shift};
+use crate::algebra::{MAX_UNKNOWNS, Monomial};
+use crate::plan::RootMethod;
+use crate::presolve::Presolve;
+
+/// What a template file holds.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TemplateFile {
+    /// Name of the problem.
+    pub problem: String,
+    /// [`crate::problem::Problem::fingerprint`] of the problem that the template was found for.
+    pub fingerprint: u64,
+    /// Number of complex solutions.
+    pub solutions: usize,
+    /// The presolved form that the template is for.
+    pub presolve: Presolve,
+    /// How real roots are found.
+    pub roots: RootMethod,
+    /// The template.
+    pub template: EliminationTemplate,
+    /// How it was found: (key, value), written as they are and not interpreted.
+    pub provenance: Vec<(String, String)>,
+}
+
+/// Why a template file cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum TemplateFileError {
+    /// Not TOML of the right form; the message names line and column.
+    #[error("{0}")]
+    Syntax(String),
+    /// A monomial that is none.
+    #[error("`{key}` holds `{text}`, which is no monomial in {unknowns} (such as `x^2*y` or `1/x`)")]
+    Monomial {
+        /// Where it stands.
+        key: &'static str,
+        /// What stands there.
+        text: String,
+        /// The names of the unknowns.
+        unknowns: String,
+    },
+    /// A word that is none of those allowed.
+    #[error("`{key}` is `{text}`; expected one of {expected}")]
+    Word {
+        /// Where it stands.
+        key: &'static str,
+        /// What stands there.
+        text: String,
+        /// What may stand there.
+        expected: String,
+    },
+}
+
+/// The file as it is, before its monomials are read.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Raw {
+    problem: String,
+    fingerprint: String,
+    solutions: usize,
+    presolve: String,
+    roots: String,
+    action: String,
+    #[serde(rename = "rows")]
+    _rows: usize,
+    #[serde(rename = "columns")]
+    _columns: usize,
+    basis: Vec<String>,
+    reducible: Vec<String>,
+    excess: Vec<String>,
+    shifts: Vec<RawShifts>,
+    #[serde(default)]
+    provenance: toml::Table,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RawShifts {
+    /// Counted from 1.
+    equation: usize,
+    multipliers: Vec<String>,
+}
+
+const PRESOLVES: [(&str, Presolve); 3] =
+    [("none", Presolve::None), ("constant", Presolve::Constant), ("linear", Presolve::Linear)];
+const ROOTS: [(&str, RootMethod); 2] =
+    [("eigenvalues", RootMethod::Eigenvalues), ("characteristic_polynomial", RootMethod::CharacteristicPolynomial)];
+
+impl TemplateFile {
+    /// Reads a file; `unknowns` are the names of the problem.
+    pub fn parse(text: &str, unknowns: &[String]) -> Result<Self, TemplateFileError> {
+        let raw: Raw = toml::from_str(text).map_err(|error| TemplateFileError::Syntax(error.to_string()))?;
+        let fingerprint = u64::from_str_radix(&raw.fingerprint, 16)
+            .map_err(|_| word("fingerprint", &raw.fingerprint, "16 hexadecimal digits"))?;
+        let monomial = |key: &'static str, text: &str| {
+            parse_monomial(text, unknowns).ok_or_else(|| TemplateFileError::Monomial {
+                key,
+                text: text.to_owned(),
+                unknowns: unknowns.join(", "),
+            })
+        };
+        let all = |key, texts: &[String]| texts.iter().map(|text| monomial(key, text)).collect::<Result<Vec<_>, _>>();
+        let mut shifts = Vec::new();
+        for group in &raw.shifts {
+            let equation = group.equation.checked_sub(1).ok_or_else(|| word("equation", "0", "1, 2, ..."))?;
+            let multipliers = all("multipliers", &group.multipliers)?;
+            shifts.extend(multipliers.into_iter().map(|multiplier| Shift { equation, multiplier }));
+        }
+        shifts.sort_unstable();
+        Ok(Self {
+            problem: raw.problem,
+            fingerprint,
+            solutions: raw.solutions,
+            presolve: choose("presolve", &raw.presolve, &PRESOLVES)?,
+            roots: choose("roots", &raw.roots, &ROOTS)?,
+            template: EliminationTemplate {
+                shifts,
+                action: monomial("action", &raw.action)?,
+                excess: all("excess", &raw.excess)?,
+                reducible: all("reducible", &raw.reducible)?,
+                basis: all("basis", &raw.basis)?,
+            },
+            provenance: raw
+                .provenance
+                .into_iter()
+                .map(|(key, value)| (key, value.as_str().map_or_else(|| value.to_string(), str::to_owned)))
+                .collect(),
+        })
+    }
+
+    /// The text of the file.
+    pub fn to_text(&self, unknowns: &[String]) -> String {
+        let show = |m: &Monomial| format!("{:?}", m.display(unknowns).to_string());
+        let list = |monomials: &[Monomial]| monomials.iter().map(show).collect::<Vec<_>>().join(", ");
+        let t = &self.template;
+        let mut text = String::new();
+        // Writing to a string cannot fail.
+        let mut line = |content: String| {
+            let _ = writeln!(text, "{content}");
+        };
+        line(format!("# Elimination template of the problem `{}`: {} x {}.", self.problem, t.rows(), t.columns()));
+        line(format!("# Found by `eliminant search {}.rs`; checked against the problem whenever it is used.", self.problem));
+        line(format!("problem = {:?}", self.problem));
+        line(format!("fingerprint = \"{:016x}\"", self.fingerprint));
+        line(format!("solutions = {}", self.solutions));
+        line(format!("presolve = {:?}", name_of(self.presolve, &PRESOLVES)));
+        line(format!("roots = {:?}", name_of(self.roots, &ROOTS)));
+        line(format!("rows = {}", t.rows()));
+        line(format!("columns = {}", t.columns()));
+        line(format!("action = {}", show(&t.action)));
+        line(format!("basis = [{}]", list(&t.basis)));
+        line(format!("reducible = [{}]", list(&t.reducible)));
+        line(format!("excess = [{}]", list(&t.excess)));
+        for group in t.shifts.chunk_by(|a, b| a.equation == b.equation) {
+            let multipliers: Vec<Monomial> = group.iter().map(|shift| shift.multiplier).collect();
+            line(format!("\n[[shifts]]\nequation = {}", group[0].equation + 1));
+            line(format!("multipliers = [{}]", list(&multipliers)));
+        }
+        line("\n[provenance]".to_owned());
+        for (key, value) in &self.provenance {
+            line(format!("{key} = {value:?}"));
+        }
+        text
+    }
+}
+
+fn word(key: &'static str, text: &str, expected: &str) -> TemplateFileError {
+    TemplateFileError::Word { key, text: text.to_owned(), expected: expected.to_owned() }
+}
+
+fn choose<T: Copy>(key: &'static str, text: &str, choices: &[(&str, T)]) -> Result<T, TemplateFileError> {
+    let expected = || choices.iter().map(|(name, _)| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+    let found = choices.iter().find(|(name, _)| *name == text).map(|&(_, value)| value);
+    found.ok_or_else(|| word(key, text, &expected()))
+}
+
+fn name_of<T: PartialEq>(value: T, choices: &[(&'static str, T)]) -> &'static str {
+    choices.iter().find(|(_, choice)| *choice == value).map_or("", |(name, _)| name)
+}
+
+/// `x^2*y/z` or `1/x`, as [`Monomial::display`] prints it.
+fn parse_monomial(text: &str, unknowns: &[String]) -> Option<Monomial> {
+    let mut exponents = [0i8; MAX_UNKNOWNS];
+    for (at, quotient) in text.split('/').enumerate() {
+        for factor in quotient.split('*') {
+            if factor == "1" {
+                continue;
+            }
+            let (name, power) = factor.split_once('^').unwrap_or((factor, "1"));
+            let unknown = unknowns.iter().position(|unknown| unknown == name)?;
+            let power: i8 = power.parse().ok().filter(|&power| power > 0)?;
+            let signed = if at == 0 { power } else { -power };
+            exponents[unknown] = exponents[unknown].checked_add(signed)?;
+        }
+    }
+    Some(Monomial::from_exponents(&exponents))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names() -> Vec<String> {
+        ["x", "y", "z"].map(String::from).to_vec()
+    }
+
+    #[test]
+    fn monomials_survive_a_round_trip() {
+        for exponents in [[0, 0, 0], [1, 0, 0], [2, 1, 0], [-1, 0, 0], [2, -3, 1], [0, -1, -1]] {
+            let monomial = Monomial::from_exponents(&exponents);
+            let text = monomial.display(&names()).to_string();
+            assert_eq!(parse_monomial(&text, &names()), Some(monomial), "{text}");
+        }
+        for bad in ["", "w", "x^", "x^a", "x**y", "x^-1", "2", "x^200", "/x"] {
+            assert_eq!(parse_monomial(bad, &names()), None, "{bad}");
+        }
+    }
+
+    #[test]
+    fn files_survive_a_round_trip() {
+        let m = |e: &[i8]| Monomial::from_exponents(e);
+        let shift = |equation, e: &[i8]| Shift { equation, multiplier: m(e) };
+        let file = TemplateFile {
+            problem: "some".into(),
+            fingerprint: 0x1234,
+            solutions: 2,
+            presolve: Presolve::Linear,
+            roots: RootMethod::CharacteristicPolynomial,
+            template: EliminationTemplate {
+                shifts: vec![shift(0, &[0]), shift(0, &[1]), shift(2, &[0, 1])],
+                action: m(&[-1]),
+                excess: vec![m(&[2, 1])],
+                reducible: vec![m(&[1, 1]), m(&[0, 1])],
+                basis: vec![m(&[1]), m(&[0])],
+            },
+            provenance: vec![("generator".into(), "0.1.0".into()), ("growth".into(), "a \"b\"".into())],
+        };
+        let text = file.to_text(&names());
+        assert_eq!(TemplateFile::parse(&text, &names()).unwrap(), file);
+    }
+}

@@ -1,0 +1,75 @@
+//! Filling and eliminating a block-triangular elimination template from tables.
+
+use crate::error::SolveError;
+use crate::lu::solve_block_trailing;
+
+/// A table entry: row, column, slot of the coefficient.
+pub type Entry = (u16, u16, u16);
+
+/// Writes the coefficients to their places. Entries out of range are ignored; the generator makes none.
+#[inline]
+pub fn fill<const M: usize>(matrix: &mut [[f64; M]], entries: &[Entry], coefficients: &[f64]) {
+    for &(row, column, slot) in entries {
+        let place = matrix.get_mut(usize::from(row)).and_then(|row| row.get_mut(usize::from(column)));
+        if let (Some(place), Some(&value)) = (place, coefficients.get(usize::from(slot))) {
+            *place = value;
+        }
+    }
+}
+
+/// The tables of one diagonal block of N rows, which start at row `first` of the template.
+///
+/// ```text
+///                    pivots solved before   pivots first..first+N    basis
+/// row first + i   [        coupling       |       diagonal        |  right  ]
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Block {
+    /// The first row, which is also the first pivot.
+    pub first: u16,
+    /// How many of the last pivots are read later.
+    pub needed: u16,
+    /// The square block; rows and columns count from `first`.
+    pub diagonal: &'static [Entry],
+    /// Entries at pivots solved before; rows count from `first`, columns are absolute.
+    pub coupling: &'static [Entry],
+}
+
+/// Solves for the pivots of one block: rows `first..first + N` of `right` become its solved rows.
+///
+/// # Errors
+/// As [`crate::solve_block`].
+#[inline]
+pub fn eliminate_block<const N: usize, const M: usize>(
+    block: &Block,
+    right: &mut [[f64; M]],
+    coefficients: &[f64],
+) -> Result<(), SolveError> {
+    let Some((solved, open)) = right.split_at_mut_checked(usize::from(block.first)) else {
+        return Err(SolveError::Degenerate { column: 0 });
+    };
+    for &(row, pivot, slot) in block.coupling {
+        let (Some(row), Some(pivot)) = (open.get_mut(usize::from(row)), solved.get(usize::from(pivot))) else { continue };
+        let factor = coefficients.get(usize::from(slot)).copied().unwrap_or(0.0);
+        for j in 0..M {
+            row[j] -= factor * pivot[j];
+        }
+    }
+    let mut matrix = [[0.0; N]; N];
+    fill(&mut matrix, block.diagonal, coefficients);
+    solve_block_trailing(&mut matrix, open, usize::from(block.needed))
+}
+
+/// Refuses coefficients that are not finite: the data are at fault if they are not finite themselves, else an overflow or a division by
+/// zero shows that they are degenerate.
+///
+/// # Errors
+/// [`SolveError::NonFiniteInput`] or [`SolveError::Degenerate`].
+#[inline]
+pub fn check_coefficients(coefficients: &[f64], data: &[&[f64]]) -> Result<(), SolveError> {
+    if coefficients.iter().all(|c| c.is_finite()) {
+        return Ok(());
+    }
+    let finite = data.iter().all(|values| values.iter().all(|value| value.is_finite()));
+    Err(if finite { SolveError::Degenerate { column: 0 } } else { SolveError::NonFiniteInput })
+}
