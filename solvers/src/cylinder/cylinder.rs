@@ -1,0 +1,122 @@
+//! Step 4: the cylinder in space, its silhouettes in a camera, and how far a given line is from them.
+
+use nalgebra::{Point3, Unit, Vector3};
+
+use super::circle::Circle;
+use super::rectify::Rectification;
+use super::view::{Camera, View, ViewingPlane};
+
+/// An infinite circular cylinder.
+///
+/// ```text
+///     | (X - A) - w w^T (X - A) | = r
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cylinder {
+    /// The point `A` of the axis that is nearest to the world's origin.
+    pub axis_point: Point3<f64>,
+    /// Unit direction `w` of the axis.
+    pub direction: Unit<Vector3<f64>>,
+    /// Radius `r`, world units.
+    pub radius: f64,
+}
+
+/// How far a silhouette line is from the silhouette of a cylinder.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LineResidual {
+    /// Index of the view.
+    pub view: usize,
+    /// Index of the line in its view.
+    pub line: usize,
+    /// Signed distance between viewing plane and cylinder, world units: distance of the axis from the plane, turned about
+    /// its camera centre to be parallel to the axis, minus the radius. Negative where the plane cuts the cylinder.
+    pub distance: f64,
+    /// Angle between the viewing plane and the nearest tangent plane through the camera centre, radians.
+    pub angle: f64,
+    /// Distance in pixels, when the camera has a calibration: of the silhouette from the point of the given line that is
+    /// nearest to the principal point.
+    pub pixels: Option<f64>,
+}
+
+impl Cylinder {
+    /// The cylinder through `point` along `direction`; `axis_point` becomes the point of the axis nearest to the origin.
+    pub fn new(point: &Point3<f64>, direction: Unit<Vector3<f64>>, radius: f64) -> Self {
+        let along = direction.into_inner() * direction.dot(&point.coords);
+        Self { axis_point: point - along, direction, radius }
+    }
+
+    /// The cylinder over a circle of the cross-section: inverse of the rectification.
+    pub fn from_circle(circle: &Circle, rectification: &Rectification, direction: Unit<Vector3<f64>>) -> Self {
+        Self::new(&rectification.world_point(&circle.centre), direction, circle.radius)
+    }
+
+    /// Perpendicular from a point to the axis, pointing at the axis.
+    fn to_axis(&self, point: &Point3<f64>) -> Vector3<f64> {
+        let difference = self.axis_point - point;
+        difference - self.direction.into_inner() * self.direction.dot(&difference)
+    }
+
+    /// Signed distance of a point from the surface: negative inside.
+    pub fn distance(&self, point: &Point3<f64>) -> f64 {
+        self.to_axis(point).norm() - self.radius
+    }
+
+    /// The two silhouette lines in a camera, unit vectors in normalised image coordinates, or `None` when its centre is
+    /// not outside the cylinder.
+    ///
+    /// With `m` the perpendicular from the centre `C` to the axis, `rho = |m|` and the frame `e1 = m / rho`,
+    /// `e2 = w x e1`, the tangent planes through `C` have the normals `n = (r / rho) e1 +- sqrt(1 - (r / rho)^2) e2`,
+    /// because `n^T m = r`; the lines are `l = R n`. The axis is on the positive side of both.
+    pub fn silhouette(&self, camera: &Camera) -> Option<[Vector3<f64>; 2]> {
+        let to_axis = self.to_axis(&camera.centre());
+        let sine = self.radius / to_axis.norm();
+        if sine.is_nan() || sine >= 1.0 {
+            return None;
+        }
+        let first = to_axis.normalize();
+        let second = self.direction.cross(&first);
+        let cosine = ((1.0 - sine) * (1.0 + sine)).sqrt();
+        Some([1.0, -1.0].map(|side| camera.rotation() * (first * sine + second * (side * cosine))))
+    }
+
+    /// Residuals of the lines of a view, or `None` when its camera is not outside the cylinder. `view` is the index that
+    /// the residuals carry.
+    pub fn residuals(&self, view: usize, lines: &View) -> Option<Vec<LineResidual>> {
+        let camera = lines.camera();
+        let silhouette = self.silhouette(camera)?;
+        let residual = |(index, (line, plane)): (usize, (&Vector3<f64>, ViewingPlane))| {
+            // Lines have no sign: the angle is between 0 and pi / 2.
+            let angle = |other: &Vector3<f64>| line.cross(other).norm().atan2(line.dot(other).abs());
+            let nearest = if angle(&silhouette[1]) < angle(&silhouette[0]) { &silhouette[1] } else { &silhouette[0] };
+            LineResidual {
+                view,
+                line: index,
+                distance: self.plane_distance(&plane),
+                angle: angle(nearest),
+                pixels: pixel_distance(camera, line, nearest),
+            }
+        };
+        Some(lines.lines().iter().zip(lines.planes()).enumerate().map(residual).collect())
+    }
+
+    /// Distance of the axis from the plane, turned to be parallel to it, minus the radius.
+    fn plane_distance(&self, plane: &ViewingPlane) -> f64 {
+        let w = self.direction.into_inner();
+        let normal = (plane.normal - w * w.dot(&plane.normal)).normalize();
+        normal.dot(&self.to_axis(&plane.centre)).abs() - self.radius
+    }
+}
+
+/// Distance in pixels of `silhouette` from the point of `line` nearest to the principal point; both lines in normalised
+/// coordinates. `None` without calibration, or when that point is far outside every image.
+fn pixel_distance(camera: &Camera, line: &Vector3<f64>, silhouette: &Vector3<f64>) -> Option<f64> {
+    let calibration = camera.calibration()?;
+    let [line, silhouette] = [line, silhouette].map(|line| calibration.line_to_pixels(line)).map(|line| {
+        let norm = line.xy().norm();
+        line / norm
+    });
+    let principal = calibration.matrix().column(2).clone_owned();
+    let foot = principal.xy() - line.xy() * line.dot(&principal);
+    let distance = (silhouette.xy().dot(&foot) + silhouette.z).abs();
+    distance.is_finite().then_some(distance)
+}

@@ -1,0 +1,309 @@
+//! Scene files. A scene is a JSON object:
+//!
+//! ```json
+//! {
+//!   "K": [[3000, 0, 2000], [0, 3000, 1500], [0, 0, 1]],
+//!   "views": [
+//!     {
+//!       "camera_normalised": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 5]],
+//!       "lines_pixels": [[1, 0, -1800], [1, 0, -2200]]
+//!     }
+//!   ]
+//! }
+//! ```
+//!
+//! - `K`: calibration in pixels, upper triangular. Optional when nothing is in pixels; with it residuals are in pixels too.
+//! - `views[i].camera_normalised`: 3x4 `[R t]` up to scale, world to camera; or `camera_pixels`: `K [R t]` up to scale.
+//! - `views[i].lines_normalised`: lines `[a, b, c]`, `a x + b y + c = 0`, any scale and sign, in normalised image
+//!   coordinates; or `lines_pixels`, in pixels. Where a view gives both spellings of one thing, they must agree.
+//! - `points`: optional world points `[x, y, z]`; the report says how many are near the surface.
+//!
+//! Other keys are ignored. All lines are taken for silhouettes of the same cylinder.
+
+use std::path::Path;
+
+use nalgebra::{Matrix3, Matrix3x4, Point3, Vector3};
+use serde::Deserialize;
+use thiserror::Error;
+
+use super::view::{Calibration, Camera, View, ViewError};
+
+/// Largest difference between two spellings of one camera (rotation entries; translation relative to its length) or one
+/// line (unit vectors): about a third of a pixel at a focal length of 3000.
+const SPELLINGS_AGREE: f64 = 1e-4;
+
+/// A scene: views of one cylinder, and points to compare the result with.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// The views, in the order of the file.
+    pub views: Vec<View>,
+    /// Scene points, world frame; empty when the file has none.
+    pub points: Vec<Point3<f64>>,
+}
+
+/// What is wrong with a scene file. Every message starts with the file, then the place in it.
+#[derive(Debug, Error)]
+pub enum InputError {
+    /// The file cannot be read.
+    #[error("{file}: {source}")]
+    Read {
+        /// File name.
+        file: String,
+        /// Reason.
+        source: std::io::Error,
+    },
+    /// The text is not JSON.
+    #[error("{file}:{line}:{column}: not JSON: {message}")]
+    NotJson {
+        /// File name.
+        file: String,
+        /// Line, from 1.
+        line: usize,
+        /// Column, from 1.
+        column: usize,
+        /// What the parser says.
+        message: String,
+    },
+    /// The text is JSON, but not a scene: a key is missing or of another type.
+    #[error("{file}:{line}:{column}: not a scene: {message}")]
+    NotAScene {
+        /// File name.
+        file: String,
+        /// Line, from 1.
+        line: usize,
+        /// Column, from 1.
+        column: usize,
+        /// What the parser says.
+        message: String,
+    },
+    /// An array has the wrong number of entries.
+    #[error("{file}: {place} has {found} entries where {expected} are expected")]
+    Shape {
+        /// File name.
+        file: String,
+        /// Key and indices, such as `views[1].camera_pixels[0]`.
+        place: String,
+        /// Entries expected.
+        expected: usize,
+        /// Entries found.
+        found: usize,
+    },
+    /// A view has neither spelling of its camera or of its lines, or one in pixels without `K`.
+    #[error("{file}: views[{view}] needs {needs}")]
+    Missing {
+        /// File name.
+        file: String,
+        /// Index of the view.
+        view: usize,
+        /// The missing keys.
+        needs: &'static str,
+    },
+    /// The two spellings of a camera or of a line differ.
+    #[error("{file}: {place}: the values in pixels and in normalised coordinates contradict each other")]
+    Contradiction {
+        /// File name.
+        file: String,
+        /// Key and indices.
+        place: String,
+    },
+    /// A calibration, camera or line is not valid.
+    #[error("{file}: {place}: {source}")]
+    Invalid {
+        /// File name.
+        file: String,
+        /// Key and indices.
+        place: String,
+        /// Reason.
+        source: ViewError,
+    },
+}
+
+type Rows = Vec<Vec<f64>>;
+
+#[derive(Deserialize)]
+struct SceneFile {
+    #[serde(rename = "K")]
+    calibration: Option<Rows>,
+    views: Vec<ViewFile>,
+    #[serde(default)]
+    points: Rows,
+}
+
+#[derive(Deserialize)]
+struct ViewFile {
+    camera_normalised: Option<Rows>,
+    camera_pixels: Option<Rows>,
+    lines_normalised: Option<Rows>,
+    lines_pixels: Option<Rows>,
+}
+
+/// Reads a scene file.
+///
+/// # Errors
+/// [`InputError`].
+pub fn read_scene(path: &Path) -> Result<Scene, InputError> {
+    let file = path.display().to_string();
+    match std::fs::read_to_string(path) {
+        Ok(text) => parse_scene(&text, &file),
+        Err(source) => Err(InputError::Read { file, source }),
+    }
+}
+
+/// Parses a scene; `file` is the name that error messages carry.
+///
+/// # Errors
+/// [`InputError`], except [`InputError::Read`].
+pub fn parse_scene(text: &str, file: &str) -> Result<Scene, InputError> {
+    let scene: SceneFile = serde_json::from_str(text).map_err(|error| json_error(file, &error))?;
+    let reader = Reader { file };
+    let calibration = match &scene.calibration {
+        Some(rows) => Some(reader.calibration(rows)?),
+        None => None,
+    };
+    let view = |(index, view)| reader.view(index, view, calibration);
+    let point = |(index, point): (usize, &Vec<f64>)| {
+        Ok(Point3::from(Vector3::from(reader.numbers(point, || format!("points[{index}]"))?)))
+    };
+    Ok(Scene {
+        views: scene.views.iter().enumerate().map(view).collect::<Result<_, _>>()?,
+        points: scene.points.iter().enumerate().map(point).collect::<Result<_, InputError>>()?,
+    })
+}
+
+/// The position leads the message, so the parser's own mention of it is cut off.
+fn json_error(file: &str, error: &serde_json::Error) -> InputError {
+    let (file, line, column) = (file.to_owned(), error.line(), error.column());
+    let text = error.to_string();
+    let message = text.split(" at line ").next().unwrap_or(&text).to_owned();
+    if error.is_data() {
+        InputError::NotAScene { file, line, column, message }
+    } else {
+        InputError::NotJson { file, line, column, message }
+    }
+}
+
+/// Turns rows of numbers into typed values; knows the file for messages.
+struct Reader<'a> {
+    file: &'a str,
+}
+
+impl Reader<'_> {
+    fn view(&self, index: usize, view: &ViewFile, calibration: Option<Calibration>) -> Result<View, InputError> {
+        let missing = |needs| InputError::Missing { file: self.file.to_owned(), view: index, needs };
+        let camera = match &view.camera_normalised {
+            Some(rows) => {
+                let place = format!("views[{index}].camera_normalised");
+                let matrix = self.camera_matrix(rows, &place)?;
+                let camera = Camera::from_normalised(&matrix).map_err(|source| self.invalid(&place, source))?;
+                Some(calibration.map_or(camera, |calibration| camera.with_calibration(calibration)))
+            }
+            None => None,
+        };
+        let camera_pixels = match &view.camera_pixels {
+            Some(rows) => {
+                let place = format!("views[{index}].camera_pixels");
+                let calibration = calibration.ok_or_else(|| missing("`K`, because its camera is in pixels"))?;
+                let matrix = self.camera_matrix(rows, &place)?;
+                let other = Camera::from_pixels(&matrix, calibration).map_err(|source| self.invalid(&place, source))?;
+                if camera.is_some_and(|camera| !cameras_agree(&camera, &other)) {
+                    return Err(InputError::Contradiction { file: self.file.to_owned(), place });
+                }
+                Some(other)
+            }
+            None => None,
+        };
+        let camera = camera.or(camera_pixels).ok_or_else(|| missing("`camera_normalised` or `camera_pixels`"))?;
+        self.lines(index, view, camera, missing)
+    }
+
+    fn lines(
+        &self,
+        index: usize,
+        view: &ViewFile,
+        camera: Camera,
+        missing: impl Fn(&'static str) -> InputError,
+    ) -> Result<View, InputError> {
+        let parsed = match &view.lines_normalised {
+            Some(rows) => {
+                let place = format!("views[{index}].lines_normalised");
+                let lines = View::from_normalised_lines(camera, &self.line_rows(rows, &place)?);
+                Some(lines.map_err(|source| self.invalid(&place, source))?)
+            }
+            None => None,
+        };
+        let Some(rows) = &view.lines_pixels else {
+            return parsed.ok_or_else(|| missing("`lines_normalised` or `lines_pixels`"));
+        };
+        if camera.calibration().is_none() {
+            return Err(missing("`K`, because its lines are in pixels"));
+        }
+        let place = format!("views[{index}].lines_pixels");
+        let other = View::from_pixel_lines(camera, &self.line_rows(rows, &place)?);
+        let other = other.map_err(|source| self.invalid(&place, source))?;
+        match parsed {
+            Some(view) => match first_disagreement(view.lines(), other.lines()) {
+                Some(line) => {
+                    Err(InputError::Contradiction { file: self.file.to_owned(), place: format!("{place}[{line}]") })
+                }
+                None => Ok(view),
+            },
+            None => Ok(other),
+        }
+    }
+
+    fn calibration(&self, rows: &Rows) -> Result<Calibration, InputError> {
+        let rows: [[f64; 3]; 3] = self.matrix(rows, "K")?;
+        let matrix = Matrix3::from_fn(|row, column| rows[row][column]);
+        Calibration::new(&matrix).map_err(|source| self.invalid("K", source))
+    }
+
+    fn camera_matrix(&self, rows: &Rows, place: &str) -> Result<Matrix3x4<f64>, InputError> {
+        let rows: [[f64; 4]; 3] = self.matrix(rows, place)?;
+        Ok(Matrix3x4::from_fn(|row, column| rows[row][column]))
+    }
+
+    fn line_rows(&self, rows: &Rows, place: &str) -> Result<Vec<Vector3<f64>>, InputError> {
+        let line = |(index, row): (usize, &Vec<f64>)| {
+            Ok(Vector3::from(self.numbers::<3>(row, || format!("{place}[{index}]"))?))
+        };
+        rows.iter().enumerate().map(line).collect()
+    }
+
+    fn matrix<const COLUMNS: usize>(&self, rows: &Rows, place: &str) -> Result<[[f64; COLUMNS]; 3], InputError> {
+        let [first, second, third] = rows.as_slice() else {
+            return Err(self.shape(place.to_owned(), 3, rows.len()));
+        };
+        let row = |index: usize, row: &[f64]| self.numbers(row, || format!("{place}[{index}]"));
+        Ok([row(0, first)?, row(1, second)?, row(2, third)?])
+    }
+
+    fn numbers<const COUNT: usize>(
+        &self,
+        numbers: &[f64],
+        place: impl Fn() -> String,
+    ) -> Result<[f64; COUNT], InputError> {
+        numbers.try_into().map_err(|_| self.shape(place(), COUNT, numbers.len()))
+    }
+
+    fn shape(&self, place: String, expected: usize, found: usize) -> InputError {
+        InputError::Shape { file: self.file.to_owned(), place, expected, found }
+    }
+
+    fn invalid(&self, place: &str, source: ViewError) -> InputError {
+        InputError::Invalid { file: self.file.to_owned(), place: place.to_owned(), source }
+    }
+}
+
+fn cameras_agree(left: &Camera, right: &Camera) -> bool {
+    let rotation = (left.rotation() - right.rotation()).amax();
+    let translation = (left.translation() - right.translation()).norm();
+    rotation <= SPELLINGS_AGREE && translation <= SPELLINGS_AGREE * left.translation().norm()
+}
+
+/// Index of the first line that differs; a line that only one list has differs.
+fn first_disagreement(left: &[Vector3<f64>], right: &[Vector3<f64>]) -> Option<usize> {
+    let agree = |(left, right): (&Vector3<f64>, &Vector3<f64>)| left.cross(right).norm() <= SPELLINGS_AGREE;
+    let common = left.len().min(right.len());
+    let differing = left.iter().zip(right).position(|pair| !agree(pair));
+    differing.or((left.len() != right.len()).then_some(common))
+}

@@ -1,0 +1,29 @@
+//! Cylinder triangulation: silhouette lines and cameras in, a cylinder out.
+//!
+//! Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation". The list of modules is the pipeline.
+
+/// Tangent lines to the least squares circle, by the emitted solver.
+pub mod circle;
+/// The command line: arguments to exit code and text.
+pub mod command;
+/// Circle back to a cylinder in space; silhouettes and residuals.
+pub mod cylinder;
+/// Viewing planes to the direction of the axis; conditioned, or refused.
+pub mod direction;
+/// Scene files: JSON to views.
+pub mod input;
+/// Viewing planes to tangent lines of the cross-section.
+pub mod rectify;
+/// A result as text and as JSON.
+pub mod report;
+/// All of it: views to a cylinder with its residuals.
+pub mod triangulate;
+/// Cameras, silhouette lines and viewing planes; validated.
+pub mod view;
+
+pub use circle::{Circle, CircleError, CircleFit};
+pub use cylinder::{Cylinder, LineResidual};
+pub use direction::{Direction, DirectionError};
+pub use input::{InputError, Scene, parse_scene, read_scene};
+pub use triangulate::{TriangulateError, Triangulation, triangulate};
+pub use view::{Calibration, Camera, View, ViewError, ViewingPlane};

@@ -1,0 +1,134 @@
+//! A triangulation as text for people and as JSON for programs.
+
+use std::fmt::Write;
+
+use nalgebra::Point3;
+use serde::Serialize;
+
+use super::cylinder::Cylinder;
+use super::triangulate::Triangulation;
+
+/// A scene point counts as near the surface when it is within this part of the radius.
+const NEAR_SURFACE: f64 = 0.05;
+
+/// The result in plain numbers, in the form in which it is written as JSON.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Report {
+    /// Point of the axis nearest to the world's origin.
+    pub axis_point: [f64; 3],
+    /// Unit direction of the axis.
+    pub direction: [f64; 3],
+    /// Radius, world units.
+    pub radius: f64,
+    /// Singular values of the linear system for the direction, descending.
+    pub singular_values: [f64; 3],
+    /// Root mean square distance between lines and circle in the cross-section, world units.
+    pub rms: f64,
+    /// Number of real stationary points of the least squares problem.
+    pub stationary_points: usize,
+    /// One for each line.
+    pub residuals: Vec<ResidualReport>,
+    /// Number of scene points and of those near the surface; absent when the scene has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub points: Option<PointReport>,
+}
+
+/// Residual of one line.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ResidualReport {
+    /// Index of the view, from 0.
+    pub view: usize,
+    /// Index of the line in its view, from 0.
+    pub line: usize,
+    /// Distance of the axis from the viewing plane minus the radius, world units.
+    pub distance: f64,
+    /// Angle between the viewing plane and the nearest tangent plane, radians.
+    pub angle: f64,
+    /// Distance in pixels; null without calibration.
+    pub pixels: Option<f64>,
+}
+
+/// Scene points against the surface.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct PointReport {
+    /// Number of points.
+    pub total: usize,
+    /// Number of points within 5 % of the radius from the surface.
+    pub near_surface: usize,
+}
+
+impl Report {
+    /// Gathers the numbers of a result.
+    pub fn new(result: &Triangulation, points: &[Point3<f64>]) -> Self {
+        let cylinder = &result.cylinder;
+        let residuals = result.residuals.iter().map(|residual| ResidualReport {
+            view: residual.view,
+            line: residual.line,
+            distance: residual.distance,
+            angle: residual.angle,
+            pixels: residual.pixels,
+        });
+        Self {
+            axis_point: cylinder.axis_point.coords.into(),
+            direction: cylinder.direction.into_inner().into(),
+            radius: cylinder.radius,
+            singular_values: result.direction.singular_values,
+            rms: result.fit.rms,
+            stationary_points: result.fit.stationary_points,
+            residuals: residuals.collect(),
+            points: (!points.is_empty()).then(|| PointReport::new(cylinder, points)),
+        }
+    }
+
+    /// For people: seven significant digits.
+    pub fn text(&self) -> String {
+        let mut text = String::new();
+        // Writing to a string cannot fail.
+        let _ = self.write_text(&mut text);
+        text
+    }
+
+    /// For programs: JSON with all digits, on several lines.
+    pub fn json(&self) -> String {
+        // Plain numbers and arrays always serialise.
+        serde_json::to_string_pretty(self).map(|json| json + "\n").unwrap_or_default()
+    }
+
+    fn write_text(&self, text: &mut String) -> std::fmt::Result {
+        let [sigma1, sigma2, sigma3] = self.singular_values;
+        let triple = |[x, y, z]: [f64; 3]| format!("{x:14.7}{y:14.7}{z:14.7}");
+        writeln!(text, "axis point       {}   nearest to the origin", triple(self.axis_point))?;
+        writeln!(text, "direction        {}", triple(self.direction))?;
+        writeln!(text, "radius           {:14.7}", self.radius)?;
+        writeln!(text, "singular values  {sigma1:14.6e}{sigma2:14.6e}{sigma3:14.6e}   of the direction")?;
+        writeln!(text, "rms distance     {:14.6e}   best of {} stationary points", self.rms, self.stationary_points)?;
+        if let Some(points) = &self.points {
+            let percent = 100.0 * NEAR_SURFACE;
+            writeln!(
+                text,
+                "points           {} of {} within {percent}% of the radius from the surface",
+                points.near_surface, points.total
+            )?;
+        }
+        writeln!(text, "\nview  line      distance   angle/degrees     pixels")?;
+        for residual in &self.residuals {
+            let pixels = residual.pixels.map_or("-".to_owned(), |pixels| format!("{pixels:.3}"));
+            writeln!(
+                text,
+                "{:4}{:6}{:14.4e}{:16.6}{pixels:>11}",
+                residual.view,
+                residual.line,
+                residual.distance,
+                residual.angle.to_degrees()
+            )?;
+        }
+        Ok(())
+    }
+}
+
+impl PointReport {
+    fn new(cylinder: &Cylinder, points: &[Point3<f64>]) -> Self {
+        let near = |point: &&Point3<f64>| cylinder.distance(point).abs() <= NEAR_SURFACE * cylinder.radius;
+        Self { total: points.len(), near_surface: points.iter().filter(near).count() }
+    }
+}

@@ -1,0 +1,110 @@
+//! The whole: views in, cylinder out.
+
+use nalgebra::{Point3, Vector3};
+use thiserror::Error;
+
+use super::circle::{CircleError, CircleFit, fit_circle};
+use super::cylinder::{Cylinder, LineResidual};
+use super::direction::{Direction, DirectionError, estimate_direction};
+use super::rectify::Rectification;
+use super::view::{View, ViewingPlane};
+
+/// Largest distance between the axes through the camera centres, relative to the distance of the centres from the
+/// world's origin, at and below which all cameras count as standing at one place.
+const SINGLE_VIEWPOINT: f64 = 1e-9;
+
+/// A triangulated cylinder and how well the lines determine and fit it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Triangulation {
+    /// The cylinder.
+    pub cylinder: Cylinder,
+    /// Axis direction and singular values of its linear system.
+    pub direction: Direction,
+    /// The circle of the cross-section, with its cost.
+    pub fit: CircleFit,
+    /// One residual for each line, in the order of the views and lines.
+    pub residuals: Vec<LineResidual>,
+}
+
+/// Why the views determine no cylinder.
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+pub enum TriangulateError {
+    /// A cylinder needs three tangent planes.
+    #[error("{lines} silhouette line(s) given; a cylinder needs at least three, and four to be unique")]
+    TooFewLines {
+        /// Number of lines in all views.
+        lines: usize,
+    },
+    /// The axis direction is not determined.
+    #[error(transparent)]
+    Direction(#[from] DirectionError),
+    /// Seen along the axis, all camera centres coincide: every size of cylinder fits.
+    #[error(
+        "all cameras stand at one place, or above each other along the axis: the distance to the cylinder is unknown"
+    )]
+    SingleViewpoint,
+    /// A line whose viewing plane stands across the axis of all others.
+    #[error("views[{view}], line {line}: stands across the axis that the other lines have in common")]
+    AcrossAxis {
+        /// Index of the view.
+        view: usize,
+        /// Index of the line in its view.
+        line: usize,
+    },
+    /// The circle of the cross-section is not determined.
+    #[error(transparent)]
+    Circle(#[from] CircleError),
+    /// The best cylinder contains a camera, from where it has no silhouette.
+    #[error(
+        "the best cylinder (radius {radius:.6}) contains the camera of views[{view}]: the lines do not fit together"
+    )]
+    CameraInside {
+        /// Index of the view.
+        view: usize,
+        /// Radius of that cylinder, world units.
+        radius: f64,
+    },
+}
+
+/// Triangulates one cylinder from its silhouette lines in at least two views.
+///
+/// # Errors
+/// [`TriangulateError`].
+pub fn triangulate(views: &[View]) -> Result<Triangulation, TriangulateError> {
+    let planes: Vec<_> = views.iter().flat_map(View::planes).collect();
+    if planes.len() < 3 {
+        return Err(TriangulateError::TooFewLines { lines: planes.len() });
+    }
+    let direction = estimate_direction(&planes)?;
+
+    let (origin, magnitude) = centroid(&planes);
+    let rectification = Rectification::new(&direction.direction, origin);
+    let centre_distance = |plane: &ViewingPlane| rectification.point(&plane.centre).coords.norm();
+    let extent = planes.iter().map(centre_distance).fold(0.0, f64::max);
+    if extent <= SINGLE_VIEWPOINT * magnitude {
+        return Err(TriangulateError::SingleViewpoint);
+    }
+
+    let mut lines = Vec::with_capacity(planes.len());
+    for (view, content) in views.iter().enumerate() {
+        for (line, plane) in content.planes().enumerate() {
+            lines.push(rectification.line(&plane).ok_or(TriangulateError::AcrossAxis { view, line })?);
+        }
+    }
+    let fit = fit_circle(&lines, extent)?;
+    let cylinder = Cylinder::from_circle(&fit.circle, &rectification, direction.direction);
+
+    let mut residuals = Vec::with_capacity(planes.len());
+    for (view, content) in views.iter().enumerate() {
+        let inside = TriangulateError::CameraInside { view, radius: cylinder.radius };
+        residuals.extend(cylinder.residuals(view, content).ok_or(inside)?);
+    }
+    Ok(Triangulation { cylinder, direction, fit, residuals })
+}
+
+/// Mean of the camera centres, each as often as it has lines, and their largest distance from the world's origin.
+fn centroid(planes: &[ViewingPlane]) -> (Point3<f64>, f64) {
+    let sum: Vector3<f64> = planes.iter().map(|plane| plane.centre.coords).sum();
+    let magnitude = planes.iter().map(|plane| plane.centre.coords.norm()).fold(0.0, f64::max);
+    (Point3::from(sum / planes.len() as f64), magnitude)
+}
