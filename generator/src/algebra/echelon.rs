@@ -170,7 +170,7 @@ impl Echelon {
     }
 
     /// Clears the entries of the row that leads in `column` in the other rows' pivot columns.
-    fn back_reduce_row(&mut self, column: usize) {
+    pub(super) fn back_reduce_row(&mut self, column: usize) {
         let row = self.row_of_column[column];
         let mut touched = false;
         self.rows[row as usize].for_each(|at, _| touched |= at != column && self.row_of_column[at] != NO_ROW);

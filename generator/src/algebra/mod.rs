@@ -1,13 +1,21 @@
 //! Algebra over Z_p: the prime field, monomials, polynomials, row echelon form, Gröbner bases, quotient rings.
 
 mod echelon;
+mod f4;
 mod field;
+mod groebner;
 mod matrix;
 mod monomial;
+mod monomial_table;
+mod order;
+mod pairs;
 mod polynomial;
+mod symbolic;
 
 pub use echelon::Echelon;
 pub use field::{PRIMES, PrimeField};
+pub use groebner::{BasisElement, GroebnerBasis, GroebnerError, Limits, groebner_basis};
 pub use matrix::DenseMatrix;
 pub use monomial::{MAX_UNKNOWNS, Monomial};
+pub use order::{MonomialOrder, OrderKey};
 pub use polynomial::Polynomial;

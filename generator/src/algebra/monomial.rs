@@ -88,7 +88,8 @@ impl Monomial {
     /// Whether every exponent of `self` is at most that of `other`.
     #[inline]
     pub fn divides(&self, other: &Self) -> bool {
-        (0..MAX_UNKNOWNS).all(|i| self.exponents[i] <= other.exponents[i])
+        // Without early exit: one vector comparison.
+        (0..MAX_UNKNOWNS).fold(true, |all, i| all & (self.exponents[i] <= other.exponents[i]))
     }
 
     /// The least common multiple.
@@ -104,7 +105,7 @@ impl Monomial {
 
     /// Whether no exponent is negative.
     pub fn is_polynomial(&self) -> bool {
-        self.exponents.iter().all(|&e| e >= 0)
+        self.exponents.iter().fold(true, |all, &e| all & (e >= 0))
     }
 
     /// The monomial in the problem's own names, such as `x^2*y` or `x/y`; `1` for the unit.
