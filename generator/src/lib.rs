@@ -1,16 +1,45 @@
 //! Turns a polynomial problem, written as a short Rust-syntax function, into a specialised Rust solver.
+//!
+//! The modules are the pipeline, in order; after each stands what holds when it is done.
 
+/// Algebra over Z_p, Gröbner bases included, on which everything stands.
 pub mod algebra;
 pub mod arithmetic;
-pub mod block_triangular;
-pub mod diagnostic;
-pub mod emit;
-pub mod expression;
-pub mod instance;
-pub mod interpret;
-pub mod plan;
-pub mod presolve;
-pub mod problem;
 pub mod rational;
-pub mod schedule;
+
+/// Text to problem: names resolved, shapes checked, spans kept.
+pub mod problem;
+pub mod diagnostic;
+pub mod expression;
+
+/// Problem to instance over Z_p: same support, data on their variety.
+pub mod instance;
+
+/// Instance to number of solutions: finite, equal at two primes.
+pub mod check;
+
+/// Problem to problem with fewer unknowns, and how to recover the others.
+pub mod presolve;
+
+/// Instance to elimination template: it holds at a prime and seed not used to find it, and no row can be dropped.
 pub mod template;
+pub mod search;
+
+/// Template to plan: no algebra left, every value written before it is read.
+pub mod plan;
+pub mod schedule;
+mod block_triangular;
+
+/// Plan to action matrix in any field: exact over Z_p, and the emitted arithmetic in `f64`.
+pub mod interpret;
+#[cfg(feature = "search")]
+pub mod stability;
+
+/// Plan to Rust source: it parses, and the same plan gives the same bytes.
+pub mod emit;
+
+/// All of it for one problem, and for the folder of a build script.
+pub mod generate;
+pub mod builder;
+
+pub use builder::{BuildError, Generator};

@@ -1,0 +1,83 @@
+//! Whether a problem has finitely many solutions for general data, and how many.
+
+use crate::algebra::{GroebnerBasis, GroebnerError, Limits, MonomialOrder, PRIMES, PrimeField, groebner_basis};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::instance::Instance;
+use crate::problem::Problem;
+
+/// What is known of the ideal of a problem with general data.
+#[derive(Clone, Debug)]
+pub struct Algebra {
+    /// Number of complex solutions, counted with multiplicity.
+    pub solutions: usize,
+    /// Size of the reduced grevlex Gröbner basis.
+    pub basis_elements: usize,
+}
+
+/// The instances at which solutions are counted: (prime, seed).
+const COUNTS: [(u32, u64); 2] = [(PRIMES[0], 1), (PRIMES[1], 2)];
+/// More solutions than this are taken for a mistake in the problem.
+const MAX_SOLUTIONS: usize = 5_000;
+
+/// Counts the solutions over two primes.
+///
+/// # Errors
+/// No solution, infinitely many (with the dimension), a count that differs between the primes, or a limit reached.
+pub fn check(problem: &Problem) -> Result<Algebra, Diagnostics> {
+    let mut counts = Vec::new();
+    for (prime, seed) in COUNTS {
+        counts.push(count(problem, PrimeField::new(prime), seed).map_err(|message| fail(problem, message))?);
+    }
+    if counts[0].solutions != counts[1].solutions {
+        let [a, b] = [counts[0].solutions, counts[1].solutions];
+        let [p, q] = [COUNTS[0].0, COUNTS[1].0];
+        let message = Diagnostic::new("the number of solutions is not stable", problem.span.clone())
+            .label(format!("{a} solutions modulo {p}, {b} modulo {q}"))
+            .hint("data that are drawn from few values (`#[integer]`) may be special in one draw and general in another")
+            .hint("a constant of the problem may be divisible by one of the primes");
+        return Err(fail(problem, message));
+    }
+    Ok(counts.swap_remove(0))
+}
+
+fn fail(problem: &Problem, message: Diagnostic) -> Diagnostics {
+    Diagnostics { source_file: problem.source.clone(), messages: vec![message] }
+}
+
+fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<Algebra, Diagnostic> {
+    let at = || problem.span.clone();
+    let instance = Instance::draw(problem, field, seed).ok_or_else(|| {
+        Diagnostic::new("no random instance has the support of the problem", at())
+            .label("some coefficient is zero, or some divisor, for nearly all data")
+            .hint("data that are drawn from few values (`#[integer]`) may cancel; state the coefficient as a constant instead")
+    })?;
+    let unknowns = problem.unknowns.len();
+    let basis = ideal(&instance, unknowns).map_err(|error| {
+        Diagnostic::new(format!("the algebra of the problem is too large: {error}"), at())
+            .hint("fewer unknowns or lower degrees help: eliminate what can be eliminated by hand, or divide a common factor out")
+    })?;
+    let Some(dimension) = basis.dimension(unknowns) else {
+        return Err(Diagnostic::new("the equations have no common solution for general data", at())
+            .label(format!("{} equations in {unknowns} unknowns", problem.equations.len()))
+            .hint("an equation contradicts the others, or every solution is excluded by a `!= 0` statement")
+            .hint("if the data satisfy a condition, state it: `#[symmetric]`, `#[rotation]`, `#[unit]`, `#[integer]`"));
+    };
+    if dimension > 0 {
+        let message = Diagnostic::new(format!("infinitely many solutions: a set of dimension {dimension}"), at())
+            .label(format!("{} equations in {unknowns} unknowns", problem.equations.len()));
+        return Err(message
+            .hint(format!("{dimension} more independent equation(s) are needed, or an unknown that can be fixed"))
+            .hint("solutions that are not wanted, such as 0, are excluded by a statement `factor != 0;`"));
+    }
+    let solutions = basis.quotient_basis(unknowns, MAX_SOLUTIONS).ok_or_else(|| {
+        Diagnostic::new(format!("more than {MAX_SOLUTIONS} solutions"), at())
+            .hint("no elimination template of use has so many; look for a formulation of lower degree")
+    })?;
+    Ok(Algebra { solutions: solutions.len(), basis_elements: basis.elements().len() })
+}
+
+/// The ideal of an instance, saturated by what must not vanish.
+pub fn ideal(instance: &Instance, unknowns: usize) -> Result<GroebnerBasis, GroebnerError> {
+    let limits = Limits { max_quotient_dimension: MAX_SOLUTIONS, ..Limits::default() };
+    groebner_basis(instance.field, &instance.equations, &MonomialOrder::GrevLex, &limits)
+}

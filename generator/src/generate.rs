@@ -1,0 +1,138 @@
+//! From the texts of a problem and its template to the source of a solver. No files, no environment.
+
+use crate::algebra::{PRIMES, PrimeField};
+use crate::diagnostic::Diagnostics;
+use crate::emit::{EmitError, Provenance, emit};
+use crate::instance::Instance;
+use crate::interpret;
+use crate::plan::Plan;
+use crate::presolve::{ReducedProblem, presolve};
+use crate::problem::Problem;
+use crate::schedule::{ScheduleError, schedule};
+use crate::template::file::{TemplateFile, TemplateFileError};
+use crate::template::verify::{VerifyError, verify};
+
+/// Why no solver can be generated from a template.
+#[derive(Debug, thiserror::Error)]
+pub enum GenerateError {
+    /// The problem file is at fault.
+    #[error(transparent)]
+    Problem(#[from] Diagnostics),
+    /// The template file cannot be read.
+    #[error("the template file cannot be read: {0}")]
+    File(#[from] TemplateFileError),
+    /// The template was found for another problem, or for an earlier text of this one.
+    #[error("the template belongs to {found}, not to the problem `{problem}` as it is now")]
+    Stale {
+        /// The problem.
+        problem: String,
+        /// What the template says it is for.
+        found: String,
+    },
+    /// The template does not hold on a random instance.
+    #[error("the template does not hold for the problem: {0}")]
+    Verify(#[from] VerifyError),
+    /// The template does not fit the problem.
+    #[error(transparent)]
+    Schedule(#[from] ScheduleError),
+    /// A random instance could not be drawn.
+    #[error("no random instance has the support of the problem")]
+    NoInstance,
+    /// The plan gives another action matrix than the template: a fault of this crate.
+    #[error("the plan gives another action matrix than the template")]
+    PlanDiffers,
+    /// The printed code does not parse: a fault of this crate.
+    #[error(transparent)]
+    Emit(#[from] EmitError),
+}
+
+impl GenerateError {
+    /// Whether a new search would mend it.
+    pub fn is_stale_template(&self) -> bool {
+        matches!(self, Self::File(_) | Self::Stale { .. } | Self::Verify(_) | Self::Schedule(_))
+    }
+}
+
+/// The prime and seed at which templates are verified: not those of the search.
+const VERIFY_FIELD: PrimeField = PrimeField::new(PRIMES[2]);
+const VERIFY_SEED: u64 = 0x5eed;
+
+/// A problem with the plan of its solver.
+#[derive(Clone, Debug)]
+pub struct Planned {
+    /// The form that the template is for.
+    pub reduced: ReducedProblem,
+    /// The plan.
+    pub plan: Plan,
+}
+
+/// Verifies a template over Z_p and plans its solver; the interpreted plan gives the verified action matrix exactly.
+pub fn plan(problem: &Problem, file: &TemplateFile) -> Result<Planned, GenerateError> {
+    if file.problem != problem.name || file.fingerprint != problem.fingerprint() {
+        let found = match file.problem == problem.name {
+            true => format!("an earlier version of `{}`", file.problem),
+            false => format!("`{}`", file.problem),
+        };
+        return Err(GenerateError::Stale { problem: problem.name.clone(), found });
+    }
+    let reduced = presolve(problem, file.presolve);
+    let instance =
+        Instance::draw(&reduced.problem, VERIFY_FIELD, VERIFY_SEED).ok_or(GenerateError::NoInstance)?;
+    let action = verify(&file.template, VERIFY_FIELD, &instance.equations)?;
+    let plan = schedule(problem, &reduced, &file.template, file.solutions, file.roots)?;
+    let interpreted = interpret::coefficients(&plan, VERIFY_FIELD, &instance.inputs)
+        .and_then(|coefficients| interpret::action_matrix(&plan, VERIFY_FIELD, &coefficients))
+        .ok_or(GenerateError::PlanDiffers)?;
+    if !interpreted.iter().enumerate().all(|(row, values)| values.as_slice() == action.row(row)) {
+        return Err(GenerateError::PlanDiffers);
+    }
+    Ok(Planned { reduced, plan })
+}
+
+/// The source of the solver of `problem` by the template in `file`.
+pub fn generate(problem: &Problem, file: &TemplateFile) -> Result<String, GenerateError> {
+    let planned = plan(problem, file)?;
+    Ok(emit(&planned.plan, &provenance(problem, file, &planned.plan))?)
+}
+
+/// The header of the emitted module: sizes, counts, and where every row comes from.
+fn provenance(problem: &Problem, file: &TemplateFile, plan: &Plan) -> Provenance {
+    let t = &file.template;
+    let operations = plan.operations();
+    let largest = plan.elimination.blocks.iter().map(|block| block.size).max().unwrap_or(0);
+    let show = |m: &crate::algebra::Monomial| format!("`{}`", m.display(&problem.unknowns));
+    let list = |monomials: &[crate::algebra::Monomial]| monomials.iter().map(show).collect::<Vec<_>>().join(", ");
+    let mut lines = vec![
+        format!("Solver of the problem `{}`: {} complex solutions.", problem.name, plan.solutions),
+        String::new(),
+        format!("- generator: eliminant-generator {}", env!("CARGO_PKG_VERSION")),
+        format!("- problem: fingerprint {:016x}", file.fingerprint),
+        format!(
+            "- template: {} x {} ({} excess, {} reducible, {} basis columns), {} diagonal blocks, the largest of size {largest}",
+            t.rows(),
+            t.columns(),
+            t.excess.len(),
+            t.reducible.len(),
+            t.basis.len(),
+            plan.elimination.blocks.len()
+        ),
+        format!(
+            "- operations: {} for coefficients, {} for the elimination, about {} for the roots",
+            operations.coefficients, operations.elimination, operations.roots
+        ),
+        format!("- action monomial: {}", show(&t.action)),
+        format!("- basis: {}", list(&t.basis)),
+    ];
+    if !plan.recoveries.is_empty() {
+        let names: Vec<_> = plan.recoveries.iter().map(|r| format!("`{}`", problem.unknowns[r.unknown])).collect();
+        lines.push(format!("- eliminated beforehand and recovered afterwards: {}", names.join(", ")));
+    }
+    lines.push(String::new());
+    lines.push("Rows: multiples of the equations, numbered after that elimination.".into());
+    lines.push(String::new());
+    for group in t.shifts.chunk_by(|a, b| a.equation == b.equation) {
+        let multipliers: Vec<_> = group.iter().map(|shift| shift.multiplier).collect();
+        lines.push(format!("- equation {}: {}", group[0].equation + 1, list(&multipliers)));
+    }
+    Provenance { lines }
+}

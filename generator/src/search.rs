@@ -1,0 +1,258 @@
+//! Searches elimination templates: many ways to grow, act and reduce, judged by the planned work and, where it is measured, by stability.
+//!
+//! The result depends on the problem and the options only: neither on the number of threads nor on time.
+
+use crate::algebra::{Monomial, PRIMES, PrimeField};
+use crate::instance::Instance;
+use crate::plan::{Plan, RootMethod};
+use crate::presolve::{Presolve, ReducedProblem, presolve};
+use crate::problem::Problem;
+use crate::schedule::{ScheduleError, schedule};
+use crate::template::EliminationTemplate;
+use crate::template::file::TemplateFile;
+use crate::template::grow::{Growth, Shifts};
+use crate::template::reduce::{DeletionOrder, reduce};
+use crate::template::shift_matrix::ShiftMatrix;
+use crate::template::solving_set::{Requirements, solving_set};
+use crate::template::verify::verify;
+
+/// Limits and seeds of a search.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SearchOptions {
+    /// Seed of the instances and of the shuffled deletion orders.
+    pub seed: u64,
+    /// No template has more columns before it is reduced.
+    pub max_columns: usize,
+    /// Shuffled orders of deletion to try besides the two fixed ones.
+    pub shuffles: u64,
+}
+
+impl Default for SearchOptions {
+    fn default() -> Self {
+        Self { seed: 1, max_columns: 600, shuffles: 2 }
+    }
+}
+
+/// A template with how it was found and what it costs.
+#[derive(Clone, Debug)]
+pub struct Candidate {
+    /// Which unknowns were eliminated before.
+    pub presolve: Presolve,
+    /// How its shifts were grown.
+    pub growth: Growth,
+    /// The order of deletion.
+    pub order: DeletionOrder,
+    /// The template.
+    pub template: EliminationTemplate,
+    /// The solver.
+    pub plan: Plan,
+}
+
+impl Candidate {
+    /// Cheapest first; ties by size and then by content, so that the order does not depend on how the search ran.
+    fn rank(&self) -> (usize, usize, usize, String) {
+        let size = (self.template.rows(), self.template.basis.len());
+        (self.plan.operations().total(), size.0, size.1, format!("{:?}", self.template))
+    }
+
+    /// The file that records it.
+    pub fn to_file(&self, problem: &Problem, options: &SearchOptions) -> TemplateFile {
+        let mut provenance = vec![
+            ("generator".to_owned(), env!("CARGO_PKG_VERSION").to_owned()),
+            ("growth".to_owned(), self.growth.to_string()),
+            ("deletion".to_owned(), format!("{:?}", self.order)),
+            ("seed".to_owned(), options.seed.to_string()),
+            ("prime".to_owned(), SEARCH_FIELD.modulus().to_string()),
+        ];
+        provenance.push(("operations".to_owned(), self.plan.operations().total().to_string()));
+        TemplateFile {
+            problem: problem.name.clone(),
+            fingerprint: problem.fingerprint(),
+            solutions: self.plan.solutions,
+            presolve: self.presolve,
+            roots: self.plan.roots,
+            template: self.template.clone(),
+            provenance,
+        }
+    }
+}
+
+/// Why a search found nothing.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SearchError {
+    /// Random data over Z_p could not be drawn with the support of the problem.
+    #[error("no random instance has the support of the problem: a coefficient vanishes for most data")]
+    NoInstance,
+    /// No set of shifts within the limits solves.
+    #[error(
+        "no elimination template within {max_columns} columns: tried {tried} sets of shifts, the largest {rows} x {columns}"
+    )]
+    NotFound {
+        /// The limit.
+        max_columns: usize,
+        /// Number of sets of shifts.
+        tried: usize,
+        /// Rows of the largest.
+        rows: usize,
+        /// Columns of the largest.
+        columns: usize,
+    },
+}
+
+const SEARCH_FIELD: PrimeField = PrimeField::new(PRIMES[0]);
+/// Candidates must hold at a prime that was not used to find them.
+const CHECK_FIELD: PrimeField = PrimeField::new(PRIMES[1]);
+
+/// A set of shifts that solves, to be reduced.
+struct Start<'a> {
+    form: &'a Form,
+    growth: Growth,
+    action: Monomial,
+    matrix: ShiftMatrix,
+    max_basis: usize,
+}
+
+/// A presolved form with an instance to search on and one to check on.
+struct Form {
+    presolve: Presolve,
+    reduced: ReducedProblem,
+    instance: Instance,
+    check: Instance,
+}
+
+/// All templates found, cheapest first, at least one. `solutions` is the number of solutions of the problem; `progress` hears of each stage.
+pub fn candidates(
+    problem: &Problem,
+    solutions: usize,
+    options: &SearchOptions,
+    progress: &(dyn Fn(&str) + Sync),
+) -> Result<Vec<Candidate>, SearchError> {
+    let forms = forms(problem, options)?;
+    let growths: Vec<(&Form, Growth)> =
+        forms.iter().flat_map(|form| growths(form).into_iter().map(move |growth| (form, growth))).collect();
+    progress(&format!("{solutions} solutions; growing shifts in {} ways", growths.len()));
+    let grown = map(&growths, |(form, growth)| grow(form, growth, solutions, options));
+    let tried = grown.iter().map(|g| g.tried).sum();
+    let largest = grown.iter().map(|g| g.largest).max().unwrap_or_default();
+    let starts: Vec<Start<'_>> = grown.into_iter().flat_map(|g| g.starts).collect();
+    let orders: Vec<DeletionOrder> = [DeletionOrder::HighestFirst, DeletionOrder::RarestFirst]
+        .into_iter()
+        .chain((0..options.shuffles).map(|k| DeletionOrder::Shuffled(options.seed.wrapping_add(k))))
+        .collect();
+    let work: Vec<(&Start<'_>, DeletionOrder)> =
+        starts.iter().flat_map(|start| orders.iter().map(move |&order| (start, order))).collect();
+    progress(&format!("{} starting points; deleting rows in {} orders", starts.len(), orders.len()));
+    let mut found: Vec<Candidate> =
+        map(&work, |(start, order)| finish(problem, start, *order, solutions)).into_iter().flatten().collect();
+    found.sort_by_cached_key(Candidate::rank);
+    found.dedup_by(|a, b| a.template == b.template && a.presolve == b.presolve);
+    if found.is_empty() {
+        let (columns, rows) = largest;
+        return Err(SearchError::NotFound { max_columns: options.max_columns, tried, rows, columns });
+    }
+    progress(&format!("{} different templates", found.len()));
+    Ok(found)
+}
+
+fn forms(problem: &Problem, options: &SearchOptions) -> Result<Vec<Form>, SearchError> {
+    let mut forms: Vec<Form> = Vec::new();
+    for kind in [Presolve::None, Presolve::Constant, Presolve::Linear] {
+        let reduced = presolve(problem, kind);
+        if forms.iter().any(|form| form.reduced.kept == reduced.kept) {
+            continue;
+        }
+        let draw = |field, seed| Instance::draw(&reduced.problem, field, seed).ok_or(SearchError::NoInstance);
+        let (instance, check) =
+            (draw(SEARCH_FIELD, options.seed)?, draw(CHECK_FIELD, options.seed.wrapping_add(1))?);
+        forms.push(Form { presolve: kind, reduced, instance, check });
+    }
+    Ok(forms)
+}
+
+/// Weights 1 and 2 in all ways for few unknowns, one unknown at a time for more; neighbours; best shift.
+fn growths(form: &Form) -> Vec<Growth> {
+    let (kept, all) = (&form.reduced.kept, form.reduced.problem.unknowns.len());
+    let mut growths = vec![Growth::Degree(vec![1; all])];
+    let n = kept.len();
+    let heavy_sets: Vec<usize> = match n {
+        1 => vec![],
+        2..=4 => (1..(1 << n) - 1).collect(),
+        _ => (0..n).map(|at| 1 << at).collect(),
+    };
+    for heavy in heavy_sets {
+        let mut weights = vec![1; all];
+        kept.iter().enumerate().filter(|(at, _)| heavy >> at & 1 == 1).for_each(|(_, &unknown)| weights[unknown] = 2);
+        growths.push(Growth::Degree(weights));
+    }
+    growths.push(Growth::Neighbours);
+    growths.push(Growth::BestShift);
+    growths
+}
+
+struct Grown<'a> {
+    starts: Vec<Start<'a>>,
+    tried: usize,
+    /// (columns, rows).
+    largest: (usize, usize),
+}
+
+/// Levels to go on growing after the first that solves: larger sets sometimes reduce to smaller templates.
+const LEVELS_BEYOND_FIRST: usize = 1;
+
+fn grow<'a>(form: &'a Form, growth: &Growth, solutions: usize, options: &SearchOptions) -> Grown<'a> {
+    let equations = &form.instance.equations;
+    let kept = &form.reduced.kept;
+    let mut grown = Grown { starts: Vec::new(), tried: 0, largest: (0, 0) };
+    let mut levels_left = LEVELS_BEYOND_FIRST;
+    let mut started: Vec<(Monomial, usize)> = Vec::new();
+    for shifts in Shifts::new(equations, kept, growth.clone(), options.max_columns) {
+        let matrix = ShiftMatrix::new(form.instance.field, equations, &shifts);
+        grown.tried += 1;
+        grown.largest = grown.largest.max((matrix.monomials.len(), matrix.rows.len()));
+        let mut solved = false;
+        for &unknown in kept {
+            let x = Monomial::unknown(unknown);
+            for action in [x, Monomial::ONE.over(&x)] {
+                for max_basis in [solutions, solutions + (solutions / 3).max(2)] {
+                    let requirements = Requirements { unknowns: kept, solutions, max_basis };
+                    if solving_set(&matrix, &action, &requirements).is_none() {
+                        continue;
+                    }
+                    solved = true;
+                    started.push((action, max_basis));
+                    let matrix = matrix.clone();
+                    grown.starts.push(Start { form, growth: growth.clone(), action, matrix, max_basis });
+                }
+            }
+        }
+        if solved || !started.is_empty() {
+            if levels_left == 0 {
+                break;
+            }
+            levels_left -= 1;
+        }
+    }
+    grown
+}
+
+fn finish(problem: &Problem, start: &Start<'_>, order: DeletionOrder, solutions: usize) -> Option<Candidate> {
+    let form = start.form;
+    let requirements = Requirements { unknowns: &form.reduced.kept, solutions, max_basis: start.max_basis };
+    let template = reduce(&start.matrix, &start.action, &requirements, order)?;
+    verify(&template, form.check.field, &form.check.equations).ok()?;
+    let plan = schedule(problem, &form.reduced, &template, solutions, RootMethod::Eigenvalues);
+    debug_assert!(!matches!(plan, Err(ScheduleError::Plan(_))), "{plan:?}");
+    let plan = plan.ok()?;
+    Some(Candidate { presolve: form.presolve, growth: start.growth.clone(), order, template, plan })
+}
+
+/// Maps in parallel where the feature `search` is on; the order of the results is that of the items in any case.
+fn map<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
+    #[cfg(feature = "search")]
+    {
+        use rayon::prelude::*;
+        items.par_iter().map(f).collect()
+    }
+    #[cfg(not(feature = "search"))]
+    items.iter().map(f).collect()
+}

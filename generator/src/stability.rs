@@ -1,0 +1,207 @@
+//! Runs an interpreted plan on random real instances and measures what it finds.
+
+use nalgebra::{Complex, DMatrix, DVector, Schur};
+
+use crate::arithmetic::Float64;
+use crate::instance::{Random, draw_inputs};
+use crate::interpret::{action_matrix, coefficients};
+use crate::plan::{KnownMonomial, Plan, Term};
+
+/// What many instances gave.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stability {
+    /// log10 of the relative residual of every solution found, increasing.
+    pub residuals_log10: Vec<f64>,
+    /// Instances drawn.
+    pub trials: usize,
+    /// Different complex solutions found, over all instances.
+    pub found: usize,
+    /// Solutions there are: trials times the number of solutions of the problem.
+    pub expected: usize,
+    /// Instances with fewer solutions than the problem has.
+    pub incomplete: usize,
+    /// Instances on which the elimination or the eigenvalue iteration failed.
+    pub failures: usize,
+}
+
+impl Stability {
+    /// The q-quantile of the log10 relative residuals; `None` where nothing was found.
+    pub fn quantile(&self, q: f64) -> Option<f64> {
+        let last = self.residuals_log10.len().checked_sub(1)?;
+        self.residuals_log10.get((q * last as f64).round() as usize).copied()
+    }
+
+    fn add(&mut self, expected: usize, residuals: Option<Vec<f64>>) {
+        self.trials += 1;
+        self.expected += expected;
+        match residuals {
+            None => self.failures += 1,
+            Some(residuals) => {
+                self.found += residuals.len();
+                self.incomplete += usize::from(residuals.len() < expected);
+                self.residuals_log10.extend(residuals.iter().map(|residual| residual.max(1e-17).log10()));
+            }
+        }
+    }
+}
+
+/// Solves `trials` instances drawn on the data's variety; instance k depends on (seed, k) only.
+pub fn stability(plan: &Plan, trials: usize, seed: u64, each: &(dyn Fn() + Sync)) -> Stability {
+    use rayon::prelude::*;
+    let results: Vec<Option<Vec<f64>>> = (0..trials as u64)
+        .into_par_iter()
+        .map(|k| {
+            let mut random = Random::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(k));
+            let inputs = draw_inputs(&plan.data, Float64, &mut random);
+            let found = solve(plan, &inputs);
+            each();
+            found.map(|solutions| solutions.into_iter().map(|(_, residual)| residual).collect())
+        })
+        .collect();
+    let mut stability = Stability::default();
+    results.into_iter().for_each(|residuals| stability.add(plan.solutions, residuals));
+    stability.residuals_log10.sort_by(f64::total_cmp);
+    stability
+}
+
+type Point = Vec<Complex<f64>>;
+
+/// Solutions whose relative residual is above this after the polish are discarded, as in emitted code.
+const MAX_RESIDUAL: f64 = 1e-10;
+/// A factor that must not vanish does if it is below this, relative to its terms.
+const VANISHING: f64 = 1e-8;
+/// Newton steps at most.
+const POLISH_STEPS: usize = 8;
+/// Two solutions are the same when every unknown agrees to this relative distance.
+const SAME: f64 = 1e-8;
+/// An unknown this small relative to the largest one may be the rounding noise of zero.
+const SAME_FLOOR: f64 = 1e-13;
+/// QR iterations at most.
+const MAX_ITERATIONS: usize = 10_000;
+
+/// All complex solutions of one instance with their relative residuals; `None` where a step fails.
+pub fn solve(plan: &Plan, inputs: &[f64]) -> Option<Vec<(Point, f64)>> {
+    let c = coefficients(plan, Float64, inputs)?;
+    let rows = action_matrix(plan, Float64, &c)?;
+    let n = rows.len();
+    let action = DMatrix::from_fn(n, n, |i, j| rows[i][j]);
+    if action.iter().any(|x| !x.is_finite()) {
+        return None;
+    }
+    let values = Schur::try_new(action.clone(), f64::EPSILON, MAX_ITERATIONS)?.complex_eigenvalues();
+    let complex = action.map(|x| Complex::new(x, 0.0));
+    let mut found: Vec<(Point, f64)> = Vec::new();
+    for &value in values.iter() {
+        let Some(mut point) = eigenvector(&complex, value).and_then(|vector| unknowns(plan, &c, value, &vector)) else {
+            continue;
+        };
+        let residual = polish(plan, &c, &mut point);
+        let admissible = plan.nonzero.iter().all(|factor| {
+            let (value, scale, _) = evaluate(factor, &c, &point);
+            value.norm() > VANISHING * scale
+        });
+        if !(residual <= MAX_RESIDUAL && admissible) {
+            continue;
+        }
+        match found.iter_mut().find(|(known, _)| is_same(known, &point)) {
+            Some(known) if residual < known.1 => *known = (point, residual),
+            Some(_) => {}
+            None => found.push((point, residual)),
+        }
+    }
+    found.truncate(plan.solutions);
+    Some(found)
+}
+
+fn is_same(a: &Point, b: &Point) -> bool {
+    let floor = SAME_FLOOR * a.iter().chain(b).map(|x| x.norm()).fold(0.0, f64::max);
+    a.iter().zip(b).all(|(x, y)| (x - y).norm() <= floor + SAME * x.norm().max(y.norm()))
+}
+
+/// Two steps of inverse iteration with a slightly perturbed eigenvalue.
+fn eigenvector(action: &DMatrix<Complex<f64>>, value: Complex<f64>) -> Option<DVector<Complex<f64>>> {
+    let n = action.nrows();
+    let shift = value + action.norm().max(f64::MIN_POSITIVE) * f64::EPSILON;
+    let lu = (action - DMatrix::from_diagonal_element(n, n, shift)).lu();
+    let mut vector = DVector::from_fn(n, |i, _| Complex::new(1.0 / (1.0 + i as f64), 0.0));
+    for _ in 0..2 {
+        vector = lu.solve(&vector)?;
+        let norm = vector.norm();
+        if !(norm.is_finite() && norm > 0.0) {
+            return None;
+        }
+        vector /= Complex::new(norm, 0.0);
+    }
+    Some(vector)
+}
+
+fn unknowns(plan: &Plan, c: &[f64], value: Complex<f64>, vector: &DVector<Complex<f64>>) -> Option<Point> {
+    let known = |monomial: &KnownMonomial| match monomial {
+        KnownMonomial::Basis(b) => vector[usize::from(b.0)],
+        KnownMonomial::Image(b) => vector[usize::from(b.0)] * value,
+    };
+    let mut point = vec![Complex::ZERO; plan.unknowns.len()];
+    for extraction in &plan.extractions {
+        let (mut numerator, mut denominator) = (Complex::ZERO, 0.0);
+        for (m, xm) in &extraction.pairs {
+            numerator += known(m).conj() * known(xm);
+            denominator += known(m).norm_sqr();
+        }
+        point[extraction.unknown] = numerator / denominator;
+    }
+    for recovery in &plan.recoveries {
+        point[recovery.unknown] = evaluate(&recovery.terms, c, &point).0;
+    }
+    point.iter().all(|x| x.re.is_finite() && x.im.is_finite()).then_some(point)
+}
+
+/// Value, sum of the moduli of the terms, and gradient.
+fn evaluate(terms: &[Term], c: &[f64], x: &Point) -> (Complex<f64>, f64, Point) {
+    let (mut value, mut scale) = (Complex::ZERO, 0.0);
+    let mut gradient = vec![Complex::ZERO; x.len()];
+    for term in terms {
+        let coefficient = Complex::new(c[usize::from(term.coefficient.0)], 0.0);
+        let power = |j: usize, e: u8| x[j].powu(u32::from(e));
+        let factors: Vec<Complex<f64>> = term.exponents.iter().enumerate().map(|(j, &e)| power(j, e)).collect();
+        let product = factors.iter().fold(coefficient, |product, factor| product * factor);
+        value += product;
+        scale += product.norm();
+        for (j, &e) in term.exponents.iter().enumerate().filter(|(_, e)| **e > 0) {
+            let others = (0..x.len()).filter(|&k| k != j).fold(coefficient, |product, k| product * factors[k]);
+            gradient[j] += others * power(j, e - 1) * f64::from(e);
+        }
+    }
+    (value, scale, gradient)
+}
+
+/// Gauss-Newton on all equations while it lowers the relative residual, which is returned.
+fn polish(plan: &Plan, c: &[f64], point: &mut Point) -> f64 {
+    let evaluate_all = |x: &Point| plan.equations.iter().map(|terms| evaluate(terms, c, x)).collect::<Vec<_>>();
+    let worst = |all: &[(Complex<f64>, f64, Point)]| {
+        let relative = |&(value, scale, _): &(Complex<f64>, f64, Point)| match scale > 0.0 {
+            true => value.norm() / scale,
+            false => value.norm(),
+        };
+        // A NaN must not pass for a small residual.
+        all.iter().map(relative).fold(0.0, |worst, r| if r <= worst { worst } else { r })
+    };
+    let mut all = evaluate_all(point);
+    let mut best = worst(&all);
+    for _ in 0..POLISH_STEPS {
+        let weight = |e: usize| Complex::new(if all[e].1 > 0.0 { 1.0 / all[e].1 } else { 0.0 }, 0.0);
+        let jacobian = DMatrix::from_fn(all.len(), point.len(), |e, j| all[e].2[j] * weight(e));
+        let right = DVector::from_fn(all.len(), |e, _| all[e].0 * weight(e));
+        let qr = jacobian.qr();
+        let Some(step) = qr.r().solve_upper_triangular(&(qr.q().adjoint() * right)) else { break };
+        let moved: Point = point.iter().zip(step.iter()).map(|(x, s)| x - s).collect();
+        let next = evaluate_all(&moved);
+        let residual = worst(&next);
+        let lower = residual < best;
+        if !lower {
+            break;
+        }
+        (best, all) = (residual, next);
+        *point = moved;
+    }
+    best
+}
