@@ -1,1 +1,70 @@
-//! .
+//! What solvers emitted by `eliminant-generator` call at run time.
+//!
+//! The modules stand in the order in which an emitted solver uses them:
+//!
+//! 1. [`template`] fills the elimination template and [`lu`] eliminates its diagonal blocks; what is left is the action matrix.
+//! 2. [`hessenberg`] and [`eigenvalues`] give its eigenvalues and, for one eigenvalue at a time, the eigenvector;
+//!    [`polynomial_roots`] gives only the real ones, from the characteristic polynomial.
+//! 3. [`extract`] reads unknowns off an eigenvector.
+//! 4. [`polish`] improves a solution on the original equations, which [`system`] evaluates from static tables.
+//! 5. [`driver`] does 2 to 4 for every eigenvalue; [`distinct`] drops what was found twice; [`solutions`] and [`error`] are what a solver returns.
+//!
+//! Nothing here allocates, panics on data, loops without a bound or knows a problem. All sizes are const generic and
+//! matrices are arrays of rows, so that the inner loops run over contiguous memory and vectorise.
+//!
+//! Without the default feature `std` the crate is `no_std`; feature `libm` then supplies the square root.
+#![no_std]
+#![forbid(unsafe_code)]
+// `!(x > y)` where a NaN must take the branch, too.
+#![allow(clippy::neg_cmp_op_on_partial_ord)]
+
+#[cfg(feature = "std")]
+extern crate std;
+
+#[cfg(not(any(feature = "std", feature = "libm")))]
+compile_error!("eliminant needs one of its features `std` (default) and `libm` for square roots");
+
+pub mod distinct;
+pub mod driver;
+pub mod eigenvalues;
+pub mod error;
+pub mod extract;
+mod float;
+pub mod hessenberg;
+mod inverse_iteration;
+pub mod lu;
+pub mod polish;
+pub mod polynomial_roots;
+pub mod scalar;
+pub mod solutions;
+pub mod system;
+pub mod template;
+
+pub use arrayvec::ArrayVec;
+pub use distinct::{Candidate, push_distinct};
+pub use driver::{ActionMethod, RootMethod, complex_solutions, real_solutions};
+pub use error::SolveError;
+pub use extract::ratio;
+pub use hessenberg::Hessenberg;
+pub use lu::{solve_block, solve_block_trailing};
+pub use num_complex::Complex;
+pub use polish::polish;
+pub use polynomial_roots::{real_roots, real_roots_monic};
+pub use scalar::Scalar;
+pub use solutions::Solutions;
+pub use system::{PolynomialSystem, Product, System, Tables, Term};
+pub use template::{Block, Entry, check_coefficients, eliminate_block, fill};
+
+/// Includes the solver of that name, which the build script wrote: the emitted file holds `pub mod NAME { .. }`.
+///
+/// ```ignore
+/// // lib.rs, with problems/five_point.rs and a build script that runs eliminant_generator::Generator:
+/// eliminant::include_solver!("five_point");
+/// let solutions = five_point::solve(&points)?;
+/// ```
+#[macro_export]
+macro_rules! include_solver {
+    ($name:literal) => {
+        include!(concat!(env!("OUT_DIR"), "/", $name, ".rs"));
+    };
+}

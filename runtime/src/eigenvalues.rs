@@ -1,0 +1,244 @@
+//! Eigenvalues by the double-shift QR iteration (Francis 1961), with a bound on the number of iterations.
+//!
+//! Deflation (Ahues and Tisseur 1997), the two exceptional shifts and the start of the bulge at two small consecutive
+//! subdiagonals follow the description of LAPACK's `dlahqr`. Only eigenvalues are wanted, so a sweep touches only the active
+//! diagonal block; eigenvectors come one at a time from inverse iteration.
+
+use crate::error::SolveError;
+use crate::float;
+use crate::hessenberg::Hessenberg;
+use num_complex::Complex;
+
+/// The iteration gives up after this many sweeps per eigenvalue on the average; two or three are usual.
+const SWEEPS_PER_EIGENVALUE: usize = 30;
+
+impl<const N: usize> Hessenberg<N> {
+    /// All eigenvalues of A; complex ones in conjugate pairs, one after the other, positive imaginary part first.
+    ///
+    /// # Errors
+    /// [`SolveError::NoConvergence`] after 30 max(N, 10) sweeps.
+    pub fn eigenvalues(&self) -> Result<[Complex<f64>; N], SolveError> {
+        let mut h = self.matrix;
+        let mut values = [Complex { re: 0.0, im: 0.0 }; N];
+        let mut remaining = SWEEPS_PER_EIGENVALUE * N.max(10);
+        let mut stalled = 0;
+        let mut high = N;
+        while high > 0 {
+            let low = active_block(&h, high);
+            match high - low {
+                1 => values[low] = Complex { re: h[low][low], im: 0.0 },
+                2 => {
+                    let pair = eigenvalues_2x2(h[low][low], h[low][low + 1], h[low + 1][low], h[low + 1][low + 1]);
+                    [values[low], values[low + 1]] = pair;
+                }
+                _ => {
+                    if remaining == 0 {
+                        return Err(SolveError::NoConvergence);
+                    }
+                    remaining -= 1;
+                    stalled += 1;
+                    let shifts = choose_shifts(&h, low, high, stalled);
+                    sweep(&mut h, low, high, shifts);
+                    continue;
+                }
+            }
+            high = low;
+            stalled = 0;
+        }
+        Ok(values.map(|value| Complex { re: value.re * self.unit, im: value.im * self.unit }))
+    }
+}
+
+/// The first row of the last unreduced diagonal block of the leading `high` rows. A subdiagonal entry counts as zero when
+/// setting it to zero moves the eigenvalues of the 2x2 block around it by less than rounding (Ahues and Tisseur).
+#[inline]
+fn active_block<const N: usize>(h: &[[f64; N]; N], high: usize) -> usize {
+    let mut k = high - 1;
+    while k > 0 {
+        let subdiagonal = h[k][k - 1].abs();
+        if subdiagonal <= f64::MIN_POSITIVE {
+            break;
+        }
+        let mut size = h[k - 1][k - 1].abs() + h[k][k].abs();
+        if size == 0.0 {
+            if k >= 2 {
+                size += h[k - 1][k - 2].abs();
+            }
+            if k + 1 < high {
+                size += h[k + 1][k].abs();
+            }
+        }
+        if subdiagonal <= f64::EPSILON * size {
+            let superdiagonal = h[k - 1][k].abs();
+            let difference = (h[k - 1][k - 1] - h[k][k]).abs();
+            let (ab, ba) = ordered(subdiagonal, superdiagonal);
+            let (aa, bb) = ordered(h[k][k].abs(), difference);
+            let sum = aa + ab;
+            if ba * (ab / sum) <= f64::MIN_POSITIVE.max(f64::EPSILON * (bb * (aa / sum))) {
+                break;
+            }
+        }
+        k -= 1;
+    }
+    k
+}
+
+/// The larger, the smaller.
+#[inline]
+fn ordered(x: f64, y: f64) -> (f64, f64) {
+    if x > y { (x, y) } else { (y, x) }
+}
+
+/// Eigenvalues of [[a, b], [c, d]] without needless cancellation or overflow.
+#[inline]
+fn eigenvalues_2x2(a: f64, b: f64, c: f64, d: f64) -> [Complex<f64>; 2] {
+    let half = 0.5 * (a - d);
+    let (large, small) = ordered(b.abs(), c.abs());
+    let small = small * b.signum() * c.signum();
+    let scale = half.abs().max(large);
+    if scale == 0.0 {
+        return [Complex { re: a, im: 0.0 }, Complex { re: d, im: 0.0 }];
+    }
+    let discriminant = (half / scale) * half + (large / scale) * small;
+    let root = float::sqrt(scale) * float::sqrt(discriminant.abs());
+    if discriminant < 0.0 {
+        let mean = d + half;
+        return [Complex { re: mean, im: root }, Complex { re: mean, im: -root }];
+    }
+    // The eigenvalue further from d, then the other from their product.
+    let shift = half + root.copysign(half);
+    let other = if shift == 0.0 { d } else { d - (large / shift) * small };
+    [Complex { re: d + shift, im: 0.0 }, Complex { re: other, im: 0.0 }]
+}
+
+/// The two shifts of a sweep: the eigenvalues of the trailing 2x2 block, the nearer one twice when they are real; after
+/// ten sweeps without a deflation exceptional ones, because on some matrices (orthogonal ones) the usual shifts stall.
+#[inline]
+fn choose_shifts<const N: usize>(h: &[[f64; N]; N], low: usize, high: usize, stalled: usize) -> [Complex<f64>; 2] {
+    let last = high - 1;
+    let exceptional = |corner: f64, size: f64| {
+        let diagonal = corner + 0.75 * size;
+        eigenvalues_2x2(diagonal, -0.4375 * size, size, diagonal)
+    };
+    if stalled % 20 == 10 {
+        return exceptional(h[low][low], h[low + 1][low].abs() + h[low + 2][low + 1].abs());
+    }
+    if stalled % 20 == 0 {
+        return exceptional(h[last][last], h[last][last - 1].abs() + h[last - 1][last - 2].abs());
+    }
+    let corner = h[last][last];
+    let [first, second] = eigenvalues_2x2(h[last - 1][last - 1], h[last - 1][last], h[last][last - 1], corner);
+    if first.im != 0.0 {
+        return [first, second];
+    }
+    let nearer = if (first.re - corner).abs() <= (second.re - corner).abs() { first } else { second };
+    [nearer, nearer]
+}
+
+/// One implicit double-shift QR sweep on the unreduced block low..high of at least three rows.
+#[inline]
+fn sweep<const N: usize>(h: &mut [[f64; N]; N], low: usize, high: usize, shifts: [Complex<f64>; 2]) {
+    let (start, mut v) = bulge_start(h, low, high, shifts);
+    for k in start..high - 1 {
+        let three = k + 2 < high;
+        if k > start {
+            v = [h[k][k - 1], h[k + 1][k - 1], if three { h[k + 2][k - 1] } else { 0.0 }];
+        }
+        let (beta, tau, v1, v2) = reflection(v);
+        if k > start {
+            h[k][k - 1] = beta;
+            h[k + 1][k - 1] = 0.0;
+            if three {
+                h[k + 2][k - 1] = 0.0;
+            }
+        } else if k > low {
+            h[k][k - 1] *= 1.0 - tau;
+        }
+        if tau == 0.0 {
+            continue;
+        }
+        let (t1, t2) = (tau * v1, tau * v2);
+        if three {
+            let [row0, row1, row2] = match h[k..].first_chunk_mut::<3>() {
+                Some(rows) => rows,
+                None => return,
+            };
+            for j in k..high {
+                let sum = row0[j] + v1 * row1[j] + v2 * row2[j];
+                row0[j] -= sum * tau;
+                row1[j] -= sum * t1;
+                row2[j] -= sum * t2;
+            }
+            for row in &mut h[low..high.min(k + 4)] {
+                let sum = row[k] + v1 * row[k + 1] + v2 * row[k + 2];
+                row[k] -= sum * tau;
+                row[k + 1] -= sum * t1;
+                row[k + 2] -= sum * t2;
+            }
+        } else {
+            let [row0, row1] = match h[k..].first_chunk_mut::<2>() {
+                Some(rows) => rows,
+                None => return,
+            };
+            for j in k..high {
+                let sum = row0[j] + v1 * row1[j];
+                row0[j] -= sum * tau;
+                row1[j] -= sum * t1;
+            }
+            for row in &mut h[low..high] {
+                let sum = row[k] + v1 * row[k + 1];
+                row[k] -= sum * tau;
+                row[k + 1] -= sum * t1;
+            }
+        }
+    }
+}
+
+/// Where the bulge starts, and its first column: that of (H - s1)(H - s2), scaled.
+#[inline]
+fn bulge_start<const N: usize>(
+    h: &[[f64; N]; N],
+    low: usize,
+    high: usize,
+    [s1, s2]: [Complex<f64>; 2],
+) -> (usize, [f64; 3]) {
+    let mut m = high - 3;
+    loop {
+        let below = h[m + 1][m].abs();
+        let sum = (h[m][m] - s2.re).abs() + s2.im.abs() + below;
+        let ratio = h[m + 1][m] / sum;
+        let mut v = [
+            ratio * h[m][m + 1] + (h[m][m] - s1.re) * ((h[m][m] - s2.re) / sum) - s1.im * (s2.im / sum),
+            ratio * (h[m][m] + h[m + 1][m + 1] - s1.re - s2.re),
+            ratio * h[m + 2][m + 1],
+        ];
+        let size = v[0].abs() + v[1].abs() + v[2].abs();
+        if size > 0.0 {
+            v = v.map(|x| x / size);
+        }
+        if m == low {
+            return (m, v);
+        }
+        let around = h[m - 1][m - 1].abs() + h[m][m].abs() + h[m + 1][m + 1].abs();
+        if h[m][m - 1].abs() * (v[1].abs() + v[2].abs()) <= f64::EPSILON * v[0].abs() * around {
+            return (m, v);
+        }
+        m -= 1;
+    }
+}
+
+/// The reflection I - tau w w^T, w = (1, w1, w2), that maps v to (beta, 0, 0): beta, tau, w1, w2.
+#[inline]
+fn reflection(v: [f64; 3]) -> (f64, f64, f64, f64) {
+    let size = v[0].abs().max(v[1].abs()).max(v[2].abs());
+    // Squares of numbers of usual size need no scaling, tiny ones do.
+    let scale = if size < 1e-140 && size > 0.0 { float::power_of_two(float::exponent(size).max(-1021)) } else { 1.0 };
+    let [x, y, z] = v.map(|entry| entry / scale);
+    let tail = y * y + z * z;
+    if tail == 0.0 {
+        return (v[0], 0.0, 0.0, 0.0);
+    }
+    let beta = -float::sqrt(x * x + tail).copysign(x);
+    let inverse = 1.0 / (x - beta);
+    (beta * scale, (beta - x) / beta, y * inverse, z * inverse)
+}

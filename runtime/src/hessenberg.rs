@@ -1,0 +1,240 @@
+//! Reduction of a real matrix to Hessenberg form.
+
+use crate::error::SolveError;
+use crate::float;
+
+/// A real N x N matrix A, balanced and reduced by orthogonal similarity:
+///
+/// ```text
+///                                 [ x x x x x ]
+///   A = s * D Q H Q^T D^-1,   H = [ x x x x x ]   s, D: powers of two
+///                                 [   x x x x ]   Q: product of N - 2 Householder reflections
+///                                 [     x x x ]
+///                                 [       x x ]
+/// ```
+///
+/// Balancing (Parlett and Reinsch 1969, with 2-norms as James, Langou and Lowery 2014 recommend; no permutation) makes
+/// the norms of row i and column i of D^-1 A D comparable, so that the errors of the eigenvalue iteration are relative
+/// to the small entries, too. The QR iteration and the characteristic polynomial start from H; eigenvectors are found
+/// on H and taken back through Q and D.
+#[derive(Clone, Debug)]
+pub struct Hessenberg<const N: usize> {
+    /// H: zero below the subdiagonal.
+    pub(crate) matrix: [[f64; N]; N],
+    /// The power of two taken out of A, so that its largest entry is near 1 when it was far from it.
+    pub(crate) unit: f64,
+    /// The diagonal of D.
+    balance: [f64; N],
+    /// Row k: the reflection I - tau v v^T that cleared column k; v lives in k+1..N, v[k+1] = 1.
+    reflectors: [[f64; N]; N],
+    /// The tau of each reflection; 0 where the column was clear already.
+    tau: [f64; N],
+}
+
+/// Sweeps of balancing: each multiplies by powers of two only, so a few suffice and stopping early is harmless.
+const BALANCE_SWEEPS: usize = 16;
+
+impl<const N: usize> Hessenberg<N> {
+    /// Balances and reduces a copy of `matrix`.
+    ///
+    /// # Errors
+    /// [`SolveError::NonFiniteInput`] when an entry is infinite or NaN.
+    pub fn reduce(matrix: &[[f64; N]; N]) -> Result<Self, SolveError> {
+        if !float::all_finite(matrix) {
+            return Err(SolveError::NonFiniteInput);
+        }
+        let mut reduced =
+            Hessenberg { matrix: *matrix, unit: 1.0, balance: [1.0; N], reflectors: [[0.0; N]; N], tau: [0.0; N] };
+        reduced.normalize();
+        reduced.balance();
+        for k in 0..N.saturating_sub(2) {
+            reduced.clear_column(k);
+        }
+        Ok(reduced)
+    }
+
+    /// Takes out a power of two where squares of entries could overflow, or vanish although they matter.
+    #[inline]
+    fn normalize(&mut self) {
+        let mut largest = 0.0_f64;
+        for row in &self.matrix {
+            for &entry in row {
+                largest = if entry.abs() > largest { entry.abs() } else { largest };
+            }
+        }
+        if largest == 0.0 || (1e-60..1e60).contains(&largest) {
+            return;
+        }
+        // Clamped for subnormal entries: the inverse must be a normal number, too.
+        self.unit = float::power_of_two(float::exponent(largest).clamp(-1021, 1021));
+        let inverse = 1.0 / self.unit;
+        for entry in self.matrix.as_flattened_mut() {
+            *entry *= inverse;
+        }
+    }
+
+    /// matrix := D^-1 matrix D.
+    #[inline]
+    fn balance(&mut self) {
+        const RADIX: f64 = 2.0;
+        for _ in 0..BALANCE_SWEEPS {
+            let mut changed = false;
+            for i in 0..N {
+                let (mut column, mut row) = (0.0, 0.0);
+                for j in 0..N {
+                    column += self.matrix[j][i] * self.matrix[j][i];
+                    row += self.matrix[i][j] * self.matrix[i][j];
+                }
+                if !(column > 1e-250 && row > 1e-250) {
+                    continue;
+                }
+                // Squared norms: a factor of RADIX in D moves their ratio by RADIX^4.
+                let sum = column + row;
+                let mut factor = 1.0;
+                let mut scaled = column;
+                while scaled * (RADIX * RADIX) < row {
+                    scaled *= RADIX * RADIX * RADIX * RADIX;
+                    factor *= RADIX;
+                }
+                while scaled > row * (RADIX * RADIX) {
+                    scaled /= RADIX * RADIX * RADIX * RADIX;
+                    factor /= RADIX;
+                }
+                let (column, row) = (column * factor * factor, row / (factor * factor));
+                if factor != 1.0 && column + row < 0.9 * sum {
+                    changed = true;
+                    self.balance[i] *= factor;
+                    let inverse = 1.0 / factor;
+                    for j in 0..N {
+                        self.matrix[i][j] *= inverse;
+                    }
+                    for j in 0..N {
+                        self.matrix[j][i] *= factor;
+                    }
+                }
+            }
+            if !changed {
+                break;
+            }
+        }
+    }
+
+    /// Clears column k below the subdiagonal by a Householder reflection from both sides.
+    #[inline]
+    fn clear_column(&mut self, k: usize) {
+        let h = &mut self.matrix;
+        let tail: f64 = (k + 2..N).map(|i| h[i][k] * h[i][k]).sum();
+        // Exactly zero or below 1e-154 of the largest entry, whose square underflowed: dropped.
+        if tail == 0.0 {
+            for i in k + 2..N {
+                h[i][k] = 0.0;
+            }
+            return;
+        }
+        let head = h[k + 1][k];
+        let beta = -float::sqrt(head * head + tail).copysign(head);
+        let tau = (beta - head) / beta;
+        let inverse = 1.0 / (head - beta);
+        let mut v = [0.0; N];
+        v[k + 1] = 1.0;
+        for i in k + 2..N {
+            v[i] = h[i][k] * inverse;
+            h[i][k] = 0.0;
+        }
+        h[k + 1][k] = beta;
+
+        // From the left: H -= tau v (v^T H), columns k+1.. only, the others are done.
+        let mut product = [0.0; N];
+        for i in k + 1..N {
+            for j in k + 1..N {
+                product[j] += v[i] * h[i][j];
+            }
+        }
+        for i in k + 1..N {
+            let factor = tau * v[i];
+            for j in k + 1..N {
+                h[i][j] -= factor * product[j];
+            }
+        }
+        // From the right: H -= tau (H v) v^T.
+        for row in h.iter_mut() {
+            let mut dot = 0.0;
+            for j in k + 1..N {
+                dot += row[j] * v[j];
+            }
+            dot *= tau;
+            for j in k + 1..N {
+                row[j] -= dot * v[j];
+            }
+        }
+        self.reflectors[k] = v;
+        self.tau[k] = tau;
+    }
+
+    /// Takes an eigenvector of H back to one of A: D Q y.
+    #[inline]
+    pub(crate) fn transform_back<S: crate::Scalar>(&self, vector: &mut [S; N]) {
+        for k in (0..N.saturating_sub(2)).rev() {
+            if self.tau[k] == 0.0 {
+                continue;
+            }
+            let v = &self.reflectors[k];
+            let mut dot = S::ZERO;
+            for i in k + 1..N {
+                dot += vector[i].scale(v[i]);
+            }
+            let dot = dot.scale(self.tau[k]);
+            for i in k + 1..N {
+                vector[i] -= dot.scale(v[i]);
+            }
+        }
+        for i in 0..N {
+            vector[i] = vector[i].scale(self.balance[i]);
+        }
+    }
+
+    /// The coefficients of the characteristic polynomial det(x I - A) = x^N + c[N-1] x^(N-1) + .. + c[0], by La Budde's
+    /// recurrence on H (Wilkinson 1965, chapter 7, section 11; Rehman and Ipsen 2011):
+    ///
+    /// p_i = (x - h_ii) p_(i-1) - sum over m of h_(i-m,i) b_i .. b_(i-m+1) p_(i-m-1),  b_i = h_(i,i-1).
+    ///
+    /// For N up to about 10, to find real eigenvalues alone by [`real_roots_monic`](crate::real_roots_monic); the
+    /// coefficients lose digits as N grows. They overflow to infinity when A is very large.
+    #[must_use]
+    pub fn characteristic_polynomial(&self) -> [f64; N] {
+        let h = &self.matrix;
+        // partial[i]: the characteristic polynomial of the leading i x i block, monic, coefficients below i.
+        let mut partial = [[0.0; N]; N];
+        let mut next = [0.0; N];
+        for i in 0..N {
+            let previous = partial[i];
+            next = [0.0; N];
+            // x * p_(i-1): the leading coefficient of p_(i-1) is an implicit 1 at degree i.
+            next[1..=i].copy_from_slice(&previous[..i]);
+            for j in 0..i {
+                next[j] -= h[i][i] * previous[j];
+            }
+            next[i] -= h[i][i];
+            let mut product = 1.0;
+            for start in (0..i).rev() {
+                product *= h[start + 1][start];
+                let factor = product * h[start][i];
+                for j in 0..start {
+                    next[j] -= factor * partial[start][j];
+                }
+                next[start] -= factor;
+            }
+            if i + 1 < N {
+                partial[i + 1] = next;
+            }
+        }
+        if self.unit != 1.0 {
+            let mut power = 1.0;
+            for coefficient in next.iter_mut().rev() {
+                power *= self.unit;
+                *coefficient *= power;
+            }
+        }
+        next
+    }
+}

@@ -1,0 +1,157 @@
+//! Eigenvectors for given eigenvalues, by inverse iteration on the Hessenberg form.
+
+use crate::hessenberg::Hessenberg;
+use crate::scalar::Scalar;
+
+/// Solves with each factorisation: the first finds the direction, the second cleans it. More only when the start was
+/// unlucky.
+const LEAST_SOLVES: usize = 2;
+const MOST_SOLVES: usize = 5;
+/// Entries above this are scaled down during back substitution: repeated tiny pivots must not overflow.
+const LARGE: f64 = 1e120;
+
+/// P (H - value I) = L U with interchanges of neighbouring rows.
+///
+/// ```text
+///       [ u u u u ]     multiplier[i]: what row i was multiplied by when it cleared the entry below it
+///   U = [   u u u ]     swapped[i]: rows i and i+1 changed places first
+///       [     u u ]     inverse_pivot[i] = 1 / U[i][i], where pivots at rounding level are replaced by it
+///       [       u ]
+/// ```
+struct ShiftedLu<S, const N: usize> {
+    upper: [[S; N]; N],
+    inverse_pivot: [S; N],
+    multiplier: [S; N],
+    swapped: [bool; N],
+}
+
+impl<S: Scalar, const N: usize> ShiftedLu<S, N> {
+    #[inline]
+    fn factor(h: &[[f64; N]; N], value: S, smallest: f64) -> Self {
+        let mut lu = ShiftedLu {
+            upper: [[S::ZERO; N]; N],
+            inverse_pivot: [S::ONE; N],
+            multiplier: [S::ZERO; N],
+            swapped: [false; N],
+        };
+        for i in 0..N {
+            for j in i.saturating_sub(1)..N {
+                lu.upper[i][j] = S::from_f64(h[i][j]);
+            }
+            lu.upper[i][i] -= value;
+        }
+        for i in 0..N {
+            if i + 1 < N {
+                let (above, below) = lu.upper.split_at_mut(i + 1);
+                let (row, next) = (&mut above[i], &mut below[0]);
+                if next[i].magnitude() > row[i].magnitude() {
+                    core::mem::swap(row, next);
+                    lu.swapped[i] = true;
+                }
+                lu.inverse_pivot[i] = guarded_reciprocal(row[i], smallest);
+                let multiplier = next[i] * lu.inverse_pivot[i];
+                lu.multiplier[i] = multiplier;
+                for j in i + 1..N {
+                    next[j] -= multiplier * row[j];
+                }
+            } else {
+                lu.inverse_pivot[i] = guarded_reciprocal(lu.upper[i][i], smallest);
+            }
+        }
+        lu
+    }
+
+    /// x := L^-1 P x.
+    #[inline]
+    fn forward(&self, x: &mut [S; N]) {
+        for i in 0..N.saturating_sub(1) {
+            if self.swapped[i] {
+                x.swap(i, i + 1);
+            }
+            let known = x[i];
+            x[i + 1] -= self.multiplier[i] * known;
+        }
+    }
+
+    /// x := U^-1 x up to a factor, normalised to length 1. Returns how much longer than x it was.
+    #[inline]
+    fn backward(&self, x: &mut [S; N]) -> f64 {
+        let mut factor = 1.0;
+        for i in (0..N).rev() {
+            let mut sum = x[i];
+            for j in i + 1..N {
+                sum -= self.upper[i][j] * x[j];
+            }
+            x[i] = sum * self.inverse_pivot[i];
+            let size = x[i].magnitude();
+            if size > LARGE {
+                let inverse = 1.0 / size;
+                factor *= inverse;
+                for entry in x.iter_mut() {
+                    *entry = entry.scale(inverse);
+                }
+            }
+        }
+        normalize(x) / factor
+    }
+}
+
+/// 1/x, of `smallest` in place of x when |x| is below it.
+#[inline]
+fn guarded_reciprocal<S: Scalar>(x: S, smallest: f64) -> S {
+    if x.magnitude() > smallest { x.reciprocal() } else { S::from_f64(1.0 / smallest) }
+}
+
+/// Scales x to length 1; returns its length before.
+#[inline]
+fn normalize<S: Scalar, const N: usize>(x: &mut [S; N]) -> f64 {
+    let largest = x.iter().map(|entry| entry.magnitude()).fold(0.0, f64::max);
+    if !(largest > 0.0) {
+        return 0.0;
+    }
+    let inverse = 1.0 / largest;
+    let sum: f64 = x.iter().map(|entry| entry.scale(inverse).modulus_squared()).sum();
+    let length = crate::float::sqrt(sum);
+    let inverse_length = inverse / length;
+    for entry in x.iter_mut() {
+        *entry = entry.scale(inverse_length);
+    }
+    length * largest
+}
+
+impl<const N: usize> Hessenberg<N> {
+    /// A unit vector v with A v = value * v up to rounding, for an eigenvalue of A: a real vector for a real one.
+    ///
+    /// Wilkinson's inverse iteration, O(N^2) per solve: the residual on the balanced H is at most a small multiple of
+    /// N epsilon |H|. Vectors of equal or nearly equal eigenvalues may be nearly parallel. The result is not finite
+    /// only if `value` is not.
+    #[must_use]
+    pub fn eigenvector<S: Scalar>(&self, value: S) -> [S; N] {
+        let value = value.scale(1.0 / self.unit);
+        let norm = self.matrix.iter().map(|row| row.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
+        let smallest = if norm > 0.0 { f64::EPSILON * norm } else { f64::EPSILON };
+        let lu = ShiftedLu::factor(&self.matrix, value, smallest);
+        // A solve that multiplies the length by this leaves a residual of 10 N epsilon |H|.
+        let enough = 1.0 / (10.0 * N as f64 * smallest);
+
+        let mut x = [S::ONE; N];
+        // The first right-hand side is L times a vector of ones, which spares its forward half.
+        normalize(&mut x);
+        for solve in 1..=MOST_SOLVES {
+            if solve > 1 {
+                lu.forward(&mut x);
+            }
+            let growth = lu.backward(&mut x);
+            if solve >= LEAST_SOLVES && growth >= enough {
+                break;
+            }
+            if growth < enough && solve + 1 < MOST_SOLVES {
+                // The start was nearly orthogonal to the left eigenvector: leave it along another axis.
+                x[(N - 1 + solve) % N] += S::from_f64(-1.0);
+            }
+        }
+        self.transform_back(&mut x);
+        normalize(&mut x);
+        x
+    }
+}

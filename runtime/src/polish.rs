@@ -1,0 +1,144 @@
+//! Gauss-Newton steps on the original equations.
+
+use crate::float;
+use crate::scalar::Scalar;
+use crate::system::System;
+
+/// Improves x by at most `steps` Gauss-Newton steps and returns its relative residual,
+///
+/// max over equations e of |f_e(x)| / (sum of the moduli of the terms of f_e at x), 0/0 counting as 0.
+///
+/// Equations are weighted by one over that sum, which makes the result independent of their scaling; scaling an unknown
+/// does not matter to Householder QR. A step is kept only if it lowers the residual; the first one that does not ends
+/// the iteration, as does a residual at rounding level or a rank-deficient Jacobian. Infinity, with x unchanged, when x
+/// or a value at x is not finite.
+#[inline]
+pub fn polish<S: Scalar, const N: usize, const E: usize>(
+    x: &mut [S; N],
+    system: &impl System<S, N, E>,
+    steps: usize,
+) -> f64 {
+    let mut values = [S::ZERO; E];
+    let mut scale = [0.0; E];
+    let mut jacobian = [[S::ZERO; N]; E];
+    if steps == 0 {
+        system.residual(x, &mut values, &mut scale);
+        return relative_residual(&values, &scale);
+    }
+    system.evaluate(x, &mut values, &mut scale, &mut jacobian);
+    let mut best = relative_residual(&values, &scale);
+    for step in 1..=steps {
+        if best <= f64::EPSILON || best == f64::INFINITY {
+            break;
+        }
+        weigh(&mut values, &scale, &mut jacobian);
+        let Some(correction) = least_squares(&mut jacobian, &mut values) else { break };
+        let mut moved = *x;
+        for j in 0..N {
+            moved[j] -= correction[j];
+        }
+        if step < steps {
+            system.evaluate(&moved, &mut values, &mut scale, &mut jacobian);
+        } else {
+            system.residual(&moved, &mut values, &mut scale);
+        }
+        let residual = relative_residual(&values, &scale);
+        if !(residual < best) {
+            break;
+        }
+        best = residual;
+        *x = moved;
+    }
+    best
+}
+
+/// max |f_e| / scale_e; infinity when something is not finite.
+#[inline]
+fn relative_residual<S: Scalar, const E: usize>(values: &[S; E], scale: &[f64; E]) -> f64 {
+    let mut worst = 0.0;
+    for e in 0..E {
+        if !(values[e].is_finite() && scale[e].is_finite()) {
+            return f64::INFINITY;
+        }
+        if scale[e] > 0.0 {
+            let relative = values[e].modulus() / scale[e];
+            worst = if relative > worst { relative } else { worst };
+        }
+    }
+    worst
+}
+
+/// Divides each equation by its scale; where all terms vanish, by the size of its gradient.
+#[inline]
+fn weigh<S: Scalar, const N: usize, const E: usize>(values: &mut [S; E], scale: &[f64; E], jacobian: &mut [[S; N]; E]) {
+    for e in 0..E {
+        let size = if scale[e] > 0.0 {
+            scale[e]
+        } else {
+            jacobian[e].iter().map(|entry| entry.magnitude()).fold(0.0, f64::max)
+        };
+        let weight = if size > 0.0 { 1.0 / size } else { 0.0 };
+        values[e] = values[e].scale(weight);
+        jacobian[e] = jacobian[e].map(|entry| entry.scale(weight));
+    }
+}
+
+/// The least-squares solution of `matrix * y = right`, E equations in N <= E unknowns, by Householder QR; both arguments are
+/// overwritten. None when the matrix has lost rank (a diagonal entry of R below N epsilon times its column) or something is not finite.
+#[inline]
+fn least_squares<S: Scalar, const N: usize, const E: usize>(
+    matrix: &mut [[S; N]; E],
+    right: &mut [S; E],
+) -> Option<[S; N]> {
+    if E < N {
+        return None;
+    }
+    let mut column_size = [0.0_f64; N];
+    for row in matrix.iter() {
+        for j in 0..N {
+            column_size[j] += row[j].modulus_squared();
+        }
+    }
+    let rounding = N as f64 * f64::EPSILON;
+    let mut inverse_diagonal = [S::ZERO; N];
+    for k in 0..N {
+        let square: f64 = (k..E).map(|i| matrix[i][k].modulus_squared()).sum();
+        if !(square > rounding * rounding * column_size[k] && square < f64::INFINITY) {
+            return None;
+        }
+        let length = float::sqrt(square);
+        let head = matrix[k][k];
+        let size = head.modulus();
+        // R[k][k] has the direction opposite to the head, so that head - diagonal does not cancel.
+        let diagonal = if size > 0.0 { -head.scale(length / size) } else { S::from_f64(-length) };
+        inverse_diagonal[k] = diagonal.reciprocal();
+        matrix[k][k] = head - diagonal;
+        // The reflection I - v v^H / factor, v the column k.. as it is now.
+        let inverse_factor = 1.0 / (square + length * size);
+        let mut product = [S::ZERO; N];
+        let mut product_right = S::ZERO;
+        for i in k..E {
+            let v = matrix[i][k].conj();
+            for j in k + 1..N {
+                product[j] += v * matrix[i][j];
+            }
+            product_right += v * right[i];
+        }
+        for i in k..E {
+            let v = matrix[i][k].scale(inverse_factor);
+            for j in k + 1..N {
+                matrix[i][j] -= v * product[j];
+            }
+            right[i] -= v * product_right;
+        }
+    }
+    let mut solution = [S::ZERO; N];
+    for k in (0..N).rev() {
+        let mut sum = right[k];
+        for j in k + 1..N {
+            sum -= matrix[k][j] * solution[j];
+        }
+        solution[k] = sum * inverse_diagonal[k];
+    }
+    solution.iter().all(|entry| entry.is_finite()).then_some(solution)
+}

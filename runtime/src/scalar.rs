@@ -1,0 +1,143 @@
+//! Real and complex numbers under one trait, for code that serves `solve` and `solve_complex` alike.
+
+use crate::float;
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+use num_complex::Complex;
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f64 {}
+    impl Sealed for num_complex::Complex<f64> {}
+}
+
+/// `f64` or `Complex<f64>`.
+pub trait Scalar:
+    sealed::Sealed
+    + Copy
+    + Debug
+    + PartialEq
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + 'static
+{
+    /// 0.
+    const ZERO: Self;
+    /// 1.
+    const ONE: Self;
+    /// The real number `x`.
+    fn from_f64(x: f64) -> Self;
+    /// The real part.
+    fn real(self) -> f64;
+    /// The complex conjugate; of a real number, itself.
+    fn conj(self) -> Self;
+    /// |x|, without overflow.
+    fn modulus(self) -> f64;
+    /// |x|^2; overflows when |x| exceeds about 1e154.
+    fn modulus_squared(self) -> f64;
+    /// |re| + |im|: within a factor of sqrt 2 of the modulus, without its square root.
+    fn magnitude(self) -> f64;
+    /// Product with a real number.
+    fn scale(self, factor: f64) -> Self;
+    /// 1/x, without overflow in between.
+    fn reciprocal(self) -> Self;
+    /// Neither infinite nor NaN.
+    fn is_finite(self) -> bool;
+}
+
+impl Scalar for f64 {
+    const ZERO: f64 = 0.0;
+    const ONE: f64 = 1.0;
+    #[inline]
+    fn from_f64(x: f64) -> f64 {
+        x
+    }
+    #[inline]
+    fn real(self) -> f64 {
+        self
+    }
+    #[inline]
+    fn conj(self) -> f64 {
+        self
+    }
+    #[inline]
+    fn modulus(self) -> f64 {
+        self.abs()
+    }
+    #[inline]
+    fn modulus_squared(self) -> f64 {
+        self * self
+    }
+    #[inline]
+    fn magnitude(self) -> f64 {
+        self.abs()
+    }
+    #[inline]
+    fn scale(self, factor: f64) -> f64 {
+        self * factor
+    }
+    #[inline]
+    fn reciprocal(self) -> f64 {
+        1.0 / self
+    }
+    #[inline]
+    fn is_finite(self) -> bool {
+        f64::is_finite(self)
+    }
+}
+
+impl Scalar for Complex<f64> {
+    const ZERO: Self = Complex { re: 0.0, im: 0.0 };
+    const ONE: Self = Complex { re: 1.0, im: 0.0 };
+    #[inline]
+    fn from_f64(x: f64) -> Self {
+        Complex { re: x, im: 0.0 }
+    }
+    #[inline]
+    fn real(self) -> f64 {
+        self.re
+    }
+    #[inline]
+    fn conj(self) -> Self {
+        Complex { re: self.re, im: -self.im }
+    }
+    #[inline]
+    fn modulus(self) -> f64 {
+        float::hypot(self.re, self.im)
+    }
+    #[inline]
+    fn modulus_squared(self) -> f64 {
+        self.re * self.re + self.im * self.im
+    }
+    #[inline]
+    fn magnitude(self) -> f64 {
+        self.re.abs() + self.im.abs()
+    }
+    #[inline]
+    fn scale(self, factor: f64) -> Self {
+        Complex { re: self.re * factor, im: self.im * factor }
+    }
+    #[inline]
+    fn reciprocal(self) -> Self {
+        // Smith 1962: divide by the larger part first.
+        if self.re.abs() >= self.im.abs() {
+            let quotient = self.im / self.re;
+            let denominator = self.re + self.im * quotient;
+            Complex { re: 1.0 / denominator, im: -quotient / denominator }
+        } else {
+            let quotient = self.re / self.im;
+            let denominator = self.re * quotient + self.im;
+            Complex { re: quotient / denominator, im: -1.0 / denominator }
+        }
+    }
+    #[inline]
+    fn is_finite(self) -> bool {
+        self.re.is_finite() && self.im.is_finite()
+    }
+}
