@@ -13,6 +13,8 @@ pub struct Diagnostic {
     pub span: Span,
     /// What the underlined part is or what was expected there; may be empty.
     pub label: String,
+    /// Other places that matter, with what they are: the operands of a product, the call that led here.
+    pub context: Vec<(Span, String)>,
     /// How to mend it, each a line of its own.
     pub hints: Vec<String>,
 }
@@ -20,7 +22,7 @@ pub struct Diagnostic {
 impl Diagnostic {
     /// A message with its place.
     pub fn new(message: impl Into<String>, span: Span) -> Self {
-        Self { message: message.into(), span, label: String::new(), hints: Vec::new() }
+        Self { message: message.into(), span, label: String::new(), context: Vec::new(), hints: Vec::new() }
     }
 
     /// Says what the underlined part is or should be.
@@ -30,12 +32,54 @@ impl Diagnostic {
         self
     }
 
+    /// Shows another place, underlined with dashes.
+    #[must_use]
+    pub fn context(mut self, span: Span, label: impl Into<String>) -> Self {
+        self.context.push((span, label.into()));
+        self
+    }
+
     /// Says how to mend it.
     #[must_use]
     pub fn hint(mut self, hint: impl Into<String>) -> Self {
         self.hints.push(hint.into());
         self
     }
+
+    /// The same message at another place.
+    #[must_use]
+    pub fn at(mut self, span: Span) -> Self {
+        self.span = span;
+        self
+    }
+
+    fn render(&self, file: &SourceFile) -> String {
+        let text = file.text.as_str();
+        let primary = AnnotationKind::Primary.span(clamp(text, &self.span)).label(non_empty(&self.label));
+        let context = self
+            .context
+            .iter()
+            .map(|(span, label)| AnnotationKind::Context.span(clamp(text, span)).label(non_empty(label)));
+        let snippet = Snippet::source(text).path(file.path.as_str()).annotation(primary).annotations(context);
+        let group = Level::ERROR
+            .primary_title(self.message.as_str())
+            .element(snippet)
+            .elements(self.hints.iter().map(|hint| Level::HELP.message(hint.as_str())));
+        // Trailing blanks are of no use in a terminal and a nuisance in golden files.
+        let report = Renderer::plain().render(&[group]);
+        report.lines().map(str::trim_end).collect::<Vec<_>>().join("\n")
+    }
+}
+
+fn non_empty(label: &str) -> Option<&str> {
+    Some(label).filter(|label| !label.is_empty())
+}
+
+/// The span within the text and on character boundaries.
+fn clamp(text: &str, span: &Span) -> Span {
+    let boundary = |at: usize| (0..=at.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0);
+    let end = boundary(span.end);
+    boundary(span.start).min(end)..end
 }
 
 /// All messages about one file, in order of place.
@@ -49,24 +93,15 @@ pub struct Diagnostics {
 }
 
 impl Diagnostics {
+    /// The messages about `source_file`, sorted by place.
+    pub fn new(source_file: SourceFile, mut messages: Vec<Diagnostic>) -> Self {
+        messages.sort_by_key(|diagnostic| (diagnostic.span.start, diagnostic.span.end));
+        Self { source_file, messages }
+    }
+
     /// Messages with `file:line:column`, the underlined span and the hints.
     pub fn render(&self) -> String {
-        let mut reports = Vec::new();
-        for diagnostic in &self.messages {
-            let text = &self.source_file.text;
-            let end = diagnostic.span.end.min(text.len());
-            let span = diagnostic.span.start.min(end)..end;
-            let mut annotation = AnnotationKind::Primary.span(span);
-            if !diagnostic.label.is_empty() {
-                annotation = annotation.label(&diagnostic.label);
-            }
-            let snippet = Snippet::source(text).path(&self.source_file.path).annotation(annotation);
-            let mut group = Level::ERROR.primary_title(&diagnostic.message).element(snippet);
-            for hint in &diagnostic.hints {
-                group = group.element(Level::HELP.message(hint));
-            }
-            reports.push(Renderer::plain().render(&[group]));
-        }
+        let reports: Vec<_> = self.messages.iter().map(|diagnostic| diagnostic.render(&self.source_file)).collect();
         reports.join("\n\n")
     }
 }

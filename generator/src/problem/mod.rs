@@ -1,5 +1,15 @@
 //! A polynomial problem: unknowns, data with their variety, equations with coefficients in the data.
 
+mod evaluate;
+mod functions;
+mod interpret;
+mod names;
+mod parse;
+mod scope;
+mod signature;
+mod syntax;
+mod value;
+
 use std::ops::Range;
 
 use crate::algebra::Polynomial;
@@ -89,7 +99,7 @@ pub struct Problem {
     pub graph: ExpressionGraph,
     /// The file it came from.
     pub source: SourceFile,
-    /// Where the function's name and unknowns stand, for messages about the whole problem.
+    /// Where the unknowns stand, for messages about the whole problem.
     pub span: Span,
 }
 
@@ -102,5 +112,22 @@ impl Problem {
     /// The polynomials of the equations.
     pub fn polynomials(&self) -> impl ExactSizeIterator<Item = &Polynomial<crate::expression::ExpressionId>> {
         self.equations.iter().map(|equation| &equation.polynomial)
+    }
+
+    /// A hash (FNV-1a, 64 bit) of what the problem states: names, shapes, equations by value. Comments and the way an
+    /// equation is written do not matter.
+    pub fn fingerprint(&self) -> u64 {
+        let mut words = vec![self.name.clone(), self.unknowns.join(",")];
+        words.extend(self.data.iter().map(|d| format!("{}:{:?}:{:?}", d.name, d.shape, d.attribute)));
+        for (kind, statements) in [("= 0", &self.equations), ("!= 0", &self.nonzero)] {
+            for statement in statements {
+                let term = |&(m, c): &(_, _)| format!("{m:?}{:?}", self.graph.fingerprint(c));
+                let terms: Vec<String> = statement.polynomial.terms().iter().map(term).collect();
+                words.push(format!("{} {kind}", terms.join(" ")));
+            }
+        }
+        words.iter().flat_map(|word| word.bytes().chain([b'\n'])).fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+        })
     }
 }

@@ -1,0 +1,110 @@
+//! Which names a problem may use, and which name somebody who mistyped may have meant.
+
+use proc_macro2::Ident;
+
+use super::syntax::place;
+use crate::diagnostic::Diagnostic;
+
+/// Reserved in some edition of Rust although the parser takes them as names.
+const RESERVED: [&str; 4] = ["gen", "try", "union", "macro_rules"];
+
+/// The message for a name that emitted code could not use as it stands.
+pub(super) fn refuse(ident: &Ident, what: &str) -> Option<Diagnostic> {
+    let name = ident.to_string();
+    let span = place(ident);
+    if name.starts_with("r#") || RESERVED.contains(&name.as_str()) || syn::parse_str::<Ident>(&name).is_err() {
+        return Some(Diagnostic::new(format!("`{name}` is reserved in Rust"), span).label("choose another name"));
+    }
+    let starts_well = name.starts_with(|c: char| c.is_ascii_lowercase());
+    if starts_well && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_') {
+        return None;
+    }
+    let message = format!("the name of {what} must be in snake_case");
+    let mut diagnostic =
+        Diagnostic::new(message, span).label("expected a lower-case letter, then lower-case letters, digits and `_`");
+    let snake = snake_case(&name);
+    if snake != name && snake.is_ascii() {
+        diagnostic = diagnostic.hint(format!("write `{snake}`"));
+    }
+    Some(diagnostic)
+}
+
+/// `TwoLines` as `two_lines`.
+fn snake_case(name: &str) -> String {
+    let mut snake = String::new();
+    for c in name.trim_matches('_').chars() {
+        if c.is_ascii_uppercase() && snake.ends_with(|last: char| last.is_ascii_lowercase()) {
+            snake.push('_');
+        }
+        snake.push(c.to_ascii_lowercase());
+    }
+    snake
+}
+
+/// The candidate closest to a mistyped name, if any is close.
+pub(super) fn closest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let most = match name.chars().count() {
+        0 | 1 => 0,
+        length => (length / 3).max(1),
+    };
+    candidates
+        .into_iter()
+        .filter(|&candidate| candidate != name)
+        .map(|candidate| (edit_distance(&name.to_lowercase(), &candidate.to_lowercase()), candidate))
+        .filter(|&(distance, _)| distance <= most)
+        .min()
+        .map(|(_, candidate)| candidate)
+}
+
+/// Number of insertions, deletions, substitutions and swaps of neighbours that turn `a` into `b`.
+fn edit_distance(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    // distance[i][j] between the first i characters of a and the first j of b.
+    let mut distance = vec![vec![0; b.len() + 1]; a.len() + 1];
+    for i in 0..=a.len() {
+        for j in 0..=b.len() {
+            distance[i][j] = match (i, j) {
+                (0, j) => j,
+                (i, 0) => i,
+                (i, j) => {
+                    let substitute = distance[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
+                    let mut best = substitute.min(distance[i - 1][j] + 1).min(distance[i][j - 1] + 1);
+                    if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                        best = best.min(distance[i - 2][j - 2] + 1);
+                    }
+                    best
+                }
+            };
+        }
+    }
+    distance[a.len()][b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn distances_count_edits() {
+        for (a, b, expected) in [("", "abc", 3), ("lamda", "lambda", 1), ("grma", "gram", 1), ("x", "y", 1)] {
+            assert_eq!(edit_distance(a, b), expected, "{a} {b}");
+            assert_eq!(edit_distance(b, a), expected, "{b} {a}");
+        }
+    }
+
+    #[test]
+    fn snake_case_names_are_offered() {
+        for (name, expected) in [("TwoLines", "two_lines"), ("X", "x"), ("_a", "a"), ("E5pt", "e5pt"), ("XYZ", "xyz")] {
+            assert_eq!(snake_case(name), expected);
+        }
+    }
+
+    #[test]
+    fn the_closest_name_is_suggested_only_if_close() {
+        let names = ["lambda1", "lambda2", "x", "Gram"];
+        assert_eq!(closest("lamda2", names), Some("lambda2"));
+        assert_eq!(closest("gram", names), Some("Gram"));
+        assert_eq!(closest("y", names), None);
+        assert_eq!(closest("translation", names), None);
+    }
+}

@@ -1,0 +1,249 @@
+//! Text to [`Problem`]: the functions of a file, and the checks on the problem as a whole.
+
+use std::collections::BTreeMap;
+
+use syn::{Attribute, Item, ItemConst, ItemFn, ReturnType, Safety, Visibility};
+
+use super::functions::BUILT_IN;
+use super::interpret::Interpreter;
+use super::names::refuse;
+use super::scope::{Binding, Kind};
+use super::signature::{Unknown, doc_lines, unknown_list};
+use super::syntax::{parse_file, place};
+use super::value::Value;
+use super::{DataParameter, Problem, SourceFile, Span};
+use crate::algebra::{Monomial, Polynomial};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::expression::{ExpressionGraph, ExpressionId};
+use crate::instance::fingerprint_points;
+
+/// Stack of the thread that parses, so that the longest expression allowed fits whatever the caller's stack is.
+const STACK: usize = 256 << 20;
+
+impl Problem {
+    /// Reads a problem from the text of its file. `path` is shown in messages.
+    ///
+    /// # Errors
+    /// All mistakes in the file, in order of place.
+    pub fn parse(path: &str, text: &str) -> Result<Self, Diagnostics> {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let source = SourceFile { path: path.to_owned(), text: text.to_owned() };
+        let parsed = std::thread::scope(|scope| {
+            let thread = std::thread::Builder::new().stack_size(STACK).spawn_scoped(scope, || parse_source(&source));
+            match thread.map(std::thread::ScopedJoinHandle::join) {
+                Ok(Ok(parsed)) => parsed,
+                Ok(Err(panic)) => std::panic::resume_unwind(panic),
+                Err(error) => Err(vec![Diagnostic::new(format!("cannot start a thread to parse in: {error}"), 0..0)]),
+            }
+        });
+        parsed.map_err(|messages| Diagnostics::new(source, messages))
+    }
+}
+
+/// The items of a file.
+#[derive(Default)]
+struct Items<'a> {
+    constants: Vec<&'a ItemConst>,
+    helpers: BTreeMap<String, &'a ItemFn>,
+    problem: Option<&'a ItemFn>,
+}
+
+fn parse_source(source: &SourceFile) -> Result<Problem, Vec<Diagnostic>> {
+    let file = parse_file(&source.text).map_err(|diagnostic| vec![diagnostic])?;
+    let (items, messages) = sort_items(&file.items);
+    let Some(function) = items.problem.filter(|_| messages.is_empty()) else { return Err(messages) };
+
+    // Shapes may use constants, and coefficients need the data: constants are evaluated once for each.
+    let mut signature = Interpreter::new(ExpressionGraph::new(&[vec![], vec![]]), &items.helpers);
+    declare_constants(&mut signature, &items.constants);
+    let types = unknown_list(&function.sig.output).unwrap_or_default();
+    let unknowns = signature.read_unknowns(&types);
+    let data = signature.read_parameters(function, &unknowns);
+    for helper in items.helpers.values() {
+        // Its own failure is among the messages.
+        let _ = signature.check_helper_parameters(helper);
+    }
+    let messages = signature.into_messages();
+    if !messages.is_empty() {
+        return Err(messages);
+    }
+
+    let graph = ExpressionGraph::new(&fingerprint_points(&data));
+    let mut body = Interpreter::new(graph, &items.helpers);
+    declare_constants(&mut body, &items.constants);
+    body.scopes.enter();
+    declare_signature(&mut body, &data, &unknowns);
+    body.run_block(&function.block);
+    check_counts(&mut body, function, &unknowns);
+    if body.has_messages() {
+        return Err(body.into_messages());
+    }
+    Ok(Problem {
+        name: function.sig.ident.to_string(),
+        docs: doc_lines(&function.attrs),
+        data,
+        unknowns: body.unknowns,
+        equations: body.equations,
+        nonzero: body.nonzero,
+        graph: body.algebra.graph,
+        source: source.clone(),
+        span: place_of_output(&function.sig.output),
+    })
+}
+
+/// Tells the problem function, the one whose return type lists unknowns, from the helpers.
+fn sort_items(items: &[Item]) -> (Items<'_>, Vec<Diagnostic>) {
+    let mut sorted = Items::default();
+    let mut messages = Vec::new();
+    for item in items {
+        match item {
+            Item::Const(constant) => sorted.constants.push(constant),
+            Item::Fn(function) => {
+                messages.extend(check_function(function));
+                let name = function.sig.ident.to_string();
+                if unknown_list(&function.sig.output).is_none() {
+                    if let Some(first) = sorted.helpers.insert(name.clone(), function) {
+                        let diagnostic =
+                            Diagnostic::new(format!("there are two helpers `{name}`"), place(&function.sig.ident));
+                        messages.push(diagnostic.label("again here").context(place(&first.sig.ident), "first here"));
+                    }
+                } else if let Some(first) = sorted.problem {
+                    messages.push(
+                        Diagnostic::new("a file states one problem", place_of_output(&function.sig.output))
+                            .label("a second return type that lists unknowns")
+                            .context(place_of_output(&first.sig.output), "the first")
+                            .hint("move it to a file of its own"),
+                    );
+                } else {
+                    sorted.problem = Some(function);
+                }
+            }
+            _ => messages.push(
+                Diagnostic::new("a problem file has functions and constants only", place(item))
+                    .label("expected `fn` or `const`"),
+            ),
+        }
+    }
+    if sorted.problem.is_none() && messages.is_empty() {
+        messages.push(missing_problem(sorted.helpers.values().next().copied()));
+    }
+    (sorted, messages)
+}
+
+fn missing_problem(helper: Option<&ItemFn>) -> Diagnostic {
+    let hint = "list the unknowns as return type: `fn two_circles(a: f64) -> (x, y) { x * x + y * y == a; .. }`";
+    let Some(helper) = helper else {
+        return Diagnostic::new("the file states no problem", 0..0).label("expected a function").hint(hint);
+    };
+    let span = match &helper.sig.output {
+        ReturnType::Default => place(&helper.sig.ident),
+        output => place_of_output(output),
+    };
+    Diagnostic::new("no function of the file has unknowns", span)
+        .label("expected a list of lower-case names such as `-> (x, y)`")
+        .hint(hint)
+}
+
+/// The place of a return type, without the arrow.
+fn place_of_output(output: &ReturnType) -> Span {
+    match output {
+        ReturnType::Default => place(output),
+        ReturnType::Type(_, ty) => place(&**ty),
+    }
+}
+
+/// The form of a function: a plain `fn name(parameters) -> result`.
+fn check_function(function: &ItemFn) -> Vec<Diagnostic> {
+    let signature = &function.sig;
+    let mut messages = Vec::new();
+    messages.extend(refuse(&signature.ident, "a function"));
+    if BUILT_IN.iter().any(|built_in| signature.ident == built_in.name) {
+        let message = format!("`{}` is a function of the language", signature.ident);
+        messages.push(Diagnostic::new(message, place(&signature.ident)).label("choose another name"));
+    }
+    let plain = signature.constness.is_none()
+        && signature.asyncness.is_none()
+        && matches!(signature.safety, Safety::Default)
+        && signature.abi.is_none()
+        && signature.variadic.is_none()
+        && signature.generics.params.is_empty()
+        && signature.generics.where_clause.is_none()
+        && !matches!(function.vis, Visibility::Restricted(_));
+    if !plain {
+        let diagnostic = Diagnostic::new("this kind of function is not supported", place(signature));
+        messages.push(diagnostic.label("expected a plain `fn name(parameters) -> result`"));
+    }
+    let known = |attribute: &&Attribute| {
+        !["doc", "allow", "expect", "rustfmt"]
+            .iter()
+            .any(|&name| attribute.path().segments.first().is_some_and(|segment| segment.ident == name))
+    };
+    for attribute in function.attrs.iter().filter(known) {
+        let diagnostic = Diagnostic::new("unknown attribute of a function", place(attribute));
+        messages
+            .push(diagnostic.hint("`#[symmetric]`, `#[rotation]`, `#[unit]`, `#[integer]` stand before a parameter"));
+    }
+    messages
+}
+
+/// Evaluates the constants of the file in order.
+fn declare_constants(interpreter: &mut Interpreter<'_>, constants: &[&ItemConst]) {
+    for constant in constants {
+        let value = interpreter.evaluate(&constant.expr);
+        let span = place(&constant.ident);
+        interpreter.scopes.declare(constant.ident.to_string(), Binding { value, kind: Kind::Constant, span });
+    }
+}
+
+/// Declares the data and the unknowns in the scope of the body.
+fn declare_signature(interpreter: &mut Interpreter<'_>, data: &[DataParameter], unknowns: &[Unknown]) {
+    for parameter in data {
+        let inputs = parameter.first_input..parameter.first_input + parameter.len();
+        let algebra = &interpreter.algebra;
+        let elements = inputs.map(|input| algebra.data(algebra.graph.input(input))).collect();
+        let value = Ok(Value::array(parameter.shape.clone(), elements));
+        let binding = Binding { value, kind: Kind::Data, span: parameter.span.clone() };
+        interpreter.scopes.declare(parameter.name.clone(), binding);
+    }
+    for (index, unknown) in unknowns.iter().enumerate() {
+        let polynomial: Polynomial<ExpressionId> =
+            Polynomial::from_terms(vec![(Monomial::unknown(index), ExpressionGraph::ONE)]);
+        let value = Ok(Value::scalar(polynomial));
+        let binding = Binding { value, kind: Kind::Unknown, span: unknown.span.clone() };
+        interpreter.scopes.declare(unknown.name.clone(), binding);
+    }
+    interpreter.unknowns = unknowns.iter().map(|unknown| unknown.name.clone()).collect();
+}
+
+/// Every unknown must occur, and there must be as many equations as unknowns.
+fn check_counts(body: &mut Interpreter<'_>, function: &ItemFn, unknowns: &[Unknown]) {
+    if body.has_messages() {
+        // Statements that failed may be the ones that are missing.
+        return;
+    }
+    let occurs = |index: usize| {
+        let mut monomials = body.equations.iter().flat_map(|equation| equation.polynomial.monomials());
+        monomials.any(|monomial| monomial.exponent(index) > 0)
+    };
+    let missing: Vec<&Unknown> = (0..).zip(unknowns).filter(|&(index, _)| !occurs(index)).map(|(_, u)| u).collect();
+    for unknown in &missing {
+        let diagnostic =
+            Diagnostic::new(format!("the unknown `{}` occurs in no equation", unknown.name), unknown.span.clone());
+        body.report(
+            diagnostic.label("any value would solve the problem").hint("remove it, or state what determines it"),
+        );
+    }
+    let (equations, count) = (body.equations.len(), unknowns.len());
+    if missing.is_empty() && equations < count {
+        let plural = if equations == 1 { "" } else { "s" };
+        let message = format!("{equations} equation{plural} cannot determine {count} unknowns");
+        let mut diagnostic = Diagnostic::new(message, place_of_output(&function.sig.output))
+            .label(format!("{count} unknowns"))
+            .hint("state what else must hold, or pass known quantities as parameters");
+        if body.repeated > 0 {
+            let repeated = body.repeated;
+            diagnostic = diagnostic.hint(format!("{repeated} more are stated, equal to others up to their sign"));
+        }
+        body.report(diagnostic);
+    }
+}

@@ -1,0 +1,285 @@
+//! Signatures: the data with their shapes and attributes, the unknowns, and the shapes that types stand for.
+
+use proc_macro2::Ident;
+use syn::{Attribute, Expr, ExprLit, FnArg, ItemFn, Lit, Meta, Pat, PatType, ReturnType, Type};
+
+use super::functions::BUILT_IN;
+use super::interpret::Interpreter;
+use super::names::{closest, refuse};
+use super::scope::{Outcome, Reported};
+use super::syntax::place;
+use super::value::{Checked, MAX_ELEMENTS, describe, fault};
+use super::{DataAttribute, DataParameter, Span};
+use crate::algebra::MAX_UNKNOWNS;
+use crate::diagnostic::Diagnostic;
+
+/// Types of Rust that somebody may write by habit; none of them is the name of an unknown.
+const PRIMITIVES: [&str; 17] = [
+    "f64", "f32", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32", "u64", "u128", "usize", "bool",
+    "char", "str",
+];
+
+const ATTRIBUTES: [(&str, DataAttribute); 4] = [
+    ("symmetric", DataAttribute::Symmetric),
+    ("rotation", DataAttribute::Rotation),
+    ("unit", DataAttribute::Unit),
+    ("integer", DataAttribute::Integer),
+];
+
+/// An unknown and where it was declared.
+pub(super) struct Unknown {
+    pub(super) name: String,
+    pub(super) span: Span,
+}
+
+/// What a type says about the shape of a value.
+pub(super) struct ShapePattern {
+    /// Outermost dimension first.
+    dimensions: Vec<usize>,
+    /// Whether `_` stands in place of `f64`: any further dimensions.
+    open: bool,
+}
+
+impl ShapePattern {
+    /// Whether a shape is one of those described.
+    pub(super) fn check(&self, shape: &[usize]) -> Checked<()> {
+        let fits = if self.open { shape.starts_with(&self.dimensions) } else { shape == self.dimensions };
+        if fits {
+            return Ok(());
+        }
+        let mut expected = describe(&self.dimensions);
+        if self.open {
+            expected = expected.replace("f64", "_");
+        }
+        Err(fault(format!("the type says {expected}")).label(format!("the value is {}", describe(shape))))
+    }
+}
+
+/// The names in a return type that lists unknowns, `(x, y)` or `x`; `None` for any other return type.
+pub(super) fn unknown_list(output: &ReturnType) -> Option<Vec<&Type>> {
+    let ReturnType::Type(_, ty) = output else { return None };
+    let mut ty = &**ty;
+    while let Type::Paren(inner) = ty {
+        ty = &inner.elem;
+    }
+    match ty {
+        Type::Tuple(tuple) if tuple.elems.iter().any(|element| unknown_name(element).is_some()) => {
+            Some(tuple.elems.iter().collect())
+        }
+        _ => unknown_name(ty).map(|_| vec![ty]),
+    }
+}
+
+/// A type that is a plain name in lower case and no primitive type: an unknown.
+fn unknown_name(ty: &Type) -> Option<&Ident> {
+    let Type::Path(path) = ty else { return None };
+    let ident = path.path.get_ident().filter(|_| path.qself.is_none())?;
+    let name = ident.to_string();
+    (name.starts_with(|c: char| c.is_lowercase() || c == '_') && !PRIMITIVES.contains(&name.as_str())).then_some(ident)
+}
+
+/// The lines of the doc comments, without the blank after `///`.
+pub(super) fn doc_lines(attributes: &[Attribute]) -> Vec<String> {
+    let mut lines = Vec::new();
+    for attribute in attributes.iter().filter(|attribute| attribute.path().is_ident("doc")) {
+        if let Meta::NameValue(pair) = &attribute.meta
+            && let Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) = &pair.value
+        {
+            lines.extend(
+                text.value().split('\n').map(|line| line.strip_prefix(' ').unwrap_or(line).trim_end().to_owned()),
+            );
+        }
+    }
+    lines
+}
+
+impl Interpreter<'_> {
+    /// The shape that a type stands for; `_` for any.
+    pub(super) fn shape_of_type(&mut self, ty: &Type) -> Outcome<ShapePattern> {
+        match ty {
+            Type::Paren(inner) => self.shape_of_type(&inner.elem),
+            Type::Infer(_) => Ok(ShapePattern { dimensions: Vec::new(), open: true }),
+            Type::Array(array) => {
+                let length = self.length(&array.len);
+                let mut pattern = self.shape_of_type(&array.elem)?;
+                pattern.dimensions.insert(0, length?);
+                let count = pattern.dimensions.iter().fold(1usize, |product, &n| product.saturating_mul(n));
+                self.limit_elements(count, ty)?;
+                Ok(pattern)
+            }
+            Type::Path(path) if path.path.is_ident("f64") => Ok(ShapePattern { dimensions: Vec::new(), open: false }),
+            _ => {
+                let diagnostic = Diagnostic::new("this type is not part of the problem language", place(ty))
+                    .label("expected `f64`, `[f64; n]`, `[[f64; n]; m]`, ..");
+                Err(self.report(match ty {
+                    Type::Reference(_) => diagnostic.hint("remove the `&`: data are passed by value"),
+                    Type::Slice(_) => diagnostic.hint("give the number of elements: `[f64; 3]`"),
+                    Type::Path(_) => diagnostic.hint("numbers are `f64`; integers are marked `#[integer]`"),
+                    _ => diagnostic,
+                }))
+            }
+        }
+    }
+
+    /// The unknowns of a return type that lists them.
+    pub(super) fn read_unknowns(&mut self, types: &[&Type]) -> Vec<Unknown> {
+        let mut unknowns: Vec<Unknown> = Vec::new();
+        for ty in types {
+            let span = place(ty);
+            let plain = match ty {
+                Type::Path(path) => {
+                    path.path.get_ident().filter(|ident| !PRIMITIVES.contains(&ident.to_string().as_str()))
+                }
+                _ => None,
+            };
+            let Some(ident) = plain else {
+                self.report(
+                    Diagnostic::new("the return type lists unknowns by name", span).label("expected a name").hint(
+                        "unknowns are scalars: write a vector as `(x, y, z)` and group it with `let v = [x, y, z];`",
+                    ),
+                );
+                continue;
+            };
+            let name = ident.to_string();
+            if let Some(first) = unknowns.iter().find(|unknown| unknown.name == name) {
+                let diagnostic = Diagnostic::new(format!("the unknown `{name}` is listed twice"), span);
+                self.report(diagnostic.label("again here").context(first.span.clone(), "first here"));
+                continue;
+            }
+            if let Some(diagnostic) = refuse(ident, "an unknown").or_else(|| self.function_named(ident)) {
+                self.report(diagnostic);
+            }
+            unknowns.push(Unknown { name, span });
+        }
+        if let Some(first) = unknowns.get(MAX_UNKNOWNS) {
+            let message = format!("the problem has {} unknowns, at most {MAX_UNKNOWNS} are allowed", unknowns.len());
+            let diagnostic = Diagnostic::new(message, first.span.clone()).label("one too many");
+            self.report(diagnostic.hint("eliminate unknowns by hand, or pass known quantities as parameters"));
+            unknowns.truncate(MAX_UNKNOWNS);
+        }
+        unknowns
+    }
+
+    fn function_named(&self, ident: &Ident) -> Option<Diagnostic> {
+        let name = ident.to_string();
+        let what = if self.helpers.contains_key(&name) {
+            "a helper in this file"
+        } else if BUILT_IN.iter().any(|function| function.name == name) {
+            "a function of the language"
+        } else {
+            return None;
+        };
+        let diagnostic = Diagnostic::new(format!("`{name}` is the name of a function"), place(ident));
+        Some(diagnostic.label(format!("there is {what} of that name")).hint("choose another name"))
+    }
+
+    /// The data: the parameters of the problem function.
+    pub(super) fn read_parameters(&mut self, function: &ItemFn, unknowns: &[Unknown]) -> Vec<DataParameter> {
+        let mut data: Vec<DataParameter> = Vec::new();
+        for parameter in &function.sig.inputs {
+            let Ok(mut parameter) = self.read_parameter(parameter) else { continue };
+            let twice = data.iter().find(|other| other.name == parameter.name).map(|other| (&other.span, "first here"));
+            let unknown = unknowns.iter().find(|unknown| unknown.name == parameter.name);
+            if let Some((span, label)) = twice.or(unknown.map(|unknown| (&unknown.span, "the unknown"))) {
+                let message = format!("`{}` is declared twice", parameter.name);
+                let diagnostic = Diagnostic::new(message, parameter.span).label("a parameter");
+                let diagnostic = diagnostic.context(span.clone(), label);
+                self.report(diagnostic.hint("parameters are known, the names in the return type unknown"));
+                continue;
+            }
+            parameter.first_input = data.last().map_or(0, |last| last.first_input + last.len());
+            if parameter.first_input + parameter.len() > MAX_ELEMENTS {
+                let diagnostic = Diagnostic::new("the problem has too many data", parameter.span);
+                self.report(diagnostic.label(format!("at most {MAX_ELEMENTS} numbers are allowed")));
+                continue;
+            }
+            data.push(parameter);
+        }
+        data
+    }
+
+    fn read_parameter(&mut self, parameter: &FnArg) -> Outcome<DataParameter> {
+        let (typed, ident) = self.parameter_name(parameter)?;
+        let pattern = self.shape_of_type(&typed.ty);
+        let attribute = self.read_attribute(typed);
+        if let Some(diagnostic) = refuse(ident, "a parameter") {
+            return Err(self.report(diagnostic));
+        }
+        let pattern = pattern?;
+        if pattern.open {
+            let diagnostic = Diagnostic::new("the shape of the data must be given", place(&*typed.ty));
+            return Err(self.report(diagnostic.label("expected `f64`, `[f64; n]`, `[[f64; n]; m]`, ..")));
+        }
+        let (attribute, at) = attribute?;
+        let shape = pattern.dimensions;
+        let expected = match (attribute, &shape[..]) {
+            (DataAttribute::Symmetric, [.., n, m]) if n == m => None,
+            (DataAttribute::Symmetric, _) => Some("a square matrix, or an array of them"),
+            (DataAttribute::Rotation, [.., 3, 3]) => None,
+            (DataAttribute::Rotation, _) => Some("a 3x3 matrix, or an array of them"),
+            (DataAttribute::Unit, [.., n]) if *n > 1 => None,
+            (DataAttribute::Unit, _) => Some("a vector of two or more, or an array of them"),
+            (DataAttribute::Integer | DataAttribute::Generic, _) => None,
+        };
+        if let Some(expected) = expected {
+            let message = format!("the attribute needs {expected}");
+            let found = format!("this is {}", describe(&shape));
+            return Err(self.report(Diagnostic::new(message, at).context(place(&*typed.ty), found)));
+        }
+        Ok(DataParameter { name: ident.to_string(), shape, attribute, first_input: 0, span: place(ident) })
+    }
+
+    /// A parameter of the form `name: type`.
+    fn parameter_name<'p>(&mut self, parameter: &'p FnArg) -> Outcome<(&'p PatType, &'p Ident)> {
+        if let FnArg::Typed(typed) = parameter
+            && let Pat::Ident(name) = &*typed.pat
+            && name.by_ref.is_none()
+            && name.subpat.is_none()
+        {
+            return Ok((typed, &name.ident));
+        }
+        let diagnostic = Diagnostic::new("parameters are written `name: type`", place(parameter));
+        Err(self.report(diagnostic.label("expected such as `points: [[f64; 2]; 5]`")))
+    }
+
+    /// Checks the form of the parameters of a helper, whose shapes are known only when it is called.
+    pub(super) fn check_helper_parameters(&mut self, function: &ItemFn) -> Outcome<()> {
+        let mut outcome = Ok(());
+        for parameter in &function.sig.inputs {
+            let Ok((typed, _)) = self.parameter_name(parameter) else {
+                outcome = Err(Reported);
+                continue;
+            };
+            if let Some(attribute) = typed.attrs.iter().find(|attribute| !attribute.path().is_ident("doc")) {
+                let diagnostic = Diagnostic::new("a helper's parameters have no attributes", place(attribute));
+                outcome = Err(self.report(diagnostic.hint("attributes describe the data of the problem function")));
+            }
+        }
+        outcome
+    }
+
+    /// What the data of a parameter satisfy, and where it says so.
+    fn read_attribute(&mut self, parameter: &PatType) -> Outcome<(DataAttribute, Span)> {
+        let mut found: Option<(DataAttribute, Span)> = None;
+        for attribute in parameter.attrs.iter().filter(|attribute| !attribute.path().is_ident("doc")) {
+            let span = place(attribute);
+            let name = attribute.path().get_ident().map(ToString::to_string).unwrap_or_default();
+            let known = ATTRIBUTES.iter().find(|(known, _)| *known == name);
+            let Some(&(_, kind)) = known.filter(|_| matches!(attribute.meta, Meta::Path(_))) else {
+                let diagnostic = Diagnostic::new("unknown attribute", place(&attribute.meta))
+                    .label("expected `symmetric`, `rotation`, `unit` or `integer`");
+                let meant = closest(&name, ATTRIBUTES.map(|(known, _)| known));
+                return Err(self.report(match meant {
+                    Some(meant) => diagnostic.hint(format!("did you mean `#[{meant}]`?")),
+                    None => diagnostic,
+                }));
+            };
+            if let Some((_, first)) = found {
+                let diagnostic = Diagnostic::new("a parameter can have one attribute", span);
+                return Err(self.report(diagnostic.label("the second").context(first, "the first")));
+            }
+            found = Some((kind, span));
+        }
+        Ok(found.unwrap_or((DataAttribute::Generic, 0..0)))
+    }
+}

@@ -1,0 +1,142 @@
+//! Text to syntax tree: limits that keep the parser safe on any input, and syntax errors in the words of the language.
+
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use syn::spanned::Spanned;
+
+use super::Span;
+use crate::diagnostic::Diagnostic;
+
+/// Longest text of a problem file, in bytes.
+const MAX_TEXT: usize = 1 << 20;
+
+/// Longest path of tokens that may lie around or before a token in one expression. The parser, the evaluator and the
+/// destructor of the tree recurse at most once per token of that path.
+const MAX_EXPRESSION_TOKENS: usize = 2000;
+
+/// The bytes a part of the syntax tree came from.
+pub(super) fn place(node: &impl Spanned) -> Span {
+    node.span().byte_range()
+}
+
+/// Parses the text. Its byte order mark must have been removed.
+pub(super) fn parse_file(text: &str) -> Result<syn::File, Diagnostic> {
+    if text.len() > MAX_TEXT {
+        let message = format!("the file has {} bytes, at most {MAX_TEXT} are allowed", text.len());
+        return Err(Diagnostic::new(message, 0..0));
+    }
+    let tokens: TokenStream = text.parse().map_err(|error: proc_macro2::LexError| lexical_error(&error, text))?;
+    check_lengths(&tokens, 0)?;
+    syn::parse2(tokens).map_err(|error| syntax_error(&error, text))
+}
+
+/// Checks that no expression exceeds [`MAX_EXPRESSION_TOKENS`], counted along nested brackets.
+fn check_lengths(tokens: &TokenStream, before: usize) -> Result<(), Diagnostic> {
+    let mut length = before;
+    let mut after_block = false;
+    let mut after_hash = false;
+    for token in tokens.clone() {
+        // Attributes, doc comments among them, do not nest.
+        let hash = matches!(&token, TokenTree::Punct(punct) if punct.as_char() == '#');
+        let attribute = std::mem::replace(&mut after_hash, hash) || hash;
+        // A new statement, argument or item starts the count anew; `else` and operators continue after a block.
+        let continues = match &token {
+            TokenTree::Ident(ident) => ident == "else" || ident == "as",
+            TokenTree::Punct(_) => !hash,
+            TokenTree::Group(group) => group.delimiter() != Delimiter::Brace,
+            TokenTree::Literal(_) => false,
+        };
+        if after_block && !continues {
+            length = before;
+        }
+        length += usize::from(!attribute);
+        if length > MAX_EXPRESSION_TOKENS {
+            return Err(Diagnostic::new("the expression is too long", token.span().byte_range())
+                .label(format!("more than {MAX_EXPRESSION_TOKENS} tokens up to here"))
+                .hint("name parts of it with `let`, or write the sum as a `for` loop"));
+        }
+        after_block = false;
+        match &token {
+            TokenTree::Group(group) => {
+                check_lengths(&group.stream(), length)?;
+                after_block = group.delimiter() == Delimiter::Brace;
+            }
+            TokenTree::Punct(punct) if matches!(punct.as_char(), ';' | ',') => length = before,
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// A text that is no sequence of Rust tokens with matching brackets.
+fn lexical_error(error: &proc_macro2::LexError, text: &str) -> Diagnostic {
+    if let Some(diagnostic) = unmatched_bracket(text) {
+        return diagnostic;
+    }
+    Diagnostic::new("not a token of the language", error.span().byte_range())
+        .label("neither a name, nor a number, nor an operator")
+}
+
+/// The first bracket without its partner. Only called on text that does not tokenise, so that brackets in comments
+/// can at worst make this message less apt.
+fn unmatched_bracket(text: &str) -> Option<Diagnostic> {
+    let mut open = Vec::new();
+    let mut at = 0;
+    while let Some(c) = text[at..].chars().next() {
+        if text[at..].starts_with("//") {
+            at += text[at..].find('\n').unwrap_or(text.len() - at);
+            continue;
+        }
+        match c {
+            '(' | '[' | '{' => open.push((c, at)),
+            ')' | ']' | '}' => {
+                let span = at..at + 1;
+                match open.pop() {
+                    Some(('(', _)) if c == ')' => {}
+                    Some(('[', _)) if c == ']' => {}
+                    Some(('{', _)) if c == '}' => {}
+                    Some((opening, from)) => {
+                        return Some(
+                            Diagnostic::new(format!("`{opening}` is closed by `{c}`"), span)
+                                .label("this does not match")
+                                .context(from..from + 1, "the bracket that is open here"),
+                        );
+                    }
+                    None => {
+                        return Some(
+                            Diagnostic::new(format!("`{c}` closes nothing"), span).label("no bracket is open"),
+                        );
+                    }
+                }
+            }
+            _ => {}
+        }
+        at += c.len_utf8();
+    }
+    let (opening, at) = open.pop()?;
+    Some(Diagnostic::new(format!("`{opening}` is never closed"), at..at + 1).label("opened here"))
+}
+
+/// A sequence of tokens that is not Rust syntax.
+fn syntax_error(error: &syn::Error, text: &str) -> Diagnostic {
+    let mut span = error.span().byte_range();
+    if span == (0..0) {
+        // The parser ran into the end of the text.
+        span = text.trim_end().len().saturating_sub(1)..text.trim_end().len();
+    }
+    let found = error.to_string();
+    if found.contains("cannot be chained") {
+        return Diagnostic::new("comparisons cannot be chained", span)
+            .label("a second comparison in one statement")
+            .hint("state each equation on its own: `a == b; b == c;`");
+    }
+    let diagnostic = Diagnostic::new(format!("syntax error: {found}"), span.clone());
+    if !found.contains("expected `;`") {
+        return diagnostic;
+    }
+    let before = text[..span.start].trim_end();
+    if text[before.len()..span.start].contains('\n') {
+        let last = before.chars().next_back().map_or(0, char::len_utf8);
+        return diagnostic.at(before.len() - last..before.len()).label("missing after this").hint("end it with `;`");
+    }
+    diagnostic.label("unexpected here").hint("a product needs `*`: `2 * x`, `a * (b + c)`")
+}

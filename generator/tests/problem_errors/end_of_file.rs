@@ -1,0 +1,1 @@
+fn equal(a: f64) -> (x, y)

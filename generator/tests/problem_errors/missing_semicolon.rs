@@ -1,0 +1,4 @@
+fn equal(a: f64) -> (x, y) {
+    x == y
+    x * y == a;
+}

@@ -1,0 +1,329 @@
+//! The equations that problem files stand for, compared over Z_p with formulas written out by hand.
+
+use eliminant_generator::algebra::{PRIMES, PrimeField};
+use eliminant_generator::expression::SymbolicPolynomial;
+use eliminant_generator::instance::{Random, draw_inputs};
+use eliminant_generator::problem::{DataAttribute, Problem};
+
+const FIELD: PrimeField = PrimeField::new(PRIMES[0]);
+
+/// A problem at random data and a random point.
+struct Sample {
+    problem: Problem,
+    /// The values of all inputs.
+    data: Vec<u32>,
+    /// The values of the unknowns.
+    point: Vec<u32>,
+    nodes: Vec<u32>,
+}
+
+impl Sample {
+    fn new(text: &str) -> Self {
+        let problem = Problem::parse("test.rs", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+        let mut random = Random::new(7);
+        let data = draw_inputs(&problem.data, FIELD, &mut random);
+        let point = problem.unknowns.iter().map(|_| FIELD.reduce(random.bits())).collect();
+        let nodes = problem.graph.evaluate(FIELD, &data).unwrap();
+        Self { problem, data, point, nodes }
+    }
+
+    fn value(&self, polynomial: &SymbolicPolynomial) -> u32 {
+        polynomial.terms().iter().fold(0, |sum, (monomial, coefficient)| {
+            let powers = self.point.iter().zip(monomial.exponents());
+            let term = powers.fold(self.nodes[coefficient.index()], |product, (&x, &e)| {
+                FIELD.mul(product, FIELD.pow(x, u32::from(e.unsigned_abs())))
+            });
+            FIELD.add(sum, term)
+        })
+    }
+
+    /// The values of the equations, left - right.
+    fn residuals(&self) -> Vec<u32> {
+        self.problem.equations.iter().map(|equation| self.value(&equation.polynomial)).collect()
+    }
+
+    /// The elements that the equations come from.
+    fn elements(&self) -> Vec<&str> {
+        self.problem.equations.iter().map(|equation| equation.element.as_str()).collect()
+    }
+
+    fn input(&self, parameter: &str, index: usize) -> Z {
+        let parameter = self.problem.data.iter().find(|data| data.name == parameter).unwrap();
+        Z(self.data[parameter.first_input + index])
+    }
+
+    fn unknown(&self, name: &str) -> Z {
+        Z(self.point[self.problem.unknowns.iter().position(|unknown| unknown == name).unwrap()])
+    }
+}
+
+/// An element of Z_p with operators.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Z(u32);
+
+impl std::ops::Add for Z {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self(FIELD.add(self.0, other.0))
+    }
+}
+
+impl std::ops::Sub for Z {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self(FIELD.sub(self.0, other.0))
+    }
+}
+
+impl std::ops::Mul for Z {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self(FIELD.mul(self.0, other.0))
+    }
+}
+
+fn z(value: i64) -> Z {
+    Z(FIELD.from_integer(value))
+}
+
+type Matrix = [[Z; 3]; 3];
+
+fn product(a: &Matrix, b: &Matrix) -> Matrix {
+    let entry = |i: usize, j: usize| (0..3).fold(z(0), |sum, k| sum + a[i][k] * b[k][j]);
+    std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
+}
+
+fn transpose(a: &Matrix) -> Matrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| a[j][i]))
+}
+
+fn det(m: &Matrix) -> Z {
+    m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
+        + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0])
+}
+
+#[test]
+fn circle_least_squares_is_the_lagrangian_of_the_paper() {
+    let sample = Sample::new(
+        "/// Circle tangent to n lines in the least-squares sense (constrained dual conic).
+///
+///   Indented.
+fn circle_least_squares(#[symmetric] gram: [[f64; 6]; 6]) -> (d1, d2, d3, d4, d5, lambda1, lambda2) {
+    let d6 = -1;
+    let d = [d1, 2 * d2, 2 * d3, d4, 2 * d5, d6];
+    let cost = dot(d, gram * d);
+    let lagrangian = cost
+        + lambda1 * (d3 * d5 - d2 * d6)
+        + lambda2 * (d5 * d5 - d3 * d3 + d1 * d6 - d4 * d6);
+    gradient(lagrangian) == 0;
+}
+",
+    );
+    let problem = &sample.problem;
+    assert_eq!(problem.name, "circle_least_squares");
+    assert_eq!(
+        problem.docs[..2],
+        ["Circle tangent to n lines in the least-squares sense (constrained dual conic).", ""]
+    );
+    assert_eq!(problem.docs[2], "  Indented.");
+    assert_eq!(problem.unknowns, ["d1", "d2", "d3", "d4", "d5", "lambda1", "lambda2"]);
+    assert_eq!((problem.data[0].name.as_str(), &problem.data[0].shape[..]), ("gram", &[6, 6][..]));
+    assert_eq!(problem.data[0].attribute, DataAttribute::Symmetric);
+    assert_eq!(&problem.source.text[problem.span.clone()], "(d1, d2, d3, d4, d5, lambda1, lambda2)");
+    assert_eq!(&problem.source.text[problem.equations[0].span.clone()], "gradient(lagrangian) == 0");
+    assert_eq!(sample.elements(), ["[0]", "[1]", "[2]", "[3]", "[4]", "[5]", "[6]"]);
+
+    let [d1, d2, d3, d4, d5, l1, l2] = std::array::from_fn(|i| Z(sample.point[i]));
+    let two = z(2);
+    let d = [d1, two * d2, two * d3, d4, two * d5, z(-1)];
+    // Half the gradient of the cost by its six arguments.
+    let g: [Z; 6] = std::array::from_fn(|i| (0..6).fold(z(0), |sum, j| sum + sample.input("gram", 6 * i + j) * d[j]));
+    let four = z(4);
+    let expected = [
+        two * g[0] - l2,
+        four * g[1] + l1,
+        four * g[2] + l1 * d5 - two * l2 * d3,
+        two * g[3] + l2,
+        four * g[4] + l1 * d3 + two * l2 * d5,
+        d3 * d5 + d2,
+        d5 * d5 - d3 * d3 - d1 + d4,
+    ];
+    assert_eq!(sample.residuals(), expected.map(|value| value.0));
+}
+
+#[test]
+fn five_point_relative_pose_is_the_essential_matrix_constraints() {
+    let sample = Sample::new(
+        "fn relpose_5pt(basis: [[[f64; 3]; 3]; 4]) -> (x, y, z) {
+            let e = x * basis[0] + y * basis[1] + z * basis[2] + basis[3];
+            det(e) == 0;
+            2 * e * e.t() * e - trace(e * e.t()) * e == 0;
+        }",
+    );
+    let coefficients = [sample.unknown("x"), sample.unknown("y"), sample.unknown("z"), z(1)];
+    let entry = |i: usize, j: usize| {
+        (0..4).fold(z(0), |sum, k| sum + coefficients[k] * sample.input("basis", 9 * k + 3 * i + j))
+    };
+    let e: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
+    let eet = product(&e, &transpose(&e));
+    let trace = eet[0][0] + eet[1][1] + eet[2][2];
+    let eete = product(&eet, &e);
+    let mut expected = vec![det(&e).0];
+    for i in 0..3 {
+        for j in 0..3 {
+            expected.push((z(2) * eete[i][j] - trace * e[i][j]).0);
+        }
+    }
+    assert_eq!(sample.residuals(), expected);
+    assert_eq!(sample.elements()[..3], ["", "[0][0]", "[0][1]"]);
+}
+
+#[test]
+fn helpers_loops_constants_and_assignments() {
+    let sample = Sample::new(
+        "const N: usize = 3;
+        const WEIGHTS: [f64; N] = [0.5, 1.25e0, -2];
+
+        fn square(v: [_; N]) -> _ {
+            let mut sum = 0;
+            for entry in v {
+                sum += entry * entry;
+            }
+            sum
+        }
+
+        fn shifted(v: [f64; N], by: f64) -> [f64; N] {
+            let mut result = [0; N];
+            for i in 0..=N - 1 {
+                result[(i + 1) % N] = v[i] + by;
+            }
+            result
+        }
+
+        fn spheres(#[unit] n: [[f64; N]; 2], a: f64) -> (x, y, z) {
+            let p = [x, y, z];
+            let mut total = 1 / 3 * a;
+            for i in 0..N {
+                let q = WEIGHTS[i] * p[i];
+                total += q;
+                total -= i * a / 4;
+                total *= 2;
+            }
+            let [first, second] = n;
+            total == { let s = square(p); s.pow(2) };
+            dot(shifted(p, a), first) == 1;
+            p * [[1, 2], [3, 4], [5, 6]] == [0, a];
+            for row in n { dot(cross(row, second), p) * x - y != 0; }
+        }",
+    );
+    let p = ["x", "y", "z"].map(|name| sample.unknown(name));
+    let a = sample.input("a", 0);
+    let inverse = |n: i64| Z(FIELD.inverse(FIELD.from_integer(n)).unwrap());
+    let weights = [inverse(2), z(5) * inverse(4), z(-2)];
+    let mut total = inverse(3) * a;
+    for i in 0..3 {
+        total = (total + weights[i] * p[i] - z(i as i64) * a * inverse(4)) * z(2);
+    }
+    let square = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
+    let n = |i: usize| sample.input("n", i);
+    let expected = [
+        total - square * square,
+        (p[2] + a) * n(0) + (p[0] + a) * n(1) + (p[1] + a) * n(2) - z(1),
+        p[0] + z(3) * p[1] + z(5) * p[2],
+        z(2) * p[0] + z(4) * p[1] + z(6) * p[2] - a,
+    ];
+    assert_eq!(sample.residuals(), expected.map(|value| value.0));
+
+    let cross =
+        |u: [Z; 3], v: [Z; 3]| [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    let c = cross([n(0), n(1), n(2)], [n(3), n(4), n(5)]);
+    let volume = (c[0] * p[0] + c[1] * p[1] + c[2] * p[2]) * p[0] - p[1];
+    let nonzero: Vec<u32> = sample.problem.nonzero.iter().map(|factor| sample.value(&factor.polynomial)).collect();
+    assert_eq!(nonzero, [volume.0, (z(0) - p[1]).0]);
+}
+
+#[test]
+fn determinants_of_all_sizes_match_the_vandermonde_product() {
+    for n in 1..=6usize {
+        let rows: Vec<String> = (0..n)
+            .map(|i| format!("[{}]", (0..n).map(|j| format!("v[{i}].pow({j})")).collect::<Vec<_>>().join(", ")))
+            .collect();
+        let text = format!("fn vandermonde(v: [f64; {n}]) -> x {{ det([{}]) * x == 1; }}", rows.join(", "));
+        let sample = Sample::new(&text);
+        let mut expected = sample.unknown("x");
+        for i in 0..n {
+            for j in 0..i {
+                expected = expected * (sample.input("v", i) - sample.input("v", j));
+            }
+        }
+        assert_eq!(sample.residuals(), [(expected - z(1)).0], "{n}x{n}");
+    }
+}
+
+#[test]
+fn attributes_make_relations_hold_identically() {
+    let sample = Sample::new(
+        "fn rotated(#[rotation] r: [[[f64; 3]; 3]; 2], #[unit] u: [f64; 4], #[symmetric] s: [[f64; 2]; 2]) -> (x, y) {
+            let [first, second] = r;
+            [x, y] * (first * first.t() - identity(3))[0][0] + [x, y] * dot(u, u) == s * [1, 2];
+            x * det(second) * (s[0][1] - s[1][0] + 1) - y != 0;
+        }",
+    );
+    let (x, y) = (sample.unknown("x"), sample.unknown("y"));
+    let s = |i: usize| sample.input("s", i);
+    assert_eq!(sample.residuals(), [x - s(0) - z(2) * s(1), y - s(2) - z(2) * s(3)].map(|value| value.0));
+    assert_eq!(sample.value(&sample.problem.nonzero[0].polynomial), (x - y).0);
+    // The coefficients were seen to be 1 when the problem was read.
+    assert_eq!(sample.problem.nonzero[0].polynomial.terms().len(), 2);
+    assert_eq!(sample.problem.equations[0].polynomial.terms().len(), 2);
+}
+
+#[test]
+fn mirrored_and_empty_elements_state_nothing() {
+    let sample = Sample::new(
+        "fn commuting(#[symmetric] s: [[f64; 2]; 2], a: f64) -> (x, y, z) {
+            let m = [[x, y], [y, z]];
+            m * s - s * m == 0;
+            m == m.t() + skew([0, 0, x * y - a])[0][1] * [[0, 1], [-1, 0]];
+            for i in 0..2 {
+                for j in 0..2 {
+                    m[i][j] * s[j][i] == m[j][i] * s[i][j] + (i - j) * (x + y - 1);
+                }
+            }
+        }",
+    );
+    // The commutator is skew: one element; the second is skew; the loop states one equation twice, up to its sign.
+    assert_eq!(sample.elements(), ["[0][1]", "[0][1]", ""]);
+}
+
+#[test]
+fn one_unknown_may_stand_alone() {
+    for output in ["x", "(x)", "(x,)"] {
+        let text = format!("fn root(a: f64) -> {output} {{ x.pow(2) == a; }}");
+        assert_eq!(Problem::parse("root.rs", &text).unwrap().unknowns, ["x"]);
+    }
+}
+
+#[test]
+fn gradients_by_some_unknowns() {
+    let sample = Sample::new(
+        "fn saddle(a: f64) -> (x, y, z) {
+            let f = x.pow(3) * y + a * y * z;
+            gradient(f, [z, x]) == 0;
+            gradient(f, y) == z;
+        }",
+    );
+    let (x, y, w) = (sample.unknown("x"), sample.unknown("y"), sample.unknown("z"));
+    let a = sample.input("a", 0);
+    assert_eq!(sample.residuals(), [a * y, z(3) * x * x * y, x * x * x + a * w - w].map(|value| value.0));
+}
+
+#[test]
+fn line_endings_and_byte_order_mark_do_not_matter() {
+    let text = "/// Text.\nfn line(a: f64) -> (x, y) {\n    x + y == a;\n    x == 2 * y;\n}\n";
+    let plain = Problem::parse("line.rs", text).unwrap();
+    let windows = Problem::parse("line.rs", &format!("\u{feff}{}", text.replace('\n', "\r\n"))).unwrap();
+    assert_eq!(plain.equations[1].polynomial, windows.equations[1].polynomial);
+    assert_eq!(&windows.source.text[windows.equations[1].span.clone()], "x == 2 * y");
+    assert_eq!(plain.docs, windows.docs);
+}

@@ -1,0 +1,159 @@
+//! No text makes the parser panic, overflow the stack or run for long.
+
+use std::time::{Duration, Instant};
+
+use eliminant_generator::problem::Problem;
+use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
+
+const PROBLEMS: [&str; 3] = [
+    "/// Two conics.
+fn two_conics(a: [f64; 6], b: [f64; 6]) -> (x, y) {
+    let m = [x * x, x * y, y.pow(2), x, y, 1];
+    dot(a, m) == 0;
+    dot(b, m) / 2 == 0.5;
+    x - y != 0;
+}
+",
+    "const N: usize = 3;
+fn essential(basis: [[[f64; N]; N]; 4], #[unit] u: [f64; 3]) -> (x, y, z) {
+    let e = x * basis[0] + y * basis[1] + z * basis[2] + basis[3];
+    det(e) == 0;
+    2 * e * e.t() * e - trace(e * e.t()) * e == 0;
+}
+",
+    "fn sum(v: [_; 2]) -> f64 {
+    let mut s = 0;
+    for e in v { s += e; }
+    s
+}
+fn stationary(#[symmetric] g: [[f64; 2]; 2]) -> (x, y) {
+    let [p, q] = g;
+    for i in 0..=1 { let t = skew([i, x, y]); }
+    gradient(sum([x * x * p[0], y * y * q[1]]) + x * (1 - y)) == 0;
+}
+",
+];
+
+const PIECES: [&str; 34] = [
+    "(",
+    ")",
+    "[",
+    "]",
+    "{",
+    "}",
+    ";",
+    ",",
+    "==",
+    "!=",
+    "=",
+    "+=",
+    "-",
+    "*",
+    "/",
+    "%",
+    "^",
+    "**",
+    ".t()",
+    ".pow(3)",
+    "..",
+    "0",
+    "-1",
+    "9999999999",
+    "0.5e9",
+    "2x",
+    "x",
+    "let ",
+    "for i in 0..3 ",
+    "#[unit]",
+    "'a",
+    "\"",
+    "/*",
+    "é",
+];
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 1500, failure_persistence: None, rng_seed: RngSeed::Fixed(1), ..ProptestConfig::default() })]
+
+    #[test]
+    fn mutated_problems_are_parsed_or_refused(
+        which in 0..PROBLEMS.len(),
+        edits in prop::collection::vec((any::<prop::sample::Index>(), 0..4usize, 0..PIECES.len(), any::<char>()), 1..6),
+    ) {
+        let mut text: Vec<char> = PROBLEMS[which].chars().collect();
+        for (at, kind, piece, c) in edits {
+            let at = at.index(text.len());
+            match kind {
+                0 => { text.remove(at); }
+                1 => text[at] = c,
+                2 => text.insert(at, c),
+                _ => { text.splice(at..at, PIECES[piece].chars()); }
+            }
+        }
+        let text: String = text.into_iter().collect();
+        if let Err(diagnostics) = Problem::parse("mutated.rs", &text) {
+            prop_assert!(!diagnostics.messages.is_empty());
+            let rendered = diagnostics.render();
+            prop_assert!(rendered.contains("mutated.rs:"), "{rendered}");
+        }
+    }
+}
+
+/// Text in which one construct is nested or chained very often.
+fn repeated(before: &str, piece: &str, count: usize, after: &str) -> String {
+    format!("fn deep(a: f64) -> (x, y) {{ {before}{}{after} }}", piece.repeat(count))
+}
+
+#[test]
+fn long_chains_and_deep_nesting_are_refused_or_parsed_without_overflow() {
+    for count in [600, 100_000] {
+        let texts = [
+            repeated("", "(", count, ""),
+            repeated("", "(", count, &format!("x{} == 1;", ")".repeat(count))),
+            repeated("let v = ", "[", count, &format!("x{};", "]".repeat(count))),
+            repeated("", "{", count, &"}".repeat(count)),
+            repeated("x == ", "-", count, "y;"),
+            repeated("x == ", "- #[a] ", count, "y;"),
+            repeated("x == ", "!&*", count, "y;"),
+            repeated("x == y", " + x", count, ";"),
+            repeated("x == y", ".t()", count, ";"),
+            repeated("x == y", "[0]", count, ";"),
+            repeated("", "x = ", count, "y;"),
+            repeated("", "return ", count, "y;"),
+            repeated("", "|t| ", count, "y;"),
+            repeated("", "if x { } else ", count, "{ }"),
+            repeated("", "for i in 0..1 { ", count, &"}".repeat(count)),
+            repeated("let z: ", "&", count, "f64 = x;"),
+            repeated("let ", "z @ ", count, "_ = x;"),
+            repeated("let ", "[", count, &format!("z{} = x;", "]".repeat(count))),
+            repeated("x == ", "2 * (x + ", count, &format!("1{};", ")".repeat(count))),
+            repeated("", "x == y; ", count, ""),
+            repeated("", "/// doc\n", count, "x == y;"),
+            repeated("x == y; x * y == a;", "", 0, "").replace("fn", &format!("{}fn", "/// doc\n".repeat(count))),
+        ];
+        for text in texts {
+            let start = Instant::now();
+            let parsed = Problem::parse("deep.rs", &text);
+            if let Err(diagnostics) = parsed {
+                assert!(diagnostics.render().contains("deep.rs:"));
+            }
+            let elapsed = start.elapsed();
+            assert!(elapsed < Duration::from_secs(20), "{elapsed:?} for {}", &text[..80]);
+        }
+    }
+}
+
+#[test]
+fn chains_of_helpers_do_not_exhaust_the_stack() {
+    for (length, nesting, message) in [(60, 1, "helpers call each other"), (20, 300, "nested too deeply")] {
+        let mut text = String::from("fn f0(a: _) -> f64 { a }\n");
+        for i in 1..length {
+            let (open, close) = ("(1 + ".repeat(nesting), ")".repeat(nesting));
+            text += &format!("fn f{i}(a: _) -> f64 {{ {open}f{}(a){close} }}\n", i - 1);
+        }
+        text += &format!("fn problem(a: f64) -> x {{ x * x == f{}(x); }}", length - 1);
+        let messages = Problem::parse("chain.rs", &text).unwrap_err().messages;
+        assert_eq!(messages.len(), 1);
+        assert!(messages[0].message.contains(message), "{}", messages[0].message);
+    }
+}
