@@ -3,18 +3,18 @@
 
 /// Rows and columns of one diagonal block.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct DiagonalBlock {
+pub(crate) struct DiagonalBlock {
     /// Row indices.
-    pub rows: Vec<usize>,
+    pub(crate) rows: Vec<usize>,
     /// Column indices, as many.
-    pub columns: Vec<usize>,
+    pub(crate) columns: Vec<usize>,
 }
 
 /// The diagonal blocks in an order of solution: block k has entries only in columns of blocks 0..=k. `None` where the pattern is
 /// structurally singular.
 ///
 /// `pattern[row]` lists the columns of the nonzero entries of a square matrix.
-pub fn block_triangular_form(pattern: &[Vec<usize>]) -> Option<Vec<DiagonalBlock>> {
+pub(crate) fn block_triangular_form(pattern: &[Vec<usize>]) -> Option<Vec<DiagonalBlock>> {
     let row_of_column = perfect_matching(pattern)?;
     let mut column_of_row = vec![0; pattern.len()];
     for (column, &row) in row_of_column.iter().enumerate() {

@@ -42,7 +42,7 @@ pub fn schedule(
     roots: RootMethod,
 ) -> Result<Plan, ScheduleError> {
     check_shape(reduced, template)?;
-    let mut coefficients = Coefficients { graph: &reduced.problem.graph, ids: HashMap::new(), used: Vec::new() };
+    let mut coefficients = Coefficients { ids: HashMap::new(), used: Vec::new() };
     let (elimination, pivots) = plan_elimination(reduced, template, &mut coefficients)?;
     let action = plan_action(template, &pivots)?;
     let extractions =
@@ -100,13 +100,12 @@ fn check_shape(reduced: &ReducedProblem, template: &EliminationTemplate) -> Resu
 }
 
 /// The coefficients that the tables refer to, in order of first use.
-struct Coefficients<'a> {
-    graph: &'a ExpressionGraph,
+struct Coefficients {
     ids: HashMap<ExpressionId, u32>,
     used: Vec<ExpressionId>,
 }
 
-impl Coefficients<'_> {
+impl Coefficients {
     fn id(&mut self, expression: ExpressionId) -> CoefficientId {
         let next = self.used.len() as u32;
         let id = *self.ids.entry(expression).or_insert(next);
@@ -129,7 +128,7 @@ impl Coefficients<'_> {
 fn plan_elimination(
     reduced: &ReducedProblem,
     template: &EliminationTemplate,
-    coefficients: &mut Coefficients<'_>,
+    coefficients: &mut Coefficients,
 ) -> Result<(Elimination, HashMap<Monomial, PivotId>), ScheduleError> {
     let left: HashMap<Monomial, usize> =
         template.excess.iter().chain(&template.reducible).enumerate().map(|(at, &m)| (m, at)).collect();
@@ -142,12 +141,20 @@ fn plan_elimination(
     let pattern: Vec<Vec<usize>> = rows.iter().map(|row| row.left.iter().map(|&(column, _)| column).collect()).collect();
     let mut diagonal = block_triangular_form(&pattern).ok_or(ScheduleError::Singular)?;
     let needed = needed_last(&mut diagonal, &pattern, template);
+    let row_shifts = diagonal.iter().flat_map(|block| block.rows.iter().copied()).collect();
+    let pivot_columns: Vec<usize> = diagonal.iter().flat_map(|block| block.columns.iter().copied()).collect();
     let mut pivot_of_column = vec![0; template.rows()];
-    for (pivot, &column) in diagonal.iter().flat_map(|block| &block.columns).enumerate() {
+    for (pivot, &column) in pivot_columns.iter().enumerate() {
         pivot_of_column[column] = pivot;
     }
-    let mut elimination =
-        Elimination { rows: template.rows(), basis: template.basis.len(), right: Vec::new(), blocks: Vec::new() };
+    let mut elimination = Elimination {
+        rows: template.rows(),
+        basis: template.basis.len(),
+        right: Vec::new(),
+        blocks: Vec::new(),
+        row_shifts,
+        pivot_columns,
+    };
     let mut first = 0;
     for (block, needed) in diagonal.iter().zip(needed) {
         let planned = plan_block(block, first, &rows, &pivot_of_column, coefficients, &mut elimination.right);
@@ -185,7 +192,7 @@ fn plan_block(
     first: usize,
     rows: &[Row],
     pivot_of_column: &[usize],
-    coefficients: &mut Coefficients<'_>,
+    coefficients: &mut Coefficients,
     right: &mut Vec<Entry>,
 ) -> Block {
     let mut planned = Block { first, size: block.rows.len(), needed: 0, diagonal: Vec::new(), coupling: Vec::new() };

@@ -1,1 +1,10 @@
-//! .
+//! Emitted solvers of all problems in `templates/`, and the cylinder triangulation system that stands on them.
+
+pub mod cylinder;
+
+eliminant::include_solver!("circle_least_squares");
+eliminant::include_solver!("circle_least_squares_dual");
+eliminant::include_solver!("circle_minimal");
+eliminant::include_solver!("relpose_5pt");
+eliminant::include_solver!("relpose_6pt_focal");
+eliminant::include_solver!("two_conics");
