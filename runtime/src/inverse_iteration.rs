@@ -137,19 +137,26 @@ impl<const N: usize> Hessenberg<N> {
         let mut x = [S::ONE; N];
         // The first right-hand side is L times a vector of ones, which spares its forward half.
         normalize(&mut x);
+        let mut best = (x, 0.0);
         for solve in 1..=MOST_SOLVES {
             if solve > 1 {
                 lu.forward(&mut x);
             }
             let growth = lu.backward(&mut x);
-            if solve >= LEAST_SOLVES && growth >= enough {
-                break;
+            // Near a defective eigenvalue a second solve undoes the first, because the left and right eigenvectors are
+            // orthogonal (Ipsen 1997, section 5): it replaces a good vector only by a good one.
+            if growth > best.1 || growth >= enough {
+                best = (x, growth);
             }
-            if growth < enough && solve + 1 < MOST_SOLVES {
-                // The start was nearly orthogonal to the left eigenvector: leave it along another axis.
-                x[(N - 1 + solve) % N] += S::from_f64(-1.0);
+            if solve >= LEAST_SOLVES {
+                if best.1 >= enough {
+                    break;
+                }
+                // The start was nearly orthogonal to the left eigenvector: leave it along an axis.
+                x[(N - 1 + solve) % N] += S::ONE;
             }
         }
+        let (mut x, _) = best;
         self.transform_back(&mut x);
         normalize(&mut x);
         x

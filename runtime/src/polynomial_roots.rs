@@ -75,12 +75,19 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
             _ => {
                 let shift = self.scale_variable();
                 let ends = [self.value(-1.0).0, self.value(1.0).0];
-                for root in self.roots_in_unit_interval(ends, true) {
+                let inner = self.roots_in_unit_interval(ends);
+                for root in inner.roots {
                     push(&mut roots, scaled(root, shift));
                 }
                 let reversed_ends = [if self.degree.is_multiple_of(2) { ends[0] } else { -ends[0] }, ends[1]];
-                for root in self.reversed().roots_in_unit_interval(reversed_ends, false) {
+                let outer = self.reversed().roots_in_unit_interval(reversed_ends);
+                for root in outer.roots {
                     push(&mut roots, scaled(1.0 / root, shift));
+                }
+                for (end, side) in [(-1.0, 0), (1.0, 1)] {
+                    if !(inner.at_end[side] || outer.at_end[side]) && ends[side].abs() <= self.rounding(end) {
+                        push(&mut roots, scaled(end, shift));
+                    }
                 }
             }
         }
@@ -90,28 +97,33 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
 
     /// Lowers the degree past leading coefficients that are zero or vanish relative to the rest.
     fn drop_vanishing_leading(&mut self) {
-        while self.degree > 0 && (self.leading == 0.0 || self.leading_vanishes()) {
-            self.degree -= 1;
-            self.leading = self.lower[self.degree];
+        while self.degree > 0 && self.leading == 0.0 {
+            self.truncate(self.degree - 1);
+        }
+        if let Some(degree) = (1..self.degree).find(|&m| self.vanishes_above(m)) {
+            self.truncate(degree);
         }
     }
 
-    /// Whether the root that the leading coefficient adds, about -c[d-1] / c[d], is 2^52 times beyond Fujiwara's bound
-    /// 2 max |c[d-1-k] / c[d-1]|^(1/k) on the others. In binary exponents.
-    fn leading_vanishes(&self) -> bool {
-        let Some((&next, rest)) = self.lower[..self.degree].split_last() else { return false };
-        if next == 0.0 {
+    fn truncate(&mut self, degree: usize) {
+        self.degree = degree;
+        self.leading = self.lower[degree];
+    }
+
+    /// Whether all coefficients above degree m are negligible: the roots that they add, of size |c[m] / c[j]|^(1/(j-m)),
+    /// exceed Fujiwara's bound 2 max |c[k] / c[m]|^(1/(m-k)) on the others 2^52 times. In binary exponents.
+    fn vanishes_above(&self, m: usize) -> bool {
+        let exponent = |k: usize| float::exponent(if k == self.degree { self.leading } else { self.lower[k] });
+        let middle = exponent(m);
+        if self.lower[m] == 0.0 || self.lower[..m].iter().all(|&c| c == 0.0) {
             return false;
         }
-        let exponent = float::exponent(next);
-        let added = exponent - float::exponent(self.leading);
-        // Roots all zero otherwise: no bound to compare with.
-        if rest.iter().all(|&c| c == 0.0) {
-            return false;
-        }
-        rest.iter().rev().zip(1..).filter(|(c, _)| **c != 0.0).all(|(&c, k)| {
-            let quotient: i32 = float::exponent(c) - exponent;
-            added > VANISHING + 2 + quotient.div_euclid(k)
+        (m + 1..=self.degree).all(|j| {
+            (0..m).rev().filter(|&k| self.lower[k] != 0.0).all(|k| {
+                let (above, below) = ((j - m) as i32, (m - k) as i32);
+                // 2 for the factor of the bound and the exponents rounded down.
+                (middle - exponent(j)) * below > above * ((VANISHING + 2) * below + exponent(k) - middle)
+            })
         })
     }
 
@@ -183,9 +195,9 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
         sum * (self.degree as f64 * f64::EPSILON)
     }
 
-    /// The roots between -1 and 1, ascending, for a degree of at least 3. `ends` are p(-1) and p(1): given, so that p and its reverse
-    /// agree about their signs and no root falls between the two. `closed`: a root at an end counts.
-    fn roots_in_unit_interval(&self, ends: [f64; 2], closed: bool) -> ArrayVec<f64, CAPACITY> {
+    /// The roots between -1 and 1, for a degree of at least 3. `ends` are p(-1) and p(1): given, so that p and its
+    /// reverse agree about their signs and no root falls between the two or is found by both.
+    fn roots_in_unit_interval(&self, ends: [f64; 2]) -> UnitInterval<CAPACITY> {
         // derivatives[k] is the k-th one, down to the quadratic.
         let mut derivatives = [Self::ZERO; CAPACITY];
         derivatives[0] = *self;
@@ -193,41 +205,43 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
         for k in 1..=quadratic {
             derivatives[k] = derivatives[k - 1].derivative();
         }
-        let mut roots = ArrayVec::new_const();
+        let mut critical = ArrayVec::new_const();
         let bottom = &derivatives[quadratic];
         for root in quadratic_roots(bottom.leading, bottom.lower[1], bottom.lower[0]) {
             if root.abs() < 1.0 {
-                push(&mut roots, root);
+                push(&mut critical, root);
             }
         }
-        roots.sort_unstable_by(f64::total_cmp);
+        critical.sort_unstable_by(f64::total_cmp);
         for polynomial in derivatives[1..quadratic].iter().rev() {
             let ends = [polynomial.value(-1.0).0, polynomial.value(1.0).0];
-            roots = polynomial.roots_between(&roots, ends, false);
+            critical = polynomial.roots_between(&critical, ends).roots;
         }
-        self.roots_between(&roots, ends, closed)
+        self.roots_between(&critical, ends)
     }
 
-    /// The roots in the intervals into which `critical` (ascending) divides [-1, 1].
+    /// The roots in the intervals into which `critical` (ascending) divides (-1, 1).
     #[inline]
-    fn roots_between(&self, critical: &[f64], ends: [f64; 2], closed: bool) -> ArrayVec<f64, CAPACITY> {
-        let mut roots = ArrayVec::new_const();
-        // The left end of the interval, its value, and whether a root was found just left of it.
-        let (mut left, mut left_value, mut found) = (-1.0, ends[0], !closed);
-        let right_end = [(1.0, ends[1])];
-        for (right, right_value) in critical.iter().map(|&x| (x, self.value(x).0)).chain(right_end) {
+    fn roots_between(&self, critical: &[f64], ends: [f64; 2]) -> UnitInterval<CAPACITY> {
+        let mut result = UnitInterval { roots: ArrayVec::new_const(), at_end: [false; 2] };
+        let (mut left, mut left_value, mut crossed) = (-1.0, ends[0], true);
+        for (k, right) in critical.iter().copied().chain([1.0]).enumerate() {
+            let right_value = if k < critical.len() { self.value(right).0 } else { ends[1] };
             let crosses = (left_value < 0.0 && right_value > 0.0) || (left_value > 0.0 && right_value < 0.0);
-            if crosses {
-                push(&mut roots, self.refine((left, left_value), (right, right_value)));
-            } else if !found && left_value.abs() <= self.rounding(left) {
-                push(&mut roots, left);
+            // A double root to rounding: the curve touches zero at a critical point without crossing on either side.
+            if !crossed && !crosses && left_value.abs() <= self.rounding(left) {
+                push(&mut result.roots, left);
             }
-            (left, left_value, found) = (right, right_value, crosses);
+            if crosses {
+                push(&mut result.roots, self.refine((left, left_value), (right, right_value)));
+            }
+            if k == 0 {
+                result.at_end[0] = crosses;
+            }
+            (left, left_value, crossed) = (right, right_value, crosses);
         }
-        if closed && !found && left_value.abs() <= self.rounding(left) {
-            push(&mut roots, left);
-        }
-        roots
+        result.at_end[1] = crossed;
+        result
     }
 
     /// The root between two points where p has opposite signs: Newton's method, bisection where it leaves the bracket or
@@ -266,6 +280,14 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
         }
         x
     }
+}
+
+/// What [`Polynomial::roots_between`] finds.
+struct UnitInterval<const CAPACITY: usize> {
+    /// Ascending.
+    roots: ArrayVec<f64, CAPACITY>,
+    /// Whether p changes sign in the first and in the last interval, next to -1 and to 1.
+    at_end: [bool; 2],
 }
 
 /// x * 2^exponent, also where 2^exponent itself is out of range.
