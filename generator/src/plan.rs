@@ -88,6 +88,10 @@ pub struct Elimination {
     pub right: Vec<Entry>,
     /// The diagonal blocks; block k couples only to blocks before it.
     pub blocks: Vec<Block>,
+    /// For each row, which of the template's shifts it is. Only for people: no step reads it.
+    pub row_shifts: Vec<usize>,
+    /// For each pivot, which of the template's excess and, behind them, reducible columns it is. Only for people.
+    pub pivot_columns: Vec<usize>,
 }
 
 /// Where a row of the action matrix comes from.
@@ -262,6 +266,7 @@ impl Plan {
             (code_ok, "a value is read before it is written"),
             (values_ok, "a coefficient has no value"),
             (blocks_ok && next == e.rows, "the blocks do not tile the rows"),
+            (e.row_shifts.len() == e.rows && e.pivot_columns.len() == e.rows, "a row has no shift or no pivot column"),
             (couplings_ok, "a block reads a pivot that is not solved"),
             (right_ok, "a basis entry is out of range"),
             (action_ok, "a row of the action matrix is out of range"),
