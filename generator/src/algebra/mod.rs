@@ -10,6 +10,7 @@ mod monomial_table;
 mod order;
 mod pairs;
 mod polynomial;
+mod polynomial_arithmetic;
 mod symbolic;
 
 pub use echelon::Echelon;

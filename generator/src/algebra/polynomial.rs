@@ -16,7 +16,7 @@ impl<C> Polynomial<C> {
 
     /// From terms in any order. Monomials must be distinct and coefficients nonzero.
     pub fn from_terms(mut terms: Vec<(Monomial, C)>) -> Self {
-        terms.sort_by(|a, b| b.0.cmp(&a.0));
+        terms.sort_by_key(|&(monomial, _)| std::cmp::Reverse(monomial));
         debug_assert!(terms.windows(2).all(|pair| pair[0].0 != pair[1].0));
         Self { terms }
     }
