@@ -172,6 +172,8 @@ pub fn write_if_changed(path: &Path, content: &str) -> io::Result<()> {
     }
     let mut temporary = path.as_os_str().to_owned();
     temporary.push(".tmp");
-    fs::write(&temporary, content)?;
-    fs::rename(&temporary, path)
+    fs::write(&temporary, content).and_then(|()| fs::rename(&temporary, path)).inspect_err(|_| {
+        // What is left of it is of no use; the error to report is the first one.
+        let _ = fs::remove_file(&temporary);
+    })
 }

@@ -24,6 +24,8 @@ pub mod presolve;
 /// Instance to elimination template: it holds at a prime and seed not used to find it, and no row can be dropped.
 pub mod template;
 pub mod search;
+#[cfg(feature = "search")]
+pub mod choose;
 
 /// Template to plan: no algebra left, every value written before it is read.
 pub mod plan;
@@ -43,3 +45,7 @@ pub mod generate;
 pub mod builder;
 
 pub use builder::{BuildError, Generator};
+
+/// The `eliminant` command.
+#[cfg(feature = "command")]
+pub mod command;

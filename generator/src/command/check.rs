@@ -1,0 +1,122 @@
+//! `eliminant check`: reads a problem and counts its solutions.
+
+use std::fmt;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use serde::Serialize;
+
+use super::error::CommandError;
+use super::files::read_problem;
+use super::progress::spinner;
+use super::report::{Output, counted, seconds};
+use crate::check::check;
+use crate::presolve::{Presolve, presolve};
+use crate::problem::Problem;
+
+/// Read a problem and count its solutions for general data
+#[derive(clap::Args, Debug)]
+#[command(after_help = "Example:
+  eliminant check problems/two_circles.rs")]
+pub(super) struct Arguments {
+    /// The problem file
+    file: PathBuf,
+}
+
+#[derive(Serialize)]
+struct Report {
+    problem: String,
+    unknowns: usize,
+    unknown_names: Vec<String>,
+    equations: usize,
+    /// The total degree of each equation.
+    degrees: Vec<i32>,
+    /// Number of `!= 0` statements.
+    nonzero: usize,
+    /// Number of scalars in all data.
+    data: usize,
+    solutions: usize,
+    presolve: Vec<Form>,
+    seconds: f64,
+}
+
+/// What is left after one way to presolve.
+#[derive(Serialize)]
+struct Form {
+    kind: &'static str,
+    eliminated: Vec<String>,
+    kept: Vec<String>,
+    degrees: Vec<i32>,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
+    let start = Instant::now();
+    let problem = read_problem(&arguments.file)?;
+    let progress = spinner();
+    progress.set_message("counting solutions");
+    let algebra = check(&problem)?;
+    progress.finish_and_clear();
+    Ok(Output::of(&Report {
+        problem: problem.name.clone(),
+        unknowns: problem.unknowns.len(),
+        unknown_names: problem.unknowns.clone(),
+        equations: problem.equations.len(),
+        degrees: degrees(&problem),
+        nonzero: problem.nonzero.len(),
+        data: problem.input_count(),
+        solutions: algebra.solutions,
+        presolve: forms(&problem),
+        seconds: start.elapsed().as_secs_f64(),
+    }))
+}
+
+fn degrees(problem: &Problem) -> Vec<i32> {
+    problem.polynomials().map(|p| p.monomials().map(|m| m.degree()).max().unwrap_or(0)).collect()
+}
+
+/// The ways to presolve that eliminate something.
+fn forms(problem: &Problem) -> Vec<Form> {
+    let mut forms: Vec<Form> = Vec::new();
+    for (kind, how) in [("constant", Presolve::Constant), ("linear", Presolve::Linear)] {
+        let reduced = presolve(problem, how);
+        let names = |indices: &[usize]| indices.iter().map(|&at| problem.unknowns[at].clone()).collect::<Vec<_>>();
+        let form = Form {
+            kind,
+            eliminated: names(&reduced.recoveries.iter().map(|recovery| recovery.unknown).collect::<Vec<_>>()),
+            kept: names(&reduced.kept),
+            degrees: degrees(&reduced.problem),
+        };
+        if !form.eliminated.is_empty() && forms.iter().all(|known| known.kept != form.kept) {
+            forms.push(form);
+        }
+    }
+    forms
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let list = |degrees: &[i32]| degrees.iter().map(i32::to_string).collect::<Vec<_>>().join(", ");
+        writeln!(f, "problem    {}", self.problem)?;
+        writeln!(f, "unknowns   {} ({})", self.unknowns, self.unknown_names.join(", "))?;
+        writeln!(f, "equations  {} of degree {}", self.equations, list(&self.degrees))?;
+        if self.nonzero > 0 {
+            writeln!(f, "nonzero    {}", counted(self.nonzero, "factor"))?;
+        }
+        writeln!(f, "data       {}", counted(self.data, "scalar"))?;
+        if self.presolve.is_empty() {
+            writeln!(f, "presolve   no unknown can be eliminated beforehand")?;
+        }
+        for form in &self.presolve {
+            writeln!(
+                f,
+                "presolve   {}: eliminates {}; leaves {} in equations of degree {}",
+                form.kind,
+                form.eliminated.join(", "),
+                form.kept.join(", "),
+                list(&form.degrees)
+            )?;
+        }
+        writeln!(f, "solutions  {}", self.solutions)?;
+        writeln!(f, "time       {}", seconds(self.seconds))
+    }
+}

@@ -1,0 +1,40 @@
+//! What stops the command, each with the file at fault and the way out.
+
+use std::io;
+use std::path::PathBuf;
+
+use crate::diagnostic::Diagnostics;
+use crate::generate::GenerateError;
+use crate::search::SearchError;
+
+/// Why the command failed. All of these are the fault of the problem, the template or a file.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum CommandError {
+    /// Missing, a folder, not readable.
+    #[error("error: cannot read `{}`: {reason}", path.display())]
+    Read { path: PathBuf, reason: String },
+    /// No folder, no permission, no space.
+    #[error("error: cannot write `{}`: {source}", path.display())]
+    Write { path: PathBuf, source: io::Error },
+    /// `new` overwrites nothing.
+    #[error("error: `{}` exists already, and is left as it is", path.display())]
+    Exists { path: PathBuf },
+    /// The name of a file is the name of its problem, so that a template finds its problem.
+    #[error("error: `{}` states the problem `{name}`: name the file `{name}.rs`", path.display())]
+    FileName { path: PathBuf, name: String },
+    /// The problem file is at fault; its own message says where.
+    #[error("{0}")]
+    Problem(#[from] Diagnostics),
+    /// No template was found.
+    #[error("error: {}: {error}", path.display())]
+    Search { path: PathBuf, error: SearchError },
+    /// There is no template file yet.
+    #[error("error: there is no template file `{}`\nhelp: search one: `eliminant search {}`", template.display(), problem.display())]
+    NoTemplate { template: PathBuf, problem: PathBuf },
+    /// The template file does not hold or does not belong to the problem.
+    #[error("error: {}: {error}\nhelp: search a template for the problem as it is now: `eliminant search {}`", template.display(), problem.display())]
+    Template { template: PathBuf, problem: PathBuf, error: GenerateError },
+    /// No solver can be made although the template is good.
+    #[error("error: {}: {error}", problem.display())]
+    Generate { problem: PathBuf, error: GenerateError },
+}

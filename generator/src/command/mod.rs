@@ -1,0 +1,130 @@
+//! The `eliminant` command: argument types and dispatch. Only here and in [`crate::builder`] are files read and written.
+//!
+//! Exit status: 0 good; 1 the problem, its template or a file is at fault; 2 usage.
+
+mod check;
+mod emit;
+mod error;
+mod files;
+mod inspect;
+mod new;
+mod picture;
+mod progress;
+mod report;
+mod search;
+mod spy;
+mod stability;
+mod svg;
+
+use std::ffi::OsString;
+use std::io::{self, Write};
+
+use clap::{Parser, Subcommand};
+
+use error::CommandError;
+use report::Output;
+
+/// Turns polynomial problems, written as short Rust-syntax functions, into fast Rust solvers.
+#[derive(Debug, Parser)]
+#[command(
+    name = "eliminant",
+    version,
+    after_help = "From a new problem to a solver:
+  eliminant new my_problem
+  eliminant check my_problem.rs
+  eliminant search my_problem.rs
+  eliminant emit my_problem.rs --out solver.rs
+
+Exit status: 0 good; 1 the problem, its template or a file is at fault; 2 usage."
+)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+    /// Print one JSON object instead of text; an error as `{"error": ".."}`
+    #[arg(long, global = true)]
+    json: bool,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    New(new::Arguments),
+    Check(check::Arguments),
+    Search(search::Arguments),
+    Emit(emit::Arguments),
+    Inspect(inspect::Arguments),
+    Stability(stability::Arguments),
+}
+
+impl Command {
+    fn run(&self) -> Result<Output, CommandError> {
+        match self {
+            Self::New(arguments) => new::run(arguments),
+            Self::Check(arguments) => check::run(arguments),
+            Self::Search(arguments) => search::run(arguments),
+            Self::Emit(arguments) => emit::run(arguments),
+            Self::Inspect(arguments) => inspect::run(arguments),
+            Self::Stability(arguments) => stability::run(arguments),
+        }
+    }
+}
+
+/// The exit status where the problem, its template or a file is at fault.
+pub const AT_FAULT: u8 = 1;
+/// The exit status of a wrong command line.
+pub const USAGE: u8 = 2;
+
+/// Runs the command with these arguments, the name of the program first. Returns the exit status.
+///
+/// Errors go to `stderr`; with `--json` also to `stdout`, as an object.
+pub fn run(
+    arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>,
+    stdout: &mut dyn Write,
+    stderr: &mut dyn Write,
+) -> u8 {
+    let arguments = match Arguments::try_parse_from(arguments) {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            // `--help` and `--version` are such errors too.
+            let text = error.render().to_string();
+            return match error.use_stderr() {
+                true => {
+                    // Nobody is left to tell where even this cannot be written.
+                    let _ = stderr.write_all(text.as_bytes());
+                    USAGE
+                }
+                false => status_of(stdout.write_all(text.as_bytes())),
+            };
+        }
+    };
+    match arguments.command.run() {
+        Ok(output) => {
+            let text = if arguments.json { &output.json } else { &output.text };
+            status_of(stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()))
+        }
+        Err(error) => {
+            let _ = writeln!(stderr, "{error}");
+            if arguments.json {
+                let _ = stdout.write_all(report::error_json(&error).as_bytes());
+            }
+            AT_FAULT
+        }
+    }
+}
+
+/// A reader that has had enough, such as `head`, is no fault.
+fn status_of(written: io::Result<()>) -> u8 {
+    match written {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => AT_FAULT,
+        _ => 0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_arguments_are_consistent() {
+        super::Arguments::command().debug_assert();
+    }
+}

@@ -1,0 +1,118 @@
+//! The layout that both drawings of a template share.
+//!
+//! ```text
+//!                    excess E   reducible R   basis B
+//! f1 * x*y         |  # .     |  . . # .    | o . o . |   rows and pivot columns in the order of solution;
+//! f2               |  + #     |  + . . #    | . o . o |   # in a diagonal block, + at a pivot solved before, o in the basis
+//! ```
+
+use crate::algebra::Monomial;
+use crate::plan::Plan;
+use crate::template::{EliminationTemplate, Shift};
+
+/// The part of the template that a column belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Part {
+    Excess,
+    Reducible,
+    Basis,
+}
+
+impl Part {
+    pub(super) const ALL: [Self; 3] = [Self::Excess, Self::Reducible, Self::Basis];
+
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Excess => "excess",
+            Self::Reducible => "reducible",
+            Self::Basis => "basis",
+        }
+    }
+}
+
+/// What stands where a row meets a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Cell {
+    /// Zero for every instance.
+    Empty,
+    /// In a diagonal block.
+    Diagonal,
+    /// At a pivot that an earlier block has solved.
+    Coupling,
+    /// In a basis column.
+    Right,
+}
+
+/// A template as it is drawn.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Picture {
+    /// The shift of each row, such as `f2 * x*y`.
+    pub(super) rows: Vec<String>,
+    /// The columns: excess, reducible, basis.
+    pub(super) columns: Vec<(Part, String)>,
+    /// One cell for each row and column.
+    pub(super) cells: Vec<Vec<Cell>>,
+    /// Number of rows of each diagonal block, in order of solution.
+    pub(super) blocks: Vec<usize>,
+}
+
+impl Picture {
+    pub(super) fn new(template: &EliminationTemplate, plan: &Plan) -> Self {
+        let names = &plan.unknowns;
+        let elimination = &plan.elimination;
+        let excess = template.excess.len();
+        // Excess pivots first, then reducible ones, each in the order of solution.
+        let mut pivots: Vec<usize> = (0..elimination.rows).collect();
+        pivots.sort_by_key(|&pivot| elimination.pivot_columns[pivot] >= excess);
+        let mut column_of_pivot = vec![0; elimination.rows];
+        pivots.iter().enumerate().for_each(|(column, &pivot)| column_of_pivot[pivot] = column);
+
+        let show = |monomial: &Monomial| monomial.display(names).to_string();
+        let pivot_column = |&pivot: &usize| match elimination.pivot_columns[pivot] {
+            at if at < excess => (Part::Excess, show(&template.excess[at])),
+            at => (Part::Reducible, show(&template.reducible[at - excess])),
+        };
+        let basis = template.basis.iter().map(|monomial| (Part::Basis, show(monomial)));
+        let columns: Vec<_> = pivots.iter().map(pivot_column).chain(basis).collect();
+
+        let mut cells = vec![vec![Cell::Empty; columns.len()]; elimination.rows];
+        for block in &elimination.blocks {
+            for entry in &block.diagonal {
+                let pivot = block.first + usize::from(entry.column);
+                cells[block.first + usize::from(entry.row)][column_of_pivot[pivot]] = Cell::Diagonal;
+            }
+            for entry in &block.coupling {
+                cells[block.first + usize::from(entry.row)][column_of_pivot[usize::from(entry.column)]] =
+                    Cell::Coupling;
+            }
+        }
+        for entry in &elimination.right {
+            cells[usize::from(entry.row)][elimination.rows + usize::from(entry.column)] = Cell::Right;
+        }
+        Self {
+            rows: elimination.row_shifts.iter().map(|&at| label(&template.shifts[at], names)).collect(),
+            columns,
+            cells,
+            blocks: elimination.blocks.iter().map(|block| block.size).collect(),
+        }
+    }
+
+    /// Number of entries that are not zero for general data.
+    pub(super) fn entries(&self) -> usize {
+        self.cells.iter().flatten().filter(|&&cell| cell != Cell::Empty).count()
+    }
+
+    /// The columns of one part.
+    pub(super) fn columns_of(&self, part: Part) -> impl Iterator<Item = usize> + '_ {
+        (0..self.columns.len()).filter(move |&column| self.columns[column].0 == part)
+    }
+}
+
+/// Equations count from 1, in the order in which they are left after presolve.
+fn label(shift: &Shift, names: &[String]) -> String {
+    let equation = shift.equation + 1;
+    match shift.multiplier == Monomial::ONE {
+        true => format!("f{equation}"),
+        false => format!("f{equation} * {}", shift.multiplier.display(names)),
+    }
+}

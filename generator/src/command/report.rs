@@ -1,0 +1,141 @@
+//! What the subcommands print: text for people, or one JSON object.
+
+use std::fmt;
+
+use serde::Serialize;
+
+use super::error::CommandError;
+use crate::plan::Plan;
+use crate::problem::Problem;
+use crate::template::EliminationTemplate;
+
+/// A result in both forms, each with its final line break.
+pub(super) struct Output {
+    pub(super) text: String,
+    pub(super) json: String,
+}
+
+impl Output {
+    /// Both forms of a report.
+    pub(super) fn of(report: &(impl Serialize + fmt::Display)) -> Self {
+        Self { text: report.to_string(), json: to_json(report) }
+    }
+}
+
+/// `{"error": ".."}`
+pub(super) fn error_json(error: &CommandError) -> String {
+    to_json(&serde_json::json!({ "error": error.to_string() }))
+}
+
+/// Numbers that are not finite become `null`.
+fn to_json(value: &impl Serialize) -> String {
+    // Only maps whose keys are no strings, and writers, can fail.
+    serde_json::to_string_pretty(value).unwrap_or_default() + "\n"
+}
+
+/// What every report on a template begins with.
+#[derive(Debug, Serialize)]
+pub(super) struct Summary {
+    problem: String,
+    unknowns: usize,
+    unknown_names: Vec<String>,
+    equations: usize,
+    solutions: usize,
+    rows: usize,
+    columns: usize,
+    excess: usize,
+    reducible: usize,
+    /// |B|.
+    basis: usize,
+    basis_monomials: Vec<String>,
+    action: String,
+    operations: usize,
+    operation_counts: OperationCounts,
+}
+
+#[derive(Debug, Serialize)]
+struct OperationCounts {
+    coefficients: usize,
+    elimination: usize,
+    roots: usize,
+}
+
+impl Summary {
+    pub(super) fn new(problem: &Problem, template: &EliminationTemplate, plan: &Plan) -> Self {
+        let operations = plan.operations();
+        let names = &problem.unknowns;
+        Self {
+            problem: problem.name.clone(),
+            unknowns: names.len(),
+            unknown_names: names.clone(),
+            equations: problem.equations.len(),
+            solutions: plan.solutions,
+            rows: template.rows(),
+            columns: template.columns(),
+            excess: template.excess.len(),
+            reducible: template.reducible.len(),
+            basis: template.basis.len(),
+            basis_monomials: template.basis.iter().map(|m| m.display(names).to_string()).collect(),
+            action: template.action.display(names).to_string(),
+            operations: operations.total(),
+            operation_counts: OperationCounts {
+                coefficients: operations.coefficients,
+                elimination: operations.elimination,
+                roots: operations.roots,
+            },
+        }
+    }
+}
+
+impl fmt::Display for Summary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let counts = &self.operation_counts;
+        writeln!(f, "problem     {}: {}", self.problem, counted(self.solutions, "solution"))?;
+        writeln!(f, "unknowns    {} ({})", self.unknowns, self.unknown_names.join(", "))?;
+        writeln!(f, "equations   {}", self.equations)?;
+        writeln!(
+            f,
+            "template    {} x {}: {} excess, {} reducible, {} basis columns",
+            self.rows, self.columns, self.excess, self.reducible, self.basis
+        )?;
+        writeln!(f, "action      {}", self.action)?;
+        writeln!(f, "basis       {}", self.basis_monomials.join(", "))?;
+        writeln!(
+            f,
+            "operations  {} = {} for coefficients + {} for the elimination + about {} for the roots",
+            self.operations, counts.coefficients, counts.elimination, counts.roots
+        )
+    }
+}
+
+/// `1 solution`, `4 solutions`.
+pub(super) fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
+
+/// Seconds to the millisecond, for people.
+pub(super) fn seconds(seconds: f64) -> String {
+    format!("{seconds:.3} s")
+}
+
+/// A number to one decimal, or `-` where there is none.
+pub(super) fn one_decimal(value: Option<f64>) -> String {
+    value.map_or_else(|| "-".to_owned(), |value| format!("{value:.1}"))
+}
+
+/// Rows of cells under a head, columns aligned: the first `left` of them to the left, the others to the right.
+pub(super) fn table(head: &[&str], rows: &[Vec<String>], left: usize) -> String {
+    let head: Vec<String> = head.iter().map(|&cell| cell.to_owned()).collect();
+    let all = || std::iter::once(&head).chain(rows);
+    let width =
+        |column: usize| all().filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..head.len()).map(width).collect();
+    let line = |row: &Vec<String>| {
+        let cells = row.iter().zip(&widths).enumerate().map(|(column, (cell, &width))| match column < left {
+            true => format!("{cell:<width$}"),
+            false => format!("{cell:>width$}"),
+        });
+        cells.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
+    };
+    all().map(line).collect()
+}
