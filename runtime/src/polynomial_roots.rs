@@ -17,6 +17,10 @@ const MOST_STEPS: usize = 200;
 /// Newton steps after which a value at rounding level ends the search: a multiple root gets no better.
 const PATIENCE: usize = 8;
 
+/// The last step to a critical point, relative to it. The polynomial there is off by the square of the error that is left, which
+/// after a step of this size is far below rounding.
+const CRITICAL_TOLERANCE: f64 = 1e-7;
+
 /// A leading coefficient whose root would be more than 2^52 times the bound on all others is taken for zero.
 const VANISHING: i32 = 52;
 
@@ -215,14 +219,14 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
         critical.sort_unstable_by(f64::total_cmp);
         for polynomial in derivatives[1..quadratic].iter().rev() {
             let ends = [polynomial.value(-1.0).0, polynomial.value(1.0).0];
-            critical = polynomial.roots_between(&critical, ends).roots;
+            critical = polynomial.roots_between(&critical, ends, CRITICAL_TOLERANCE).roots;
         }
-        self.roots_between(&critical, ends)
+        self.roots_between(&critical, ends, f64::EPSILON)
     }
 
     /// The roots in the intervals into which `critical` (ascending) divides (-1, 1).
     #[inline]
-    fn roots_between(&self, critical: &[f64], ends: [f64; 2]) -> UnitInterval<CAPACITY> {
+    fn roots_between(&self, critical: &[f64], ends: [f64; 2], tolerance: f64) -> UnitInterval<CAPACITY> {
         let mut result = UnitInterval { roots: ArrayVec::new_const(), at_end: [false; 2] };
         let (mut left, mut left_value, mut crossed) = (-1.0, ends[0], true);
         for (k, right) in critical.iter().copied().chain([1.0]).enumerate() {
@@ -233,7 +237,7 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
                 push(&mut result.roots, left);
             }
             if crosses {
-                push(&mut result.roots, self.refine((left, left_value), (right, right_value)));
+                push(&mut result.roots, self.refine((left, left_value), (right, right_value), tolerance));
             }
             if k == 0 {
                 result.at_end[0] = crosses;
@@ -245,9 +249,9 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
     }
 
     /// The root between two points where p has opposite signs: Newton's method, bisection where it leaves the bracket or
-    /// does not halve its step.
+    /// does not halve its step, until a step is at most `tolerance` of the root.
     #[inline]
-    fn refine(&self, (mut a, a_value): (f64, f64), (mut b, b_value): (f64, f64)) -> f64 {
+    fn refine(&self, (mut a, a_value): (f64, f64), (mut b, b_value): (f64, f64), tolerance: f64) -> f64 {
         let rising = a_value < 0.0;
         // The secant of the bracket, kept off its ends.
         let fraction = (a_value / (a_value - b_value)).clamp(0.05, 0.95);
@@ -273,7 +277,7 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
                 previous = 0.5 * (b - a);
                 a + previous
             };
-            if (next - x).abs() <= f64::EPSILON * next.abs() || next == a || next == b {
+            if (next - x).abs() <= tolerance * next.abs() || next == a || next == b {
                 return next;
             }
             x = next;

@@ -1,0 +1,225 @@
+//! Table-driven systems, polish, extraction, and the lists of solutions.
+mod support;
+
+use eliminant::{Candidate, Complex, Product, Scalar, Solutions, System, Tables, Term, polish, push_distinct, ratio};
+use support::Random;
+
+const fn product(parent: u16, unknown: u16) -> Product {
+    Product { parent, unknown }
+}
+
+const fn term(coefficient: u16, monomial: u16) -> Term {
+    Term { coefficient, monomial }
+}
+
+/// Monomials 1, x, y, x^2, x y, y^2 and two conics with a coefficient slot for each of their terms.
+const CONICS: Tables<2, 2, 6, 12> = Tables::new(
+    &[product(0, 0), product(0, 0), product(0, 1), product(1, 0), product(1, 1), product(2, 1)],
+    &[6, 12],
+    &[
+        term(0, 0),
+        term(1, 1),
+        term(2, 2),
+        term(3, 3),
+        term(4, 4),
+        term(5, 5),
+        term(6, 0),
+        term(7, 1),
+        term(8, 2),
+        term(9, 3),
+        term(10, 4),
+        term(11, 5),
+    ],
+);
+
+/// Three conics: one more equation than unknowns need.
+const THREE: Tables<2, 3, 6, 18> = Tables::new(
+    &[product(0, 0), product(0, 0), product(0, 1), product(1, 0), product(1, 1), product(2, 1)],
+    &[6, 12, 18],
+    &[
+        term(0, 0),
+        term(1, 1),
+        term(2, 2),
+        term(3, 3),
+        term(4, 4),
+        term(5, 5),
+        term(6, 0),
+        term(7, 1),
+        term(8, 2),
+        term(9, 3),
+        term(10, 4),
+        term(11, 5),
+        term(12, 0),
+        term(13, 1),
+        term(14, 2),
+        term(15, 3),
+        term(16, 4),
+        term(17, 5),
+    ],
+);
+
+/// Conics through the point: random coefficients, the constant chosen.
+fn through<const C: usize>(random: &mut Random, [x, y]: [f64; 2]) -> [f64; C] {
+    let mut c: [f64; C] = std::array::from_fn(|_| random.symmetric());
+    for conic in c.chunks_mut(6) {
+        conic[0] = -(conic[1] * x + conic[2] * y + conic[3] * x * x + conic[4] * x * y + conic[5] * y * y);
+    }
+    c
+}
+
+#[test]
+fn evaluation_is_that_of_the_written_out_polynomial() {
+    let mut random = Random::new(1);
+    let c: [f64; 12] = std::array::from_fn(|_| random.symmetric());
+    let system = CONICS.bind(&c);
+    let [x, y] = [0.75, -1.5];
+    let (mut residual, mut scale, mut jacobian) = ([0.0; 2], [0.0; 2], [[0.0; 2]; 2]);
+    system.evaluate(&[x, y], &mut residual, &mut scale, &mut jacobian);
+    for e in 0..2 {
+        let k = &c[6 * e..];
+        let terms = [k[0], k[1] * x, k[2] * y, k[3] * x * x, k[4] * x * y, k[5] * y * y];
+        assert!((residual[e] - terms.iter().sum::<f64>()).abs() < 1e-15);
+        assert!((scale[e] - terms.iter().map(|t| t.abs()).sum::<f64>()).abs() < 1e-15);
+        assert!((jacobian[e][0] - (k[1] + 2.0 * k[3] * x + k[4] * y)).abs() < 1e-15);
+        assert!((jacobian[e][1] - (k[2] + k[4] * x + 2.0 * k[5] * y)).abs() < 1e-15);
+    }
+    let (mut again, mut scale_again) = ([0.0; 2], [0.0; 2]);
+    system.residual(&[x, y], &mut again, &mut scale_again);
+    assert_eq!((residual, scale), (again, scale_again));
+
+    // A complex gradient agrees with a finite difference along the imaginary axis.
+    let z = [Complex::new(0.75, 0.25), Complex::new(-1.5, 2.0)];
+    let step = Complex::new(0.0, 1e-6);
+    let (mut f, mut s, mut j) = ([Complex::ZERO; 2], [0.0; 2], [[Complex::ZERO; 2]; 2]);
+    system.evaluate(&z, &mut f, &mut s, &mut j);
+    let (mut f1, mut s1) = (f, s);
+    system.residual(&[z[0] + step, z[1]], &mut f1, &mut s1);
+    for e in 0..2 {
+        assert!(((f1[e] - f[e]) / step - j[e][0]).modulus() < 1e-5);
+    }
+}
+
+#[test]
+fn polish_converges_quadratically_to_the_true_solution() {
+    let mut random = Random::new(2);
+    let mut far = 0;
+    for _ in 0..2_000 {
+        let exact = [random.symmetric(), random.symmetric()];
+        let c: [f64; 12] = through(&mut random, exact);
+        let system = CONICS.bind(&c);
+        let mut x = exact.map(|v| v * (1.0 + 1e-5 * random.symmetric()));
+        let residual = polish(&mut x, &system, 6);
+        far += usize::from(residual > 4e-16 || (0..2).any(|k| (x[k] - exact[k]).abs() > 1e-11));
+
+        let mut z = exact.map(|v| Complex::new(v + 1e-6 * random.symmetric(), 1e-6 * random.symmetric()));
+        let residual = polish(&mut z, &system, 6);
+        far += usize::from(residual > 4e-16 || (0..2).any(|k| (z[k] - exact[k]).modulus() > 1e-11));
+    }
+    // Conics that touch in the point have a singular Jacobian there: rare.
+    assert!(far <= 20, "{far} of 4000 stay away");
+}
+
+#[test]
+fn overdetermined_systems_reach_the_common_solution() {
+    let mut random = Random::new(3);
+    let mut far = 0;
+    for _ in 0..1_000 {
+        let exact = [random.symmetric(), random.symmetric()];
+        let mut c: [f64; 18] = through(&mut random, exact);
+        // Equations in very different units.
+        c[6..12].iter_mut().for_each(|v| *v *= 1e20);
+        c[12..].iter_mut().for_each(|v| *v *= 1e-20);
+        let mut x = exact.map(|v| v + 1e-4 * random.symmetric());
+        let residual = polish(&mut x, &THREE.bind(&c), 6);
+        far += usize::from(residual > 1e-15 || (0..2).any(|k| (x[k] - exact[k]).abs() > 1e-11));
+    }
+    assert!(far <= 5, "{far} of 1000 stay away");
+}
+
+#[test]
+fn polish_never_raises_the_residual_and_survives_bad_values() {
+    let mut random = Random::new(4);
+    for _ in 0..2_000 {
+        let c: [f64; 12] = std::array::from_fn(|_| random.symmetric());
+        let system = CONICS.bind(&c);
+        let start = [10.0 * random.symmetric(), 10.0 * random.symmetric()];
+        let before = polish(&mut start.clone(), &system, 0);
+        let mut x = start;
+        let after = polish(&mut x, &system, 3);
+        assert!(after <= before);
+        assert_eq!(after, polish(&mut x.clone(), &system, 0));
+    }
+    let c = [1.0; 12];
+    for bad in [f64::NAN, f64::INFINITY, 1e300] {
+        let mut x = [bad, 1.0];
+        assert_eq!(polish(&mut x, &CONICS.bind(&c), 3), f64::INFINITY);
+        assert_eq!(x[1], 1.0);
+        let mut z = [Complex::new(1.0, bad), Complex::ONE];
+        assert_eq!(polish(&mut z, &CONICS.bind(&c), 3), f64::INFINITY);
+    }
+    assert_eq!(polish(&mut [1.0, 1.0], &CONICS.bind(&[f64::NAN; 12]), 3), f64::INFINITY);
+    // All terms vanish: 0/0 counts as 0. Two equal conics: the Jacobian has rank one, and x stays.
+    let origin = [0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0];
+    assert_eq!(polish(&mut [0.0, 0.0], &CONICS.bind(&origin), 3), 0.0);
+    let mut x = [0.3, 0.4];
+    let equal = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
+    assert!(polish(&mut x, &CONICS.bind(&equal), 3) > 0.1);
+    assert_eq!(x, [0.3, 0.4]);
+}
+
+#[test]
+fn double_solutions_are_approached() {
+    // x^2 + y^2 = 2 and x + y = 2 touch in (1, 1).
+    let c = [-2.0, 0.0, 0.0, 1.0, 0.0, 1.0, -2.0, 1.0, 1.0, 0.0, 0.0, 0.0];
+    let mut x = [1.01, 0.98];
+    let residual = polish(&mut x, &CONICS.bind(&c), 30);
+    assert!(residual < 1e-12 && (x[0] - 1.0).abs() < 1e-5, "{residual:e} {x:?}");
+}
+
+#[test]
+fn ratios_of_monomial_values() {
+    // v = (1, x, y, x y, x^2) times a common factor.
+    let (x, y) = (Complex::new(2.0, -1.0), Complex::new(0.5, 3.0));
+    let common = Complex::new(-0.3, 0.1);
+    let v = [Complex::ONE, x, y, x * y, x * x].map(|value| value * common);
+    let found = ratio(&v, &[(0, 1), (2, 3), (1, 4)]).unwrap();
+    assert!((found - x).modulus() < 1e-15);
+    assert_eq!(ratio(&[1.0, 3.0, 2.0, 6.0], &[(0, 1), (2, 3)]), Some(3.0));
+    assert_eq!(ratio(&[1e-17, 1.0], &[(0, 1)]), None, "rounding noise is no denominator");
+    assert!((ratio(&[1e-10, 1.0], &[(0, 1)]).unwrap() - 1e10).abs() < 1e-4);
+    assert_eq!(ratio(&[0.0, 0.0], &[(0, 1)]), None);
+    assert_eq!(ratio(&[f64::NAN, 1.0], &[(0, 1)]), None);
+    assert_eq!(ratio(&[1.0, f64::INFINITY], &[(0, 1)]), None);
+    assert_eq!(ratio::<f64>(&[], &[]), None);
+    assert_eq!(ratio(&[1.0], &[(0, 7)]), None);
+}
+
+#[test]
+fn solutions_behave_like_a_slice_and_never_overflow() {
+    let mut solutions = Solutions::<u32, 2>::new();
+    assert!(solutions.is_empty());
+    assert!(solutions.push(7) && solutions.push(8) && !solutions.push(9));
+    assert_eq!(solutions.len(), 2);
+    assert_eq!(solutions[1], 8);
+    assert_eq!((&solutions).into_iter().sum::<u32>(), 15);
+    assert_eq!(solutions.clone().into_iter().collect::<Vec<_>>(), [7, 8]);
+    assert_eq!((0..10).collect::<Solutions<u32, 3>>().to_vec(), [0, 1, 2]);
+    assert_eq!(format!("{solutions:?}"), "Solutions([7, 8])");
+}
+
+#[test]
+fn duplicates_keep_the_better_one() {
+    let mut found = Solutions::<Candidate<f64, 2>, 3>::new();
+    let candidate = |x: f64, y: f64, residual: f64| Candidate { unknowns: [x, y], residual };
+    assert!(push_distinct(&mut found, candidate(1.0, 1e6, 1e-12)));
+    assert!(push_distinct(&mut found, candidate(1.0 + 1e-12, 1e6, 1e-15)));
+    assert!(push_distinct(&mut found, candidate(1.0 - 1e-12, 1e6, 1e-13)));
+    assert_eq!(found.to_vec(), [candidate(1.0 + 1e-12, 1e6, 1e-15)]);
+    // They differ in the small unknown only, and are different all the same.
+    assert!(push_distinct(&mut found, candidate(-1.0, 1e6, 1e-15)));
+    // Noise instead of zero.
+    assert!(push_distinct(&mut found, candidate(1e-17, 1.0, 1e-15)));
+    assert!(push_distinct(&mut found, candidate(-3e-16, 1.0, 1e-16)));
+    assert_eq!(found.len(), 3);
+    assert!(!push_distinct(&mut found, candidate(5.0, 5.0, 0.0)), "full");
+}
