@@ -88,8 +88,9 @@ pub fn solve(plan: &Plan, inputs: &[f64]) -> Option<Vec<(Point, f64)>> {
     if action.iter().any(|x| !x.is_finite()) {
         return None;
     }
-    let values = Schur::try_new(action.clone(), f64::EPSILON, MAX_ITERATIONS)?.complex_eigenvalues();
+    // Complex from the start: the real Schur form of nalgebra gives NaN for blocks that hold two real eigenvalues.
     let complex = action.map(|x| Complex::new(x, 0.0));
+    let values = Schur::try_new(complex.clone(), f64::EPSILON, MAX_ITERATIONS)?.unpack().1.diagonal();
     let mut found: Vec<(Point, f64)> = Vec::new();
     for &value in values.iter() {
         let Some(mut point) = eigenvector(&complex, value).and_then(|vector| unknowns(plan, &c, value, &vector)) else {
@@ -118,10 +119,15 @@ fn is_same(a: &Point, b: &Point) -> bool {
     a.iter().zip(b).all(|(x, y)| (x - y).norm() <= floor + SAME * x.norm().max(y.norm()))
 }
 
-/// Two steps of inverse iteration with a slightly perturbed eigenvalue.
+/// Two steps of inverse iteration. The eigenvalue is moved by a few units of rounding, further where the shifted matrix is still singular to
+/// the last bit.
 fn eigenvector(action: &DMatrix<Complex<f64>>, value: Complex<f64>) -> Option<DVector<Complex<f64>>> {
+    let unit = action.norm().max(f64::MIN_POSITIVE) * f64::EPSILON;
+    [1.0, 4.0, 16.0, 64.0].into_iter().find_map(|factor| inverse_iteration(action, value + factor * unit))
+}
+
+fn inverse_iteration(action: &DMatrix<Complex<f64>>, shift: Complex<f64>) -> Option<DVector<Complex<f64>>> {
     let n = action.nrows();
-    let shift = value + action.norm().max(f64::MIN_POSITIVE) * f64::EPSILON;
     let lu = (action - DMatrix::from_diagonal_element(n, n, shift)).lu();
     let mut vector = DVector::from_fn(n, |i, _| Complex::new(1.0 / (1.0 + i as f64), 0.0));
     for _ in 0..2 {
