@@ -3,6 +3,7 @@
 //! Both compute the reduced grevlex basis over the same prime field. The calls alternate, so that a machine that slows down slows both, and
 //! the median of the ratios is what counts.
 
+#[allow(dead_code)] // the tests use the rest
 #[path = "../tests/systems/mod.rs"]
 mod systems;
 

@@ -1,10 +1,11 @@
 //! Reduced Gröbner bases against those of the crate `groebner`, which shares no code with this one.
 
+#[allow(dead_code)] // each test uses a part of it
 mod systems;
 
 use eliminant_generator::algebra::{Limits, MonomialOrder, Polynomial, PrimeField, groebner_basis};
 use groebner::{MonomialOrder as OracleOrder, groebner_basis_f4};
-use systems::{PRIME, System, cyclic, eco, from_oracle, katsura, noon};
+use systems::{PRIME, System, cyclic, eco, from_oracle, katsura, noon, positive_dimensional};
 
 /// A monomial order in both crates.
 fn orders(unknowns: usize) -> [(MonomialOrder, OracleOrder); 4] {
@@ -45,7 +46,7 @@ fn grevlex_bases_of_known_systems() {
 
 #[test]
 fn bases_in_all_orders() {
-    for system in [katsura(3), cyclic(4), eco(4), eco(5)] {
+    for system in [katsura(3), cyclic(4), eco(4), eco(5), positive_dimensional()] {
         for (order, oracle_order) in orders(system.unknowns) {
             check(&system, &order, &oracle_order);
         }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Monomial, MonomialOrder, Polynomial, PrimeField, f4};
+use super::{MAX_UNKNOWNS, Monomial, MonomialOrder, Polynomial, PrimeField, QuotientRing, change_order, f4};
 
 /// Bounds on the work of a Gröbner basis and what is derived from it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -53,7 +53,7 @@ pub enum GroebnerError {
         dimension: usize,
     },
     /// The extra unknowns of a saturation do not fit beside those of the problem.
-    #[error("{needed} unknowns are needed, more than the limit of {limit}", limit = super::MAX_UNKNOWNS)]
+    #[error("{needed} unknowns are needed, more than the limit of {limit}", limit = MAX_UNKNOWNS)]
     TooManyUnknowns {
         /// Unknowns of the problem and extra ones.
         needed: usize,
@@ -103,6 +103,9 @@ pub struct GroebnerBasis {
 
 /// The reduced Gröbner basis of the ideal that the polynomials generate.
 ///
+/// Orders that are not graded by positive weights go by way of the grevlex basis: where the solutions are finitely many, by a change of
+/// order, since there the direct computation meets huge intermediate degrees.
+///
 /// # Errors
 /// [`GroebnerError::LimitReached`], or [`GroebnerError::ExponentOutOfRange`] where an exponent is negative or grows beyond 127.
 pub fn groebner_basis(
@@ -111,8 +114,17 @@ pub fn groebner_basis(
     order: &MonomialOrder,
     limits: &Limits,
 ) -> Result<GroebnerBasis, GroebnerError> {
-    let elements = f4::reduced_basis(field, polynomials, order, limits)?;
-    Ok(GroebnerBasis { field, order: order.clone(), elements })
+    if order.grade(&Monomial::ONE).is_some() {
+        let elements = f4::reduced_basis(field, polynomials, order, limits)?;
+        return Ok(GroebnerBasis::from_elements(field, order.clone(), elements));
+    }
+    let grevlex = groebner_basis(field, polynomials, &MonomialOrder::GrevLex, limits)?;
+    let unknowns = grevlex.count_unknowns(0);
+    if let Some(1..) = grevlex.dimension(unknowns) {
+        let elements = f4::reduced_basis(field, &grevlex.polynomials(), order, limits)?;
+        return Ok(GroebnerBasis::from_elements(field, order.clone(), elements));
+    }
+    change_order(&QuotientRing::new(&grevlex, unknowns, limits)?, unknowns, order)
 }
 
 impl GroebnerBasis {
@@ -161,16 +173,22 @@ impl GroebnerBasis {
     ///
     /// It is the largest number of unknowns no monomial in which is a leading monomial (Cox, Little & O'Shea, section 9.3).
     pub fn dimension(&self, unknowns: usize) -> Option<usize> {
-        let supports: Vec<u32> = self
-            .elements
-            .iter()
-            .map(|element| {
-                let leading = element.leading_monomial();
-                (0..unknowns).filter(|&i| leading.exponent(i) != 0).fold(0, |mask, i| mask | 1 << i)
-            })
-            .collect();
+        let unknowns = self.count_unknowns(unknowns);
+        let support = |element: &BasisElement| {
+            let leading = element.leading_monomial();
+            (0..unknowns).filter(|&i| leading.exponent(i) != 0).fold(0u32, |mask, i| mask | 1 << i)
+        };
+        let supports: Vec<u32> = self.elements.iter().map(support).collect();
         let independent = |set: &u32| supports.iter().all(|support| support & !set != 0);
         (0u32..1 << unknowns).filter(independent).map(|set| set.count_ones() as usize).max()
+    }
+
+    /// The number of unknowns of the ring: those announced, and those that occur.
+    pub(super) fn count_unknowns(&self, announced: usize) -> usize {
+        let monomials = || self.elements.iter().flat_map(BasisElement::terms).map(|(monomial, _)| monomial);
+        let occurs = |i: &usize| monomials().any(|monomial| monomial.exponent(*i) != 0);
+        let occurring = (0..MAX_UNKNOWNS).rev().find(occurs).map_or(0, |last| last + 1);
+        announced.clamp(occurring, MAX_UNKNOWNS)
     }
 
     /// The monomials that no leading monomial divides, increasing: a basis of the quotient ring as a vector space. `None` where there are more than
@@ -179,6 +197,7 @@ impl GroebnerBasis {
         if self.is_unit() {
             return Some(Vec::new());
         }
+        let unknowns = self.count_unknowns(unknowns);
         // Each monomial is reached once: from its quotient by the last unknown in it.
         let mut basis = vec![(Monomial::ONE, 0)];
         let mut next = 0;

@@ -82,20 +82,48 @@ impl DenseMatrix {
         }
         let mut product = Self::zeros(self.field, self.rows, other.columns);
         for i in 0..self.rows {
-            let row = self.row_times(self.row(i), other);
-            product.row_mut(i).copy_from_slice(&row);
+            product.row_mut(i).copy_from_slice(&other.row_vector_times(self.row(i)));
         }
         Some(product)
     }
 
-    fn row_times(&self, left: &[u32], other: &Self) -> Vec<u32> {
-        let mut row = vec![0; other.columns];
-        for (k, &factor) in left.iter().enumerate().filter(|&(_, &factor)| factor != 0) {
-            for (entry, &value) in row.iter_mut().zip(other.row(k)) {
-                *entry = self.field.add(*entry, self.field.mul(factor, value));
+    /// The product of a row vector with as many values as the matrix has rows, from the left, with the matrix.
+    pub fn row_vector_times(&self, vector: &[u32]) -> Vec<u32> {
+        debug_assert_eq!(vector.len(), self.rows);
+        let square = u64::from(self.field.modulus()).pow(2);
+        // Sums stay below p^2 < 2^62; one reduction modulo p at the end.
+        let mut sums = vec![0u64; self.columns];
+        for (k, &factor) in vector.iter().enumerate().filter(|&(_, &factor)| factor != 0) {
+            for (sum, &value) in sums.iter_mut().zip(self.row(k)) {
+                let next = *sum + u64::from(factor) * u64::from(value);
+                *sum = if next >= square { next - square } else { next };
             }
         }
-        row
+        sums.into_iter().map(|sum| self.field.reduce(sum)).collect()
+    }
+
+    /// The inverse; `None` for a singular matrix or one that is not square.
+    pub fn inverse(&self) -> Option<Self> {
+        let size = self.rows;
+        if self.columns != size {
+            return None;
+        }
+        // [A | I] reduces to [I | A^-1].
+        let mut augmented = Self::zeros(self.field, size, 2 * size);
+        for i in 0..size {
+            let row = augmented.row_mut(i);
+            row[..size].copy_from_slice(self.row(i));
+            row[size + i] = 1;
+        }
+        let pivots = augmented.reduce_to_echelon();
+        if !pivots.iter().copied().eq(0..size) {
+            return None;
+        }
+        let mut inverse = Self::zeros(self.field, size, size);
+        for i in 0..size {
+            inverse.row_mut(i).copy_from_slice(&augmented.row(i)[size..]);
+        }
+        Some(inverse)
     }
 
     /// Brings the matrix to reduced row echelon form: leading entries 1, pivot columns zero elsewhere, rows by increasing pivot

@@ -2,6 +2,7 @@
 
 mod echelon;
 mod f4;
+mod fglm;
 mod field;
 mod groebner;
 mod matrix;
@@ -11,12 +12,17 @@ mod order;
 mod pairs;
 mod polynomial;
 mod polynomial_arithmetic;
+mod quotient;
+mod saturation;
 mod symbolic;
 
 pub use echelon::Echelon;
+pub use fglm::change_order;
 pub use field::{PRIMES, PrimeField};
 pub use groebner::{BasisElement, GroebnerBasis, GroebnerError, Limits, groebner_basis};
 pub use matrix::DenseMatrix;
 pub use monomial::{MAX_UNKNOWNS, Monomial};
 pub use order::{MonomialOrder, OrderKey};
 pub use polynomial::Polynomial;
+pub use quotient::QuotientRing;
+pub use saturation::saturate;

@@ -44,7 +44,6 @@ pub(crate) fn to_oracle(polynomial: &Polynomial<u32>, unknowns: usize, order: &M
 }
 
 /// A polynomial from the crate `groebner`.
-#[allow(dead_code)]
 pub(crate) fn from_oracle(polynomial: &OraclePolynomial) -> Polynomial<u32> {
     let term = |(monomial, value): &(groebner::Monomial, OracleElement)| {
         let exponents: Vec<i8> = monomial.exps().iter().map(|&e| e as i8).collect();
@@ -116,4 +115,17 @@ pub(crate) fn eco(n: usize) -> System {
     sum.extend((0..n - 1).map(|i| (1, unit(n, &[i]))));
     polynomials.push(sum);
     System::new(format!("eco-{n}"), n, polynomials)
+}
+
+/// The twisted cubic's tangent surface and a quadric: four unknowns, two equations, no finite solution set.
+pub(crate) fn positive_dimensional() -> System {
+    let discriminant = vec![
+        (1, vec![0, 2, 2, 0]),
+        (-4, vec![1, 0, 3, 0]),
+        (-4, vec![0, 3, 0, 1]),
+        (18, vec![1, 1, 1, 1]),
+        (-27, vec![2, 0, 0, 2]),
+    ];
+    let quadric = vec![(1, vec![1, 0, 0, 1]), (2, vec![0, 1, 1, 0]), (-3, vec![0, 0, 0, 0])];
+    System::new("discriminant and quadric".into(), 4, vec![discriminant, quadric])
 }
