@@ -1,6 +1,6 @@
 //! Whether a problem has finitely many solutions for general data, and how many.
 
-use crate::algebra::{GroebnerBasis, GroebnerError, Limits, MonomialOrder, PRIMES, PrimeField, groebner_basis};
+use crate::algebra::{GroebnerBasis, GroebnerError, Limits, Monomial, MonomialOrder, PRIMES, Polynomial, PrimeField, saturate};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::instance::Instance;
 use crate::problem::Problem;
@@ -63,8 +63,11 @@ fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<Algebra, Dia
             .hint("if the data satisfy a condition, state it: `#[symmetric]`, `#[rotation]`, `#[unit]`, `#[integer]`"));
     };
     if dimension > 0 {
-        let message = Diagnostic::new(format!("infinitely many solutions: a set of dimension {dimension}"), at())
+        let mut message = Diagnostic::new(format!("infinitely many solutions: a set of dimension {dimension}"), at())
             .label(format!("{} equations in {unknowns} unknowns", problem.equations.len()));
+        for name in excluding_unknowns(&instance, &problem.unknowns) {
+            message = message.hint(format!("finitely many are left where `{name}` is not 0: add `{name} != 0;`"));
+        }
         return Err(message
             .hint(format!("{dimension} more independent equation(s) are needed, or an unknown that can be fixed"))
             .hint("solutions that are not wanted, such as 0, are excluded by a statement `factor != 0;`"));
@@ -77,7 +80,20 @@ fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<Algebra, Dia
 }
 
 /// The ideal of an instance, saturated by what must not vanish.
+///
+/// # Errors
+/// As [`saturate`].
 pub fn ideal(instance: &Instance, unknowns: usize) -> Result<GroebnerBasis, GroebnerError> {
     let limits = Limits { max_quotient_dimension: MAX_SOLUTIONS, ..Limits::default() };
-    groebner_basis(instance.field, &instance.equations, &MonomialOrder::GrevLex, &limits)
+    saturate(instance.field, &instance.equations, &instance.nonzero, unknowns, &MonomialOrder::GrevLex, &limits)
+}
+
+/// Unknowns without whose zeros finitely many solutions, and at least one, are left.
+fn excluding_unknowns<'a>(instance: &Instance, names: &'a [String]) -> Vec<&'a str> {
+    let explains = |unknown: usize| {
+        let mut trial = instance.clone();
+        trial.nonzero.push(Polynomial::from_terms(vec![(Monomial::unknown(unknown), 1)]));
+        ideal(&trial, names.len()).is_ok_and(|basis| basis.dimension(names.len()) == Some(0))
+    };
+    names.iter().enumerate().filter(|&(unknown, _)| explains(unknown)).map(|(_, name)| name.as_str()).collect()
 }

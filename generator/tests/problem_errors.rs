@@ -4,14 +4,16 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::{env, fs};
 
+use eliminant_generator::check;
 use eliminant_generator::diagnostic::Diagnostics;
 use eliminant_generator::problem::Problem;
 
 const UPDATE: &str = "UPDATE_GOLDEN=1 cargo test -p eliminant-generator --test problem_errors";
 
-/// What a user of the file gets.
-fn check(path: &str, text: &str) -> Result<Problem, Diagnostics> {
-    Problem::parse(path, text)
+/// What a user of the file gets from `eliminant check`.
+fn check(path: &str, text: &str) -> Result<(), Diagnostics> {
+    let problem = Problem::parse(path, text)?;
+    check::check(&problem).map(|_| ())
 }
 
 #[test]
