@@ -3,11 +3,12 @@
 use crate::scalar::Scalar;
 use crate::solutions::Solutions;
 
-/// Two solutions are the same when every unknown agrees to this relative distance (or to [`FLOOR`]). Simple solutions are
-/// found to 1e-12 or better after polish, double ones to about 1e-8; solutions closer than this are taken for one.
+/// Two solutions are the same when every unknown agrees to this relative distance (or to [`FLOOR`]). Simple solutions
+/// are found to 1e-12 or better after polish, double ones to about 1e-8; solutions closer than this are taken for one.
 pub const TOLERANCE: f64 = 1e-8;
 
-/// An unknown this small relative to the largest one may be the rounding noise of zero: it is not compared to be closer.
+/// An unknown this small relative to the largest one may be the rounding noise of zero: it is not compared to be
+/// closer.
 pub const FLOOR: f64 = 1e-13;
 
 /// A polished solution and its relative residual.

@@ -1,8 +1,8 @@
 //! Eigenvalues by the double-shift QR iteration (Francis 1961), with a bound on the number of iterations.
 //!
 //! Deflation (Ahues and Tisseur 1997), the two exceptional shifts and the start of the bulge at two small consecutive
-//! subdiagonals follow the description of LAPACK's `dlahqr`. Only eigenvalues are wanted, so a sweep touches only the active
-//! diagonal block; eigenvectors come one at a time from inverse iteration.
+//! subdiagonals follow the description of LAPACK's `dlahqr`. Only eigenvalues are wanted, so a sweep touches only the
+//! active diagonal block; eigenvectors come one at a time from inverse iteration.
 
 use crate::error::SolveError;
 use crate::float;
@@ -49,8 +49,8 @@ impl<const N: usize> Hessenberg<N> {
     }
 }
 
-/// The first row of the last unreduced diagonal block of the leading `high` rows. A subdiagonal entry counts as zero when
-/// setting it to zero moves the eigenvalues of the 2x2 block around it by less than rounding (Ahues and Tisseur).
+/// The first row of the last unreduced diagonal block of the leading `high` rows. A subdiagonal entry counts as zero
+/// when setting it to zero moves the eigenvalues of the 2x2 block around it by less than rounding (Ahues and Tisseur).
 #[inline]
 fn active_block<const N: usize>(h: &[[f64; N]; N], high: usize) -> usize {
     let mut k = high - 1;
@@ -123,7 +123,7 @@ fn choose_shifts<const N: usize>(h: &[[f64; N]; N], low: usize, high: usize, sta
     if stalled % 20 == 10 {
         return exceptional(h[low][low], h[low + 1][low].abs() + h[low + 2][low + 1].abs());
     }
-    if stalled % 20 == 0 {
+    if stalled.is_multiple_of(20) {
         return exceptional(h[last][last], h[last][last - 1].abs() + h[last - 1][last - 2].abs());
     }
     let corner = h[last][last];

@@ -6,9 +6,9 @@ use crate::scalar::Scalar;
 ///
 /// x = sum over k of conj(v\[m_k\]) v\[x m_k\] / sum over k of |v\[m_k\]|^2
 ///
-/// `values` is an eigenvector v of the action matrix: the values of the basis monomials at a solution, up to a common factor.
-/// `pairs` lists the positions (m_k, x m_k) of monomials that differ by the factor x; all of them are used, weighted by
-/// their size.
+/// `values` is an eigenvector v of the action matrix: the values of the basis monomials at a solution, up to a common
+/// factor. `pairs` lists the positions (m_k, x m_k) of monomials that differ by the factor x; all of them are used,
+/// weighted by their size.
 ///
 /// None when all |v\[m_k\]| are at the rounding level of v, when a result is not finite, or a position is out of range.
 #[inline]

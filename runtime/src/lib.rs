@@ -2,12 +2,14 @@
 //!
 //! The modules stand in the order in which an emitted solver uses them:
 //!
-//! 1. [`template`] fills the elimination template and [`lu`] eliminates its diagonal blocks; what is left is the action matrix.
+//! 1. [`template`] fills the elimination template and [`lu`] eliminates its diagonal blocks; what is left is the action
+//!    matrix.
 //! 2. [`hessenberg`] and [`eigenvalues`] give its eigenvalues and, for one eigenvalue at a time, the eigenvector;
 //!    [`polynomial_roots`] gives only the real ones, from the characteristic polynomial.
 //! 3. [`extract`] reads unknowns off an eigenvector.
-//! 4. [`polish`] improves a solution on the original equations, which [`system`] evaluates from static tables.
-//! 5. [`driver`] does 2 to 4 for every eigenvalue; [`distinct`] drops what was found twice; [`solutions`] and [`error`] are what a solver returns.
+//! 4. [`mod@polish`] improves a solution on the original equations, which [`system`] evaluates from static tables.
+//! 5. [`driver`] does 2 to 4 for every eigenvalue; [`distinct`] drops what was found twice; [`solutions`] and [`error`]
+//!    are what a solver returns.
 //!
 //! Nothing here allocates, panics on data, loops without a bound or knows a problem. All sizes are const generic and
 //! matrices are arrays of rows, so that the inner loops run over contiguous memory and vectorise.

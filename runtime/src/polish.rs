@@ -83,8 +83,9 @@ fn weigh<S: Scalar, const N: usize, const E: usize>(values: &mut [S; E], scale: 
     }
 }
 
-/// The least-squares solution of `matrix * y = right`, E equations in N <= E unknowns, by Householder QR; both arguments are
-/// overwritten. None when the matrix has lost rank (a diagonal entry of R below N epsilon times its column) or something is not finite.
+/// The least-squares solution of `matrix * y = right`, E equations in N <= E unknowns, by Householder QR; both
+/// arguments are overwritten. None when the matrix has lost rank (a diagonal entry of R below N epsilon times its
+/// column) or something is not finite.
 #[inline]
 fn least_squares<S: Scalar, const N: usize, const E: usize>(
     matrix: &mut [[S; N]; E],

@@ -4,21 +4,21 @@
 //! shows and safeguarded Newton finds. The critical points are the roots of the derivative, found the same way, down to
 //! a quadratic (Yuksel, "High-Performance Polynomial Root Finding for Graphics", 2022). Departures from it:
 //! the variable is scaled by a power of two; roots with |x| > 1 are found as 1/y on the reversed polynomial, so that
-//! nothing overflows and small and large roots have the same relative accuracy; and a critical point where the polynomial
-//! vanishes to rounding counts as a root, so that double roots are not lost.
+//! nothing overflows and small and large roots have the same relative accuracy; and a critical point where the
+//! polynomial vanishes to rounding counts as a root, so that double roots are not lost.
 
 use crate::float;
 use arrayvec::ArrayVec;
 
-/// Newton falls back to bisection, so about 60 steps end at neighbouring numbers unless the root is tiny; at this many the
-/// best point so far is taken.
+/// Newton falls back to bisection, so about 60 steps end at neighbouring numbers unless the root is tiny; at this many
+/// the best point so far is taken.
 const MOST_STEPS: usize = 200;
 
 /// Newton steps after which a value at rounding level ends the search: a multiple root gets no better.
 const PATIENCE: usize = 8;
 
-/// The last step to a critical point, relative to it. The polynomial there is off by the square of the error that is left, which
-/// after a step of this size is far below rounding.
+/// The last step to a critical point, relative to it. The polynomial there is off by the square of the error that is
+/// left, which after a step of this size is far below rounding.
 const CRITICAL_TOLERANCE: f64 = 1e-7;
 
 /// A leading coefficient whose root would be more than 2^52 times the bound on all others is taken for zero.
@@ -27,8 +27,8 @@ const VANISHING: i32 = 52;
 /// The real roots of c\[0\] + c\[1\] x + .. + c\[D1-1\] x^(D1-1), ascending; D1 is the degree plus one.
 ///
 /// A multiple root comes out once or as several close ones. A leading coefficient that is zero, or so small that its
-/// root would exceed the bound on all others 2^52 times, lowers the degree. Nothing is returned for constants, the zero polynomial,
-/// and when a coefficient is infinite or NaN; a root that overflows is left out.
+/// root would exceed the bound on all others 2^52 times, lowers the degree. Nothing is returned for constants, the zero
+/// polynomial, and when a coefficient is infinite or NaN; a root that overflows is left out.
 #[must_use]
 pub fn real_roots<const D1: usize>(coefficients: &[f64; D1]) -> ArrayVec<f64, D1> {
     match coefficients.split_last() {
@@ -45,7 +45,8 @@ pub fn real_roots_monic<const D: usize>(lower: &[f64; D]) -> ArrayVec<f64, D> {
     Polynomial { lower: *lower, leading: 1.0, degree: D }.real_roots()
 }
 
-/// lower\[0\] + .. + lower\[degree-1\] x^(degree-1) + leading x^degree; what lies in `lower` from `degree` on is not read.
+/// lower\[0\] + .. + lower\[degree-1\] x^(degree-1) + leading x^degree; what lies in `lower` from `degree` on is not
+/// read.
 ///
 /// The leading coefficient is stored apart because arrays of CAPACITY + 1 are beyond stable const generics.
 #[derive(Clone, Copy)]
@@ -114,8 +115,9 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
         self.leading = self.lower[degree];
     }
 
-    /// Whether all coefficients above degree m are negligible: the roots that they add, of size |c[m] / c[j]|^(1/(j-m)),
-    /// exceed Fujiwara's bound 2 max |c[k] / c[m]|^(1/(m-k)) on the others 2^52 times. In binary exponents.
+    /// Whether all coefficients above degree m are negligible: the roots that they add, of size |c[m] /
+    /// c[j]|^(1/(j-m)), exceed Fujiwara's bound 2 max |c[k] / c[m]|^(1/(m-k)) on the others 2^52 times. In binary
+    /// exponents.
     fn vanishes_above(&self, m: usize) -> bool {
         let exponent = |k: usize| float::exponent(if k == self.degree { self.leading } else { self.lower[k] });
         let middle = exponent(m);
@@ -248,8 +250,8 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
         result
     }
 
-    /// The root between two points where p has opposite signs: Newton's method, bisection where it leaves the bracket or
-    /// does not halve its step, until a step is at most `tolerance` of the root.
+    /// The root between two points where p has opposite signs: Newton's method, bisection where it leaves the bracket
+    /// or does not halve its step, until a step is at most `tolerance` of the root.
     #[inline]
     fn refine(&self, (mut a, a_value): (f64, f64), (mut b, b_value): (f64, f64), tolerance: f64) -> f64 {
         let rising = a_value < 0.0;
@@ -309,7 +311,8 @@ fn push<const CAPACITY: usize>(roots: &mut ArrayVec<f64, CAPACITY>, root: f64) {
     }
 }
 
-/// The real roots of a x^2 + b x + c; coefficients of moderate size. A discriminant that is zero to rounding gives the double root.
+/// The real roots of a x^2 + b x + c; coefficients of moderate size. A discriminant that is zero to rounding gives the
+/// double root.
 #[inline]
 fn quadratic_roots(a: f64, b: f64, c: f64) -> ArrayVec<f64, 2> {
     let mut roots = ArrayVec::new_const();

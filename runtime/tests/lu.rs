@@ -84,25 +84,36 @@ fn integer_matrices_with_integer_solutions_agree_with_nalgebra() {
 }
 
 #[test]
-fn scaling_rows_and_columns_by_powers_of_two_changes_nothing() {
+fn scaling_rows_by_powers_of_two_changes_nothing() {
     let mut random = Random::new(10);
     for _ in 0..200 {
         let (a, b): ([[f64; 8]; 8], [[f64; 3]; 8]) = (random.matrix(), random.matrix());
         let (mut lu, mut x) = (a, b);
         solve_block(&mut lu, &mut x).unwrap();
         let (mut scaled, mut y) = (a, b);
-        let column: [f64; 8] = std::array::from_fn(|_| 2.0_f64.powi(random.below(80) as i32 - 40));
         for i in 0..8 {
-            let row = 2.0_f64.powi(random.below(80) as i32 - 40);
-            for j in 0..8 {
-                scaled[i][j] *= row * column[j];
-            }
-            y[i] = y[i].map(|v| v * row);
+            let factor = 2.0_f64.powi(random.below(600) as i32 - 300);
+            scaled[i] = scaled[i].map(|v| v * factor);
+            y[i] = y[i].map(|v| v * factor);
         }
         solve_block(&mut scaled, &mut y).unwrap();
-        for i in 0..8 {
-            assert_eq!(x[i], y[i].map(|v| v * column[i]));
+        assert_eq!(x, y);
+    }
+}
+
+#[test]
+fn badly_scaled_columns_are_no_rank_loss() {
+    let mut random = Random::new(13);
+    for _ in 0..200 {
+        let (mut a, b): ([[f64; 8]; 8], [[f64; 3]; 8]) = (random.matrix(), random.matrix());
+        for j in 0..8 {
+            let factor = 2.0_f64.powi(random.below(200) as i32 - 100);
+            a.iter_mut().for_each(|row| row[j] *= factor);
         }
+        let (mut lu, mut x) = (a, b);
+        solve_block(&mut lu, &mut x).unwrap();
+        let error = backward_error(&a, &x, &b);
+        assert!(error < 10.0 * f64::EPSILON, "backward error {error:e}");
     }
 }
 
@@ -123,17 +134,37 @@ fn only_the_needed_rows_are_solved_and_they_are_the_same() {
     assert_eq!(more, all);
 }
 
-#[test]
-fn rank_loss_is_reported_with_its_column() {
+/// Rank N - lost, exactly: small integers. Returns how often the loss was reported.
+fn reported_rank_losses<const N: usize>(lost: usize, trials: usize) -> usize {
     let mut random = Random::new(12);
-    for rank in 0..6 {
-        // A product of 6 x rank and rank x 6 factors.
-        let (left, right): ([[f64; 6]; 6], [[f64; 6]; 6]) = (random.matrix(), random.matrix());
-        let mut a: [[f64; 6]; 6] =
-            std::array::from_fn(|i| std::array::from_fn(|j| (0..rank).map(|k| left[i][k] * right[k][j]).sum()));
-        let mut b = random.matrix::<6, 2>();
-        assert_eq!(solve_block(&mut a, &mut b), Err(SolveError::Degenerate { column: rank }));
+    let mut integers = || random.matrix::<N, N>().map(|row| row.map(|v| (v * 9.0).round()));
+    let mut reported = 0;
+    for _ in 0..trials {
+        let (left, right) = (integers(), integers());
+        let mut a: [[f64; N]; N] =
+            std::array::from_fn(|i| std::array::from_fn(|j| (0..N - lost).map(|k| left[i][k] * right[k][j]).sum()));
+        let mut x = [[0.0; 1]; N];
+        x[0] = [1.0];
+        match solve_block(&mut a, &mut x) {
+            Err(error) => {
+                assert!(matches!(error, SolveError::Degenerate { .. }));
+                reported += 1;
+            }
+            // What slips through is rounding noise above the threshold: it shows in the size of X.
+            Ok(()) => assert!(x.iter().any(|row| row[0].abs() > 1e8), "{x:?}"),
+        }
     }
+    reported
+}
+
+#[test]
+fn rank_loss_is_reported() {
+    assert_eq!(reported_rank_losses::<4>(3, 500), 500);
+    assert_eq!(reported_rank_losses::<25>(4, 500), 500);
+    // One lost dimension leaves a single pivot of noise, now and then a large one.
+    assert!(reported_rank_losses::<4>(1, 500) > 450);
+    assert!(reported_rank_losses::<10>(1, 500) > 450);
+    assert!(reported_rank_losses::<25>(1, 500) > 400);
     assert_eq!(solve_block(&mut [[0.0]], &mut [[1.0]]), Err(SolveError::Degenerate { column: 0 }));
     assert!(solve_block(&mut [[1.0, 2.0], [3.0, 4.0]], &mut [[1.0]]).is_err(), "too few right-hand rows");
 }
@@ -153,8 +184,13 @@ fn empty_blocks() {
     solve_block::<2, 0>(&mut [[0.0, 1.0], [1.0, 0.0]], &mut [[], []]).unwrap();
 }
 
+/// The same cases every time.
+fn config() -> ProptestConfig {
+    ProptestConfig { cases: 1_000, rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..Default::default() }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1_000, rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(config())]
     #[test]
     fn one_bad_entry_anywhere_is_an_error(
         entry in 0..60_usize,
