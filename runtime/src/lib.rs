@@ -59,7 +59,7 @@ pub use template::{Block, Entry, check_coefficients, eliminate_block, fill};
 
 /// Includes the solver of that name, which the build script wrote: the emitted file holds `pub mod NAME { .. }`.
 ///
-/// ```ignore
+/// ```text
 /// // lib.rs, with problems/five_point.rs and a build script that runs eliminant_generator::Generator:
 /// eliminant::include_solver!("five_point");
 /// let solutions = five_point::solve(&points)?;
