@@ -18,10 +18,11 @@
 //! The entries of `G` are products of up to four coordinates, so the origin and the unit of length decide how many digits
 //! are left: lines are first shifted to the point nearest to all of them and scaled to a mean square distance of one.
 
-use nalgebra::{Matrix2, Point2, Vector2};
+use nalgebra::{Matrix2, Point2, Rotation2, Vector2};
 use thiserror::Error;
 
 use super::rectify::TangentLine;
+use super::stationary::stationary_circles;
 
 /// Root mean square distance of the lines from one point, relative to the extent of the scene, below which they count
 /// as meeting there. Far below what marking lines in an image can reach, above what rounding leaves.
@@ -51,7 +52,7 @@ pub struct CircleFit {
     pub circle: Circle,
     /// Root mean square of `(r^2 - h^2) / (2 r)`, which is the distance `r - h` to first order; world units.
     pub rms: f64,
-    /// Number of real stationary points among which it was chosen.
+    /// Number of stationary circles among which it was chosen.
     pub stationary_points: usize,
 }
 
@@ -80,11 +81,8 @@ pub enum CircleError {
     #[error("the lines of the cross-section are out of range")]
     OutOfRange,
     /// No stationary point is a real circle.
-    #[error("none of the {stationary_points} real stationary points is a circle")]
-    NoCircle {
-        /// Number of real stationary points.
-        stationary_points: usize,
-    },
+    #[error("no stationary point of the least squares problem is a circle")]
+    NoCircle,
     /// The emitted solver refused the data.
     #[error("the least squares problem could not be solved: {0}")]
     Solver(#[from] eliminant::SolveError),
@@ -101,46 +99,20 @@ pub fn fit_circle(lines: &[TangentLine], extent: f64) -> Result<CircleFit, Circl
         return Err(CircleError::Concurrent);
     }
     let normalised: Vec<_> = lines.iter().map(|line| normalisation.line(line)).collect();
-    let stationary_points = stationary_points(&gram(&normalised))?;
-
-    let mut candidates: Vec<_> = stationary_points
-        .iter()
-        .map(|&[d1, _, d3, _, d5]| (Point2::new(-d3, -d5), d1 + d3 * d3))
-        .filter(|&(_, radius_squared)| radius_squared > 0.0)
-        .map(|(centre, radius_squared)| Candidate::new(&normalised, centre, radius_squared.sqrt()))
-        .collect();
+    let circles = stationary_circles(&normalised)?;
+    let stationary_points = circles.len();
+    let mut candidates: Vec<_> = circles.into_iter().map(|circle| Candidate::new(&normalised, circle)).collect();
     candidates.sort_by(|left, right| left.rms.total_cmp(&right.rms));
     let exact = candidates.iter().filter(|candidate| candidate.is_exact()).count();
     if exact > 1 {
         return Err(CircleError::Ambiguous { circles: exact });
     }
-    let best = candidates.first().ok_or(CircleError::NoCircle { stationary_points: stationary_points.len() })?;
+    let best = candidates.first().ok_or(CircleError::NoCircle)?;
     Ok(CircleFit {
         circle: normalisation.circle(&best.circle),
         rms: best.rms / (2.0 * best.circle.radius) * normalisation.scale,
-        stationary_points: stationary_points.len(),
+        stationary_points,
     })
-}
-
-/// Mean over the lines of `row^T row` with `row = (a^2, a b, a c, b^2, b c, c^2)`.
-pub fn gram(lines: &[TangentLine]) -> [[f64; 6]; 6] {
-    let mut gram = [[0.0; 6]; 6];
-    for line in lines {
-        let (a, b, c) = (line.normal.x, line.normal.y, line.offset);
-        let row = [a * a, a * b, a * c, b * b, b * c, c * c];
-        for i in 0..6 {
-            for j in 0..6 {
-                gram[i][j] += row[i] * row[j] / lines.len() as f64;
-            }
-        }
-    }
-    gram
-}
-
-/// All real stationary points `(d1, .., d5)` of the least squares problem with this Gram matrix.
-fn stationary_points(gram: &[[f64; 6]; 6]) -> Result<Vec<[f64; 5]>, CircleError> {
-    let solutions = crate::circle_least_squares::solve(gram)?;
-    Ok(solutions.iter().map(|point| [point.d1, point.d2, point.d3, point.d4, point.d5]).collect())
 }
 
 /// A stationary point that is a circle, with its root mean square of `r^2 - h^2`. That is evaluated on the lines:
@@ -151,13 +123,13 @@ struct Candidate {
 }
 
 impl Candidate {
-    fn new(lines: &[TangentLine], centre: Point2<f64>, radius: f64) -> Self {
+    fn new(lines: &[TangentLine], circle: Circle) -> Self {
         let residual = |line: &TangentLine| {
-            let distance = line.distance(&centre).abs();
-            ((radius - distance) * (radius + distance)).powi(2)
+            let distance = line.distance(&circle.centre).abs();
+            ((circle.radius - distance) * (circle.radius + distance)).powi(2)
         };
         let mean = lines.iter().map(residual).sum::<f64>() / lines.len() as f64;
-        Self { circle: Circle { centre, radius }, rms: mean.sqrt() }
+        Self { circle, rms: mean.sqrt() }
     }
 
     fn is_exact(&self) -> bool {
@@ -165,10 +137,20 @@ impl Candidate {
     }
 }
 
-/// Shift to the point nearest to all lines, and division by the root mean square distance from it.
+/// Coordinates in which the nearest point to all lines is near the origin and their root mean square distance from it is one:
+///
+/// ```text
+///     q = T (p - p0) / scale + q0
+/// ```
+///
+/// The fixed turn `T` and shift `q0` mean nothing. Without them symmetric lines, such as cameras in equal steps around the
+/// axis, have their centre at zero and stationary points with equal coordinates, where an eigenvalue of the solver is
+/// infinite or double.
 struct Normalisation {
-    centre: Point2<f64>,
+    nearest: Point2<f64>,
     scale: f64,
+    turn: Rotation2<f64>,
+    shift: Vector2<f64>,
 }
 
 impl Normalisation {
@@ -183,16 +165,22 @@ impl Normalisation {
         if matrix.determinant() <= PARALLEL {
             return Err(CircleError::Parallel);
         }
-        let centre = Point2::from(matrix.try_inverse().ok_or(CircleError::OutOfRange)? * right);
-        let square = lines.iter().map(|line| line.distance(&centre).powi(2)).sum::<f64>() / count;
-        if square.is_finite() { Ok(Self { centre, scale: square.sqrt() }) } else { Err(CircleError::OutOfRange) }
+        let nearest = Point2::from(matrix.try_inverse().ok_or(CircleError::OutOfRange)? * right);
+        let square = lines.iter().map(|line| line.distance(&nearest).powi(2)).sum::<f64>() / count;
+        if !square.is_finite() {
+            return Err(CircleError::OutOfRange);
+        }
+        Ok(Self { nearest, scale: square.sqrt(), turn: Rotation2::new(1.0), shift: Vector2::new(0.3, 0.2) })
     }
 
     fn line(&self, line: &TangentLine) -> TangentLine {
-        TangentLine { normal: line.normal, offset: line.distance(&self.centre) / self.scale }
+        let normal = self.turn * line.normal;
+        TangentLine { normal, offset: line.distance(&self.nearest) / self.scale - normal.dot(&self.shift) }
     }
 
+    /// Back to the coordinates of the lines.
     fn circle(&self, circle: &Circle) -> Circle {
-        Circle { centre: self.centre + circle.centre.coords * self.scale, radius: circle.radius * self.scale }
+        let centre = self.turn.inverse() * (circle.centre.coords - self.shift);
+        Circle { centre: self.nearest + centre * self.scale, radius: circle.radius * self.scale }
     }
 }

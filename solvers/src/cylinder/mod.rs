@@ -2,7 +2,7 @@
 //!
 //! Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation". The list of modules is the pipeline.
 
-/// Tangent lines to the least squares circle, by the emitted solver.
+/// Tangent lines to the least squares circle: normalisation, and the best of the stationary circles.
 pub mod circle;
 /// The command line: arguments to exit code and text.
 pub mod command;
@@ -16,6 +16,8 @@ pub mod input;
 pub mod rectify;
 /// A result as text and as JSON.
 pub mod report;
+/// Tangent lines to all stationary circles, by the emitted solver.
+mod stationary;
 /// All of it: views to a cylinder with its residuals.
 pub mod triangulate;
 /// Cameras, silhouette lines and viewing planes; validated.

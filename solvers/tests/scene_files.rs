@@ -1,0 +1,154 @@
+//! Scene files: what is read, and the message for each way in which a file can be wrong.
+
+use eliminant_solvers::cylinder::{InputError, ViewError, parse_scene};
+use nalgebra::{Matrix3, Vector3};
+
+const CAMERA: &str = "[[1,0,0,0],[0,1,0,0],[0,0,1,5]]";
+const K: &str = "[[1000,0,500],[0,1000,400],[0,0,1]]";
+
+fn scene(view: &str) -> String {
+    format!("{{\"K\": {K}, \"views\": [{{\"camera_normalised\": {CAMERA}, \"lines_pixels\": []}}, {{{view}}}]}}")
+}
+
+#[track_caller]
+fn message(text: &str) -> String {
+    parse_scene(text, "scene.json").expect_err("an error").to_string()
+}
+
+#[test]
+fn pixels_and_normalised_coordinates_give_the_same_view() {
+    let normalised = format!("\"camera_normalised\": {CAMERA}, \"lines_normalised\": [[2, 0, 0.4]]");
+    // The plane x = -0.2 z: pixels x = 500 - 200.
+    let pixels = "\"camera_pixels\": [[1000,0,500,2500],[0,1000,400,2000],[0,0,1,5]], \"lines_pixels\": [[-3, 0, 900]]";
+    let [left, right] = [normalised.as_str(), pixels].map(|view| parse_scene(&scene(view), "").expect("a scene"));
+    let [left, right] = [&left.views[1], &right.views[1]];
+    assert!((left.camera().rotation() - right.camera().rotation()).amax() < 1e-15);
+    assert!((left.camera().translation() - right.camera().translation()).amax() < 1e-14);
+    assert!(left.lines()[0].cross(&right.lines()[0]).norm() < 1e-15);
+
+    let both = format!("{normalised}, {pixels}");
+    assert_eq!(&parse_scene(&scene(&both), "").expect("both spellings agree").views[1], left);
+}
+
+#[test]
+fn other_keys_are_ignored_and_points_are_read() {
+    let text = format!(
+        "{{\"views\": [{{\"name\": \"a\", \"camera_normalised\": {CAMERA}, \"lines_normalised\": []}}], \
+         \"points\": [[1, 2, 3]], \"comment\": null}}"
+    );
+    let scene = parse_scene(&text, "").expect("a scene");
+    assert_eq!(scene.points, [Vector3::new(1.0, 2.0, 3.0).into()]);
+    assert_eq!(scene.views[0].camera().rotation(), &Matrix3::identity());
+    assert_eq!(scene.views[0].camera().calibration(), None);
+}
+
+#[test]
+fn text_that_is_not_json_is_located() {
+    for (text, position) in
+        [("", "1:0"), ("{\"views\": [", "1:11"), ("{\n  \"views\": [}", "2:13"), ("{\"views\": [NaN]}", "1:12")]
+    {
+        let message = message(text);
+        assert!(message.starts_with(&format!("scene.json:{position}: not JSON: ")), "{text}: {message}");
+    }
+    // A number beyond the range of f64.
+    let message = message(&scene(&format!("\"camera_normalised\": {CAMERA}, \"lines_pixels\": [[1, 1e999, 0]]")));
+    assert!(message.starts_with("scene.json:1:") && message.contains("number out of range"), "{message}");
+}
+
+#[test]
+fn json_that_is_not_a_scene_is_located() {
+    for (text, expected) in [
+        ("[]", "scene.json:1:2: not a scene: invalid length 0"),
+        ("{}", "scene.json:1:2: not a scene: missing field `views`"),
+        ("{\"views\": 3}", "scene.json:1:11: not a scene: invalid type: integer `3`, expected a sequence"),
+        (
+            "{\"views\": [],\n \"K\": \"no\"}",
+            "scene.json:2:10: not a scene: invalid type: string \"no\", expected a sequence",
+        ),
+        (
+            "{\"views\": [], \"points\": [[1, null, 2]]}",
+            "scene.json:1:33: not a scene: invalid type: null, expected f64",
+        ),
+        ("{\"views\": [], \"views\": []}", "scene.json:1:21: not a scene: duplicate field `views`"),
+    ] {
+        let message = message(text);
+        assert!(message.starts_with(expected), "{text}: {message}");
+    }
+}
+
+#[test]
+fn wrong_shapes_and_values_name_their_place() {
+    let camera = format!("\"camera_normalised\": {CAMERA}");
+    let cases = [
+        (
+            format!("{camera}, \"lines_pixels\": [[1,2,3],[1,2]]"),
+            "views[1].lines_pixels[1] has 2 entries where 3 are expected",
+        ),
+        (
+            "\"camera_pixels\": [[1,0,0,0],[0,1,0,0]], \"lines_pixels\": []".to_owned(),
+            "views[1].camera_pixels has 2 entries where 3 are expected",
+        ),
+        (
+            "\"camera_normalised\": [[1,0,0,0],[0,1,0],[0,0,1,0]], \"lines_pixels\": []".to_owned(),
+            "views[1].camera_normalised[1] has 3 entries where 4 are expected",
+        ),
+        (camera.clone(), "views[1] needs `lines_normalised` or `lines_pixels`"),
+        ("\"lines_pixels\": []".to_owned(), "views[1] needs `camera_normalised` or `camera_pixels`"),
+        (
+            format!("{camera}, \"lines_normalised\": [[1,0,2],[0,0,1]]"),
+            "views[1].lines_normalised: line 1 has no direction: its first two coefficients are zero",
+        ),
+        (format!("{camera}, \"lines_pixels\": [[0,0,0]]"), "views[1].lines_pixels: line 0 has no direction"),
+        (
+            "\"camera_normalised\": [[1,0,0,0],[0,1,0,0],[0,0,2,5]], \"lines_pixels\": []".to_owned(),
+            "views[1].camera_normalised: the left 3x3 part of the camera is not a rotation up to scale",
+        ),
+        (
+            "\"camera_normalised\": [[0,0,0,0],[0,0,0,0],[0,0,0,5]], \"lines_pixels\": []".to_owned(),
+            "views[1].camera_normalised: the left 3x3 part of the camera is not a rotation up to scale",
+        ),
+        (
+            format!("{camera}, \"lines_normalised\": [[1,0,0]], \"lines_pixels\": [[1,0,-501]]"),
+            "views[1].lines_pixels[0]: the values in pixels and in normalised coordinates contradict each other",
+        ),
+        (
+            format!("{camera}, \"lines_normalised\": [[1,0,0]], \"lines_pixels\": []"),
+            "views[1].lines_pixels[0]: the values in pixels and in normalised coordinates contradict each other",
+        ),
+        (
+            format!(
+                "{camera}, \"camera_pixels\": [[1000,0,500,2500],[0,1000,400,2000],[0,0,1,6]], \"lines_pixels\": []"
+            ),
+            "views[1].camera_pixels: the values in pixels and in normalised coordinates contradict each other",
+        ),
+    ];
+    for (view, expected) in cases {
+        let message = message(&scene(&view));
+        assert!(message.starts_with(&format!("scene.json: {expected}")), "{view}: {message}");
+    }
+}
+
+#[test]
+fn pixels_need_a_calibration() {
+    let lines = format!("{{\"views\": [{{\"camera_normalised\": {CAMERA}, \"lines_pixels\": [[1,0,0]]}}]}}");
+    assert_eq!(message(&lines), "scene.json: views[0] needs `K`, because its lines are in pixels");
+    let camera = format!("{{\"views\": [{{\"camera_pixels\": {CAMERA}, \"lines_normalised\": [[1,0,0]]}}]}}");
+    assert_eq!(message(&camera), "scene.json: views[0] needs `K`, because its camera is in pixels");
+}
+
+#[test]
+fn calibrations_are_checked() {
+    for matrix in [
+        "[[1,0,0],[0,1,0],[0,0,0]]",
+        "[[1,0,0],[0,0,0],[0,0,1]]",
+        "[[1,0,0],[3,1,0],[0,0,1]]",
+        "[[1e308,0,0],[0,1,0],[0,0,1e-9]]",
+    ] {
+        let error = parse_scene(&format!("{{\"K\": {matrix}, \"views\": []}}"), "").expect_err("an error");
+        let InputError::Invalid { place, source: ViewError::NotACalibration, .. } = &error else {
+            panic!("{matrix}: {error}");
+        };
+        assert_eq!(place, "K");
+    }
+    assert_eq!(message("{\"K\": [[1]], \"views\": []}"), "scene.json: K has 1 entries where 3 are expected");
+}
