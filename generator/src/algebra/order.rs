@@ -29,7 +29,7 @@ impl MonomialOrder {
     pub fn eliminating(unknowns: impl IntoIterator<Item = usize>) -> Self {
         let mut weights = [0; MAX_UNKNOWNS];
         for unknown in unknowns {
-            weights[unknown] = 1;
+            weights.get_mut(unknown).into_iter().for_each(|weight| *weight = 1);
         }
         Self::Weighted(weights)
     }

@@ -4,7 +4,8 @@ use super::Monomial;
 
 /// A sparse polynomial with coefficients `C`.
 ///
-/// Terms are sorted by decreasing [`Monomial`] (graded reverse lexicographic) and no monomial occurs twice; whoever builds one drops zero coefficients.
+/// Terms are sorted by decreasing [`Monomial`] (graded reverse lexicographic) and no monomial occurs twice; whoever builds
+/// one drops zero coefficients.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Polynomial<C> {
     terms: Vec<(Monomial, C)>,

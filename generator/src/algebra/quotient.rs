@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 
 use super::{BasisElement, DenseMatrix, GroebnerBasis, GroebnerError, Limits, Monomial, Polynomial, PrimeField};
 
-/// K[x]/I as a vector space over its standard monomials b_0 = 1, .., b_{d-1}, with multiplication by the unknowns.
+/// `K[x]/I` as a vector space over its standard monomials b_0 = 1, .., b_{d-1}, with multiplication by the unknowns.
 ///
 /// ```text
 ///   M_x (d x d):  row k holds the normal form of x b_k       nf(x b_k) = sum_j M_x[k][j] b_j
@@ -28,7 +28,8 @@ pub struct QuotientRing {
 }
 
 impl QuotientRing {
-    /// The quotient by the ideal of a Gröbner basis in the given number of unknowns. It is the zero ring, of dimension 0, where there are no solutions.
+    /// The quotient by the ideal of a Gröbner basis in the given number of unknowns. It is the zero ring, of dimension 0,
+    /// where there are no solutions.
     ///
     /// The normal forms of the products of unknowns and standard monomials are found in increasing order, each from earlier ones
     /// (Faugère, Gianni, Lazard & Mora, JSC 1993, section 2).
