@@ -339,7 +339,7 @@ fn saturation_drops_components() {
         assert!(saturate(FIELD, &mixed, &[x.clone(), linear(&[-1, 1])], 2, &order, &limits).unwrap().is_unit());
         assert_eq!(saturate(FIELD, &mixed, &[], 2, &order, &limits).unwrap(), basis(&mixed, &order));
     }
-    let error = saturate(FIELD, from_ref(&x), &[x], 16, &MonomialOrder::GrevLex, &limits).err();
+    let error = saturate(FIELD, from_ref(&x), from_ref(&x), 16, &MonomialOrder::GrevLex, &limits).err();
     assert_eq!(error, Some(GroebnerError::TooManyUnknowns { needed: 17 }));
 }
 
