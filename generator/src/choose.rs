@@ -8,8 +8,9 @@
 //! - at most one instance in [`INCOMPLETE_ONE_IN`] lacks a solution,
 //! - the 99 % quantile of its log10 relative residual is at most [`GOOD_RESIDUAL`], or at most 1 above the best one measured.
 //!
-//! The cheapest acceptable one is chosen. Where there is none: the one with the fewest instances that failed or lack a solution, and among
-//! these the one with the smallest 99 % quantile.
+//! Among the acceptable ones whose operations are within [`SIMILAR_COST`] of the cheapest of them, the one with the fewest instances that lack a
+//! solution is chosen, and among these the cheapest. Where none is acceptable: the one with the fewest instances that failed or lack a solution, and among these
+//! the one with the smallest 99 % quantile.
 
 use crate::search::Candidate;
 use crate::stability::{Stability, stability};
@@ -22,6 +23,9 @@ pub const MEASURED_AT_MOST: usize = 32;
 pub const INCOMPLETE_ONE_IN: usize = 100;
 /// A 99 % quantile of the log10 relative residual that is good enough.
 pub const GOOD_RESIDUAL: f64 = -12.0;
+
+/// Candidates whose operations differ by no more than this factor cost the same for the choice.
+pub const SIMILAR_COST: f64 = 1.1;
 
 /// A candidate with what it does on random real instances.
 #[derive(Clone, Debug)]
@@ -55,8 +59,8 @@ pub fn choose(candidates: &[Candidate], trials: usize, seed: u64, progress: &dyn
         let stability = stability(&candidate.plan, trials, seed, &|| ());
         measured.push(Measured { candidate: (*candidate).clone(), stability });
     }
-    let stabilities: Vec<&Stability> = measured.iter().map(|m| &m.stability).collect();
-    let chosen = pick(&stabilities)?;
+    let figures: Vec<_> = measured.iter().map(|m| (m.candidate.plan.operations().total(), &m.stability)).collect();
+    let chosen = pick(&figures)?;
     Some(Choice { measured, chosen })
 }
 
@@ -81,19 +85,21 @@ fn is_complete(stability: &Stability) -> bool {
     stability.failures == 0 && stability.incomplete * INCOMPLETE_ONE_IN <= stability.trials
 }
 
-/// The rule at the top of this module; the measurements are in order of operations.
-fn pick(measured: &[&Stability]) -> Option<usize> {
-    let p99 = |stability: &Stability| stability.quantile(0.99).unwrap_or(f64::INFINITY);
-    let best = measured.iter().filter(|s| is_complete(s)).map(|s| p99(s)).fold(f64::INFINITY, f64::min);
-    let acceptable = |stability: &&Stability| is_complete(stability) && p99(stability) <= GOOD_RESIDUAL.max(best + 1.0);
-    measured.iter().position(acceptable).or_else(|| {
-        let unsolved = |stability: &Stability| stability.incomplete + stability.failures;
-        let worse = |&a: &usize, &b: &usize| {
-            let (a, b) = (measured[a], measured[b]);
-            unsolved(a).cmp(&unsolved(b)).then(p99(a).total_cmp(&p99(b)))
-        };
-        (0..measured.len()).min_by(worse)
-    })
+/// The rule at the top of this module; the measurements, each with its operations, are in order of these.
+fn pick(measured: &[(usize, &Stability)]) -> Option<usize> {
+    let p99 = |at: usize| measured[at].1.quantile(0.99).unwrap_or(f64::INFINITY);
+    let unsolved = |at: usize| measured[at].1.incomplete + measured[at].1.failures;
+    let complete: Vec<usize> = (0..measured.len()).filter(|&at| is_complete(measured[at].1)).collect();
+    let best = complete.iter().map(|&at| p99(at)).fold(f64::INFINITY, f64::min);
+    let acceptable: Vec<usize> = complete.into_iter().filter(|&at| p99(at) <= GOOD_RESIDUAL.max(best + 1.0)).collect();
+    match acceptable.first() {
+        Some(&cheapest) => {
+            let most = measured[cheapest].0 as f64 * SIMILAR_COST;
+            let similar = acceptable.into_iter().filter(|&at| measured[at].0 as f64 <= most);
+            similar.min_by_key(|&at| (unsolved(at), at))
+        }
+        None => (0..measured.len()).min_by(|&a, &b| unsolved(a).cmp(&unsolved(b)).then(p99(a).total_cmp(&p99(b)))),
+    }
 }
 
 #[cfg(test)]
@@ -105,8 +111,9 @@ mod tests {
         Stability { residuals_log10: vec![residual; 100], trials: 1000, incomplete, failures, ..Stability::default() }
     }
 
+    /// Each costs twice as much as the one before.
     fn pick_of(all: &[Stability]) -> Option<usize> {
-        pick(&all.iter().collect::<Vec<_>>())
+        pick(&all.iter().enumerate().map(|(at, stability)| (100 << at, stability)).collect::<Vec<_>>())
     }
 
     #[test]
@@ -115,6 +122,13 @@ mod tests {
         assert_eq!(pick_of(&[measured(-13.0, 11, 0), measured(-13.0, 10, 0)]), Some(1));
         assert_eq!(pick_of(&[measured(-15.0, 0, 1), measured(-13.0, 0, 0)]), Some(1));
         assert_eq!(pick_of(&[measured(-11.0, 0, 0), measured(-15.0, 0, 0)]), Some(1));
+    }
+
+    #[test]
+    fn among_similar_costs_the_most_complete_wins() {
+        let (a, b, c) = (measured(-15.0, 3, 0), measured(-13.0, 0, 0), measured(-16.0, 0, 0));
+        assert_eq!(pick(&[(100, &a), (105, &b), (105, &c)]), Some(1));
+        assert_eq!(pick(&[(100, &a), (111, &b)]), Some(0));
     }
 
     #[test]

@@ -44,21 +44,17 @@ struct Layout<'a> {
 impl<'a> Layout<'a> {
     fn new(picture: &'a Picture, title: &str, subtitle: &str) -> Self {
         let columns = picture.columns.len() as f64;
-        let cell = (900.0 / columns.max(1.0)).clamp(7.0, 22.0);
+        let cell = (900.0 / columns.max(1.0)).clamp(7.0, 24.0);
         let font = (cell * 0.72).min(13.0);
-        let longest = |mut labels: Box<dyn Iterator<Item = usize> + '_>| {
-            let mut longest = 0;
-            labels.by_ref().for_each(|length| longest = longest.max(length));
-            longest as f64 * CHARACTER * font
-        };
-        let left = MARGIN + longest(Box::new(picture.rows.iter().map(|label| pretty(label).chars().count()))) + GAP;
-        let labels = longest(Box::new(picture.columns.iter().map(|(_, label)| pretty(label).chars().count())));
+        let width_of = |label: &String| pretty(label).chars().count() as f64 * CHARACTER * font;
+        let left = MARGIN + picture.rows.iter().map(width_of).fold(0.0, f64::max) + GAP;
+        let labels = picture.columns.iter().map(|(_, label)| width_of(label)).fold(0.0, f64::max);
         let top = MARGIN + 1.6 * TITLE + 1.8 * SUBTITLE + labels + GAP;
         let heading =
             (title.chars().count() as f64 * TITLE * CHARACTER).max(subtitle.chars().count() as f64 * SUBTITLE * 0.52);
         let right = left + columns * cell + 2.0 * GAP;
         let width = right.max(MARGIN + heading).max(left + legend_width()) + MARGIN;
-        let height = top + picture.rows.len() as f64 * cell + 3.5 * SUBTITLE + MARGIN;
+        let height = top + picture.rows.len() as f64 * cell + 2.2 * SUBTITLE + LEGEND_LINE + MARGIN;
         Self { picture, cell, font, left, top, width, height }
     }
 
@@ -174,38 +170,43 @@ fn labels(layout: &Layout<'_>) -> Vec<String> {
     lines
 }
 
-/// (part, which of its colours, text)
-const LEGEND: [(Part, usize, &str); 5] = [
-    (Part::Excess, 0, "excess"),
-    (Part::Reducible, 0, "reducible"),
-    (Part::Basis, 0, "basis"),
-    (Part::Excess, 1, "excess,"),
-    (Part::Reducible, 1, "reducible at a pivot solved before"),
+/// The lines of the legend: swatches (part, which of its colours) before each text.
+type LegendEntry = (&'static [(Part, usize)], &'static str);
+const LEGEND: [&[LegendEntry]; 2] = [
+    &[(&[(Part::Excess, 0)], "excess"), (&[(Part::Reducible, 0)], "reducible"), (&[(Part::Basis, 0)], "basis")],
+    &[(&[(Part::Excess, 1), (Part::Reducible, 1)], "solved by an earlier block")],
 ];
+const SWATCH: f64 = 11.0;
+const LEGEND_LINE: f64 = 1.6 * SUBTITLE;
 
-fn legend_step(text: &str) -> f64 {
-    16.0 + text.chars().count() as f64 * SUBTITLE * 0.6 + 14.0
+fn legend_step((swatches, text): &LegendEntry) -> f64 {
+    swatches.len() as f64 * (SWATCH + 4.0) + text.chars().count() as f64 * SUBTITLE * 0.58 + 14.0
 }
 
 fn legend_width() -> f64 {
-    LEGEND.iter().map(|(_, _, text)| legend_step(text)).sum()
+    LEGEND.iter().map(|line| line.iter().map(legend_step).sum()).fold(0.0, f64::max)
 }
 
 fn legend(layout: &Layout<'_>) -> Vec<String> {
     let mut lines = Vec::new();
-    let y = layout.y(layout.picture.rows.len()) + 2.2 * SUBTITLE;
-    let mut x = layout.left;
-    for (part, shade, text) in LEGEND {
-        let fill = colours(part)[shade];
-        lines.push(format!(
-            "<rect x=\"{x:.1}\" y=\"{:.1}\" width=\"11\" height=\"11\" rx=\"1.5\" fill=\"{fill}\"/>",
-            y - 10.0
-        ));
-        lines.push(format!(
-            "<text x=\"{:.1}\" y=\"{y:.1}\" font-size=\"{SUBTITLE}\" fill=\"#333\">{text}</text>",
-            x + 16.0
-        ));
-        x += legend_step(text);
+    let mut y = layout.y(layout.picture.rows.len()) + 2.2 * SUBTITLE;
+    for line in LEGEND {
+        let mut x = layout.left;
+        for entry in line {
+            for (at, &(part, shade)) in entry.0.iter().enumerate() {
+                let (x, fill) = (x + at as f64 * (SWATCH + 4.0), colours(part)[shade]);
+                lines.push(format!(
+                    "<rect x=\"{x:.1}\" y=\"{:.1}\" width=\"{SWATCH}\" height=\"{SWATCH}\" rx=\"1.5\" fill=\"{fill}\"/>",
+                    y - 10.0
+                ));
+            }
+            let (x_text, text) = (x + entry.0.len() as f64 * (SWATCH + 4.0) + 1.0, entry.1);
+            lines.push(format!(
+                "<text x=\"{x_text:.1}\" y=\"{y:.1}\" font-size=\"{SUBTITLE}\" fill=\"#333\">{text}</text>"
+            ));
+            x += legend_step(entry);
+        }
+        y += LEGEND_LINE;
     }
     lines
 }

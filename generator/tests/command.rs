@@ -1,0 +1,384 @@
+//! The `eliminant` command, as people call it.
+#![cfg(feature = "command")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+const TWO_CONICS: &str = include_str!("../../templates/two_conics.rs");
+
+/// An empty folder of a test's own.
+fn folder(test: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("command").join(test);
+    if folder.exists() {
+        fs::remove_dir_all(&folder).unwrap();
+    }
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// A folder with `two_conics.rs`.
+fn two_conics(test: &str) -> PathBuf {
+    let folder = folder(test);
+    fs::write(folder.join("two_conics.rs"), TWO_CONICS).unwrap();
+    folder
+}
+
+/// A folder with `two_conics.rs` and its template.
+fn searched(test: &str) -> PathBuf {
+    let folder = two_conics(test);
+    assert_eq!(status(&eliminant(&folder, &["search", "two_conics.rs", "--trials", "20"])), 0);
+    folder
+}
+
+fn eliminant(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_eliminant")).current_dir(folder).args(arguments).output().unwrap()
+}
+
+fn status(output: &Output) -> i32 {
+    output.status.code().unwrap_or_else(|| panic!("killed: {}", stderr(output)))
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// The JSON of a run that must succeed.
+fn json(folder: &Path, arguments: &[&str]) -> Value {
+    let output = eliminant(folder, &[arguments, &["--json"]].concat());
+    assert_eq!(status(&output), 0, "{}", stderr(&output));
+    serde_json::from_str(&stdout(&output)).unwrap()
+}
+
+/// What every report on a template of two general conics holds.
+fn check_summary(report: &Value) {
+    assert_eq!(report["problem"], "two_conics");
+    assert_eq!((&report["unknowns"], &report["equations"], &report["solutions"]), (&2.into(), &2.into(), &4.into()));
+    let count = |key: &str| report[key].as_u64().unwrap_or_else(|| panic!("{key}: {report}"));
+    assert!(count("basis") >= 4);
+    assert_eq!(count("columns"), count("rows") + count("basis"));
+    assert!(count("columns") <= 10);
+    assert!(count("operations") > 0);
+    assert_eq!(report["basis_monomials"].as_array().map(Vec::len), Some(count("basis") as usize));
+    assert!(report["action"].as_str().is_some_and(|action| action.contains(['x', 'y'])));
+    assert!(report["seconds"].as_f64().is_some_and(|seconds| seconds >= 0.0));
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let mut names: Vec<String> =
+        fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn from_a_new_problem_to_a_solver() {
+    let folder = folder("from_a_new_problem_to_a_solver");
+    assert_eq!(status(&eliminant(&folder, &["new", "my_conics"])), 0);
+    let checked = eliminant(&folder, &["check", "my_conics.rs"]);
+    assert_eq!(status(&checked), 0, "{}", stderr(&checked));
+    assert!(stdout(&checked).contains("solutions  4"), "{}", stdout(&checked));
+    assert_eq!(status(&eliminant(&folder, &["search", "my_conics.rs", "--trials", "20"])), 0);
+    let emitted = eliminant(&folder, &["emit", "my_conics.rs", "--out", "solver.rs"]);
+    assert_eq!(status(&emitted), 0, "{}", stderr(&emitted));
+    let source = fs::read_to_string(folder.join("solver.rs")).unwrap();
+    assert!(source.contains("pub mod my_conics") && syn::parse_file(&source).is_ok());
+    assert_eq!(names(&folder), ["my_conics.rs", "my_conics.template.toml", "solver.rs"]);
+}
+
+#[test]
+fn new_overwrites_nothing_and_takes_good_names_only() {
+    let folder = two_conics("new_overwrites_nothing_and_takes_good_names_only");
+    let again = eliminant(&folder, &["new", "two_conics"]);
+    assert_eq!(status(&again), 1);
+    assert!(stderr(&again).contains("`./two_conics.rs` exists already"), "{}", stderr(&again));
+    assert_eq!(fs::read_to_string(folder.join("two_conics.rs")).unwrap(), TWO_CONICS);
+    for name in ["two conics", "3points", "fn", "Upper", "a/b", "../up", "", "det", "gen"] {
+        let output = eliminant(&folder, &["new", name]);
+        assert_eq!(status(&output), 2, "{name}: {}", stderr(&output));
+        assert!(stderr(&output).contains("NAME"), "{name}: {}", stderr(&output));
+    }
+    assert_eq!(status(&eliminant(&folder, &["new", "other", "--dir", "nowhere"])), 1);
+    assert_eq!(names(&folder), ["two_conics.rs"]);
+    let report = json(&folder, &["new", "other"]);
+    assert_eq!((&report["problem"], &report["file"]), (&"other".into(), &"./other.rs".into()));
+}
+
+#[test]
+fn check_reports_what_can_be_eliminated() {
+    let folder = folder("check_reports_what_can_be_eliminated");
+    let text = "fn line_and_conic(p: [f64; 6], a: f64) -> (x, y, z) {
+        dot(p, [x * x, x * z, z * z, x, z, 1]) == 0;
+        y == x * x + 1;
+        a * z == y + 2;
+    }";
+    fs::write(folder.join("line_and_conic.rs"), text).unwrap();
+    let report = json(&folder, &["check", "line_and_conic.rs"]);
+    assert_eq!(report["problem"], "line_and_conic");
+    assert_eq!((&report["unknowns"], &report["equations"], &report["data"]), (&3.into(), &3.into(), &7.into()));
+    // z = (x^2 + 3) / a in a conic: degree 4 in x.
+    assert_eq!(report["solutions"], 4);
+    assert_eq!(report["degrees"], serde_json::json!([2, 2, 1]));
+    let forms = report["presolve"].as_array().unwrap();
+    assert_eq!(forms.len(), 2, "{report}");
+    assert_eq!((&forms[0]["kind"], forms[0]["kept"].as_array().unwrap().len()), (&"constant".into(), 2));
+    assert_eq!((&forms[1]["kind"], &forms[1]["kept"]), (&"linear".into(), &serde_json::json!(["x"])));
+    assert!(report["seconds"].is_f64());
+}
+
+#[test]
+fn search_reports_and_writes_the_same_bytes_again() {
+    let folder = two_conics("search_reports_and_writes_the_same_bytes_again");
+    let report = json(&folder, &["search", "two_conics.rs", "--trials", "50"]);
+    check_summary(&report);
+    let candidates = report["candidates"].as_array().unwrap();
+    let chosen = &candidates[report["chosen"].as_u64().unwrap() as usize];
+    for key in ["rows", "columns", "basis", "action", "operations"] {
+        assert_eq!(chosen[key], report[key], "{key}");
+    }
+    assert!(chosen["p99"].as_f64().is_some_and(|p99| p99 < -10.0));
+    let path = folder.join("two_conics.template.toml");
+    let first = fs::read_to_string(&path).unwrap();
+    fs::remove_file(&path).unwrap();
+    let output = eliminant(&folder, &["search", "two_conics.rs", "--trials", "50"]);
+    assert_eq!(status(&output), 0, "{}", stderr(&output));
+    assert_eq!(fs::read_to_string(&path).unwrap(), first);
+    assert!(stdout(&output).contains("* chosen"), "{}", stdout(&output));
+    assert!(stderr(&output).is_empty(), "progress is for terminals: {}", stderr(&output));
+    // Elsewhere on request; the file beside the problem stays.
+    assert_eq!(status(&eliminant(&folder, &["search", "two_conics.rs", "--trials", "50", "--out", "other.toml"])), 0);
+    assert_eq!(fs::read_to_string(folder.join("other.toml")).unwrap(), first);
+    assert_eq!(names(&folder), ["other.toml", "two_conics.rs", "two_conics.template.toml"]);
+}
+
+#[test]
+fn a_failing_search_leaves_the_old_template() {
+    let folder = two_conics("a_failing_search_leaves_the_old_template");
+    let template = folder.join("two_conics.template.toml");
+    fs::write(&template, "old").unwrap();
+    let limited = eliminant(&folder, &["search", "two_conics.rs", "--max-columns", "5"]);
+    assert_eq!(status(&limited), 1);
+    assert!(stderr(&limited).contains("within 5 columns"), "{}", stderr(&limited));
+    let without_solution = "fn two_conics(a: f64) -> (x, y) { x + y == a; x + y == a + 1; }";
+    fs::write(folder.join("two_conics.rs"), without_solution).unwrap();
+    let failed = eliminant(&folder, &["search", "two_conics.rs"]);
+    assert_eq!(status(&failed), 1);
+    assert!(stderr(&failed).contains("two_conics.rs:1:"), "{}", stderr(&failed));
+    assert_eq!(fs::read_to_string(&template).unwrap(), "old");
+    assert_eq!(names(&folder), ["two_conics.rs", "two_conics.template.toml"]);
+}
+
+#[test]
+fn emit_gives_the_same_bytes_again() {
+    let folder = searched("emit_gives_the_same_bytes_again");
+    let source = stdout(&eliminant(&folder, &["emit", "two_conics.rs"]));
+    assert!(source.contains("pub mod two_conics") && source.contains("pub fn solve_complex"));
+    assert_eq!(stdout(&eliminant(&folder, &["emit", "two_conics.rs"])), source);
+    let report = json(&folder, &["emit", "two_conics.rs"]);
+    check_summary(&report);
+    assert_eq!(report["source"].as_str(), Some(source.as_str()));
+    let report = json(&folder, &["emit", "two_conics.rs", "--out", "solver.rs"]);
+    assert_eq!((&report["file"], report.get("source")), (&"solver.rs".into(), None));
+    assert_eq!(fs::read_to_string(folder.join("solver.rs")).unwrap(), source);
+    // A template from elsewhere.
+    fs::rename(folder.join("two_conics.template.toml"), folder.join("kept.toml")).unwrap();
+    assert_eq!(stdout(&eliminant(&folder, &["emit", "two_conics.rs", "--template", "kept.toml"])), source);
+}
+
+#[test]
+fn inspect_draws_every_row_with_its_shift() {
+    let folder = searched("inspect_draws_every_row_with_its_shift");
+    let report = json(&folder, &["inspect", "two_conics.rs", "--svg", "plot.svg"]);
+    check_summary(&report);
+    let shifts: Vec<&str> = report["shifts"].as_array().unwrap().iter().map(|s| s.as_str().unwrap()).collect();
+    let rows = report["rows"].as_u64().unwrap();
+    assert_eq!(shifts.len() as u64, rows);
+    let blocks: u64 = report["blocks"].as_array().unwrap().iter().map(|size| size.as_u64().unwrap()).sum();
+    assert_eq!(blocks, rows);
+
+    let text = stdout(&eliminant(&folder, &["inspect", "two_conics.rs"]));
+    let plot: Vec<&str> = text.lines().filter(|line| line.contains(" | ")).collect();
+    assert_eq!(plot[0].split('|').skip(1).map(str::trim).collect::<Vec<_>>(), ["excess", "reducible", "basis", ""]);
+    assert_eq!(plot.iter().skip(1).map(|line| line.split(" | ").next().unwrap().trim()).collect::<Vec<_>>(), shifts);
+    // Each equation has the six monomials of a conic; the template has no other column.
+    let entries = plot.iter().skip(1).map(|line| line.split_once(" | ").unwrap().1).collect::<String>();
+    let drawn = entries.chars().filter(|c| "#+o".contains(*c)).count() as u64;
+    assert_eq!((drawn, report["entries"].as_u64()), (6 * rows, Some(6 * rows)));
+
+    let svg = fs::read_to_string(folder.join("plot.svg")).unwrap();
+    assert!(svg.starts_with("<svg ") && svg.ends_with("</svg>\n"));
+    for shift in shifts {
+        assert!(svg.contains(&format!("<title>{shift}</title>")), "{shift}");
+    }
+    for part in ["excess", "reducible", "basis"] {
+        assert!(svg.contains(&format!(">{part}</text>")), "{part}");
+    }
+    json(&folder, &["inspect", "two_conics.rs", "--svg", "again.svg"]);
+    assert_eq!(fs::read_to_string(folder.join("again.svg")).unwrap(), svg);
+}
+
+#[test]
+fn stability_measures_every_trial() {
+    let folder = searched("stability_measures_every_trial");
+    let arguments = ["stability", "two_conics.rs", "--trials", "200", "--seed", "7"];
+    let report = json(&folder, &arguments);
+    check_summary(&report);
+    assert_eq!((&report["trials"], &report["seed"], &report["expected"]), (&200.into(), &7.into(), &800.into()));
+    let [found, failures] = ["found", "failures"].map(|key| report[key].as_u64().unwrap());
+    assert!((780..=800).contains(&found) && failures == 0, "{report}");
+    let quantiles = ["median", "p99", "p999", "max"].map(|key| report["residual_log10"][key].as_f64().unwrap());
+    assert!(quantiles.is_sorted() && quantiles[0] < -14.5 && quantiles[3] <= -10.0, "{report}");
+    let text = stdout(&eliminant(&folder, &arguments));
+    assert!(text.contains(&format!("found       {found} of 800 solutions")), "{text}");
+}
+
+/// Problem and template, the arguments, and what the message must name.
+#[test]
+fn bad_input_is_named_and_nothing_is_written() {
+    let folder = searched("bad_input_is_named_and_nothing_is_written");
+    let template = fs::read_to_string(folder.join("two_conics.template.toml")).unwrap();
+    let write = |name: &str, content: &[u8]| fs::write(folder.join(name), content).unwrap();
+    fs::create_dir(folder.join("folder.rs")).unwrap();
+    write("bytes.rs", b"fn bytes(a: f64) -> (x) {\n    x == \xff;\n}");
+    write("empty.rs", b"");
+    write("syntax.rs", b"fn syntax(a: f64) -> (x) {\n    x = = a;\n}");
+    write("unknown.rs", b"fn unknown(a: f64) -> (x) {\n    x * x == b;\n}");
+    write("renamed.rs", TWO_CONICS.as_bytes());
+    write("curve.rs", b"fn curve(a: f64) -> (x, y) {\n    x * (x + y) == 0;\n    x * (y + a) == 0;\n}");
+    let edits: [(&str, &str, &str); 10] = [
+        ("no_toml", "problem = ", "problem "),
+        ("no_key", "solutions = 4\n", ""),
+        ("other_problem", "problem = \"two_conics\"", "problem = \"three_conics\""),
+        ("fingerprint", "fingerprint = \"", "fingerprint = \"1\" # "),
+        ("digits", "fingerprint = \"", "fingerprint = \"x"),
+        ("presolve", "presolve = \"none\"", "presolve = \"some\""),
+        ("action", "action = \"", "action = \"q*"),
+        ("equation", "equation = 2", "equation = 3"),
+        ("zero", "equation = 2", "equation = 0"),
+        ("shift", "multipliers = [\"1\"", "multipliers = [\"x^3\""),
+    ];
+    for (name, from, to) in edits {
+        let edited = template.replace(from, to);
+        assert_ne!(edited, template, "{name}");
+        write(&format!("{name}.toml"), edited.as_bytes());
+    }
+    write("empty.toml", b"");
+    write("bytes.toml", b"problem = \"\xff\"");
+
+    let mut cases: Vec<(Vec<&str>, Vec<&str>)> = vec![
+        (vec!["check", "missing.rs"], vec!["`missing.rs`", "no such file"]),
+        (vec!["check", "folder.rs"], vec!["`folder.rs`", "folder"]),
+        (vec!["check", "bytes.rs"], vec!["`bytes.rs`", "not UTF-8", "line 2"]),
+        (vec!["check", "empty.rs"], vec!["empty.rs"]),
+        (vec!["check", "syntax.rs"], vec!["syntax.rs:2:"]),
+        (vec!["check", "unknown.rs"], vec!["unknown.rs:2:14", "`b`"]),
+        (vec!["check", "curve.rs"], vec!["curve.rs:1:", "dimension 1"]),
+        (vec!["search", "renamed.rs"], vec!["`renamed.rs`", "`two_conics.rs`"]),
+        (vec!["search", "curve.rs"], vec!["curve.rs:1:", "dimension 1"]),
+        (vec!["search", "two_conics.rs", "--out", "nowhere/out.toml"], vec!["`nowhere/out.toml`"]),
+        (vec!["search", "two_conics.rs", "--out", "folder.rs"], vec!["`folder.rs`"]),
+        (vec!["emit", "unknown.rs"], vec!["unknown.rs:2:14"]),
+        (vec!["emit", "curve.rs"], vec!["`curve.template.toml`", "`eliminant search curve.rs`"]),
+        (vec!["emit", "two_conics.rs", "--out", "nowhere/out.rs"], vec!["`nowhere/out.rs`"]),
+        (vec!["emit", "two_conics.rs", "--template", "folder.rs"], vec!["`folder.rs`", "folder"]),
+        (vec!["inspect", "two_conics.rs", "--svg", "nowhere/out.svg"], vec!["`nowhere/out.svg`"]),
+        (vec!["inspect", "two_conics.rs", "--template", "missing.toml"], vec!["missing.toml", "`eliminant search"]),
+        (vec!["stability", "two_conics.rs", "--template", "bytes.toml"], vec!["`bytes.toml`", "not UTF-8"]),
+        (vec!["stability", "two_conics.rs", "--template", "empty.toml"], vec!["empty.toml", "`eliminant search"]),
+    ];
+    let files: Vec<String> = edits.iter().map(|(name, ..)| format!("{name}.toml")).collect();
+    for file in &files {
+        cases.push((
+            vec!["emit", "two_conics.rs", "--out", "solver.rs", "--template", file],
+            vec![file, "`eliminant search two_conics.rs`"],
+        ));
+    }
+    let before = names(&folder);
+    for (arguments, expected) in cases {
+        let output = eliminant(&folder, &[&arguments[..], &["--json"]].concat());
+        let message = stderr(&output);
+        assert_eq!(status(&output), 1, "{arguments:?}: {message}");
+        for part in expected {
+            assert!(message.contains(part), "{arguments:?} does not say {part}: {message}");
+        }
+        assert!(!message.contains("panicked"), "{arguments:?}: {message}");
+        let report: Value = serde_json::from_str(&stdout(&output)).unwrap();
+        assert_eq!(report["error"].as_str().map(str::trim), Some(message.trim()), "{arguments:?}");
+    }
+    assert_eq!(names(&folder), before);
+    assert_eq!(fs::read_to_string(folder.join("two_conics.template.toml")).unwrap(), template);
+}
+
+/// A template found for an earlier text of the problem is refused, whatever changed in what the problem states.
+#[test]
+fn an_edited_problem_needs_a_new_search() {
+    let folder = searched("an_edited_problem_needs_a_new_search");
+    let edits = [("dot(q, monomials) == 0", "dot(q, monomials) == 1"), ("q: [f64; 6]", "#[unit] q: [f64; 6]")];
+    for (from, to) in edits {
+        let edited = TWO_CONICS.replace(from, to);
+        assert_ne!(edited, TWO_CONICS);
+        fs::write(folder.join("two_conics.rs"), edited).unwrap();
+        let output = eliminant(&folder, &["emit", "two_conics.rs"]);
+        assert_eq!(status(&output), 1);
+        assert!(stderr(&output).contains("earlier version of `two_conics`"), "{}", stderr(&output));
+        assert!(stderr(&output).contains("`eliminant search two_conics.rs`"), "{}", stderr(&output));
+    }
+    // Another comment states the same problem.
+    fs::write(folder.join("two_conics.rs"), format!("{TWO_CONICS}// The end.\n")).unwrap();
+    assert_eq!(status(&eliminant(&folder, &["emit", "two_conics.rs"])), 0);
+}
+
+#[test]
+fn wrong_usage_is_told_apart() {
+    let folder = two_conics("wrong_usage_is_told_apart");
+    for arguments in [
+        &[][..],
+        &["solve", "two_conics.rs"],
+        &["check"],
+        &["check", "two_conics.rs", "--fast"],
+        &["check", "two_conics.rs", "other.rs"],
+        &["search", "two_conics.rs", "--seed", "x"],
+        &["search", "two_conics.rs", "--max-columns", "0"],
+        &["search", "two_conics.rs", "--shuffles", "-1"],
+        &["stability", "two_conics.rs", "--trials", "0"],
+        &["stability", "two_conics.rs", "--trials", "1e3"],
+        &["stability", "two_conics.rs", "--trials"],
+        &["inspect", "two_conics.rs", "--svg"],
+    ] {
+        let output = eliminant(&folder, arguments);
+        assert_eq!(status(&output), 2, "{arguments:?}");
+        assert!(stderr(&output).contains("Usage") || stderr(&output).contains("error:"), "{arguments:?}");
+        assert!(stdout(&output).is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn every_subcommand_helps_with_an_example() {
+    let folder = folder("every_subcommand_helps_with_an_example");
+    for subcommand in ["new", "check", "search", "emit", "inspect", "stability"] {
+        let output = eliminant(&folder, &[subcommand, "--help"]);
+        let text = stdout(&output);
+        assert_eq!(status(&output), 0);
+        for part in ["--json", "Example:", &format!("eliminant {subcommand} ")] {
+            assert!(text.contains(part), "{subcommand} --help lacks {part}:\n{text}");
+        }
+    }
+}
+
+/// The library function behind the binary writes where it is told to.
+#[test]
+fn the_command_runs_without_a_process() {
+    let folder = two_conics("the_command_runs_without_a_process");
+    let file = folder.join("two_conics.rs").display().to_string();
+    let (mut out, mut err) = (Vec::new(), Vec::new());
+    let status = eliminant_generator::command::run(["eliminant", "check", "--json", &file], &mut out, &mut err);
+    assert_eq!((status, err.len()), (0, 0));
+    let report: Value = serde_json::from_slice(&out).unwrap();
+    assert_eq!(report["solutions"], 4);
+}
