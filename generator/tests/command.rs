@@ -251,7 +251,10 @@ fn bad_input_is_named_and_nothing_is_written() {
     write("unknown.rs", b"fn unknown(a: f64) -> (x) {\n    x * x == b;\n}");
     write("renamed.rs", TWO_CONICS.as_bytes());
     write("curve.rs", b"fn curve(a: f64) -> (x, y) {\n    x * (x + y) == 0;\n    x * (y + a) == 0;\n}");
-    let edits: [(&str, &str, &str); 10] = [
+    let edits: [(&str, &str, &str); 13] = [
+        ("solutions", "solutions = 4", "solutions = 40"),
+        ("rows", "\nrows = ", "\nrows = 1"),
+        ("columns", "\ncolumns = ", "\ncolumns = 1"),
         ("no_toml", "problem = ", "problem "),
         ("no_key", "solutions = 4\n", ""),
         ("other_problem", "problem = \"two_conics\"", "problem = \"three_conics\""),

@@ -44,7 +44,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     let start = Instant::now();
     let loaded = Loaded::read(&arguments.file, arguments.template.as_deref())?;
     let source = generate(&loaded.problem, &loaded.file)
-        .map_err(|error| CommandError::Generate { problem: arguments.file.clone(), error })?;
+        .map_err(|error| CommandError::Generate { problem: arguments.file.clone(), error: error.into() })?;
     if let Some(out) = &arguments.out {
         write(out, &source)?;
     }

@@ -33,8 +33,8 @@ pub(super) enum CommandError {
     NoTemplate { template: PathBuf, problem: PathBuf },
     /// The template file does not hold or does not belong to the problem.
     #[error("error: {}: {error}\nhelp: search a template for the problem as it is now: `eliminant search {}`", template.display(), problem.display())]
-    Template { template: PathBuf, problem: PathBuf, error: GenerateError },
+    Template { template: PathBuf, problem: PathBuf, error: Box<GenerateError> },
     /// No solver can be made although the template is good.
     #[error("error: {}: {error}", problem.display())]
-    Generate { problem: PathBuf, error: GenerateError },
+    Generate { problem: PathBuf, error: Box<GenerateError> },
 }

@@ -68,9 +68,12 @@ impl Loaded {
         if !template.exists() {
             return Err(CommandError::NoTemplate { template, problem: path.to_owned() });
         }
-        let at_fault = |error: GenerateError| match error.is_stale_template() {
-            true => CommandError::Template { template: template.clone(), problem: path.to_owned(), error },
-            false => CommandError::Generate { problem: path.to_owned(), error },
+        let at_fault = |error: GenerateError| {
+            let (is_stale, problem, error) = (error.is_stale_template(), path.to_owned(), Box::new(error));
+            match is_stale {
+                true => CommandError::Template { template: template.clone(), problem, error },
+                false => CommandError::Generate { problem, error },
+            }
         };
         let text = read_text(&template)?;
         let file = TemplateFile::parse(&text, &problem.unknowns).map_err(|error| at_fault(error.into()))?;

@@ -98,7 +98,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     let chosen = &choice.measured[choice.chosen];
     let file = to_file(chosen, &problem, &options);
     // Nothing is written that would not be accepted.
-    plan(&problem, &file).map_err(|error| CommandError::Generate { problem: path.clone(), error })?;
+    plan(&problem, &file).map_err(|error| CommandError::Generate { problem: path.clone(), error: error.into() })?;
     let out = arguments.out.clone().unwrap_or_else(|| template_path(path));
     write(&out, &file.to_text(&problem.unknowns))?;
     progress.finish_and_clear();

@@ -44,6 +44,16 @@ pub enum TemplateFileError {
         /// The names of the unknowns.
         unknowns: String,
     },
+    /// A count that contradicts the lists.
+    #[error("`{key}` is {found}, but the lists of the file {expected}")]
+    Count {
+        /// Where it stands.
+        key: &'static str,
+        /// What stands there.
+        found: usize,
+        /// What the lists say.
+        expected: String,
+    },
     /// A word that is none of those allowed.
     #[error("`{key}` is `{text}`; expected one of {expected}")]
     Word {
@@ -66,10 +76,8 @@ struct Raw {
     presolve: String,
     roots: String,
     action: String,
-    #[serde(rename = "rows")]
-    _rows: usize,
-    #[serde(rename = "columns")]
-    _columns: usize,
+    rows: usize,
+    columns: usize,
     basis: Vec<String>,
     reducible: Vec<String>,
     excess: Vec<String>,
@@ -112,19 +120,21 @@ impl TemplateFile {
             shifts.extend(multipliers.into_iter().map(|multiplier| Shift { equation, multiplier }));
         }
         shifts.sort_unstable();
+        let template = EliminationTemplate {
+            shifts,
+            action: monomial("action", &raw.action)?,
+            excess: all("excess", &raw.excess)?,
+            reducible: all("reducible", &raw.reducible)?,
+            basis: all("basis", &raw.basis)?,
+        };
+        check_counts(&raw, &template)?;
         Ok(Self {
             problem: raw.problem,
             fingerprint,
             solutions: raw.solutions,
             presolve: choose("presolve", &raw.presolve, &PRESOLVES)?,
             roots: choose("roots", &raw.roots, &ROOTS)?,
-            template: EliminationTemplate {
-                shifts,
-                action: monomial("action", &raw.action)?,
-                excess: all("excess", &raw.excess)?,
-                reducible: all("reducible", &raw.reducible)?,
-                basis: all("basis", &raw.basis)?,
-            },
+            template,
             provenance: raw
                 .provenance
                 .into_iter()
@@ -144,7 +154,10 @@ impl TemplateFile {
             let _ = writeln!(text, "{content}");
         };
         line(format!("# Elimination template of the problem `{}`: {} x {}.", self.problem, t.rows(), t.columns()));
-        line(format!("# Found by `eliminant search {}.rs`; checked against the problem whenever it is used.", self.problem));
+        line(format!(
+            "# Found by `eliminant search {}.rs`; checked against the problem whenever it is used.",
+            self.problem
+        ));
         line(format!("problem = {:?}", self.problem));
         line(format!("fingerprint = \"{:016x}\"", self.fingerprint));
         line(format!("solutions = {}", self.solutions));
@@ -167,6 +180,19 @@ impl TemplateFile {
         }
         text
     }
+}
+
+/// The counts that stand in the file for its readers must be true.
+fn check_counts(raw: &Raw, template: &EliminationTemplate) -> Result<(), TemplateFileError> {
+    let (rows, columns, basis) = (template.rows(), template.columns(), template.basis.len());
+    let count = |key, found, is_true: bool, expected: String| match is_true {
+        true => Ok(()),
+        false => Err(TemplateFileError::Count { key, found, expected }),
+    };
+    count("rows", raw.rows, raw.rows == rows, format!("have {rows} multipliers"))?;
+    count("columns", raw.columns, raw.columns == columns, format!("have {columns} monomials"))?;
+    let possible = (1..=basis).contains(&raw.solutions);
+    count("solutions", raw.solutions, possible, format!("have {basis} basis monomials"))
 }
 
 fn word(key: &'static str, text: &str, expected: &str) -> TemplateFileError {
