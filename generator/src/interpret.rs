@@ -3,7 +3,7 @@
 use crate::arithmetic::Arithmetic;
 use crate::plan::{ActionRow, Block, CoefficientId, Elimination, Operation, Plan, Term, ValueId};
 
-/// The values of all coefficients; `None` where a divisor is zero.
+/// The values of all coefficients; `None` where a divisor is zero or a value is not finite.
 pub fn coefficients<A: Arithmetic>(plan: &Plan, f: A, inputs: &[A::Value]) -> Option<Vec<A::Value>> {
     let mut values: Vec<A::Value> = Vec::with_capacity(plan.code.len());
     for operation in &plan.code {
@@ -19,10 +19,16 @@ pub fn coefficients<A: Arithmetic>(plan: &Plan, f: A, inputs: &[A::Value]) -> Op
         };
         values.push(value);
     }
-    Some(plan.coefficients.iter().map(|id| values[id.0 as usize]).collect())
+    let coefficients: Vec<A::Value> = plan.coefficients.iter().map(|id| values[id.0 as usize]).collect();
+    all_finite(f, &coefficients).then_some(coefficients)
 }
 
-/// The action matrix T, |B| rows of |B| values: a B = T B at every solution. `None` where a block is singular.
+/// Over Z_p everything is.
+fn all_finite<A: Arithmetic>(f: A, values: &[A::Value]) -> bool {
+    values.iter().all(|&value| f.pivot_size(value).is_finite())
+}
+
+/// The action matrix T, |B| rows of |B| values: a B = T B at every solution. `None` where a block is singular or a value overflows.
 pub fn action_matrix<A: Arithmetic>(plan: &Plan, f: A, coefficients: &[A::Value]) -> Option<Vec<Vec<A::Value>>> {
     let solved = eliminate(&plan.elimination, f, coefficients)?;
     let row = |row: &ActionRow| match row {
@@ -72,7 +78,11 @@ fn solve_block<A: Arithmetic>(
     right: &mut [Vec<A::Value>],
 ) -> Option<()> {
     let n = block.size;
-    let mut row_scale: Vec<f64> = matrix.iter().map(|row| 1.0 / one_norm(f, row)).collect();
+    let norms: Vec<f64> = matrix.iter().map(|row| one_norm(f, row)).collect();
+    if !(right.iter().all(|row| all_finite(f, row)) && norms.iter().all(|norm| norm.is_finite())) {
+        return None;
+    }
+    let mut row_scale: Vec<f64> = norms.iter().map(|norm| 1.0 / norm).collect();
     let scaled = |matrix: &[Vec<A::Value>], scale: &[f64], i: usize, k: usize| f.pivot_size(matrix[i][k]) * scale[i];
     let largest = |k: usize| (0..n).map(|i| scaled(&matrix, &row_scale, i, k)).fold(0.0, f64::max);
     let threshold = n as f64 * f64::EPSILON;
@@ -112,7 +122,7 @@ fn solve_block<A: Arithmetic>(
         let inverse = f.div(f.one(), matrix[k][k])?;
         above[k].iter_mut().for_each(|value| *value = f.mul(*value, inverse));
     }
-    Some(())
+    right[n - block.needed..].iter().all(|row| all_finite(f, row)).then_some(())
 }
 
 /// Sum of sizes, in four interleaved partial sums.
