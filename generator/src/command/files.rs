@@ -82,7 +82,11 @@ impl Loaded {
     }
 }
 
-/// Writes all of a file or nothing; where it fails, an old file is untouched.
+/// Writes all of a file or nothing; where it fails, an old file is untouched. Only files are replaced: no folder, no device.
 pub(super) fn write(path: &Path, content: &str) -> Result<(), CommandError> {
-    write_if_changed(path, content).map_err(|source| CommandError::Write { path: path.to_owned(), source })
+    let fail = |source: io::Error| CommandError::Write { path: path.to_owned(), source };
+    if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
+        return Err(fail(io::Error::other("it is no regular file")));
+    }
+    write_if_changed(path, content).map_err(fail)
 }
