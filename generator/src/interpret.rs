@@ -3,8 +3,11 @@
 use crate::arithmetic::Arithmetic;
 use crate::plan::{ActionRow, Block, CoefficientId, Elimination, Operation, Plan, Term, ValueId};
 
-/// The values of all coefficients; `None` where a divisor is zero or a value is not finite.
+/// The values of all coefficients; `None` where a divisor is zero, or an input or a coefficient is not finite.
 pub fn coefficients<A: Arithmetic>(plan: &Plan, f: A, inputs: &[A::Value]) -> Option<Vec<A::Value>> {
+    if !all_finite(f, inputs) {
+        return None;
+    }
     let mut values: Vec<A::Value> = Vec::with_capacity(plan.code.len());
     for operation in &plan.code {
         let at = |id: &ValueId| values[id.0 as usize];

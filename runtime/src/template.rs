@@ -38,7 +38,7 @@ pub struct Block {
 /// Solves for the pivots of one block: rows `first..first + N` of `right` become its solved rows.
 ///
 /// # Errors
-/// As [`crate::solve_block`].
+/// [`SolveError::Degenerate`], as [`crate::solve_block`] or where a value overflows.
 #[inline]
 pub fn eliminate_block<const N: usize, const M: usize>(
     block: &Block,
@@ -49,7 +49,9 @@ pub fn eliminate_block<const N: usize, const M: usize>(
         return Err(SolveError::Degenerate { column: 0 });
     };
     for &(row, pivot, slot) in block.coupling {
-        let (Some(row), Some(pivot)) = (open.get_mut(usize::from(row)), solved.get(usize::from(pivot))) else { continue };
+        let (Some(row), Some(pivot)) = (open.get_mut(usize::from(row)), solved.get(usize::from(pivot))) else {
+            continue;
+        };
         let factor = coefficients.get(usize::from(slot)).copied().unwrap_or(0.0);
         for j in 0..M {
             row[j] -= factor * pivot[j];
@@ -57,19 +59,25 @@ pub fn eliminate_block<const N: usize, const M: usize>(
     }
     let mut matrix = [[0.0; N]; N];
     fill(&mut matrix, block.diagonal, coefficients);
-    solve_block_trailing(&mut matrix, open, usize::from(block.needed))
+    solve_block_trailing(&mut matrix, open, usize::from(block.needed)).map_err(|error| match error {
+        // The coefficients are finite: sums and products of them overflowed.
+        SolveError::NonFiniteInput => SolveError::Degenerate { column: 0 },
+        error => error,
+    })
 }
 
-/// Refuses coefficients that are not finite: the data are at fault if they are not finite themselves, else an overflow or a division by
-/// zero shows that they are degenerate.
+/// Refuses data that are not finite, also where no equation reads them, and coefficients that are not: an overflow or a division by
+/// zero shows that the data are degenerate.
 ///
 /// # Errors
 /// [`SolveError::NonFiniteInput`] or [`SolveError::Degenerate`].
 #[inline]
 pub fn check_coefficients(coefficients: &[f64], data: &[&[f64]]) -> Result<(), SolveError> {
-    if coefficients.iter().all(|c| c.is_finite()) {
-        return Ok(());
+    if !data.iter().all(|values| values.iter().all(|value| value.is_finite())) {
+        return Err(SolveError::NonFiniteInput);
     }
-    let finite = data.iter().all(|values| values.iter().all(|value| value.is_finite()));
-    Err(if finite { SolveError::Degenerate { column: 0 } } else { SolveError::NonFiniteInput })
+    match coefficients.iter().all(|c| c.is_finite()) {
+        true => Ok(()),
+        false => Err(SolveError::Degenerate { column: 0 }),
+    }
 }
