@@ -1,1 +1,7 @@
-//! .
+//! Every emitted solver under one signature, so that a test can run over all of them, and instances whose solutions are known.
+
+pub mod case;
+pub mod ground_truth;
+pub mod statistics;
+
+pub use case::{Case, cases, templates_folder};

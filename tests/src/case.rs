@@ -1,0 +1,127 @@
+//! The emitted solvers behind function pointers on flat data, with the problems and plans they came from.
+
+use std::path::PathBuf;
+
+use eliminant::{Complex, SolveError};
+use eliminant_generator::generate::{Planned, plan};
+use eliminant_generator::problem::Problem;
+use eliminant_generator::template::file::TemplateFile;
+use eliminant_solvers as solvers;
+
+/// Solutions as lists of unknowns.
+pub type Found<T> = Result<Vec<Vec<T>>, SolveError>;
+
+/// The relative residual of a complex solution for given data.
+pub type Residual = fn(&[f64], &[Complex<f64>]) -> Result<f64, SolveError>;
+
+/// One emitted solver. Data are flat, parameters one after another, arrays row by row.
+#[derive(Clone, Copy)]
+pub struct Case {
+    /// Name of the problem.
+    pub name: &'static str,
+    /// `solve`.
+    pub solve: fn(&[f64]) -> Found<f64>,
+    /// `solve_complex`.
+    pub solve_complex: fn(&[f64]) -> Found<Complex<f64>>,
+    /// `action_matrix`.
+    pub action_matrix: fn(&[f64]) -> Found<f64>,
+    /// `relative_residual` of a complex solution.
+    pub residual: Residual,
+}
+
+/// Arrays of any depth from their flat values.
+trait FromFlat {
+    fn take(values: &mut impl Iterator<Item = f64>) -> Self;
+}
+
+impl FromFlat for f64 {
+    fn take(values: &mut impl Iterator<Item = f64>) -> Self {
+        values.next().unwrap_or(f64::NAN)
+    }
+}
+
+impl<T: FromFlat, const N: usize> FromFlat for [T; N] {
+    fn take(values: &mut impl Iterator<Item = f64>) -> Self {
+        std::array::from_fn(|_| T::take(values))
+    }
+}
+
+macro_rules! case {
+    ($name:ident, $solution:ident, ($($data:ident),*), ($($unknown:ident),*)) => {
+        Case {
+            name: stringify!($name),
+            solve: |flat| {
+                let mut values = flat.iter().copied();
+                $(let $data = FromFlat::take(&mut values);)*
+                let found = solvers::$name::solve($(&$data),*)?;
+                Ok(found.iter().map(|s| vec![$(s.$unknown),*]).collect())
+            },
+            solve_complex: |flat| {
+                let mut values = flat.iter().copied();
+                $(let $data = FromFlat::take(&mut values);)*
+                let found = solvers::$name::solve_complex($(&$data),*)?;
+                Ok(found.iter().map(|s| vec![$(s.$unknown),*]).collect())
+            },
+            action_matrix: |flat| {
+                let mut values = flat.iter().copied();
+                $(let $data = FromFlat::take(&mut values);)*
+                let action = solvers::$name::action_matrix($(&$data),*)?;
+                Ok(action.iter().map(|row| row.to_vec()).collect())
+            },
+            residual: |flat, point| {
+                let mut values = flat.iter().copied();
+                $(let $data = FromFlat::take(&mut values);)*
+                let mut unknowns = point.iter().copied();
+                $(let $unknown = unknowns.next().unwrap_or_default();)*
+                solvers::$name::relative_residual($(&$data,)* &solvers::$name::$solution { $($unknown),* })
+            },
+        }
+    };
+}
+
+/// All emitted solvers. A test checks that none of `templates/` is missing.
+pub fn cases() -> Vec<Case> {
+    vec![
+        case!(circle_least_squares, CircleLeastSquares, (gram), (d1, d2, d3, d4, d5, lambda1, lambda2)),
+        case!(circle_least_squares_dual, CircleLeastSquaresDual, (gram), (d3, d4, d5)),
+        case!(circle_minimal, CircleMinimal, (d_alpha, d_beta, d_gamma), (a, b)),
+        case!(relpose_5pt, Relpose5pt, (basis), (x, y, z)),
+        case!(relpose_6pt_focal, Relpose6ptFocal, (basis), (x, y, w)),
+        case!(two_conics, TwoConics, (p, q), (x, y)),
+    ]
+}
+
+/// The folder with problems and templates.
+pub fn templates_folder() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../templates")
+}
+
+impl Case {
+    /// The problem.
+    ///
+    /// # Panics
+    /// Where the committed file cannot be read: this is for tests.
+    pub fn problem(&self) -> Problem {
+        let path = templates_folder().join(format!("{}.rs", self.name));
+        let text = std::fs::read_to_string(&path).expect("the problem file is committed");
+        Problem::parse(&path.display().to_string(), &text).unwrap_or_else(|messages| panic!("{}", messages.render()))
+    }
+
+    /// The template file.
+    ///
+    /// # Panics
+    /// As [`Case::problem`].
+    pub fn template(&self) -> TemplateFile {
+        let path = templates_folder().join(format!("{}.template.toml", self.name));
+        let text = std::fs::read_to_string(&path).expect("the template file is committed");
+        TemplateFile::parse(&text, &self.problem().unknowns).unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    /// The plan that the solver was emitted from.
+    ///
+    /// # Panics
+    /// As [`Case::problem`].
+    pub fn planned(&self) -> Planned {
+        plan(&self.problem(), &self.template()).unwrap_or_else(|error| panic!("{error}"))
+    }
+}

@@ -1,0 +1,80 @@
+//! The same problem, template and options give the same bytes, however often and on however many threads.
+
+use std::fs;
+
+use eliminant_generator::Generator;
+use eliminant_generator::generate::generate;
+use eliminant_generator::search::{SearchOptions, candidates};
+use eliminant_tests::{cases, templates_folder};
+use rayon::ThreadPoolBuilder;
+
+/// The stems of the files in `templates/` that end so.
+fn stems(suffix: &str) -> Vec<String> {
+    let entries = fs::read_dir(templates_folder()).expect("the folder with problems");
+    let names = entries.map(|entry| entry.expect("an entry").file_name().into_string().expect("UTF-8"));
+    let mut stems: Vec<String> = names.filter_map(|name| name.strip_suffix(suffix).map(str::to_owned)).collect();
+    stems.sort();
+    stems
+}
+
+#[test]
+fn every_problem_has_a_template_and_a_case() {
+    let solved: Vec<&str> = cases().iter().map(|case| case.name).collect();
+    assert_eq!(stems(".rs"), solved);
+    assert_eq!(stems(".template.toml"), solved);
+}
+
+#[test]
+fn emission_repeats_itself() {
+    for case in cases() {
+        let emit = || generate(&case.problem(), &case.template()).expect("a solver");
+        assert_eq!(emit(), emit(), "{}", case.name);
+    }
+}
+
+/// A build script writes what `generate` returns, for every problem of the folder.
+#[test]
+fn the_build_script_writes_the_same_bytes() {
+    let out = tempfile::tempdir().expect("a folder");
+    Generator::new().problems(templates_folder()).out_dir(out.path()).run().expect("all templates hold");
+    for case in cases() {
+        let written = fs::read_to_string(out.path().join(format!("{}.rs", case.name))).expect("written");
+        assert_eq!(written, generate(&case.problem(), &case.template()).expect("a solver"), "{}", case.name);
+    }
+    assert_eq!(fs::read_dir(out.path()).expect("the folder").count(), cases().len());
+}
+
+#[test]
+fn template_files_survive_a_round_trip() {
+    for case in cases() {
+        let path = templates_folder().join(format!("{}.template.toml", case.name));
+        let committed = fs::read_to_string(path).expect("a template file");
+        let again = case.template().to_text(&case.problem().unknowns);
+        // The notes at the end come in any order.
+        let notes_sorted = |text: &str| {
+            let (template, notes) = text.split_once("[provenance]").expect("notes");
+            let mut notes: Vec<String> = notes.lines().map(str::to_owned).collect();
+            notes.sort();
+            (template.to_owned(), notes)
+        };
+        assert_eq!(notes_sorted(&again), notes_sorted(&committed), "{}", case.name);
+    }
+}
+
+/// All templates that a search finds, in order, with one thread and with several.
+#[test]
+fn searches_repeat_themselves_on_any_number_of_threads() {
+    let options = SearchOptions { max_columns: 100, shuffles: 1, ..SearchOptions::default() };
+    for case in cases() {
+        let (problem, solutions) = (case.problem(), case.template().solutions);
+        let search = |threads: usize| -> Vec<String> {
+            let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+            let found = pool.install(|| candidates(&problem, solutions, &options, &|_| ())).expect("a template");
+            found.iter().map(|c| c.to_file(&problem, &options).to_text(&problem.unknowns)).collect()
+        };
+        let one = search(1);
+        println!("{}: {} templates", case.name, one.len());
+        assert_eq!(one, search(3), "{}", case.name);
+        assert_eq!(one, search(2), "{}", case.name);
+    }
+}

@@ -1,0 +1,209 @@
+//! No data make a solver panic, hang, or return something that is no solution.
+
+use eliminant::SolveError;
+use eliminant_generator::arithmetic::Float64;
+use eliminant_generator::instance::{Random, draw_inputs};
+use eliminant_generator::problem::{DataAttribute, DataParameter};
+use eliminant_tests::statistics::complex;
+use eliminant_tests::{Case, cases};
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngSeed, TestRunner};
+
+/// No solution may have a larger relative residual.
+const MAX_RESIDUAL: f64 = 1e-10;
+
+/// A case with the shapes of its data.
+struct Subject {
+    case: Case,
+    data: Vec<DataParameter>,
+    solutions: usize,
+}
+
+fn subjects() -> Vec<Subject> {
+    let subject = |case: Case| Subject { data: case.problem().data, solutions: case.template().solutions, case };
+    cases().into_iter().map(subject).collect()
+}
+
+impl Subject {
+    fn inputs(&self) -> usize {
+        self.data.iter().map(DataParameter::len).sum()
+    }
+
+    fn random(&self, seed: u64) -> Vec<f64> {
+        draw_inputs(&self.data, Float64, &mut Random::new(seed))
+    }
+
+    /// What must hold whatever the data are; `Err` says what does not. The number of solutions otherwise.
+    fn check(&self, data: &[f64]) -> Result<usize, String> {
+        let (real, all) = ((self.case.solve)(data), (self.case.solve_complex)(data));
+        let finite = data.iter().all(|x| x.is_finite());
+        for error in [real.as_ref().err(), all.as_ref().err(), (self.case.action_matrix)(data).as_ref().err()] {
+            match (error, finite) {
+                (Some(SolveError::NonFiniteInput), true) => return Err("finite data are refused as not finite".into()),
+                (Some(SolveError::NonFiniteInput), false) | (_, true) => {}
+                (other, false) => return Err(format!("data that are not finite give {other:?}")),
+            }
+        }
+        let real: Vec<_> = real.unwrap_or_default().iter().map(|x| complex(x)).collect();
+        let all = all.unwrap_or_default();
+        for found in [&real, &all] {
+            if found.len() > self.solutions {
+                return Err(format!("{} solutions of {}", found.len(), self.solutions));
+            }
+            for x in found {
+                if !x.iter().all(|x| x.re.is_finite() && x.im.is_finite()) {
+                    return Err(format!("a solution is not finite: {x:?}"));
+                }
+                let residual = (self.case.residual)(data, x);
+                if !residual.is_ok_and(|residual| residual <= MAX_RESIDUAL) {
+                    return Err(format!("the residual of {x:?} is {residual:?}"));
+                }
+            }
+        }
+        Ok(all.len())
+    }
+
+    fn assert(&self, what: &str, data: &[f64]) -> usize {
+        self.check(data).unwrap_or_else(|fault| panic!("{}, {what}: {fault}\n{data:?}", self.case.name))
+    }
+}
+
+#[test]
+fn a_value_that_is_not_finite_is_refused_wherever_it_stands() {
+    for subject in subjects() {
+        let data = subject.random(1);
+        for at in 0..data.len() {
+            for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+                let mut data = data.clone();
+                data[at] = bad;
+                subject.assert(&format!("{bad} at {at}"), &data);
+            }
+        }
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            subject.assert("nothing finite", &vec![bad; data.len()]);
+        }
+    }
+}
+
+/// The lower half is not read, so that a caller who fills the upper half only gets the right result.
+#[test]
+fn the_upper_half_of_symmetric_data_is_enough() {
+    let mut unread = 0;
+    for subject in subjects() {
+        let n = subject.data[0].shape.last().copied().unwrap_or(1);
+        let mut data = subject.random(2);
+        let expected = (subject.case.solve)(&data).expect("random data are not degenerate");
+        for parameter in subject.data.iter().filter(|parameter| parameter.attribute == DataAttribute::Symmetric) {
+            for at in (0..parameter.len()).filter(|at| at / n > at % n) {
+                data[parameter.first_input + at] = 0.0;
+                unread += 1;
+            }
+        }
+        assert_eq!((subject.case.solve)(&data).as_ref(), Ok(&expected), "{}", subject.case.name);
+    }
+    assert_eq!(unread, 2 * 15);
+}
+
+/// Data without a finite number of solutions: an error, or solutions of the equations as they are.
+#[test]
+fn degenerate_data_are_refused_or_solved() {
+    for subject in subjects() {
+        let (n, random) = (subject.inputs(), subject.random(3));
+        for value in [0.0, -0.0, 1.0, -1.0, f64::MIN_POSITIVE, 5e-324, f64::MAX, f64::EPSILON] {
+            subject.assert(&format!("all {value}"), &vec![value; n]);
+        }
+        let zeros = (subject.case.solve)(&vec![0.0; n]);
+        assert!(matches!(zeros, Err(SolveError::Degenerate { .. })), "{}: {zeros:?}", subject.case.name);
+        for at in 0..n {
+            let mut one = vec![0.0; n];
+            one[at] = 1.0;
+            subject.assert("a single one", &one);
+            let mut hole = random.clone();
+            hole[at] = 0.0;
+            subject.assert("a zero", &hole);
+        }
+        // Repeated measurements: the second half of the data repeats the first, exactly, scaled, and up to rounding.
+        for factor in [1.0, -1.0, 2.0, 1.0 + f64::EPSILON, 1.0 + 1e-12, 1.0 + 1e-8] {
+            for period in 1..n {
+                let repeated: Vec<f64> =
+                    (0..n).map(|at| random[at % period] * factor.powi((at / period) as i32)).collect();
+                subject.assert(&format!("period {period}, factor {factor}"), &repeated);
+            }
+        }
+    }
+}
+
+/// Gram matrices of fewer rows than they have columns, and of rows that repeat.
+#[test]
+fn rank_deficient_gram_matrices_are_refused_or_solved() {
+    for subject in subjects().iter().filter(|subject| subject.data[0].attribute == DataAttribute::Symmetric) {
+        let n = subject.data[0].shape[0];
+        for seed in 0..500 {
+            let mut random = Random::new(seed);
+            let rank = random.below(n as u64) as usize;
+            let rows: Vec<Vec<f64>> = (0..rank).map(|_| (0..n).map(|_| random.symmetric_unit()).collect()).collect();
+            let repeats = 1.0 + random.below(3) as f64;
+            let entry = |at: usize| rows.iter().map(|row| repeats * row[at / n] * row[at % n]).sum();
+            subject.assert(&format!("rank {rank}"), &(0..n * n).map(entry).collect::<Vec<f64>>());
+        }
+    }
+}
+
+/// One common factor of all data, down to subnormal numbers and up to overflow.
+#[test]
+fn huge_and_tiny_data_are_refused_or_solved() {
+    for subject in subjects() {
+        let mut solved = Vec::new();
+        for exponent in (-320..=300).step_by(5).chain([-154, -150, 150, 154]) {
+            for seed in 0..20 {
+                let scale = 10f64.powi(exponent / 2) * 10f64.powi(exponent - exponent / 2);
+                let data: Vec<f64> = subject.random(seed).iter().map(|x| x * scale).collect();
+                if subject.assert(&format!("scale 1e{exponent}"), &data) == subject.solutions {
+                    solved.push(exponent);
+                }
+            }
+        }
+        let range = (solved.iter().min(), solved.iter().max());
+        println!("{}: all solutions found at scales 10^ {range:?}", subject.case.name);
+        assert!(solved.contains(&0) && solved.contains(&-20) && solved.contains(&20), "{}", subject.case.name);
+    }
+}
+
+fn run(cases: u32, seed: u64, values: BoxedStrategy<f64>) {
+    for subject in subjects() {
+        let config = Config { cases, rng_seed: RngSeed::Fixed(seed), failure_persistence: None, ..Config::default() };
+        let data = proptest::collection::vec(values.clone(), subject.inputs());
+        let result =
+            TestRunner::new(config).run(&data, |data| subject.check(&data).map(|_| ()).map_err(TestCaseError::fail));
+        result.unwrap_or_else(|fault| panic!("{}: {fault}", subject.case.name));
+    }
+}
+
+#[test]
+fn arbitrary_bits() {
+    run(5_000, 1, any::<u64>().prop_map(f64::from_bits).boxed());
+}
+
+/// Finite, of a size whose cubes are finite, too: the elimination is reached.
+#[test]
+fn arbitrary_finite_values() {
+    let value = (any::<u64>(), -90i32..90).prop_map(|(bits, exponent)| {
+        let mantissa = f64::from_bits((bits & 0x800f_ffff_ffff_ffff) | 0x3ff0_0000_0000_0000);
+        mantissa * 2f64.powi(exponent)
+    });
+    run(5_000, 2, value.boxed());
+}
+
+/// Many zeros, ties, and values of wildly different size.
+#[test]
+fn mixtures_of_special_values() {
+    let special = prop_oneof![
+        6 => Just(0.0),
+        4 => Just(1.0),
+        2 => Just(-1.0),
+        2 => (-3i32..4).prop_map(f64::from),
+        4 => -1.0..1.0,
+        1 => prop::sample::select(vec![1e150, 1e-150, -1e150, 5e-324, f64::MIN_POSITIVE, f64::MAX, 1e-8, 1e8, -0.0]),
+    ];
+    run(10_000, 3, special.boxed());
+}

@@ -1,0 +1,102 @@
+//! Ten thousand random instances of every problem, drawn on the data's variety.
+
+use eliminant::Complex;
+use eliminant_generator::arithmetic::Float64;
+use eliminant_generator::instance::{Random, draw_inputs};
+use eliminant_generator::interpret;
+use eliminant_generator::plan::Plan;
+use eliminant_tests::statistics::{complex, distance, log10, quantile, same_set, worst};
+use eliminant_tests::{Case, cases};
+use rayon::prelude::*;
+
+const INSTANCES: u64 = 10_000;
+/// On how many of 1000 instances a claim may fail.
+const EXCEPTIONS_PER_THOUSAND: usize = 1;
+/// Points closer than this are one solution.
+const SAME: f64 = 1e-8;
+/// An imaginary part that is rounding, relative to the largest unknown.
+const REAL: f64 = 1e-9;
+
+type Point = Vec<Complex<f64>>;
+
+/// max over the equations of |f| / sum of the moduli of its terms: from the plan, not by the emitted code that is judged.
+fn residual(plan: &Plan, coefficients: &[f64], x: &Point) -> f64 {
+    let relative = |terms: &Vec<eliminant_generator::plan::Term>| {
+        let values = terms.iter().map(|term| {
+            let powers = term.exponents.iter().zip(x).map(|(&e, x)| x.powu(u32::from(e)));
+            powers.fold(Complex::from(coefficients[usize::from(term.coefficient.0)]), |product, power| product * power)
+        });
+        let (value, scale) = values.fold((Complex::<f64>::ZERO, 0.0), |(sum, scale), v| (sum + v, scale + v.norm()));
+        value.norm() / scale
+    };
+    worst(plan.equations.iter().map(relative))
+}
+
+/// What one instance gave.
+struct Outcome {
+    /// Every complex solution was found, no two of them the same.
+    complete: bool,
+    /// The complex conjugate of every solution is a solution.
+    conjugate: bool,
+    /// `solve` returns exactly the real ones among `solve_complex`.
+    real_agree: bool,
+    complex_residuals: Vec<f64>,
+    real_residuals: Vec<f64>,
+}
+
+fn outcome(case: &Case, plan: &Plan, seed: u64) -> Outcome {
+    let data = draw_inputs(&plan.data, Float64, &mut Random::new(seed));
+    let coefficients = interpret::coefficients(plan, Float64, &data).expect("random data have coefficients");
+    let all: Vec<Point> = (case.solve_complex)(&data).unwrap_or_default();
+    let real: Vec<Point> = (case.solve)(&data).unwrap_or_default().iter().map(|x| complex(x)).collect();
+    let distinct = all.iter().enumerate().all(|(i, x)| all[..i].iter().all(|y| distance(x, y) > SAME));
+    let conjugates: Vec<Point> = all.iter().map(|x| x.iter().map(Complex::conj).collect()).collect();
+    let is_real = |x: &&Point| {
+        let largest = |part: fn(&Complex<f64>) -> f64| x.iter().map(part).fold(0.0, f64::max);
+        largest(|z| z.im.abs()) <= REAL * largest(|z| z.norm())
+    };
+    let real_of_all: Vec<Point> = all.iter().filter(is_real).cloned().collect();
+    let residuals = |points: &[Point]| points.iter().map(|x| residual(plan, &coefficients, x)).collect();
+    Outcome {
+        complete: all.len() == plan.solutions && distinct,
+        conjugate: same_set(&all, &conjugates, SAME),
+        real_agree: same_set(&real, &real_of_all, SAME),
+        complex_residuals: residuals(&all),
+        real_residuals: residuals(&real),
+    }
+}
+
+#[test]
+fn every_solution_is_found_and_precise() {
+    let mut faults = Vec::new();
+    for case in cases() {
+        let plan = case.planned().plan;
+        let outcomes: Vec<Outcome> =
+            (0..INSTANCES).into_par_iter().map(|k| outcome(&case, &plan, 50_000_000 + k)).collect();
+        for (claim, holds) in [
+            ("all complex solutions found", (|o| o.complete) as fn(&Outcome) -> bool),
+            ("conjugates are solutions", |o| o.conjugate),
+            ("solve gives the real ones", |o| o.real_agree),
+        ] {
+            let exceptions = outcomes.iter().filter(|o| !holds(o)).count();
+            println!("{}: {claim} on {} of {INSTANCES}", case.name, outcomes.len() - exceptions);
+            if exceptions * 1000 > outcomes.len() * EXCEPTIONS_PER_THOUSAND {
+                faults.push(format!("{}: {claim}: {exceptions} exceptions", case.name));
+            }
+        }
+        for (function, residuals) in [
+            ("solve_complex", (|o| &o.complex_residuals) as fn(&Outcome) -> &Vec<f64>),
+            ("solve", |o| &o.real_residuals),
+        ] {
+            let mut all: Vec<f64> = outcomes.iter().flat_map(residuals).copied().collect();
+            let [median, p999, max] = [0.5, 0.999, 1.0].map(|q| log10(quantile(&mut all, q)));
+            let count = all.len();
+            println!("{} {function}: {count} solutions, log10 residual {median:.2} {p999:.2} {max:.2}", case.name);
+            let precise = median < -14.5 && p999 < -10.0;
+            if !precise {
+                faults.push(format!("{} {function}: median {median}, p99.9 {p999}", case.name));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{faults:#?}");
+}
