@@ -189,7 +189,7 @@ fn polish(plan: &Plan, c: &[f64], point: &mut Point) -> f64 {
             false => value.norm(),
         };
         // A NaN must not pass for a small residual.
-        all.iter().map(relative).fold(0.0, |worst, r| if r <= worst { worst } else { r })
+        all.iter().map(relative).fold(0.0, |worst: f64, r| if worst.is_nan() || r <= worst { worst } else { r })
     };
     let mut all = evaluate_all(point);
     let mut best = worst(&all);
