@@ -146,6 +146,8 @@ fn a_template_that_does_not_hold_is_refused() {
     let swapped = |from: &str, to: &str| text.replacen(&format!("= [{from}"), &format!("= [{to}"), 1);
     let both = swapped(&basis[0], &excess[2]);
     let both = both.replacen(&format!(", {}]", excess[2]), &format!(", {}]", basis[0]), 1);
+    let uncovered = [("\"x^2\", ", ""), ("columns = 10", "columns = 9"), ("solutions = 4", "solutions = 3")];
+    let uncovered = uncovered.iter().fold(text.clone(), |text, (from, to)| text.replacen(from, to, 1));
     let dropped = text.replacen("multipliers = [\"1\", ", "multipliers = [", 1);
     for (fault, template, words) in [
         ("no monomial", swapped(&basis[0], "\"q^2\""), ["`q^2`", "no monomial"]),
@@ -154,6 +156,7 @@ fn a_template_that_does_not_hold_is_refused() {
         ("basis and excess exchanged", both, ["does not hold", "two_conics"]),
         ("a dropped row", dropped.clone(), ["`rows` is 6", "5 multipliers"]),
         ("a dropped row, counted", dropped.replacen("rows = 6", "rows = 5", 1), ["does not hold", "columns"]),
+        ("a monomial of no column", uncovered, ["does not hold", "does not cancel"]),
         ("no such equation", text.replacen("equation = 2", "equation = 3", 1), ["does not hold", "shift"]),
         ("equation zero", text.replacen("equation = 2", "equation = 0", 1), ["`equation` is `0`", "1, 2"]),
         (

@@ -14,15 +14,16 @@ fn root() -> PathBuf {
     root.canonicalize().expect("the workspace")
 }
 
-fn documents(folder: &Path, found: &mut Vec<PathBuf>) {
+/// All files of the project.
+fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     let mut entries: Vec<PathBuf> =
         fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path()).collect();
     entries.sort();
     for path in entries {
         let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
         if path.is_dir() && !SKIPPED.contains(&name) {
-            documents(&path, found);
-        } else if name.ends_with(".md") {
+            files(&path, found);
+        } else if path.is_file() {
             found.push(path);
         }
     }
@@ -63,27 +64,32 @@ fn is_path(text: &str) -> bool {
     (named_file || text.contains('/') && !formula) && !components.iter().any(placeholder)
 }
 
-/// Beside the document, or in any folder above it up to the root of the project.
-fn exists(path: &str, document: &Path, root: &Path) -> bool {
+/// Beside the document, or in any folder above it up to the root of the project; a bare name, whose folder the sentence
+/// around it tells, anywhere.
+fn exists(path: &str, document: &Path, root: &Path, files: &[PathBuf]) -> bool {
+    if !path.contains('/') && files.iter().any(|file| file.file_name().is_some_and(|name| name == path)) {
+        return true;
+    }
     document.ancestors().skip(1).take_while(|folder| folder.starts_with(root)).any(|folder| folder.join(path).exists())
 }
 
 #[test]
 fn paths_in_documents_exist() {
     let root = root();
-    let mut files = Vec::new();
-    documents(&root, &mut files);
+    let mut all = Vec::new();
+    files(&root, &mut all);
+    let documents: Vec<&PathBuf> = all.iter().filter(|path| path.extension().is_some_and(|end| end == "md")).collect();
     let (mut checked, mut missing) = (0, Vec::new());
-    for file in &files {
+    for file in &documents {
         let text = fs::read_to_string(file).expect("UTF-8");
         for path in references(&text).iter().filter(|reference| is_path(reference)) {
             checked += 1;
-            if !exists(path, file, &root) {
+            if !exists(path, file, &root, &all) {
                 missing.push(format!("{}: {path}", file.strip_prefix(&root).expect("inside").display()));
             }
         }
     }
-    println!("{checked} paths in {} documents", files.len());
+    println!("{checked} paths in {} documents", documents.len());
     assert!(missing.is_empty(), "{missing:#?}");
     assert!(checked > 0, "no document names a path");
 }
