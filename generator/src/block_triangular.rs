@@ -45,7 +45,7 @@ fn perfect_matching(pattern: &[Vec<usize>]) -> Option<Vec<usize>> {
         let mut path = vec![(start, 0)];
         let mut chosen = Vec::new();
         loop {
-            let Some((row, next)) = path.last_mut() else { return None };
+            let (row, next) = path.last_mut()?;
             let Some(&column) = pattern[*row].get(*next) else {
                 path.pop();
                 chosen.pop();

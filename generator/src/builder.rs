@@ -60,7 +60,8 @@ impl Generator {
         let folder = self.problems.unwrap_or_else(|| "problems".into());
         let root = manifest.join(&folder);
         let out_dir = self.out_dir.or_else(|| env::var_os("OUT_DIR").map(PathBuf::from));
-        let out_dir = out_dir.ok_or_else(|| BuildError::one(&folder, "OUT_DIR is not set: this is for build scripts"))?;
+        let out_dir =
+            out_dir.ok_or_else(|| BuildError::one(&folder, "OUT_DIR is not set: this is for build scripts"))?;
         println!("cargo:rerun-if-changed={}", root.display());
         let mut errors = Vec::new();
         let files = problem_files(&root).map_err(|error| BuildError::one(&root, error.to_string()))?;
@@ -153,11 +154,14 @@ fn stale(error: &GenerateError, shown: &str) -> String {
 
 /// A bounded search for a problem without a template file, and a warning that says how to do without it.
 fn default_search(problem: &Problem, shown: &str) -> Result<TemplateFile, String> {
-    println!("cargo:warning={shown} has no template file: searching at every change. Keep one: `eliminant search {shown}`");
+    println!(
+        "cargo:warning={shown} has no template file: searching at every change. Keep one: `eliminant search {shown}`"
+    );
     let algebra = check(problem).map_err(|messages| messages.render())?;
     let options = SearchOptions { max_columns: 150, shuffles: 0, ..SearchOptions::default() };
-    let found = candidates(problem, algebra.solutions, &options, &|_| {})
-        .map_err(|error: SearchError| format!("{error}\nhelp: search longer than a build should: `eliminant search {shown}`"))?;
+    let found = candidates(problem, algebra.solutions, &options, &|_| {}).map_err(|error: SearchError| {
+        format!("{error}\nhelp: search longer than a build should: `eliminant search {shown}`")
+    })?;
     let best = found.first().ok_or_else(|| "the search found no template".to_owned())?;
     Ok(best.to_file(problem, &options))
 }

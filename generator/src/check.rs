@@ -1,6 +1,8 @@
 //! Whether a problem has finitely many solutions for general data, and how many.
 
-use crate::algebra::{GroebnerBasis, GroebnerError, Limits, Monomial, MonomialOrder, PRIMES, Polynomial, PrimeField, saturate};
+use crate::algebra::{
+    GroebnerBasis, GroebnerError, Limits, Monomial, MonomialOrder, PRIMES, Polynomial, PrimeField, saturate,
+};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::instance::Instance;
 use crate::problem::Problem;
@@ -33,7 +35,9 @@ pub fn check(problem: &Problem) -> Result<Algebra, Diagnostics> {
         let [p, q] = [COUNTS[0].0, COUNTS[1].0];
         let message = Diagnostic::new("the number of solutions is not stable", problem.span.clone())
             .label(format!("{a} solutions modulo {p}, {b} modulo {q}"))
-            .hint("data that are drawn from few values (`#[integer]`) may be special in one draw and general in another")
+            .hint(
+                "data that are drawn from few values (`#[integer]`) may be special in one draw and general in another",
+            )
             .hint("a constant of the problem may be divisible by one of the primes");
         return Err(fail(problem, message));
     }
@@ -60,7 +64,9 @@ fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<Algebra, Dia
         return Err(Diagnostic::new("the equations have no common solution for general data", at())
             .label(format!("{} equations in {unknowns} unknowns", problem.equations.len()))
             .hint("an equation contradicts the others, or every solution is excluded by a `!= 0` statement")
-            .hint("if the data satisfy a condition, state it: `#[symmetric]`, `#[rotation]`, `#[unit]`, `#[integer]`"));
+            .hint(
+                "if the data satisfy a condition, state it: `#[symmetric]`, `#[rotation]`, `#[unit]`, `#[integer]`",
+            ));
     };
     if dimension > 0 {
         let mut message = Diagnostic::new(format!("infinitely many solutions: a set of dimension {dimension}"), at())

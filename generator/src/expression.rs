@@ -324,7 +324,7 @@ impl ExpressionGraph {
     /// Collects equal monomials and drops coefficients that are zero for all data.
     fn sum_terms(&mut self, mut terms: Vec<(Monomial, ExpressionId)>) -> SymbolicPolynomial {
         // Stable: equal monomials stay in order, so that the sums are built the same way every time.
-        terms.sort_by(|a, b| b.0.cmp(&a.0));
+        terms.sort_by_key(|&(monomial, _)| std::cmp::Reverse(monomial));
         let mut sums: Vec<(Monomial, ExpressionId)> = Vec::with_capacity(terms.len());
         for (monomial, coefficient) in terms {
             match sums.last_mut() {

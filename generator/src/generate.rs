@@ -76,8 +76,7 @@ pub fn plan(problem: &Problem, file: &TemplateFile) -> Result<Planned, GenerateE
         return Err(GenerateError::Stale { problem: problem.name.clone(), found });
     }
     let reduced = presolve(problem, file.presolve);
-    let instance =
-        Instance::draw(&reduced.problem, VERIFY_FIELD, VERIFY_SEED).ok_or(GenerateError::NoInstance)?;
+    let instance = Instance::draw(&reduced.problem, VERIFY_FIELD, VERIFY_SEED).ok_or(GenerateError::NoInstance)?;
     let action = verify(&file.template, VERIFY_FIELD, &instance.equations)?;
     let plan = schedule(problem, &reduced, &file.template, file.solutions, file.roots)?;
     let interpreted = interpret::coefficients(&plan, VERIFY_FIELD, &instance.inputs)

@@ -1,4 +1,4 @@
-//! Executes a [`Plan`] in any field, step by step as the emitted code does: exactly over Z_p, and in `f64`.
+//! Executes a [`crate::plan::Plan`] in any field, step by step as the emitted code does: exactly over Z_p, and in `f64`.
 
 use crate::arithmetic::Arithmetic;
 use crate::plan::{ActionRow, Block, CoefficientId, Elimination, Operation, Plan, Term, ValueId};
@@ -144,9 +144,10 @@ fn one_norm<A: Arithmetic>(f: A, row: &[A::Value]) -> f64 {
 pub fn evaluate<A: Arithmetic>(terms: &[Term], f: A, coefficients: &[A::Value], x: &[A::Value]) -> A::Value {
     terms.iter().fold(f.zero(), |sum, term| {
         let coefficient = coefficients[usize::from(term.coefficient.0)];
-        let product = term.exponents.iter().zip(x).fold(coefficient, |product, (&exponent, &x)| {
-            (0..exponent).fold(product, |product, _| f.mul(product, x))
-        });
+        let product =
+            term.exponents.iter().zip(x).fold(coefficient, |product, (&exponent, &x)| {
+                (0..exponent).fold(product, |product, _| f.mul(product, x))
+            });
         f.add(sum, product)
     })
 }

@@ -9,6 +9,7 @@ pub mod rational;
 
 /// Text to problem: names resolved, shapes checked, spans kept.
 pub mod problem;
+
 pub mod diagnostic;
 pub mod expression;
 
@@ -21,16 +22,16 @@ pub mod check;
 /// Problem to problem with fewer unknowns, and how to recover the others.
 pub mod presolve;
 
-/// Instance to elimination template: it holds at a prime and seed not used to find it, and no row can be dropped.
-pub mod template;
-pub mod search;
 #[cfg(feature = "search")]
 pub mod choose;
+pub mod search;
+/// Instance to elimination template: it holds at a prime and seed not used to find it, and no row can be dropped.
+pub mod template;
 
+mod block_triangular;
 /// Template to plan: no algebra left, every value written before it is read.
 pub mod plan;
 pub mod schedule;
-mod block_triangular;
 
 /// Plan to action matrix in any field: exact over Z_p, and the emitted arithmetic in `f64`.
 pub mod interpret;
@@ -40,9 +41,9 @@ pub mod stability;
 /// Plan to Rust source: it parses, and the same plan gives the same bytes.
 pub mod emit;
 
+pub mod builder;
 /// All of it for one problem, and for the folder of a build script.
 pub mod generate;
-pub mod builder;
 
 pub use builder::{BuildError, Generator};
 

@@ -202,7 +202,8 @@ pub struct Plan {
 impl Plan {
     /// Operations of one solve.
     pub fn operations(&self) -> OperationCount {
-        let coefficients = self.code.iter().filter(|op| !matches!(op, Operation::Constant(_) | Operation::Input(_))).count();
+        let coefficients =
+            self.code.iter().filter(|op| !matches!(op, Operation::Constant(_) | Operation::Input(_))).count();
         let width = self.elimination.basis;
         let elimination = self.elimination.blocks.iter().map(|block| {
             let n = block.size;
@@ -231,7 +232,9 @@ impl Plan {
         let mut blocks_ok = true;
         for block in &e.blocks {
             let inside = |entry: &Entry, columns: usize| {
-                usize::from(entry.row) < block.size && usize::from(entry.column) < columns && coefficient_ok(entry.coefficient)
+                usize::from(entry.row) < block.size
+                    && usize::from(entry.column) < columns
+                    && coefficient_ok(entry.coefficient)
             };
             blocks_ok &= block.first == next && block.size > 0 && block.needed <= block.size;
             blocks_ok &= block.diagonal.iter().all(|entry| inside(entry, block.size));
@@ -241,10 +244,12 @@ impl Plan {
         let right_ok = e.right.iter().all(|entry| {
             usize::from(entry.row) < e.rows && usize::from(entry.column) < e.basis && coefficient_ok(entry.coefficient)
         });
-        let reads_needed = |pivot: u16| e.blocks.iter().any(|block| {
-            let end = block.first + block.size;
-            (end - block.needed..end).contains(&usize::from(pivot))
-        });
+        let reads_needed = |pivot: u16| {
+            e.blocks.iter().any(|block| {
+                let end = block.first + block.size;
+                (end - block.needed..end).contains(&usize::from(pivot))
+            })
+        };
         let couplings_ok = e.blocks.iter().flat_map(|block| &block.coupling).all(|entry| reads_needed(entry.column));
         let action_ok = self.action.len() == e.basis
             && self.action.iter().all(|row| match row {
@@ -259,8 +264,10 @@ impl Plan {
             terms_ok &= recovery.terms.iter().all(reads_known);
             known[recovery.unknown] = true;
         }
-        let all_terms = self.equations.iter().chain(&self.nonzero).chain(self.recoveries.iter().map(|r| &r.terms)).flatten();
-        terms_ok &= all_terms.clone().all(|t| coefficient_ok(t.coefficient) && t.exponents.len() == self.unknowns.len());
+        let all_terms =
+            self.equations.iter().chain(&self.nonzero).chain(self.recoveries.iter().map(|r| &r.terms)).flatten();
+        terms_ok &=
+            all_terms.clone().all(|t| coefficient_ok(t.coefficient) && t.exponents.len() == self.unknowns.len());
         let values_ok = self.coefficients.iter().all(|id| (id.0 as usize) < self.code.len());
         for (ok, what) in [
             (code_ok, "a value is read before it is written"),

@@ -2,7 +2,7 @@
 //!
 //! An equation `c x + rest = 0`, where x occurs in no other term and c depends on the data only, gives `x = -rest / c`. The
 //! unknown is substituted away in all other equations and recovered after the solve. Substitution can also hurt (degrees grow, coefficients swell): a
-//! search judges [`Presolve::None`], [`Presolve::Constant`] and [`Presolve::Linear`] side by side.
+//! search judges all of [`crate::presolve::Presolve`] side by side.
 
 use crate::algebra::Monomial;
 use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
@@ -98,12 +98,13 @@ fn eliminate(reduced: &mut ReducedProblem, candidate: &Candidate) -> bool {
     let Some(inverse) = graph.div(ExpressionGraph::ONE, candidate.coefficient) else { return false };
     let factor = graph.neg(inverse);
     let x = Monomial::unknown(candidate.unknown);
-    let rest = SymbolicPolynomial::from_terms(
-        equation.polynomial.terms().iter().filter(|&&(m, _)| m != x).copied().collect(),
-    );
+    let rest =
+        SymbolicPolynomial::from_terms(equation.polynomial.terms().iter().filter(|&&(m, _)| m != x).copied().collect());
     let value = graph.polynomial_scale(&rest, factor);
     for statement in problem.equations.iter_mut().chain(&mut problem.nonzero) {
-        let Some(substituted) = substitute(graph, &statement.polynomial, candidate.unknown, &value) else { return false };
+        let Some(substituted) = substitute(graph, &statement.polynomial, candidate.unknown, &value) else {
+            return false;
+        };
         statement.polynomial = substituted;
     }
     problem.equations.retain(|statement| !statement.polynomial.is_zero());

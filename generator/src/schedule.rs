@@ -138,7 +138,8 @@ fn plan_elimination(
         .iter()
         .map(|shift| Row::of(&reduced.problem.equations[shift.equation].polynomial, shift, &left, &basis))
         .collect();
-    let pattern: Vec<Vec<usize>> = rows.iter().map(|row| row.left.iter().map(|&(column, _)| column).collect()).collect();
+    let pattern: Vec<Vec<usize>> =
+        rows.iter().map(|row| row.left.iter().map(|&(column, _)| column).collect()).collect();
     let mut diagonal = block_triangular_form(&pattern).ok_or(ScheduleError::Singular)?;
     let needed = needed_last(&mut diagonal, &pattern, template);
     let row_shifts = diagonal.iter().flat_map(|block| block.rows.iter().copied()).collect();

@@ -162,8 +162,7 @@ fn forms(problem: &Problem, options: &SearchOptions) -> Result<Vec<Form>, Search
             continue;
         }
         let draw = |field, seed| Instance::draw(&reduced.problem, field, seed).ok_or(SearchError::NoInstance);
-        let (instance, check) =
-            (draw(SEARCH_FIELD, options.seed)?, draw(CHECK_FIELD, options.seed.wrapping_add(1))?);
+        let (instance, check) = (draw(SEARCH_FIELD, options.seed)?, draw(CHECK_FIELD, options.seed.wrapping_add(1))?);
         forms.push(Form { presolve: kind, reduced, instance, check });
     }
     Ok(forms)

@@ -1,4 +1,4 @@
-//! Prints a [`Plan`] as Rust source. No decision is taken here.
+//! Prints a [`crate::plan::Plan`] as Rust source. No decision is taken here.
 
 mod code;
 mod tables;
@@ -190,9 +190,11 @@ fn instance(plan: &Plan) -> TokenStream {
             quote!(action[#at] = right[#pivot].map(|value| -value);)
         }
     });
-    let uses_image = plan.extractions.iter().flat_map(|x| &x.pairs).any(|&(m, n)| {
-        matches!(m, KnownMonomial::Image(_)) || matches!(n, KnownMonomial::Image(_))
-    });
+    let uses_image = plan
+        .extractions
+        .iter()
+        .flat_map(|x| &x.pairs)
+        .any(|&(m, n)| matches!(m, KnownMonomial::Image(_)) || matches!(n, KnownMonomial::Image(_)));
     let known = if uses_image {
         quote! {
             let mut known = [S::ZERO; 2 * #basis];
@@ -214,12 +216,13 @@ fn instance(plan: &Plan) -> TokenStream {
     let extractions = plan.extractions.iter().map(|extraction| {
         let unknown = extraction.unknown;
         let pairs = extraction.pairs.iter().map(|&(m, n)| {
-            let (m, n) = (proc_macro2::Literal::u16_unsuffixed(position(m)), proc_macro2::Literal::u16_unsuffixed(position(n)));
+            let (m, n) =
+                (proc_macro2::Literal::u16_unsuffixed(position(m)), proc_macro2::Literal::u16_unsuffixed(position(n)));
             quote!((#m, #n))
         });
         quote!(x[#unknown] = eliminant::ratio(&known[..], &[#(#pairs),*])?;)
     });
-    let recoveries = plan.recoveries.iter().map(|recovery| code::recovery(recovery));
+    let recoveries = plan.recoveries.iter().map(code::recovery);
     let admissible = match plan.nonzero.is_empty() {
         true => quote! {
             let _ = unknowns;

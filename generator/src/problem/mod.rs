@@ -126,8 +126,9 @@ impl Problem {
                 words.push(format!("{} {kind}", terms.join(" ")));
             }
         }
-        words.iter().flat_map(|word| word.bytes().chain([b'\n'])).fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-        })
+        words
+            .iter()
+            .flat_map(|word| word.bytes().chain([b'\n']))
+            .fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
     }
 }

@@ -32,10 +32,12 @@ pub(super) fn refuse(ident: &Ident, what: &str) -> Option<Diagnostic> {
 /// `TwoLines` as `two_lines`.
 fn snake_case(name: &str) -> String {
     let mut snake = String::new();
+    let mut after_lowercase = false;
     for c in name.trim_matches('_').chars() {
-        if c.is_ascii_uppercase() && snake.ends_with(|last: char| last.is_ascii_lowercase()) {
+        if c.is_ascii_uppercase() && after_lowercase {
             snake.push('_');
         }
+        after_lowercase = c.is_ascii_lowercase();
         snake.push(c.to_ascii_lowercase());
     }
     snake

@@ -32,6 +32,9 @@ impl std::fmt::Display for Growth {
     }
 }
 
+/// What a shift with its closure is judged by, smaller is better: columns minus rows, rows, multiplier, equation.
+type Score = (i64, usize, Monomial, usize);
+
 /// Sets of shifts, each a superset of the one before, until `limit` columns would be exceeded.
 #[derive(Clone, Debug)]
 pub struct Shifts<'a> {
@@ -111,7 +114,7 @@ impl<'a> Shifts<'a> {
     }
 
     fn grow_by_best_shift(&mut self) {
-        let mut best: Option<((i64, usize, Monomial, usize), BTreeSet<Shift>)> = None;
+        let mut best: Option<(Score, BTreeSet<Shift>)> = None;
         for candidate in self.neighbours() {
             let mut support = self.support.clone();
             let f = &self.equations[candidate.equation];
@@ -166,7 +169,13 @@ pub fn weighted_degree<C>(f: &Polynomial<C>, weights: &[i32]) -> i32 {
 
 /// All monomials in `unknowns` of weighted degree at most `bound` (weights are positive).
 pub fn monomials_up_to(unknowns: &[usize], weights: &[i32], bound: i32) -> Vec<Monomial> {
-    fn extend(unknowns: &[usize], weights: &[i32], room: i32, exponents: &mut [i8; MAX_UNKNOWNS], out: &mut Vec<Monomial>) {
+    fn extend(
+        unknowns: &[usize],
+        weights: &[i32],
+        room: i32,
+        exponents: &mut [i8; MAX_UNKNOWNS],
+        out: &mut Vec<Monomial>,
+    ) {
         let Some((&unknown, rest)) = unknowns.split_first() else {
             out.push(Monomial::from_exponents(exponents));
             return;

@@ -54,9 +54,10 @@ pub fn solving_set(matrix: &ShiftMatrix, action: &Monomial, requirements: &Requi
 fn is_readable(matrix: &ShiftMatrix, set: &SolvingSet, unknown: usize) -> bool {
     let x = Monomial::unknown(unknown);
     let known = |column: &usize| set.basis.binary_search(column).is_ok() || set.reducible.binary_search(column).is_ok();
-    set.basis.iter().chain(&set.reducible).any(|&column| {
-        matrix.column_of.get(&matrix.monomials[column].times(&x)).is_some_and(known)
-    })
+    set.basis
+        .iter()
+        .chain(&set.reducible)
+        .any(|&column| matrix.column_of.get(&matrix.monomials[column].times(&x)).is_some_and(known))
 }
 
 /// How each reducible monomial depends on the permissible ones.
@@ -226,7 +227,8 @@ impl Remaining {
         for (row, entries) in matrix.rows.iter().enumerate() {
             let target = dense.row_mut(row);
             for &(column, value) in entries {
-                let at = if position[column] == usize::MAX { excess_position[column] } else { excess + position[column] };
+                let at =
+                    if position[column] == usize::MAX { excess_position[column] } else { excess + position[column] };
                 target[at] = value;
             }
         }

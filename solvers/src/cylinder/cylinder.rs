@@ -51,14 +51,14 @@ impl Cylinder {
     }
 
     /// Perpendicular from a point to the axis, pointing at the axis.
-    fn to_axis(&self, point: &Point3<f64>) -> Vector3<f64> {
+    fn vector_to_axis(&self, point: &Point3<f64>) -> Vector3<f64> {
         let difference = self.axis_point - point;
         difference - self.direction.into_inner() * self.direction.dot(&difference)
     }
 
     /// Signed distance of a point from the surface: negative inside.
     pub fn distance(&self, point: &Point3<f64>) -> f64 {
-        self.to_axis(point).norm() - self.radius
+        self.vector_to_axis(point).norm() - self.radius
     }
 
     /// The two silhouette lines in a camera, unit vectors in normalised image coordinates, or `None` when its centre is
@@ -68,7 +68,7 @@ impl Cylinder {
     /// `e2 = w x e1`, the tangent planes through `C` have the normals `n = (r / rho) e1 +- sqrt(1 - (r / rho)^2) e2`,
     /// because `n^T m = r`; the lines are `l = R n`. The axis is on the positive side of both.
     pub fn silhouette(&self, camera: &Camera) -> Option<[Vector3<f64>; 2]> {
-        let to_axis = self.to_axis(&camera.centre());
+        let to_axis = self.vector_to_axis(&camera.centre());
         let sine = self.radius / to_axis.norm();
         if sine.is_nan() || sine >= 1.0 {
             return None;
@@ -103,7 +103,7 @@ impl Cylinder {
     fn plane_distance(&self, plane: &ViewingPlane) -> f64 {
         let w = self.direction.into_inner();
         let normal = (plane.normal - w * w.dot(&plane.normal)).normalize();
-        normal.dot(&self.to_axis(&plane.centre)).abs() - self.radius
+        normal.dot(&self.vector_to_axis(&plane.centre)).abs() - self.radius
     }
 }
 

@@ -80,7 +80,9 @@ pub fn estimate_direction(planes: &[ViewingPlane]) -> Result<Direction, Directio
         return Err(failure);
     };
     let singular_values = [*first, *second, *third];
-    if !(*second > PARALLEL_PLANES * first) {
+    // Also where a singular value is NaN.
+    let spans_a_plane = *second > PARALLEL_PLANES * first;
+    if !spans_a_plane {
         return Err(DirectionError::ParallelPlanes { singular_values });
     }
     if *third > second / 2.0 {

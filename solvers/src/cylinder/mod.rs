@@ -7,6 +7,7 @@ pub mod circle;
 /// The command line: arguments to exit code and text.
 pub mod command;
 /// Circle back to a cylinder in space; silhouettes and residuals.
+#[expect(clippy::module_inception, reason = "the file is named after the type that it holds")]
 pub mod cylinder;
 /// Viewing planes to the direction of the axis; conditioned, or refused.
 pub mod direction;
