@@ -88,9 +88,8 @@ pub fn solve(plan: &Plan, inputs: &[f64]) -> Option<Vec<(Point, f64)>> {
     if action.iter().any(|x| !x.is_finite()) {
         return None;
     }
-    // Complex from the start: the real Schur form of nalgebra gives NaN for blocks that hold two real eigenvalues.
     let complex = action.map(|x| Complex::new(x, 0.0));
-    let values = Schur::try_new(complex.clone(), f64::EPSILON, MAX_ITERATIONS)?.unpack().1.diagonal();
+    let values = eigenvalues(&complex)?;
     let mut found: Vec<(Point, f64)> = Vec::new();
     for &value in values.iter() {
         let Some(mut point) = eigenvector(&complex, value).and_then(|vector| unknowns(plan, &c, value, &vector)) else {
@@ -117,6 +116,18 @@ pub fn solve(plan: &Plan, inputs: &[f64]) -> Option<Vec<(Point, f64)>> {
 fn is_same(a: &Point, b: &Point) -> bool {
     let floor = SAME_FLOOR * a.iter().chain(b).map(|x| x.norm()).fold(0.0, f64::max);
     a.iter().zip(b).all(|(x, y)| (x - y).norm() <= floor + SAME * x.norm().max(y.norm()))
+}
+
+/// Eigenvalues by the complex Schur form: the real one of nalgebra gives NaN for blocks that hold two real eigenvalues. Where the iteration
+/// stalls, as it can on spectra that are symmetric about zero, a complex shift breaks the symmetry.
+fn eigenvalues(action: &DMatrix<Complex<f64>>) -> Option<DVector<Complex<f64>>> {
+    let n = action.nrows();
+    let shift = Complex::new(0.3, 0.7) * action.norm();
+    [Complex::ZERO, shift].into_iter().find_map(|shift| {
+        let shifted = action + DMatrix::from_diagonal_element(n, n, shift);
+        let schur = Schur::try_new(shifted, f64::EPSILON, MAX_ITERATIONS)?;
+        Some(schur.unpack().1.diagonal().map(|value| value - shift))
+    })
 }
 
 /// Two steps of inverse iteration. The eigenvalue is moved by a few units of rounding, further where the shifted matrix is still singular to

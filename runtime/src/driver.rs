@@ -57,9 +57,16 @@ pub fn complex_solutions<const B: usize, const N: usize, const MAX: usize>(
 ) -> Result<Solutions<[Complex<f64>; N], MAX>, SolveError> {
     let spectrum = Hessenberg::reduce(action)?;
     let mut found = Solutions::<Candidate<Complex<f64>, N>, MAX>::new();
-    for value in spectrum.eigenvalues()? {
-        if let Some(candidate) = polished(method, value, &spectrum.eigenvector(value)) {
+    // Of a conjugate pair one is solved for and the other follows.
+    for value in spectrum.eigenvalues()?.into_iter().filter(|value| value.im >= 0.0) {
+        if value.im == 0.0 {
+            if let Some(real) = polished(method, value.re, &spectrum.eigenvector(value.re)) {
+                let unknowns = real.unknowns.map(Complex::from);
+                push_distinct(&mut found, Candidate { unknowns, residual: real.residual });
+            }
+        } else if let Some(candidate) = polished(method, value, &spectrum.eigenvector(value)) {
             push_distinct(&mut found, candidate);
+            push_distinct(&mut found, Candidate { unknowns: candidate.unknowns.map(|x| x.conj()), ..candidate });
         }
     }
     Ok(found.iter().map(|candidate| candidate.unknowns).collect())

@@ -4,6 +4,15 @@ use crate::float;
 use crate::scalar::Scalar;
 use crate::system::System;
 
+/// A relative residual at most this is rounding: no step could lower it by much.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// A relative residual above this after the last step has a cause other than rounding.
+const STALLED: f64 = 1e-12;
+
+/// An unknown this small relative to the largest one may be the rounding noise of zero.
+const NOISE: f64 = 1e-12;
+
 /// Improves x by at most `steps` Gauss-Newton steps and returns its relative residual,
 ///
 /// max over equations e of |f_e(x)| / (sum of the moduli of the terms of f_e at x), 0/0 counting as 0.
@@ -12,6 +21,9 @@ use crate::system::System;
 /// does not matter to Householder QR. A step is kept only if it lowers the residual; the first one that does not ends
 /// the iteration, as does a residual at rounding level or a rank-deficient Jacobian. Infinity, with x unchanged, when x
 /// or a value at x is not finite.
+///
+/// Where every term of an equation holds an unknown that is zero at the solution, noise in that unknown keeps the relative residual high
+/// however small it is. A step that does not lower a high residual is therefore tried again with unknowns at the level of noise set to zero.
 #[inline]
 pub fn polish<S: Scalar, const N: usize, const E: usize>(
     x: &mut [S; N],
@@ -20,15 +32,18 @@ pub fn polish<S: Scalar, const N: usize, const E: usize>(
 ) -> f64 {
     let mut values = [S::ZERO; E];
     let mut scale = [0.0; E];
-    let mut jacobian = [[S::ZERO; N]; E];
     if steps == 0 {
         system.residual(x, &mut values, &mut scale);
         return relative_residual(&values, &scale);
     }
-    system.evaluate(x, &mut values, &mut scale, &mut jacobian);
-    let mut best = relative_residual(&values, &scale);
-    for step in 1..=steps {
-        if best <= f64::EPSILON || best == f64::INFINITY {
+    let mut jacobian = [[S::ZERO; N]; E];
+    let mut best = f64::INFINITY;
+    for step in 0..steps {
+        system.evaluate(x, &mut values, &mut scale, &mut jacobian);
+        if step == 0 {
+            best = relative_residual(&values, &scale);
+        }
+        if best <= ROUNDING || best == f64::INFINITY {
             break;
         }
         weigh(&mut values, &scale, &mut jacobian);
@@ -37,19 +52,30 @@ pub fn polish<S: Scalar, const N: usize, const E: usize>(
         for j in 0..N {
             moved[j] -= correction[j];
         }
-        if step < steps {
-            system.evaluate(&moved, &mut values, &mut scale, &mut jacobian);
-        } else {
+        system.residual(&moved, &mut values, &mut scale);
+        let mut residual = relative_residual(&values, &scale);
+        if !(residual < best) && best > STALLED {
+            moved = without_noise(&moved);
             system.residual(&moved, &mut values, &mut scale);
+            residual = relative_residual(&values, &scale);
         }
-        let residual = relative_residual(&values, &scale);
         if !(residual < best) {
             break;
         }
         best = residual;
         *x = moved;
+        if best <= ROUNDING {
+            break;
+        }
     }
     best
+}
+
+/// x with the unknowns that may be the rounding noise of zero set to zero.
+#[inline]
+fn without_noise<S: Scalar, const N: usize>(x: &[S; N]) -> [S; N] {
+    let largest = x.iter().map(|value| value.magnitude()).fold(0.0, f64::max);
+    x.map(|value| if value.magnitude() <= NOISE * largest { S::ZERO } else { value })
 }
 
 /// max |f_e| / scale_e; infinity when something is not finite.

@@ -176,6 +176,20 @@ fn double_solutions_are_approached() {
     assert!(residual < 1e-12 && (x[0] - 1.0).abs() < 1e-5, "{residual:e} {x:?}");
 }
 
+/// x y - 2 x = 0 and x + y - 1 = 0: at (0, 1) every term of the first equation vanishes, at (-1, 2) none does.
+#[test]
+fn an_unknown_that_is_zero_at_the_solution_does_not_hide_it() {
+    let coefficients = [0.0, -2.0, 0.0, 0.0, 1.0, 0.0, -1.0, 1.0, 1.0, 0.0, 0.0, 0.0];
+    for noise in [0.0, 1e-17, -3e-16, 1e-9] {
+        let mut x = [noise, 1.0 + 1e-9];
+        assert!(polish(&mut x, &CONICS.bind(&coefficients), 8) <= 1e-15, "{noise}: {x:?}");
+        assert_eq!(x[0], 0.0);
+        let mut x = [-1.0 + noise, 2.0];
+        assert!(polish(&mut x, &CONICS.bind(&coefficients), 8) <= 1e-15);
+        assert!((x[0] + 1.0).abs() < 1e-15);
+    }
+}
+
 #[test]
 fn ratios_of_monomial_values() {
     // v = (1, x, y, x y, x^2) times a common factor.
