@@ -4,7 +4,8 @@
 
 /// Tangent lines to the least squares circle: normalisation, and the best of the stationary circles.
 pub mod circle;
-/// The command line: arguments to exit code and text.
+/// The command `cylinders`: arguments to exit status and text.
+#[cfg(feature = "command")]
 pub mod command;
 /// Circle back to a cylinder in space; silhouettes and residuals.
 #[expect(clippy::module_inception, reason = "the file is named after the type that it holds")]

@@ -1,6 +1,6 @@
 //! A triangulation as text for people and as JSON for programs.
 
-use std::fmt::Write;
+use std::fmt;
 
 use nalgebra::Point3;
 use serde::Serialize;
@@ -79,22 +79,11 @@ impl Report {
             points: (!points.is_empty()).then(|| PointReport::new(cylinder, points)),
         }
     }
+}
 
-    /// For people: seven significant digits.
-    pub fn text(&self) -> String {
-        let mut text = String::new();
-        // Writing to a string cannot fail.
-        let _ = self.write_text(&mut text);
-        text
-    }
-
-    /// For programs: JSON with all digits, on several lines.
-    pub fn json(&self) -> String {
-        // Plain numbers and arrays always serialise.
-        serde_json::to_string_pretty(self).map(|json| json + "\n").unwrap_or_default()
-    }
-
-    fn write_text(&self, text: &mut String) -> std::fmt::Result {
+/// For people: seven significant digits.
+impl fmt::Display for Report {
+    fn fmt(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [sigma1, sigma2, sigma3] = self.singular_values;
         let triple = |[x, y, z]: [f64; 3]| format!("{x:14.7}{y:14.7}{z:14.7}");
         writeln!(text, "axis point       {}   nearest to the origin", triple(self.axis_point))?;

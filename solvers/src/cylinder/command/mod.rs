@@ -1,0 +1,105 @@
+//! The `cylinders` command: argument types and dispatch. Each subcommand is a file with its arguments and its `run`.
+//!
+//! Exit status: 0 good; 1 the data or a file is at fault; 2 usage.
+
+/// What stops a subcommand.
+mod error;
+/// Output files, whole or not at all.
+mod files;
+/// Text for people, or one JSON object.
+mod output;
+/// `cylinders triangulate`.
+mod triangulate;
+
+use std::ffi::OsString;
+use std::io::{self, Write};
+
+use clap::{Parser, Subcommand};
+
+use error::CommandError;
+use output::{Output, error_json};
+
+/// Triangulates cylinders from their silhouette lines in several images.
+#[derive(Debug, Parser)]
+#[command(name = "cylinders", version, after_help = "Exit status: 0 good; 1 the data or a file is at fault; 2 usage.")]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+    /// Print one JSON object instead of text; an error as `{"error": ".."}`
+    #[arg(long, global = true)]
+    json: bool,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Triangulate(triangulate::Arguments),
+}
+
+impl Command {
+    fn run(&self) -> Result<Output, CommandError> {
+        match self {
+            Self::Triangulate(arguments) => triangulate::run(arguments),
+        }
+    }
+}
+
+/// The exit status where the data or a file is at fault.
+pub const AT_FAULT: u8 = 1;
+/// The exit status of a wrong command line.
+pub const USAGE: u8 = 2;
+
+/// Runs the command with these arguments, the name of the program first. Returns the exit status.
+///
+/// Errors go to `stderr`; with `--json` also to `stdout`, as an object.
+pub fn run(
+    arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>,
+    stdout: &mut dyn Write,
+    stderr: &mut dyn Write,
+) -> u8 {
+    let arguments = match Arguments::try_parse_from(arguments) {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            // `--help` and `--version` are such errors too.
+            let text = error.render().to_string();
+            return match error.use_stderr() {
+                true => {
+                    // Nobody is left to tell where even this cannot be written.
+                    let _ = stderr.write_all(text.as_bytes());
+                    USAGE
+                }
+                false => status_of(stdout.write_all(text.as_bytes())),
+            };
+        }
+    };
+    match arguments.command.run() {
+        Ok(output) => {
+            let text = if arguments.json { &output.json } else { &output.text };
+            status_of(stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()))
+        }
+        Err(error) => {
+            let _ = writeln!(stderr, "error: {error}");
+            if arguments.json {
+                let _ = stdout.write_all(error_json(&error).as_bytes());
+            }
+            AT_FAULT
+        }
+    }
+}
+
+/// A reader that has had enough, such as `head`, is no fault.
+fn status_of(written: io::Result<()>) -> u8 {
+    match written {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => AT_FAULT,
+        _ => 0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_arguments_are_consistent() {
+        super::Arguments::command().debug_assert();
+    }
+}

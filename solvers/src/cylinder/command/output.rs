@@ -1,0 +1,31 @@
+//! What the subcommands print: text for people, or one JSON object.
+
+use std::fmt;
+
+use serde::Serialize;
+
+use super::error::CommandError;
+
+/// A result in both forms, each with its final line break.
+pub(super) struct Output {
+    pub(super) text: String,
+    pub(super) json: String,
+}
+
+impl Output {
+    /// Both forms of a report.
+    pub(super) fn of(report: &(impl Serialize + fmt::Display)) -> Self {
+        Self { text: report.to_string(), json: to_json(report) }
+    }
+}
+
+/// `{"error": ".."}`
+pub(super) fn error_json(error: &CommandError) -> String {
+    to_json(&serde_json::json!({ "error": error.to_string() }))
+}
+
+/// Numbers that are not finite become `null`.
+fn to_json(value: &impl Serialize) -> String {
+    // Only maps whose keys are no strings can fail.
+    serde_json::to_string_pretty(value).unwrap_or_default() + "\n"
+}
