@@ -4,6 +4,8 @@
 
 /// Tangent lines to the least squares circle: normalisation, and the best of the stationary circles.
 pub mod circle;
+/// Three tangent lines to their incircle and excircles, in closed form.
+pub mod closed_form;
 /// The command `cylinders`: arguments to exit status and text.
 #[cfg(feature = "command")]
 pub mod command;
@@ -18,6 +20,8 @@ pub mod input;
 pub mod rectify;
 /// A result as text and as JSON.
 pub mod report;
+/// Tangent lines to conics: the trait of all methods.
+pub mod section;
 /// Tangent lines to all stationary circles, by the emitted solver.
 mod stationary;
 /// All of it: views to a cylinder with its residuals.
@@ -26,8 +30,10 @@ pub mod triangulate;
 pub mod view;
 
 pub use circle::{Circle, CircleError, CircleFit};
+pub use closed_form::{ClosedForm, tangent_circles};
 pub use cylinder::{Cylinder, LineResidual};
 pub use direction::{Direction, DirectionError};
 pub use input::{InputError, Scene, parse_scene, read_scene};
+pub use section::{Section, SectionError, SectionLine, SectionShape, SectionSolver};
 pub use triangulate::{TriangulateError, Triangulation, triangulate};
 pub use view::{Calibration, Camera, View, ViewError, ViewingPlane};
