@@ -79,9 +79,12 @@ impl Cylinder {
         Some([1.0, -1.0].map(|side| camera.rotation() * (first * sine + second * (side * cosine))))
     }
 
-    /// Residuals of the lines of a view, or `None` when its camera is not outside the cylinder. `view` is the index that
-    /// the residuals carry.
+    /// Residuals of the lines of a view, or `None` when it has lines but its camera is not outside the cylinder. `view` is
+    /// the index that the residuals carry.
     pub fn residuals(&self, view: usize, lines: &View) -> Option<Vec<LineResidual>> {
+        if lines.lines().is_empty() {
+            return Some(Vec::new());
+        }
         let camera = lines.camera();
         let silhouette = self.silhouette(camera)?;
         let residual = |(index, (line, plane)): (usize, (&Vector3<f64>, ViewingPlane))| {

@@ -5,20 +5,26 @@
 //!   "K": [[3000, 0, 2000], [0, 3000, 1500], [0, 0, 1]],
 //!   "views": [
 //!     {
+//!       "image": "left.jpg",
 //!       "camera_normalised": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 5]],
-//!       "lines_pixels": [[1, 0, -1800], [1, 0, -2200]]
+//!       "lines_pixels": [[1, 0, -1800], [1, 0, -2200]],
+//!       "cylinders": ["tower", "tower"]
 //!     }
 //!   ]
 //! }
 //! ```
 //!
 //! - `K`: calibration in pixels, upper triangular. Optional when nothing is in pixels; with it residuals are in pixels too.
+//!   A view with another calibration has a `K` of its own.
 //! - `views[i].camera_normalised`: 3x4 `[R t]` up to scale, world to camera; or `camera_pixels`: `K [R t]` up to scale.
 //! - `views[i].lines_normalised`: lines `[a, b, c]`, `a x + b y + c = 0`, any scale and sign, in normalised image
 //!   coordinates; or `lines_pixels`, in pixels. Where a view gives both spellings of one thing, they must agree.
+//! - `views[i].image`: optional name of the image, for reports and for segments of a CSV file (`cylinder::segments`).
+//! - `views[i].cylinders`: optional, one label or `null` for each line: which cylinder it is a silhouette of. All lines
+//!   without label are taken for silhouettes of one cylinder.
 //! - `points`: optional world points `[x, y, z]`; the report says how many are near the surface.
 //!
-//! Other keys are ignored. All lines are taken for silhouettes of the same cylinder.
+//! Other keys are ignored.
 
 use std::path::Path;
 
@@ -26,20 +32,12 @@ use nalgebra::{Matrix3, Matrix3x4, Point3, Vector3};
 use serde::Deserialize;
 use thiserror::Error;
 
+use super::scene::Scene;
 use super::view::{Calibration, Camera, View, ViewError};
 
 /// Largest difference between two spellings of one camera (rotation entries; translation relative to its length) or one
 /// line (unit vectors): about a third of a pixel at a focal length of 3000.
 const SPELLINGS_AGREE: f64 = 1e-4;
-
-/// A scene: views of one cylinder, and points to compare the result with.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Scene {
-    /// The views, in the order of the file.
-    pub views: Vec<View>,
-    /// Scene points, world frame; empty when the file has none.
-    pub points: Vec<Point3<f64>>,
-}
 
 /// What is wrong with a scene file. Every message starts with the file, then the place in it.
 #[derive(Debug, Error)]
@@ -131,10 +129,14 @@ struct SceneFile {
 
 #[derive(Deserialize)]
 struct ViewFile {
+    #[serde(rename = "K")]
+    calibration: Option<Rows>,
+    image: Option<String>,
     camera_normalised: Option<Rows>,
     camera_pixels: Option<Rows>,
     lines_normalised: Option<Rows>,
     lines_pixels: Option<Rows>,
+    cylinders: Option<Vec<Option<String>>>,
 }
 
 /// Reads a scene file.
@@ -157,7 +159,7 @@ pub fn parse_scene(text: &str, file: &str) -> Result<Scene, InputError> {
     let scene: SceneFile = serde_json::from_str(text).map_err(|error| json_error(file, &error))?;
     let reader = Reader { file };
     let calibration = match &scene.calibration {
-        Some(rows) => Some(reader.calibration(rows)?),
+        Some(rows) => Some(reader.calibration(rows, "K")?),
         None => None,
     };
     let view = |(index, view)| reader.view(index, view, calibration);
@@ -188,8 +190,29 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn view(&self, index: usize, view: &ViewFile, calibration: Option<Calibration>) -> Result<View, InputError> {
-        let missing = |needs| InputError::Missing { file: self.file.to_owned(), view: index, needs };
+    fn view(&self, index: usize, view: &ViewFile, common: Option<Calibration>) -> Result<View, InputError> {
+        let calibration = match &view.calibration {
+            Some(rows) => Some(self.calibration(rows, &format!("views[{index}].K"))?),
+            None => common,
+        };
+        let camera = self.camera(index, view, calibration)?;
+        let mut parsed = self.lines(index, view, camera)?;
+        if let Some(image) = &view.image {
+            parsed = parsed.with_image(image.clone());
+        }
+        match &view.cylinders {
+            Some(labels) => parsed
+                .with_labels(labels.clone())
+                .map_err(|source| self.invalid(&format!("views[{index}].cylinders"), source)),
+            None => Ok(parsed),
+        }
+    }
+
+    fn missing(&self, view: usize, needs: &'static str) -> InputError {
+        InputError::Missing { file: self.file.to_owned(), view, needs }
+    }
+
+    fn camera(&self, index: usize, view: &ViewFile, calibration: Option<Calibration>) -> Result<Camera, InputError> {
         let camera = match &view.camera_normalised {
             Some(rows) => {
                 let place = format!("views[{index}].camera_normalised");
@@ -202,7 +225,8 @@ impl Reader<'_> {
         let camera_pixels = match &view.camera_pixels {
             Some(rows) => {
                 let place = format!("views[{index}].camera_pixels");
-                let calibration = calibration.ok_or_else(|| missing("`K`, because its camera is in pixels"))?;
+                let calibration =
+                    calibration.ok_or_else(|| self.missing(index, "`K`, because its camera is in pixels"))?;
                 let matrix = self.camera_matrix(rows, &place)?;
                 let other = Camera::from_pixels(&matrix, calibration).map_err(|source| self.invalid(&place, source))?;
                 if camera.is_some_and(|camera| !cameras_agree(&camera, &other)) {
@@ -212,17 +236,10 @@ impl Reader<'_> {
             }
             None => None,
         };
-        let camera = camera.or(camera_pixels).ok_or_else(|| missing("`camera_normalised` or `camera_pixels`"))?;
-        self.lines(index, view, camera, missing)
+        camera.or(camera_pixels).ok_or_else(|| self.missing(index, "`camera_normalised` or `camera_pixels`"))
     }
 
-    fn lines(
-        &self,
-        index: usize,
-        view: &ViewFile,
-        camera: Camera,
-        missing: impl Fn(&'static str) -> InputError,
-    ) -> Result<View, InputError> {
+    fn lines(&self, index: usize, view: &ViewFile, camera: Camera) -> Result<View, InputError> {
         let parsed = match &view.lines_normalised {
             Some(rows) => {
                 let place = format!("views[{index}].lines_normalised");
@@ -232,10 +249,10 @@ impl Reader<'_> {
             None => None,
         };
         let Some(rows) = &view.lines_pixels else {
-            return parsed.ok_or_else(|| missing("`lines_normalised` or `lines_pixels`"));
+            return parsed.ok_or_else(|| self.missing(index, "`lines_normalised` or `lines_pixels`"));
         };
         if camera.calibration().is_none() {
-            return Err(missing("`K`, because its lines are in pixels"));
+            return Err(self.missing(index, "`K`, because its lines are in pixels"));
         }
         let place = format!("views[{index}].lines_pixels");
         let other = View::from_pixel_lines(camera, &self.line_rows(rows, &place)?);
@@ -251,10 +268,10 @@ impl Reader<'_> {
         }
     }
 
-    fn calibration(&self, rows: &Rows) -> Result<Calibration, InputError> {
-        let rows: [[f64; 3]; 3] = self.matrix(rows, "K")?;
+    fn calibration(&self, rows: &Rows, place: &str) -> Result<Calibration, InputError> {
+        let rows: [[f64; 3]; 3] = self.matrix(rows, place)?;
         let matrix = Matrix3::from_fn(|row, column| rows[row][column]);
-        Calibration::new(&matrix).map_err(|source| self.invalid("K", source))
+        Calibration::new(&matrix).map_err(|source| self.invalid(place, source))
     }
 
     fn camera_matrix(&self, rows: &Rows, place: &str) -> Result<Matrix3x4<f64>, InputError> {

@@ -6,6 +6,8 @@
 pub mod circle;
 /// Three tangent lines to their incircle and excircles, in closed form.
 pub mod closed_form;
+/// COLMAP models, text and binary: cameras of photographs, and points.
+pub mod colmap;
 /// The command `cylinders`: arguments to exit status and text.
 #[cfg(feature = "command")]
 pub mod command;
@@ -14,14 +16,22 @@ pub mod command;
 pub mod cylinder;
 /// Viewing planes to the direction of the axis; conditioned, or refused.
 pub mod direction;
+/// Lens distortion, and its inverse.
+pub mod distortion;
 /// Scene files: JSON to views.
 pub mod input;
+/// The camera behind the pixels of a photograph, with its distortion.
+pub mod photograph;
 /// Viewing planes to tangent lines of the cross-section.
 pub mod rectify;
 /// A result as text and as JSON.
 pub mod report;
+/// Views of one or several cylinders, with the points around them.
+pub mod scene;
 /// Tangent lines to conics: the trait of all methods.
 pub mod section;
+/// CSV files of line segments: end points to fitted lines.
+pub mod segments;
 /// Tangent lines to all stationary circles, by the emitted solver.
 mod stationary;
 /// All of it: views to a cylinder with its residuals.
@@ -31,9 +41,12 @@ pub mod view;
 
 pub use circle::{Circle, CircleError, CircleFit};
 pub use closed_form::{ClosedForm, tangent_circles};
+pub use colmap::{ColmapError, read_colmap};
 pub use cylinder::{Cylinder, LineResidual};
 pub use direction::{Direction, DirectionError};
-pub use input::{InputError, Scene, parse_scene, read_scene};
+pub use input::{InputError, parse_scene, read_scene};
+pub use scene::{CylinderLines, LineId, Scene};
 pub use section::{Section, SectionError, SectionLine, SectionShape, SectionSolver};
+pub use segments::{SegmentError, Segments, parse_segments, read_segments};
 pub use triangulate::{TriangulateError, Triangulation, triangulate};
 pub use view::{Calibration, Camera, View, ViewError, ViewingPlane};

@@ -6,6 +6,7 @@ use nalgebra::Point3;
 use serde::Serialize;
 
 use super::cylinder::Cylinder;
+use super::scene::CylinderLines;
 use super::triangulate::Triangulation;
 
 /// A scene point counts as near the surface when it is within this part of the radius.
@@ -14,6 +15,9 @@ const NEAR_SURFACE: f64 = 0.05;
 /// The result in plain numbers, in the form in which it is written as JSON.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
+    /// Label of the cylinder; absent for lines without label.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub label: Option<String>,
     /// Point of the axis nearest to the world's origin.
     pub axis_point: [f64; 3],
     /// Unit direction of the axis.
@@ -34,9 +38,12 @@ pub struct Report {
 }
 
 /// Residual of one line.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ResidualReport {
-    /// Index of the view, from 0.
+    /// Name of the image; absent when it has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub image: Option<String>,
+    /// Index of the view in the scene, from 0.
     pub view: usize,
     /// Index of the line in its view, from 0.
     pub line: usize,
@@ -58,17 +65,19 @@ pub struct PointReport {
 }
 
 impl Report {
-    /// Gathers the numbers of a result.
-    pub fn new(result: &Triangulation, points: &[Point3<f64>]) -> Self {
+    /// Gathers the numbers of the result for these lines; `points` are those of the scene.
+    pub fn new(lines: &CylinderLines, result: &Triangulation, points: &[Point3<f64>]) -> Self {
         let cylinder = &result.cylinder;
-        let residuals = result.residuals.iter().map(|residual| ResidualReport {
-            view: residual.view,
-            line: residual.line,
+        let residuals = lines.lines.iter().zip(&result.residuals).map(|(id, residual)| ResidualReport {
+            image: lines.views[id.view].image().map(str::to_owned),
+            view: id.view,
+            line: id.line,
             distance: residual.distance,
             angle: residual.angle,
             pixels: residual.pixels,
         });
         Self {
+            label: lines.label.clone(),
             axis_point: cylinder.axis_point.coords.into(),
             direction: cylinder.direction.into_inner().into(),
             radius: cylinder.radius,
@@ -86,6 +95,9 @@ impl fmt::Display for Report {
     fn fmt(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [sigma1, sigma2, sigma3] = self.singular_values;
         let triple = |[x, y, z]: [f64; 3]| format!("{x:14.7}{y:14.7}{z:14.7}");
+        if let Some(label) = &self.label {
+            writeln!(text, "cylinder         {label:>14}")?;
+        }
         writeln!(text, "axis point       {}   nearest to the origin", triple(self.axis_point))?;
         writeln!(text, "direction        {}", triple(self.direction))?;
         writeln!(text, "radius           {:14.7}", self.radius)?;
@@ -102,9 +114,10 @@ impl fmt::Display for Report {
         writeln!(text, "\nview  line      distance   angle/degrees     pixels")?;
         for residual in &self.residuals {
             let pixels = residual.pixels.map_or("-".to_owned(), |pixels| format!("{pixels:.3}"));
+            let image = residual.image.as_ref().map_or(String::new(), |image| format!("   {image}"));
             writeln!(
                 text,
-                "{:4}{:6}{:14.4e}{:16.6}{pixels:>11}",
+                "{:4}{:6}{:14.4e}{:16.6}{pixels:>11}{image}",
                 residual.view,
                 residual.line,
                 residual.distance,

@@ -9,7 +9,7 @@
 //!
 //! and the viewing plane of a silhouette line is tangent to the cylinder.
 
-use nalgebra::{Matrix3, Matrix3x4, Point3, Vector3};
+use nalgebra::{Matrix3, Matrix3x4, Point2, Point3, Vector3};
 use thiserror::Error;
 
 /// Largest accepted entry of `M^T M / s^2 - I` for the left 3x3 part `M` of a camera, `s` its mean row norm. It admits
@@ -37,11 +37,15 @@ pub struct Camera {
     calibration: Option<Calibration>,
 }
 
-/// A camera and the silhouette lines seen in it: unit 3-vectors, in normalised image coordinates.
+/// A camera and the silhouette lines seen in it: unit 3-vectors, in normalised image coordinates. Knows the name of its
+/// image and which cylinder each line belongs to, where the input says so.
 #[derive(Clone, Debug, PartialEq)]
 pub struct View {
     camera: Camera,
     lines: Vec<Vector3<f64>>,
+    /// One for each line.
+    labels: Vec<Option<String>>,
+    image: Option<String>,
 }
 
 /// The plane `n^T (X - C) = 0` through the camera centre `C` and an image line; `n` is of unit length.
@@ -86,6 +90,14 @@ pub enum ViewError {
     /// Lines in pixels were given with a camera that has no calibration.
     #[error("lines in pixels need a calibration")]
     NoCalibration,
+    /// Not one label for each line.
+    #[error("{labels} cylinder labels for {lines} line(s)")]
+    LabelCount {
+        /// Number of lines.
+        lines: usize,
+        /// Number of labels.
+        labels: usize,
+    },
 }
 
 impl Calibration {
@@ -116,6 +128,18 @@ impl Calibration {
         let a = line[0] / k[(0, 0)];
         let b = (line[1] - k[(0, 1)] * a) / k[(1, 1)];
         Vector3::new(a, b, line[2] - k[(0, 2)] * a - k[(1, 2)] * b)
+    }
+
+    /// A point in normalised coordinates from one in pixels: `K^-1 x_p`.
+    pub fn point_to_normalised(&self, pixel: &Point2<f64>) -> Point2<f64> {
+        let k = &self.matrix;
+        let y = (pixel.y - k[(1, 2)]) / k[(1, 1)];
+        Point2::new((pixel.x - k[(0, 2)] - k[(0, 1)] * y) / k[(0, 0)], y)
+    }
+
+    /// A point in pixels from one in normalised coordinates: `K x_n`.
+    pub fn point_to_pixels(&self, point: &Point2<f64>) -> Point2<f64> {
+        Point2::from((self.matrix * point.to_homogeneous()).xy())
     }
 
     /// `K^-1 P` by back-substitution.
@@ -200,7 +224,7 @@ impl View {
     /// [`ViewError::LineNotFinite`], [`ViewError::LineWithoutDirection`].
     pub fn from_normalised_lines(camera: Camera, lines: &[Vector3<f64>]) -> Result<Self, ViewError> {
         let unit = |(index, line)| unit_line(index, line);
-        Ok(Self { camera, lines: lines.iter().enumerate().map(unit).collect::<Result<_, _>>()? })
+        Ok(Self::new(camera, lines.iter().enumerate().map(unit).collect::<Result<_, _>>()?))
     }
 
     /// A view with lines in pixels, any scale and sign.
@@ -213,8 +237,45 @@ impl View {
         let normalise = |(index, line)| {
             unit_line(index, line).and_then(|unit| unit_line(index, &calibration.line_to_normalised(&unit)))
         };
-        let lines = lines.iter().enumerate().map(normalise).collect::<Result<_, _>>()?;
-        Ok(Self { camera, lines })
+        Ok(Self::new(camera, lines.iter().enumerate().map(normalise).collect::<Result<_, _>>()?))
+    }
+
+    fn new(camera: Camera, lines: Vec<Vector3<f64>>) -> Self {
+        Self { camera, labels: vec![None; lines.len()], lines, image: None }
+    }
+
+    /// The same view, with the name of its image.
+    pub fn with_image(self, image: String) -> Self {
+        Self { image: Some(image), ..self }
+    }
+
+    /// The same view, with the label of the cylinder to which each line belongs.
+    ///
+    /// # Errors
+    /// [`ViewError::LabelCount`].
+    pub fn with_labels(self, labels: Vec<Option<String>>) -> Result<Self, ViewError> {
+        match labels.len() == self.lines.len() {
+            true => Ok(Self { labels, ..self }),
+            false => Err(ViewError::LabelCount { lines: self.lines.len(), labels: labels.len() }),
+        }
+    }
+
+    /// Adds the lines of a view of the same image.
+    pub(super) fn append(&mut self, other: Self) {
+        self.lines.extend(other.lines);
+        self.labels.extend(other.labels);
+    }
+
+    /// The same view with only the lines of one label, and the indices that these had.
+    pub(super) fn labelled(&self, label: Option<&str>) -> (Self, Vec<usize>) {
+        let indices: Vec<_> = (0..self.lines.len()).filter(|&line| self.labels[line].as_deref() == label).collect();
+        let view = Self {
+            camera: self.camera,
+            lines: indices.iter().map(|&line| self.lines[line]).collect(),
+            labels: indices.iter().map(|&line| self.labels[line].clone()).collect(),
+            image: self.image.clone(),
+        };
+        (view, indices)
     }
 
     /// The camera.
@@ -225,6 +286,16 @@ impl View {
     /// The lines, of unit length, in normalised image coordinates.
     pub fn lines(&self) -> &[Vector3<f64>] {
         &self.lines
+    }
+
+    /// The labels of the cylinders to which the lines belong, one for each line.
+    pub fn labels(&self) -> &[Option<String>] {
+        &self.labels
+    }
+
+    /// The name of the image, when it has one.
+    pub fn image(&self) -> Option<&str> {
+        self.image.as_deref()
     }
 
     /// The viewing planes of the lines, in their order.

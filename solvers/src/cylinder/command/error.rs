@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-use crate::cylinder::{InputError, TriangulateError};
+use crate::cylinder::{ColmapError, InputError, SegmentError, TriangulateError};
 
 /// Why a subcommand failed. All of these are the fault of the data or of a file.
 #[derive(Debug, Error)]
@@ -13,9 +13,18 @@ pub(super) enum CommandError {
     /// The scene cannot be read.
     #[error(transparent)]
     Input(#[from] InputError),
+    /// The segments cannot be read, or do not belong to the images.
+    #[error(transparent)]
+    Segments(#[from] SegmentError),
+    /// The model cannot be read.
+    #[error(transparent)]
+    Colmap(#[from] ColmapError),
+    /// Neither a scene nor a model with segments.
+    #[error("there is no scene")]
+    NoScene,
     /// The lines determine no cylinder.
-    #[error("{}: {error}", scene.display())]
-    Triangulate { scene: PathBuf, error: TriangulateError },
+    #[error("{}: {}{error}", scene.display(), label.as_ref().map_or(String::new(), |label| format!("cylinder `{label}`: ")))]
+    Triangulate { scene: PathBuf, label: Option<String>, error: TriangulateError },
     /// No folder, no permission, no space.
     #[error("cannot write `{}`: {source}", path.display())]
     Write { path: PathBuf, source: io::Error },

@@ -8,6 +8,8 @@ mod error;
 mod files;
 /// Text for people, or one JSON object.
 mod output;
+/// Where cameras and lines come from.
+mod scene;
 /// `cylinders triangulate`.
 mod triangulate;
 
