@@ -21,6 +21,16 @@ pub struct Cylinder {
     pub radius: f64,
 }
 
+/// A side of the axis as a camera sees it that looks at the axis from where it stands, the direction `w` pointing up. So the
+/// left silhouettes of all cameras around a cylinder touch it in the same sense of rotation, however the cameras are rolled.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Side {
+    /// Left of the axis.
+    Left,
+    /// Right of the axis.
+    Right,
+}
+
 /// How far a silhouette line is from the silhouette of a cylinder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineResidual {
@@ -28,6 +38,8 @@ pub struct LineResidual {
     pub view: usize,
     /// Index of the line in its view.
     pub line: usize,
+    /// Side of the silhouette that is nearest to the line.
+    pub side: Side,
     /// Signed distance between viewing plane and cylinder, world units: distance of the axis from the plane, turned about
     /// its camera centre to be parallel to the axis, minus the radius. Negative where the plane cuts the cylinder.
     pub distance: f64,
@@ -36,6 +48,13 @@ pub struct LineResidual {
     /// Distance in pixels, when the camera has a calibration: of the silhouette from the point of the given line that is
     /// nearest to the principal point.
     pub pixels: Option<f64>,
+}
+
+impl LineResidual {
+    /// The angle with the sign of the distance: negative where the viewing plane cuts the cylinder, radians.
+    pub fn signed_angle(&self) -> f64 {
+        self.angle.copysign(self.distance)
+    }
 }
 
 impl Cylinder {
@@ -66,7 +85,9 @@ impl Cylinder {
     ///
     /// With `m` the perpendicular from the centre `C` to the axis, `rho = |m|` and the frame `e1 = m / rho`,
     /// `e2 = w x e1`, the tangent planes through `C` have the normals `n = (r / rho) e1 +- sqrt(1 - (r / rho)^2) e2`,
-    /// because `n^T m = r`; the lines are `l = R n`. The axis is on the positive side of both.
+    /// because `n^T m = r`; the lines are `l = R n`. The axis is on the positive side of both. The first is the right one, the
+    /// second the left one: the plane touches at `A' - r n`, with `A'` the point of the axis beside the camera, and `-e2`
+    /// points to the right.
     pub fn silhouette(&self, camera: &Camera) -> Option<[Vector3<f64>; 2]> {
         let to_axis = self.vector_to_axis(&camera.centre());
         let sine = self.radius / to_axis.norm();
@@ -90,10 +111,12 @@ impl Cylinder {
         let residual = |(index, (line, plane)): (usize, (&Vector3<f64>, ViewingPlane))| {
             // Lines have no sign: the angle is between 0 and pi / 2.
             let angle = |other: &Vector3<f64>| line.cross(other).norm().atan2(line.dot(other).abs());
-            let nearest = if angle(&silhouette[1]) < angle(&silhouette[0]) { &silhouette[1] } else { &silhouette[0] };
+            let [right, left] = &silhouette;
+            let (side, nearest) = if angle(left) < angle(right) { (Side::Left, left) } else { (Side::Right, right) };
             LineResidual {
                 view,
                 line: index,
+                side,
                 distance: self.plane_distance(&plane),
                 angle: angle(nearest),
                 pixels: pixel_distance(camera, line, nearest),

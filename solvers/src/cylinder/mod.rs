@@ -22,6 +22,8 @@ pub mod distortion;
 pub mod input;
 /// The camera behind the pixels of a photograph, with its distortion.
 pub mod photograph;
+/// The cylinder as quadric and dual quadric, and its outline from the dual.
+pub mod quadric;
 /// Viewing planes to tangent lines of the cross-section.
 pub mod rectify;
 /// A result as text and as JSON.
@@ -42,9 +44,10 @@ pub mod view;
 pub use circle::{Circle, CircleError, CircleFit};
 pub use closed_form::{ClosedForm, tangent_circles};
 pub use colmap::{ColmapError, read_colmap};
-pub use cylinder::{Cylinder, LineResidual};
+pub use cylinder::{Cylinder, LineResidual, Side};
 pub use direction::{Direction, DirectionError};
 pub use input::{InputError, parse_scene, read_scene};
+pub use quadric::silhouette_of_dual_quadric;
 pub use scene::{CylinderLines, LineId, Scene};
 pub use section::{Section, SectionError, SectionLine, SectionShape, SectionSolver};
 pub use segments::{SegmentError, Segments, parse_segments, read_segments};
