@@ -1,6 +1,9 @@
 //! Step 4: the cylinder in space, its silhouettes in a camera, and how far a given line is from them.
 
+use std::fmt;
+
 use nalgebra::{Point3, Unit, Vector3};
+use serde::Serialize;
 
 use super::circle::Circle;
 use super::rectify::Rectification;
@@ -23,12 +26,22 @@ pub struct Cylinder {
 
 /// A side of the axis as a camera sees it that looks at the axis from where it stands, the direction `w` pointing up. So the
 /// left silhouettes of all cameras around a cylinder touch it in the same sense of rotation, however the cameras are rolled.
-#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+#[derive(Clone, Copy, Debug, Eq, PartialEq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Side {
     /// Left of the axis.
     Left,
     /// Right of the axis.
     Right,
+}
+
+impl fmt::Display for Side {
+    fn fmt(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
+        text.write_str(match self {
+            Self::Left => "left",
+            Self::Right => "right",
+        })
+    }
 }
 
 /// How far a silhouette line is from the silhouette of a cylinder.

@@ -5,7 +5,7 @@ use std::fmt;
 use nalgebra::Point3;
 use serde::Serialize;
 
-use super::cylinder::Cylinder;
+use super::cylinder::{Cylinder, Side};
 use super::scene::CylinderLines;
 use super::triangulate::Triangulation;
 
@@ -47,6 +47,8 @@ pub struct ResidualReport {
     pub view: usize,
     /// Index of the line in its view, from 0.
     pub line: usize,
+    /// Side of the silhouette that is nearest to the line, the direction of the axis pointing up.
+    pub side: Side,
     /// Distance of the axis from the viewing plane minus the radius, world units.
     pub distance: f64,
     /// Angle between the viewing plane and the nearest tangent plane, radians.
@@ -72,6 +74,7 @@ impl Report {
             image: lines.views[id.view].image().map(str::to_owned),
             view: id.view,
             line: id.line,
+            side: residual.side,
             distance: residual.distance,
             angle: residual.angle,
             pixels: residual.pixels,
@@ -111,15 +114,16 @@ impl fmt::Display for Report {
                 points.near_surface, points.total
             )?;
         }
-        writeln!(text, "\nview  line      distance   angle/degrees     pixels")?;
+        writeln!(text, "\nview  line   side      distance   angle/degrees     pixels")?;
         for residual in &self.residuals {
             let pixels = residual.pixels.map_or("-".to_owned(), |pixels| format!("{pixels:.3}"));
             let image = residual.image.as_ref().map_or(String::new(), |image| format!("   {image}"));
             writeln!(
                 text,
-                "{:4}{:6}{:14.4e}{:16.6}{pixels:>11}{image}",
+                "{:4}{:6}{:>7}{:14.4e}{:16.6}{pixels:>11}{image}",
                 residual.view,
                 residual.line,
+                residual.side.to_string(),
                 residual.distance,
                 residual.angle.to_degrees()
             )?;
