@@ -9,6 +9,9 @@ use super::circle::Circle;
 use super::rectify::Rectification;
 use super::view::{Camera, View, ViewingPlane};
 
+/// A point counts as on the surface when it is within this part of the radius.
+pub(super) const NEAR_SURFACE: f64 = 0.05;
+
 /// An infinite circular cylinder.
 ///
 /// ```text
@@ -82,6 +85,16 @@ impl Cylinder {
         Self::new(&rectification.world_point(&circle.centre), direction, circle.radius)
     }
 
+    /// The point of the axis at a height: a signed distance along it from `axis_point`, world units.
+    pub fn axis_at(&self, height: f64) -> Point3<f64> {
+        self.axis_point + self.direction.into_inner() * height
+    }
+
+    /// The height of a point: inverse of [`Cylinder::axis_at`] for the nearest point of the axis.
+    pub fn height(&self, point: &Point3<f64>) -> f64 {
+        self.direction.dot(&(point - self.axis_point))
+    }
+
     /// Perpendicular from a point to the axis, pointing at the axis.
     fn vector_to_axis(&self, point: &Point3<f64>) -> Vector3<f64> {
         let difference = self.axis_point - point;
@@ -91,6 +104,11 @@ impl Cylinder {
     /// Signed distance of a point from the surface: negative inside.
     pub fn distance(&self, point: &Point3<f64>) -> f64 {
         self.vector_to_axis(point).norm() - self.radius
+    }
+
+    /// Whether a point is on the surface, within 5 % of the radius.
+    pub fn is_near(&self, point: &Point3<f64>) -> bool {
+        self.distance(point).abs() <= NEAR_SURFACE * self.radius
     }
 
     /// The two silhouette lines in a camera, unit vectors in normalised image coordinates, or `None` when its centre is

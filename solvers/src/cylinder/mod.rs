@@ -18,10 +18,16 @@ pub mod cylinder;
 pub mod direction;
 /// Lens distortion, and its inverse.
 pub mod distortion;
+/// Which part of a cylinder the views show.
+pub mod extent;
 /// Scene files: JSON to views.
 pub mod input;
+/// Colours of pictures and models.
+mod palette;
 /// The camera behind the pixels of a photograph, with its distortion.
 pub mod photograph;
+/// Cylinders, cameras, lines and points as a PLY file.
+pub mod ply;
 /// The cylinder as quadric and dual quadric, and its outline from the dual.
 pub mod quadric;
 /// Viewing planes to tangent lines of the cross-section.

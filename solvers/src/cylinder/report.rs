@@ -5,12 +5,9 @@ use std::fmt;
 use nalgebra::Point3;
 use serde::Serialize;
 
-use super::cylinder::{Cylinder, Side};
+use super::cylinder::{Cylinder, NEAR_SURFACE, Side};
 use super::scene::CylinderLines;
 use super::triangulate::Triangulation;
-
-/// A scene point counts as near the surface when it is within this part of the radius.
-const NEAR_SURFACE: f64 = 0.05;
 
 /// The result in plain numbers, in the form in which it is written as JSON.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -134,7 +131,6 @@ impl fmt::Display for Report {
 
 impl PointReport {
     fn new(cylinder: &Cylinder, points: &[Point3<f64>]) -> Self {
-        let near = |point: &&Point3<f64>| cylinder.distance(point).abs() <= NEAR_SURFACE * cylinder.radius;
-        Self { total: points.len(), near_surface: points.iter().filter(near).count() }
+        Self { total: points.len(), near_surface: points.iter().filter(|point| cylinder.is_near(point)).count() }
     }
 }

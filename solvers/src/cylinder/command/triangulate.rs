@@ -9,8 +9,9 @@ use super::error::CommandError;
 use super::files::write;
 use super::output::Output;
 use super::scene::SceneArguments;
+use crate::cylinder::ply::to_ply;
 use crate::cylinder::report::Report;
-use crate::cylinder::{CylinderLines, Scene, triangulate};
+use crate::cylinder::{CylinderLines, Scene, Triangulation, triangulate};
 
 /// Triangulate the cylinders of a scene by constrained least squares
 #[derive(clap::Args, Debug)]
@@ -26,6 +27,9 @@ pub(super) struct Arguments {
     /// Write the result to this file too, as JSON
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    /// Write surfaces, viewing planes, cameras and points to this file, for a viewer of PLY files
+    #[arg(long, value_name = "FILE")]
+    ply: Option<PathBuf>,
 }
 
 /// One cylinder, as it is, for a scene without labels; otherwise a list, also where there is one label.
@@ -49,24 +53,33 @@ impl fmt::Display for Reports {
 
 pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     let scene = arguments.scene.read()?;
-    let output = Output::of(&reports(arguments, &scene)?);
+    let results = triangulate_all(arguments, &scene)?;
+    let output = Output::of(&reports(&scene, &results));
+    let found: Vec<_> = results.into_iter().map(|(lines, result)| (lines, result.cylinder)).collect();
     if let Some(path) = &arguments.out {
         write(path, output.json.as_bytes())?;
+    }
+    if let Some(path) = &arguments.ply {
+        write(path, &to_ply(&scene, &found))?;
     }
     Ok(output)
 }
 
-fn reports(arguments: &Arguments, scene: &Scene) -> Result<Reports, CommandError> {
-    let report = |lines: &CylinderLines| match triangulate(&lines.views) {
-        Ok(result) => Ok(Report::new(lines, &result, &scene.points)),
+fn triangulate_all(arguments: &Arguments, scene: &Scene) -> Result<Vec<(CylinderLines, Triangulation)>, CommandError> {
+    let triangulate = |lines: CylinderLines| match triangulate(&lines.views) {
+        Ok(result) => Ok((lines, result)),
         Err(error) => {
-            let (scene, label) = (arguments.scene.path().to_owned(), lines.label.clone());
-            Err(CommandError::Triangulate { scene, label, error })
+            let scene = arguments.scene.path().to_owned();
+            Err(CommandError::Triangulate { scene, label: lines.label, error })
         }
     };
-    let mut reports = scene.cylinders().iter().map(report).collect::<Result<Vec<_>, _>>()?;
+    scene.cylinders().into_iter().map(triangulate).collect()
+}
+
+fn reports(scene: &Scene, results: &[(CylinderLines, Triangulation)]) -> Reports {
+    let mut reports: Vec<_> = results.iter().map(|(lines, result)| Report::new(lines, result, &scene.points)).collect();
     match reports.pop() {
-        Some(report) if !scene.has_labels() => Ok(Reports::Unlabelled(Box::new(report))),
-        last => Ok(Reports::Labelled { cylinders: reports.into_iter().chain(last).collect() }),
+        Some(report) if !scene.has_labels() => Reports::Unlabelled(Box::new(report)),
+        last => Reports::Labelled { cylinders: reports.into_iter().chain(last).collect() },
     }
 }
