@@ -22,6 +22,16 @@ pub mod distortion;
 pub mod extent;
 /// Scene files: JSON to views.
 pub mod input;
+/// Tangent lines to all stationary circles, the global minimum first.
+pub mod least_squares;
+/// Tangent lines to a conic that need not be a circle.
+pub mod linear_conic;
+/// Three tangent lines to the circles that touch them, by the emitted solver.
+pub mod minimal;
+/// Pairs of tangent lines to a circle: axis first, then radius.
+pub mod navab;
+/// Tangent lines to coordinates of order one, in which they are solved.
+mod normalise;
 /// Colours of pictures and models.
 mod palette;
 /// The camera behind the pixels of a photograph, with its distortion.
@@ -53,6 +63,10 @@ pub use colmap::{ColmapError, read_colmap};
 pub use cylinder::{Cylinder, LineResidual, Side};
 pub use direction::{Direction, DirectionError};
 pub use input::{InputError, parse_scene, read_scene};
+pub use least_squares::LeastSquares;
+pub use linear_conic::LinearConic;
+pub use minimal::{Minimal, minimal_circles};
+pub use navab::Navab;
 pub use quadric::silhouette_of_dual_quadric;
 pub use scene::{CylinderLines, LineId, Scene};
 pub use section::{Section, SectionError, SectionLine, SectionShape, SectionSolver};

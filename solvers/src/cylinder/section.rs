@@ -92,6 +92,29 @@ pub enum SectionError {
         /// Index of the line.
         line: usize,
     },
+    /// A view with more than two lines, for a method that pairs the lines of a view.
+    #[error("view {view} has {lines} lines; this method takes the two silhouettes of each view")]
+    NotAPair {
+        /// The view.
+        view: usize,
+        /// Number of its lines.
+        lines: usize,
+    },
+    /// Fewer than two views with two lines of positive weight, for a method that pairs the lines of a view.
+    #[error("{pairs} view(s) with two lines given; this method needs at least two")]
+    TooFewPairs {
+        /// Number of views with two lines.
+        pairs: usize,
+    },
+    /// More than one conic fits the lines exactly, as where lines are repeated.
+    #[error("more than one conic touches all lines: too few of them are distinct")]
+    NotUnique,
+    /// The centre of the conic is at infinity: a parabola.
+    #[error("the conic found is a parabola: its centre is at infinity")]
+    CentreAtInfinity,
+    /// A singular value decomposition that did not converge.
+    #[error("the singular values of the lines could not be computed")]
+    NoDecomposition,
     /// The lines determine no circle.
     #[error(transparent)]
     Circle(#[from] CircleError),

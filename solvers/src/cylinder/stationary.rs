@@ -1,4 +1,4 @@
-//! Step 3a: all circles at which the least squares cost is stationary, from the Gram matrix by the emitted solver.
+//! All circles at which the least squares cost is stationary, from the Gram matrix by the emitted solver.
 //!
 //! For a centre at the distances `h_i` from the lines the best squared radius is the mean of `h_i^2`. What remains is a quartic
 //! in the centre, and its nine stationary points are the intersections of two cubics. Where the directions of the lines
@@ -11,66 +11,98 @@
 //! ```
 //!
 //! with a fixed symmetric matrix `S`. Points that `G` has at infinity are far away and lose by their cost.
+//!
+//! A solver that reads its solutions off eigenvectors can miss some where eigenvalues nearly coincide, which depends on the
+//! coordinates. Whether any real point is missing can be seen: the quartic grows towards infinity on all sides, so that its
+//! minima and maxima outnumber its saddle points by exactly one (Poincare and Hopf). Until that holds, the problem is solved
+//! again in turned coordinates, and what is new is added.
 
 use eliminant::SolveError;
 use nalgebra::{Matrix2, Point2, Vector2};
 
 use super::circle::Circle;
-use super::rectify::TangentLine;
+use super::normalise::{generic_motion, moved_line};
+use super::section::SectionLine;
 
 /// Size `epsilon` of the entries added to a Gram matrix whose entries are of order one. Its square is below rounding,
 /// so that Newton's method needs two steps; its inverse, the condition of the elimination, leaves ten digits to start from.
 const PERTURBATION: f64 = 1e-6;
 
+/// Turns of the coordinates in which the problem is solved until no stationary point is missing, radians.
+const TURNS: [f64; 4] = [1.0, 1.9, 2.5, 0.4];
+
 /// Limit on the steps of Newton's method.
-const NEWTON_STEPS: usize = 6;
+const NEWTON_STEPS: usize = 10;
+
+/// Step of Newton's method, relative to the distance of the centre from the origin or one, below which it has converged.
+/// The step after it is of the size of its square.
+const CONVERGED: f64 = 1e-9;
 
 /// Distance of centres, relative to the radius or one, below which two circles found are the same.
 const SAME_CIRCLE: f64 = 1e-7;
 
+/// A circle at which the cost is stationary.
+struct StationaryPoint {
+    circle: Circle,
+    /// 1 for a minimum or maximum of the cost as a function of the centre, -1 for a saddle point.
+    index: i32,
+}
+
 /// All real circles at which the cost is stationary. Coordinates must be normalised: the lines' distances from the
 /// origin are of order one.
-pub(super) fn stationary_circles(lines: &[TangentLine]) -> Result<Vec<Circle>, SolveError> {
-    let gram = gram(lines);
-    match solve(&gram) {
-        Ok(circles) if !circles.is_empty() => Ok(circles),
-        Ok(_) | Err(SolveError::Degenerate { .. }) => {
-            let mut circles = Vec::new();
-            for circle in solve(&perturbed(&gram))? {
-                if let Some(circle) = polish(lines, circle.centre)
-                    && !circles.iter().any(|other| same(other, &circle))
-                {
-                    circles.push(circle);
+pub(super) fn stationary_circles(lines: &[SectionLine]) -> Result<Vec<Circle>, SolveError> {
+    let mut points: Vec<StationaryPoint> = Vec::new();
+    let mut failure = None;
+    for turn in TURNS {
+        match solve_turned(lines, turn) {
+            Ok(centres) => {
+                for point in centres.into_iter().filter_map(|centre| polish(lines, centre)) {
+                    if !points.iter().any(|other| same(&other.circle, &point.circle)) {
+                        points.push(point);
+                    }
                 }
             }
-            Ok(circles)
+            Err(error) => failure = Some(error),
         }
-        Err(error) => Err(error),
+        if points.iter().map(|point| point.index).sum::<i32>() == 1 {
+            break;
+        }
+    }
+    match failure {
+        Some(error) if points.is_empty() => Err(error),
+        _ => Ok(points.into_iter().map(|point| point.circle).collect()),
     }
 }
 
-/// Mean over the lines of `row^T row` with `row = (a^2, a b, a c, b^2, b c, c^2)`.
-fn gram(lines: &[TangentLine]) -> [[f64; 6]; 6] {
+/// Centres of the stationary circles, found in turned coordinates.
+fn solve_turned(lines: &[SectionLine], turn: f64) -> Result<Vec<Point2<f64>>, SolveError> {
+    let motion = generic_motion(turn);
+    let moved: Vec<_> =
+        lines.iter().map(|line| SectionLine { line: moved_line(&motion, &line.line), ..*line }).collect();
+    let gram = gram(&moved);
+    let solutions = match crate::circle_least_squares::solve(&gram) {
+        Ok(solutions) if !solutions.is_empty() => solutions,
+        Ok(_) | Err(SolveError::Degenerate { .. }) => crate::circle_least_squares::solve(&perturbed(&gram))?,
+        Err(error) => return Err(error),
+    };
+    let back = motion.inverse();
+    Ok(solutions.into_iter().map(|point| back * Point2::new(-point.d3, -point.d5)).collect())
+}
+
+/// Weighted mean over the lines of `row^T row` with `row = (a^2, a b, a c, b^2, b c, c^2)`.
+fn gram(lines: &[SectionLine]) -> [[f64; 6]; 6] {
+    let total: f64 = lines.iter().map(|line| line.weight).sum();
     let mut gram = [[0.0; 6]; 6];
-    for line in lines {
+    for SectionLine { line, weight, .. } in lines {
         let (a, b, c) = (line.normal.x, line.normal.y, line.offset);
         let row = [a * a, a * b, a * c, b * b, b * c, c * c];
         for i in 0..6 {
             for j in 0..6 {
-                gram[i][j] += row[i] * row[j] / lines.len() as f64;
+                gram[i][j] += row[i] * row[j] * (weight / total);
             }
         }
     }
     gram
-}
-
-/// The stationary points that are circles of positive squared radius `d1 + d3^2`.
-fn solve(gram: &[[f64; 6]; 6]) -> Result<Vec<Circle>, SolveError> {
-    let circle = |point: crate::circle_least_squares::CircleLeastSquares| {
-        let square = point.d1 + point.d3 * point.d3;
-        (square > 0.0).then(|| Circle { centre: Point2::new(-point.d3, -point.d5), radius: square.sqrt() })
-    };
-    Ok(crate::circle_least_squares::solve(gram)?.into_iter().filter_map(circle).collect())
 }
 
 /// `G + epsilon S`, with a symmetric matrix `S` of no particular structure.
@@ -91,26 +123,33 @@ fn perturbed(gram: &[[f64; 6]; 6]) -> [[f64; 6]; 6] {
 ///   g = mean(e_i h_i n_i),    H = mean((3 h_i^2 - s) n_i n_i^T) - 2 m m^T,    m = mean(h_i n_i)
 /// ```
 ///
-/// `None` where it leaves the range of numbers.
-fn polish(lines: &[TangentLine], mut centre: Point2<f64>) -> Option<Circle> {
-    let count = lines.len() as f64;
-    let mean_square =
-        |centre: &Point2<f64>| lines.iter().map(|line| line.distance(centre).powi(2)).sum::<f64>() / count;
+/// `None` where it does not converge: the start was not near a stationary point.
+fn polish(lines: &[SectionLine], mut centre: Point2<f64>) -> Option<StationaryPoint> {
+    let total: f64 = lines.iter().map(|line| line.weight).sum();
+    let mean_square = |centre: &Point2<f64>| {
+        lines.iter().map(|line| line.weight / total * line.line.distance(centre).powi(2)).sum::<f64>()
+    };
     for _ in 0..NEWTON_STEPS {
         let square = mean_square(&centre);
         let (mut gradient, mut hessian, mut moment) = (Vector2::zeros(), Matrix2::zeros(), Vector2::zeros());
-        for line in lines {
-            let (normal, distance) = (line.normal, line.distance(&centre));
+        for SectionLine { line, weight, .. } in lines {
+            let (normal, distance, weight) = (line.normal, line.distance(&centre), weight / total);
             let squared = distance * distance;
-            gradient += normal * ((squared - square) * distance / count);
-            hessian += normal * normal.transpose() * ((3.0 * squared - square) / count);
-            moment += normal * (distance / count);
+            gradient += normal * ((squared - square) * distance * weight);
+            hessian += normal * normal.transpose() * ((3.0 * squared - square) * weight);
+            moment += normal * (distance * weight);
         }
         hessian -= moment * moment.transpose() * 2.0;
-        centre -= hessian.try_inverse()? * gradient;
+        let step = hessian.try_inverse()? * gradient;
+        centre -= step;
+        if step.norm() <= CONVERGED * centre.coords.norm().max(1.0) {
+            let index = if hessian.determinant() > 0.0 { 1 } else { -1 };
+            let radius = mean_square(&centre).sqrt();
+            return (radius.is_finite() && radius > 0.0)
+                .then_some(StationaryPoint { circle: Circle { centre, radius }, index });
+        }
     }
-    let radius = mean_square(&centre).sqrt();
-    (radius.is_finite() && radius > 0.0).then_some(Circle { centre, radius })
+    None
 }
 
 fn same(left: &Circle, right: &Circle) -> bool {
