@@ -15,8 +15,8 @@
 //! every stationary point of the Lagrangian, hence the global minimum (Gummeson & Oskarsson, "Robust and Accurate
 //! Cylinder Triangulation", eq. (23)-(26)).
 //!
-//! All stationary points are at hand as the method [`LeastSquares`](super::least_squares::LeastSquares), which also weighs
-//! the lines; [`fit_circle`] takes the best and refuses where it is not the only exact one.
+//! All stationary points are at hand as the method `LeastSquares`, which also weighs
+//! the lines; `fit_circle` takes the best and refuses where it is not the only exact one.
 
 use nalgebra::Point2;
 use thiserror::Error;

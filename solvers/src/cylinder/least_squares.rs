@@ -1,4 +1,4 @@
-//! The method `least-squares`: every circle at which the cost of [`super::circle`] is stationary, the global minimum first.
+//! The method `least-squares`: every circle at which the cost of `circle` is stationary, the global minimum first.
 
 use super::circle::{Circle, CircleError};
 use super::normalise::Normalisation;

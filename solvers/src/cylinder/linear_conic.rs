@@ -92,7 +92,7 @@ fn dual_conic(lines: &[SectionLine]) -> Result<Matrix3<f64>, SectionError> {
     Ok(Matrix3::new(d1, d2, d3, d2, d4, d5, d3, d5, -1.0))
 }
 
-/// Kind of the conic by the eigenvalues of the matrix `M` of [`super::section`]; never [`SectionShape::Circle`].
+/// Kind of the conic by the eigenvalues of the matrix `M` of the module `section`; never [`SectionShape::Circle`].
 fn central_shape(dual_conic: &Matrix3<f64>) -> SectionShape {
     let centre = dual_conic.fixed_view::<2, 1>(0, 2);
     let matrix: Matrix2<f64> = dual_conic.fixed_view::<2, 2>(0, 0) + centre * centre.transpose();
