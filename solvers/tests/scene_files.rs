@@ -1,6 +1,6 @@
 //! Scene files: what is read, and the message for each way in which a file can be wrong.
 
-use eliminant_solvers::cylinder::{InputError, ViewError, parse_scene};
+use eliminant_solvers::cylinder::{CylinderLines, InputError, LineId, View, ViewError, parse_scene};
 use nalgebra::{Matrix3, Vector3};
 
 const CAMERA: &str = "[[1,0,0,0],[0,1,0,0],[0,0,1,5]]";
@@ -40,6 +40,39 @@ fn other_keys_are_ignored_and_points_are_read() {
     assert_eq!(scene.points, [Vector3::new(1.0, 2.0, 3.0).into()]);
     assert_eq!(scene.views[0].camera().rotation(), &Matrix3::identity());
     assert_eq!(scene.views[0].camera().calibration(), None);
+}
+
+#[test]
+fn views_have_images_labels_and_calibrations_of_their_own() {
+    let view = format!(
+        "\"camera_normalised\": {CAMERA}, \"lines_pixels\": [[1,0,-1],[1,0,-2],[1,0,-3],[1,0,-4]], \"image\": \"a.jpg\", \
+         \"cylinders\": [\"b\", null, \"a\", \"b\"], \"K\": [[2000,0,500],[0,2000,400],[0,0,1]]"
+    );
+    let scene = parse_scene(&scene(&view), "").expect("a scene");
+    assert_eq!(scene.views.iter().map(View::image).collect::<Vec<_>>(), [None, Some("a.jpg")]);
+    let focal = |view: &View| view.camera().calibration().map(|calibration| calibration.matrix()[(0, 0)]);
+    assert_eq!(scene.views.iter().map(focal).collect::<Vec<_>>(), [Some(1000.0), Some(2000.0)]);
+
+    let lines = scene.views[1].lines();
+    let expected = [(None, vec![1]), (Some("a"), vec![2]), (Some("b"), vec![0, 3])];
+    let cylinders = scene.cylinders();
+    assert_eq!(cylinders.len(), expected.len());
+    for (cylinder, (label, indices)) in cylinders.iter().zip(expected) {
+        assert_eq!(cylinder.label.as_deref(), label);
+        assert_eq!(cylinder.views.len(), 2, "views keep their indices");
+        assert_eq!(cylinder.views[1].image(), Some("a.jpg"));
+        let ids: Vec<_> = indices.iter().map(|&line| LineId { view: 1, line }).collect();
+        assert_eq!(cylinder.lines, ids);
+        let own: Vec<_> = indices.iter().map(|&line| lines[line]).collect();
+        assert_eq!(cylinder.views[1].lines(), own);
+    }
+}
+
+#[test]
+fn a_scene_without_lines_is_one_cylinder_without_lines() {
+    let scene = parse_scene("{\"views\": []}", "").expect("a scene");
+    assert!(!scene.has_labels());
+    assert_eq!(scene.cylinders(), [CylinderLines { label: None, views: vec![], lines: vec![] }]);
 }
 
 #[test]
@@ -106,6 +139,14 @@ fn wrong_shapes_and_values_name_their_place() {
         (
             "\"camera_normalised\": [[0,0,0,0],[0,0,0,0],[0,0,0,5]], \"lines_pixels\": []".to_owned(),
             "views[1].camera_normalised: the left 3x3 part of the camera is not a rotation up to scale",
+        ),
+        (
+            format!("{camera}, \"lines_pixels\": [[1,0,-501]], \"cylinders\": [\"a\", \"b\"]"),
+            "views[1].cylinders: 2 cylinder labels for 1 line(s)",
+        ),
+        (
+            format!("{camera}, \"lines_pixels\": [], \"K\": [[1,0],[0,1]]"),
+            "views[1].K has 2 entries where 3 are expected",
         ),
         (
             format!("{camera}, \"lines_normalised\": [[1,0,0]], \"lines_pixels\": [[1,0,-501]]"),

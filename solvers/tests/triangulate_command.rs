@@ -2,9 +2,15 @@
 
 #![cfg(feature = "command")]
 
+mod model;
+
 use std::path::{Path, PathBuf};
 
 use eliminant_solvers::cylinder::command::run;
+use eliminant_solvers::cylinder::distortion::Distortion;
+use eliminant_solvers::cylinder::read_scene;
+use model::{TestImage, TestModel, folder};
+use nalgebra::{Point2, UnitQuaternion};
 
 /// What a run writes, and its exit status.
 struct Outcome {
@@ -64,6 +70,11 @@ fn wrong_usage_is_2() {
         (&[][..], "error: the following required arguments were not provided:\n  <SCENE>\n"),
         (&["--jsom", "a.json"], "error: unexpected argument '--jsom' found\n"),
         (&["a.json", "b.json"], "error: unexpected argument 'b.json' found\n"),
+        (&["--colmap", "model"], "error: the following required arguments were not provided:\n  --segments <CSV>\n"),
+        (
+            &["--colmap", "model", "--segments", "s.csv", "a.json"],
+            "error: the argument '--colmap <FOLDER>' cannot be used with '[SCENE]'\n",
+        ),
     ] {
         let outcome = command(arguments);
         assert_eq!((outcome.code, outcome.output.as_str()), (2, ""));
@@ -94,6 +105,94 @@ fn a_bad_scene_is_1_and_names_the_file() {
         let json: serde_json::Value = serde_json::from_str(&outcome.output).expect("JSON");
         assert_eq!(Some(outcome.error.trim_end()), json["error"].as_str().map(|e| format!("error: {e}")).as_deref());
     }
+}
+
+/// The committed scene, each of its views twice, as a COLMAP model with a bent lens and segments; the can is the same, and
+/// has the label `can`, its second copy `again`.
+#[test]
+fn a_model_with_segments_gives_the_labelled_cylinders() {
+    let scene = read_scene(Path::new(&soda_can())).expect("a scene");
+    let lens = Distortion { radial: [-0.1, 0.02], tangential: [0.001, -0.001] };
+    let mut model = TestModel { cameras: vec![], images: vec![], points: vec![(1, [120.0, -40.0, 30.0], vec![])] };
+    let parameters = vec![3000.0, 3000.0, 2000.0, 1500.0, -0.1, 0.02, 0.001, -0.001];
+    model.cameras.push((1, "OPENCV", 4, parameters));
+    let mut segments = "image,x1,y1,x2,y2,cylinder\n".to_owned();
+    for (index, view) in scene.views.iter().enumerate() {
+        let calibration = view.camera().calibration().expect("a calibration");
+        let rotation = UnitQuaternion::from_matrix(view.camera().rotation());
+        model.images.push(TestImage {
+            id: index as u32 + 1,
+            quaternion: [rotation.w, rotation.i, rotation.j, rotation.k],
+            translation: (*view.camera().translation()).into(),
+            camera: 1,
+            name: format!("{index}.jpg"),
+            observations: vec![],
+        });
+        for line in view.lines() {
+            let [first, second] = [-0.3, 0.4].map(|along| {
+                // Near the axis the silhouettes are upright in every image.
+                let point = Point2::new(-(line.y * along + line.z) / line.x, along);
+                calibration.point_to_pixels(&lens.distort(&point))
+            });
+            for label in ["can", "again"] {
+                segments += &format!("{index}.jpg,{},{},{},{},{label}\n", first.x, first.y, second.x, second.y);
+            }
+        }
+    }
+    let segments = file("labelled.csv", &segments).display().to_string();
+    let expected: serde_json::Value = serde_json::from_str(&command(&["--json", &soda_can()]).output).expect("JSON");
+    let radius = |report: &serde_json::Value| report["radius"].as_f64().expect("a number");
+    for (name, files) in [("command_text", model.text()), ("command_binary", model.binary())] {
+        let folder = folder(name, &files).display().to_string();
+        let outcome = command(&["--json", "--colmap", &folder, "--segments", &segments]);
+        assert_eq!((outcome.code, outcome.error.as_str()), (0, ""));
+        let json: serde_json::Value = serde_json::from_str(&outcome.output).expect("JSON");
+        let cylinders = json["cylinders"].as_array().expect("an array");
+        assert_eq!(cylinders.len(), 2);
+        for (cylinder, label) in cylinders.iter().zip(["again", "can"]) {
+            assert_eq!(cylinder["label"], label);
+            assert!((radius(cylinder) / radius(&expected) - 1.0).abs() < 1e-9, "{}", radius(cylinder));
+            assert_eq!(cylinder["residuals"][3]["image"], "1.jpg");
+            assert_eq!(cylinder["points"]["total"], 1);
+        }
+        // In the second view: lines of the two labels by turns.
+        assert_eq!(cylinders[1]["residuals"][3]["line"], 2);
+
+        let text = command(&["--colmap", &folder, "--segments", &segments]);
+        assert_eq!(text.output.matches("radius  ").count(), 2);
+        assert!(text.output.starts_with("cylinder") && text.output.contains("   7.jpg\n"), "{}", text.output);
+    }
+}
+
+#[test]
+fn a_bad_model_or_file_of_segments_is_1() {
+    let segments = file("unknown_image.csv", "image,x1,y1,x2,y2\nx.jpg,1,2,3,4\n").display().to_string();
+    let outcome = command(&["--segments", &segments, &soda_can()]);
+    assert_eq!((outcome.code, outcome.error), (1, format!("error: {segments}:2: there is no image `x.jpg`\n")));
+    let outcome = command(&["--colmap", "no/such/folder", "--segments", &segments]);
+    assert_eq!((outcome.code, outcome.error.starts_with("error: no/such/folder/cameras.txt: ")), (1, true));
+}
+
+#[test]
+fn out_is_written_whole_or_not_at_all() {
+    let out = file("out.json", "old");
+    let path = out.display().to_string();
+    assert_eq!(command(&["no/such/file.json", "--out", &path]).code, 1);
+    assert_eq!(std::fs::read_to_string(&out).expect("a file"), "old");
+
+    let outcome = command(&[&soda_can(), "--out", &path]);
+    assert_eq!(outcome.code, 0);
+    assert_eq!(std::fs::read_to_string(&out).expect("a file"), command(&[&soda_can(), "--json"]).output);
+
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    for bad in [folder.join("no/such/folder/out.json"), folder.to_owned()] {
+        let outcome = command(&[&soda_can(), "--out", &bad.display().to_string()]);
+        assert_eq!((outcome.code, outcome.output.as_str()), (1, ""));
+        assert!(outcome.error.starts_with(&format!("error: cannot write `{}`: ", bad.display())), "{}", outcome.error);
+    }
+    let left = std::fs::read_dir(folder).expect("a folder").filter_map(Result::ok);
+    let left: Vec<_> = left.map(|entry| entry.file_name()).filter(|name| name.to_string_lossy().ends_with(".tmp")).collect();
+    assert!(left.is_empty(), "{left:?}");
 }
 
 /// The example does nothing but pass on what `run` says. Cargo builds the examples before it runs the tests of a package;

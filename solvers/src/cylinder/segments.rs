@@ -199,18 +199,28 @@ pub fn read_segments(path: &Path) -> Result<Segments, SegmentError> {
 /// As [`read_segments`], except [`SegmentError::Read`].
 pub fn parse_segments(text: &[u8], file: &str) -> Result<Segments, SegmentError> {
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text);
-    let header = reader.headers().map_err(|error| csv_error(file, &error))?.clone();
+    let header = reader.headers().map_err(|error| csv_error(text, file, &error))?.clone();
     let columns = Columns::find(&header, file)?;
     let mut segments = Vec::new();
     for record in reader.records() {
-        let record = record.map_err(|error| csv_error(file, &error))?;
-        segments.push(columns.segment(&record, file)?);
+        let record = record.map_err(|error| csv_error(text, file, &error))?;
+        segments.push(columns.segment(&record, file, row(text, record.position()))?);
     }
     Ok(Segments { file: file.to_owned(), segments })
 }
 
-fn csv_error(file: &str, error: &csv::Error) -> SegmentError {
-    let row = error.position().map_or(1, csv::Position::line);
+/// The line of a record. Its position is the end of the record before it: line breaks may follow.
+fn row(text: &[u8], position: Option<&csv::Position>) -> u64 {
+    let Some(position) = position else {
+        return 1;
+    };
+    let rest = usize::try_from(position.byte()).ok().and_then(|byte| text.get(byte..)).unwrap_or_default();
+    let breaks = rest.iter().take_while(|byte| b"\r\n".contains(byte)).filter(|&&byte| byte == b'\n');
+    position.line() + breaks.count() as u64
+}
+
+fn csv_error(text: &[u8], file: &str, error: &csv::Error) -> SegmentError {
+    let row = row(text, error.position());
     let message = match error.kind() {
         csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
             format!("{len} columns where the header has {expected_len}")
@@ -250,8 +260,7 @@ impl Columns {
         })
     }
 
-    fn segment(&self, record: &StringRecord, file: &str) -> Result<Segment, SegmentError> {
-        let row = record.position().map_or(0, csv::Position::line);
+    fn segment(&self, record: &StringRecord, file: &str, row: u64) -> Result<Segment, SegmentError> {
         let text = |index: usize| record.get(index).filter(|text| !text.is_empty());
         let field = |column, expected, found: &str| SegmentError::Field {
             file: file.to_owned(),

@@ -24,7 +24,7 @@ const OBSERVATION: u64 = 8 + 8 + 8;
 const TRACK: u64 = 4 + 4;
 
 /// The cameras of `cameras.bin`.
-pub(super) fn cameras(bytes: &[u8], file: &str) -> Result<Vec<CameraRecord>, ColmapError> {
+pub(super) fn cameras((file, bytes): (&str, &[u8])) -> Result<Vec<CameraRecord>, ColmapError> {
     Reader::new(bytes, file, "cameras").records(CAMERA, |reader| {
         let at = reader.location();
         let id = reader.u32()?;
@@ -39,7 +39,7 @@ pub(super) fn cameras(bytes: &[u8], file: &str) -> Result<Vec<CameraRecord>, Col
 }
 
 /// The images of `images.bin`.
-pub(super) fn images(bytes: &[u8], file: &str) -> Result<Vec<ImageRecord>, ColmapError> {
+pub(super) fn images((file, bytes): (&str, &[u8])) -> Result<Vec<ImageRecord>, ColmapError> {
     Reader::new(bytes, file, "images").records(IMAGE, |reader| {
         let at = reader.location();
         let id = reader.u32()?;
@@ -52,7 +52,7 @@ pub(super) fn images(bytes: &[u8], file: &str) -> Result<Vec<ImageRecord>, Colma
 }
 
 /// The points of `points3D.bin`.
-pub(super) fn points(bytes: &[u8], file: &str) -> Result<Vec<Point3<f64>>, ColmapError> {
+pub(super) fn points((file, bytes): (&str, &[u8])) -> Result<Vec<Point3<f64>>, ColmapError> {
     Reader::new(bytes, file, "points").records(POINT, |reader| {
         let byte = reader.position;
         let id = reader.u64()?;

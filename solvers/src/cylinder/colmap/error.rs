@@ -45,6 +45,12 @@ pub enum ColmapError {
         /// Reason.
         source: std::io::Error,
     },
+    /// The model has no images: their file is empty.
+    #[error("{file}: there are no images")]
+    NoImages {
+        /// File name.
+        file: String,
+    },
     /// The file ends within a record.
     #[error("{at}: the file is cut short: it ends in {record}")]
     CutShort {

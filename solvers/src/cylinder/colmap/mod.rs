@@ -43,33 +43,57 @@ pub struct Model {
     pub points: Vec<Point3<f64>>,
 }
 
+/// How the files of a model are written.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Encoding {
+    /// `.txt`
+    Text,
+    /// `.bin`
+    Binary,
+}
+
+impl Encoding {
+    /// Names of the files of cameras, images and points.
+    pub fn file_names(self) -> [&'static str; 3] {
+        match self {
+            Self::Text => ["cameras.txt", "images.txt", "points3D.txt"],
+            Self::Binary => ["cameras.bin", "images.bin", "points3D.bin"],
+        }
+    }
+}
+
 /// Reads the model in a folder.
 ///
 /// # Errors
 /// [`ColmapError`].
 pub fn read_colmap(folder: &Path) -> Result<Model, ColmapError> {
+    let is_binary = folder.join("cameras.bin").exists();
+    let encoding = if is_binary { Encoding::Binary } else { Encoding::Text };
     let read = |name: &str| {
         let path = folder.join(name);
         let file = path.display().to_string();
         match fs::read(&path) {
-            Ok(bytes) => Ok((bytes, file)),
+            Ok(bytes) => Ok((file, bytes)),
             Err(source) => Err(ColmapError::Read { file, source }),
         }
     };
-    let (cameras, images, points) = if folder.join("cameras.bin").exists() {
-        let [cameras, images, points] = [read("cameras.bin")?, read("images.bin")?, read("points3D.bin")?];
-        (
-            binary::cameras(&cameras.0, &cameras.1)?,
-            binary::images(&images.0, &images.1)?,
-            binary::points(&points.0, &points.1)?,
-        )
-    } else {
-        let [cameras, images, points] = [read("cameras.txt")?, read("images.txt")?, read("points3D.txt")?];
-        (
-            text::cameras(&cameras.0, &cameras.1)?,
-            text::images(&images.0, &images.1)?,
-            text::points(&points.0, &points.1)?,
-        )
+    let [cameras, images, points] = encoding.file_names();
+    let files = [read(cameras)?, read(images)?, read(points)?];
+    parse_colmap(encoding, files.each_ref().map(|(name, content)| (name.as_str(), content.as_slice())))
+}
+
+/// Parses the files of cameras, images and points: the name that error messages carry, and the content of each.
+///
+/// # Errors
+/// [`ColmapError`], except [`ColmapError::Read`].
+pub fn parse_colmap(encoding: Encoding, files: [(&str, &[u8]); 3]) -> Result<Model, ColmapError> {
+    let [cameras, images, points] = files;
+    let (cameras, images, points) = match encoding {
+        Encoding::Text => (text::cameras(cameras)?, text::images(images)?, text::points(points)?),
+        Encoding::Binary => (binary::cameras(cameras)?, binary::images(images)?, binary::points(points)?),
     };
+    if images.is_empty() {
+        return Err(ColmapError::NoImages { file: files[1].0.to_owned() });
+    }
     Ok(Model { photographs: record::photographs(&cameras, images)?, points })
 }

@@ -19,7 +19,7 @@ use super::error::{ColmapError, Location};
 use super::record::{CameraRecord, ImageRecord};
 
 /// The cameras of `cameras.txt`.
-pub(super) fn cameras(bytes: &[u8], file: &str) -> Result<Vec<CameraRecord>, ColmapError> {
+pub(super) fn cameras((file, bytes): (&str, &[u8])) -> Result<Vec<CameraRecord>, ColmapError> {
     Lines::new(bytes, file, "cameras")?.records(|line, _| {
         let mut fields = line.fields();
         let id = fields.next("the id of the camera", "a number")?;
@@ -40,7 +40,7 @@ pub(super) fn cameras(bytes: &[u8], file: &str) -> Result<Vec<CameraRecord>, Col
 }
 
 /// The images of `images.txt`.
-pub(super) fn images(bytes: &[u8], file: &str) -> Result<Vec<ImageRecord>, ColmapError> {
+pub(super) fn images((file, bytes): (&str, &[u8])) -> Result<Vec<ImageRecord>, ColmapError> {
     Lines::new(bytes, file, "images")?.records(|line, rest| {
         let mut fields = line.fields();
         let id = fields.next("the id of the image", "a number")?;
@@ -70,7 +70,7 @@ pub(super) fn images(bytes: &[u8], file: &str) -> Result<Vec<ImageRecord>, Colma
 }
 
 /// The points of `points3D.txt`.
-pub(super) fn points(bytes: &[u8], file: &str) -> Result<Vec<Point3<f64>>, ColmapError> {
+pub(super) fn points((file, bytes): (&str, &[u8])) -> Result<Vec<Point3<f64>>, ColmapError> {
     Lines::new(bytes, file, "points")?.records(|line, _| {
         let found = line.text.split_whitespace().count();
         if found < 8 || found % 2 != 0 {
