@@ -8,7 +8,9 @@ use std::path::Path;
 use eliminant_solvers::cylinder::colmap::Model;
 use eliminant_solvers::cylinder::distortion::Distortion;
 use eliminant_solvers::cylinder::photograph::Photograph;
-use eliminant_solvers::cylinder::{Calibration, Camera, Scene, View, parse_scene, parse_segments, read_scene, triangulate};
+use eliminant_solvers::cylinder::{
+    Calibration, Camera, Scene, View, parse_scene, parse_segments, read_scene, triangulate,
+};
 use nalgebra::{Matrix3, Matrix3x4, Point2, Rotation2, Vector2, Vector3};
 use random::Random;
 
@@ -124,7 +126,10 @@ fn wrong_files_are_located() {
             "image,x1,y1,x2,y2,line\na.jpg,0,0,0,9,l\na.jpg,0,0,9,0,l\n",
             "s.csv:2: the segments of line `l` do not lie on one line",
         ),
-        ("image,x1,y1,x2,y2\na.jpg,-1.7e308,0,1.7e308,1\n", "s.csv:2: the segment is out of range"),
+        (
+            "image,x1,y1,x2,y2,line\na.jpg,1.7e308,0,1.6e308,0,l\na.jpg,1.7e308,0,-1.7e308,0,l\n",
+            "s.csv:2: the segment is out of range",
+        ),
     ] {
         let error = parse_segments(text.as_bytes(), "s.csv").and_then(|segments| segments.views(&photographs()));
         let message = error.expect_err("an error").to_string();
@@ -159,8 +164,7 @@ fn segments_join_the_lines_of_a_scene() {
         {\"camera_normalised\": [[1,0,0,0],[0,1,0,0],[0,0,1,5]], \"lines_pixels\": [[1,0,-3]]},\
         {\"image\": \"a.jpg\", \"camera_normalised\": [[1,0,0,1],[0,1,0,0],[0,0,1,5]], \"lines_pixels\": [[1,0,-3]]}]}";
     let segments = parse_segments(b"image,x1,y1,x2,y2,cylinder\na.jpg,7,0,7,9,can\n", "s.csv").expect("segments");
-    let scene =
-        parse_scene(text, "").and_then(|scene| Ok(scene.with_segments(&segments))).expect("a scene").expect("segments");
+    let scene = parse_scene(text, "").expect("a scene").with_segments(&segments).expect("images of the scene");
     assert_eq!(scene.views[0].lines().len(), 1);
     assert_eq!(scene.views[1].labels(), [None, Some("can".to_owned())]);
     assert!((pixel_line(&scene.views[1], 1) - Vector3::new(1.0, 0.0, -7.0)).norm() < 1e-12);

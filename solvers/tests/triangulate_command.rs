@@ -191,7 +191,8 @@ fn out_is_written_whole_or_not_at_all() {
         assert!(outcome.error.starts_with(&format!("error: cannot write `{}`: ", bad.display())), "{}", outcome.error);
     }
     let left = std::fs::read_dir(folder).expect("a folder").filter_map(Result::ok);
-    let left: Vec<_> = left.map(|entry| entry.file_name()).filter(|name| name.to_string_lossy().ends_with(".tmp")).collect();
+    let left: Vec<_> =
+        left.map(|entry| entry.file_name()).filter(|name| name.to_string_lossy().ends_with(".tmp")).collect();
     assert!(left.is_empty(), "{left:?}");
 }
 
