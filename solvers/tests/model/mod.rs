@@ -18,12 +18,15 @@ pub(crate) struct TestImage {
     pub(crate) observations: Vec<(f64, f64, i64)>,
 }
 
-/// A model; points are id, position, and a track of image ids and indices.
+/// A point: id, position, and its track of image ids and indices.
+pub(crate) type TestPoint = (u64, [f64; 3], Vec<(u32, u32)>);
+
+/// A model.
 #[derive(Clone)]
 pub(crate) struct TestModel {
     pub(crate) cameras: Vec<TestCamera>,
     pub(crate) images: Vec<TestImage>,
-    pub(crate) points: Vec<(u64, [f64; 3], Vec<(u32, u32)>)>,
+    pub(crate) points: Vec<TestPoint>,
 }
 
 /// Names of the files, and their content.
