@@ -96,7 +96,7 @@ impl Cylinder {
     }
 
     /// Perpendicular from a point to the axis, pointing at the axis.
-    fn vector_to_axis(&self, point: &Point3<f64>) -> Vector3<f64> {
+    pub(super) fn vector_to_axis(&self, point: &Point3<f64>) -> Vector3<f64> {
         let difference = self.axis_point - point;
         difference - self.direction.into_inner() * self.direction.dot(&difference)
     }

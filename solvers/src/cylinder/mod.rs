@@ -24,6 +24,8 @@ pub mod extent;
 pub mod input;
 /// Tangent lines to all stationary circles, the global minimum first.
 pub mod least_squares;
+/// Damped least squares on a manifold of few dimensions.
+mod levenberg_marquardt;
 /// Tangent lines to a conic that need not be a circle.
 pub mod linear_conic;
 /// Three tangent lines to the circles that touch them, by the emitted solver.
@@ -36,12 +38,16 @@ mod normalise;
 mod palette;
 /// The camera behind the pixels of a photograph, with its distortion.
 pub mod photograph;
+/// Lines in space by four parameters.
+mod plucker;
 /// Cylinders, cameras, lines and points as a PLY file.
 pub mod ply;
 /// The cylinder as quadric and dual quadric, and its outline from the dual.
 pub mod quadric;
 /// Viewing planes to tangent lines of the cross-section.
 pub mod rectify;
+/// A cylinder to the one whose silhouettes are nearest to the lines, with its covariance.
+pub mod refine;
 /// A result as text and as JSON.
 pub mod report;
 /// Views of one or several cylinders, with the points around them.
@@ -50,6 +56,8 @@ pub mod scene;
 pub mod section;
 /// CSV files of line segments: end points to fitted lines.
 pub mod segments;
+/// Signed, smooth distance of an image line from a silhouette.
+pub mod silhouette_distance;
 /// Tangent lines to all stationary circles, by the emitted solver.
 mod stationary;
 /// All of it: views to a cylinder with its residuals.
@@ -68,8 +76,10 @@ pub use linear_conic::LinearConic;
 pub use minimal::{Minimal, minimal_circles};
 pub use navab::Navab;
 pub use quadric::silhouette_of_dual_quadric;
+pub use refine::{Deviation, Loss, RefineError, RefineOptions, Refinement, refine};
 pub use scene::{CylinderLines, LineId, Scene};
 pub use section::{Section, SectionError, SectionLine, SectionShape, SectionSolver};
 pub use segments::{SegmentError, Segments, parse_segments, read_segments};
+pub use silhouette_distance::{DistanceUnit, Metric, MetricError};
 pub use triangulate::{TriangulateError, Triangulation, triangulate};
 pub use view::{Calibration, Camera, View, ViewError, ViewingPlane};
