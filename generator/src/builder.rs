@@ -158,7 +158,7 @@ fn default_search(problem: &Problem, shown: &str) -> Result<TemplateFile, String
         "cargo:warning={shown} has no template file: searching at every change. Keep one: `eliminant search {shown}`"
     );
     let algebra = check(problem).map_err(|messages| messages.render())?;
-    let options = SearchOptions { max_columns: 150, shuffles: 0, ..SearchOptions::default() };
+    let options = SearchOptions::for_a_build();
     let found = candidates(problem, algebra.solutions, &options, &|_| {}).map_err(|error: SearchError| {
         format!("{error}\nhelp: search longer than a build should: `eliminant search {shown}`")
     })?;

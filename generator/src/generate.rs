@@ -80,9 +80,9 @@ pub fn plan(problem: &Problem, file: &TemplateFile) -> Result<Planned, GenerateE
     let action = verify(&file.template, VERIFY_FIELD, &instance.equations)?;
     let plan = schedule(problem, &reduced, &file.template, file.solutions, file.roots)?;
     let interpreted = interpret::coefficients(&plan, VERIFY_FIELD, &instance.inputs)
-        .and_then(|coefficients| interpret::action_matrix(&plan, VERIFY_FIELD, &coefficients))
+        .and_then(|coefficients| interpret::eliminate(&plan, VERIFY_FIELD, &coefficients))
         .ok_or(GenerateError::PlanDiffers)?;
-    if !interpreted.iter().enumerate().all(|(row, values)| values.as_slice() == action.row(row)) {
+    if !interpreted.action.iter().enumerate().all(|(row, values)| values.as_slice() == action.row(row)) {
         return Err(GenerateError::PlanDiffers);
     }
     Ok(Planned { reduced, plan })

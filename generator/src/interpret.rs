@@ -1,7 +1,7 @@
 //! Executes a [`crate::plan::Plan`] in any field, step by step as the emitted code does: exactly over Z_p, and in `f64`.
 
 use crate::arithmetic::Arithmetic;
-use crate::plan::{ActionRow, Block, CoefficientId, Elimination, Operation, Plan, Term, ValueId};
+use crate::plan::{ActionRow, Block, CoefficientId, Elimination, Operation, PivotId, Plan, Term, ValueId};
 
 /// The values of all coefficients; `None` where a divisor is zero, or an input or a coefficient is not finite.
 pub fn coefficients<A: Arithmetic>(plan: &Plan, f: A, inputs: &[A::Value]) -> Option<Vec<A::Value>> {
@@ -31,22 +31,32 @@ fn all_finite<A: Arithmetic>(f: A, values: &[A::Value]) -> bool {
     values.iter().all(|&value| f.pivot_size(value).is_finite())
 }
 
-/// The action matrix T, |B| rows of |B| values: a B = T B at every solution. `None` where a block is singular or a value overflows.
-pub fn action_matrix<A: Arithmetic>(plan: &Plan, f: A, coefficients: &[A::Value]) -> Option<Vec<Vec<A::Value>>> {
-    let solved = eliminate(&plan.elimination, f, coefficients)?;
+/// What the elimination leaves, as rows of |B| values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Eliminated<V> {
+    /// The action matrix T, |B| rows: a B = T B at every solution.
+    pub action: Vec<Vec<V>>,
+    /// The monomials of [`Plan::read`] as combinations of B.
+    pub read: Vec<Vec<V>>,
+}
+
+/// Fills and eliminates the template. `None` where a block is singular or a value overflows.
+pub fn eliminate<A: Arithmetic>(plan: &Plan, f: A, coefficients: &[A::Value]) -> Option<Eliminated<A::Value>> {
+    let solved = solve_blocks(&plan.elimination, f, coefficients)?;
+    let expressed = |pivot: &PivotId| solved[usize::from(pivot.0)].iter().map(|&value| f.neg(value)).collect();
     let row = |row: &ActionRow| match row {
         ActionRow::Unit(b) => {
             let mut unit = vec![f.zero(); plan.elimination.basis];
             unit[usize::from(b.0)] = f.one();
             unit
         }
-        ActionRow::Solved(pivot) => solved[usize::from(pivot.0)].iter().map(|&value| f.neg(value)).collect(),
+        ActionRow::Solved(pivot) => expressed(pivot),
     };
-    Some(plan.action.iter().map(row).collect())
+    Some(Eliminated { action: plan.action.iter().map(row).collect(), read: plan.read.iter().map(expressed).collect() })
 }
 
 /// M_ER^-1 M_B, block by block. Rows that nothing reads are of no use.
-fn eliminate<A: Arithmetic>(plan: &Elimination, f: A, coefficients: &[A::Value]) -> Option<Vec<Vec<A::Value>>> {
+fn solve_blocks<A: Arithmetic>(plan: &Elimination, f: A, coefficients: &[A::Value]) -> Option<Vec<Vec<A::Value>>> {
     let coefficient = |id: CoefficientId| coefficients[usize::from(id.0)];
     let mut right = vec![vec![f.zero(); plan.basis]; plan.rows];
     for entry in &plan.right {

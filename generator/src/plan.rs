@@ -110,6 +110,8 @@ pub enum KnownMonomial {
     Basis(BasisId),
     /// a times v at this position.
     Image(BasisId),
+    /// Minus the solved row of [`Plan::read`] at this position, times v.
+    Read(u16),
 }
 
 /// An unknown as the least-squares ratio of monomial values: x = sum conj(m_k) (x m_k) / sum |m_k|^2.
@@ -187,6 +189,8 @@ pub struct Plan {
     pub elimination: Elimination,
     /// The rows of the action matrix, |B| of them.
     pub action: Vec<ActionRow>,
+    /// Pivots outside the image of the basis from which unknowns are read.
+    pub read: Vec<PivotId>,
     /// How real roots are found.
     pub roots: RootMethod,
     /// How kept unknowns follow from an eigenpair.
@@ -256,6 +260,11 @@ impl Plan {
                 ActionRow::Unit(b) => usize::from(b.0) < e.basis,
                 ActionRow::Solved(p) => reads_needed(p.0),
             });
+        let known_ok = self.read.iter().all(|pivot| reads_needed(pivot.0))
+            && self.extractions.iter().flat_map(|x| &x.pairs).flat_map(|&(m, xm)| [m, xm]).all(|known| match known {
+                KnownMonomial::Basis(b) | KnownMonomial::Image(b) => usize::from(b.0) < e.basis,
+                KnownMonomial::Read(at) => usize::from(at) < self.read.len(),
+            });
         let mut known = vec![false; self.unknowns.len()];
         self.extractions.iter().for_each(|x| known[x.unknown] |= !x.pairs.is_empty());
         let mut terms_ok = true;
@@ -277,6 +286,7 @@ impl Plan {
             (couplings_ok, "a block reads a pivot that is not solved"),
             (right_ok, "a basis entry is out of range"),
             (action_ok, "a row of the action matrix is out of range"),
+            (known_ok, "an unknown is read from a monomial that is not known"),
             (terms_ok, "a term reads something unknown"),
             (known.iter().all(|&k| k), "an unknown is never recovered"),
         ] {

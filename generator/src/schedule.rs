@@ -22,7 +22,7 @@ pub enum ScheduleError {
     /// The square part of the template is singular for every instance.
     #[error("the template is structurally singular")]
     Singular,
-    /// An unknown is no ratio of monomials in the basis and its image.
+    /// An unknown is no ratio of monomials in the basis, its image, and the other reducible columns.
     #[error("the unknown `{0}` cannot be read from the template's monomials")]
     Unreadable(String),
     /// More coefficients, rows or basis monomials than the tables can index.
@@ -45,8 +45,11 @@ pub fn schedule(
     let mut coefficients = Coefficients { ids: HashMap::new(), used: Vec::new() };
     let (elimination, pivots) = plan_elimination(reduced, template, &mut coefficients)?;
     let action = plan_action(template, &pivots)?;
-    let extractions =
-        reduced.kept.iter().map(|&unknown| plan_extraction(problem, template, unknown)).collect::<Result<_, _>>()?;
+    let is_image = |m: &Monomial| template.basis.contains(&m.over(&template.action));
+    let extra: Vec<Monomial> = template.reducible.iter().filter(|m| !is_image(m)).copied().collect();
+    let read = extra.iter().filter_map(|m| pivots.get(m).copied()).collect();
+    let extraction = |&unknown: &usize| plan_extraction(problem, template, &extra, unknown);
+    let extractions = reduced.kept.iter().map(extraction).collect::<Result<_, _>>()?;
     let width = problem.unknowns.len();
     let recoveries: Vec<_> = reduced
         .recoveries
@@ -69,6 +72,7 @@ pub fn schedule(
         coefficients: values,
         elimination,
         action,
+        read,
         roots,
         extractions,
         recoveries,
@@ -250,23 +254,26 @@ fn plan_action(
     template.basis.iter().map(|b| row(b).ok_or_else(missing)).collect()
 }
 
-/// All pairs (m, x m) among the basis monomials; where there are none, among basis and image.
+/// All pairs (m, x m) among the basis monomials; where there are none, among basis and image, and then `extra` monomials too.
 fn plan_extraction(
     problem: &Problem,
     template: &EliminationTemplate,
+    extra: &[Monomial],
     unknown: usize,
 ) -> Result<Extraction, ScheduleError> {
     let ids = || (0u16..).map(BasisId);
     let basis: Vec<(Monomial, KnownMonomial)> =
         template.basis.iter().copied().zip(ids().map(KnownMonomial::Basis)).collect();
     let images = template.basis.iter().map(|b| b.times(&template.action)).zip(ids().map(KnownMonomial::Image));
-    let all: Vec<_> = basis.iter().copied().chain(images).collect();
+    let image: Vec<_> = basis.iter().copied().chain(images).collect();
+    let all: Vec<_> =
+        image.iter().copied().chain(extra.iter().copied().zip((0u16..).map(KnownMonomial::Read))).collect();
     let x = Monomial::unknown(unknown);
     let pairs = |known: &[(Monomial, KnownMonomial)]| -> Vec<_> {
         let find = |m: Monomial| known.iter().find(|(n, _)| *n == m).map(|&(_, at)| at);
         known.iter().filter_map(|&(m, at)| Some((at, find(m.times(&x))?))).collect()
     };
-    let found = [pairs(&basis), pairs(&all)].into_iter().find(|pairs| !pairs.is_empty());
+    let found = [&basis, &image, &all].into_iter().map(|known| pairs(known)).find(|pairs| !pairs.is_empty());
     let unreadable = || ScheduleError::Unreadable(problem.unknowns[unknown].clone());
     Ok(Extraction { unknown, pairs: found.ok_or_else(unreadable)? })
 }

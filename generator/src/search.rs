@@ -27,6 +27,13 @@ pub struct SearchOptions {
     pub shuffles: u64,
 }
 
+impl SearchOptions {
+    /// The bounds of the search that a build script makes for a problem without a template file.
+    pub fn for_a_build() -> Self {
+        Self { max_columns: 150, shuffles: 0, ..Self::default() }
+    }
+}
+
 impl Default for SearchOptions {
     fn default() -> Self {
         Self { seed: 1, max_columns: 600, shuffles: 2 }

@@ -4,7 +4,7 @@ use nalgebra::{Complex, DMatrix, DVector, Schur};
 
 use crate::arithmetic::Float64;
 use crate::instance::{Random, draw_inputs};
-use crate::interpret::{action_matrix, coefficients};
+use crate::interpret::{Eliminated, coefficients, eliminate};
 use crate::plan::{KnownMonomial, Plan, Term};
 
 /// What many instances gave.
@@ -82,17 +82,19 @@ const MAX_ITERATIONS: usize = 10_000;
 /// All complex solutions of one instance with their relative residuals; `None` where a step fails.
 pub fn solve(plan: &Plan, inputs: &[f64]) -> Option<Vec<(Point, f64)>> {
     let c = coefficients(plan, Float64, inputs)?;
-    let rows = action_matrix(plan, Float64, &c)?;
-    let n = rows.len();
-    let action = DMatrix::from_fn(n, n, |i, j| rows[i][j]);
-    if action.iter().any(|x| !x.is_finite()) {
+    let Eliminated { action, read } = eliminate(plan, Float64, &c)?;
+    let matrix =
+        |rows: &[Vec<f64>]| DMatrix::from_fn(rows.len(), plan.elimination.basis, |i, j| Complex::new(rows[i][j], 0.0));
+    let (complex, read) = (matrix(&action), matrix(&read));
+    if complex.iter().any(|x| !x.re.is_finite()) {
         return None;
     }
-    let complex = action.map(|x| Complex::new(x, 0.0));
     let values = eigenvalues(&complex)?;
     let mut found: Vec<(Point, f64)> = Vec::new();
     for &value in values.iter() {
-        let Some(mut point) = eigenvector(&complex, value).and_then(|vector| unknowns(plan, &c, value, &vector)) else {
+        let Some(mut point) =
+            eigenvector(&complex, value).and_then(|vector| unknowns(plan, &c, value, &vector, &(&read * &vector)))
+        else {
             continue;
         };
         let residual = polish(plan, &c, &mut point);
@@ -152,10 +154,17 @@ fn inverse_iteration(action: &DMatrix<Complex<f64>>, shift: Complex<f64>) -> Opt
     Some(vector)
 }
 
-fn unknowns(plan: &Plan, c: &[f64], value: Complex<f64>, vector: &DVector<Complex<f64>>) -> Option<Point> {
+fn unknowns(
+    plan: &Plan,
+    c: &[f64],
+    value: Complex<f64>,
+    vector: &DVector<Complex<f64>>,
+    read: &DVector<Complex<f64>>,
+) -> Option<Point> {
     let known = |monomial: &KnownMonomial| match monomial {
         KnownMonomial::Basis(b) => vector[usize::from(b.0)],
         KnownMonomial::Image(b) => vector[usize::from(b.0)] * value,
+        KnownMonomial::Read(at) => read[usize::from(*at)],
     };
     let mut point = vec![Complex::ZERO; plan.unknowns.len()];
     for extraction in &plan.extractions {

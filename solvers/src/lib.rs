@@ -7,4 +7,5 @@ eliminant::include_solver!("circle_least_squares_dual");
 eliminant::include_solver!("circle_minimal");
 eliminant::include_solver!("relpose_5pt");
 eliminant::include_solver!("relpose_6pt_focal");
+eliminant::include_solver!("trilateration");
 eliminant::include_solver!("two_conics");

@@ -87,6 +87,7 @@ pub fn cases() -> Vec<Case> {
         case!(circle_minimal, CircleMinimal, (d_alpha, d_beta, d_gamma), (a, b)),
         case!(relpose_5pt, Relpose5pt, (basis), (x, y, z)),
         case!(relpose_6pt_focal, Relpose6ptFocal, (basis), (x, y, w)),
+        case!(trilateration, Trilateration, (centres, distances), (x, y, z)),
         case!(two_conics, TwoConics, (p, q), (x, y)),
     ]
 }

@@ -10,7 +10,7 @@ const INSTANCES: u64 = 2_000;
 
 fn interpreted(plan: &Plan, inputs: &[f64]) -> Option<Vec<Vec<f64>>> {
     let coefficients = interpret::coefficients(plan, Float64, inputs)?;
-    interpret::action_matrix(plan, Float64, &coefficients)
+    Some(interpret::eliminate(plan, Float64, &coefficients)?.action)
 }
 
 fn bits(matrix: &[Vec<f64>]) -> Vec<Vec<u64>> {

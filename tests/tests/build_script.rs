@@ -224,7 +224,7 @@ fn a_problem_without_template_is_searched() {
     let problem = Problem::parse("meet.rs", text).expect("a good problem");
     let solutions = check(&problem).expect("finitely many").solutions;
     assert_eq!(solutions, 4);
-    let solves = SearchOptions { max_columns: 150, shuffles: 0, ..SearchOptions::default() };
+    let solves = SearchOptions::for_a_build();
     let found = candidates(&problem, solutions, &solves, &|_| ()).expect("a template");
     let emitted =
         found.iter().find(|c| generate(&problem, &c.to_file(&problem, &solves)).is_ok_and(|text| text == solver));

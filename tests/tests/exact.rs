@@ -1,11 +1,13 @@
 //! Over Z_p nothing is rounded: every plan is compared with normal forms modulo the ideal of its problem, for equality.
 
+use std::cell::Cell;
+
 use eliminant_generator::algebra::{DenseMatrix, GroebnerBasis, Monomial, PRIMES, Polynomial, PrimeField};
 use eliminant_generator::check::ideal;
 use eliminant_generator::generate::Planned;
 use eliminant_generator::instance::Instance;
 use eliminant_generator::interpret;
-use eliminant_generator::plan::{KnownMonomial, Term};
+use eliminant_generator::plan::{KnownMonomial, PivotId, Term};
 use eliminant_generator::problem::Problem;
 use eliminant_generator::template::EliminationTemplate;
 use eliminant_tests::cases;
@@ -89,6 +91,12 @@ fn monomial(m: Monomial) -> Polynomial<u32> {
     Polynomial::from_terms(vec![(m, 1)])
 }
 
+/// The monomial that a pivot of the elimination stands for.
+fn pivot_monomial(s: &Setting, pivot: PivotId) -> Monomial {
+    let column = s.planned.plan.elimination.pivot_columns[usize::from(pivot.0)];
+    s.template.excess.iter().chain(&s.template.reducible).copied().nth(column).expect("a column")
+}
+
 /// The terms of a plan as a polynomial.
 fn polynomial(terms: &[Term], field: PrimeField, coefficients: &[u32]) -> Polynomial<u32> {
     let term = |t: &Term| {
@@ -102,7 +110,7 @@ fn polynomial(terms: &[Term], field: PrimeField, coefficients: &[u32]) -> Polyno
 #[test]
 fn the_action_matrix_of_the_plan_equals_normal_forms() {
     for_each_setting(|s| {
-        let action = interpret::action_matrix(&s.planned.plan, s.field, &s.coefficients).expect("an action matrix");
+        let action = interpret::eliminate(&s.planned.plan, s.field, &s.coefficients).expect("an action matrix").action;
         let basis = &s.template.basis;
         assert_eq!((action.len(), basis.len() >= s.solutions), (basis.len(), true), "{}", s.name);
         let (n, d) = numerator_and_denominator(&s.template.action);
@@ -115,6 +123,26 @@ fn the_action_matrix_of_the_plan_equals_normal_forms() {
             assert_eq!(row.len(), basis.len(), "{}", s.name);
         }
     });
+}
+
+/// Monomials that unknowns are read from are the combinations of B that the rows say they are.
+#[test]
+fn the_rows_that_unknowns_are_read_from_equal_normal_forms() {
+    let rows = Cell::new(0);
+    for_each_setting(|s| {
+        let read = interpret::eliminate(&s.planned.plan, s.field, &s.coefficients).expect("an action matrix").read;
+        for (&pivot, row) in s.planned.plan.read.iter().zip(&read) {
+            let left = pivot_monomial(s, pivot);
+            let all: Vec<Monomial> = s.template.basis.iter().copied().chain([left]).collect();
+            let c = common_denominator(&all);
+            let right = s.template.basis.iter().zip(row).map(|(b, &t)| (c.times(b), t));
+            let normal_form = |p| s.reduced_ideal.normal_form(p).expect("a normal form");
+            let right = Polynomial::collect(s.field, right);
+            assert_eq!(normal_form(&monomial(c.times(&left))), normal_form(&right), "{}: {left:?}", s.name);
+            rows.set(rows.get() + 1);
+        }
+    });
+    assert!(rows.get() > 0, "some problem has such a row");
 }
 
 /// What is divided by has no zero in common with the problem (else solutions would be lost), and B spans the quotient ring,
@@ -202,6 +230,10 @@ fn unknowns_are_ratios_of_known_monomials() {
         let known = |m: &KnownMonomial| match m {
             KnownMonomial::Basis(b) => s.template.basis[usize::from(b.0)],
             KnownMonomial::Image(b) => s.template.basis[usize::from(b.0)].times(&s.template.action),
+            KnownMonomial::Read(at) => {
+                let pivot = s.planned.plan.read[usize::from(*at)];
+                pivot_monomial(s, pivot)
+            }
         };
         let mut read: Vec<usize> = Vec::new();
         for extraction in &s.planned.plan.extractions {

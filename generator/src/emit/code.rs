@@ -8,21 +8,28 @@ use crate::plan::{Operation, Plan, PlannedRecovery, ValueId};
 use crate::problem::DataParameter;
 use crate::rational::Rational;
 
-/// The function from the data to the coefficients.
+/// The function from the data to the coefficients. Intermediate values stand in one array: as thousands of variables of their own, each
+/// with its debug information, they overflow the stack of the compiler.
 pub(super) fn coefficients(plan: &Plan) -> TokenStream {
     let parameters = plan.data.iter().map(parameter);
     let inputs: Vec<TokenStream> = plan.data.iter().flat_map(elements).collect();
-    let prefix = value_prefix(plan);
+    let values = format_ident!("{}", name_of_values(plan));
+    let mut slots = Vec::with_capacity(plan.code.len());
+    let mut count = 0usize;
+    for operation in &plan.code {
+        slots.push(count);
+        count += usize::from(!matches!(operation, Operation::Constant(_) | Operation::Input(_)));
+    }
+    let slot = |at: usize| {
+        let index = Literal::usize_unsuffixed(slots[at]);
+        quote!(#values[#index])
+    };
     let operand = |id: &ValueId| match plan.code[id.0 as usize] {
         Operation::Constant(value) => constant(value),
         Operation::Input(input) => inputs[input as usize].clone(),
-        _ => {
-            let name = format_ident!("{prefix}{}", id.0);
-            quote!(#name)
-        }
+        _ => slot(id.0 as usize),
     };
     let steps = plan.code.iter().enumerate().filter_map(|(at, operation)| {
-        let name = format_ident!("{prefix}{at}");
         let value = match operation {
             Operation::Constant(_) | Operation::Input(_) => return None,
             Operation::Add(a, b) => binary(operand(a), quote!(+), operand(b)),
@@ -34,26 +41,32 @@ pub(super) fn coefficients(plan: &Plan) -> TokenStream {
                 quote!(-#a)
             }
         };
-        Some(quote!(let #name = #value;))
+        let target = slot(at);
+        Some(quote!(#target = #value;))
     });
+    let declaration = match count {
+        0 => quote!(),
+        _ => quote!(let mut #values = [0.0; #count];),
+    };
     let results = plan.coefficients.iter().map(operand);
-    let count = plan.coefficients.len();
+    let length = plan.coefficients.len();
     quote! {
         /// The coefficients that the tables refer to.
-        fn coefficients(#(#parameters),*) -> [f64; #count] {
+        fn coefficients(#(#parameters),*) -> [f64; #length] {
+            #declaration
             #(#steps)*
             [#(#results),*]
         }
     }
 }
 
-/// A prefix for the names of intermediate values that no parameter starts with.
-fn value_prefix(plan: &Plan) -> String {
-    let mut prefix = "v".to_owned();
-    while plan.data.iter().any(|parameter| parameter.name.starts_with(&prefix)) {
-        prefix.push('_');
+/// A name for the intermediate values that no parameter has.
+fn name_of_values(plan: &Plan) -> String {
+    let mut name = "v".to_owned();
+    while plan.data.iter().any(|parameter| parameter.name == name) {
+        name.push('_');
     }
-    prefix
+    name
 }
 
 fn binary(a: TokenStream, operator: TokenStream, b: TokenStream) -> TokenStream {

@@ -3,7 +3,7 @@
 mod code;
 mod tables;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::plan::{ActionRow, KnownMonomial, Plan, RootMethod};
@@ -119,6 +119,7 @@ fn api(plan: &Plan) -> TokenStream {
         RootMethod::Eigenvalues => quote!(Eigenvalues),
         RootMethod::CharacteristicPolynomial => quote!(CharacteristicPolynomial),
     };
+    let mutable = if plan.read.is_empty() { quote!() } else { quote!(mut) };
     quote! {
         #(#docs)*
         ///
@@ -127,12 +128,9 @@ fn api(plan: &Plan) -> TokenStream {
         /// # Errors
         /// Data that are not finite or degenerate, see [`eliminant::SolveError`]. No real solution is no error.
         pub fn solve(#(#parameters),*) -> Result<eliminant::Solutions<#name, #solutions>, eliminant::SolveError> {
-            let instance_ = Instance::new(#(#arguments),*)?;
-            let found = eliminant::real_solutions::<_, _, #solutions>(
-                &instance_,
-                &instance_.action_matrix()?,
-                eliminant::RootMethod::#roots,
-            )?;
+            let #mutable instance_ = Instance::new(#(#arguments),*)?;
+            let action_ = instance_.action_matrix()?;
+            let found = eliminant::real_solutions::<_, _, #solutions>(&instance_, &action_, eliminant::RootMethod::#roots)?;
             Ok(found.into_iter().map(#name::from_array).collect())
         }
 
@@ -143,8 +141,9 @@ fn api(plan: &Plan) -> TokenStream {
         pub fn solve_complex(
             #(#parameters),*
         ) -> Result<eliminant::Solutions<#name<eliminant::Complex<f64>>, #solutions>, eliminant::SolveError> {
-            let instance_ = Instance::new(#(#arguments),*)?;
-            let found = eliminant::complex_solutions::<_, _, #solutions>(&instance_, &instance_.action_matrix()?)?;
+            let #mutable instance_ = Instance::new(#(#arguments),*)?;
+            let action_ = instance_.action_matrix()?;
+            let found = eliminant::complex_solutions::<_, _, #solutions>(&instance_, &action_)?;
             Ok(found.into_iter().map(#name::from_array).collect())
         }
 
@@ -170,6 +169,50 @@ fn api(plan: &Plan) -> TokenStream {
     }
 }
 
+/// Whether an unknown is read from the image of the basis.
+fn uses_image(plan: &Plan) -> bool {
+    let is_image = |m: &KnownMonomial| matches!(m, KnownMonomial::Image(_));
+    plan.extractions.iter().flat_map(|x| &x.pairs).any(|(m, n)| is_image(m) || is_image(n))
+}
+
+/// The array `known` of all monomial values that unknowns may be read from: basis, then image, then read rows.
+fn known_monomials(plan: &Plan) -> TokenStream {
+    let (basis, read) = (plan.elimination.basis, plan.read.len());
+    let image = usize::from(uses_image(plan)) * basis;
+    if image + read == 0 {
+        return quote! {
+            let _ = value;
+            let known = vector;
+        };
+    }
+    let images = match image {
+        0 => quote!(let _ = value;),
+        _ => quote! {
+            for (at, &entry) in vector.iter().enumerate() {
+                known[#basis + at] = value * entry;
+            }
+        },
+    };
+    let start = basis + image;
+    let reads = match read {
+        0 => quote!(),
+        _ => quote! {
+            for (at, row) in self.read.iter().enumerate() {
+                for (&entry, &factor) in vector.iter().zip(row) {
+                    known[#start + at] += entry.scale(factor);
+                }
+            }
+        },
+    };
+    let length = start + read;
+    quote! {
+        let mut known = [S::ZERO; #length];
+        known[..#basis].copy_from_slice(vector);
+        #images
+        #reads
+    }
+}
+
 fn instance(plan: &Plan) -> TokenStream {
     let parameters: Vec<_> = plan.data.iter().map(parameter).collect();
     let arguments: Vec<_> = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name)).collect();
@@ -190,34 +233,32 @@ fn instance(plan: &Plan) -> TokenStream {
             quote!(action[#at] = right[#pivot].map(|value| -value);)
         }
     });
-    let uses_image = plan
-        .extractions
-        .iter()
-        .flat_map(|x| &x.pairs)
-        .any(|&(m, n)| matches!(m, KnownMonomial::Image(_)) || matches!(n, KnownMonomial::Image(_)));
-    let known = if uses_image {
-        quote! {
-            let mut known = [S::ZERO; 2 * #basis];
-            for (at, &entry) in vector.iter().enumerate() {
-                known[at] = entry;
-                known[#basis + at] = value * entry;
-            }
-        }
-    } else {
-        quote! {
-            let _ = value;
-            let known = vector;
-        }
-    };
+    let known = known_monomials(plan);
     let position = |monomial: KnownMonomial| match monomial {
-        KnownMonomial::Basis(b) => b.0,
-        KnownMonomial::Image(b) => b.0 + basis as u16,
+        KnownMonomial::Basis(b) => usize::from(b.0),
+        KnownMonomial::Image(b) => basis + usize::from(b.0),
+        KnownMonomial::Read(at) => basis * (1 + usize::from(uses_image(plan))) + usize::from(at),
+    };
+    let count_read = plan.read.len();
+    let read = plan.read.iter().enumerate().map(|(at, pivot)| {
+        let pivot = usize::from(pivot.0);
+        quote!(self.read[#at] = right[#pivot].map(|value| -value);)
+    });
+    let (read_field, no_read, receiver) = match count_read {
+        0 => (quote!(), quote!(), quote!(&self)),
+        _ => (
+            quote! {
+                /// Monomials that unknowns are read from, as combinations of the basis; known after the elimination.
+                read: [[f64; #basis]; #count_read],
+            },
+            quote!(read: [[0.0; #basis]; #count_read],),
+            quote!(&mut self),
+        ),
     };
     let extractions = plan.extractions.iter().map(|extraction| {
         let unknown = extraction.unknown;
         let pairs = extraction.pairs.iter().map(|&(m, n)| {
-            let (m, n) =
-                (proc_macro2::Literal::u16_unsuffixed(position(m)), proc_macro2::Literal::u16_unsuffixed(position(n)));
+            let [m, n] = [m, n].map(|monomial| Literal::usize_unsuffixed(position(monomial)));
             quote!((#m, #n))
         });
         quote!(x[#unknown] = eliminant::ratio(&known[..], &[#(#pairs),*])?;)
@@ -244,19 +285,21 @@ fn instance(plan: &Plan) -> TokenStream {
         /// The coefficients of all equations for given data.
         struct Instance {
             coefficients: [f64; #count],
+            #read_field
         }
 
         impl Instance {
             fn new(#(#parameters),*) -> Result<Self, eliminant::SolveError> {
-                let instance_ = Self { coefficients: self::coefficients(#(#arguments),*) };
+                let instance_ = Self { coefficients: self::coefficients(#(#arguments),*), #no_read };
                 eliminant::check_coefficients(&instance_.coefficients, &[#(#slices),*])?;
                 Ok(instance_)
             }
 
-            fn action_matrix(&self) -> Result<[[f64; #basis]; #basis], eliminant::SolveError> {
+            fn action_matrix(#receiver) -> Result<[[f64; #basis]; #basis], eliminant::SolveError> {
                 let mut right = [[0.0; #basis]; #rows];
                 eliminant::fill(&mut right, RIGHT, &self.coefficients);
                 #(#blocks)*
+                #(#read)*
                 let mut action = [[0.0; #basis]; #basis];
                 #(#action)*
                 Ok(action)

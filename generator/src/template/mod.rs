@@ -39,7 +39,7 @@ pub struct EliminationTemplate {
     pub action: Monomial,
     /// The excess columns E.
     pub excess: Vec<Monomial>,
-    /// The reducible columns R = aB \ B.
+    /// The reducible columns R = aB \ B, and monomials that are expressed in B only for an unknown to be read from them.
     pub reducible: Vec<Monomial>,
     /// The basis columns B; at least as many as there are solutions.
     pub basis: Vec<Monomial>,

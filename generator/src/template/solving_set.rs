@@ -12,14 +12,14 @@ use crate::algebra::{DenseMatrix, Monomial};
 pub struct SolvingSet {
     /// B.
     pub basis: Vec<usize>,
-    /// R = aB \ B.
+    /// R = aB \ B, and the columns that are only there for an unknown to be read from.
     pub reducible: Vec<usize>,
 }
 
 /// What a solving set must satisfy to be of use.
 #[derive(Clone, Debug)]
 pub struct Requirements<'a> {
-    /// Indices of the unknowns that must be readable as ratios of monomials of B and R.
+    /// Indices of the unknowns that must be readable as ratios of monomials that are in B or expressed in B.
     pub unknowns: &'a [usize],
     /// Least size of B: the number of solutions.
     pub solutions: usize,
@@ -33,6 +33,7 @@ pub fn solving_set(matrix: &ShiftMatrix, action: &Monomial, requirements: &Requi
         matrix.monomials.iter().map(|m| matrix.column_of.get(&m.times(action)).copied()).collect();
     let dependencies = Dependencies::find(matrix, &image)?;
     let mut best: Option<SolvingSet> = None;
+    let mut unreadable: Vec<SolvingSet> = Vec::new();
     for seed in dependencies.seeds() {
         let limit = best.as_ref().map_or(requirements.max_basis, |set| set.basis.len() - 1);
         let Some(basis) = dependencies.closure(&seed, &image, limit) else { continue };
@@ -45,9 +46,52 @@ pub fn solving_set(matrix: &ShiftMatrix, action: &Monomial, requirements: &Requi
         let set = SolvingSet { basis, reducible };
         if requirements.unknowns.iter().all(|&x| is_readable(matrix, &set, x)) {
             best = Some(set);
+        } else if !unreadable.contains(&set) {
+            unreadable.push(set);
         }
     }
-    best
+    unreadable.retain(|set| best.as_ref().is_none_or(|best| set.basis.len() < best.basis.len()));
+    unreadable.sort_by_key(|set| set.basis.len());
+    let extended = |set: &SolvingSet| with_readable_unknowns(matrix, set, requirements.unknowns);
+    unreadable.iter().take(EXTENDED).find_map(extended).or(best)
+}
+
+/// Solving sets that are tried with more columns where an unknown cannot be read from their own: each takes an elimination.
+const EXTENDED: usize = 2;
+
+/// The set with columns t = x m or t = m / x, m in B or R, added to R, so that every unknown x can be read. The rows must express t in B:
+///
+/// ```text
+///   | excess | candidates t | R  | B |
+///   |   *    |      *       | *  | * |
+///   |   0    |      1       | 0  | * |   t can be read
+/// ```
+fn with_readable_unknowns(matrix: &ShiftMatrix, set: &SolvingSet, unknowns: &[usize]) -> Option<SolvingSet> {
+    let open: Vec<Monomial> =
+        unknowns.iter().filter(|&&x| !is_readable(matrix, set, x)).map(|&x| Monomial::unknown(x)).collect();
+    let is_known =
+        |column: &usize| set.basis.binary_search(column).is_ok() || set.reducible.binary_search(column).is_ok();
+    let reads = |column: usize, x: &Monomial| {
+        let t = &matrix.monomials[column];
+        let near = [t.times(x), t.over(x)];
+        near.iter().any(|m| matrix.column_of.get(m).is_some_and(is_known))
+    };
+    let candidates: Vec<usize> = (0..matrix.monomials.len())
+        .filter(|column| !is_known(column) && open.iter().any(|x| reads(*column, x)))
+        .collect();
+    let reducible = candidates.iter().chain(&set.reducible).copied().collect();
+    let blocks = Blocks { reducible, permissible: set.basis.clone() };
+    let rest = Remaining::eliminate(matrix, &blocks);
+    let expressed: Vec<usize> = rest.clean_rows(blocks.reducible.len()).map(|(column, _)| column).collect();
+    let mut extended = set.clone();
+    for x in &open {
+        // Columns decrease: the last is the lowest.
+        let lowest = candidates.iter().rev().find(|&&column| expressed.contains(&column) && reads(column, x))?;
+        if let Err(at) = extended.reducible.binary_search(lowest) {
+            extended.reducible.insert(at, *lowest);
+        }
+    }
+    Some(extended)
 }
 
 /// Whether both m and x m are in B or R for some m.
@@ -97,14 +141,8 @@ impl Dependencies {
             for &pivot in &rest.pivots {
                 free[rest.columns[pivot]] = false;
             }
-            let reducible = blocks.reducible.len();
-            for (row, &pivot) in rest.pivots.iter().enumerate() {
-                let entries = rest.entries(row);
-                let clean = entries[pivot + 1..].iter().take(reducible.saturating_sub(pivot + 1)).all(|&v| v == 0);
-                if clean {
-                    let used = (pivot + 1..entries.len()).filter(|&c| entries[c] != 0).map(|c| rest.columns[c]);
-                    support[rest.columns[pivot]] = Some(used.collect());
-                }
+            for (column, used) in rest.clean_rows(blocks.reducible.len()) {
+                support[column] = Some(used);
             }
             let mut changed = false;
             for &column in &blocks.reducible {
@@ -273,5 +311,15 @@ impl Remaining {
 
     fn entries(&self, row: usize) -> &[u32] {
         self.matrix.row(row)
+    }
+
+    /// The pivot column and the other nonzero columns of each row whose others are all behind the first `reducible` positions.
+    fn clean_rows(&self, reducible: usize) -> impl Iterator<Item = (usize, Vec<usize>)> {
+        self.pivots.iter().enumerate().filter_map(move |(row, &pivot)| {
+            let entries = self.entries(row);
+            let clean = entries[pivot + 1..].iter().take(reducible.saturating_sub(pivot + 1)).all(|&v| v == 0);
+            let used = (pivot + 1..entries.len()).filter(|&c| entries[c] != 0).map(|c| self.columns[c]);
+            clean.then(|| (self.columns[pivot], used.collect()))
+        })
     }
 }

@@ -70,6 +70,10 @@ pub fn verify(
     if !pivots.iter().copied().eq(0..left) {
         return Err(VerifyError::Singular);
     }
+    let solved = |at: usize| dense.row(template.excess.len() + at);
+    if (0..template.reducible.len()).any(|at| solved(at)[left..others].iter().any(|&value| value != 0)) {
+        return Err(VerifyError::Remainder);
+    }
     let mut action = DenseMatrix::zeros(field, template.basis.len(), template.basis.len());
     for (row, b) in template.basis.iter().enumerate() {
         let image = b.times(&template.action);
@@ -78,12 +82,8 @@ pub fn verify(
             continue;
         }
         let at = template.reducible.iter().position(|m| *m == image).ok_or(VerifyError::Columns)?;
-        let solved = dense.row(template.excess.len() + at);
-        if solved[left..others].iter().any(|&value| value != 0) {
-            return Err(VerifyError::Remainder);
-        }
         for (target, column) in action.row_mut(row).iter_mut().zip(&basis_columns) {
-            *target = column.map_or(0, |column| field.neg(solved[position[column]]));
+            *target = column.map_or(0, |column| field.neg(solved(at)[position[column]]));
         }
     }
     Ok(action)
