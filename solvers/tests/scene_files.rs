@@ -89,6 +89,16 @@ fn text_that_is_not_json_is_located() {
 }
 
 #[test]
+fn a_scene_cut_at_any_byte_is_refused() {
+    let whole = scene(&format!("\"camera_normalised\": {CAMERA}, \"lines_pixels\": [[1,0,2]], \"cylinders\": [null]"));
+    for length in 0..whole.len() {
+        let error = parse_scene(&whole[..length], "scene.json").expect_err("an error");
+        assert!(matches!(error, InputError::NotJson { .. }), "{error}");
+    }
+    assert_eq!(parse_scene(&whole, "scene.json").expect("a scene").views.len(), 2);
+}
+
+#[test]
 fn json_that_is_not_a_scene_is_located() {
     for (text, expected) in [
         ("[]", "scene.json:1:2: not a scene: invalid length 0"),

@@ -139,6 +139,21 @@ fn wrong_files_are_located() {
     assert_eq!(error, "s.csv:2: column 1 is not UTF-8 text");
 }
 
+/// A cut number is a number: only what is cut elsewhere can be noticed.
+#[test]
+fn a_file_cut_within_a_row_is_refused() {
+    let text = "image,x1,y1,x2,y2\na.jpg,10,20,30,40\nb c.jpg,1,2,3,4\n";
+    let (header, last_row) = (text.find('\n').expect("a break"), text.find("b c").expect("the row"));
+    for length in 0..text.len() {
+        let result = parse_segments(&text.as_bytes()[..length], "s.csv").and_then(|cut| cut.views(&photographs()));
+        // After the header, within the last number of a row, and after it.
+        let complete = (header..=header + 1).contains(&length)
+            || (last_row - 2..=last_row).contains(&length)
+            || length == text.len() - 1;
+        assert_eq!(result.is_ok(), complete, "{length}: {result:?}");
+    }
+}
+
 #[test]
 fn images_must_be_clear() {
     let segments = parse_segments(b"image,x1,y1,x2,y2\na.jpg,1,2,3,4\n", "s.csv").expect("segments");

@@ -11,6 +11,7 @@ use eliminant_solvers::cylinder::distortion::Distortion;
 use eliminant_solvers::cylinder::read_scene;
 use model::{TestImage, TestModel, folder};
 use nalgebra::{Point2, UnitQuaternion};
+use serde_json::Value;
 
 /// What a run writes, and its exit status.
 struct Outcome {
@@ -44,7 +45,7 @@ fn a_good_scene_prints_its_cylinder() {
     let json = command(&["--json", &soda_can()]);
     assert_eq!((json.code, json.error.as_str()), (0, ""));
 
-    let report: serde_json::Value = serde_json::from_str(&json.output).expect("JSON");
+    let report: Value = serde_json::from_str(&json.output).expect("JSON");
     let radius = report["radius"].as_f64().expect("a number");
     assert!(text.output.contains(&format!("radius           {radius:14.7}\n")), "{}", text.output);
     let residuals = report["residuals"].as_array().expect("an array");
@@ -102,7 +103,7 @@ fn a_bad_scene_is_1_and_names_the_file() {
         assert_eq!(outcome.code, 1);
         assert!(outcome.error.starts_with(&format!("error: {path}{expected}")), "{}", outcome.error);
         assert!(outcome.error.ends_with('\n'));
-        let json: serde_json::Value = serde_json::from_str(&outcome.output).expect("JSON");
+        let json: Value = serde_json::from_str(&outcome.output).expect("JSON");
         assert_eq!(Some(outcome.error.trim_end()), json["error"].as_str().map(|e| format!("error: {e}")).as_deref());
     }
 }
@@ -140,13 +141,13 @@ fn a_model_with_segments_gives_the_labelled_cylinders() {
         }
     }
     let segments = file("labelled.csv", &segments).display().to_string();
-    let expected: serde_json::Value = serde_json::from_str(&command(&["--json", &soda_can()]).output).expect("JSON");
-    let radius = |report: &serde_json::Value| report["radius"].as_f64().expect("a number");
+    let expected: Value = serde_json::from_str(&command(&["--json", &soda_can()]).output).expect("JSON");
+    let radius = |report: &Value| report["radius"].as_f64().expect("a number");
     for (name, files) in [("command_text", model.text()), ("command_binary", model.binary())] {
         let folder = folder(name, &files).display().to_string();
         let outcome = command(&["--json", "--colmap", &folder, "--segments", &segments]);
         assert_eq!((outcome.code, outcome.error.as_str()), (0, ""));
-        let json: serde_json::Value = serde_json::from_str(&outcome.output).expect("JSON");
+        let json: Value = serde_json::from_str(&outcome.output).expect("JSON");
         let cylinders = json["cylinders"].as_array().expect("an array");
         assert_eq!(cylinders.len(), 2);
         for (cylinder, label) in cylinders.iter().zip(["again", "can"]) {
@@ -171,6 +172,51 @@ fn a_bad_model_or_file_of_segments_is_1() {
     assert_eq!((outcome.code, outcome.error), (1, format!("error: {segments}:2: there is no image `x.jpg`\n")));
     let outcome = command(&["--colmap", "no/such/folder", "--segments", &segments]);
     assert_eq!((outcome.code, outcome.error.starts_with("error: no/such/folder/cameras.txt: ")), (1, true));
+}
+
+/// Each kind of scene that determines no cylinder, made from the committed one: its message, and no output file.
+#[test]
+fn scenes_that_determine_no_cylinder_are_refused_and_nothing_is_written() {
+    let text = std::fs::read_to_string(soda_can()).expect("the scene");
+    let good: Value = serde_json::from_str(&text).expect("JSON");
+    let views = good["views"].as_array().expect("an array");
+    let line = |view: usize, line: usize| views[view]["lines_pixels"][line].clone();
+    let with_lines = |view: usize, lines: Vec<Value>| {
+        let mut view = views[view].clone();
+        view["lines_pixels"] = lines.into();
+        view
+    };
+    let upright = |x: f64| {
+        serde_json::json!({
+            "camera_normalised": [[1, 0, 0, -x], [0, 1, 0, 0], [0, 0, 1, 5]], "lines_normalised": [[1, 0, 0]]
+        })
+    };
+    let cases = [
+        (vec![views[0].clone()], "2 silhouette line(s) given; a cylinder needs at least three"),
+        (
+            vec![with_lines(0, vec![line(0, 0), line(0, 0)]), with_lines(1, vec![line(1, 0)])],
+            "in the cross-section all lines meet in one point",
+        ),
+        (vec![views[2].clone(); 4], "all cameras stand at one place"),
+        ([0.0, 1.0, 2.0, 3.0].map(upright).to_vec(), "all viewing planes are parallel"),
+        (vec![with_lines(0, vec![serde_json::json!([0, 0, 1])])], "views[0].lines_pixels: line 0 has no direction"),
+        (vec![with_lines(0, vec![serde_json::json!([1, Value::Null, 1])])], "not a scene: invalid type: null"),
+    ];
+    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("never.json");
+    let _ = std::fs::remove_file(&out);
+    for (views, expected) in cases {
+        let mut scene = good.clone();
+        scene["views"] = views.into();
+        let path = file("refused.json", &scene.to_string()).display().to_string();
+        let outcome = command(&[&path, "--out", &out.display().to_string()]);
+        assert_eq!((outcome.code, outcome.output.as_str()), (1, ""));
+        assert!(
+            outcome.error.starts_with(&format!("error: {path}")) && outcome.error.contains(expected),
+            "{}",
+            outcome.error
+        );
+        assert!(!out.exists(), "{expected}");
+    }
 }
 
 #[test]
