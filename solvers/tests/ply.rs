@@ -115,7 +115,7 @@ fn the_file_is_the_scene() {
     for edge in edges {
         let [a, b] = [edge[0][0], edge[1][0]].map(|index| index as usize);
         assert!(a != b && a < points.len() && b < points.len());
-        assert_eq!(colour(a), &edge[2..]);
+        assert_eq!(colour(a), colour(b));
     }
     for view in &scene.views {
         let centre = view.camera().centre();

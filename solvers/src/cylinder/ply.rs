@@ -3,10 +3,10 @@
 //! ```text
 //!   vertex   x y z (double), red green blue (uchar)
 //!   face     list of vertex_indices (uchar count, int)          the surfaces, triangles
-//!   edge     vertex1 vertex2 (int), red green blue (uchar)      cameras and viewing planes
+//!   edge     vertex1 vertex2 (int)                               cameras and viewing planes
 //! ```
 //!
-//! Vertices without face or edge are points.
+//! Vertices without face or edge are points. An edge has the colour of its ends: readers do not agree on more properties.
 
 use std::f64::consts::TAU;
 
@@ -53,7 +53,7 @@ pub fn to_ply(scene: &Scene, found: &[(CylinderLines, Cylinder)]) -> Vec<u8> {
 struct Model {
     vertices: Vec<(Point3<f64>, Colour)>,
     faces: Vec<[usize; 3]>,
-    edges: Vec<([usize; 2], Colour)>,
+    edges: Vec<[usize; 2]>,
 }
 
 impl Model {
@@ -90,14 +90,14 @@ impl Model {
         let first = self.add_polygon(&corners, GIVEN);
         let apex = self.vertices.len();
         self.vertices.push((centre, GIVEN));
-        self.edges.extend((first..apex).map(|corner| ([apex, corner], GIVEN)));
+        self.edges.extend((first..apex).map(|corner| [apex, corner]));
     }
 
     /// The edges around a polygon. Returns the index of its first vertex.
     fn add_polygon(&mut self, corners: &[Point3<f64>], colour: Colour) -> usize {
         let first = self.vertices.len();
         self.vertices.extend(corners.iter().map(|&corner| (corner, colour)));
-        let edge = |index| ([first + index, first + (index + 1) % corners.len()], colour);
+        let edge = |index| [first + index, first + (index + 1) % corners.len()];
         self.edges.extend((0..corners.len()).map(edge));
         first
     }
@@ -108,7 +108,7 @@ impl Model {
             "ply\nformat binary_little_endian 1.0\n\
              element vertex {}\nproperty double x\nproperty double y\nproperty double z\n{colour}\
              element face {}\nproperty list uchar int vertex_indices\n\
-             element edge {}\nproperty int vertex1\nproperty int vertex2\n{colour}end_header\n",
+             element edge {}\nproperty int vertex1\nproperty int vertex2\nend_header\n",
             self.vertices.len(),
             self.faces.len(),
             self.edges.len()
@@ -124,9 +124,8 @@ impl Model {
             bytes.push(3);
             bytes.extend(face.iter().flat_map(|&vertex| index(vertex)));
         }
-        for (edge, colour) in &self.edges {
+        for edge in &self.edges {
             bytes.extend(edge.iter().flat_map(|&vertex| index(vertex)));
-            bytes.extend(colour);
         }
         bytes
     }
