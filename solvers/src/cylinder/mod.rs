@@ -40,6 +40,9 @@ mod palette;
 pub mod photograph;
 /// Lines in space by four parameters.
 mod plucker;
+/// Cross-sections, silhouettes and plots as SVG and PNG files.
+#[cfg(feature = "command")]
+pub mod picture;
 /// Cylinders, cameras, lines and points as a PLY file.
 pub mod ply;
 /// The cylinder as quadric and dual quadric, and its outline from the dual.
