@@ -38,11 +38,11 @@ mod normalise;
 mod palette;
 /// The camera behind the pixels of a photograph, with its distortion.
 pub mod photograph;
-/// Lines in space by four parameters.
-mod plucker;
 /// Cross-sections, silhouettes and plots as SVG and PNG files.
 #[cfg(feature = "command")]
 pub mod picture;
+/// Lines in space by four parameters.
+mod plucker;
 /// Cylinders, cameras, lines and points as a PLY file.
 pub mod ply;
 /// The cylinder as quadric and dual quadric, and its outline from the dual.

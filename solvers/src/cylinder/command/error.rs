@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
+use crate::cylinder::picture::PictureError;
 use crate::cylinder::{ColmapError, InputError, SegmentError, TriangulateError};
 
 /// Why a subcommand failed. All of these are the fault of the data or of a file.
@@ -25,6 +26,9 @@ pub(super) enum CommandError {
     /// The lines determine no cylinder.
     #[error("{}: {}{error}", scene.display(), label.as_ref().map_or(String::new(), |label| format!("cylinder `{label}`: ")))]
     Triangulate { scene: PathBuf, label: Option<String>, error: TriangulateError },
+    /// A picture cannot be drawn.
+    #[error("{}: {source}", path.display())]
+    Picture { path: PathBuf, source: PictureError },
     /// No folder, no permission, no space.
     #[error("cannot write `{}`: {source}", path.display())]
     Write { path: PathBuf, source: io::Error },

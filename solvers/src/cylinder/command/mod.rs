@@ -2,6 +2,8 @@
 //!
 //! Exit status: 0 good; 1 the data or a file is at fault; 2 usage.
 
+/// PLY files and pictures of a result.
+mod drawings;
 /// What stops a subcommand.
 mod error;
 /// Output files, whole or not at all.

@@ -5,11 +5,11 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
+use super::drawings::DrawingArguments;
 use super::error::CommandError;
 use super::files::write;
 use super::output::Output;
 use super::scene::SceneArguments;
-use crate::cylinder::ply::to_ply;
 use crate::cylinder::report::Report;
 use crate::cylinder::{CylinderLines, Scene, Triangulation, triangulate};
 
@@ -27,9 +27,8 @@ pub(super) struct Arguments {
     /// Write the result to this file too, as JSON
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Write surfaces, viewing planes, cameras and points to this file, for a viewer of PLY files
-    #[arg(long, value_name = "FILE")]
-    ply: Option<PathBuf>,
+    #[command(flatten)]
+    drawings: DrawingArguments,
 }
 
 /// One cylinder, as it is, for a scene without labels; otherwise a list, also where there is one label.
@@ -59,9 +58,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     if let Some(path) = &arguments.out {
         write(path, output.json.as_bytes())?;
     }
-    if let Some(path) = &arguments.ply {
-        write(path, &to_ply(&scene, &found))?;
-    }
+    arguments.drawings.write(&scene, &found)?;
     Ok(output)
 }
 

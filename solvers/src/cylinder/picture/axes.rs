@@ -18,14 +18,15 @@ use crate::cylinder::palette::Colour;
 const TITLE: f64 = 18.0;
 const LABEL: f64 = 15.0;
 
-/// Around the frame, units: title above; ticks and label below and to the left.
+/// Around the frame, units: title above; ticks and label below and to the left, there with a margin.
 const ABOVE: f64 = 34.0;
 const BELOW: f64 = 52.0;
 const LEFT: f64 = 80.0;
+const MARGIN: f64 = 8.0;
 const RIGHT: f64 = 18.0;
 
 /// About as many ticks as an axis has.
-const TICKS: f64 = 7.0;
+const TICKS: f64 = 9.0;
 
 /// How values are spread along an axis.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
@@ -57,13 +58,13 @@ pub(super) struct Extent {
 
 impl Axis {
     /// A linear axis.
-    pub fn linear(label: impl Into<String>) -> Self {
-        Self { label: label.into(), scale: Scale::Linear }
+    pub fn linear(label: &str) -> Self {
+        Self { label: label.to_owned(), scale: Scale::Linear }
     }
 
     /// A logarithmic axis.
-    pub fn logarithmic(label: impl Into<String>) -> Self {
-        Self { label: label.into(), scale: Scale::Logarithmic }
+    pub fn logarithmic(label: &str) -> Self {
+        Self { label: label.to_owned(), scale: Scale::Logarithmic }
     }
 
     /// Whether a value has a place on the axis.
@@ -180,6 +181,11 @@ pub(super) fn frame_size<DB: DrawingBackend>(area: &Area<DB>) -> [f64; 2] {
     [f64::from(width) - f64::from(units(LEFT + RIGHT)), f64::from(height) - f64::from(units(ABOVE + BELOW))]
 }
 
+/// The height of an area whose frame has this ratio of height to width, units.
+pub(super) fn height_for(width: f64, ratio: f64) -> f64 {
+    (width - LEFT - RIGHT) * ratio + ABOVE + BELOW
+}
+
 /// A frame with its coordinates.
 pub(super) type Frame<'a, DB> = ChartContext<'a, DB, Cartesian2d<Extent, Extent>>;
 
@@ -197,8 +203,10 @@ pub(super) fn frame<'a, DB: DrawingBackend>(
     let mut chart = ChartBuilder::on(area)
         .margin_top(units(ABOVE))
         .margin_right(units(RIGHT))
-        .x_label_area_size(units(BELOW))
-        .y_label_area_size(units(LEFT))
+        .margin_left(units(MARGIN))
+        .margin_bottom(units(MARGIN))
+        .x_label_area_size(units(BELOW - MARGIN))
+        .y_label_area_size(units(LEFT - MARGIN))
         .build_cartesian_2d(x, y)?;
     chart
         .configure_mesh()

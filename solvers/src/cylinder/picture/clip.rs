@@ -47,7 +47,21 @@ impl Window {
             first = first.max(enter.min(leave));
             last = last.min(enter.max(leave));
         }
-        (first < last).then(|| [start + direction * first, start + direction * last])
+        // Ends that are inside stay as they are, so that the segments of a path still join.
+        let at = |position: f64| if position == 1.0 { end } else { start + direction * position };
+        (first < last).then(|| [at(first), at(last)])
+    }
+
+    /// The parts of a path inside, each joined as far as it goes.
+    pub(super) fn path(&self, points: &[Point2<f64>]) -> Vec<Vec<Point2<f64>>> {
+        let mut parts: Vec<Vec<Point2<f64>>> = Vec::new();
+        for [start, end] in points.windows(2).filter_map(|pair| self.segment([pair[0], pair[1]])) {
+            match parts.last_mut() {
+                Some(part) if part.last() == Some(&start) => part.push(end),
+                _ => parts.push(vec![start, end]),
+            }
+        }
+        parts
     }
 
     /// The part of a line `(a, b, c)` inside.

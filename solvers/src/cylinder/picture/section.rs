@@ -73,18 +73,19 @@ impl SectionPicture {
         let x = Extent::exactly([window.low.x, window.high.x]);
         let y = Extent::exactly([window.low.y, window.high.y]).downward();
         let chart = frame(area, title, ("x / world units", x), ("z / world units", y))?;
-        let path = |start: Point2<f64>, end: Point2<f64>, style: ShapeStyle| {
-            let [start, end] = window.segment([upward(&start), upward(&end)])?;
-            Some(PathElement::new([(start.x, start.y), (end.x, end.y)], style))
-        };
         let area = chart.plotting_area();
+        let path = |points: &[Point2<f64>], style: ShapeStyle| {
+            let points: Vec<_> = points.iter().map(upward).collect();
+            let coordinates = |part: &Vec<Point2<f64>>| part.iter().map(|point| (point.x, point.y)).collect::<Vec<_>>();
+            let parts = window.path(&points);
+            parts.iter().try_for_each(|part| area.draw(&PathElement::new(coordinates(part), style)))
+        };
         let circle = |circle: &Circle, style: ShapeStyle| {
             let point = |index: usize| {
                 let angle = TAU * index as f64 / SIDES as f64;
                 circle.centre + Vector2::new(angle.cos(), angle.sin()) * circle.radius
             };
-            let sides = (0..SIDES).filter_map(|index| path(point(index), point(index + 1), style));
-            sides.into_iter().try_for_each(|side| area.draw(&side))
+            path(&(0..=SIDES).map(point).collect::<Vec<_>>(), style)
         };
         for other in &self.others {
             circle(other, stroke(rgb(GREY), 1.0))?;
@@ -95,7 +96,7 @@ impl SectionPicture {
             let contact = self.best.centre - line.normal * line.distance(&self.best.centre);
             let sight = contact - camera;
             let end = contact + sight * (2.0 * self.best.radius / sight.norm());
-            path(*camera, end, stroke(rgb(GIVEN).mix(0.8), 1.0)).iter().try_for_each(|line| area.draw(line))?;
+            path(&[*camera, end], stroke(rgb(GIVEN).mix(0.8), 1.0))?;
         }
         for camera in self.cameras.iter().map(upward).filter(|camera| window.contains(camera)) {
             area.draw(&Dot::new((camera.x, camera.y), units(4.0), rgb(GIVEN).filled()))?;

@@ -5,7 +5,7 @@ use plotters::element::{Circle as Dot, PathElement};
 use plotters::prelude::DrawingBackend;
 use plotters::style::{Color, ShapeStyle};
 
-use super::axes::{Entry, Extent, Mark, frame, frame_size, legend, legend_width, stroke};
+use super::axes::{Entry, Extent, Mark, frame, frame_size, height_for, legend, legend_width, stroke};
 use super::clip::Window;
 use super::{Area, Drawn, Picture, rgb, units};
 use crate::cylinder::extent::image_corners;
@@ -25,7 +25,7 @@ pub struct SilhouettePicture {
     unit: &'static str,
     window: Window,
     given: Vec<Vector3<f64>>,
-    /// Index and label of the cylinder, silhouettes and axis.
+    /// Index of the cylinder, how its legend begins, silhouettes and axis.
     found: Vec<(usize, String, [Vector3<f64>; 3])>,
     points: Vec<(Point2<f64>, palette::Colour)>,
 }
@@ -44,8 +44,7 @@ impl SilhouettePicture {
         let seen = |(number, (lines, cylinder)): (usize, &(CylinderLines, Cylinder))| {
             lines.views.get(index).filter(|view| !view.lines().is_empty())?;
             let [right, left] = cylinder.silhouette(camera)?;
-            let label =
-                lines.label.as_ref().map_or("silhouette found".to_owned(), |label| format!("silhouette of {label}"));
+            let label = lines.label.as_ref().map_or(String::new(), |label| format!("{label}: "));
             Some((number, label, [right, left, axis(cylinder, camera)].map(|silhouette| line(&silhouette))))
         };
         let pixel = |world: &Point3<f64>| {
@@ -65,13 +64,19 @@ impl SilhouettePicture {
     }
 
     fn entries(&self) -> Vec<Entry> {
-        let silhouette = |(number, label, _): &(usize, String, _)| Entry {
-            mark: Mark::Line,
-            colour: palette::series(*number),
-            label: label.clone(),
-        };
-        let given = Entry { mark: Mark::Line, colour: GIVEN, label: "line given".to_owned() };
-        [given].into_iter().chain(self.found.iter().map(silhouette)).collect()
+        let entry = |mark, colour, label: String| Entry { mark, colour, label };
+        let mut entries = vec![entry(Mark::Line, GIVEN, "line given".to_owned())];
+        for (number, label, _) in &self.found {
+            let colour = palette::series(*number);
+            entries.push(entry(Mark::Line, colour, format!("{label}silhouettes, axis")));
+            if !self.points.is_empty() {
+                entries.push(entry(Mark::Dot, colour, format!("{label}points on the surface")));
+            }
+        }
+        if !self.points.is_empty() {
+            entries.push(entry(Mark::Dot, GREY, "other points".to_owned()));
+        }
+        entries
     }
 }
 
@@ -92,7 +97,7 @@ fn upward_line(line: &Vector3<f64>) -> Vector3<f64> {
 impl Picture for SilhouettePicture {
     fn size(&self) -> (u32, u32) {
         let size = self.window.high - self.window.low;
-        let height = f64::from(WIDTH) * size.y / size.x;
+        let height = height_for(f64::from(WIDTH), size.y / size.x);
         (WIDTH + legend_width(&self.entries()), height.clamp(HEIGHT.0, HEIGHT.1) as u32)
     }
 
@@ -114,8 +119,8 @@ impl Picture for SilhouettePicture {
         };
         for (number, _, [right, left, axis]) in &self.found {
             let colour = rgb(palette::series(*number));
-            line(right, stroke(colour, 4.0))?;
-            line(left, stroke(colour, 4.0))?;
+            line(right, stroke(colour, 3.5))?;
+            line(left, stroke(colour, 3.5))?;
             line(axis, stroke(colour.mix(0.6), 1.0))?;
         }
         // Thinner and above, so that both are seen where they agree.
