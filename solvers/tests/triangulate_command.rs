@@ -159,7 +159,13 @@ fn a_model_with_segments_gives_the_labelled_cylinders() {
         // In the second view: lines of the two labels by turns.
         assert_eq!(cylinders[1]["residuals"][3]["line"], 2);
 
-        let text = command(&["--colmap", &folder, "--segments", &segments]);
+        let section = Path::new(env!("CARGO_TARGET_TMPDIR")).join("sections.of.svg");
+        let drawn = ["again", "can"].map(|label| section.with_file_name(format!("sections.of-{label}.svg")));
+        // What an earlier run left.
+        drawn.iter().for_each(|path| drop(std::fs::remove_file(path)));
+        let drawing = ["--section", &section.display().to_string()];
+        let text = command(&[&["--colmap", &folder, "--segments", &segments], drawing.as_slice()].concat());
+        assert!(drawn.iter().all(|path| path.is_file()) && !section.exists(), "one for each cylinder");
         assert_eq!(text.output.matches("radius  ").count(), 2);
         assert!(text.output.starts_with("cylinder") && text.output.contains("   7.jpg\n"), "{}", text.output);
     }
@@ -240,6 +246,42 @@ fn out_is_written_whole_or_not_at_all() {
     let left: Vec<_> =
         left.map(|entry| entry.file_name()).filter(|name| name.to_string_lossy().ends_with(".tmp")).collect();
     assert!(left.is_empty(), "{left:?}");
+}
+
+#[test]
+fn drawings_are_written_whole_or_not_at_all() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("drawings");
+    // What an earlier run left.
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).expect("a writable folder for tests");
+    let path = |name: &str| folder.join(name).display().to_string();
+    let names = |folder: &Path| {
+        let entries = std::fs::read_dir(folder).expect("a folder").filter_map(Result::ok);
+        let mut names: Vec<_> = entries.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
+        names.sort();
+        names
+    };
+
+    let outcome = command(&[&soda_can(), "--section", &path("section.jpg")]);
+    assert_eq!((outcome.code, outcome.output.as_str()), (2, ""));
+    assert!(outcome.error.contains("the name of a picture ends in .svg or .png"), "{}", outcome.error);
+    assert_eq!(command(&["no/such/file.json", "--ply", &path("a.ply"), "--silhouettes", &path("images")]).code, 1);
+    assert!(names(&folder).is_empty());
+
+    let drawings = ["--ply", &path("a.ply"), "--section", &path("section.png"), "--silhouettes", &path("some/images")];
+    let outcome = command(&[&[soda_can().as_str()], drawings.as_slice()].concat());
+    assert_eq!((outcome.code, outcome.error.as_str()), (0, ""));
+    assert_eq!(names(&folder), ["a.ply", "section.png", "some"]);
+    assert_eq!(names(&folder.join("some/images")), (0..8).map(|view| format!("{view:03}.svg")).collect::<Vec<_>>());
+    assert!(std::fs::read(path("a.ply")).expect("a file").starts_with(b"ply\n"));
+
+    // A folder for a file and a file for a folder.
+    for arguments in [["--ply", &path("some")], ["--silhouettes", &path("a.ply")]] {
+        let outcome = command(&[&soda_can(), arguments[0], arguments[1]]);
+        assert_eq!((outcome.code, outcome.output.as_str()), (1, ""));
+        assert!(outcome.error.starts_with(&format!("error: cannot write `{}`: ", arguments[1])), "{}", outcome.error);
+    }
+    assert_eq!(names(&folder), ["a.ply", "section.png", "some"]);
 }
 
 /// The example does nothing but pass on what `run` says. Cargo builds the examples before it runs the tests of a package;

@@ -1,6 +1,6 @@
 //! Pictures, as SVG and as PNG.
 //!
-//! A picture is drawn on a fine grid of pixels, [`FINE`] to the unit. That is the coordinate system of the SVG file; the PNG
+//! A picture is drawn on a fine grid of pixels, four to the unit. That is the coordinate system of the SVG file; the PNG
 //! file has half as many, each the mean of four.
 
 /// Axes: ranges, ticks, frame, legend.
