@@ -218,15 +218,7 @@ fn options_and_starts_are_checked() {
 fn pixels_need_a_calibration() {
     let (can, mut views) = good();
     let metric = Metric::of(&views);
-    let camera = views[2].camera();
-    let matrix =
-        Matrix3x4::from_fn(
-            |row, column| {
-                if column == 3 { camera.translation()[row] } else { camera.rotation()[(row, column)] }
-            },
-        );
-    let camera = eliminant_solvers::cylinder::Camera::from_normalised(&matrix).expect("a camera");
-    views[2] = View::from_normalised_lines(camera, views[2].lines()).expect("lines");
+    views[2] = scenes::without_calibration(&views[2]);
     let result = refine(&views, &truth(&can), &RefineOptions { metric, loss: Loss::Quadratic });
     assert_eq!(result, Err(RefineError::Metric(MetricError::NoCalibration { view: 2 })));
     assert_eq!(Metric::of(&views).unit, DistanceUnit::Radians);

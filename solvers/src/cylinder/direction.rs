@@ -14,6 +14,7 @@
 use nalgebra::{DMatrix, Unit, Vector3};
 use thiserror::Error;
 
+use super::ransac::RansacOptionsError;
 use super::view::ViewingPlane;
 
 /// `sigma_2 / sigma_1` at and below which all planes count as parallel. The ratio is about the angle between the planes:
@@ -31,6 +32,16 @@ pub struct Direction {
     /// Singular values of the stacked unit normals, descending. `sigma_3 / sigma_2` is about the angle (radians) by
     /// which `w` is uncertain.
     pub singular_values: [f64; 3],
+}
+
+/// The direction that several parallel cylinders have in common.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SharedDirection {
+    /// Least squares direction of the planes of all cylinders.
+    pub direction: Direction,
+    /// Root mean square angle between the direction and the planes of each cylinder, radians (its sine). One that is much
+    /// larger than the others belongs to a cylinder that is not parallel to them.
+    pub deviations: Vec<f64>,
 }
 
 /// Why the planes determine no direction.
@@ -62,6 +73,20 @@ pub enum DirectionError {
         /// Number of planes.
         planes: usize,
     },
+    /// RANSAC found no direction in which three planes agree.
+    #[error(
+        "{inliers} of {planes} viewing planes agree on an axis direction, where three are needed; pass more lines, or a \
+         larger threshold"
+    )]
+    NoConsensus {
+        /// Number of planes that agree with the best direction.
+        inliers: usize,
+        /// Number of planes.
+        planes: usize,
+    },
+    /// An option of RANSAC is out of its range.
+    #[error(transparent)]
+    Options(#[from] RansacOptionsError),
 }
 
 /// Least squares direction of the axis from at least three tangent planes.
@@ -91,4 +116,21 @@ pub fn estimate_direction(planes: &[ViewingPlane]) -> Result<Direction, Directio
     let direction = Vector3::new(right[(2, 0)], right[(2, 1)], right[(2, 2)]);
     let sign = direction[direction.iamax()].signum();
     Ok(Direction { direction: Unit::new_normalize(direction * sign), singular_values })
+}
+
+/// Least squares direction of several parallel cylinders, one list of planes for each: their joint normals determine it where
+/// those of one cylinder do not, as with a single view of each. Planes without labels need no lists:
+/// [`estimate_direction`] takes them together, and
+/// [`estimate_direction_robustly`](super::robust_direction::estimate_direction_robustly) where some are wrong.
+///
+/// # Errors
+/// As [`estimate_direction`].
+pub fn estimate_shared_direction(cylinders: &[Vec<ViewingPlane>]) -> Result<SharedDirection, DirectionError> {
+    let direction = estimate_direction(&cylinders.concat())?;
+    let deviation = |planes: &Vec<ViewingPlane>| {
+        let sum: f64 = planes.iter().map(|plane| plane.normal.dot(&direction.direction).powi(2)).sum();
+        // No planes, no deviation.
+        (sum / planes.len().max(1) as f64).sqrt()
+    };
+    Ok(SharedDirection { direction, deviations: cylinders.iter().map(deviation).collect() })
 }

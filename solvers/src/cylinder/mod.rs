@@ -36,6 +36,8 @@ pub mod navab;
 mod normalise;
 /// Colours of pictures and models.
 mod palette;
+/// Several cylinders with one direction.
+pub mod parallel;
 /// The camera behind the pixels of a photograph, with its distortion.
 pub mod photograph;
 /// Cross-sections, silhouettes and plots as SVG and PNG files.
@@ -47,12 +49,18 @@ mod plucker;
 pub mod ply;
 /// The cylinder as quadric and dual quadric, and its outline from the dual.
 pub mod quadric;
+/// RANSAC for any model: samples, scores, local optimisation, termination.
+pub mod ransac;
 /// Viewing planes to tangent lines of the cross-section.
 pub mod rectify;
 /// A cylinder to the one whose silhouettes are nearest to the lines, with its covariance.
 pub mod refine;
 /// A result as text and as JSON.
 pub mod report;
+/// Lines, most of them wrong, to the cylinder on which the others agree.
+pub mod robust;
+/// Viewing planes, some of them wrong, to the direction of the axis.
+pub mod robust_direction;
 /// Views of one or several cylinders, with the points around them.
 pub mod scene;
 /// Tangent lines to conics: the trait of all methods.
@@ -72,17 +80,21 @@ pub use circle::{Circle, CircleError, CircleFit};
 pub use closed_form::{ClosedForm, tangent_circles};
 pub use colmap::{ColmapError, read_colmap};
 pub use cylinder::{Cylinder, LineResidual, Side};
-pub use direction::{Direction, DirectionError};
+pub use direction::{Direction, DirectionError, SharedDirection};
 pub use input::{InputError, parse_scene, read_scene};
 pub use least_squares::LeastSquares;
 pub use linear_conic::LinearConic;
 pub use minimal::{Minimal, minimal_circles};
 pub use navab::Navab;
+pub use parallel::{ParallelError, ParallelTriangulation, triangulate_parallel};
 pub use quadric::silhouette_of_dual_quadric;
+pub use ransac::{RansacOptions, RansacOptionsError};
 pub use refine::{Deviation, Loss, RefineError, RefineOptions, Refinement, refine};
+pub use robust::{RobustError, RobustOptions, RobustTriangulation, triangulate_robustly};
+pub use robust_direction::{RobustDirection, common_direction, default_direction_options, estimate_direction_robustly};
 pub use scene::{CylinderLines, LineId, Scene};
 pub use section::{Section, SectionError, SectionLine, SectionShape, SectionSolver};
 pub use segments::{SegmentError, Segments, parse_segments, read_segments};
 pub use silhouette_distance::{DistanceUnit, Metric, MetricError};
-pub use triangulate::{TriangulateError, Triangulation, triangulate};
+pub use triangulate::{TriangulateError, Triangulation, triangulate, triangulate_along};
 pub use view::{Calibration, Camera, View, ViewError, ViewingPlane};

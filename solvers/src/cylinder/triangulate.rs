@@ -1,12 +1,13 @@
 //! The whole: views in, cylinder out.
 
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Point3, Unit, Vector3};
 use thiserror::Error;
 
 use super::circle::{CircleError, CircleFit, fit_circle};
 use super::cylinder::{Cylinder, LineResidual};
 use super::direction::{Direction, DirectionError, estimate_direction};
 use super::rectify::Rectification;
+use super::scene::LineId;
 use super::view::{View, ViewingPlane};
 
 /// Largest distance between the axes through the camera centres, relative to the distance of the centres from the
@@ -75,26 +76,16 @@ pub fn triangulate(views: &[View]) -> Result<Triangulation, TriangulateError> {
     if planes.len() < 3 {
         return Err(TriangulateError::TooFewLines { lines: planes.len() });
     }
-    let direction = estimate_direction(&planes)?;
+    triangulate_along(views, estimate_direction(&planes)?)
+}
 
-    let (origin, magnitude) = centroid(&planes);
-    let rectification = Rectification::new(&direction.direction, origin);
-    let centre_distance = |plane: &ViewingPlane| rectification.point(&plane.centre).coords.norm();
-    let extent = planes.iter().map(centre_distance).fold(0.0, f64::max);
-    if extent <= SINGLE_VIEWPOINT * magnitude {
-        return Err(TriangulateError::SingleViewpoint);
-    }
-
-    let mut lines = Vec::with_capacity(planes.len());
-    for (view, content) in views.iter().enumerate() {
-        for (line, plane) in content.planes().enumerate() {
-            lines.push(rectification.line(&plane).ok_or(TriangulateError::AcrossAxis { view, line })?);
-        }
-    }
-    let fit = fit_circle(&lines, extent)?;
-    let cylinder = Cylinder::from_circle(&fit.circle, &rectification, direction.direction);
-
-    let mut residuals = Vec::with_capacity(planes.len());
+/// Triangulates one cylinder of which the direction is known, as from other cylinders parallel to it.
+///
+/// # Errors
+/// [`TriangulateError`].
+pub fn triangulate_along(views: &[View], direction: Direction) -> Result<Triangulation, TriangulateError> {
+    let (cylinder, fit) = fit_cylinder(&identified_planes(views), &direction.direction)?;
+    let mut residuals = Vec::new();
     for (view, content) in views.iter().enumerate() {
         let inside = TriangulateError::CameraInside { view, radius: cylinder.radius };
         residuals.extend(cylinder.residuals(view, content).ok_or(inside)?);
@@ -102,9 +93,40 @@ pub fn triangulate(views: &[View]) -> Result<Triangulation, TriangulateError> {
     Ok(Triangulation { cylinder, direction, fit, residuals })
 }
 
+/// The viewing planes of all lines.
+pub(super) fn identified_planes(views: &[View]) -> Vec<(LineId, ViewingPlane)> {
+    let planes = |(view, content): (usize, &View)| -> Vec<_> {
+        content.planes().enumerate().map(|(line, plane)| (LineId { view, line }, plane)).collect()
+    };
+    views.iter().enumerate().flat_map(planes).collect()
+}
+
+/// Constrained least squares cylinder of a direction.
+pub(super) fn fit_cylinder(
+    planes: &[(LineId, ViewingPlane)],
+    direction: &Unit<Vector3<f64>>,
+) -> Result<(Cylinder, CircleFit), TriangulateError> {
+    if planes.len() < 3 {
+        return Err(TriangulateError::TooFewLines { lines: planes.len() });
+    }
+    let (origin, magnitude) = centroid(planes);
+    let rectification = Rectification::new(direction, origin);
+    let centre_distance = |(_, plane): &(LineId, ViewingPlane)| rectification.point(&plane.centre).coords.norm();
+    let extent = planes.iter().map(centre_distance).fold(0.0, f64::max);
+    if extent <= SINGLE_VIEWPOINT * magnitude {
+        return Err(TriangulateError::SingleViewpoint);
+    }
+    let line = |&(LineId { view, line }, plane): &(LineId, ViewingPlane)| {
+        rectification.line(&plane).ok_or(TriangulateError::AcrossAxis { view, line })
+    };
+    let fit = fit_circle(&planes.iter().map(line).collect::<Result<Vec<_>, _>>()?, extent)?;
+    Ok((Cylinder::from_circle(&fit.circle, &rectification, *direction), fit))
+}
+
 /// Mean of the camera centres, each as often as it has lines, and their largest distance from the world's origin.
-fn centroid(planes: &[ViewingPlane]) -> (Point3<f64>, f64) {
-    let sum: Vector3<f64> = planes.iter().map(|plane| plane.centre.coords).sum();
-    let magnitude = planes.iter().map(|plane| plane.centre.coords.norm()).fold(0.0, f64::max);
+fn centroid(planes: &[(LineId, ViewingPlane)]) -> (Point3<f64>, f64) {
+    let centres = planes.iter().map(|(_, plane)| plane.centre.coords);
+    let sum: Vector3<f64> = centres.clone().sum();
+    let magnitude = centres.map(|centre| centre.norm()).fold(0.0, f64::max);
     (Point3::from(sum / planes.len() as f64), magnitude)
 }

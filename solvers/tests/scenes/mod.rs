@@ -2,7 +2,9 @@
 
 #![allow(dead_code, reason = "every test file uses a part of it")]
 
-use eliminant_solvers::cylinder::{Calibration, Camera, Cylinder, View};
+use eliminant_solvers::cylinder::{
+    Calibration, Camera, Cylinder, Loss, Metric, RefineOptions, Refinement, View, refine,
+};
 use nalgebra::{Matrix3, Matrix3x4, Point3, Rotation3, Unit, Vector3};
 
 use crate::random::Random;
@@ -93,12 +95,41 @@ impl Motion {
         let camera = view.camera();
         let turned = camera.rotation() * self.rotation.inverse().matrix();
         let translation = camera.translation() * self.scale - turned * self.shift;
-        let matrix =
-            Matrix3x4::from_fn(|row, column| if column == 3 { translation[row] } else { turned[(row, column)] });
+        let matrix = camera_matrix(&turned, &translation);
         let mut moved = Camera::from_normalised(&matrix).expect("a camera");
         if let Some(calibration) = camera.calibration() {
             moved = moved.with_calibration(*calibration);
         }
         View::from_normalised_lines(moved, view.lines()).expect("lines")
     }
+}
+
+/// Refined on the silhouette distance in the default metric.
+pub(crate) fn refined(views: &[View], start: &Cylinder) -> Refinement {
+    let options = RefineOptions { metric: Metric::of(views), loss: Loss::Quadratic };
+    refine(views, start, &options).expect("a cylinder")
+}
+
+fn camera_matrix(rotation: &Matrix3<f64>, translation: &Vector3<f64>) -> Matrix3x4<f64> {
+    Matrix3x4::from_fn(|row, column| if column == 3 { translation[row] } else { rotation[(row, column)] })
+}
+
+/// The view of a camera without calibration.
+pub(crate) fn without_calibration(view: &View) -> View {
+    let camera = view.camera();
+    let camera = Camera::from_normalised(&camera_matrix(camera.rotation(), camera.translation())).expect("a camera");
+    View::from_normalised_lines(camera, view.lines()).expect("lines")
+}
+
+/// The same viewing planes, in a camera that is turned by half a turn about its y axis.
+pub(crate) fn turned_round(view: &View) -> View {
+    let turn = Matrix3::from_diagonal(&Vector3::new(-1.0, 1.0, -1.0));
+    let camera = view.camera();
+    let matrix = camera_matrix(&(turn * camera.rotation()), &(turn * camera.translation()));
+    let mut turned = Camera::from_normalised(&matrix).expect("a camera");
+    if let Some(calibration) = camera.calibration() {
+        turned = turned.with_calibration(*calibration);
+    }
+    let lines: Vec<_> = view.lines().iter().map(|line| turn * line).collect();
+    View::from_normalised_lines(turned, &lines).expect("lines")
 }
