@@ -181,6 +181,7 @@ mod tests {
 
     const UNKNOWNS: [usize; 2] = [0, 1];
 
+    /// Two quadrics and their multiples by the unknowns: rows that are independent.
     fn matrix(random: &mut Random) -> ShiftMatrix {
         let field = PrimeField::new(PRIMES[0]);
         let mut quadric = || {
@@ -188,7 +189,7 @@ mod tests {
             Polynomial::from_terms(monomials.into_iter().map(|m| (m, field.draw(random))).collect())
         };
         let equations = [quadric(), quadric()];
-        let shifts = Shifts::new(&equations, &UNKNOWNS, Growth::Degree(vec![1, 1]), 100).nth(2).unwrap();
+        let shifts = Shifts::new(&equations, &UNKNOWNS, Growth::Degree(vec![1, 1]), 100).nth(1).unwrap();
         ShiftMatrix::new(field, &equations, &shifts)
     }
 
