@@ -1,27 +1,3 @@
 //! Seeded random numbers.
 
-use std::f64::consts::TAU;
-
-use rand_xoshiro::Xoshiro256PlusPlus;
-use rand_xoshiro::rand_core::{Rng, SeedableRng};
-
-/// Seeded random numbers.
-pub(crate) struct Random(Xoshiro256PlusPlus);
-
-impl Random {
-    /// Starts a sequence.
-    pub(crate) fn new(seed: u64) -> Self {
-        Self(Xoshiro256PlusPlus::seed_from_u64(seed))
-    }
-
-    /// Uniform in `[low, high)`.
-    pub(crate) fn uniform(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    /// Standard normal (Box and Muller).
-    pub(crate) fn normal(&mut self) -> f64 {
-        let radius = (-2.0 * (1.0 - self.uniform(0.0, 1.0)).ln()).sqrt();
-        radius * self.uniform(0.0, TAU).cos()
-    }
-}
+pub(crate) use eliminant_solvers::cylinder::random::Random;

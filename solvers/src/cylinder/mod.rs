@@ -28,6 +28,10 @@ pub mod least_squares;
 mod levenberg_marquardt;
 /// Tangent lines to a conic that need not be a circle.
 pub mod linear_conic;
+/// Lines of which nobody says what they show to all cylinders of one direction.
+pub mod matching;
+/// Matches as text and as JSON.
+pub mod matching_report;
 /// Three tangent lines to the circles that touch them, by the emitted solver.
 pub mod minimal;
 /// Pairs of tangent lines to a circle: axis first, then radius.
@@ -49,6 +53,8 @@ mod plucker;
 pub mod ply;
 /// The cylinder as quadric and dual quadric, and its outline from the dual.
 pub mod quadric;
+/// Seeded random numbers, for simulations.
+pub mod random;
 /// RANSAC for any model: samples, scores, local optimisation, termination.
 pub mod ransac;
 /// Viewing planes to tangent lines of the cross-section.
@@ -69,6 +75,9 @@ pub mod section;
 pub mod segments;
 /// Signed, smooth distance of an image line from a silhouette.
 pub mod silhouette_distance;
+/// Scenes of which the truth is known.
+#[cfg(feature = "command")]
+pub mod simulation;
 /// Tangent lines to all stationary circles, by the emitted solver.
 mod stationary;
 /// All of it: views to a cylinder with its residuals.
@@ -84,6 +93,7 @@ pub use direction::{Direction, DirectionError, SharedDirection};
 pub use input::{InputError, parse_scene, read_scene};
 pub use least_squares::LeastSquares;
 pub use linear_conic::LinearConic;
+pub use matching::{MatchError, MatchOptions, MatchedCylinder, Matching, References, match_cylinders};
 pub use minimal::{Minimal, minimal_circles};
 pub use navab::Navab;
 pub use parallel::{ParallelError, ParallelTriangulation, triangulate_parallel};

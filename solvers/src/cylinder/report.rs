@@ -5,9 +5,10 @@ use std::fmt;
 use nalgebra::Point3;
 use serde::Serialize;
 
-use super::cylinder::{Cylinder, NEAR_SURFACE, Side};
-use super::scene::CylinderLines;
+use super::cylinder::{Cylinder, LineResidual, NEAR_SURFACE, Side};
+use super::scene::{CylinderLines, LineId};
 use super::triangulate::Triangulation;
+use super::view::View;
 
 /// The result in plain numbers, in the form in which it is written as JSON.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -67,15 +68,10 @@ impl Report {
     /// Gathers the numbers of the result for these lines; `points` are those of the scene.
     pub fn new(lines: &CylinderLines, result: &Triangulation, points: &[Point3<f64>]) -> Self {
         let cylinder = &result.cylinder;
-        let residuals = lines.lines.iter().zip(&result.residuals).map(|(id, residual)| ResidualReport {
-            image: lines.views[id.view].image().map(str::to_owned),
-            view: id.view,
-            line: id.line,
-            side: residual.side,
-            distance: residual.distance,
-            angle: residual.angle,
-            pixels: residual.pixels,
-        });
+        let residual = |(id, residual): (&LineId, &LineResidual)| {
+            ResidualReport::new(&lines.views[id.view], &LineResidual { view: id.view, line: id.line, ..*residual })
+        };
+        let residuals = lines.lines.iter().zip(&result.residuals).map(residual);
         Self {
             label: lines.label.clone(),
             axis_point: cylinder.axis_point.coords.into(),
@@ -111,21 +107,36 @@ impl fmt::Display for Report {
                 points.near_surface, points.total
             )?;
         }
-        writeln!(text, "\nview  line   side      distance   angle/degrees     pixels")?;
-        for residual in &self.residuals {
-            let pixels = residual.pixels.map_or("-".to_owned(), |pixels| format!("{pixels:.3}"));
-            let image = residual.image.as_ref().map_or(String::new(), |image| format!("   {image}"));
-            writeln!(
-                text,
-                "{:4}{:6}{:>7}{:14.4e}{:16.6}{pixels:>11}{image}",
-                residual.view,
-                residual.line,
-                residual.side.to_string(),
-                residual.distance,
-                residual.angle.to_degrees()
-            )?;
+        writeln!(text, "\n{}", ResidualReport::HEADING)?;
+        self.residuals.iter().try_for_each(|residual| writeln!(text, "{residual}"))
+    }
+}
+
+impl ResidualReport {
+    /// Heading of a table of which each residual is a row.
+    pub const HEADING: &str = "view  line   side      distance   angle/degrees     pixels";
+
+    /// The residual of a line of this view.
+    pub fn new(view: &View, residual: &LineResidual) -> Self {
+        Self {
+            image: view.image().map(str::to_owned),
+            view: residual.view,
+            line: residual.line,
+            side: residual.side,
+            distance: residual.distance,
+            angle: residual.angle,
+            pixels: residual.pixels,
         }
-        Ok(())
+    }
+}
+
+/// A row of a table.
+impl fmt::Display for ResidualReport {
+    fn fmt(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let pixels = self.pixels.map_or("-".to_owned(), |pixels| format!("{pixels:.3}"));
+        let image = self.image.as_ref().map_or(String::new(), |image| format!("   {image}"));
+        let (side, degrees) = (self.side.to_string(), self.angle.to_degrees());
+        write!(text, "{:4}{:6}{side:>7}{:14.4e}{degrees:16.6}{pixels:>11}{image}", self.view, self.line, self.distance)
     }
 }
 

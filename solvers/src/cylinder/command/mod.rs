@@ -8,6 +8,8 @@ mod drawings;
 mod error;
 /// Output files, whole or not at all.
 mod files;
+/// `cylinders match`.
+mod matching;
 /// Text for people, or one JSON object.
 mod output;
 /// Where cameras and lines come from.
@@ -36,12 +38,14 @@ struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    Match(matching::Arguments),
     Triangulate(triangulate::Arguments),
 }
 
 impl Command {
     fn run(&self) -> Result<Output, CommandError> {
         match self {
+            Self::Match(arguments) => matching::run(arguments),
             Self::Triangulate(arguments) => triangulate::run(arguments),
         }
     }

@@ -1,0 +1,223 @@
+//! Simulated photographs of several similar, parallel cylinders among clutter, of which the truth is known.
+//!
+//! Silhouettes are not computed from tangent planes, as the solvers would, but from points: the lines on the surface where the
+//! line of sight is tangent, their end points projected and moved by noise, and the image line through each pair. What
+//! another cylinder hides is not seen, and some of what could be seen is not detected.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{Matrix3, Matrix3x4, Point2, Point3, Rotation3, Unit, Vector2, Vector3};
+
+use super::cylinder::{Cylinder, Side};
+use super::random::Random;
+use super::view::{Calibration, Camera, View, ViewError};
+
+/// Focal length and principal point, pixels.
+const FOCAL: f64 = 1000.0;
+const PRINCIPAL: [f64; 2] = [800.0, 600.0];
+
+/// Smallest and largest radius; world units.
+const RADII: [f64; 2] = [0.25, 0.4];
+
+/// Half of the length of the cylinders.
+const HALF_LENGTH: f64 = 1.5;
+
+/// Half of the side of the square in which their axes stand.
+const HALF_SIDE: f64 = 3.0;
+
+/// Smallest distance between two axes.
+const CLEARANCE: f64 = 1.2;
+
+/// Smallest and largest distance of a camera from the middle of the square, and largest height above or below it.
+const DISTANCES: [f64; 2] = [9.0, 13.0];
+const ELEVATION: f64 = 2.0;
+
+/// How many cylinders, images and outliers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParallelSetup {
+    /// Number of cylinders, at most ten: more may find no room.
+    pub cylinders: usize,
+    /// Number of images, from all sides.
+    pub images: usize,
+    /// Standard deviation of each coordinate of a line's end point, pixels.
+    pub noise: f64,
+    /// Probability with which a visible silhouette is detected.
+    pub detection: f64,
+    /// Least part of all lines that are not silhouettes of a cylinder, averaged over the cylinders. With seven cylinders and
+    /// without clutter it is 6/7 already.
+    pub outlier_rate: f64,
+}
+
+/// A simulated scene and its truth.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParallelScene {
+    /// The images with their lines, in no order.
+    pub views: Vec<View>,
+    /// Common direction of the cylinders.
+    pub direction: Unit<Vector3<f64>>,
+    /// The cylinders.
+    pub cylinders: Vec<Cylinder>,
+    /// For each view and line the index of the cylinder and the side that it is a silhouette of; `None` for clutter.
+    pub truth: Vec<Vec<Option<(usize, Side)>>>,
+}
+
+impl ParallelSetup {
+    /// The paper's: seven cylinders, twelve images, 89 % outliers; noise of a pixel, nine of ten silhouettes detected.
+    pub fn seven_in_twelve() -> Self {
+        Self { cylinders: 7, images: 12, noise: 1.0, detection: 0.9, outlier_rate: 0.89 }
+    }
+
+    /// A random scene.
+    ///
+    /// # Errors
+    /// [`ViewError`], which values that are finite do not cause.
+    pub fn scene(&self, seed: u64) -> Result<ParallelScene, ViewError> {
+        let mut random = Random::new(seed);
+        let frame = Frame::random(&mut random);
+        let circles = circles(self.cylinders, &mut random);
+        let calibration = Matrix3::new(FOCAL, 0.0, PRINCIPAL[0], 0.0, FOCAL, PRINCIPAL[1], 0.0, 0.0, 1.0);
+        let cameras: Vec<_> = (0..self.images).map(|index| self.camera(index, &frame, &mut random)).collect();
+        let mut photographs: Vec<_> =
+            cameras.iter().map(|camera| self.silhouettes(camera, &frame, &circles, &mut random)).collect();
+
+        let silhouettes: usize = photographs.iter().map(Vec::len).sum();
+        let mean = silhouettes as f64 / self.cylinders as f64;
+        let clutter = ((mean / (1.0 - self.outlier_rate)).ceil() as usize).saturating_sub(silhouettes);
+        for index in 0..clutter {
+            let camera = &cameras[index % self.images];
+            let place = Point2::from(Vector2::from_fn(|_, _| random.uniform(-HALF_SIDE, HALF_SIDE)));
+            photographs[index % self.images].push((None, self.seen(camera, &frame, &place, &mut random)));
+        }
+
+        let mut views = Vec::with_capacity(self.images);
+        let mut truth = Vec::with_capacity(self.images);
+        for (camera, mut lines) in cameras.iter().zip(photographs) {
+            shuffle(&mut lines, &mut random);
+            let (labels, lines): (Vec<_>, Vec<_>) = lines.into_iter().unzip();
+            let camera = Camera::from_normalised(&camera.matrix)?.with_calibration(Calibration::new(&calibration)?);
+            views.push(View::from_normalised_lines(camera, &lines)?);
+            truth.push(labels);
+        }
+        let direction = frame.direction();
+        let cylinder =
+            |&(centre, radius): &(Point2<f64>, f64)| Cylinder::new(&frame.point(&centre, 0.0), direction, radius);
+        Ok(ParallelScene { views, direction, cylinders: circles.iter().map(cylinder).collect(), truth })
+    }
+
+    /// A camera in its sector around the scene that looks at its middle.
+    fn camera(&self, index: usize, frame: &Frame, random: &mut Random) -> Photographer {
+        let angle = TAU * (index as f64 + random.uniform(0.0, 0.8)) / self.images as f64;
+        let distance = random.uniform(DISTANCES[0], DISTANCES[1]);
+        let place = Point2::new(angle.cos(), angle.sin()) * distance;
+        let centre = frame.point(&place, random.uniform(-ELEVATION, ELEVATION));
+        let forward = (frame.origin + Vector3::from_fn(|_, _| random.uniform(-0.3, 0.3)) - centre).normalize();
+        let right = forward.cross(&frame.direction()).normalize();
+        let upright = Matrix3::from_rows(&[right.transpose(), forward.cross(&right).transpose(), forward.transpose()]);
+        let roll = Rotation3::from_axis_angle(&Vector3::z_axis(), random.uniform(-0.2, 0.2));
+        let rotation = roll.into_inner() * upright;
+        let translation = -(rotation * centre.coords);
+        let [first, second, third] = [0, 1, 2].map(|column| rotation.column(column).into_owned());
+        Photographer { matrix: Matrix3x4::from_columns(&[first, second, third, translation]), place }
+    }
+
+    /// The silhouettes that are visible and detected.
+    fn silhouettes(
+        &self,
+        camera: &Photographer,
+        frame: &Frame,
+        circles: &[(Point2<f64>, f64)],
+        random: &mut Random,
+    ) -> Vec<MarkedLine> {
+        let mut lines = Vec::new();
+        for (index, (centre, radius)) in circles.iter().enumerate() {
+            // Around the axis, measured from the direction to the camera at distance rho, contacts are at +-acos(r / rho).
+            let toward = camera.place - centre;
+            let cosine = radius / toward.norm();
+            let toward = toward.normalize();
+            // Left of the ray to the axis, the axis pointing up.
+            let left = Vector2::new(-toward.y, toward.x);
+            for (side, sign) in [(Side::Left, -1.0), (Side::Right, 1.0)] {
+                let contact = centre + (toward * cosine - left * (sign * (1.0 - cosine * cosine).sqrt())) * *radius;
+                let hidden = |(other, (centre, radius)): (usize, &(Point2<f64>, f64))| {
+                    other != index && hides(centre, *radius, &camera.place, &contact)
+                };
+                let visible = !circles.iter().enumerate().any(hidden);
+                if visible && random.uniform(0.0, 1.0) < self.detection {
+                    lines.push((Some((index, side)), self.seen(camera, frame, &contact, random)));
+                }
+            }
+        }
+        lines
+    }
+
+    /// The image, in normalised coordinates, of the line along the axes through a point of the cross-section.
+    fn seen(&self, camera: &Photographer, frame: &Frame, point: &Point2<f64>, random: &mut Random) -> Vector3<f64> {
+        let ends = [-HALF_LENGTH, HALF_LENGTH].map(|height| {
+            let image = camera.matrix * frame.point(point, height).to_homogeneous();
+            let noise = Vector3::new(random.normal(), random.normal(), 0.0) * (self.noise / FOCAL);
+            image / image.z + noise
+        });
+        ends[0].cross(&ends[1])
+    }
+}
+
+/// A line and what it is a silhouette of.
+type MarkedLine = (Option<(usize, Side)>, Vector3<f64>);
+
+/// A camera `[R t]` and its place in the cross-section.
+struct Photographer {
+    matrix: Matrix3x4<f64>,
+    place: Point2<f64>,
+}
+
+/// The cross-section in space. Seen from where the direction points to, the second axis is a right turn from the first.
+struct Frame {
+    rotation: Rotation3<f64>,
+    origin: Point3<f64>,
+}
+
+impl Frame {
+    fn random(random: &mut Random) -> Self {
+        let axis = Unit::new_normalize(Vector3::from_fn(|_, _| random.normal()));
+        let rotation = Rotation3::from_axis_angle(&axis, random.uniform(0.0, 3.0));
+        Self { rotation, origin: Point3::from(Vector3::from_fn(|_, _| random.uniform(-20.0, 20.0))) }
+    }
+
+    fn direction(&self) -> Unit<Vector3<f64>> {
+        self.rotation * Vector3::y_axis()
+    }
+
+    fn point(&self, place: &Point2<f64>, height: f64) -> Point3<f64> {
+        self.origin + self.rotation * Vector3::new(place.x, height, place.y)
+    }
+}
+
+/// Circles that are apart from each other; fewer where there is no room.
+fn circles(count: usize, random: &mut Random) -> Vec<(Point2<f64>, f64)> {
+    let mut circles: Vec<(Point2<f64>, f64)> = Vec::with_capacity(count);
+    for _ in 0..1000 * count {
+        if circles.len() == count {
+            break;
+        }
+        let centre = Point2::from(Vector2::from_fn(|_, _| random.uniform(-HALF_SIDE, HALF_SIDE)));
+        if circles.iter().all(|(other, _)| (other - centre).norm() >= CLEARANCE) {
+            circles.push((centre, random.uniform(RADII[0], RADII[1])));
+        }
+    }
+    circles
+}
+
+/// Whether a circle is between a camera and a point.
+fn hides(centre: &Point2<f64>, radius: f64, camera: &Point2<f64>, point: &Point2<f64>) -> bool {
+    let sight = point - camera;
+    let along = ((centre - camera).dot(&sight) / sight.norm_squared()).clamp(0.0, 1.0);
+    (camera + sight * along - centre).norm() < radius
+}
+
+/// Fisher and Yates.
+fn shuffle<T>(items: &mut [T], random: &mut Random) {
+    for last in (1..items.len()).rev() {
+        let other = random.uniform(0.0, (last + 1) as f64) as usize;
+        items.swap(last, other.min(last));
+    }
+}
