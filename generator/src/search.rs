@@ -13,7 +13,7 @@ use crate::template::file::TemplateFile;
 use crate::template::grow::{Growth, Shifts};
 use crate::template::reduce::{DeletionOrder, reduce};
 use crate::template::shift_matrix::ShiftMatrix;
-use crate::template::solving_set::{Requirements, solving_set};
+use crate::template::solving_set::{Dependencies, Requirements};
 use crate::template::verify::verify;
 
 /// Limits and seeds of a search.
@@ -219,9 +219,10 @@ fn grow<'a>(form: &'a Form, growth: &Growth, solutions: usize, options: &SearchO
         for &unknown in kept {
             let x = Monomial::unknown(unknown);
             for action in [x, Monomial::ONE.over(&x)] {
+                let Some(dependencies) = Dependencies::new(&matrix, &action, false) else { continue };
                 for max_basis in [solutions, solutions + (solutions / 3).max(2)] {
                     let requirements = Requirements { unknowns: kept, solutions, max_basis };
-                    if solving_set(&matrix, &action, &requirements).is_none() {
+                    if dependencies.smallest(&matrix, &requirements).is_none() {
                         continue;
                     }
                     solved = true;

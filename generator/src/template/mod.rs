@@ -17,6 +17,7 @@ pub mod grow;
 pub mod reduce;
 pub mod shift_matrix;
 pub mod solving_set;
+pub mod tableau;
 pub mod verify;
 
 use crate::algebra::Monomial;

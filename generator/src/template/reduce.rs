@@ -1,9 +1,11 @@
 //! From a set of shifts that solves to a template with as few rows as possible.
 
+use std::rc::Rc;
+
 use super::shift_matrix::ShiftMatrix;
-use super::solving_set::{Requirements, SolvingSet, solving_set};
+use super::solving_set::{Dependencies, Requirements, SolvingSet};
 use super::{EliminationTemplate, Shift};
-use crate::algebra::{DenseMatrix, Monomial};
+use crate::algebra::Monomial;
 use crate::instance::Random;
 
 /// The order in which rows are offered for deletion.
@@ -17,7 +19,8 @@ pub enum DeletionOrder {
     Shuffled(u64),
 }
 
-/// Deletes rows one by one, searching the solving set anew each time, as long as |B| does not grow beyond `requirements.max_basis`.
+/// Deletes rows one by one, searching the solving set anew where it no longer holds, as long as |B| does not grow beyond
+/// `requirements.max_basis`.
 ///
 /// After a full pass over the rows without a deletion the template cannot lose a row. `None` if the shifts do not solve.
 pub fn reduce(
@@ -26,52 +29,111 @@ pub fn reduce(
     requirements: &Requirements<'_>,
     order: DeletionOrder,
 ) -> Option<EliminationTemplate> {
-    let (mut current, mut set) = settle(matrix.clone(), action, requirements)?;
-    let mut queue = deletion_queue(&current, order);
+    let mut current = Reduction::start(matrix.clone(), action, requirements)?;
+    let mut queue = deletion_queue(&current.matrix, order);
     // Blocks of rows first, halved on failure: a large template loses most rows in a few trials.
-    let mut block = (current.rows.len() / 8).max(1);
+    let mut block = (queue.len() / 8).max(1);
     loop {
         let mut deleted = false;
         let mut at = 0;
         while at < queue.len() {
             let end = (at + block).min(queue.len());
-            let doomed = &queue[at..end];
-            let trial = current.retain_rows(|row| !doomed.contains(&current.shifts[row]));
-            match settle(trial, action, requirements) {
+            match current.without(&queue[at..end], requirements) {
                 Some(smaller) => {
-                    (current, set) = smaller;
-                    queue.retain(|shift| current.shifts.contains(shift));
+                    current = smaller;
+                    queue.retain(|&row| current.alive[row]);
                     deleted = true;
+                    if queue.len() * 4 < current.alive.len() * 3 {
+                        let shifts: Vec<Shift> = queue.iter().map(|&row| current.matrix.shifts[row]).collect();
+                        current = current.compacted(action, requirements)?;
+                        let row_of = |shift: &Shift| current.matrix.shifts.iter().position(|other| other == shift);
+                        queue = shifts.iter().filter_map(row_of).collect();
+                    }
                 }
                 None => at = end,
             }
         }
         if block == 1 && !deleted {
-            return finish(&current, action, &set);
+            return current.template(action);
         }
         block = (block / 2).max(1);
     }
 }
 
-/// The matrix without the rows that its solving set does not need, and the solving set of what is left.
-fn settle(
-    mut matrix: ShiftMatrix,
-    action: &Monomial,
-    requirements: &Requirements<'_>,
-) -> Option<(ShiftMatrix, SolvingSet)> {
-    loop {
-        let set = solving_set(&matrix, action, requirements)?;
-        let rows = support(&matrix, &set)?.rows;
-        if rows.len() == matrix.rows.len() {
-            return Some((matrix, set));
+/// A matrix that loses rows, and a solving set of those that are left.
+#[derive(Clone)]
+struct Reduction {
+    matrix: Rc<ShiftMatrix>,
+    /// Which rows of the matrix are left.
+    alive: Vec<bool>,
+    dependencies: Dependencies,
+    set: SolvingSet,
+}
+
+impl Reduction {
+    /// Starts with the rows that the smallest solving set needs.
+    fn start(mut matrix: ShiftMatrix, action: &Monomial, requirements: &Requirements<'_>) -> Option<Self> {
+        loop {
+            let dependencies = Dependencies::new(&matrix, action, true)?;
+            let set = dependencies.smallest(&matrix, requirements)?;
+            let needed = dependencies.rows_of(&set);
+            if needed.len() == matrix.rows.len() {
+                let alive = vec![true; needed.len()];
+                return Some(Self { matrix: Rc::new(matrix), alive, dependencies, set });
+            }
+            matrix = matrix.retain_rows(|row| needed.binary_search(&row).is_ok());
         }
-        let mut needed = vec![false; matrix.rows.len()];
-        rows.iter().for_each(|&row| needed[row] = true);
-        matrix = matrix.retain_rows(|row| needed[row]);
+    }
+
+    /// What is left without some rows, and without those that are then of no use; `None` if that does not solve.
+    fn without(&self, rows: &[usize], requirements: &Requirements<'_>) -> Option<Self> {
+        let mut rest = self.clone();
+        rows.iter().for_each(|&row| rest.delete(row));
+        if !rest.dependencies.settle(requirements.solutions) {
+            return None;
+        }
+        if !rest.dependencies.still_solves(&rest.set) {
+            rest.set = rest.dependencies.smallest(&rest.matrix, requirements)?;
+        }
+        let needed = rest.dependencies.rows_of(&rest.set);
+        for row in 0..rest.alive.len() {
+            if rest.alive[row] && needed.binary_search(&row).is_err() {
+                rest.delete(row);
+            }
+        }
+        Some(rest)
+    }
+
+    /// The same on a matrix of the rows that are left.
+    fn compacted(&self, action: &Monomial, requirements: &Requirements<'_>) -> Option<Self> {
+        Self::start(self.matrix.retain_rows(|row| self.alive[row]), action, requirements)
+    }
+
+    fn delete(&mut self, row: usize) {
+        self.alive[row] = false;
+        self.dependencies.delete_row(row);
+    }
+
+    /// The template of the solving set; all rows are needed. Excess columns without a pivot cancel.
+    fn template(&self, action: &Monomial) -> Option<EliminationTemplate> {
+        let monomials = |columns: &[usize]| columns.iter().map(|&column| self.matrix.monomials[column]).collect();
+        let is_excess = |column: &usize| self.set.reducible.binary_search(column).is_err();
+        let excess: Vec<usize> = self.dependencies.pivots().into_iter().filter(is_excess).collect();
+        let mut shifts: Vec<Shift> =
+            (0..self.alive.len()).filter(|&row| self.alive[row]).map(|row| self.matrix.shifts[row]).collect();
+        shifts.sort_unstable();
+        (shifts.len() == excess.len() + self.set.reducible.len()).then(|| EliminationTemplate {
+            shifts,
+            action: *action,
+            excess: monomials(&excess),
+            reducible: monomials(&self.set.reducible),
+            basis: monomials(&self.set.basis),
+        })
     }
 }
 
-fn deletion_queue(matrix: &ShiftMatrix, order: DeletionOrder) -> Vec<Shift> {
+/// The rows in the order in which they are offered.
+fn deletion_queue(matrix: &ShiftMatrix, order: DeletionOrder) -> Vec<usize> {
     let mut rows: Vec<usize> = (0..matrix.rows.len()).collect();
     let shift = |row: usize| (matrix.shifts[row].multiplier, matrix.shifts[row].equation);
     rows.sort_unstable_by_key(|&row| std::cmp::Reverse(shift(row)));
@@ -86,89 +148,7 @@ fn deletion_queue(matrix: &ShiftMatrix, order: DeletionOrder) -> Vec<Shift> {
         }
         DeletionOrder::Shuffled(seed) => Random::new(seed).shuffle(&mut rows),
     }
-    rows.into_iter().map(|row| matrix.shifts[row]).collect()
-}
-
-/// Positions of the pivot columns among excess and reducible ones, and which independent rows the reducible rows are made of.
-struct Support {
-    /// Rows of the matrix that express the reducible monomials.
-    rows: Vec<usize>,
-    /// Columns, excess then reducible, that form an invertible square with `rows`.
-    pivots: Vec<usize>,
-}
-
-/// ```text
-///   | excess (decreasing) | reducible |   identity   |
-///   |          U          |     *     |      *       |
-///   |          0          |     I     | combinations |    nonzero columns: the rows that are needed
-/// ```
-fn support(matrix: &ShiftMatrix, set: &SolvingSet) -> Option<Support> {
-    let mut is_reducible = vec![false; matrix.monomials.len()];
-    set.reducible.iter().for_each(|&column| is_reducible[column] = true);
-    let mut eliminated: Vec<usize> = (0..matrix.monomials.len())
-        .filter(|&column| !is_reducible[column] && set.basis.binary_search(&column).is_err())
-        .collect();
-    let excess = eliminated.len();
-    eliminated.extend(&set.reducible);
-    let mut position = vec![usize::MAX; matrix.monomials.len()];
-    for (at, &column) in eliminated.iter().enumerate() {
-        position[column] = at;
-    }
-    // Low rows are preferred where rows depend on each other.
-    let mut order: Vec<usize> = (0..matrix.rows.len()).collect();
-    order.sort_unstable_by_key(|&row| (matrix.shifts[row].multiplier, matrix.shifts[row].equation));
-    let mut dense = DenseMatrix::zeros(matrix.field, order.len(), eliminated.len());
-    for (at, &row) in order.iter().enumerate() {
-        for &(column, value) in &matrix.rows[row] {
-            if position[column] != usize::MAX {
-                dense.row_mut(at)[position[column]] = value;
-            }
-        }
-    }
-    let independent = dense.independent_rows();
-    let mut augmented = DenseMatrix::zeros(matrix.field, independent.len(), eliminated.len() + independent.len());
-    for (at, &row) in independent.iter().enumerate() {
-        let target = augmented.row_mut(at);
-        target[..eliminated.len()].copy_from_slice(dense.row(row));
-        target[eliminated.len() + at] = 1;
-    }
-    let pivots = augmented.reduce_to_echelon();
-    if pivots.len() != independent.len() || pivots.last().is_some_and(|&last| last >= eliminated.len()) {
-        return None;
-    }
-    let mut used = vec![false; independent.len()];
-    let mut reducible_pivots = 0;
-    for (row, _) in pivots.iter().enumerate().filter(|&(_, &pivot)| pivot >= excess) {
-        reducible_pivots += 1;
-        for (at, used) in used.iter_mut().enumerate() {
-            *used |= augmented.row(row)[eliminated.len() + at] != 0;
-        }
-    }
-    if reducible_pivots != set.reducible.len() {
-        return None;
-    }
-    let rows = (0..used.len()).filter(|&at| used[at]).map(|at| order[independent[at]]).collect();
-    Some(Support { rows, pivots: pivots.iter().map(|&pivot| eliminated[pivot]).collect() })
-}
-
-/// The template of a solving set: needed rows only, excess columns that carry a pivot only.
-fn finish(matrix: &ShiftMatrix, action: &Monomial, set: &SolvingSet) -> Option<EliminationTemplate> {
-    let support = support(matrix, set)?;
-    if support.rows.len() != support.pivots.len() {
-        return None;
-    }
-    let monomials = |columns: &[usize]| columns.iter().map(|&column| matrix.monomials[column]).collect();
-    let is_excess = |column: &&usize| set.reducible.binary_search(column).is_err();
-    let excess: Vec<usize> = support.pivots.iter().filter(is_excess).copied().collect();
-    let mut shifts: Vec<Shift> = support.rows.iter().map(|&row| matrix.shifts[row]).collect();
-    shifts.sort_unstable();
-    Some(EliminationTemplate {
-        shifts,
-        action: *action,
-        excess: monomials(&excess),
-        reducible: monomials(&set.reducible),
-        basis: monomials(&set.basis),
-    })
+    rows
 }
 
 #[cfg(test)]

@@ -5,7 +5,8 @@
 //! eigenvalues are spurious. (Martyushev, Bhayani, Pajdla, arXiv 2307.00320.)
 
 use super::shift_matrix::ShiftMatrix;
-use crate::algebra::{DenseMatrix, Monomial};
+use super::tableau::Tableau;
+use crate::algebra::Monomial;
 
 /// Columns of a [`ShiftMatrix`], increasing.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,149 +28,174 @@ pub struct Requirements<'a> {
     pub max_basis: usize,
 }
 
-/// The smallest solving set that meets the requirements, or `None`.
-pub fn solving_set(matrix: &ShiftMatrix, action: &Monomial, requirements: &Requirements<'_>) -> Option<SolvingSet> {
-    let image: Vec<Option<usize>> =
-        matrix.monomials.iter().map(|m| matrix.column_of.get(&m.times(action)).copied()).collect();
-    let dependencies = Dependencies::find(matrix, &image)?;
-    let mut best: Option<SolvingSet> = None;
-    let mut unreadable: Vec<SolvingSet> = Vec::new();
-    for seed in dependencies.seeds() {
-        let limit = best.as_ref().map_or(requirements.max_basis, |set| set.basis.len() - 1);
-        let Some(basis) = dependencies.closure(&seed, &image, limit) else { continue };
-        if basis.len() < requirements.solutions {
-            continue;
-        }
-        let mut reducible: Vec<usize> =
-            basis.iter().filter_map(|&b| image[b]).filter(|t| basis.binary_search(t).is_err()).collect();
-        reducible.sort_unstable();
-        let set = SolvingSet { basis, reducible };
-        if requirements.unknowns.iter().all(|&x| is_readable(matrix, &set, x)) {
-            best = Some(set);
-        } else if !unreadable.contains(&set) {
-            unreadable.push(set);
-        }
-    }
-    unreadable.retain(|set| best.as_ref().is_none_or(|best| set.basis.len() < best.basis.len()));
-    unreadable.sort_by_key(|set| set.basis.len());
-    let extended = |set: &SolvingSet| with_readable_unknowns(matrix, set, requirements.unknowns);
-    unreadable.iter().take(EXTENDED).find_map(extended).or(best)
+/// Where a column stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Part {
+    Excess,
+    Reducible,
+    Permissible,
 }
 
-/// Solving sets that are tried with more columns where an unknown cannot be read from their own: each takes an elimination.
-const EXTENDED: usize = 2;
-
-/// The set with columns t = x m or t = m / x, m in B or R, added to R, so that every unknown x can be read. The rows must express t in B:
+/// For an action monomial a, how each reducible monomial depends on the permissible ones.
 ///
 /// ```text
-///   | excess | candidates t | R  | B |
-///   |   *    |      *       | *  | * |
-///   |   0    |      1       | 0  | * |   t can be read
+///   | excess | reducible = aP \ P | permissible P |
+///   |   *    |         *          |       *       |   rows that only serve to eliminate the excess
+///   |   0    |         1          |       *       |   a row for each reducible column, all of which depend on P only
+///   |   0    |         0          |       *       |   relations within P
 /// ```
-fn with_readable_unknowns(matrix: &ShiftMatrix, set: &SolvingSet, unknowns: &[usize]) -> Option<SolvingSet> {
-    let open: Vec<Monomial> =
-        unknowns.iter().filter(|&&x| !is_readable(matrix, set, x)).map(|&x| Monomial::unknown(x)).collect();
-    let is_known =
-        |column: &usize| set.basis.binary_search(column).is_ok() || set.reducible.binary_search(column).is_ok();
-    let reads = |column: usize, x: &Monomial| {
-        let t = &matrix.monomials[column];
-        let near = [t.times(x), t.over(x)];
-        near.iter().any(|m| matrix.column_of.get(m).is_some_and(is_known))
-    };
-    let candidates: Vec<usize> = (0..matrix.monomials.len())
-        .filter(|column| !is_known(column) && open.iter().any(|x| reads(*column, x)))
-        .collect();
-    let reducible = candidates.iter().chain(&set.reducible).copied().collect();
-    let blocks = Blocks { reducible, permissible: set.basis.clone() };
-    let rest = Remaining::eliminate(matrix, &blocks);
-    let expressed: Vec<usize> = rest.clean_rows(blocks.reducible.len()).map(|(column, _)| column).collect();
-    let mut extended = set.clone();
-    for x in &open {
-        // Columns decrease: the last is the lowest.
-        let lowest = candidates.iter().rev().find(|&&column| expressed.contains(&column) && reads(column, x))?;
-        if let Err(at) = extended.reducible.binary_search(lowest) {
-            extended.reducible.insert(at, *lowest);
-        }
-    }
-    Some(extended)
-}
-
-/// Whether both m and x m are in B or R for some m.
-fn is_readable(matrix: &ShiftMatrix, set: &SolvingSet, unknown: usize) -> bool {
-    let x = Monomial::unknown(unknown);
-    let known = |column: &usize| set.basis.binary_search(column).is_ok() || set.reducible.binary_search(column).is_ok();
-    set.basis
-        .iter()
-        .chain(&set.reducible)
-        .any(|&column| matrix.column_of.get(&matrix.monomials[column].times(&x)).is_some_and(known))
-}
-
-/// How each reducible monomial depends on the permissible ones.
-struct Dependencies {
-    /// Permissible columns that the rows leave free: any solving set is a subset.
-    free: Vec<bool>,
-    /// For each dependent column the free columns in its row.
-    support: Vec<Option<Vec<usize>>>,
+///
+/// Columns that turn out not to be expressible become excess, which shrinks P, until nothing changes. With fewer rows less is expressible,
+/// so that what is excess stays excess when rows are deleted.
+#[derive(Clone, Debug)]
+pub struct Dependencies {
+    tableau: Tableau,
+    /// The column of a m for the monomial m of each column.
+    image: Vec<Option<usize>>,
+    part: Vec<Part>,
+    /// The rank that the next column gets which becomes excess.
+    next_excess: usize,
 }
 
 impl Dependencies {
-    /// ```text
-    ///   | excess | reducible | permissible |
-    ///   |   *    |     *     |      *      |   rows dropped once they have served to eliminate the excess
-    ///   |   0    |     1     |      *      |   a row for each reducible column that depends on permissible columns only
-    ///   |   0    |     0     |      *      |   relations among the permissible columns
-    /// ```
-    /// Columns that turn out not to be expressible become excess, which shrinks the permissible set, until nothing changes.
-    fn find(matrix: &ShiftMatrix, image: &[Option<usize>]) -> Option<Self> {
+    /// For the rows of `matrix`; `tracked` if rows are to be deleted. `None` if no column is permissible.
+    pub fn new(matrix: &ShiftMatrix, action: &Monomial, tracked: bool) -> Option<Self> {
         let columns = matrix.monomials.len();
-        let mut alive = vec![true; columns];
-        let mut remaining: Option<Remaining> = None;
+        let image: Vec<Option<usize>> =
+            matrix.monomials.iter().map(|m| matrix.column_of.get(&m.times(action)).copied()).collect();
+        let mut part = vec![Part::Permissible; columns];
+        stabilise(&mut part, &image);
+        let ranks = (0..columns).map(|column| rank(part[column], column, columns)).collect();
+        let next_excess = columns;
+        let mut dependencies = Self { tableau: Tableau::new(matrix, ranks, tracked), image, part, next_excess };
+        (dependencies.settle(1) && dependencies.part.contains(&Part::Permissible)).then_some(dependencies)
+    }
+
+    /// Takes a row out of the matrix; call [`Dependencies::settle`] afterwards.
+    pub fn delete_row(&mut self, row: usize) {
+        self.tableau.delete_shift(row);
+    }
+
+    /// Moves columns that have become inexpressible to the excess. False, and of no further use, if fewer than `least` permissible columns are left.
+    pub fn settle(&mut self, least: usize) -> bool {
         loop {
-            let blocks = Blocks::split(&mut alive, image);
-            if blocks.permissible.is_empty() {
-                return None;
-            }
-            let rest = match &remaining {
-                None => Remaining::eliminate(matrix, &blocks),
-                Some(previous) => previous.eliminate_further(&blocks, columns),
-            };
-            let mut support = vec![None; columns];
-            let mut free = vec![false; columns];
-            for &column in &blocks.permissible {
-                free[column] = true;
-            }
-            for &pivot in &rest.pivots {
-                free[rest.columns[pivot]] = false;
-            }
-            for (column, used) in rest.clean_rows(blocks.reducible.len()) {
-                support[column] = Some(used);
-            }
-            let mut changed = false;
-            for &column in &blocks.reducible {
-                if support[column].is_none() {
-                    alive[column] = false;
-                    changed = true;
+            let mut part = self.part.clone();
+            let mut is_settled = true;
+            for column in 0..part.len() {
+                if part[column] == Part::Reducible && !self.is_clean(column) {
+                    part[column] = Part::Excess;
+                    is_settled = false;
                 }
             }
-            if !changed {
-                return Some(Self { free, support });
+            if is_settled {
+                return true;
             }
-            remaining = Some(rest);
+            stabilise(&mut part, &self.image);
+            if part.iter().filter(|&&part| part == Part::Permissible).count() < least {
+                return false;
+            }
+            for column in 0..part.len() {
+                if part[column] != self.part[column] {
+                    self.move_to(column, part[column]);
+                }
+            }
         }
     }
 
+    fn move_to(&mut self, column: usize, part: Part) {
+        let rank = match part {
+            Part::Excess => {
+                self.next_excess += 1;
+                self.next_excess - 1
+            }
+            part => rank(part, column, self.part.len()),
+        };
+        self.part[column] = part;
+        self.tableau.move_forward(column, rank);
+    }
+
+    /// Whether the column is expressed by permissible ones.
+    fn is_clean(&self, column: usize) -> bool {
+        let mut others = self.tableau.dependence(column);
+        others.as_mut().is_some_and(|others| others.all(|other| self.part[other] == Part::Permissible))
+    }
+
+    /// Whether a solving set that held before rows were deleted still does.
+    pub fn still_solves(&self, set: &SolvingSet) -> bool {
+        set.basis.iter().all(|&b| !self.tableau.is_pivot(b))
+            && set.reducible.iter().all(|&column| self.is_expressed(column, &set.basis))
+    }
+
+    /// Whether the column is in B or a row expresses it in B.
+    fn is_expressed(&self, column: usize, basis: &[usize]) -> bool {
+        let is_basis = |other: &usize| basis.binary_search(other).is_ok();
+        is_basis(&column)
+            || self.tableau.dependence(column).is_some_and(|mut others| others.all(|other| is_basis(&other)))
+    }
+
+    /// The rows of the matrix that express the reducible columns of a solving set, increasing.
+    pub fn rows_of(&self, set: &SolvingSet) -> Vec<usize> {
+        let mut rows: Vec<usize> = set.reducible.iter().flat_map(|&column| self.tableau.shifts_of(column)).collect();
+        rows.sort_unstable();
+        rows.dedup();
+        rows
+    }
+
+    /// The pivot columns, increasing.
+    pub fn pivots(&self) -> Vec<usize> {
+        let mut pivots = self.tableau.pivots().to_vec();
+        pivots.sort_unstable();
+        pivots
+    }
+
+    /// The smallest solving set that meets the requirements, or `None`. Among sets of one size one from which all unknowns can be read
+    /// without further rows is preferred.
+    pub fn smallest(&self, matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> Option<SolvingSet> {
+        let support: Vec<Option<Vec<usize>>> = (0..self.part.len())
+            .map(|column| match self.part[column] {
+                Part::Excess => None,
+                _ => self.tableau.dependence(column).map(Iterator::collect),
+            })
+            .collect();
+        let mut best: Option<(SolvingSet, bool)> = None;
+        let mut tried: Vec<Vec<usize>> = Vec::new();
+        for seed in self.seeds(&support) {
+            let limit = match &best {
+                Some((set, needs_more)) => set.basis.len() - usize::from(!needs_more),
+                None => requirements.max_basis,
+            };
+            let Some(basis) = self.closure(&seed, &support, limit) else { continue };
+            if basis.len() < requirements.solutions || tried.contains(&basis) {
+                continue;
+            }
+            if let Some(found) = self.readable(matrix, &basis, requirements.unknowns) {
+                let is_better =
+                    |(old, old_more): &(SolvingSet, bool)| (basis.len(), found.1) < (old.basis.len(), *old_more);
+                if best.as_ref().is_none_or(is_better) {
+                    best = Some(found);
+                }
+            }
+            tried.push(basis);
+        }
+        best.map(|(set, _)| set)
+    }
+
     /// Starting points for closures: the supports of single rows, and single free columns, small first.
-    fn seeds(&self) -> Vec<Vec<usize>> {
-        let mut seeds: Vec<Vec<usize>> = self.support.iter().flatten().filter(|s| !s.is_empty()).cloned().collect();
-        seeds.extend((0..self.free.len()).filter(|&c| self.free[c]).map(|c| vec![c]));
+    fn seeds(&self, support: &[Option<Vec<usize>>]) -> Vec<Vec<usize>> {
+        let mut seeds: Vec<Vec<usize>> = support.iter().flatten().filter(|s| !s.is_empty()).cloned().collect();
+        seeds.extend((0..self.part.len()).filter(|&c| self.is_free(c)).map(|c| vec![c]));
         seeds.sort_unstable_by(|a, b| (a.len(), a).cmp(&(b.len(), b)));
         seeds.dedup();
         seeds
     }
 
+    fn is_free(&self, column: usize) -> bool {
+        self.part[column] == Part::Permissible && !self.tableau.is_pivot(column)
+    }
+
     /// The smallest set of free columns that holds `seed` and is closed under the action; `None` if larger than `limit`.
-    fn closure(&self, seed: &[usize], image: &[Option<usize>], limit: usize) -> Option<Vec<usize>> {
-        let mut member = vec![false; self.free.len()];
+    fn closure(&self, seed: &[usize], support: &[Option<Vec<usize>>], limit: usize) -> Option<Vec<usize>> {
+        let mut member = vec![false; self.part.len()];
         let mut members = Vec::new();
         let mut enter = |column: usize, members: &mut Vec<usize>| {
             if !member[column] {
@@ -185,9 +211,9 @@ impl Dependencies {
             if members.len() > limit {
                 return None;
             }
-            let target = image[members[next]]?;
-            match &self.support[target] {
-                _ if self.free[target] => enter(target, &mut members),
+            let target = self.image[members[next]]?;
+            match &support[target] {
+                _ if self.is_free(target) => enter(target, &mut members),
                 Some(support) => support.iter().for_each(|&column| enter(column, &mut members)),
                 None => return None,
             }
@@ -196,130 +222,71 @@ impl Dependencies {
         members.sort_unstable();
         (members.len() <= limit).then_some(members)
     }
-}
 
-/// The split of the columns for the current set of living ones.
-struct Blocks {
-    reducible: Vec<usize>,
-    permissible: Vec<usize>,
-}
-
-impl Blocks {
-    /// P = living columns whose image lives, R = images outside P; whatever is neither dies.
-    fn split(alive: &mut [bool], image: &[Option<usize>]) -> Self {
-        loop {
-            let permissible: Vec<bool> =
-                (0..alive.len()).map(|c| alive[c] && image[c].is_some_and(|target| alive[target])).collect();
-            let mut is_image = vec![false; alive.len()];
-            for c in 0..alive.len() {
-                if let (true, Some(target)) = (permissible[c], image[c]) {
-                    is_image[target] = true;
+    /// The solving set of a closed B if every unknown can be read from it, and whether that needs columns besides B and its image.
+    fn readable(&self, matrix: &ShiftMatrix, basis: &[usize], unknowns: &[usize]) -> Option<(SolvingSet, bool)> {
+        let mut reducible: Vec<usize> =
+            basis.iter().filter_map(|&b| self.image[b]).filter(|t| basis.binary_search(t).is_err()).collect();
+        reducible.sort_unstable();
+        let image = reducible.len();
+        for &unknown in unknowns {
+            let x = Monomial::unknown(unknown);
+            let times_x = |column: usize| matrix.column_of.get(&matrix.monomials[column].times(&x)).copied();
+            let known =
+                |column: usize| basis.binary_search(&column).is_ok() || reducible.binary_search(&column).is_ok();
+            let ready = basis.iter().chain(&reducible).any(|&m| times_x(m).is_some_and(known));
+            if ready {
+                continue;
+            }
+            // Columns decrease: the last pair is the lowest. One of the two is known.
+            let expressed = |column: usize| self.is_expressed(column, basis);
+            let lowest = (0..matrix.monomials.len()).rev().find_map(|m| {
+                let xm = times_x(m)?;
+                match (known(m), known(xm)) {
+                    (true, false) => expressed(xm).then_some(xm),
+                    (false, true) => expressed(m).then_some(m),
+                    _ => None,
                 }
-            }
-            let mut changed = false;
-            for c in 0..alive.len() {
-                if alive[c] && !permissible[c] && !is_image[c] {
-                    alive[c] = false;
-                    changed = true;
-                }
-            }
-            if !changed {
-                return Self {
-                    reducible: (0..alive.len()).filter(|&c| alive[c] && !permissible[c]).collect(),
-                    permissible: (0..alive.len()).filter(|&c| permissible[c]).collect(),
-                };
+            })?;
+            if let Err(at) = reducible.binary_search(&lowest) {
+                reducible.insert(at, lowest);
             }
         }
-    }
-
-    fn columns(&self) -> Vec<usize> {
-        self.reducible.iter().chain(&self.permissible).copied().collect()
+        let needs_more = reducible.len() > image;
+        Some((SolvingSet { basis: basis.to_vec(), reducible }, needs_more))
     }
 }
 
-/// Reduced echelon form of the part of the row space that vanishes on the excess columns.
-struct Remaining {
-    /// Column of the [`ShiftMatrix`] at each position.
-    columns: Vec<usize>,
-    matrix: DenseMatrix,
-    /// Pivot position of each row, increasing.
-    pivots: Vec<usize>,
+/// Shrinks P and R until P = columns that are not excess and whose image is not, R = images of P outside P.
+fn stabilise(part: &mut [Part], image: &[Option<usize>]) {
+    let mut is_stable = false;
+    while !is_stable {
+        is_stable = true;
+        let mut is_image = vec![false; part.len()];
+        for column in 0..part.len() {
+            if let (Part::Permissible, Some(target)) = (part[column], image[column]) {
+                is_image[target] = true;
+            }
+        }
+        for column in 0..part.len() {
+            let next = match part[column] {
+                Part::Permissible if image[column].is_some_and(|target| part[target] != Part::Excess) => continue,
+                Part::Permissible | Part::Reducible if is_image[column] => Part::Reducible,
+                _ => Part::Excess,
+            };
+            is_stable &= next == part[column];
+            part[column] = next;
+        }
+    }
 }
 
-impl Remaining {
-    fn eliminate(matrix: &ShiftMatrix, blocks: &Blocks) -> Self {
-        let columns = blocks.columns();
-        let mut position = vec![usize::MAX; matrix.monomials.len()];
-        for (at, &column) in columns.iter().enumerate() {
-            position[column] = at;
-        }
-        let mut excess = 0;
-        let mut excess_position = vec![0; matrix.monomials.len()];
-        for column in 0..matrix.monomials.len() {
-            if position[column] == usize::MAX {
-                excess_position[column] = excess;
-                excess += 1;
+/// Excess columns first, then reducible, then permissible ones; room for `columns` that become excess later.
+fn rank(part: Part, column: usize, columns: usize) -> usize {
+    column
+        + columns
+            * match part {
+                Part::Excess => 0,
+                Part::Reducible => 2,
+                Part::Permissible => 3,
             }
-        }
-        let mut dense = DenseMatrix::zeros(matrix.field, matrix.rows.len(), excess + columns.len());
-        for (row, entries) in matrix.rows.iter().enumerate() {
-            let target = dense.row_mut(row);
-            for &(column, value) in entries {
-                let at =
-                    if position[column] == usize::MAX { excess_position[column] } else { excess + position[column] };
-                target[at] = value;
-            }
-        }
-        Self::after_echelon(dense, excess, columns)
-    }
-
-    /// More columns have become excess: eliminate those from the rows that are left.
-    fn eliminate_further(&self, blocks: &Blocks, total: usize) -> Self {
-        let columns = blocks.columns();
-        let mut stays = vec![false; total];
-        for &column in &columns {
-            stays[column] = true;
-        }
-        let mut position = vec![usize::MAX; total];
-        for (at, &column) in self.columns.iter().enumerate() {
-            position[column] = at;
-        }
-        let order: Vec<usize> = (0..self.columns.len())
-            .filter(|&at| !stays[self.columns[at]])
-            .chain(columns.iter().map(|&column| position[column]))
-            .collect();
-        let excess = order.len() - columns.len();
-        let mut dense = DenseMatrix::zeros(self.matrix.field(), self.pivots.len(), order.len());
-        for row in 0..self.pivots.len() {
-            let from = self.entries(row);
-            for (target, &at) in dense.row_mut(row).iter_mut().zip(&order) {
-                *target = from[at];
-            }
-        }
-        Self::after_echelon(dense, excess, columns)
-    }
-
-    fn after_echelon(mut dense: DenseMatrix, excess: usize, columns: Vec<usize>) -> Self {
-        let pivots = dense.reduce_to_echelon();
-        let first = pivots.partition_point(|&pivot| pivot < excess);
-        let mut matrix = DenseMatrix::zeros(dense.field(), pivots.len() - first, columns.len());
-        for row in first..pivots.len() {
-            matrix.row_mut(row - first).copy_from_slice(&dense.row(row)[excess..]);
-        }
-        Self { columns, matrix, pivots: pivots[first..].iter().map(|&pivot| pivot - excess).collect() }
-    }
-
-    fn entries(&self, row: usize) -> &[u32] {
-        self.matrix.row(row)
-    }
-
-    /// The pivot column and the other nonzero columns of each row whose others are all behind the first `reducible` positions.
-    fn clean_rows(&self, reducible: usize) -> impl Iterator<Item = (usize, Vec<usize>)> {
-        self.pivots.iter().enumerate().filter_map(move |(row, &pivot)| {
-            let entries = self.entries(row);
-            let clean = entries[pivot + 1..].iter().take(reducible.saturating_sub(pivot + 1)).all(|&v| v == 0);
-            let used = (pivot + 1..entries.len()).filter(|&c| entries[c] != 0).map(|c| self.columns[c]);
-            clean.then(|| (self.columns[pivot], used.collect()))
-        })
-    }
 }
