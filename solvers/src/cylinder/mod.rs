@@ -18,6 +18,8 @@ pub mod cylinder;
 pub mod direction;
 /// Lens distortion, and its inverse.
 pub mod distortion;
+/// A cylinder from any of the estimators.
+pub mod estimate;
 /// Which part of a cylinder the views show.
 pub mod extent;
 /// Scene files: JSON to views.
@@ -90,6 +92,7 @@ pub use closed_form::{ClosedForm, tangent_circles};
 pub use colmap::{ColmapError, read_colmap};
 pub use cylinder::{Cylinder, LineResidual, Side};
 pub use direction::{Direction, DirectionError, SharedDirection};
+pub use estimate::{Estimate, EstimateConsensus, EstimateError};
 pub use input::{InputError, parse_scene, read_scene};
 pub use least_squares::LeastSquares;
 pub use linear_conic::LinearConic;

@@ -39,6 +39,22 @@ pub struct CylinderLines {
     pub lines: Vec<LineId>,
 }
 
+impl CylinderLines {
+    /// Only some of the lines, each given by its place in `views`.
+    pub fn selected(&self, chosen: &[LineId]) -> Self {
+        let mut selected = Self { label: self.label.clone(), views: Vec::new(), lines: Vec::new() };
+        let mut scene_lines = self.lines.iter();
+        for (index, view) in self.views.iter().enumerate() {
+            let in_scene: Vec<_> = scene_lines.by_ref().take(view.lines().len()).collect();
+            let kept: Vec<_> =
+                (0..in_scene.len()).filter(|&line| chosen.contains(&LineId { view: index, line })).collect();
+            selected.views.push(view.selected(&kept));
+            selected.lines.extend(kept.iter().map(|&line| in_scene[line]));
+        }
+        selected
+    }
+}
+
 impl Scene {
     /// The photographs of a COLMAP model in which segments are marked, and its points.
     ///

@@ -22,7 +22,10 @@
 //!                              radians: d = R^T p / |p|, B = R (the sine of the angle)
 //! ```
 
+use std::fmt;
+
 use nalgebra::{Matrix3, Point3, Vector2, Vector3};
+use serde::Serialize;
 use thiserror::Error;
 
 use super::cylinder::Cylinder;
@@ -33,12 +36,22 @@ use super::view::{Camera, View};
 const HALF_LENGTH: f64 = 0.1;
 
 /// The unit of distances in an image.
-#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+#[derive(Clone, Copy, Debug, Eq, PartialEq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum DistanceUnit {
     /// Pixels; every camera needs a calibration.
     Pixels,
     /// Angles between rays and tangent planes, radians (their sines).
     Radians,
+}
+
+impl fmt::Display for DistanceUnit {
+    fn fmt(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
+        text.write_str(match self {
+            Self::Pixels => "pixels",
+            Self::Radians => "radians",
+        })
+    }
 }
 
 /// How distances between lines and silhouettes are measured.

@@ -269,13 +269,17 @@ impl View {
     /// The same view with only the lines of one label, and the indices that these had.
     pub(super) fn labelled(&self, label: Option<&str>) -> (Self, Vec<usize>) {
         let indices: Vec<_> = (0..self.lines.len()).filter(|&line| self.labels[line].as_deref() == label).collect();
-        let view = Self {
+        (self.selected(&indices), indices)
+    }
+
+    /// The same view with only some of its lines.
+    pub(super) fn selected(&self, indices: &[usize]) -> Self {
+        Self {
             camera: self.camera,
             lines: indices.iter().map(|&line| self.lines[line]).collect(),
             labels: indices.iter().map(|&line| self.labels[line].clone()).collect(),
             image: self.image.clone(),
-        };
-        (view, indices)
+        }
     }
 
     /// The camera.

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use thiserror::Error;
 
 use crate::cylinder::picture::PictureError;
-use crate::cylinder::{ColmapError, InputError, MatchError, SegmentError, TriangulateError};
+use crate::cylinder::{ColmapError, EstimateError, InputError, MatchError, SegmentError};
 
 /// Why a subcommand failed. All of these are the fault of the data or of a file.
 #[derive(Debug, Error)]
@@ -25,7 +25,7 @@ pub(super) enum CommandError {
     NoScene,
     /// The lines determine no cylinder.
     #[error("{}: {}{error}", scene.display(), label.as_ref().map_or(String::new(), |label| format!("cylinder `{label}`: ")))]
-    Triangulate { scene: PathBuf, label: Option<String>, error: TriangulateError },
+    Estimate { scene: PathBuf, label: Option<String>, error: EstimateError },
     /// The lines cannot be matched.
     #[error("{}: {error}", scene.display())]
     Match { scene: PathBuf, error: MatchError },

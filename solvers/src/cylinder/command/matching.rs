@@ -71,10 +71,10 @@ fn direction(arguments: &Arguments, views: &[View]) -> Result<Unit<Vector3<f64>>
         return Ok(direction);
     }
     let planes: Vec<_> = views.iter().flat_map(View::planes).collect();
-    let failure = |error| CommandError::Triangulate {
+    let failure = |error| CommandError::Estimate {
         scene: arguments.scene.path().to_owned(),
         label: None,
-        error: TriangulateError::Direction(error),
+        error: TriangulateError::Direction(error).into(),
     };
     let found = estimate_direction_robustly(&planes, &default_direction_options()).map_err(failure)?;
     Ok(found.direction.direction)

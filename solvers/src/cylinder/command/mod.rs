@@ -6,6 +6,8 @@
 mod drawings;
 /// What stops a subcommand.
 mod error;
+/// How cylinders are estimated.
+mod estimator;
 /// Output files, whole or not at all.
 mod files;
 /// `cylinders match`.

@@ -7,23 +7,27 @@ use serde::Serialize;
 
 use super::drawings::DrawingArguments;
 use super::error::CommandError;
+use super::estimator::EstimatorArguments;
 use super::files::write;
 use super::output::Output;
 use super::scene::SceneArguments;
 use crate::cylinder::report::Report;
-use crate::cylinder::{CylinderLines, Scene, Triangulation, triangulate};
+use crate::cylinder::{CylinderLines, Estimate, Scene};
 
-/// Triangulate the cylinders of a scene by constrained least squares
+/// Triangulate the cylinders of a scene by constrained least squares, or robustly
 #[derive(clap::Args, Debug)]
 #[command(after_help = "Examples:
   cylinders triangulate solvers/data/soda_can.json
   cylinders triangulate --colmap model --segments silhouettes.csv --json
+  cylinders triangulate --robust --threshold 2 scene.json
 
 Lines with a label belong to the cylinder of that name; all others to one cylinder.
 With labels the JSON is `{\"cylinders\": [..]}`, without them the object of the one cylinder.")]
 pub(super) struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
+    #[command(flatten)]
+    estimator: EstimatorArguments,
     /// Write the result to this file too, as JSON
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -52,9 +56,15 @@ impl fmt::Display for Reports {
 
 pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     let scene = arguments.scene.read()?;
-    let results = triangulate_all(arguments, &scene)?;
-    let output = Output::of(&reports(&scene, &results));
-    let found: Vec<_> = results.into_iter().map(|(lines, result)| (lines, result.cylinder)).collect();
+    let cylinders = scene.cylinders();
+    let estimates = arguments.estimator.estimate(&arguments.scene, &cylinders)?;
+    let output = Output::of(&reports(&scene, &cylinders, &estimates));
+    // Pictures show the lines that agree.
+    let shown = |(lines, estimate): (CylinderLines, &Estimate)| match &estimate.consensus {
+        Some(consensus) => (lines.selected(&consensus.inliers), estimate.cylinder),
+        None => (lines, estimate.cylinder),
+    };
+    let found: Vec<_> = cylinders.into_iter().zip(&estimates).map(shown).collect();
     if let Some(path) = &arguments.out {
         write(path, output.json.as_bytes())?;
     }
@@ -62,19 +72,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     Ok(output)
 }
 
-fn triangulate_all(arguments: &Arguments, scene: &Scene) -> Result<Vec<(CylinderLines, Triangulation)>, CommandError> {
-    let triangulate = |lines: CylinderLines| match triangulate(&lines.views) {
-        Ok(result) => Ok((lines, result)),
-        Err(error) => {
-            let scene = arguments.scene.path().to_owned();
-            Err(CommandError::Triangulate { scene, label: lines.label, error })
-        }
-    };
-    scene.cylinders().into_iter().map(triangulate).collect()
-}
-
-fn reports(scene: &Scene, results: &[(CylinderLines, Triangulation)]) -> Reports {
-    let mut reports: Vec<_> = results.iter().map(|(lines, result)| Report::new(lines, result, &scene.points)).collect();
+fn reports(scene: &Scene, cylinders: &[CylinderLines], estimates: &[Estimate]) -> Reports {
+    let report = |(lines, estimate)| Report::new(lines, estimate, &scene.points);
+    let mut reports: Vec<_> = cylinders.iter().zip(estimates).map(report).collect();
     match reports.pop() {
         Some(report) if !scene.has_labels() => Reports::Unlabelled(Box::new(report)),
         last => Reports::Labelled { cylinders: reports.into_iter().chain(last).collect() },
