@@ -1,5 +1,6 @@
 //! Drops solutions that were found more than once.
 
+use crate::polish::POLISH_STEPS;
 use crate::scalar::Scalar;
 use crate::solutions::Solutions;
 
@@ -10,6 +11,16 @@ pub const TOLERANCE: f64 = 1e-8;
 /// An unknown this small relative to the largest one may be the rounding noise of zero: it is not compared to be
 /// closer.
 pub const FLOOR: f64 = 1e-13;
+
+/// Two solutions may be one double solution when every unknown agrees to this relative distance, or to
+/// [`CLOSE_FLOOR`] of the largest.
+const CLOSE: f64 = 1e-3;
+/// See [`CLOSE`].
+const CLOSE_FLOOR: f64 = 1e-6;
+
+/// A relative residual at most this, halfway between two close solutions, shows a double one. At a double solution the
+/// residual grows with the square of the distance: this is reached about 1e-6 away from it, relative to the unknowns.
+pub const DOUBLE: f64 = 1e-12;
 
 /// A polished solution and its relative residual.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,29 +35,63 @@ impl<S: Scalar, const N: usize> Candidate<S, N> {
     /// Whether both are the same solution up to [`TOLERANCE`].
     #[must_use]
     pub fn same(&self, other: &Self) -> bool {
+        self.agrees(other, TOLERANCE, FLOOR)
+    }
+
+    /// Whether both may be the same double solution.
+    fn close(&self, other: &Self) -> bool {
+        self.agrees(other, CLOSE, CLOSE_FLOOR)
+    }
+
+    #[inline]
+    fn agrees(&self, other: &Self, tolerance: f64, floor: f64) -> bool {
         let largest = |x: &[S; N]| x.iter().map(|value| value.magnitude()).fold(0.0, f64::max);
-        let floor = FLOOR * largest(&self.unknowns).max(largest(&other.unknowns));
+        let floor = floor * largest(&self.unknowns).max(largest(&other.unknowns));
         self.unknowns
             .iter()
             .zip(&other.unknowns)
-            .all(|(&x, &y)| (x - y).magnitude() <= floor + TOLERANCE * x.magnitude().max(y.magnitude()))
+            .all(|(&x, &y)| (x - y).magnitude() <= floor + tolerance * x.magnitude().max(y.magnitude()))
     }
 }
 
-/// Adds `candidate` unless its solution is there already; of two that are the same the one with the smaller residual
-/// stays. False when it was new and the list is full.
+/// Adds `candidate` unless its solution is there already; true when it was new and there was room. Of two that are the
+/// same the one with the smaller residual stays.
+///
+/// A double solution is found twice, to about half of the digits, and the two may be further apart than
+/// [`TOLERANCE`]. They are taken for one where the residual halfway between them is at most [`DOUBLE`] or no larger than
+/// theirs. `polish(x, steps)` improves a point and returns its relative residual.
 #[inline]
 pub fn push_distinct<S: Scalar, const N: usize, const MAX: usize>(
     found: &mut Solutions<Candidate<S, N>, MAX>,
     candidate: Candidate<S, N>,
+    polish: impl Fn(&mut [S; N], usize) -> f64,
 ) -> bool {
-    match found.iter_mut().find(|known| known.same(&candidate)) {
-        Some(known) => {
-            if candidate.residual < known.residual {
-                *known = candidate;
-            }
-            true
+    for known in found.iter_mut() {
+        if known.close(&candidate) && merge(known, candidate, &polish) {
+            return false;
         }
-        None => found.push(candidate),
     }
+    found.push(candidate)
+}
+
+/// Makes one of two close solutions; false where they are two.
+#[cold]
+#[inline(never)]
+fn merge<S: Scalar, const N: usize>(
+    known: &mut Candidate<S, N>,
+    candidate: Candidate<S, N>,
+    polish: impl Fn(&mut [S; N], usize) -> f64,
+) -> bool {
+    let better = if candidate.residual < known.residual { candidate } else { *known };
+    if known.same(&candidate) {
+        *known = better;
+        return true;
+    }
+    let mut halfway = core::array::from_fn(|j| (known.unknowns[j] + candidate.unknowns[j]).scale(0.5));
+    let double = polish(&mut halfway, 0) <= DOUBLE.max(known.residual).max(candidate.residual);
+    if double {
+        let residual = polish(&mut halfway, POLISH_STEPS);
+        *known = if residual < better.residual { Candidate { unknowns: halfway, residual } } else { better };
+    }
+    double
 }

@@ -2,18 +2,18 @@
 
 use num_complex::Complex;
 
-use crate::distinct::{Candidate, push_distinct};
+use crate::distinct::{Candidate, DOUBLE, push_distinct};
 use crate::error::SolveError;
+use crate::extract::{Eigenpairs, unknowns};
 use crate::hessenberg::Hessenberg;
+use crate::polish::POLISH_STEPS;
 use crate::polynomial_roots::real_roots_monic;
 use crate::scalar::Scalar;
+use crate::shared_value::{Combinations, SharedValue};
 use crate::solutions::Solutions;
 
 /// A solution is kept only if its relative residual is at most this after the polish.
 pub const MAX_RESIDUAL: f64 = 1e-10;
-
-/// A complex solution counts as real where every unknown's imaginary part is at most this, relative to its modulus.
-pub const REAL_TOLERANCE: f64 = 1e-9;
 
 /// An eigenvalue whose imaginary part is at most this, relative to its modulus, may belong to a real solution:
 /// rounding splits a pair of close real eigenvalues into a complex one.
@@ -22,13 +22,19 @@ const NEARLY_REAL: f64 = 1e-3;
 /// A factor that must not vanish does if its value is at most this, relative to the sum of the moduli of its terms.
 pub const VANISHING: f64 = 1e-8;
 
-/// Newton steps at most; nearly always one or two lower the residual and the next one stops.
-pub const POLISH_STEPS: usize = 8;
+/// What differs between solvers once the action matrix is known: |B| = B basis monomials, N unknowns, K monomials whose
+/// values follow from an eigenpair.
+pub trait ActionMethod<const B: usize, const N: usize, const K: usize> {
+    /// For each unknown x the positions of (m, x m) among the known monomials; none where [`ActionMethod::recover`]
+    /// gives it.
+    const PAIRS: [&'static [(u16, u16)]; N];
 
-/// What differs between solvers once the action matrix is known: |B| = B basis monomials, N unknowns.
-pub trait ActionMethod<const B: usize, const N: usize> {
-    /// The unknowns from an eigenpair; `None` where they cannot be read.
-    fn unknowns<S: Scalar>(&self, value: S, vector: &[S; B]) -> Option<[S; N]>;
+    /// The values of the known monomials from an eigenpair: linear in the vector; those of the image, value times
+    /// vector, and only those depend on the value.
+    fn known<S: Scalar>(&self, value: S, vector: &[S; B]) -> [S; K];
+
+    /// Fills in the unknowns that follow from those that were read.
+    fn recover<S: Scalar>(&self, unknowns: &mut [S; N]);
 
     /// Polishes on the original equations and returns the relative residual.
     fn polish<S: Scalar>(&self, unknowns: &mut [S; N], steps: usize) -> f64;
@@ -51,23 +57,21 @@ pub enum RootMethod {
 /// # Errors
 /// [`SolveError::NonFiniteInput`] for a matrix that is not finite, [`SolveError::NoConvergence`] where the QR iteration reaches its limit.
 #[inline]
-pub fn complex_solutions<const B: usize, const N: usize, const MAX: usize>(
-    method: &impl ActionMethod<B, N>,
+pub fn complex_solutions<const B: usize, const N: usize, const K: usize, const MAX: usize>(
+    method: &impl ActionMethod<B, N, K>,
     action: &[[f64; B]; B],
 ) -> Result<Solutions<[Complex<f64>; N], MAX>, SolveError> {
     let spectrum = Hessenberg::reduce(action)?;
+    let values = spectrum.eigenvalues()?;
     let mut found = Solutions::<Candidate<Complex<f64>, N>, MAX>::new();
-    // Of a conjugate pair one is solved for and the other follows.
-    for value in spectrum.eigenvalues()?.into_iter().filter(|value| value.im >= 0.0) {
-        if value.im == 0.0 {
-            if let Some(real) = polished(method, value.re, &spectrum.eigenvector(value.re)) {
-                let unknowns = real.unknowns.map(Complex::from);
-                push_distinct(&mut found, Candidate { unknowns, residual: real.residual });
-            }
-        } else if let Some(candidate) = polished(method, value, &spectrum.eigenvector(value)) {
-            push_distinct(&mut found, candidate);
-            push_distinct(&mut found, Candidate { unknowns: candidate.unknowns.map(|x| x.conj()), ..candidate });
-        }
+    let mut complete = true;
+    for value in upper_half(values) {
+        complete &= add_complex(method, &spectrum, value, &mut found);
+    }
+    if !complete {
+        for_each_shared_value(method, action, &spectrum, &values, |source, value| {
+            add_complex(method, source, value, &mut found);
+        });
     }
     Ok(found.iter().map(|candidate| candidate.unknowns).collect())
 }
@@ -77,61 +81,128 @@ pub fn complex_solutions<const B: usize, const N: usize, const MAX: usize>(
 /// # Errors
 /// As [`complex_solutions`].
 #[inline]
-pub fn real_solutions<const B: usize, const N: usize, const MAX: usize>(
-    method: &impl ActionMethod<B, N>,
+pub fn real_solutions<const B: usize, const N: usize, const K: usize, const MAX: usize>(
+    method: &impl ActionMethod<B, N, K>,
     action: &[[f64; B]; B],
     roots: RootMethod,
 ) -> Result<Solutions<[f64; N], MAX>, SolveError> {
     let spectrum = Hessenberg::reduce(action)?;
     let mut found = Solutions::<Candidate<f64, N>, MAX>::new();
-    let mut try_real = |value: f64| {
-        if let Some(candidate) = polished(method, value, &spectrum.eigenvector(value)) {
-            push_distinct(&mut found, candidate);
-        }
-    };
     match roots {
         RootMethod::CharacteristicPolynomial => {
-            real_roots_monic(&spectrum.characteristic_polynomial()).into_iter().for_each(try_real);
+            for value in real_roots_monic(&spectrum.characteristic_polynomial()) {
+                add_real(method, &spectrum, value.into(), &mut found);
+            }
         }
         RootMethod::Eigenvalues => {
             let values = spectrum.eigenvalues()?;
-            values.iter().filter(|value| value.im == 0.0).for_each(|value| try_real(value.re));
-            for value in values.iter().filter(|value| value.im != 0.0) {
-                if value.im.abs() <= NEARLY_REAL * value.re.abs()
-                    && let Some(candidate) = nearly_real(method, &spectrum, *value)
-                {
-                    push_distinct(&mut found, candidate);
-                }
+            let mut complete = true;
+            for value in upper_half(values).filter(is_nearly_real) {
+                complete &= add_real(method, &spectrum, value, &mut found);
+            }
+            if !complete {
+                for_each_shared_value(method, action, &spectrum, &values, |source, value| {
+                    if is_nearly_real(&value) {
+                        add_real(method, source, value, &mut found);
+                    }
+                });
             }
         }
     }
     Ok(found.iter().map(|candidate| candidate.unknowns).collect())
 }
 
-/// The real solution that belongs to a complex eigenvalue close to the real axis, if there is one.
+/// Of a conjugate pair one is solved for and the other follows.
 #[inline]
-fn nearly_real<const B: usize, const N: usize>(
-    method: &impl ActionMethod<B, N>,
-    spectrum: &Hessenberg<B>,
-    value: Complex<f64>,
-) -> Option<Candidate<f64, N>> {
-    let complex = polished(method, value, &spectrum.eigenvector(value))?;
-    let is_real = |x: &Complex<f64>| x.im.abs() <= REAL_TOLERANCE * x.modulus();
-    if !complex.unknowns.iter().all(is_real) {
-        return None;
-    }
-    let mut unknowns = complex.unknowns.map(|x| x.re);
-    let residual = method.polish(&mut unknowns, POLISH_STEPS);
-    (residual <= MAX_RESIDUAL).then_some(Candidate { unknowns, residual })
+fn upper_half(values: impl IntoIterator<Item = Complex<f64>>) -> impl Iterator<Item = Complex<f64>> {
+    values.into_iter().filter(|value| value.im >= 0.0)
 }
 
 #[inline]
-fn polished<S: Scalar, const B: usize, const N: usize>(
-    method: &impl ActionMethod<B, N>,
+fn is_nearly_real(value: &Complex<f64>) -> bool {
+    value.im.abs() <= NEARLY_REAL * value.re.abs()
+}
+
+/// Calls `solve` for the eigenpairs of all eigenvalues that several solutions may share.
+#[cold]
+#[inline(never)]
+fn for_each_shared_value<const B: usize, const N: usize, const K: usize>(
+    method: &impl ActionMethod<B, N, K>,
+    action: &[[f64; B]; B],
+    spectrum: &Hessenberg<B>,
+    values: &[Complex<f64>; B],
+    mut solve: impl FnMut(&Combinations<'_, B>, Complex<f64>),
+) {
+    for cluster in spectrum.clusters(values) {
+        if let Ok(shared) = SharedValue::new(method, action, spectrum, &cluster) {
+            shared.for_each(|source, value| {
+                if value.im >= 0.0 {
+                    solve(source, value);
+                }
+            });
+        }
+    }
+}
+
+/// Adds the solution of a real eigenvalue, or that of a complex one and its conjugate; false where none of them is new.
+#[inline]
+fn add_complex<const B: usize, const N: usize, const K: usize, const MAX: usize>(
+    method: &impl ActionMethod<B, N, K>,
+    source: &impl Eigenpairs<B>,
+    value: Complex<f64>,
+    found: &mut Solutions<Candidate<Complex<f64>, N>, MAX>,
+) -> bool {
+    let polish = |x: &mut _, steps| method.polish(x, steps);
+    if value.im == 0.0 {
+        polished(method, source, value.re).is_some_and(|real| {
+            let candidate = Candidate { unknowns: real.unknowns.map(Complex::from), residual: real.residual };
+            push_distinct(found, candidate, polish)
+        })
+    } else {
+        polished(method, source, value).is_some_and(|candidate| {
+            let conjugate = Candidate { unknowns: candidate.unknowns.map(|x| x.conj()), ..candidate };
+            push_distinct(found, candidate, polish) & push_distinct(found, conjugate, polish)
+        })
+    }
+}
+
+/// Adds the real solution of a real or nearly real eigenvalue. False where there is none or none that is new, and for a
+/// complex eigenvalue, because its conjugate may stand for one more.
+#[inline]
+fn add_real<const B: usize, const N: usize, const K: usize, const MAX: usize>(
+    method: &impl ActionMethod<B, N, K>,
+    source: &impl Eigenpairs<B>,
+    value: Complex<f64>,
+    found: &mut Solutions<Candidate<f64, N>, MAX>,
+) -> bool {
+    let is_real = value.im == 0.0;
+    let candidate = if is_real { polished(method, source, value.re) } else { nearly_real(method, source, value) };
+    let is_new = candidate.is_some_and(|candidate| push_distinct(found, candidate, |x, steps| method.polish(x, steps)));
+    is_real && is_new
+}
+
+/// The real solution that belongs to a complex eigenvalue close to the real axis, if there is one. Halfway between
+/// conjugates is their real part: what shows a double solution in [`push_distinct`] does so here.
+#[inline]
+fn nearly_real<const B: usize, const N: usize, const K: usize>(
+    method: &impl ActionMethod<B, N, K>,
+    source: &impl Eigenpairs<B>,
+    value: Complex<f64>,
+) -> Option<Candidate<f64, N>> {
+    let complex = polished(method, source, value)?;
+    let mut unknowns = complex.unknowns.map(|x| x.re);
+    let residual = method.polish(&mut unknowns, POLISH_STEPS);
+    (residual <= complex.residual.max(DOUBLE)).then_some(Candidate { unknowns, residual })
+}
+
+#[inline]
+fn polished<S: Scalar, const B: usize, const N: usize, const K: usize>(
+    method: &impl ActionMethod<B, N, K>,
+    source: &impl Eigenpairs<B>,
     value: S,
-    vector: &[S; B],
 ) -> Option<Candidate<S, N>> {
-    let mut unknowns = method.unknowns(value, vector)?;
+    let (value, vector) = source.eigenpair(value);
+    let mut unknowns = unknowns(method, value, &vector)?;
     let residual = method.polish(&mut unknowns, POLISH_STEPS);
     let good = residual <= MAX_RESIDUAL && unknowns.iter().all(|x| x.is_finite()) && method.is_admissible(&unknowns);
     good.then_some(Candidate { unknowns, residual })

@@ -1,6 +1,40 @@
 //! Unknowns from an eigenvector.
 
+use crate::driver::ActionMethod;
+use crate::hessenberg::Hessenberg;
 use crate::scalar::Scalar;
+
+/// Where eigenvectors of the action matrix come from.
+pub(crate) trait Eigenpairs<const B: usize> {
+    /// The eigenpair that is listed under `value`: the value of the action monomial, and an eigenvector.
+    fn eigenpair<S: Scalar>(&self, value: S) -> (S, [S; B]);
+}
+
+/// Listed under the eigenvalues.
+impl<const B: usize> Eigenpairs<B> for Hessenberg<B> {
+    #[inline]
+    fn eigenpair<S: Scalar>(&self, value: S) -> (S, [S; B]) {
+        (value, self.eigenvector(value))
+    }
+}
+
+/// The unknowns from an eigenpair; None where they cannot be read.
+#[inline]
+pub(crate) fn unknowns<S: Scalar, const B: usize, const N: usize, const K: usize, M: ActionMethod<B, N, K>>(
+    method: &M,
+    value: S,
+    vector: &[S; B],
+) -> Option<[S; N]> {
+    let known = method.known(value, vector);
+    let mut x = [S::ZERO; N];
+    for (unknown, pairs) in x.iter_mut().zip(M::PAIRS) {
+        if !pairs.is_empty() {
+            *unknown = ratio(&known, pairs)?;
+        }
+    }
+    method.recover(&mut x);
+    Some(x)
+}
 
 /// The least-squares ratio x of known monomial values:
 ///
@@ -10,7 +44,9 @@ use crate::scalar::Scalar;
 /// factor. `pairs` lists the positions (m_k, x m_k) of monomials that differ by the factor x; all of them are used,
 /// weighted by their size.
 ///
-/// None when all |v\[m_k\]| are at the rounding level of v, when a result is not finite, or a position is out of range.
+/// None when all |v\[m_k\]| vanish, the result is not finite, or a position is out of range. That the v\[m_k\] are no more
+/// than rounding errors of v does not show in their size, which depends on the units of the unknowns; it shows in the
+/// residual.
 #[inline]
 #[must_use]
 pub fn ratio<S: Scalar>(values: &[S], pairs: &[(u16, u16)]) -> Option<S> {
@@ -21,8 +57,6 @@ pub fn ratio<S: Scalar>(values: &[S], pairs: &[(u16, u16)]) -> Option<S> {
         numerator += from.conj() * to;
         denominator += from.modulus_squared();
     }
-    let total: f64 = values.iter().map(|value| value.modulus_squared()).sum();
-    let rounding = values.len() as f64 * f64::EPSILON;
     let quotient = numerator.scale(1.0 / denominator);
-    (denominator > rounding * rounding * total && quotient.is_finite()).then_some(quotient)
+    (denominator > 0.0 && quotient.is_finite()).then_some(quotient)
 }

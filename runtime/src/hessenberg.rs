@@ -171,6 +171,12 @@ impl<const N: usize> Hessenberg<N> {
         self.tau[k] = tau;
     }
 
+    /// The largest sum of moduli in a row of H.
+    #[inline]
+    pub(crate) fn norm(&self) -> f64 {
+        self.matrix.iter().map(|row| row.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max)
+    }
+
     /// Takes an eigenvector of H back to one of A: D Q y.
     #[inline]
     pub(crate) fn transform_back<S: crate::Scalar>(&self, vector: &mut [S; N]) {

@@ -18,7 +18,7 @@ const LARGE: f64 = 1e120;
 ///       [     u u ]     inverse_pivot[i] = 1 / U[i][i], where pivots at rounding level are replaced by it
 ///       [       u ]
 /// ```
-struct ShiftedLu<S, const N: usize> {
+pub(crate) struct ShiftedLu<S, const N: usize> {
     upper: [[S; N]; N],
     inverse_pivot: [S; N],
     multiplier: [S; N],
@@ -27,7 +27,7 @@ struct ShiftedLu<S, const N: usize> {
 
 impl<S: Scalar, const N: usize> ShiftedLu<S, N> {
     #[inline]
-    fn factor(h: &[[f64; N]; N], value: S, smallest: f64) -> Self {
+    pub(crate) fn factor(h: &[[f64; N]; N], value: S, smallest: f64) -> Self {
         let mut lu = ShiftedLu {
             upper: [[S::ZERO; N]; N],
             inverse_pivot: [S::ONE; N],
@@ -63,7 +63,7 @@ impl<S: Scalar, const N: usize> ShiftedLu<S, N> {
 
     /// x := L^-1 P x.
     #[inline]
-    fn forward(&self, x: &mut [S; N]) {
+    pub(crate) fn forward(&self, x: &mut [S; N]) {
         for i in 0..N.saturating_sub(1) {
             if self.swapped[i] {
                 x.swap(i, i + 1);
@@ -75,7 +75,7 @@ impl<S: Scalar, const N: usize> ShiftedLu<S, N> {
 
     /// x := U^-1 x up to a factor, normalised to length 1. Returns how much longer than x it was.
     #[inline]
-    fn backward(&self, x: &mut [S; N]) -> f64 {
+    pub(crate) fn backward(&self, x: &mut [S; N]) -> f64 {
         let mut factor = 1.0;
         for i in (0..N).rev() {
             let mut sum = x[i];
@@ -104,7 +104,7 @@ fn guarded_reciprocal<S: Scalar>(x: S, smallest: f64) -> S {
 
 /// Scales x to length 1; returns its length before.
 #[inline]
-fn normalize<S: Scalar, const N: usize>(x: &mut [S; N]) -> f64 {
+pub(crate) fn normalize<S: Scalar, const N: usize>(x: &mut [S; N]) -> f64 {
     let largest = x.iter().map(|entry| entry.magnitude()).fold(0.0, f64::max);
     if !(largest > 0.0) {
         return 0.0;
@@ -120,6 +120,13 @@ fn normalize<S: Scalar, const N: usize>(x: &mut [S; N]) -> f64 {
 }
 
 impl<const N: usize> Hessenberg<N> {
+    /// What replaces a pivot of H - value I that is smaller: the rounding level of H.
+    #[inline]
+    pub(crate) fn smallest_pivot(&self) -> f64 {
+        let norm = self.norm();
+        if norm > 0.0 { f64::EPSILON * norm } else { f64::EPSILON }
+    }
+
     /// A unit vector v with A v = value * v up to rounding, for an eigenvalue of A: a real vector for a real one.
     ///
     /// Wilkinson's inverse iteration, O(N^2) per solve: the residual on the balanced H is at most a small multiple of
@@ -128,8 +135,7 @@ impl<const N: usize> Hessenberg<N> {
     #[must_use]
     pub fn eigenvector<S: Scalar>(&self, value: S) -> [S; N] {
         let value = value.scale(1.0 / self.unit);
-        let norm = self.matrix.iter().map(|row| row.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
-        let smallest = if norm > 0.0 { f64::EPSILON * norm } else { f64::EPSILON };
+        let smallest = self.smallest_pivot();
         let lu = ShiftedLu::factor(&self.matrix, value, smallest);
         // A solve that multiplies the length by this leaves a residual of 10 N epsilon |H|.
         let enough = 1.0 / (10.0 * N as f64 * smallest);

@@ -8,8 +8,9 @@
 //!    [`polynomial_roots`] gives only the real ones, from the characteristic polynomial.
 //! 3. [`extract`] reads unknowns off an eigenvector.
 //! 4. [`mod@polish`] improves a solution on the original equations, which [`system`] evaluates from static tables.
-//! 5. [`driver`] does 2 to 4 for every eigenvalue; [`distinct`] drops what was found twice; [`solutions`] and [`error`]
-//!    are what a solver returns.
+//! 5. [`driver`] does 2 to 4 for every eigenvalue; [`distinct`] drops what was found twice. Solutions that share an
+//!    eigenvalue are told apart by `shared_value` on its `invariant_subspace`.
+//! 6. [`solutions`] and [`error`] are what a solver returns.
 //!
 //! Nothing here allocates, panics on data, loops without a bound or knows a problem. All sizes are const generic and
 //! matrices are arrays of rows, so that the inner loops run over contiguous memory and vectorise.
@@ -33,11 +34,13 @@ pub mod error;
 pub mod extract;
 mod float;
 pub mod hessenberg;
+mod invariant_subspace;
 mod inverse_iteration;
 pub mod lu;
 pub mod polish;
 pub mod polynomial_roots;
 pub mod scalar;
+mod shared_value;
 pub mod solutions;
 pub mod system;
 pub mod template;

@@ -4,6 +4,9 @@ use crate::float;
 use crate::scalar::Scalar;
 use crate::system::System;
 
+/// Steps at most; nearly always one or two lower the residual and the next one stops.
+pub const POLISH_STEPS: usize = 8;
+
 /// A relative residual at most this is rounding: no step could lower it by much.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 

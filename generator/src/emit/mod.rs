@@ -130,7 +130,7 @@ fn api(plan: &Plan) -> TokenStream {
         pub fn solve(#(#parameters),*) -> Result<eliminant::Solutions<#name, #solutions>, eliminant::SolveError> {
             let #mutable instance_ = Instance::new(#(#arguments),*)?;
             let action_ = instance_.action_matrix()?;
-            let found = eliminant::real_solutions::<_, _, #solutions>(&instance_, &action_, eliminant::RootMethod::#roots)?;
+            let found = eliminant::real_solutions::<_, _, _, #solutions>(&instance_, &action_, eliminant::RootMethod::#roots)?;
             Ok(found.into_iter().map(#name::from_array).collect())
         }
 
@@ -143,7 +143,7 @@ fn api(plan: &Plan) -> TokenStream {
         ) -> Result<eliminant::Solutions<#name<eliminant::Complex<f64>>, #solutions>, eliminant::SolveError> {
             let #mutable instance_ = Instance::new(#(#arguments),*)?;
             let action_ = instance_.action_matrix()?;
-            let found = eliminant::complex_solutions::<_, _, #solutions>(&instance_, &action_)?;
+            let found = eliminant::complex_solutions::<_, _, _, #solutions>(&instance_, &action_)?;
             Ok(found.into_iter().map(#name::from_array).collect())
         }
 
@@ -175,15 +175,16 @@ fn uses_image(plan: &Plan) -> bool {
     plan.extractions.iter().flat_map(|x| &x.pairs).any(|(m, n)| is_image(m) || is_image(n))
 }
 
-/// The array `known` of all monomial values that unknowns may be read from: basis, then image, then read rows.
-fn known_monomials(plan: &Plan) -> TokenStream {
+/// The values of all monomials that unknowns may be read from, and how many: basis, then image, then read rows.
+fn known_monomials(plan: &Plan) -> (usize, TokenStream) {
     let (basis, read) = (plan.elimination.basis, plan.read.len());
     let image = usize::from(uses_image(plan)) * basis;
     if image + read == 0 {
-        return quote! {
+        let values = quote! {
             let _ = value;
-            let known = vector;
+            *vector
         };
+        return (basis, values);
     }
     let images = match image {
         0 => quote!(let _ = value;),
@@ -205,12 +206,14 @@ fn known_monomials(plan: &Plan) -> TokenStream {
         },
     };
     let length = start + read;
-    quote! {
+    let values = quote! {
         let mut known = [S::ZERO; #length];
         known[..#basis].copy_from_slice(vector);
         #images
         #reads
-    }
+        known
+    };
+    (length, values)
 }
 
 fn instance(plan: &Plan) -> TokenStream {
@@ -233,7 +236,7 @@ fn instance(plan: &Plan) -> TokenStream {
             quote!(action[#at] = right[#pivot].map(|value| -value);)
         }
     });
-    let known = known_monomials(plan);
+    let (count_known, known) = known_monomials(plan);
     let position = |monomial: KnownMonomial| match monomial {
         KnownMonomial::Basis(b) => usize::from(b.0),
         KnownMonomial::Image(b) => basis + usize::from(b.0),
@@ -255,15 +258,17 @@ fn instance(plan: &Plan) -> TokenStream {
             quote!(&mut self),
         ),
     };
-    let extractions = plan.extractions.iter().map(|extraction| {
-        let unknown = extraction.unknown;
-        let pairs = extraction.pairs.iter().map(|&(m, n)| {
+    let pairs = (0..unknowns).map(|unknown| {
+        let pairs = plan.extractions.iter().filter(|x| x.unknown == unknown).flat_map(|x| &x.pairs).map(|&(m, n)| {
             let [m, n] = [m, n].map(|monomial| Literal::usize_unsuffixed(position(monomial)));
             quote!((#m, #n))
         });
-        quote!(x[#unknown] = eliminant::ratio(&known[..], &[#(#pairs),*])?;)
+        quote!(&[#(#pairs),*])
     });
-    let recoveries = plan.recoveries.iter().map(code::recovery);
+    let recover = match plan.recoveries.is_empty() {
+        true => quote!(let _ = x;),
+        false => plan.recoveries.iter().map(code::recovery).collect(),
+    };
     let admissible = match plan.nonzero.is_empty() {
         true => quote! {
             let _ = unknowns;
@@ -306,13 +311,15 @@ fn instance(plan: &Plan) -> TokenStream {
             }
         }
 
-        impl eliminant::ActionMethod<#basis, #unknowns> for Instance {
-            fn unknowns<S: eliminant::Scalar>(&self, value: S, vector: &[S; #basis]) -> Option<[S; #unknowns]> {
+        impl eliminant::ActionMethod<#basis, #unknowns, #count_known> for Instance {
+            const PAIRS: [&'static [(u16, u16)]; #unknowns] = [#(#pairs),*];
+
+            fn known<S: eliminant::Scalar>(&self, value: S, vector: &[S; #basis]) -> [S; #count_known] {
                 #known
-                let mut x = [S::ZERO; #unknowns];
-                #(#extractions)*
-                #(#recoveries)*
-                Some(x)
+            }
+
+            fn recover<S: eliminant::Scalar>(&self, x: &mut [S; #unknowns]) {
+                #recover
             }
 
             fn polish<S: eliminant::Scalar>(&self, unknowns: &mut [S; #unknowns], steps: usize) -> f64 {

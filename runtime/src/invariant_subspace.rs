@@ -1,0 +1,127 @@
+//! Clusters of nearly equal eigenvalues and the invariant subspaces that belong to them.
+
+use crate::hessenberg::Hessenberg;
+use crate::inverse_iteration::{ShiftedLu, normalize};
+use crate::scalar::Scalar;
+use arrayvec::ArrayVec;
+use num_complex::Complex;
+
+/// Eigenvalues this close, relative to their modulus, belong together: nearer than this, rounding takes five or more
+/// digits from their separate eigenvectors.
+const NEAR: f64 = 1e-3;
+
+/// Eigenvalues this close, relative to the norm of H, belong together, however small they are.
+const NEAR_TO_NORM: f64 = 1e-10;
+
+/// Rounds of inverse iteration. With the shift chosen here two or three do; near another cluster, more.
+const ROUNDS: usize = 6;
+
+/// How far the shift stays from a cluster, relative to the distance of the next eigenvalue. A smaller distance speeds
+/// up the convergence; a larger one spares digits where the eigenvalue is defective, because 1 / distance^2 is then the
+/// ratio of what the directions of the subspace are multiplied by.
+const SHIFT: f64 = 1e-3;
+
+/// Eigenvalues of H that are equal up to rounding, or nearly, together with their conjugates. At least two, or a
+/// multiple complex one and its conjugate.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cluster {
+    /// The mean; of a complex cluster and its conjugate, that with positive imaginary part.
+    centre: Complex<f64>,
+    /// How far the shift of the inverse iteration stays away.
+    shift: f64,
+    /// The dimension of the invariant subspace: conjugates are counted.
+    pub(crate) dimension: usize,
+}
+
+impl<const N: usize> Hessenberg<N> {
+    /// The clusters among all eigenvalues of A.
+    pub(crate) fn clusters(&self, values: &[Complex<f64>; N]) -> ArrayVec<Cluster, N> {
+        let values = values.map(|value| value.scale(1.0 / self.unit));
+        let norm = self.norm();
+        let distance = |a: Complex<f64>, b: Complex<f64>| (a - b).modulus();
+        // first[i]: the first member of the cluster of eigenvalue i.
+        let mut first: [usize; N] = core::array::from_fn(|i| i);
+        for i in 0..N {
+            for j in 0..i {
+                let size = values[i].modulus().max(values[j].modulus());
+                if distance(values[i], values[j]) <= NEAR * size + NEAR_TO_NORM * norm {
+                    let (from, to) = (first[i].max(first[j]), first[i].min(first[j]));
+                    first.iter_mut().filter(|label| **label == from).for_each(|label| *label = to);
+                }
+            }
+        }
+        let mut clusters = ArrayVec::new_const();
+        for label in 0..N {
+            let members = || (0..N).filter(|&i| first[i] == label);
+            let size = members().count();
+            if size < 2 {
+                continue;
+            }
+            let sum = members().fold(Complex::ZERO, |sum, i| sum + values[i]);
+            let mut centre = sum.scale(1.0 / size as f64);
+            // A set that is its own conjugate has a real mean, up to rounding; of two that are conjugates one is taken.
+            let own_conjugate = members().any(|i| members().any(|j| values[i] == values[j].conj()));
+            if own_conjugate {
+                centre.im = 0.0;
+            } else if centre.im < 0.0 {
+                continue;
+            }
+            let radius = members().map(|i| distance(values[i], centre)).fold(0.0, f64::max);
+            let is_other = |i: &usize| first[*i] != label && !members().any(|j| values[j].conj() == values[*i]);
+            let others = (0..N).filter(is_other).map(|i| distance(values[i], centre));
+            let gap = others.fold(if norm > 0.0 { norm } else { 1.0 }, f64::min);
+            let dimension = if own_conjugate { size } else { 2 * size };
+            let _ = clusters.try_push(Cluster { centre, shift: (SHIFT * gap).max(2.0 * radius), dimension });
+        }
+        clusters
+    }
+
+    /// An orthonormal basis of the real invariant subspace of A that belongs to a cluster: the first `dimension` rows.
+    ///
+    /// Block inverse iteration (Golub and Van Loan 2013, section 7.6) with the real operator Im (H - s I)^-1, which has
+    /// the eigenvectors of H and, for eigenvalues x near the shift s or its conjugate, eigenvalues near 1 / |x - s| or
+    /// above.
+    pub(crate) fn invariant_subspace(&self, cluster: &Cluster) -> [[f64; N]; N] {
+        let shift = cluster.centre + Complex { re: 0.0, im: cluster.shift };
+        let lu = ShiftedLu::factor(&self.matrix, shift, self.smallest_pivot());
+        let mut basis = [[0.0; N]; N];
+        let vectors = &mut basis[..cluster.dimension.min(N)];
+        let mut state = 1_u64;
+        for entry in vectors.as_flattened_mut() {
+            // Knuth's multiplicative congruential generator: any start without structure will do.
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            *entry = (state >> 40) as f64 * 2.0 / (1_u64 << 24) as f64 - 1.0;
+        }
+        orthonormalize(vectors);
+        for _ in 0..ROUNDS {
+            for vector in vectors.iter_mut() {
+                let mut solution = vector.map(Complex::from_f64);
+                lu.forward(&mut solution);
+                lu.backward(&mut solution);
+                *vector = solution.map(|entry| entry.im);
+            }
+            orthonormalize(vectors);
+        }
+        vectors.iter_mut().for_each(|vector| self.transform_back(vector));
+        orthonormalize(vectors);
+        basis
+    }
+}
+
+/// Gram-Schmidt, every vector twice: one that depends on those before it becomes some vector orthogonal to them.
+fn orthonormalize<const N: usize>(vectors: &mut [[f64; N]]) {
+    for k in 0..vectors.len() {
+        let (done, rest) = vectors.split_at_mut(k);
+        let vector = &mut rest[0];
+        normalize(vector);
+        for _ in 0..2 {
+            for other in done.iter() {
+                let dot: f64 = (0..N).map(|i| other[i] * vector[i]).sum();
+                for i in 0..N {
+                    vector[i] -= dot * other[i];
+                }
+            }
+            normalize(vector);
+        }
+    }
+}

@@ -1,0 +1,197 @@
+//! Solutions that share a value of the action monomial.
+//!
+//! They share an eigenvalue, whose eigenvectors are arbitrary combinations of theirs. Other monomials tell them apart
+//! (as in Möller and Stetter 1995; here only on the subspace in question):
+//!
+//! ```text
+//!       [ | .. | ]   basis of the invariant subspace             V_m:  its values at monomials m
+//!   V = [ v1.. vk]   v = V u for every solution              V_(x m):  its values at the monomials x m
+//!       [ | .. | ]
+//!                    V_(x m) = V_m A_x    (least squares):  u is an eigenvector of A_x for the eigenvalue x
+//! ```
+//!
+//! All A_x have the same eigenvectors, so a combination of them over the unknowns x tells apart solutions that differ in
+//! any of them. V and A_x are real; u is complex where the solution is.
+
+use num_complex::Complex;
+
+use crate::driver::ActionMethod;
+use crate::error::SolveError;
+use crate::extract::Eigenpairs;
+use crate::float;
+use crate::hessenberg::Hessenberg;
+use crate::invariant_subspace::Cluster;
+use crate::scalar::Scalar;
+
+/// An unknown takes part only where V_m has no singular value below about the square root of this, relative to the
+/// largest: otherwise rounding errors would make up its A_x.
+const RANK: f64 = 1e-10;
+
+/// What u to try, as 1, w, w^2, .., where the values of monomials do not determine them: in all directions.
+const PROBES: [Complex<f64>; 12] = [
+    Complex { re: 0.2, im: 0.0 },
+    Complex { re: -0.2, im: 0.0 },
+    Complex { re: 0.7, im: 0.0 },
+    Complex { re: -0.7, im: 0.0 },
+    Complex { re: 1.5, im: 0.0 },
+    Complex { re: -1.5, im: 0.0 },
+    Complex { re: 5.0, im: 0.0 },
+    Complex { re: -5.0, im: 0.0 },
+    Complex { re: 0.0, im: 0.5 },
+    Complex { re: 0.0, im: 2.0 },
+    Complex { re: 1.0, im: 1.0 },
+    Complex { re: -1.0, im: 1.0 },
+];
+
+/// The solutions with one value of the action monomial, or with conjugate values.
+pub(crate) struct SharedValue<'a, const B: usize> {
+    action: &'a [[f64; B]; B],
+    /// V, transposed; `dimension` rows.
+    basis: [[f64; B]; B],
+    dimension: usize,
+    /// A combination of the A_x in the leading rows and columns; behind it a diagonal matrix with no eigenvalue of it.
+    combination: Hessenberg<B>,
+    /// Whether some A_x is not determined.
+    incomplete: bool,
+}
+
+impl<'a, const B: usize> SharedValue<'a, B> {
+    /// # Errors
+    /// As [`Hessenberg::reduce`], where values overflow.
+    pub(crate) fn new<const N: usize, const K: usize, M: ActionMethod<B, N, K>>(
+        method: &M,
+        action: &'a [[f64; B]; B],
+        spectrum: &Hessenberg<B>,
+        cluster: &Cluster,
+    ) -> Result<Self, SolveError> {
+        let (basis, dimension) = (spectrum.invariant_subspace(cluster), cluster.dimension.min(B));
+        // Known monomials are linear in the vector, those of the image also in the action's value, which here is the
+        // matrix: K0 V + K1 T V, where K(value, v) = K0 v + value K1 v.
+        let known: [[f64; K]; B] = core::array::from_fn(|k| {
+            let image = action.map(|row| (0..B).map(|i| row[i] * basis[k][i]).sum());
+            let (without, with) = (method.known(0.0, &image), method.known(1.0, &image));
+            let mut values = method.known(0.0, &basis[k]);
+            for i in 0..K {
+                values[i] += with[i] - without[i];
+            }
+            values
+        });
+        let (mut sum, mut total, mut incomplete) = ([[0.0; B]; B], 0.0, false);
+        let mut weight = 1.0;
+        for pairs in M::PAIRS.iter().filter(|pairs| !pairs.is_empty()) {
+            let Some(matrix) = multiplication(&known, dimension, pairs) else {
+                incomplete = true;
+                continue;
+            };
+            let norm = float::sqrt(matrix.as_flattened().iter().map(|entry| entry * entry).sum());
+            if norm > 0.0 {
+                for (entry, value) in sum.as_flattened_mut().iter_mut().zip(matrix.as_flattened()) {
+                    *entry += weight / norm * value;
+                }
+                total += weight;
+                // Neither equal nor of a rational ratio, which differences of solutions could have, too.
+                weight *= 0.786_151_377_757_423_3;
+            }
+        }
+        for k in dimension..B {
+            sum[k][k] = 2.0 * total;
+        }
+        let combination = Hessenberg::reduce(&sum)?;
+        Ok(SharedValue { action, basis, dimension, combination, incomplete })
+    }
+
+    /// Calls `solve` for the eigenpairs of all solutions, as a source and what it lists them under.
+    ///
+    /// Where the known monomials do not determine the A_x of all unknowns, also for some other combinations of the
+    /// solutions, from which the polish may find them.
+    pub(crate) fn for_each(&self, mut solve: impl FnMut(&Combinations<'_, B>, Complex<f64>)) {
+        let separated = Combinations { shared: self, separated: true };
+        // Eigenvalues of diagonal blocks come in the order of the blocks.
+        for value in self.combination.eigenvalues().into_iter().flatten().take(self.dimension) {
+            solve(&separated, value);
+        }
+        let probes = Combinations { shared: self, separated: false };
+        for value in PROBES.into_iter().filter(|_| self.incomplete) {
+            solve(&probes, value);
+        }
+    }
+}
+
+/// Combinations V u of the solutions with a shared value: for an eigenvalue of the combined A_x its eigenvector u, or
+/// u = 1, w, w^2, ..
+pub(crate) struct Combinations<'a, const B: usize> {
+    shared: &'a SharedValue<'a, B>,
+    separated: bool,
+}
+
+impl<const B: usize> Eigenpairs<B> for Combinations<'_, B> {
+    fn eigenpair<S: Scalar>(&self, value: S) -> (S, [S; B]) {
+        let SharedValue { action, basis, dimension, combination, .. } = self.shared;
+        let u = if self.separated {
+            combination.eigenvector(value)
+        } else {
+            let mut powers = [S::ONE; B];
+            for k in 1..B {
+                powers[k] = powers[k - 1] * value;
+            }
+            powers
+        };
+        let mut vector = [S::ZERO; B];
+        for k in 0..*dimension {
+            for i in 0..B {
+                vector[i] += u[k].scale(basis[k][i]);
+            }
+        }
+        // The Rayleigh quotient.
+        let (mut numerator, mut denominator) = (S::ZERO, 0.0);
+        for i in 0..B {
+            let image = (0..B).fold(S::ZERO, |sum, j| sum + vector[j].scale(action[i][j]));
+            numerator += vector[i].conj() * image;
+            denominator += vector[i].modulus_squared();
+        }
+        (numerator.scale(1.0 / denominator), vector)
+    }
+}
+
+/// A_x in the leading rows and columns, by the normal equations V_m^T V_m A_x = V_m^T V_(x m) and Cholesky's
+/// factorisation; None where V_m lacks rank. The polish gives back the digits that this costs.
+fn multiplication<const B: usize, const K: usize>(
+    known: &[[f64; K]; B],
+    dimension: usize,
+    pairs: &[(u16, u16)],
+) -> Option<[[f64; B]; B]> {
+    let (mut gram, mut right) = ([[0.0; B]; B], [[0.0; B]; B]);
+    for i in 0..dimension {
+        for j in 0..dimension {
+            for &(from, to) in pairs {
+                let value = known[i].get(usize::from(from))?;
+                gram[i][j] += value * known[j].get(usize::from(from))?;
+                right[i][j] += value * known[j].get(usize::from(to))?;
+            }
+        }
+    }
+    // gram = L L^T, L over its lower half; right := L^-1 right.
+    for i in 0..dimension {
+        let size = gram[i][i];
+        for j in 0..i {
+            let dot: f64 = (0..j).map(|k| gram[i][k] * gram[j][k]).sum();
+            gram[i][j] = (gram[i][j] - dot) / gram[j][j];
+        }
+        let square = size - (0..i).map(|k| gram[i][k] * gram[i][k]).sum::<f64>();
+        if !(square > RANK * size) {
+            return None;
+        }
+        gram[i][i] = float::sqrt(square);
+        for j in 0..dimension {
+            let dot: f64 = (0..i).map(|k| gram[i][k] * right[k][j]).sum();
+            right[i][j] = (right[i][j] - dot) / gram[i][i];
+        }
+    }
+    for i in (0..dimension).rev() {
+        for j in 0..dimension {
+            let dot: f64 = (i + 1..dimension).map(|k| gram[k][i] * right[k][j]).sum();
+            right[i][j] = (right[i][j] - dot) / gram[i][i];
+        }
+    }
+    Some(right)
+}
