@@ -20,6 +20,9 @@ pub mod direction;
 pub mod distortion;
 /// A cylinder from any of the estimators.
 pub mod estimate;
+/// The experiments of the paper, on simulated scenes.
+#[cfg(feature = "command")]
+pub mod experiment;
 /// Which part of a cylinder the views show.
 pub mod extent;
 /// Scene files: JSON to views.

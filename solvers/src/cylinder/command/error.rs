@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
+use crate::cylinder::experiment::ExperimentError;
 use crate::cylinder::picture::PictureError;
 use crate::cylinder::{ColmapError, EstimateError, InputError, MatchError, SegmentError};
 
@@ -32,6 +33,9 @@ pub(super) enum CommandError {
     /// A picture cannot be drawn.
     #[error("{}: {source}", path.display())]
     Picture { path: PathBuf, source: PictureError },
+    /// An experiment was not finished.
+    #[error(transparent)]
+    Experiment(#[from] ExperimentError),
     /// No folder, no permission, no space.
     #[error("cannot write `{}`: {source}", path.display())]
     Write { path: PathBuf, source: io::Error },

@@ -8,6 +8,8 @@ mod drawings;
 mod error;
 /// How cylinders are estimated.
 mod estimator;
+/// `cylinders experiment`.
+mod experiment;
 /// Output files, whole or not at all.
 mod files;
 /// `cylinders match`.
@@ -40,6 +42,7 @@ struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    Experiment(experiment::Arguments),
     Match(matching::Arguments),
     Triangulate(triangulate::Arguments),
 }
@@ -47,6 +50,7 @@ enum Command {
 impl Command {
     fn run(&self) -> Result<Output, CommandError> {
         match self {
+            Self::Experiment(arguments) => experiment::run(arguments),
             Self::Match(arguments) => matching::run(arguments),
             Self::Triangulate(arguments) => triangulate::run(arguments),
         }

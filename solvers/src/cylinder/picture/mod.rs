@@ -7,6 +7,8 @@
 mod axes;
 /// What of a line is inside a window.
 mod clip;
+/// Conics of several methods, with the tangent lines.
+mod conics;
 /// Histograms of several samples.
 mod histogram;
 /// Series of points, lines and bands over linear and logarithmic axes.
@@ -25,6 +27,7 @@ use plotters::style::{FontStyle, RGBColor, register_font};
 use thiserror::Error;
 
 pub use axes::{Axis, Scale};
+pub use conics::ConicPicture;
 pub use histogram::Histogram;
 pub use plot::{Band, Plot, Series};
 pub use section::SectionPicture;
