@@ -171,6 +171,34 @@ fn silhouettes_lie_on_exact_lines() {
 }
 
 #[test]
+fn lines_with_end_points_are_drawn_as_segments() {
+    let (mut scene, found) = soda_can();
+    let view = &scene.views[0];
+    let calibration = *view.camera().calibration().expect("a calibration");
+    // One inside the image, one that leaves it.
+    let points = [[[1000.0, 500.0], [1000.0, 1000.0]], [[2000.0, 500.0], [2000.0, 9000.0]]];
+    let segments = points.map(|ends| ends.map(Point2::from));
+    scene.views[0] = View::from_pixel_segments(*view.camera(), &segments).expect("segments");
+    let given = |scene: &Scene| {
+        let svg = svg(&SilhouettePicture::new(scene, &found, 0).expect("a view"));
+        let ends = |line: &String| -> Vec<f64> {
+            line.split([' ', ',']).filter(|text| !text.is_empty()).map(|text| text.parse().expect("a number")).collect()
+        };
+        lines(&svg, GIVEN)[1..].iter().map(ends).collect::<Vec<_>>()
+    };
+    let drawn = given(&scene);
+    let infinite: Vec<_> = points.iter().map(|[start, _]| nalgebra::Vector3::new(1.0, 0.0, -start[0])).collect();
+    scene.views[0] = View::from_pixel_lines(*scene.views[0].camera(), &infinite).expect("lines");
+    let across = given(&scene);
+    // The image is 3000 pixels high: from top to bottom without end points.
+    assert_eq!(calibration.matrix()[(1, 2)], 1500.0);
+    let height = |line: &[f64]| (line[3] - line[1]).abs();
+    let ratio = |index: usize| height(&drawn[index]) / height(&across[index]);
+    assert!((ratio(0) - 500.0 / 3000.0).abs() < 0.002 && (ratio(1) - 2500.0 / 3000.0).abs() < 0.002, "{drawn:?}");
+    assert!((0..2).all(|line| (drawn[line][0] - across[line][0]).abs() <= 1.0), "{drawn:?} {across:?}");
+}
+
+#[test]
 fn what_has_no_place_is_left_out() {
     let mut with = plot();
     with.series[0].points.extend([[f64::NAN, 1.0], [1.0, f64::INFINITY]]);

@@ -167,3 +167,32 @@ fn the_images_show_a_part_of_the_cylinder() {
     let behind = Cylinder::new(&Point3::new(0.0, 0.0, 20.0), Vector3::y_axis(), 1.0);
     assert_eq!(visible_extent(&behind, &[view(&behind, camera(Point3::new(0.0, 0.0, 10.0)))], &[]), None);
 }
+
+/// The triangle of a line with end points ends on the surface, where these are.
+#[test]
+fn viewing_planes_end_at_the_end_points() {
+    let cylinder = Cylinder::new(&Point3::origin(), Vector3::y_axis(), 1.0);
+    let centre = Point3::new(0.0, 0.0, 10.0);
+    let heights = [-0.5, 1.5];
+    let infinite = view(&cylinder, camera(centre));
+    // Contact points of the tangents from a point at distance 10 to the unit circle: 0.1 towards it, sqrt(0.99) beside it.
+    let beside = 0.99_f64.sqrt();
+    let seen = |x: f64, y: f64| {
+        let seen = infinite.camera().rotation() * Vector3::new(x, y, 0.1) + infinite.camera().translation();
+        nalgebra::Point2::from(seen.xy() / seen.z)
+    };
+    let expected = [beside, -beside].map(|x| heights.map(|y| Point3::new(x, y, 0.1)));
+    let with_ends = infinite.clone().with_ends([beside, -beside].map(|x| Some(heights.map(|y| seen(x, y)))).to_vec());
+    let scene = Scene { views: vec![with_ends.expect("end points")], points: Vec::new() };
+    let lines = scene.cylinders().remove(0);
+    let file = read(&to_ply(&scene, &[(lines, cylinder)]));
+    let points: Vec<_> = file["vertex"].iter().map(|row| point(row)).collect();
+    let triangles = &points[points.len() - 6 - 5..points.len() - 5];
+    for (triangle, ends) in triangles.chunks(3).zip(expected) {
+        assert!((triangle[0] - centre).norm() < 1e-12);
+        assert!((triangle[1] - ends[0]).norm() < 1e-9 && (triangle[2] - ends[1]).norm() < 1e-9, "{triangle:?}");
+    }
+    let surface: Vec<_> =
+        file["face"].iter().flat_map(|face| &face[0]).map(|&index| points[index as usize].y).collect();
+    assert!(surface.iter().all(|y| (y - heights[0]).abs().min((y - heights[1]).abs()) < 1e-9));
+}

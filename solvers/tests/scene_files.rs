@@ -113,6 +113,10 @@ fn json_that_is_not_a_scene_is_located() {
             "scene.json:1:33: not a scene: invalid type: null, expected f64",
         ),
         ("{\"views\": [], \"views\": []}", "scene.json:1:21: not a scene: duplicate field `views`"),
+        (
+            "{\"views\": [{\"segments_pixels\": [[1, 2, 3, null]]}]}",
+            "scene.json:1:46: not a scene: invalid type: null, expected f64",
+        ),
     ] {
         let message = message(text);
         assert!(message.starts_with(expected), "{text}: {message}");
@@ -135,7 +139,7 @@ fn wrong_shapes_and_values_name_their_place() {
             "\"camera_normalised\": [[1,0,0,0],[0,1,0],[0,0,1,0]], \"lines_pixels\": []".to_owned(),
             "views[1].camera_normalised[1] has 3 entries where 4 are expected",
         ),
-        (camera.clone(), "views[1] needs `lines_normalised` or `lines_pixels`"),
+        (camera.clone(), "views[1] needs `lines_normalised`, `lines_pixels` or `segments_pixels`"),
         ("\"lines_pixels\": []".to_owned(), "views[1] needs `camera_normalised` or `camera_pixels`"),
         (
             format!("{camera}, \"lines_normalised\": [[1,0,2],[0,0,1]]"),
@@ -160,17 +164,37 @@ fn wrong_shapes_and_values_name_their_place() {
         ),
         (
             format!("{camera}, \"lines_normalised\": [[1,0,0]], \"lines_pixels\": [[1,0,-501]]"),
-            "views[1].lines_pixels[0]: the values in pixels and in normalised coordinates contradict each other",
+            "views[1].lines_pixels[0]: the spellings of one thing contradict each other",
+        ),
+        (
+            format!("{camera}, \"segments_pixels\": [[1,2,3,4], [5,6]]"),
+            "views[1].segments_pixels[1] has 2 entries where 4 are expected",
+        ),
+        (
+            format!("{camera}, \"segments_pixels\": [[1,2,3,4], [5,6,5,6]]"),
+            "views[1].segments_pixels: line 1 has no length: its end points coincide",
+        ),
+        (
+            format!("{camera}, \"segments_pixels\": [[1e308,2,-1e308,4]]"),
+            "views[1].segments_pixels: line 0 has an end point that is not finite, or out of range",
+        ),
+        (
+            format!("{camera}, \"lines_pixels\": [[1,0,-500]], \"segments_pixels\": [[500,0,500,9], [1,2,3,4]]"),
+            "views[1].segments_pixels[1]: the spellings of one thing contradict each other",
+        ),
+        (
+            format!("{camera}, \"lines_pixels\": [[1,0,-500]], \"segments_pixels\": [[500,0,500.2,9]]"),
+            "views[1].segments_pixels[0]: the spellings of one thing contradict each other",
         ),
         (
             format!("{camera}, \"lines_normalised\": [[1,0,0]], \"lines_pixels\": []"),
-            "views[1].lines_pixels[0]: the values in pixels and in normalised coordinates contradict each other",
+            "views[1].lines_pixels[0]: the spellings of one thing contradict each other",
         ),
         (
             format!(
                 "{camera}, \"camera_pixels\": [[1000,0,500,2500],[0,1000,400,2000],[0,0,1,6]], \"lines_pixels\": []"
             ),
-            "views[1].camera_pixels: the values in pixels and in normalised coordinates contradict each other",
+            "views[1].camera_pixels: the spellings of one thing contradict each other",
         ),
     ];
     for (view, expected) in cases {
@@ -183,6 +207,9 @@ fn wrong_shapes_and_values_name_their_place() {
 fn pixels_need_a_calibration() {
     let lines = format!("{{\"views\": [{{\"camera_normalised\": {CAMERA}, \"lines_pixels\": [[1,0,0]]}}]}}");
     assert_eq!(message(&lines), "scene.json: views[0] needs `K`, because its lines are in pixels");
+    let segments = lines.replace("\"lines_pixels\": [[1,0,0]]", "\"segments_pixels\": [[1,0,0,1]]");
+    assert_ne!(segments, lines);
+    assert_eq!(message(&segments), "scene.json: views[0] needs `K`, because its lines are in pixels");
     let camera = format!("{{\"views\": [{{\"camera_pixels\": {CAMERA}, \"lines_normalised\": [[1,0,0]]}}]}}");
     assert_eq!(message(&camera), "scene.json: views[0] needs `K`, because its camera is in pixels");
 }

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::circle::Circle;
 use super::rectify::Rectification;
+use super::silhouette_distance::{SilhouetteDistance, lines_with_ends};
 use super::view::{Camera, View, ViewingPlane};
 
 /// A point counts as on the surface when it is within this part of the radius.
@@ -54,15 +55,16 @@ pub struct LineResidual {
     pub view: usize,
     /// Index of the line in its view.
     pub line: usize,
-    /// Side of the silhouette that is nearest to the line.
+    /// Side of the silhouette that is nearest to the line: to its end points, or without these by the angle.
     pub side: Side,
     /// Signed distance between viewing plane and cylinder, world units: distance of the axis from the plane, turned about
     /// its camera centre to be parallel to the axis, minus the radius. Negative where the plane cuts the cylinder.
     pub distance: f64,
-    /// Angle between the viewing plane and the nearest tangent plane through the camera centre, radians.
+    /// Angle between the viewing plane and the tangent plane of that silhouette, radians.
     pub angle: f64,
-    /// Distance in pixels, when the camera has a calibration: of the silhouette from the point of the given line that is
-    /// nearest to the principal point.
+    /// Distance in pixels, when the camera has a calibration: root mean square distance of the end points of the given line
+    /// from the silhouette, as RANSAC and refinement measure it; for a line without end points, the distance of its
+    /// point that is nearest to the principal point.
     pub pixels: Option<f64>,
 }
 
@@ -139,19 +141,22 @@ impl Cylinder {
         }
         let camera = lines.camera();
         let silhouette = self.silhouette(camera)?;
+        let at_ends: Vec<_> =
+            lines_with_ends(view, lines).iter().map(|measured| measured.as_ref()?.distance(self)).collect();
         let residual = |(index, (line, plane)): (usize, (&Vector3<f64>, ViewingPlane))| {
             // Lines have no sign: the angle is between 0 and pi / 2.
             let angle = |other: &Vector3<f64>| line.cross(other).norm().atan2(line.dot(other).abs());
             let [right, left] = &silhouette;
-            let (side, nearest) = if angle(left) < angle(right) { (Side::Left, left) } else { (Side::Right, right) };
-            LineResidual {
-                view,
-                line: index,
-                side,
-                distance: self.plane_distance(&plane),
-                angle: angle(nearest),
-                pixels: pixel_distance(camera, line, nearest),
-            }
+            let at_ends = at_ends[index].as_ref();
+            let by_angle = if angle(left) < angle(right) { Side::Left } else { Side::Right };
+            let side = at_ends.map_or(by_angle, SilhouetteDistance::side);
+            let nearest = if side == Side::Left { left } else { right };
+            let pixels = match at_ends {
+                Some(distance) => camera.calibration().map(|_| distance.mean_square().sqrt()),
+                None => pixel_distance(camera, line, nearest),
+            };
+            let distance = self.plane_distance(&plane);
+            LineResidual { view, line: index, side, distance, angle: angle(nearest), pixels }
         };
         Some(lines.lines().iter().zip(lines.planes()).enumerate().map(residual).collect())
     }

@@ -3,6 +3,7 @@
 use nalgebra::{Point2, Point3, Vector3};
 
 use super::cylinder::Cylinder;
+use super::silhouette_distance::{MeasuredLine, lines_with_ends};
 use super::view::{Camera, View};
 
 /// With fewer points on the surface than this, the images decide.
@@ -31,10 +32,15 @@ pub(super) fn image_corners(camera: &Camera) -> [Point2<f64>; 4] {
     }
 }
 
-/// The visible part of a cylinder: least and largest distance along the axis from the axis point, world units. Where enough
-/// scene points lie on the surface, that is where they are; otherwise where the images that have lines of it show its two
-/// contact lines, the median of both ends. `None` when neither tells.
+/// The visible part of a cylinder: least and largest distance along the axis from the axis point, world units. Where lines have
+/// end points, all that is between these; otherwise, where enough scene points lie on the surface, that is where they are;
+/// otherwise where the images that have lines of it show its two contact lines, the median of both ends. `None` when
+/// none of them tells.
 pub fn visible_extent(cylinder: &Cylinder, views: &[View], points: &[Point3<f64>]) -> Option<[f64; 2]> {
+    let between_ends = views.iter().filter_map(|view| between_ends(cylinder, view));
+    if let Some(extent) = between_ends.reduce(|one, other| [one[0].min(other[0]), one[1].max(other[1])]) {
+        return Some(extent);
+    }
     let near = points.iter().filter(|point| cylinder.is_near(point));
     let mut heights: Vec<_> = near.map(|point| cylinder.height(point)).collect();
     if heights.len() >= ENOUGH_POINTS {
@@ -47,10 +53,31 @@ pub fn visible_extent(cylinder: &Cylinder, views: &[View], points: &[Point3<f64>
     proper([median(&mut low)?, median(&mut high)?])
 }
 
+/// Of each line of a view, where it has end points: the points on the rays to these that are nearest to the line on the surface
+/// that is seen as silhouette.
+pub(super) fn end_contacts(cylinder: &Cylinder, view: &View) -> Vec<Option<[Point3<f64>; 2]>> {
+    let contacts = |line: &Option<MeasuredLine>| line.as_ref()?.contacts(cylinder, &line.as_ref()?.distance(cylinder)?);
+    lines_with_ends(0, view).iter().map(contacts).collect()
+}
+
+/// From the lowest to the highest end point of a view.
+fn between_ends(cylinder: &Cylinder, view: &View) -> Option<[f64; 2]> {
+    let [lowest, highest] = believed(cylinder, view.camera());
+    let contacts = end_contacts(cylinder, view);
+    let heights = contacts.iter().flatten().flatten().map(|point| cylinder.height(point).max(lowest).min(highest));
+    proper(heights.fold([f64::INFINITY, -f64::INFINITY], |[low, high], height| [low.min(height), high.max(height)]))
+}
+
+/// The heights at which a camera is believed to see.
+fn believed(cylinder: &Cylinder, camera: &Camera) -> [f64; 2] {
+    let centre = camera.centre();
+    let (height, distance) = (cylinder.height(&centre), cylinder.distance(&centre) + cylinder.radius);
+    [height - FAR * distance, height + FAR * distance]
+}
+
 /// The parts of the two contact lines that a camera shows.
 fn seen_by(cylinder: &Cylinder, camera: &Camera) -> Vec<[f64; 2]> {
     let centre = camera.centre();
-    let (height, distance) = (cylinder.height(&centre), cylinder.distance(&centre) + cylinder.radius);
     let corners = image_corners(camera).map(|corner| corner.to_homogeneous());
     let middle: Vector3<f64> = corners.iter().sum();
     // Planes through the centre and the borders of the image, positive inside: together the pyramid in front of the camera.
@@ -61,7 +88,7 @@ fn seen_by(cylinder: &Cylinder, camera: &Camera) -> Vec<[f64; 2]> {
 
     let contact = |line: &Vector3<f64>| {
         let foot = cylinder.axis_point - camera.rotation().tr_mul(line) * cylinder.radius;
-        let mut seen = [height - FAR * distance, height + FAR * distance];
+        let mut seen = believed(cylinder, camera);
         for plane in &planes {
             // `offset + slope s >= 0` for the point at the height `s`.
             let (offset, slope) = (plane.dot(&(foot - centre)), plane.dot(&cylinder.direction));

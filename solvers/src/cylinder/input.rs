@@ -18,7 +18,9 @@
 //!   A view with another calibration has a `K` of its own.
 //! - `views[i].camera_normalised`: 3x4 `[R t]` up to scale, world to camera; or `camera_pixels`: `K [R t]` up to scale.
 //! - `views[i].lines_normalised`: lines `[a, b, c]`, `a x + b y + c = 0`, any scale and sign, in normalised image
-//!   coordinates; or `lines_pixels`, in pixels. Where a view gives both spellings of one thing, they must agree.
+//!   coordinates; or `lines_pixels`, in pixels; or `segments_pixels`: `[x1, y1, x2, y2]`, two end points for each line, in
+//!   pixels without distortion. With end points, lines are compared with silhouettes where they were seen. Where a view
+//!   gives several spellings of one thing, they must agree.
 //! - `views[i].image`: optional name of the image, for reports and for segments of a CSV file (`cylinder::segments`).
 //! - `views[i].cylinders`: optional, one label or `null` for each line: which cylinder it is a silhouette of. All lines
 //!   without label are taken for silhouettes of one cylinder.
@@ -28,7 +30,7 @@
 
 use std::path::Path;
 
-use nalgebra::{Matrix3, Matrix3x4, Point3, Vector3};
+use nalgebra::{Matrix3, Matrix3x4, Point2, Point3, Vector3};
 use serde::Deserialize;
 use thiserror::Error;
 
@@ -36,7 +38,7 @@ use super::scene::Scene;
 use super::view::{Calibration, Camera, View, ViewError};
 
 /// Largest difference between two spellings of one camera (rotation entries; translation relative to its length) or one
-/// line (unit vectors): about a third of a pixel at a focal length of 3000.
+/// line (unit vectors; distance of end points): about a third of a pixel at a focal length of 3000.
 const SPELLINGS_AGREE: f64 = 1e-4;
 
 /// What is wrong with a scene file. Every message starts with the file, then the place in it.
@@ -96,8 +98,8 @@ pub enum InputError {
         /// The missing keys.
         needs: &'static str,
     },
-    /// The two spellings of a camera or of a line differ.
-    #[error("{file}: {place}: the values in pixels and in normalised coordinates contradict each other")]
+    /// Two spellings of a camera or of a line differ.
+    #[error("{file}: {place}: the spellings of one thing contradict each other")]
     Contradiction {
         /// File name.
         file: String,
@@ -136,6 +138,7 @@ struct ViewFile {
     camera_pixels: Option<Rows>,
     lines_normalised: Option<Rows>,
     lines_pixels: Option<Rows>,
+    segments_pixels: Option<Rows>,
     cylinders: Option<Vec<Option<String>>>,
 }
 
@@ -240,32 +243,55 @@ impl Reader<'_> {
     }
 
     fn lines(&self, index: usize, view: &ViewFile, camera: Camera) -> Result<View, InputError> {
-        let parsed = match &view.lines_normalised {
-            Some(rows) => {
-                let place = format!("views[{index}].lines_normalised");
-                let lines = View::from_normalised_lines(camera, &self.line_rows(rows, &place)?);
-                Some(lines.map_err(|source| self.invalid(&place, source))?)
-            }
-            None => None,
-        };
-        let Some(rows) = &view.lines_pixels else {
-            return parsed.ok_or_else(|| self.missing(index, "`lines_normalised` or `lines_pixels`"));
-        };
-        if camera.calibration().is_none() {
+        let place = |key| format!("views[{index}].{key}");
+        if camera.calibration().is_none() && (view.lines_pixels.is_some() || view.segments_pixels.is_some()) {
             return Err(self.missing(index, "`K`, because its lines are in pixels"));
         }
-        let place = format!("views[{index}].lines_pixels");
-        let other = View::from_pixel_lines(camera, &self.line_rows(rows, &place)?);
-        let other = other.map_err(|source| self.invalid(&place, source))?;
-        match parsed {
-            Some(view) => match first_disagreement(view.lines(), other.lines()) {
-                Some(line) => {
-                    Err(InputError::Contradiction { file: self.file.to_owned(), place: format!("{place}[{line}]") })
-                }
-                None => Ok(view),
-            },
-            None => Ok(other),
+        let mut parsed: Option<View> = None;
+        if let Some(rows) = &view.lines_normalised {
+            let place = place("lines_normalised");
+            let lines = View::from_normalised_lines(camera, &self.line_rows(rows, &place)?);
+            parsed = Some(lines.map_err(|source| self.invalid(&place, source))?);
         }
+        if let Some(rows) = &view.lines_pixels {
+            let place = place("lines_pixels");
+            let lines = View::from_pixel_lines(camera, &self.line_rows(rows, &place)?);
+            let lines = lines.map_err(|source| self.invalid(&place, source))?;
+            let agree = |line: usize, known: &Vector3<f64>| known.cross(&lines.lines()[line]).norm() <= SPELLINGS_AGREE;
+            self.check_agreement(parsed.as_ref(), lines.lines().len(), agree, &place)?;
+            parsed = parsed.or(Some(lines));
+        }
+        if let Some(rows) = &view.segments_pixels {
+            let place = place("segments_pixels");
+            let segments = View::from_pixel_segments(camera, &self.segment_rows(rows, &place)?);
+            let segments = segments.map_err(|source| self.invalid(&place, source))?;
+            let ends = segments.ends().to_vec();
+            let near = |line: &Vector3<f64>, end: &Point2<f64>| {
+                line.dot(&end.to_homogeneous()).abs() <= SPELLINGS_AGREE * line.xy().norm()
+            };
+            let agree = |line: usize, known: &Vector3<f64>| ends[line].iter().flatten().all(|end| near(known, end));
+            self.check_agreement(parsed.as_ref(), ends.len(), agree, &place)?;
+            let with_ends = parsed.unwrap_or(segments).with_ends(ends);
+            parsed = Some(with_ends.map_err(|source| self.invalid(&place, source))?);
+        }
+        parsed.ok_or_else(|| self.missing(index, "`lines_normalised`, `lines_pixels` or `segments_pixels`"))
+    }
+
+    /// Whether `count` lines of another spelling agree with those known before, if any; a line that only one of them has does
+    /// not.
+    fn check_agreement(
+        &self,
+        known: Option<&View>,
+        count: usize,
+        agree: impl Fn(usize, &Vector3<f64>) -> bool,
+        place: &str,
+    ) -> Result<(), InputError> {
+        let Some(known) = known.map(View::lines) else { return Ok(()) };
+        let differing = (0..count.max(known.len()))
+            .find(|&line| line >= count || !known.get(line).is_some_and(|known| agree(line, known)));
+        let contradiction =
+            |line| InputError::Contradiction { file: self.file.to_owned(), place: format!("{place}[{line}]") };
+        differing.map_or(Ok(()), |line| Err(contradiction(line)))
     }
 
     fn calibration(&self, rows: &Rows, place: &str) -> Result<Calibration, InputError> {
@@ -284,6 +310,14 @@ impl Reader<'_> {
             Ok(Vector3::from(self.numbers::<3>(row, || format!("{place}[{index}]"))?))
         };
         rows.iter().enumerate().map(line).collect()
+    }
+
+    fn segment_rows(&self, rows: &Rows, place: &str) -> Result<Vec<[Point2<f64>; 2]>, InputError> {
+        let segment = |(index, row): (usize, &Vec<f64>)| {
+            let [x1, y1, x2, y2] = self.numbers(row, || format!("{place}[{index}]"))?;
+            Ok([Point2::new(x1, y1), Point2::new(x2, y2)])
+        };
+        rows.iter().enumerate().map(segment).collect()
     }
 
     fn matrix<const COLUMNS: usize>(&self, rows: &Rows, place: &str) -> Result<[[f64; COLUMNS]; 3], InputError> {
@@ -315,12 +349,4 @@ fn cameras_agree(left: &Camera, right: &Camera) -> bool {
     let rotation = (left.rotation() - right.rotation()).amax();
     let translation = (left.translation() - right.translation()).norm();
     rotation <= SPELLINGS_AGREE && translation <= SPELLINGS_AGREE * left.translation().norm()
-}
-
-/// Index of the first line that differs; a line that only one list has differs.
-fn first_disagreement(left: &[Vector3<f64>], right: &[Vector3<f64>]) -> Option<usize> {
-    let agree = |(left, right): (&Vector3<f64>, &Vector3<f64>)| left.cross(right).norm() <= SPELLINGS_AGREE;
-    let common = left.len().min(right.len());
-    let differing = left.iter().zip(right).position(|pair| !agree(pair));
-    differing.or((left.len() != right.len()).then_some(common))
 }

@@ -13,10 +13,10 @@ use std::f64::consts::TAU;
 use nalgebra::{Point3, Vector3};
 
 use super::cylinder::Cylinder;
-use super::extent::{image_corners, visible_extent};
+use super::extent::{end_contacts, image_corners, visible_extent};
 use super::palette::{self, Colour, GIVEN, GREY};
 use super::scene::{CylinderLines, Scene};
-use super::view::{Camera, View, ViewingPlane};
+use super::view::{Camera, View};
 
 /// Facets of a surface: the middle of a facet is 0.1 % of the radius inside.
 const FACETS: usize = 72;
@@ -25,8 +25,9 @@ const FACETS: usize = 72;
 const PYRAMID: f64 = 0.15;
 
 /// The scene with its points, the cameras that see lines, and of each cylinder the visible part of its surface, without
-/// lids, and the viewing planes of its silhouette lines, from the camera to where they come nearest to the axis. Points on a
-/// surface have the colour of its cylinder, all others are grey.
+/// lids, and the viewing planes of its silhouette lines: from the camera to where their end points are on the surface, or,
+/// without these, to where they come nearest to the axis. Points on a surface have the colour of its cylinder, all others
+/// are grey.
 pub fn to_ply(scene: &Scene, found: &[(CylinderLines, Cylinder)]) -> Vec<u8> {
     let mut model = Model::default();
     for point in &scene.points {
@@ -36,8 +37,8 @@ pub fn to_ply(scene: &Scene, found: &[(CylinderLines, Cylinder)]) -> Vec<u8> {
     for (index, (lines, cylinder)) in found.iter().enumerate() {
         if let Some(extent) = visible_extent(cylinder, &lines.views, &scene.points) {
             model.add_surface(cylinder, extent, palette::series(index));
-            for plane in lines.views.iter().flat_map(View::planes) {
-                model.add_viewing_plane(cylinder, extent, &plane);
+            for view in &lines.views {
+                model.add_viewing_planes(cylinder, extent, view);
             }
         }
     }
@@ -72,12 +73,15 @@ impl Model {
         }
     }
 
-    fn add_viewing_plane(&mut self, cylinder: &Cylinder, extent: [f64; 2], plane: &ViewingPlane) {
-        let [bottom, top] = extent.map(|height| {
-            let point = cylinder.axis_at(height);
-            point - plane.normal * plane.normal.dot(&(point - plane.centre))
-        });
-        self.add_polygon(&[plane.centre, bottom, top], GIVEN);
+    fn add_viewing_planes(&mut self, cylinder: &Cylinder, extent: [f64; 2], view: &View) {
+        for (plane, contacts) in view.planes().zip(end_contacts(cylinder, view)) {
+            let in_plane = |height| {
+                let point = cylinder.axis_at(height);
+                point - plane.normal * plane.normal.dot(&(point - plane.centre))
+            };
+            let [bottom, top] = contacts.unwrap_or_else(|| extent.map(in_plane));
+            self.add_polygon(&[plane.centre, bottom, top], GIVEN);
+        }
     }
 
     /// A pyramid from the centre to the borders of the image.

@@ -92,7 +92,7 @@ pub struct ResidualReport {
     pub side: Side,
     /// Distance of the axis from the viewing plane minus the radius, world units.
     pub distance: f64,
-    /// Angle between the viewing plane and the nearest tangent plane, radians.
+    /// Angle between the viewing plane and the tangent plane of that side, radians.
     pub angle: f64,
     /// Distance in pixels; null without calibration.
     pub pixels: Option<f64>,

@@ -16,7 +16,7 @@
 //!   segment without name is a line by itself.
 //!
 //! The line of several segments is the one with the least sum of squared distances from all their end points, in pixels
-//! without distortion.
+//! without distortion. Its end points are the outermost of theirs, moved to it.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -26,10 +26,7 @@ use nalgebra::{Point2, Vector2, Vector3};
 use thiserror::Error;
 
 use super::photograph::Photograph;
-use super::view::{View, ViewError};
-
-/// End points nearer than this, pixels, give no direction.
-const SHORTEST: f64 = 1e-3;
+use super::view::{SHORTEST_SEGMENT, View, ViewError};
 
 /// Root mean square distance of the end points from their line, relative to that along it, from which on they are not
 /// pieces of one line: an angle of six degrees.
@@ -276,7 +273,7 @@ impl Columns {
         };
         let [x1, y1, x2, y2] = self.ends;
         let ends = [Point2::new(number(x1)?, number(y1)?), Point2::new(number(x2)?, number(y2)?)];
-        if (ends[1] - ends[0]).norm() < SHORTEST {
+        if (ends[1] - ends[0]).norm() < SHORTEST_SEGMENT {
             return Err(SegmentError::NoLength { file: file.to_owned(), row });
         }
         let label = |column: Option<usize>| column.and_then(text).map(str::to_owned);
@@ -319,9 +316,16 @@ impl Segments {
     }
 
     fn view(&self, photograph: &Photograph, lines: &[Pieces<'_>]) -> Result<View, SegmentError> {
-        let fitted = lines.iter().map(|pieces| self.fit(photograph, pieces)).collect::<Result<Vec<_>, _>>()?;
+        let fitted = lines.iter().map(|pieces| self.fit(photograph, pieces));
+        let (fitted, ends): (Vec<_>, Vec<_>) = fitted.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
+        let calibration = photograph.camera.calibration();
+        let normalised = |ends: [Point2<f64>; 2]| {
+            calibration.map(|calibration| ends.map(|end| calibration.point_to_normalised(&end)))
+        };
         let labels = lines.iter().map(|pieces| pieces.first.cylinder.clone()).collect();
-        let view = View::from_pixel_lines(photograph.camera, &fitted).and_then(|view| view.with_labels(labels));
+        let view = View::from_pixel_lines(photograph.camera, &fitted)
+            .and_then(|view| view.with_ends(ends.into_iter().map(normalised).collect()))
+            .and_then(|view| view.with_labels(labels));
         let (file, image) = (self.file.clone(), photograph.name.clone());
         match view {
             Ok(view) => Ok(view.with_image(image)),
@@ -329,8 +333,13 @@ impl Segments {
         }
     }
 
-    /// Total least squares through the end points: the line through their centroid along the main axis of their scatter.
-    fn fit(&self, photograph: &Photograph, pieces: &Pieces<'_>) -> Result<Vector3<f64>, SegmentError> {
+    /// Total least squares through the end points: the line through their centroid along the main axis of their scatter, and
+    /// the outermost of them on it, pixels.
+    fn fit(
+        &self,
+        photograph: &Photograph,
+        pieces: &Pieces<'_>,
+    ) -> Result<(Vector3<f64>, [Point2<f64>; 2]), SegmentError> {
         let mut points = Vec::with_capacity(2 + 2 * pieces.more.len());
         for segment in std::iter::once(&pieces.first).chain(&pieces.more) {
             for end in &segment.ends {
@@ -360,7 +369,11 @@ impl Segments {
             let line = pieces.first.line.clone().unwrap_or_default();
             return Err(SegmentError::Scattered { file, row, line });
         }
-        Ok(line)
+        let along = Vector2::new(cosine, sine);
+        let positions = points.iter().map(|point| along.dot(&(point.coords - centroid)));
+        let (first, last) = positions
+            .fold((f64::INFINITY, -f64::INFINITY), |(first, last), position| (first.min(position), last.max(position)));
+        Ok((line, [first, last].map(|position| Point2::from(centroid + along * position))))
     }
 
     fn undistort(

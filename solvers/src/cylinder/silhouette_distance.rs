@@ -2,16 +2,16 @@
 //!
 //! ```text
 //!              | silhouette
-//!        p1  o--->|                     p0, p1: support points of the given line, at +-h about its point
-//!           /  e1 |                             nearest to the principal point
+//!        p1  o--->|                     p0, p1: support points of the given line: its end points; where they are not
+//!           /  e1 |                             known, at +-h about its point nearest to the principal point
 //!          /      |                     e0, e1: their distances from the silhouette line, pixels or radians,
 //!     p0  o------>|                             positive on the side of the axis
 //!            e0
 //! ```
 //!
 //! A line has two degrees of freedom and both count: one point alone would leave its direction unused, and with cameras
-//! at one height the direction of the axis as well. The half-length `h` says how far the line was seen; end points that are
-//! independently off by `sigma` make `e0`, `e1` independent with deviation `sigma`, and least squares the maximum
+//! at one height the direction of the axis as well. The half-length `h` stands for how far the line was seen; end points
+//! that are independently off by `sigma` make `e0`, `e1` independent with deviation `sigma`, and least squares the maximum
 //! likelihood estimate.
 //!
 //! With `a` the perpendicular from the camera centre to the axis, `rho = |a|` and `b = w x a`, the tangent planes have
@@ -24,11 +24,11 @@
 
 use std::fmt;
 
-use nalgebra::{Matrix3, Point3, Vector2, Vector3};
+use nalgebra::{Matrix3, Point2, Point3, Vector2, Vector3};
 use serde::Serialize;
 use thiserror::Error;
 
-use super::cylinder::Cylinder;
+use super::cylinder::{Cylinder, Side};
 use super::view::{Camera, View};
 
 /// Half-length `h` of a line of which no end points are known, relative to the focal length: 300 pixels at a focal length
@@ -59,7 +59,7 @@ impl fmt::Display for DistanceUnit {
 pub struct Metric {
     /// Unit of the distances.
     pub unit: DistanceUnit,
-    /// Half of the length over which a line was seen, relative to the focal length.
+    /// Half of the length over which a line of unknown end points was seen, relative to the focal length.
     pub half_length: f64,
 }
 
@@ -104,16 +104,21 @@ impl Metric {
         let mut measured = Vec::new();
         for (index, view) in views.iter().enumerate() {
             let place = Place::new(view.camera(), self).ok_or(MetricError::NoCalibration { view: index })?;
-            for (line, coordinates) in view.lines().iter().enumerate() {
-                let rays = place.support_rays(coordinates);
-                if !rays.iter().all(|ray| ray.iter().all(|entry| entry.is_finite())) {
-                    return Err(MetricError::LineOutOfRange { view: index, line });
-                }
-                measured.push(MeasuredLine { view: index, centre: place.centre, rays, scale: place.scale });
+            for (line, (coordinates, ends)) in view.lines().iter().zip(view.ends()).enumerate() {
+                let points = ends.unwrap_or_else(|| place.support_points(coordinates));
+                let out_of_range = MetricError::LineOutOfRange { view: index, line };
+                measured.push(place.measured(index, &points).ok_or(out_of_range)?);
             }
         }
         Ok(measured)
     }
+}
+
+/// The lines of a view that have end points ready to be measured at these, in their order, `None` for the others: in pixels
+/// with a calibration, in radians without.
+pub(super) fn lines_with_ends(index: usize, view: &View) -> Vec<Option<MeasuredLine>> {
+    let place = Place::new(view.camera(), &Metric::of(std::slice::from_ref(view)));
+    view.ends().iter().map(|ends| place.as_ref()?.measured(index, ends.as_ref()?)).collect()
 }
 
 /// A camera as a metric sees it.
@@ -121,8 +126,7 @@ struct Place {
     centre: Point3<f64>,
     /// `K^-1`; `K = I` for radians.
     inverse: Matrix3<f64>,
-    /// `R^T K^-1`, image point to ray.
-    to_ray: Matrix3<f64>,
+    rotation: Matrix3<f64>,
     /// `B`.
     scale: Matrix3<f64>,
     /// Principal point.
@@ -147,7 +151,7 @@ impl Place {
         Some(Self {
             centre: camera.centre(),
             inverse,
-            to_ray: camera.rotation().tr_mul(&inverse),
+            rotation: *camera.rotation(),
             scale,
             principal: calibration.column(2).xy(),
             half_length: metric.half_length * (calibration[(0, 0)] * calibration[(1, 1)]).abs().sqrt(),
@@ -155,19 +159,26 @@ impl Place {
         })
     }
 
-    /// Rays to the support points of a line in normalised coordinates.
-    fn support_rays(&self, line: &Vector3<f64>) -> [Vector3<f64>; 2] {
+    /// The support points of a line without end points, normalised coordinates.
+    fn support_points(&self, line: &Vector3<f64>) -> [Point2<f64>; 2] {
         let line = self.inverse.tr_mul(line);
         let line = line / line.xy().norm();
         let foot = self.principal - line.xy() * line.dot(&self.principal.push(1.0));
         let along = Vector2::new(-line.y, line.x) * self.half_length;
-        [foot - along, foot + along].map(|point| {
-            let ray = self.to_ray * point.push(1.0);
+        [foot - along, foot + along].map(|point| Point2::from((self.inverse * point.push(1.0)).xy()))
+    }
+
+    /// The line through two support points, normalised coordinates; `None` where they are out of range.
+    fn measured(&self, view: usize, points: &[Point2<f64>; 2]) -> Option<MeasuredLine> {
+        let rays = points.map(|point| {
+            let ray = self.rotation.tr_mul(&point.to_homogeneous());
             match self.unit {
                 DistanceUnit::Pixels => ray,
                 DistanceUnit::Radians => ray.normalize(),
             }
-        })
+        });
+        let finite = rays.iter().all(|ray| ray.iter().all(|entry| entry.is_finite()));
+        finite.then_some(MeasuredLine { view, centre: self.centre, rays, scale: self.scale })
     }
 }
 
@@ -206,6 +217,11 @@ impl SilhouetteDistance {
     pub(super) fn mean_square(&self) -> f64 {
         self.distances.norm_squared() / 2.0
     }
+
+    /// The silhouette: planes with positive `side` are the first of [`Cylinder::silhouette`].
+    pub(super) fn side(&self) -> Side {
+        if self.side > 0.0 { Side::Right } else { Side::Left }
+    }
 }
 
 impl MeasuredLine {
@@ -224,6 +240,15 @@ impl MeasuredLine {
         self.centre + self.middle() * distance.depth
     }
 
+    /// The points on the rays to the two support points that are nearest to where the surface is seen along the silhouette;
+    /// `None` where one is behind the camera, or the ray runs along the axis.
+    pub(super) fn contacts(&self, cylinder: &Cylinder, distance: &SilhouetteDistance) -> Option<[Point3<f64>; 2]> {
+        let to_contact_line = cylinder.vector_to_axis(&self.centre) - distance.normal * cylinder.radius;
+        let depths = self.rays.map(|ray| depth(&ray, cylinder, &to_contact_line));
+        let seen = depths.iter().all(|depth| *depth > 0.0 && depth.is_finite());
+        seen.then(|| [0, 1].map(|end| self.centre + self.rays[end] * depths[end]))
+    }
+
     /// Distance from the nearer silhouette line, or `None` when the camera is not outside the cylinder.
     pub(super) fn distance(&self, cylinder: &Cylinder) -> Option<SilhouetteDistance> {
         let to_axis = cylinder.vector_to_axis(&self.centre);
@@ -236,12 +261,11 @@ impl MeasuredLine {
         let tangent_length = ((norm - radius) * (norm + radius)).sqrt();
         let across = cylinder.direction.cross(&to_axis);
         let middle = self.middle();
-        let middle_across = middle - cylinder.direction.into_inner() * cylinder.direction.dot(&middle);
         let measured = |side: f64| {
             let normal = (to_axis * radius + across * (side * tangent_length)) / square;
             let scale = (self.scale * normal).norm();
             let distances = Vector2::new(normal.dot(&self.rays[0]), normal.dot(&self.rays[1])) / scale;
-            let depth = middle.dot(&(to_axis - normal * radius)) / middle_across.norm_squared();
+            let depth = depth(&middle, cylinder, &(to_axis - normal * radius));
             SilhouetteDistance { distances, depth, normal, side }
         };
         let (left, right) = (measured(1.0), measured(-1.0));
@@ -279,4 +303,11 @@ impl MeasuredLine {
         let moved = Vector2::new(d_normal.dot(&self.rays[0]), d_normal.dot(&self.rays[1]));
         moved / scale_square.sqrt() - distance.distances * slope
     }
+}
+
+/// Where a ray comes nearest to a line along the axis, in units of the ray; `to_line` is the perpendicular to that line from the
+/// start of the ray.
+fn depth(ray: &Vector3<f64>, cylinder: &Cylinder, to_line: &Vector3<f64>) -> f64 {
+    let across = ray - cylinder.direction.into_inner() * cylinder.direction.dot(ray);
+    ray.dot(to_line) / across.norm_squared()
 }

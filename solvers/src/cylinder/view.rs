@@ -9,12 +9,15 @@
 //!
 //! and the viewing plane of a silhouette line is tangent to the cylinder.
 
-use nalgebra::{Matrix3, Matrix3x4, Point2, Point3, Vector3};
+use nalgebra::{Matrix3, Matrix3x4, Point2, Point3, Vector2, Vector3};
 use thiserror::Error;
 
 /// Largest accepted entry of `M^T M / s^2 - I` for the left 3x3 part `M` of a camera, `s` its mean row norm. It admits
 /// rotations written with four digits and refuses a camera that still contains its calibration.
 const ROTATION_TOLERANCE: f64 = 1e-3;
+
+/// End points nearer than this, pixels, give no direction.
+pub(super) const SHORTEST_SEGMENT: f64 = 1e-3;
 
 /// Upper triangular calibration matrix, pixels.
 ///
@@ -38,11 +41,13 @@ pub struct Camera {
 }
 
 /// A camera and the silhouette lines seen in it: unit 3-vectors, in normalised image coordinates. Knows the name of its
-/// image and which cylinder each line belongs to, where the input says so.
+/// image, and of each line its end points and which cylinder it belongs to, where the input says so.
 #[derive(Clone, Debug, PartialEq)]
 pub struct View {
     camera: Camera,
     lines: Vec<Vector3<f64>>,
+    /// One for each line: two different points on it, normalised image coordinates.
+    ends: Vec<Option<[Point2<f64>; 2]>>,
     /// One for each line.
     labels: Vec<Option<String>>,
     image: Option<String>,
@@ -86,6 +91,26 @@ pub enum ViewError {
     LineWithoutDirection {
         /// Index of the line in its view.
         line: usize,
+    },
+    /// An end point has a coordinate that is NaN, infinite or out of range.
+    #[error("line {line} has an end point that is not finite, or out of range")]
+    EndNotFinite {
+        /// Index of the line in its view.
+        line: usize,
+    },
+    /// The end points of a line coincide.
+    #[error("line {line} has no length: its end points coincide")]
+    NoLength {
+        /// Index of the line in its view.
+        line: usize,
+    },
+    /// Not one pair of end points, or `None`, for each line.
+    #[error("{ends} pairs of end points for {lines} line(s)")]
+    EndCount {
+        /// Number of lines.
+        lines: usize,
+        /// Number of pairs, `None` included.
+        ends: usize,
     },
     /// Lines in pixels were given with a camera that has no calibration.
     #[error("lines in pixels need a calibration")]
@@ -240,8 +265,51 @@ impl View {
         Ok(Self::new(camera, lines.iter().enumerate().map(normalise).collect::<Result<_, _>>()?))
     }
 
+    /// A view with the lines through pairs of points, which become their end points; pixels without distortion.
+    ///
+    /// # Errors
+    /// [`ViewError::EndNotFinite`], [`ViewError::NoLength`] below a thousandth of a pixel, and as
+    /// [`View::from_pixel_lines`].
+    pub fn from_pixel_segments(camera: Camera, segments: &[[Point2<f64>; 2]]) -> Result<Self, ViewError> {
+        let calibration = *camera.calibration().ok_or(ViewError::NoCalibration)?;
+        for (line, segment) in segments.iter().enumerate() {
+            let length = (segment[1] - segment[0]).norm();
+            if !length.is_finite() {
+                return Err(ViewError::EndNotFinite { line });
+            }
+            if length < SHORTEST_SEGMENT {
+                return Err(ViewError::NoLength { line });
+            }
+        }
+        let lines: Vec<_> = segments.iter().map(|[start, end]| line_through(start, end)).collect();
+        let ends = segments.iter().map(|ends| Some(ends.map(|end| calibration.point_to_normalised(&end)))).collect();
+        Self::from_pixel_lines(camera, &lines)?.with_ends(ends)
+    }
+
     fn new(camera: Camera, lines: Vec<Vector3<f64>>) -> Self {
-        Self { camera, labels: vec![None; lines.len()], lines, image: None }
+        let count = lines.len();
+        Self { camera, lines, ends: vec![None; count], labels: vec![None; count], image: None }
+    }
+
+    /// The same view, with the end points of the lines of which they are known, normalised image coordinates without
+    /// distortion. They are moved to the nearest points of their lines.
+    ///
+    /// # Errors
+    /// [`ViewError::EndCount`], [`ViewError::EndNotFinite`], [`ViewError::NoLength`].
+    pub fn with_ends(self, ends: Vec<Option<[Point2<f64>; 2]>>) -> Result<Self, ViewError> {
+        if ends.len() != self.lines.len() {
+            return Err(ViewError::EndCount { lines: self.lines.len(), ends: ends.len() });
+        }
+        let on_line = |(line, ends): (usize, Option<[Point2<f64>; 2]>)| {
+            let Some(ends) = ends else { return Ok(None) };
+            let ends = ends.map(|end| nearest_on_line(&self.lines[line], &end));
+            if !ends.iter().all(|end| end.iter().all(|coordinate| coordinate.is_finite())) {
+                return Err(ViewError::EndNotFinite { line });
+            }
+            if ends[0] == ends[1] { Err(ViewError::NoLength { line }) } else { Ok(Some(ends)) }
+        };
+        let ends = ends.into_iter().enumerate().map(on_line).collect::<Result<_, _>>()?;
+        Ok(Self { ends, ..self })
     }
 
     /// The same view, with the name of its image.
@@ -263,6 +331,7 @@ impl View {
     /// Adds the lines of a view of the same image.
     pub(super) fn append(&mut self, other: Self) {
         self.lines.extend(other.lines);
+        self.ends.extend(other.ends);
         self.labels.extend(other.labels);
     }
 
@@ -277,6 +346,7 @@ impl View {
         Self {
             camera: self.camera,
             lines: indices.iter().map(|&line| self.lines[line]).collect(),
+            ends: indices.iter().map(|&line| self.ends[line]).collect(),
             labels: indices.iter().map(|&line| self.labels[line].clone()).collect(),
             image: self.image.clone(),
         }
@@ -290,6 +360,12 @@ impl View {
     /// The lines, of unit length, in normalised image coordinates.
     pub fn lines(&self) -> &[Vector3<f64>] {
         &self.lines
+    }
+
+    /// The end points of the lines, one pair for each line where they are known: on the line, normalised image coordinates
+    /// without distortion.
+    pub fn ends(&self) -> &[Option<[Point2<f64>; 2]>] {
+        &self.ends
     }
 
     /// The labels of the cylinders to which the lines belong, one for each line.
@@ -318,6 +394,17 @@ fn unit_line(index: usize, line: &Vector3<f64>) -> Result<Vector3<f64>, ViewErro
         return Err(ViewError::LineWithoutDirection { line: index });
     }
     Ok((line / line.amax()).normalize())
+}
+
+/// The line through two points, the normal of unit length.
+fn line_through(start: &Point2<f64>, end: &Point2<f64>) -> Vector3<f64> {
+    let along = (end - start).normalize();
+    let normal = Vector2::new(-along.y, along.x);
+    normal.push(-normal.dot(&nalgebra::center(start, end).coords))
+}
+
+fn nearest_on_line(line: &Vector3<f64>, point: &Point2<f64>) -> Point2<f64> {
+    point - line.xy() * (line.dot(&point.to_homogeneous()) / line.xy().norm_squared())
 }
 
 /// Nearest rotation to a matrix that is one up to [`ROTATION_TOLERANCE`]: Newton's iteration `R <- R (3 I - R^T R) / 2`

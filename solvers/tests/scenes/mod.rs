@@ -100,7 +100,8 @@ impl Motion {
         if let Some(calibration) = camera.calibration() {
             moved = moved.with_calibration(*calibration);
         }
-        View::from_normalised_lines(moved, view.lines()).expect("lines")
+        let moved = View::from_normalised_lines(moved, view.lines()).expect("lines");
+        moved.with_ends(view.ends().to_vec()).expect("end points")
     }
 }
 
@@ -118,7 +119,8 @@ fn camera_matrix(rotation: &Matrix3<f64>, translation: &Vector3<f64>) -> Matrix3
 pub(crate) fn without_calibration(view: &View) -> View {
     let camera = view.camera();
     let camera = Camera::from_normalised(&camera_matrix(camera.rotation(), camera.translation())).expect("a camera");
-    View::from_normalised_lines(camera, view.lines()).expect("lines")
+    let lines = View::from_normalised_lines(camera, view.lines()).expect("lines");
+    lines.with_ends(view.ends().to_vec()).expect("end points")
 }
 
 /// The same viewing planes, in a camera that is turned by half a turn about its y axis.

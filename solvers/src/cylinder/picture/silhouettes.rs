@@ -24,10 +24,17 @@ pub struct SilhouettePicture {
     title: String,
     unit: &'static str,
     window: Window,
-    given: Vec<Vector3<f64>>,
+    given: Vec<Given>,
     /// Index of the cylinder, how its legend begins, silhouettes and axis.
     found: Vec<(usize, String, [Vector3<f64>; 3])>,
     points: Vec<(Point2<f64>, palette::Colour)>,
+}
+
+/// A line as it was given.
+#[derive(Clone, Copy, Debug)]
+enum Given {
+    Line(Vector3<f64>),
+    Segment([Point2<f64>; 2]),
 }
 
 impl SilhouettePicture {
@@ -47,6 +54,10 @@ impl SilhouettePicture {
             let label = lines.label.as_ref().map_or(String::new(), |label| format!("{label}: "));
             Some((number, label, [right, left, axis(cylinder, camera)].map(|silhouette| line(&silhouette))))
         };
+        let given = |(given, ends): (&Vector3<f64>, &Option<[Point2<f64>; 2]>)| match ends {
+            Some(ends) => Given::Segment([point(&ends[0]), point(&ends[1])]),
+            None => Given::Line(line(given)),
+        };
         let pixel = |world: &Point3<f64>| {
             let seen = camera.rotation() * world.coords + camera.translation();
             let image = (seen.z > 0.0).then(|| point(&Point2::from(seen.xy() / seen.z)))?;
@@ -57,7 +68,7 @@ impl SilhouettePicture {
             title: view.image().map_or(format!("view {index}"), str::to_owned),
             unit: if calibration.is_some() { "pixels" } else { "normalised" },
             window,
-            given: view.lines().iter().map(line).collect(),
+            given: view.lines().iter().zip(view.ends()).map(given).collect(),
             found: found.iter().enumerate().filter_map(seen).collect(),
             points: scene.points.iter().filter_map(pixel).collect(),
         })
@@ -113,10 +124,11 @@ impl Picture for SilhouettePicture {
         for (point, colour) in &self.points {
             area.draw(&Dot::new((point.x, point.y), units(1.0), rgb(*colour).filled()))?;
         }
-        let line = |line: &Vector3<f64>, style: ShapeStyle| {
-            let path = self.window.line(line).map(|ends| PathElement::new(ends.map(|end| (end.x, end.y)), style));
+        let segment = |ends: Option<[Point2<f64>; 2]>, style: ShapeStyle| {
+            let path = ends.map(|ends| PathElement::new(ends.map(|end| (end.x, end.y)), style));
             path.iter().try_for_each(|path| area.draw(path))
         };
+        let line = |line: &Vector3<f64>, style: ShapeStyle| segment(self.window.line(line), style);
         for (number, _, [right, left, axis]) in &self.found {
             let colour = rgb(palette::series(*number));
             line(right, stroke(colour, 3.5))?;
@@ -124,7 +136,13 @@ impl Picture for SilhouettePicture {
             line(axis, stroke(colour.mix(0.6), 1.0))?;
         }
         // Thinner and above, so that both are seen where they agree.
-        self.given.iter().try_for_each(|given| line(given, stroke(rgb(GIVEN), 1.5)))?;
+        for given in &self.given {
+            let inside = match given {
+                Given::Line(line) => self.window.line(line),
+                Given::Segment(ends) => self.window.segment(*ends),
+            };
+            segment(inside, stroke(rgb(GIVEN), 1.5))?;
+        }
         let corners = [self.window.low, self.window.high].map(|corner| (corner.x, corner.y));
         area.draw(&plotters::element::Rectangle::new(corners, stroke(rgb(GREY), 1.0)))
     }
