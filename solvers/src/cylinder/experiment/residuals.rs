@@ -16,6 +16,9 @@ use crate::cylinder::{Circle, ClosedForm, LeastSquares, LinearConic, Minimal, Se
 
 const RUNS: usize = 100_000;
 
+/// Exact results have no logarithm; they are drawn as this, below all others.
+const ZERO: f64 = 1e-18;
+
 /// Lines of the methods that take any number; the others take the first three.
 const LINES: usize = 20;
 
@@ -51,14 +54,15 @@ pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
             table.push(name.into_iter().chain(quantiles).chain([sample.count_above(1e-8).into()]));
         }
         outcome.tables.push(table);
-        let logarithms =
-            |method: usize| results.iter().map(move |result| of(&result[method]).max(f64::MIN_POSITIVE).log10());
+        let logarithms = |method: usize| results.iter().map(move |result| of(&result[method]).max(ZERO).log10());
         let samples = |(method, (solver, _)): (usize, (&dyn SectionSolver, _))| {
             (solver.name().to_owned(), logarithms(method).collect())
         };
         let samples: Vec<(String, Vec<f64>)> = METHODS.into_iter().enumerate().map(samples).collect();
-        let label =
-            format!("log10 of the {}", if title == "error" { "relative error" } else { "largest absolute residual" });
+        let label = format!(
+            "log10 of the {} (0 as 1e-18)",
+            if title == "error" { "relative error" } else { "largest absolute residual" }
+        );
         let histogram = Histogram { title: format!("noise-free {title}s, {runs} runs"), label, samples, bins: 80 };
         outcome.draw(title, &histogram)?;
     }
