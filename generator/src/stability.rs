@@ -1,5 +1,7 @@
 //! Runs an interpreted plan on random real instances and measures what it finds.
 
+mod shared_value;
+
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
 use crate::arithmetic::Float64;
@@ -72,6 +74,10 @@ const MAX_RESIDUAL: f64 = 1e-10;
 const VANISHING: f64 = 1e-8;
 /// Newton steps at most.
 const POLISH_STEPS: usize = 8;
+/// A relative residual above this after a step has a cause other than rounding.
+const STALLED: f64 = 1e-12;
+/// An unknown this small relative to the largest one may be the rounding noise of zero.
+const NOISE: f64 = 1e-12;
 /// Two solutions are the same when every unknown agrees to this relative distance.
 const SAME: f64 = 1e-8;
 /// An unknown this small relative to the largest one may be the rounding noise of zero.
@@ -90,29 +96,33 @@ pub fn solve(plan: &Plan, inputs: &[f64]) -> Option<Vec<(Point, f64)>> {
         return None;
     }
     let values = eigenvalues(&complex)?;
-    let mut found: Vec<(Point, f64)> = Vec::new();
-    for &value in values.iter() {
-        let Some(mut point) =
-            eigenvector(&complex, value).and_then(|vector| unknowns(plan, &c, value, &vector, &(&read * &vector)))
-        else {
-            continue;
-        };
+    let solution = |(value, vector): (Complex<f64>, DVector<Complex<f64>>)| {
+        let mut point = unknowns(plan, &c, value, &vector, &(&read * &vector))?;
         let residual = polish(plan, &c, &mut point);
         let admissible = plan.nonzero.iter().all(|factor| {
             let (value, scale, _) = evaluate(factor, &c, &point);
             value.norm() > VANISHING * scale
         });
-        if !(residual <= MAX_RESIDUAL && admissible) {
-            continue;
-        }
-        match found.iter_mut().find(|(known, _)| is_same(known, &point)) {
-            Some(known) if residual < known.1 => *known = (point, residual),
-            Some(_) => {}
-            None => found.push((point, residual)),
-        }
+        (residual <= MAX_RESIDUAL && admissible).then_some((point, residual))
+    };
+    let mut found = Vec::new();
+    let eigenpairs = values.iter().filter_map(|&value| Some((value, eigenvector(&complex, value)?)));
+    eigenpairs.filter_map(solution).for_each(|solution| add(&mut found, solution));
+    if found.len() < values.len() {
+        let eigenpairs = shared_value::eigenpairs(&complex, &read, &plan.extractions, &values);
+        eigenpairs.into_iter().filter_map(solution).for_each(|solution| add(&mut found, solution));
     }
     found.truncate(plan.solutions);
     Some(found)
+}
+
+/// Of two that are the same the one with the smaller residual stays.
+fn add(found: &mut Vec<(Point, f64)>, solution: (Point, f64)) {
+    match found.iter_mut().find(|(known, _)| is_same(known, &solution.0)) {
+        Some(known) if solution.1 < known.1 => *known = solution,
+        Some(_) => {}
+        None => found.push(solution),
+    }
 }
 
 fn is_same(a: &Point, b: &Point) -> bool {
@@ -200,7 +210,8 @@ fn evaluate(terms: &[Term], c: &[f64], x: &Point) -> (Complex<f64>, f64, Point) 
     (value, scale, gradient)
 }
 
-/// Gauss-Newton on all equations while it lowers the relative residual, which is returned.
+/// Gauss-Newton on all equations while it lowers the relative residual, which is returned. A step that leaves a high residual is tried again
+/// with unknowns at the level of noise set to zero.
 fn polish(plan: &Plan, c: &[f64], point: &mut Point) -> f64 {
     let evaluate_all = |x: &Point| plan.equations.iter().map(|terms| evaluate(terms, c, x)).collect::<Vec<_>>();
     let worst = |all: &[(Complex<f64>, f64, Point)]| {
@@ -211,17 +222,27 @@ fn polish(plan: &Plan, c: &[f64], point: &mut Point) -> f64 {
         // A NaN must not pass for a small residual.
         all.iter().map(relative).fold(0.0, |worst: f64, r| if worst.is_nan() || r <= worst { worst } else { r })
     };
+    let weight = |(_, scale, gradient): &(Complex<f64>, f64, Point)| {
+        let size = if *scale > 0.0 { *scale } else { gradient.iter().map(|x| x.norm()).fold(0.0, f64::max) };
+        Complex::new(if size > 0.0 { 1.0 / size } else { 0.0 }, 0.0)
+    };
     let mut all = evaluate_all(point);
     let mut best = worst(&all);
     for _ in 0..POLISH_STEPS {
-        let weight = |e: usize| Complex::new(if all[e].1 > 0.0 { 1.0 / all[e].1 } else { 0.0 }, 0.0);
-        let jacobian = DMatrix::from_fn(all.len(), point.len(), |e, j| all[e].2[j] * weight(e));
-        let right = DVector::from_fn(all.len(), |e, _| all[e].0 * weight(e));
+        let weights: Vec<Complex<f64>> = all.iter().map(weight).collect();
+        let jacobian = DMatrix::from_fn(all.len(), point.len(), |e, j| all[e].2[j] * weights[e]);
+        let right = DVector::from_fn(all.len(), |e, _| all[e].0 * weights[e]);
         let qr = jacobian.qr();
         let Some(step) = qr.r().solve_upper_triangular(&(qr.q().adjoint() * right)) else { break };
-        let moved: Point = point.iter().zip(step.iter()).map(|(x, s)| x - s).collect();
-        let next = evaluate_all(&moved);
-        let residual = worst(&next);
+        let mut moved: Point = point.iter().zip(step.iter()).map(|(x, s)| x - s).collect();
+        let mut next = evaluate_all(&moved);
+        let mut residual = worst(&next);
+        if best > STALLED && (residual.is_nan() || residual >= best) {
+            let noise = NOISE * moved.iter().map(|x| x.norm()).fold(0.0, f64::max);
+            moved.iter_mut().filter(|x| x.norm() <= noise).for_each(|x| *x = Complex::ZERO);
+            next = evaluate_all(&moved);
+            residual = worst(&next);
+        }
         let lower = residual < best;
         if !lower {
             break;

@@ -1,7 +1,10 @@
 //! Data whose solutions share a value of the action monomial, and data with a double solution.
 
+use eliminant::Complex;
 use eliminant_generator::instance::Random;
+use eliminant_generator::stability;
 use eliminant_tests::ground_truth::{Line, gram, minimal_conic, minimal_data, null_space, relative_error, uniform};
+use eliminant_tests::statistics::same_set;
 use eliminant_tests::{Case, cases};
 use nalgebra::{Matrix2, Rotation2, Vector2};
 
@@ -92,25 +95,28 @@ fn all_circles_of_symmetric_triangles_are_found() {
     }
 }
 
-/// Two pairs of points, each with one x, real or conjugate, and two conics of the pencil through them.
+/// Two conics of the pencil through two pairs of points, each pair with one x, real or conjugate; and the real ones of the points.
+fn conics_with_shared_x(random: &mut Random, pairs: [bool; 2]) -> (Vec<f64>, Vec<Vec<f64>>) {
+    let (mut truths, mut rows) = (Vec::new(), Vec::new());
+    for real in pairs {
+        let [x, y, d] = [0; 3].map(|_| random.symmetric_unit());
+        // Half the sum and half the difference of (x^2, x y, y^2, x, y, 1) at y + d and y - d, or y + i d and y - i d,
+        // divided by d or i d.
+        let square = if real { d * d } else { -d * d };
+        rows.push(vec![x * x, x * y, y * y + square, x, y, 1.0]);
+        rows.push(vec![0.0, x, 2.0 * y, 0.0, 1.0, 0.0]);
+        truths.extend([y - d, y + d].into_iter().filter(|_| real).map(|y| vec![x, y]));
+    }
+    (null_space(&rows).concat(), truths)
+}
+
 #[test]
 fn conics_that_meet_in_points_with_the_same_x() {
     let conics = case("two_conics");
     for pairs in [[true, true], [true, false], [false, false]] {
         let mut incomplete = [0; 2];
         for k in 0..INSTANCES {
-            let mut random = Random::new(61_000_000 + k);
-            let (mut truths, mut rows) = (Vec::new(), Vec::new());
-            for real in pairs {
-                let [x, y, d] = [0; 3].map(|_| random.symmetric_unit());
-                // Half the sum and half the difference of (x^2, x y, y^2, x, y, 1) at y + d and y - d, or y + i d and
-                // y - i d, divided by d or i d.
-                let square = if real { d * d } else { -d * d };
-                rows.push(vec![x * x, x * y, y * y + square, x, y, 1.0]);
-                rows.push(vec![0.0, x, 2.0 * y, 0.0, 1.0, 0.0]);
-                truths.extend([y - d, y + d].into_iter().filter(|_| real).map(|y| vec![x, y]));
-            }
-            let data = null_space(&rows).concat();
+            let (data, truths) = conics_with_shared_x(&mut Random::new(61_000_000 + k), pairs);
             let real = (conics.solve)(&data).unwrap_or_default();
             let all = (conics.solve_complex)(&data).unwrap_or_default();
             incomplete[0] += usize::from(count_found(&truths, &real) != truths.len() || real.len() != truths.len());
@@ -175,5 +181,45 @@ fn trilateration_from_points_at_one_height() {
         }
         println!("height {height}: [none, one, both] found on {counts:?} of {INSTANCES}");
         assert!(counts[2] * 1000 >= INSTANCES as usize * 999, "{counts:?}");
+    }
+}
+
+/// The interpreted solver, by which templates are judged, finds what the emitted one finds: with shared values, and with
+/// solutions that have an unknown zero.
+#[test]
+fn interpreted_and_emitted_find_the_same() {
+    type Draw = fn(&mut Random) -> Vec<f64>;
+    let triangle: Draw = |random| {
+        let (half_base, height) = (uniform(random, 0.5, 2.0), uniform(random, 0.5, 4.0));
+        let turn = turn(random, true);
+        let shift = Vector2::from_fn(|_, _| uniform(random, -2.0, 2.0));
+        gram(&isosceles(half_base, height, turn, shift).0)
+    };
+    let shared: Draw = |random| {
+        let pairs = [random.below(2) == 0, random.below(2) == 0];
+        conics_with_shared_x(random, pairs).0
+    };
+    // y divides the first equation.
+    let zero: Draw = |random| {
+        let mut conics = [0; 12].map(|_| random.symmetric_unit());
+        [0, 3, 5].into_iter().for_each(|at| conics[at] = 0.0);
+        conics.to_vec()
+    };
+    for (name, draw) in [("circle_least_squares_dual", triangle), ("two_conics", shared), ("two_conics", zero)] {
+        let case = case(name);
+        let plan = case.planned().plan;
+        let (mut counts, mut different) = ([0; 2], 0);
+        for k in 0..INSTANCES {
+            let data = draw(&mut Random::new(64_000_000 + k));
+            let emitted = (case.solve_complex)(&data).unwrap_or_default();
+            let interpreted = stability::solve(&plan, &data).unwrap_or_default();
+            let interpreted: Vec<Vec<Complex<f64>>> = interpreted.into_iter().map(|(point, _)| point).collect();
+            counts[0] += emitted.len();
+            counts[1] += interpreted.len();
+            different += usize::from(!same_set(&emitted, &interpreted, FOUND));
+        }
+        println!("{name}: [emitted, interpreted] find {counts:?}, differently on {different} of {INSTANCES}");
+        assert!(counts[0] * 2 > plan.solutions * INSTANCES as usize, "{name}: {counts:?}");
+        assert!(different * 100 <= INSTANCES as usize, "{name}: {different}");
     }
 }
