@@ -149,7 +149,8 @@ fn rank_deficient_gram_matrices_are_refused_or_solved() {
     }
 }
 
-/// One common factor of all data, down to subnormal numbers and up to overflow.
+/// One common factor of all data, down to subnormal numbers and up to overflow. Up to ten orders of magnitude all solutions are found. Where the
+/// data are lengths, monomials of a basis differ by powers of the factor, and beyond the square of 1e10 no eigenvector in `f64` holds both.
 #[test]
 fn huge_and_tiny_data_are_refused_or_solved() {
     for subject in subjects() {
@@ -165,7 +166,7 @@ fn huge_and_tiny_data_are_refused_or_solved() {
         }
         let range = (solved.iter().min(), solved.iter().max());
         println!("{}: all solutions found at scales 10^ {range:?}", subject.case.name);
-        assert!(solved.contains(&0) && solved.contains(&-20) && solved.contains(&20), "{}", subject.case.name);
+        assert!(solved.contains(&0) && solved.contains(&-10) && solved.contains(&10), "{}", subject.case.name);
     }
 }
 
