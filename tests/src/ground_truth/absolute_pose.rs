@@ -1,0 +1,108 @@
+//! Pose of a camera from points of known position.
+
+use std::array::from_fn;
+
+use eliminant_generator::instance::Random;
+use nalgebra::{Vector2, Vector3};
+
+use super::cameras::{camera, distorted, image, in_ball, quaternion};
+use super::{KnownInstance, Maker, null_space, projective_error, relative_error, solved, uniform};
+
+pub(super) fn makers() -> Vec<Maker> {
+    vec![
+        Maker {
+            name: "pose_35pt_focal",
+            make: three_and_a_half_points,
+            error: |_, solution, truth| relative_error(solution, truth),
+        },
+        Maker {
+            name: "pose_4pt_focal_radial",
+            make: |random| {
+                let RadialPose { null_vectors, lower, weights: [w, z, y], radial } = RadialPose::draw(random);
+                let upper = (0..8).filter(|i| i % 4 < 3).flat_map(|i| from_fn::<f64, 4, _>(|c| null_vectors[c][i]));
+                let data = upper.chain(lower.into_iter().flatten()).collect();
+                KnownInstance { data, truths: vec![vec![w, radial, y, z]] }
+            },
+            error: |_, s, truth| {
+                let matrix = projective_error(&[s[0], s[2], s[3], 1.0], &[truth[0], truth[2], truth[3], 1.0]);
+                matrix.max(relative_error(&s[1..2], &truth[1..2]))
+            },
+        },
+        Maker {
+            name: "pose_4pt_focal_radial_cut",
+            make: |random| {
+                let RadialPose { null_vectors, lower, weights: [x, y, z], radial } = RadialPose::draw(random);
+                let upper = [0, 4, 1, 5, 2, 6].into_iter().flat_map(|i| from_fn::<f64, 4, _>(|c| null_vectors[c][i]));
+                let lower = lower.iter().flat_map(|row| [0, 1, 2, 4, 5, 6, 7, 3].map(|c| row[c]));
+                KnownInstance { data: upper.chain(lower).collect(), truths: vec![vec![radial, x, y, z]] }
+            },
+            error: |_, s, truth| {
+                let matrix = projective_error(&[s[1], s[2], s[3], 1.0], &[truth[1], truth[2], truth[3], 1.0]);
+                matrix.max(relative_error(&s[..1], &truth[..1]))
+            },
+        },
+    ]
+}
+
+/// Points in the unit ball, their image coordinates for a focal length of 0.5 to 3; the rotation without its turn about the optical axis.
+fn three_and_a_half_points(random: &mut Random) -> KnownInstance {
+    let (rotation, translation) = camera(random);
+    let focal = uniform(random, 0.5, 3.0);
+    let points: Vec<Vector3<f64>> = (0..4).map(|_| in_ball(random)).collect();
+    let images: Vec<Vector2<f64>> = points.iter().map(|x| image(&(rotation * x + translation), focal)).collect();
+    let [w, x, y, z] = quaternion(&rotation);
+    // (w, x, y, z) = (w, 0, 0, z) (1, truth, 0).
+    let truth = vec![(w * x + z * y) / (w * w + z * z), (w * y - z * x) / (w * w + z * z)];
+    let horizontal = images.iter().map(|x| x[0]);
+    let vertical = images[..3].iter().map(|x| x[1]);
+    let data = points.iter().flat_map(|x| x.data.0[0]).chain(horizontal).chain(vertical).collect();
+    KnownInstance { data, truths: vec![truth] }
+}
+
+/// The camera P = diag(1, 1, 1/f) [R t], up to scale, by four distorted image points.
+struct RadialPose {
+    /// The first two rows of P, one after the other, are a combination of these, the last with coefficient 1.
+    null_vectors: Vec<Vec<f64>>,
+    /// The first three entries of the third row, in the coefficients of the null vectors, then radial times these.
+    lower: Vec<Vec<f64>>,
+    /// The coefficients of the first three null vectors.
+    weights: [f64; 3],
+    /// Of the division model.
+    radial: f64,
+}
+
+impl RadialPose {
+    fn draw(random: &mut Random) -> Self {
+        let (rotation, translation) = camera(random);
+        let (focal, radial) = (uniform(random, 0.5, 3.0), -uniform(random, 0.05, 0.5) / 9.0);
+        let points: Vec<Vector3<f64>> = (0..4).map(|_| in_ball(random)).collect();
+        let images: Vec<Vector2<f64>> =
+            points.iter().map(|x| distorted(image(&(rotation * x + translation), focal), radial)).collect();
+        let homogeneous = |x: &Vector3<f64>| [x[0], x[1], x[2], 1.0];
+        let rows: Vec<Vec<f64>> = points
+            .iter()
+            .zip(&images)
+            .map(|(x, q)| [homogeneous(x).map(|x| q[1] * x), homogeneous(x).map(|x| -q[0] * x)].concat())
+            .collect();
+        let null_vectors = null_space(&rows);
+        // (third row) . X = (1 + radial |q|^2) (row of the larger image coordinate) . X / that coordinate.
+        let right = |(x, q): (&Vector3<f64>, &Vector2<f64>)| {
+            let larger = q.iamax();
+            let terms: Vec<f64> = null_vectors
+                .iter()
+                .map(|n| (0..4).map(|i| n[4 * larger + i] * homogeneous(x)[i]).sum::<f64>() / q[larger])
+                .collect();
+            let distortion: Vec<f64> = terms.iter().map(|term| term * q.norm_squared()).collect();
+            [terms, distortion].concat()
+        };
+        let right: Vec<Vec<f64>> = points.iter().zip(&images).map(right).collect();
+        let left: Vec<Vec<f64>> = points.iter().map(|x| homogeneous(x).to_vec()).collect();
+        let lower = solved(&left, &right)[..3].to_vec();
+        let upper: Vec<f64> =
+            (0..2).flat_map(|i| [rotation[(i, 0)], rotation[(i, 1)], rotation[(i, 2)], translation[i]]).collect();
+        let along = |n: &Vec<f64>| n.iter().zip(&upper).map(|(n, p)| n * p).sum::<f64>();
+        let last = along(&null_vectors[3]);
+        let weights = from_fn(|c| along(&null_vectors[c]) / last);
+        Self { null_vectors, lower, weights, radial }
+    }
+}

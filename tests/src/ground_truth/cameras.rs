@@ -1,0 +1,92 @@
+//! Cameras that look at points: what the families of pose problems share.
+
+use eliminant_generator::instance::Random;
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector2, Vector3};
+
+use super::uniform;
+
+/// A camera 2 to 6 units from a ball of radius 1, looking at a point inside the ball of half its radius: x = rotation X + translation are
+/// the coordinates in the camera.
+pub(super) fn camera(random: &mut Random) -> (Matrix3<f64>, Vector3<f64>) {
+    let direction = in_ball(random).normalize();
+    let centre = direction * uniform(random, 2.0, 6.0);
+    let up = in_ball(random);
+    let rotation = Rotation3::look_at_lh(&(0.5 * in_ball(random) - centre), &up).into_inner();
+    (rotation, -rotation * centre)
+}
+
+/// Two cameras, so that their optical axes do not meet: rotation and translation from the first camera's coordinates to the second's, and
+/// points in the first's.
+pub(super) fn two_cameras(random: &mut Random, points: usize) -> (Matrix3<f64>, Vector3<f64>, Vec<Vector3<f64>>) {
+    let ((r1, t1), (r2, t2)) = (camera(random), camera(random));
+    let rotation = r2 * r1.transpose();
+    let points = (0..points).map(|_| r1 * in_ball(random) + t1).collect();
+    (rotation, t2 - rotation * t1, points)
+}
+
+/// A uniform point of the unit ball, not at its very centre.
+pub(super) fn in_ball(random: &mut Random) -> Vector3<f64> {
+    loop {
+        let point = Vector3::from_fn(|_, _| random.symmetric_unit());
+        if (0.01..1.0).contains(&point.norm()) {
+            return point;
+        }
+    }
+}
+
+/// Image of a point in the camera's coordinates, the principal point at the origin.
+pub(super) fn image(point: &Vector3<f64>, focal: f64) -> Vector2<f64> {
+    focal * point.xy() / point.z
+}
+
+/// The d with d / (1 + radial |d|^2) = point, the division model; `radial` is not positive.
+pub(super) fn distorted(point: Vector2<f64>, radial: f64) -> Vector2<f64> {
+    point * (2.0 / (1.0 + (1.0 - 4.0 * radial * point.norm_squared()).sqrt()))
+}
+
+/// The unit quaternion (w, x, y, z) of a rotation, w >= 0.
+pub(super) fn quaternion(rotation: &Matrix3<f64>) -> [f64; 4] {
+    let q = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(*rotation));
+    let sign = if q.w < 0.0 { -1.0 } else { 1.0 };
+    [q.w, q.i, q.j, q.k].map(|x| sign * x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_are_in_front_of_both_cameras() {
+        let mut random = Random::new(1);
+        for _ in 0..1000 {
+            let (rotation, translation, points) = two_cameras(&mut random, 6);
+            assert!((rotation.determinant() - 1.0).abs() < 1e-12);
+            assert!((rotation * rotation.transpose() - Matrix3::identity()).norm() < 1e-12);
+            for point in points {
+                assert!(point.z > 0.0 && (rotation * point + translation).z > 0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn distorted_points_are_undistorted_by_the_division_model() {
+        let mut random = Random::new(4);
+        for _ in 0..1000 {
+            let point = Vector2::from_fn(|_, _| random.symmetric_unit());
+            let radial = -uniform(&mut random, 0.0, 1.0);
+            let d = distorted(point, radial);
+            assert!((d / (1.0 + radial * d.norm_squared()) - point).norm() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn quaternions_give_back_their_rotations() {
+        let mut random = Random::new(5);
+        for _ in 0..1000 {
+            let (rotation, _) = camera(&mut random);
+            let [w, x, y, z] = quaternion(&rotation);
+            let again = UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w, x, y, z)).to_rotation_matrix();
+            assert!(w >= 0.0 && (again.matrix() - rotation).norm() < 1e-12);
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! Relative pose of two cameras from points in both images.
+
+use std::array::from_fn;
+
+use eliminant_generator::instance::Random;
+use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
+
+use super::cameras::{distorted, image, in_ball, two_cameras};
+use super::{
+    KnownInstance, Maker, combination, largest_relative_error, null_space, projective_error, relative_error, uniform,
+};
+
+pub(super) fn makers() -> Vec<Maker> {
+    let focal_error = |data: &[f64], s: &[f64], truth: &[f64]| {
+        let fundamental = projective_error(&combination(data, &[1.0, s[0], s[1]]), &truth[..9]);
+        fundamental.max(relative_error(&s[2..], &truth[9..]))
+    };
+    vec![
+        Maker {
+            name: "relpose_5pt",
+            make: five_points,
+            error: |data, s, truth| projective_error(&combination(data, &[s[0], s[1], s[2], 1.0]), truth),
+        },
+        Maker { name: "relpose_6pt_focal", make: six_points, error: focal_error },
+        Maker { name: "relpose_6pt_focal_one_side", make: six_points_one_side, error: focal_error },
+        Maker {
+            name: "stitching_3pt_radial_focal",
+            make: panorama,
+            error: |_, solution, truth| largest_relative_error(solution, truth),
+        },
+    ]
+}
+
+/// x2^T M x1 = 0 as a row in the nine entries of M, row by row.
+fn epipolar_row(x1: &Vector3<f64>, x2: &Vector3<f64>) -> Vec<f64> {
+    (0..9).map(|at| x2[at / 3] * x1[at % 3]).collect()
+}
+
+/// `count` points seen by two cameras with focal lengths `focal`: the null space of the epipolar equations, and the
+/// fundamental matrix.
+fn epipolar(random: &mut Random, count: usize, focal: [f64; 2]) -> (Vec<f64>, Vec<f64>) {
+    let (rotation, translation, points) = two_cameras(random, count);
+    let row = |x: &Vector3<f64>| {
+        let [x1, x2] = [image(x, focal[0]), image(&(rotation * x + translation), focal[1])];
+        epipolar_row(&x1.push(1.0), &x2.push(1.0))
+    };
+    let rows: Vec<Vec<f64>> = points.iter().map(row).collect();
+    let inverse = focal.map(|focal| Matrix3::from_diagonal(&Vector3::new(1.0 / focal, 1.0 / focal, 1.0)));
+    let fundamental = inverse[1] * translation.cross_matrix() * rotation * inverse[0];
+    (null_space(&rows).concat(), fundamental.transpose().as_slice().to_vec())
+}
+
+fn five_points(random: &mut Random) -> KnownInstance {
+    let (data, essential) = epipolar(random, 5, [1.0; 2]);
+    KnownInstance { data, truths: vec![essential] }
+}
+
+/// Focal lengths of 0.5 to 3 times the unit of the image coordinates, which reach up to about one focal length.
+fn six_points(random: &mut Random) -> KnownInstance {
+    let focal = uniform(random, 0.5, 3.0);
+    let (data, mut truth) = epipolar(random, 6, [focal; 2]);
+    truth.push(1.0 / (focal * focal));
+    KnownInstance { data, truths: vec![truth] }
+}
+
+fn six_points_one_side(random: &mut Random) -> KnownInstance {
+    let focal = uniform(random, 0.5, 3.0);
+    let (data, mut truth) = epipolar(random, 6, [focal, 1.0]);
+    truth.push(1.0 / (focal * focal));
+    KnownInstance { data, truths: vec![truth] }
+}
+
+/// A polynomial in radial (first index) and the squared focal length (second index).
+type Bivariate = [[f64; 5]; 9];
+
+fn product(a: &Bivariate, b: &Bivariate) -> Bivariate {
+    let mut product = [[0.0; 5]; 9];
+    for (i, j) in (0..9).flat_map(|i| (0..5).map(move |j| (i, j))) {
+        for (k, l) in (0..9 - i).flat_map(|k| (0..5 - j).map(move |l| (k, l))) {
+            product[i + k][j + l] += a[i][j] * b[k][l];
+        }
+    }
+    product
+}
+
+/// The inner product of the rays (p, focal (1 + radial |p|^2)) of two image points.
+fn ray_product(p: &Vector2<f64>, q: &Vector2<f64>) -> Bivariate {
+    let mut sum = [[0.0; 5]; 9];
+    sum[0][0] = p.dot(q);
+    (sum[0][1], sum[1][1]) = (1.0, p.norm_squared() + q.norm_squared());
+    sum[2][1] = p.norm_squared() * q.norm_squared();
+    sum
+}
+
+/// Exponents of radial and of the squared focal length, in the order of the problem's coefficients.
+const PANORAMA_MONOMIALS: [(usize, usize); 16] = [
+    (6, 3),
+    (5, 3),
+    (4, 3),
+    (4, 2),
+    (3, 3),
+    (3, 2),
+    (2, 3),
+    (2, 2),
+    (2, 1),
+    (1, 3),
+    (1, 2),
+    (1, 1),
+    (0, 3),
+    (0, 2),
+    (0, 1),
+    (0, 0),
+];
+
+/// The angle between two rays is the same in both images: the coefficients of this equation, of largest modulus 1.
+fn same_angle(first: [&Vector2<f64>; 2], second: [&Vector2<f64>; 2]) -> Vec<f64> {
+    let side = |[p, q]: [&Vector2<f64>; 2], [r, s]: [&Vector2<f64>; 2]| {
+        let inner = ray_product(p, q);
+        product(&product(&inner, &inner), &product(&ray_product(r, r), &ray_product(s, s)))
+    };
+    let (left, right) = (side(first, second), side(second, first));
+    let coefficients = PANORAMA_MONOMIALS.map(|(i, j)| left[i][j] - right[i][j]);
+    let largest = coefficients.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+    coefficients.iter().map(|x| x / largest).collect()
+}
+
+/// Three directions within 35 degrees of the optical axes of both cameras, focal length 1 to 2, barrel distortion. The second camera is
+/// turned mostly sideways: a turn about the optical axis changes no angle, and leaves equations 0 = 0.
+fn panorama(random: &mut Random) -> KnownInstance {
+    let (focal, radial) = (uniform(random, 1.0, 2.0), -uniform(random, 0.05, 0.5));
+    let axis = in_ball(random).component_mul(&Vector3::new(1.0, 1.0, 0.2)).normalize();
+    let rotation = Rotation3::new(uniform(random, 0.3, 0.7) * axis);
+    let mut seen: Vec<[Vector2<f64>; 2]> = Vec::new();
+    while seen.len() < 3 {
+        let direction = (in_ball(random) + Vector3::new(0.0, 0.0, 1.0)).normalize();
+        let turned = rotation * direction;
+        if direction.z.min(turned.z) > 35f64.to_radians().cos() {
+            seen.push([direction, turned].map(|x| distorted(image(&x, focal), radial)));
+        }
+    }
+    let equation = |at: usize| {
+        let [first, second] = from_fn(|side| [&seen[0][side], &seen[at][side]]);
+        same_angle(first, second)
+    };
+    KnownInstance { data: [equation(1), equation(2)].concat(), truths: vec![vec![radial, 1.0 / (focal * focal)]] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_known_panorama_satisfies_its_equations() {
+        let mut random = Random::new(6);
+        for _ in 0..1000 {
+            let instance = panorama(&mut random);
+            let [radial, square] = [instance.truths[0][0], 1.0 / instance.truths[0][1]];
+            for coefficients in instance.data.chunks(16) {
+                let terms = coefficients.iter().zip(PANORAMA_MONOMIALS);
+                let terms = terms.map(|(c, (i, j))| c * radial.powi(i as i32) * square.powi(j as i32));
+                let (value, size) = terms.fold((0.0, 0.0), |(value, size), term| (value + term, size + term.abs()));
+                // The coefficients are differences that may be a thousandth of what is subtracted, or less.
+                assert!(f64::abs(value) < 1e-10 * size);
+            }
+        }
+    }
+}
