@@ -25,6 +25,7 @@ pub mod presolve;
 #[cfg(feature = "search")]
 pub mod choose;
 pub mod search;
+mod starts;
 /// Instance to elimination template: it holds at a prime and seed not used to find it, and no row can be dropped.
 pub mod template;
 

@@ -2,18 +2,16 @@
 //!
 //! The result depends on the problem and the options only: neither on the number of threads nor on time.
 
-use crate::algebra::{Monomial, PRIMES, PrimeField};
-use crate::instance::Instance;
 use crate::plan::{Plan, RootMethod};
-use crate::presolve::{Presolve, ReducedProblem, presolve};
+use crate::presolve::Presolve;
 use crate::problem::Problem;
 use crate::schedule::{ScheduleError, schedule};
+use crate::starts::{Form, SEARCH_FIELD, Start, forms, grow, growths};
 use crate::template::EliminationTemplate;
 use crate::template::file::TemplateFile;
-use crate::template::grow::{Growth, Shifts};
+use crate::template::grow::Growth;
 use crate::template::reduce::{DeletionOrder, reduce};
-use crate::template::shift_matrix::ShiftMatrix;
-use crate::template::solving_set::{Dependencies, Requirements};
+use crate::template::solving_set::Requirements;
 use crate::template::verify::verify;
 
 /// Limits and seeds of a search.
@@ -106,27 +104,6 @@ pub enum SearchError {
     },
 }
 
-const SEARCH_FIELD: PrimeField = PrimeField::new(PRIMES[0]);
-/// Candidates must hold at a prime that was not used to find them.
-const CHECK_FIELD: PrimeField = PrimeField::new(PRIMES[1]);
-
-/// A set of shifts that solves, to be reduced.
-struct Start<'a> {
-    form: &'a Form,
-    growth: Growth,
-    action: Monomial,
-    matrix: ShiftMatrix,
-    max_basis: usize,
-}
-
-/// A presolved form with an instance to search on and one to check on.
-struct Form {
-    presolve: Presolve,
-    reduced: ReducedProblem,
-    instance: Instance,
-    check: Instance,
-}
-
 /// All templates found, cheapest first, at least one. `solutions` is the number of solutions of the problem; `progress` hears of each stage.
 pub fn candidates(
     problem: &Problem,
@@ -159,87 +136,6 @@ pub fn candidates(
     }
     progress(&format!("{} different templates", found.len()));
     Ok(found)
-}
-
-fn forms(problem: &Problem, options: &SearchOptions) -> Result<Vec<Form>, SearchError> {
-    let mut forms: Vec<Form> = Vec::new();
-    for kind in [Presolve::None, Presolve::Constant, Presolve::Linear] {
-        let reduced = presolve(problem, kind);
-        if forms.iter().any(|form| form.reduced.kept == reduced.kept) {
-            continue;
-        }
-        let draw = |field, seed| Instance::draw(&reduced.problem, field, seed).ok_or(SearchError::NoInstance);
-        let (instance, check) = (draw(SEARCH_FIELD, options.seed)?, draw(CHECK_FIELD, options.seed.wrapping_add(1))?);
-        forms.push(Form { presolve: kind, reduced, instance, check });
-    }
-    Ok(forms)
-}
-
-/// Weights 1 and 2 in all ways for few unknowns, one unknown at a time for more; neighbours; best shift.
-fn growths(form: &Form) -> Vec<Growth> {
-    let (kept, all) = (&form.reduced.kept, form.reduced.problem.unknowns.len());
-    let mut growths = vec![Growth::Degree(vec![1; all])];
-    let n = kept.len();
-    let heavy_sets: Vec<usize> = match n {
-        1 => vec![],
-        2..=4 => (1..(1 << n) - 1).collect(),
-        _ => (0..n).map(|at| 1 << at).collect(),
-    };
-    for heavy in heavy_sets {
-        let mut weights = vec![1; all];
-        kept.iter().enumerate().filter(|(at, _)| heavy >> at & 1 == 1).for_each(|(_, &unknown)| weights[unknown] = 2);
-        growths.push(Growth::Degree(weights));
-    }
-    growths.push(Growth::Neighbours);
-    growths.push(Growth::BestShift);
-    growths
-}
-
-struct Grown<'a> {
-    starts: Vec<Start<'a>>,
-    tried: usize,
-    /// (columns, rows).
-    largest: (usize, usize),
-}
-
-/// Levels to go on growing after the first that solves: larger sets sometimes reduce to smaller templates.
-const LEVELS_BEYOND_FIRST: usize = 1;
-
-fn grow<'a>(form: &'a Form, growth: &Growth, solutions: usize, options: &SearchOptions) -> Grown<'a> {
-    let equations = &form.instance.equations;
-    let kept = &form.reduced.kept;
-    let mut grown = Grown { starts: Vec::new(), tried: 0, largest: (0, 0) };
-    let mut levels_left = LEVELS_BEYOND_FIRST;
-    let mut started: Vec<(Monomial, usize)> = Vec::new();
-    for shifts in Shifts::new(equations, kept, growth.clone(), options.max_columns) {
-        let matrix = ShiftMatrix::new(form.instance.field, equations, &shifts);
-        grown.tried += 1;
-        grown.largest = grown.largest.max((matrix.monomials.len(), matrix.rows.len()));
-        let mut solved = false;
-        for &unknown in kept {
-            let x = Monomial::unknown(unknown);
-            for action in [x, Monomial::ONE.over(&x)] {
-                let Some(dependencies) = Dependencies::new(&matrix, &action, false) else { continue };
-                for max_basis in [solutions, solutions + (solutions / 3).max(2)] {
-                    let requirements = Requirements { unknowns: kept, solutions, max_basis };
-                    if dependencies.smallest(&matrix, &requirements).is_none() {
-                        continue;
-                    }
-                    solved = true;
-                    started.push((action, max_basis));
-                    let matrix = matrix.clone();
-                    grown.starts.push(Start { form, growth: growth.clone(), action, matrix, max_basis });
-                }
-            }
-        }
-        if solved || !started.is_empty() {
-            if levels_left == 0 {
-                break;
-            }
-            levels_left -= 1;
-        }
-    }
-    grown
 }
 
 fn finish(problem: &Problem, start: &Start<'_>, order: DeletionOrder, solutions: usize) -> Option<Candidate> {

@@ -1,0 +1,116 @@
+//! Where a search starts: presolved forms, ways to grow shifts, and the sets of shifts from which an action monomial solves.
+
+use crate::algebra::{Monomial, PRIMES, PrimeField};
+use crate::instance::Instance;
+use crate::presolve::{Presolve, ReducedProblem, presolve};
+use crate::problem::Problem;
+use crate::search::{SearchError, SearchOptions};
+use crate::template::grow::{Growth, Shifts};
+use crate::template::shift_matrix::ShiftMatrix;
+use crate::template::solving_set::{Dependencies, Requirements};
+
+/// The field in which templates are searched.
+pub(crate) const SEARCH_FIELD: PrimeField = PrimeField::new(PRIMES[0]);
+/// Candidates must hold at a prime that was not used to find them.
+pub(crate) const CHECK_FIELD: PrimeField = PrimeField::new(PRIMES[1]);
+
+/// A set of shifts that solves, to be reduced.
+pub(crate) struct Start<'a> {
+    pub(crate) form: &'a Form,
+    pub(crate) growth: Growth,
+    pub(crate) action: Monomial,
+    pub(crate) matrix: ShiftMatrix,
+    pub(crate) max_basis: usize,
+}
+
+/// A presolved form with an instance to search on and one to check on.
+pub(crate) struct Form {
+    pub(crate) presolve: Presolve,
+    pub(crate) reduced: ReducedProblem,
+    pub(crate) instance: Instance,
+    pub(crate) check: Instance,
+}
+
+/// The different presolved forms of a problem.
+pub(crate) fn forms(problem: &Problem, options: &SearchOptions) -> Result<Vec<Form>, SearchError> {
+    let mut forms: Vec<Form> = Vec::new();
+    for kind in [Presolve::None, Presolve::Constant, Presolve::Linear] {
+        let reduced = presolve(problem, kind);
+        if forms.iter().any(|form| form.reduced.kept == reduced.kept) {
+            continue;
+        }
+        let draw = |field, seed| Instance::draw(&reduced.problem, field, seed).ok_or(SearchError::NoInstance);
+        let (instance, check) = (draw(SEARCH_FIELD, options.seed)?, draw(CHECK_FIELD, options.seed.wrapping_add(1))?);
+        forms.push(Form { presolve: kind, reduced, instance, check });
+    }
+    Ok(forms)
+}
+
+/// Weights 1 and 2 in all ways for few unknowns, one unknown at a time for more; neighbours; best shift.
+pub(crate) fn growths(form: &Form) -> Vec<Growth> {
+    let (kept, all) = (&form.reduced.kept, form.reduced.problem.unknowns.len());
+    let mut growths = vec![Growth::Degree(vec![1; all])];
+    let n = kept.len();
+    let heavy_sets: Vec<usize> = match n {
+        1 => vec![],
+        2..=4 => (1..(1 << n) - 1).collect(),
+        _ => (0..n).map(|at| 1 << at).collect(),
+    };
+    for heavy in heavy_sets {
+        let mut weights = vec![1; all];
+        kept.iter().enumerate().filter(|(at, _)| heavy >> at & 1 == 1).for_each(|(_, &unknown)| weights[unknown] = 2);
+        growths.push(Growth::Degree(weights));
+    }
+    growths.push(Growth::Neighbours);
+    growths.push(Growth::BestShift);
+    growths
+}
+
+/// What growing in one way gave.
+pub(crate) struct Grown<'a> {
+    pub(crate) starts: Vec<Start<'a>>,
+    pub(crate) tried: usize,
+    /// (columns, rows).
+    pub(crate) largest: (usize, usize),
+}
+
+/// Levels to go on growing after the first that solves: larger sets sometimes reduce to smaller templates.
+const LEVELS_BEYOND_FIRST: usize = 1;
+
+/// Grows one form in one way until an action monomial solves, and a little further.
+pub(crate) fn grow<'a>(form: &'a Form, growth: &Growth, solutions: usize, options: &SearchOptions) -> Grown<'a> {
+    let equations = &form.instance.equations;
+    let kept = &form.reduced.kept;
+    let mut grown = Grown { starts: Vec::new(), tried: 0, largest: (0, 0) };
+    let mut levels_left = LEVELS_BEYOND_FIRST;
+    let mut started: Vec<(Monomial, usize)> = Vec::new();
+    for shifts in Shifts::new(equations, kept, growth.clone(), options.max_columns) {
+        let matrix = ShiftMatrix::new(form.instance.field, equations, &shifts);
+        grown.tried += 1;
+        grown.largest = grown.largest.max((matrix.monomials.len(), matrix.rows.len()));
+        let mut solved = false;
+        for &unknown in kept {
+            let x = Monomial::unknown(unknown);
+            for action in [x, Monomial::ONE.over(&x)] {
+                let Some(dependencies) = Dependencies::new(&matrix, &action, false) else { continue };
+                for max_basis in [solutions, solutions + (solutions / 3).max(2)] {
+                    let requirements = Requirements { unknowns: kept, solutions, max_basis };
+                    if dependencies.smallest(&matrix, &requirements).is_none() {
+                        continue;
+                    }
+                    solved = true;
+                    started.push((action, max_basis));
+                    let matrix = matrix.clone();
+                    grown.starts.push(Start { form, growth: growth.clone(), action, matrix, max_basis });
+                }
+            }
+        }
+        if solved || !started.is_empty() {
+            if levels_left == 0 {
+                break;
+            }
+            levels_left -= 1;
+        }
+    }
+    grown
+}
