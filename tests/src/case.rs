@@ -46,34 +46,45 @@ impl<T: FromFlat, const N: usize> FromFlat for [T; N] {
     }
 }
 
+/// Solvers take arrays by reference and scalars by value.
+macro_rules! argument {
+    ($data:ident) => {
+        &$data
+    };
+    ($data:ident: $scalar:ty) => {
+        $data
+    };
+}
+
+/// `case!(name, Solution, (array, scalar: f64), (x, y))`; `()` for a problem without data.
 macro_rules! case {
-    ($name:ident, $solution:ident, ($($data:ident),*), ($($unknown:ident),*)) => {
+    ($name:ident, $solution:ident, ($($data:ident $(: $scalar:ty)?),*), ($($unknown:ident),*)) => {
         Case {
             name: stringify!($name),
             solve: |flat| {
-                let mut values = flat.iter().copied();
-                $(let $data = FromFlat::take(&mut values);)*
-                let found = solvers::$name::solve($(&$data),*)?;
+                let mut _values = flat.iter().copied();
+                $(let $data = FromFlat::take(&mut _values);)*
+                let found = solvers::$name::solve($(argument!($data $(: $scalar)?)),*)?;
                 Ok(found.iter().map(|s| vec![$(s.$unknown),*]).collect())
             },
             solve_complex: |flat| {
-                let mut values = flat.iter().copied();
-                $(let $data = FromFlat::take(&mut values);)*
-                let found = solvers::$name::solve_complex($(&$data),*)?;
+                let mut _values = flat.iter().copied();
+                $(let $data = FromFlat::take(&mut _values);)*
+                let found = solvers::$name::solve_complex($(argument!($data $(: $scalar)?)),*)?;
                 Ok(found.iter().map(|s| vec![$(s.$unknown),*]).collect())
             },
             action_matrix: |flat| {
-                let mut values = flat.iter().copied();
-                $(let $data = FromFlat::take(&mut values);)*
-                let action = solvers::$name::action_matrix($(&$data),*)?;
+                let mut _values = flat.iter().copied();
+                $(let $data = FromFlat::take(&mut _values);)*
+                let action = solvers::$name::action_matrix($(argument!($data $(: $scalar)?)),*)?;
                 Ok(action.iter().map(|row| row.to_vec()).collect())
             },
             residual: |flat, point| {
-                let mut values = flat.iter().copied();
-                $(let $data = FromFlat::take(&mut values);)*
+                let mut _values = flat.iter().copied();
+                $(let $data = FromFlat::take(&mut _values);)*
                 let mut unknowns = point.iter().copied();
                 $(let $unknown = unknowns.next().unwrap_or_default();)*
-                solvers::$name::relative_residual($(&$data,)* &solvers::$name::$solution { $($unknown),* })
+                solvers::$name::relative_residual($(argument!($data $(: $scalar)?),)* &solvers::$name::$solution { $($unknown),* })
             },
         }
     };
