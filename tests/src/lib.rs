@@ -2,6 +2,8 @@
 
 pub mod case;
 pub mod ground_truth;
+pub mod measure;
+pub mod published;
 pub mod statistics;
 
 pub use case::{Case, cases, templates_folder};

@@ -5,32 +5,18 @@ use eliminant_generator::arithmetic::Float64;
 use eliminant_generator::instance::{Random, draw_inputs};
 use eliminant_generator::interpret;
 use eliminant_generator::plan::Plan;
-use eliminant_tests::statistics::{complex, distance, log10, quantile, same_set, worst};
+use eliminant_tests::measure::{SAME, are_distinct, residual};
+use eliminant_tests::statistics::{complex, log10, quantile, same_set};
 use eliminant_tests::{Case, cases};
 use rayon::prelude::*;
 
 const INSTANCES: u64 = 10_000;
 /// On how many of 1000 instances a claim may fail.
 const EXCEPTIONS_PER_THOUSAND: usize = 1;
-/// Points closer than this are one solution.
-const SAME: f64 = 1e-8;
 /// An imaginary part that is rounding, relative to the largest unknown.
 const REAL: f64 = 1e-9;
 
 type Point = Vec<Complex<f64>>;
-
-/// max over the equations of |f| / sum of the moduli of its terms: from the plan, not by the emitted code that is judged.
-fn residual(plan: &Plan, coefficients: &[f64], x: &Point) -> f64 {
-    let relative = |terms: &Vec<eliminant_generator::plan::Term>| {
-        let values = terms.iter().map(|term| {
-            let powers = term.exponents.iter().zip(x).map(|(&e, x)| x.powu(u32::from(e)));
-            powers.fold(Complex::from(coefficients[usize::from(term.coefficient.0)]), |product, power| product * power)
-        });
-        let (value, scale) = values.fold((Complex::<f64>::ZERO, 0.0), |(sum, scale), v| (sum + v, scale + v.norm()));
-        value.norm() / scale
-    };
-    worst(plan.equations.iter().map(relative))
-}
 
 /// What one instance gave.
 struct Outcome {
@@ -49,7 +35,6 @@ fn outcome(case: &Case, plan: &Plan, seed: u64) -> Outcome {
     let coefficients = interpret::coefficients(plan, Float64, &data).expect("random data have coefficients");
     let all: Vec<Point> = (case.solve_complex)(&data).unwrap_or_default();
     let real: Vec<Point> = (case.solve)(&data).unwrap_or_default().iter().map(|x| complex(x)).collect();
-    let distinct = all.iter().enumerate().all(|(i, x)| all[..i].iter().all(|y| distance(x, y) > SAME));
     let conjugates: Vec<Point> = all.iter().map(|x| x.iter().map(Complex::conj).collect()).collect();
     let is_real = |x: &&Point| {
         let largest = |part: fn(&Complex<f64>) -> f64| x.iter().map(part).fold(0.0, f64::max);
@@ -58,7 +43,7 @@ fn outcome(case: &Case, plan: &Plan, seed: u64) -> Outcome {
     let real_of_all: Vec<Point> = all.iter().filter(is_real).cloned().collect();
     let residuals = |points: &[Point]| points.iter().map(|x| residual(plan, &coefficients, x)).collect();
     Outcome {
-        complete: all.len() == plan.solutions && distinct,
+        complete: all.len() == plan.solutions && are_distinct(&all),
         conjugate: same_set(&all, &conjugates, SAME),
         real_agree: same_set(&real, &real_of_all, SAME),
         complex_residuals: residuals(&all),

@@ -1,0 +1,140 @@
+//! Prints the catalogue: every problem in `templates/`, its template and what its solver does, beside what is published.
+//!
+//! With `--update` the page `templates/README.md` is written anew.
+
+use std::fs;
+use std::path::Path;
+
+use clap::{Parser, ValueEnum};
+use comfy_table::{CellAlignment, Table, presets};
+use eliminant_tests::measure::measure;
+use eliminant_tests::published::{Published, published, published_name};
+use eliminant_tests::statistics::quantile;
+use eliminant_tests::{Case, cases, templates_folder};
+
+/// The catalogue of problems, measured, beside published templates.
+#[derive(Parser)]
+struct Arguments {
+    /// The form in which it is printed.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+    /// Random instances of each problem.
+    #[arg(long, default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..))]
+    instances: u64,
+    /// Seed of the first instance.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Writes templates/README.md, in Markdown, and prints nothing.
+    #[arg(long)]
+    update: bool,
+}
+
+#[derive(Clone, Copy, Default, ValueEnum)]
+enum Format {
+    #[default]
+    Text,
+    Csv,
+    Markdown,
+}
+
+const HEAD: [&str; 15] = [
+    "problem",
+    "published as",
+    "solutions",
+    "template",
+    "basis",
+    "operations",
+    "median",
+    "p99",
+    "failures",
+    "Larsson 2017",
+    "greedy 2022",
+    "redundant 2023",
+    "its median",
+    "its p99",
+    "its failures",
+];
+/// The first columns are words, the others figures.
+const WORDS: usize = 2;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let arguments = Arguments::parse();
+    let published = published()?;
+    let mut rows = Vec::new();
+    for case in cases() {
+        eprintln!("{}", case.name);
+        rows.push(row(&case, &published, &arguments));
+    }
+    if arguments.update {
+        return write(&templates_folder().join("README.md"), &page(rows, &arguments));
+    }
+    match arguments.format {
+        Format::Text => println!("{}", table(rows, presets::NOTHING)),
+        Format::Markdown => print!("{}", page(rows, &arguments)),
+        Format::Csv => {
+            let mut writer = csv::Writer::from_writer(std::io::stdout());
+            writer.write_record(HEAD)?;
+            rows.iter().try_for_each(|row| writer.write_record(row))?;
+            writer.flush()?;
+        }
+    }
+    Ok(())
+}
+
+fn row(case: &Case, published: &[Published], arguments: &Arguments) -> Vec<String> {
+    let (template, plan) = (case.template().template, case.planned().plan);
+    let mut measured = measure(case, &plan, arguments.instances, arguments.seed);
+    let name = published_name(case).unwrap_or_default();
+    let theirs = published.iter().find(|p| p.name == name).cloned().unwrap_or_default();
+    let mut residual = |q: f64| format!("{:.1}", quantile(&mut measured.residuals_log10, q));
+    vec![
+        case.name.to_owned(),
+        name,
+        plan.solutions.to_string(),
+        format!("{}x{}", template.rows(), template.columns()),
+        template.basis.len().to_string(),
+        plan.operations().total().to_string(),
+        residual(0.5),
+        residual(0.99),
+        format!("{:.4}", measured.failures as f64 / measured.instances as f64),
+        theirs.larsson_2017,
+        theirs.greedy_2022,
+        theirs.redundant_2023,
+        theirs.median,
+        theirs.p99,
+        theirs.failure_rate,
+    ]
+}
+
+fn table(rows: Vec<Vec<String>>, preset: &str) -> Table {
+    let mut table = Table::new();
+    table.load_preset(preset).set_header(HEAD).add_rows(rows);
+    table.column_iter_mut().skip(WORDS).for_each(|column| column.set_cell_alignment(CellAlignment::Right));
+    table
+}
+
+/// `templates/README.md`.
+fn page(mut rows: Vec<Vec<String>>, arguments: &Arguments) -> String {
+    for row in &mut rows {
+        row[0] = format!("[`{0}`]({0}.rs)", row[0]);
+    }
+    format!(
+        "# The catalogue\n\n\
+        Every problem with a committed template, beside published templates for the same problem. The table is written by\n\n\
+        ```sh\ncargo run --release -p eliminant-tests --bin catalogue -- --update\n```\n\n\
+        which solves {} random instances of each problem, drawn on the variety of its data, with the emitted solver (all complex solutions).\n\
+        Templates are rows x columns; basis is the size of the eigenvalue problem; operations are floating-point operations of one solve before\n\
+        the polish. Median and p99 are quantiles of log10 of the relative residual over all solutions found. Failures are the share of instances on\n\
+        which a solution is missing, or found twice, or none is returned; those of the published solvers are as measured with their code.\n\
+        `tests/src/published.rs` cites the publications.\n\n{}\n",
+        arguments.instances,
+        table(rows, presets::ASCII_MARKDOWN)
+    )
+}
+
+/// Writes beside the file and renames, so that it is never half-written.
+fn write(path: &Path, text: &str) -> Result<(), Box<dyn std::error::Error>> {
+    let partial = path.with_extension("md.partial");
+    fs::write(&partial, text)?;
+    Ok(fs::rename(partial, path)?)
+}

@@ -1,0 +1,60 @@
+//! What an emitted solver does on random instances, judged by the plan's equations and not by the emitted code.
+
+use eliminant::Complex;
+use eliminant_generator::arithmetic::Float64;
+use eliminant_generator::instance::{Random, draw_inputs};
+use eliminant_generator::interpret;
+use eliminant_generator::plan::{Plan, Term};
+use rayon::prelude::*;
+
+use crate::Case;
+use crate::statistics::{distance, log10, worst};
+
+/// Points closer than this are one solution.
+pub const SAME: f64 = 1e-8;
+
+/// max over the equations of |f| / sum of the moduli of its terms.
+pub fn residual(plan: &Plan, coefficients: &[f64], x: &[Complex<f64>]) -> f64 {
+    let relative = |terms: &Vec<Term>| {
+        let values = terms.iter().map(|term| {
+            let powers = term.exponents.iter().zip(x).map(|(&e, x)| x.powu(u32::from(e)));
+            powers.fold(Complex::from(coefficients[usize::from(term.coefficient.0)]), |product, power| product * power)
+        });
+        let (value, scale) = values.fold((Complex::<f64>::ZERO, 0.0), |(sum, scale), v| (sum + v, scale + v.norm()));
+        value.norm() / scale
+    };
+    worst(plan.equations.iter().map(relative))
+}
+
+/// Whether no two of the points are the same.
+pub fn are_distinct(points: &[Vec<Complex<f64>>]) -> bool {
+    points.iter().enumerate().all(|(i, x)| points[..i].iter().all(|y| distance(x, y) > SAME))
+}
+
+/// Over many instances.
+pub struct Measurement {
+    /// log10 of the relative residual of every complex solution found, increasing.
+    pub residuals_log10: Vec<f64>,
+    /// Instances on which a solution is missing, or one is returned twice, or the solver returned an error.
+    pub failures: usize,
+    /// Instances.
+    pub instances: usize,
+}
+
+/// Solves `instances` instances drawn on the data's variety, instance k from the seed `first_seed` + k.
+pub fn measure(case: &Case, plan: &Plan, instances: u64, first_seed: u64) -> Measurement {
+    let solved: Vec<(bool, Vec<f64>)> = (0..instances)
+        .into_par_iter()
+        .map(|k| {
+            let data = draw_inputs(&plan.data, Float64, &mut Random::new(first_seed + k));
+            let Some(coefficients) = interpret::coefficients(plan, Float64, &data) else { return (false, Vec::new()) };
+            let found = (case.solve_complex)(&data).unwrap_or_default();
+            let complete = found.len() == plan.solutions && are_distinct(&found);
+            (complete, found.iter().map(|x| log10(residual(plan, &coefficients, x))).collect())
+        })
+        .collect();
+    let failures = solved.iter().filter(|(complete, _)| !complete).count();
+    let mut residuals_log10: Vec<f64> = solved.into_iter().flat_map(|(_, residuals)| residuals).collect();
+    residuals_log10.sort_by(f64::total_cmp);
+    Measurement { residuals_log10, failures, instances: instances as usize }
+}
