@@ -8,6 +8,7 @@ eliminant::include_solver!("circle_minimal");
 eliminant::include_solver!("pose_35pt_focal");
 eliminant::include_solver!("pose_4pt_focal_radial");
 eliminant::include_solver!("pose_4pt_focal_radial_cut");
+eliminant::include_solver!("pose_6pt_rolling_shutter");
 eliminant::include_solver!("relpose_5pt");
 eliminant::include_solver!("relpose_6pt_focal");
 eliminant::include_solver!("relpose_6pt_focal_one_side");

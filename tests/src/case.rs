@@ -99,6 +99,7 @@ pub fn cases() -> Vec<Case> {
         case!(pose_35pt_focal, Pose35ptFocal, (points, horizontal, vertical), (x, y)),
         case!(pose_4pt_focal_radial, Pose4ptFocalRadial, (row1, row2, row3), (w, radial, y, z)),
         case!(pose_4pt_focal_radial_cut, Pose4ptFocalRadialCut, (upper, lower), (radial, x, y, z)),
+        case!(pose_6pt_rolling_shutter, Pose6ptRollingShutter, (image, points, position, velocity), (u, v, w, x, y, z)),
         case!(relpose_5pt, Relpose5pt, (basis), (x, y, z)),
         case!(relpose_6pt_focal, Relpose6ptFocal, (basis), (x, y, w)),
         case!(relpose_6pt_focal_one_side, Relpose6ptFocalOneSide, (basis), (x, y, w)),

@@ -41,6 +41,11 @@ pub(super) fn makers() -> Vec<Maker> {
                 matrix.max(relative_error(&s[..1], &truth[..1]))
             },
         },
+        Maker {
+            name: "pose_6pt_rolling_shutter",
+            make: rolling_shutter,
+            error: |_, solution, truth| relative_error(solution, truth),
+        },
     ]
 }
 
@@ -105,4 +110,47 @@ impl RadialPose {
         let weights = from_fn(|c| along(&null_vectors[c]) / last);
         Self { null_vectors, lower, weights, radial }
     }
+}
+
+/// The image of a point in the row in which it is exposed, by the linearised model: q[0] (A + q[0] B)[2] = (A + q[0] B)[0] has the
+/// root that goes to A[0] / A[2] where B goes to 0.
+fn exposed(a: &Vector3<f64>, b: &Vector3<f64>) -> Vector2<f64> {
+    let half = 0.5 * (a.z - b.x);
+    let row = a.x / (half + (half * half + b.z * a.x).sqrt());
+    Vector2::new(row, (a.y + row * b.y) / (a.z + row * b.z))
+}
+
+/// Coefficients of (I + row [(x, y, z)]x) (I + [(u, v, w)]x) X: of the products of x, y, z with u, v, w, of u, v, w, of x, y, z, and of 1.
+fn turned(point: &Vector3<f64>, row: f64) -> [Vector3<f64>; 16] {
+    let turn = |i: usize, x: &Vector3<f64>| Vector3::ith(i, 1.0).cross(x);
+    from_fn(|at| match at {
+        0..9 => row * turn(at / 3, &turn(at % 3, point)),
+        9..12 => turn(at - 9, point),
+        12..15 => row * turn(at - 12, point),
+        _ => *point,
+    })
+}
+
+/// Rotations of up to 0.3 from a frame in which the points are 3 to 5 units ahead, angular velocity and velocity of up to 0.3.
+fn rolling_shutter(random: &mut Random) -> KnownInstance {
+    let [turn, spin, velocity] = [(); 3].map(|()| 0.3 * in_ball(random));
+    let position = Vector3::new(random.symmetric_unit(), random.symmetric_unit(), uniform(random, 3.0, 5.0));
+    let mut draw = || {
+        let point = in_ball(random);
+        let rotated = point + turn.cross(&point);
+        (point, exposed(&(rotated + position), &(spin.cross(&rotated) + velocity)))
+    };
+    let seen: [(Vector3<f64>, Vector2<f64>); 6] = from_fn(|_| draw());
+    // Two equations of each of the last three points in the position and the velocity: the others have the 16 coefficients.
+    let (mut leading, mut others) = (Vec::new(), Vec::new());
+    for (point, q) in &seen[3..] {
+        for normal in [Vector3::new(0.0, -1.0, q.y), Vector3::new(1.0, 0.0, -q.x)] {
+            leading.push([normal.data.0[0], (q.x * normal).data.0[0]].concat());
+            others.push(turned(point, q.x).iter().map(|coefficient| -normal.dot(coefficient)).collect::<Vec<f64>>());
+        }
+    }
+    let images = seen[..3].iter().flat_map(|(_, q)| q.data.0[0]);
+    let points = seen[..3].iter().flat_map(|(x, _)| x.data.0[0]);
+    let data = images.chain(points).chain(solved(&leading, &others).concat()).collect();
+    KnownInstance { data, truths: vec![turn.iter().chain(&spin).copied().collect()] }
 }
