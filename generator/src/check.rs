@@ -71,8 +71,15 @@ fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<Algebra, Dia
     if dimension > 0 {
         let mut message = Diagnostic::new(format!("infinitely many solutions: a set of dimension {dimension}"), at())
             .label(format!("{} equations in {unknowns} unknowns", problem.equations.len()));
-        for name in excluding_unknowns(&instance, &problem.unknowns) {
-            message = message.hint(format!("finitely many are left where `{name}` is not 0: add `{name} != 0;`"));
+        for names in excluding_unknowns(&instance, &problem.unknowns) {
+            let [list, are] = match names.as_slice() {
+                [name] => [format!("`{name}`"), "is".to_owned()],
+                _ => {
+                    [names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "), "are all".to_owned()]
+                }
+            };
+            let statements = names.iter().map(|name| format!("{name} != 0;")).collect::<Vec<_>>().join(" ");
+            message = message.hint(format!("finitely many are left where {list} {are} not 0: add `{statements}`"));
         }
         return Err(message
             .hint(format!("{dimension} more independent equation(s) are needed, or an unknown that can be fixed"))
@@ -94,12 +101,24 @@ pub fn ideal(instance: &Instance, unknowns: usize) -> Result<GroebnerBasis, Groe
     saturate(instance.field, &instance.equations, &instance.nonzero, unknowns, &MonomialOrder::GrevLex, &limits)
 }
 
-/// Unknowns without whose zeros finitely many solutions, and at least one, are left.
-fn excluding_unknowns<'a>(instance: &Instance, names: &'a [String]) -> Vec<&'a str> {
-    let explains = |unknown: usize| {
+/// Unknowns without whose zeros finitely many solutions, and at least one, are left: each that does by itself, or else one set of several of
+/// which none can be spared, or nothing.
+fn excluding_unknowns<'a>(instance: &Instance, names: &'a [String]) -> Vec<Vec<&'a str>> {
+    let explain = |unknowns: &[usize]| {
         let mut trial = instance.clone();
-        trial.nonzero.push(Polynomial::from_terms(vec![(Monomial::unknown(unknown), 1)]));
+        trial.nonzero.extend(unknowns.iter().map(|&x| Polynomial::from_terms(vec![(Monomial::unknown(x), 1)])));
         ideal(&trial, names.len()).is_ok_and(|basis| basis.dimension(names.len()) == Some(0))
     };
-    names.iter().enumerate().filter(|&(unknown, _)| explains(unknown)).map(|(_, name)| name.as_str()).collect()
+    let mut sets: Vec<Vec<usize>> = (0..names.len()).map(|x| vec![x]).filter(|set| explain(set)).collect();
+    let mut all: Vec<usize> = (0..names.len()).collect();
+    if sets.is_empty() && explain(&all) {
+        for x in (0..names.len()).rev() {
+            let without: Vec<usize> = all.iter().copied().filter(|&y| y != x).collect();
+            if explain(&without) {
+                all = without;
+            }
+        }
+        sets.push(all);
+    }
+    sets.into_iter().map(|set| set.into_iter().map(|x| names[x].as_str()).collect()).collect()
 }
