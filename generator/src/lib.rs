@@ -24,6 +24,7 @@ pub mod presolve;
 
 #[cfg(feature = "search")]
 pub mod choose;
+mod explore;
 pub mod search;
 mod starts;
 /// Instance to elimination template: it holds at a prime and seed not used to find it, and no row can be dropped.

@@ -2,16 +2,15 @@
 //!
 //! The result depends on the problem and the options only: neither on the number of threads nor on time.
 
+use crate::explore::explore;
 use crate::plan::{Plan, RootMethod};
 use crate::presolve::Presolve;
 use crate::problem::Problem;
 use crate::schedule::{ScheduleError, schedule};
-use crate::starts::{Form, SEARCH_FIELD, Start, forms, grow, growths};
+use crate::starts::{Form, SEARCH_FIELD, forms, growths};
 use crate::template::EliminationTemplate;
 use crate::template::file::TemplateFile;
 use crate::template::grow::Growth;
-use crate::template::reduce::{DeletionOrder, reduce};
-use crate::template::solving_set::Requirements;
 use crate::template::verify::verify;
 
 /// Limits and seeds of a search.
@@ -21,7 +20,7 @@ pub struct SearchOptions {
     pub seed: u64,
     /// No template has more columns before it is reduced.
     pub max_columns: usize,
-    /// Shuffled orders of deletion to try besides the two fixed ones.
+    /// How often each of the smallest templates is enlarged and reduced anew in a shuffled order.
     pub shuffles: u64,
 }
 
@@ -34,7 +33,7 @@ impl SearchOptions {
 
 impl Default for SearchOptions {
     fn default() -> Self {
-        Self { seed: 1, max_columns: 600, shuffles: 2 }
+        Self { seed: 1, max_columns: 600, shuffles: 12 }
     }
 }
 
@@ -45,8 +44,6 @@ pub struct Candidate {
     pub presolve: Presolve,
     /// How its shifts were grown.
     pub growth: Growth,
-    /// The order of deletion.
-    pub order: DeletionOrder,
     /// The template.
     pub template: EliminationTemplate,
     /// The solver.
@@ -65,7 +62,7 @@ impl Candidate {
         let mut provenance = vec![
             ("generator".to_owned(), env!("CARGO_PKG_VERSION").to_owned()),
             ("growth".to_owned(), self.growth.to_string()),
-            ("deletion".to_owned(), format!("{:?}", self.order)),
+            ("shuffles".to_owned(), options.shuffles.to_string()),
             ("seed".to_owned(), options.seed.to_string()),
             ("prime".to_owned(), SEARCH_FIELD.modulus().to_string()),
         ];
@@ -115,19 +112,19 @@ pub fn candidates(
     let growths: Vec<(&Form, Growth)> =
         forms.iter().flat_map(|form| growths(form).into_iter().map(move |growth| (form, growth))).collect();
     progress(&format!("{solutions} solutions; growing shifts in {} ways", growths.len()));
-    let grown = map(&growths, |(form, growth)| grow(form, growth, solutions, options));
-    let tried = grown.iter().map(|g| g.tried).sum();
-    let largest = grown.iter().map(|g| g.largest).max().unwrap_or_default();
-    let starts: Vec<Start<'_>> = grown.into_iter().flat_map(|g| g.starts).collect();
-    let orders: Vec<DeletionOrder> = [DeletionOrder::HighestFirst, DeletionOrder::RarestFirst]
-        .into_iter()
-        .chain((0..options.shuffles).map(|k| DeletionOrder::Shuffled(options.seed.wrapping_add(k))))
+    let explored = map(&growths, |(form, growth)| explore(form, growth, solutions, options));
+    let tried = explored.iter().map(|explored| explored.tried).sum();
+    let largest = explored.iter().map(|explored| explored.largest).max().unwrap_or_default();
+    let work: Vec<(&Form, &Growth, EliminationTemplate)> = growths
+        .iter()
+        .zip(explored)
+        .flat_map(|((form, growth), explored)| explored.templates.into_iter().map(move |t| (*form, growth, t)))
         .collect();
-    let work: Vec<(&Start<'_>, DeletionOrder)> =
-        starts.iter().flat_map(|start| orders.iter().map(move |&order| (start, order))).collect();
-    progress(&format!("{} starting points; deleting rows in {} orders", starts.len(), orders.len()));
-    let mut found: Vec<Candidate> =
-        map(&work, |(start, order)| finish(problem, start, *order, solutions)).into_iter().flatten().collect();
+    progress(&format!("planning {} templates", work.len()));
+    let plan = |(form, growth, template): &(&Form, &Growth, EliminationTemplate)| {
+        candidate(problem, form, growth, template, solutions)
+    };
+    let mut found: Vec<Candidate> = map(&work, plan).into_iter().flatten().collect();
     found.sort_by_cached_key(Candidate::rank);
     found.dedup_by(|a, b| a.template == b.template && a.presolve == b.presolve);
     if found.is_empty() {
@@ -138,15 +135,18 @@ pub fn candidates(
     Ok(found)
 }
 
-fn finish(problem: &Problem, start: &Start<'_>, order: DeletionOrder, solutions: usize) -> Option<Candidate> {
-    let form = start.form;
-    let requirements = Requirements { unknowns: &form.reduced.kept, solutions, max_basis: start.max_basis };
-    let template = reduce(&start.matrix, &start.action, &requirements, order)?;
-    verify(&template, form.check.field, &form.check.equations).ok()?;
-    let plan = schedule(problem, &form.reduced, &template, solutions, RootMethod::Eigenvalues);
+/// `None` if the template does not hold at the other prime, or no unknown can be read.
+fn candidate(
+    problem: &Problem,
+    form: &Form,
+    growth: &Growth,
+    template: &EliminationTemplate,
+    solutions: usize,
+) -> Option<Candidate> {
+    verify(template, form.check.field, &form.check.equations).ok()?;
+    let plan = schedule(problem, &form.reduced, template, solutions, RootMethod::Eigenvalues);
     debug_assert!(!matches!(plan, Err(ScheduleError::Plan(_))), "{plan:?}");
-    let plan = plan.ok()?;
-    Some(Candidate { presolve: form.presolve, growth: start.growth.clone(), order, template, plan })
+    Some(Candidate { presolve: form.presolve, growth: growth.clone(), template: template.clone(), plan: plan.ok()? })
 }
 
 /// Maps in parallel where the feature `search` is on; the order of the results is that of the items in any case.

@@ -6,20 +6,20 @@ use crate::presolve::{Presolve, ReducedProblem, presolve};
 use crate::problem::Problem;
 use crate::search::{SearchError, SearchOptions};
 use crate::template::grow::{Growth, Shifts};
+use crate::template::reduce::{DeletionOrder, independent};
 use crate::template::shift_matrix::ShiftMatrix;
-use crate::template::solving_set::{Dependencies, Requirements};
+use crate::template::solving_set::Requirements;
 
 /// The field in which templates are searched.
 pub(crate) const SEARCH_FIELD: PrimeField = PrimeField::new(PRIMES[0]);
 /// Candidates must hold at a prime that was not used to find them.
 pub(crate) const CHECK_FIELD: PrimeField = PrimeField::new(PRIMES[1]);
 
-/// A set of shifts that solves, to be reduced.
-pub(crate) struct Start<'a> {
-    pub(crate) form: &'a Form,
-    pub(crate) growth: Growth,
+/// Rows that solve, to be reduced.
+pub(crate) struct Start {
     pub(crate) action: Monomial,
     pub(crate) matrix: ShiftMatrix,
+    /// Largest size of B.
     pub(crate) max_basis: usize,
 }
 
@@ -62,13 +62,30 @@ pub(crate) fn growths(form: &Form) -> Vec<Growth> {
         growths.push(Growth::Degree(weights));
     }
     growths.push(Growth::Neighbours);
-    growths.push(Growth::BestShift);
+    growths.push(Growth::BestShift(0));
+    growths.push(Growth::BestShift(1));
     growths
 }
 
+/// The action monomials to try: each unknown and its reciprocal.
+pub(crate) fn actions(form: &Form) -> Vec<Monomial> {
+    let unknowns = form.reduced.kept.iter().map(|&unknown| Monomial::unknown(unknown));
+    unknowns.flat_map(|x| [x, Monomial::ONE.over(&x)]).collect()
+}
+
+/// Largest sizes of B to try, in percent of the number of solutions. A larger B takes fewer rows and a larger eigenvalue problem.
+const BASIS_PERCENT: [usize; 6] = [100, 115, 130, 150, 175, 200];
+
+/// The different [`BASIS_PERCENT`] of a number of solutions, increasing.
+pub(crate) fn basis_limits(solutions: usize) -> Vec<usize> {
+    let mut limits: Vec<usize> = BASIS_PERCENT.iter().map(|percent| (solutions * percent).div_ceil(100)).collect();
+    limits.dedup();
+    limits
+}
+
 /// What growing in one way gave.
-pub(crate) struct Grown<'a> {
-    pub(crate) starts: Vec<Start<'a>>,
+pub(crate) struct Grown {
+    pub(crate) starts: Vec<Start>,
     pub(crate) tried: usize,
     /// (columns, rows).
     pub(crate) largest: (usize, usize),
@@ -76,36 +93,36 @@ pub(crate) struct Grown<'a> {
 
 /// Levels to go on growing after the first that solves: larger sets sometimes reduce to smaller templates.
 const LEVELS_BEYOND_FIRST: usize = 1;
+/// Where single shifts are added a set is looked at only when it has grown by one row in so many.
+const ROWS_BETWEEN_LOOKS: usize = 20;
 
 /// Grows one form in one way until an action monomial solves, and a little further.
-pub(crate) fn grow<'a>(form: &'a Form, growth: &Growth, solutions: usize, options: &SearchOptions) -> Grown<'a> {
+pub(crate) fn grow(form: &Form, growth: &Growth, solutions: usize, options: &SearchOptions) -> Grown {
     let equations = &form.instance.equations;
     let kept = &form.reduced.kept;
+    let limits = basis_limits(solutions);
     let mut grown = Grown { starts: Vec::new(), tried: 0, largest: (0, 0) };
     let mut levels_left = LEVELS_BEYOND_FIRST;
-    let mut started: Vec<(Monomial, usize)> = Vec::new();
+    let mut last_look: usize = 0;
     for shifts in Shifts::new(equations, kept, growth.clone(), options.max_columns) {
+        if matches!(growth, Growth::BestShift(_)) && shifts.len() < last_look + last_look.div_ceil(ROWS_BETWEEN_LOOKS) {
+            continue;
+        }
+        last_look = shifts.len();
         let matrix = ShiftMatrix::new(form.instance.field, equations, &shifts);
         grown.tried += 1;
         grown.largest = grown.largest.max((matrix.monomials.len(), matrix.rows.len()));
-        let mut solved = false;
-        for &unknown in kept {
-            let x = Monomial::unknown(unknown);
-            for action in [x, Monomial::ONE.over(&x)] {
-                let Some(dependencies) = Dependencies::new(&matrix, &action, false) else { continue };
-                for max_basis in [solutions, solutions + (solutions / 3).max(2)] {
-                    let requirements = Requirements { unknowns: kept, solutions, max_basis };
-                    if dependencies.smallest(&matrix, &requirements).is_none() {
-                        continue;
-                    }
-                    solved = true;
-                    started.push((action, max_basis));
-                    let matrix = matrix.clone();
-                    grown.starts.push(Start { form, growth: growth.clone(), action, matrix, max_basis });
-                }
+        for action in actions(form) {
+            let Some(dependencies) = independent(&matrix, &action, DeletionOrder::HighestFirst) else { continue };
+            for &max_basis in &limits {
+                let requirements = Requirements { unknowns: kept, solutions, max_basis };
+                let Some(set) = dependencies.best(&matrix, &requirements) else { continue };
+                let needed = dependencies.rows_of(&set);
+                let matrix = matrix.retain_rows(|row| needed.binary_search(&row).is_ok());
+                grown.starts.push(Start { action, matrix, max_basis });
             }
         }
-        if solved || !started.is_empty() {
+        if !grown.starts.is_empty() {
             if levels_left == 0 {
                 break;
             }

@@ -4,7 +4,7 @@
 //! - by degree: all multiples up to a weighted degree (total degree, or weights fitted to the Newton polytopes);
 //! - by neighbours: every accepted multiplier times every unknown;
 //! - by the best single shift: add the shift whose support, with every shift that becomes free in it, leaves the smallest
-//!   excess of columns over rows.
+//!   excess of columns over rows (Martyushev, Bhayani, Pajdla, arXiv 2307.00320), from the start or after some levels of neighbours.
 
 use std::collections::{BTreeSet, HashSet};
 
@@ -18,8 +18,8 @@ pub enum Growth {
     Degree(Vec<i32>),
     /// All multiples of the accepted shifts by an unknown.
     Neighbours,
-    /// One shift at a time with its closure.
-    BestShift,
+    /// One shift at a time with its closure, after this many levels of neighbours.
+    BestShift(i32),
 }
 
 impl std::fmt::Display for Growth {
@@ -27,7 +27,8 @@ impl std::fmt::Display for Growth {
         match self {
             Self::Degree(weights) => write!(f, "degree with weights {weights:?}"),
             Self::Neighbours => write!(f, "neighbours"),
-            Self::BestShift => write!(f, "best shift"),
+            Self::BestShift(0) => write!(f, "best shift"),
+            Self::BestShift(levels) => write!(f, "best shift after {levels} levels of neighbours"),
         }
     }
 }
@@ -70,63 +71,55 @@ impl<'a> Shifts<'a> {
     }
 
     fn accept(&mut self, shift: Shift) {
-        let f = &self.equations[shift.equation];
-        self.support.extend(f.monomials().map(|m| m.times(&shift.multiplier)));
+        self.support.extend(monomials_of(self.equations, &shift));
         self.accepted.insert(shift);
     }
 
     fn neighbours(&self) -> BTreeSet<Shift> {
-        let mut found = BTreeSet::new();
-        for shift in &self.accepted {
-            for &unknown in self.unknowns {
-                let multiplier = shift.multiplier.times(&Monomial::unknown(unknown));
-                let neighbour = Shift { multiplier, ..*shift };
-                if !self.accepted.contains(&neighbour) {
-                    found.insert(neighbour);
-                }
-            }
-        }
-        found
+        let times = |shift: &Shift, unknown: usize| Shift {
+            multiplier: shift.multiplier.times(&Monomial::unknown(unknown)),
+            ..*shift
+        };
+        let all =
+            self.accepted.iter().flat_map(|shift| self.unknowns.iter().map(move |&unknown| times(shift, unknown)));
+        all.filter(|shift| !self.accepted.contains(shift)).collect()
     }
 
-    /// All shifts whose monomials lie in `support`, by breadth-first growth from the accepted ones.
-    fn closure(&self, support: &HashSet<Monomial>, seed: Option<Shift>) -> BTreeSet<Shift> {
-        let mut closed = self.accepted.clone();
-        closed.extend(seed);
-        let mut queue: Vec<Shift> = closed.iter().copied().collect();
-        while let Some(shift) = queue.pop() {
-            for &unknown in self.unknowns {
-                let x = Monomial::unknown(unknown);
-                for multiplier in [shift.multiplier.times(&x), shift.multiplier.over(&x)] {
-                    let next = Shift { multiplier, ..shift };
-                    let fits = || {
-                        let f = &self.equations[next.equation];
-                        multiplier.is_polynomial() && f.monomials().all(|m| support.contains(&m.times(&multiplier)))
-                    };
-                    if !closed.contains(&next) && fits() {
-                        closed.insert(next);
-                        queue.push(next);
-                    }
+    /// Shifts that are not accepted, whose monomials lie in the support or among `new`, and at least one of them among `new`.
+    fn freed_by(&self, new: &[Monomial]) -> BTreeSet<Shift> {
+        let mut freed = BTreeSet::new();
+        let is_there = |m: Monomial| self.support.contains(&m) || new.contains(&m);
+        for (equation, f) in self.equations.iter().enumerate() {
+            for (n, term) in new.iter().flat_map(|n| f.monomials().map(move |term| (n, term))) {
+                let shift = Shift { equation, multiplier: n.over(&term) };
+                if monomials_of(self.equations, &shift).all(is_there) && !self.accepted.contains(&shift) {
+                    freed.insert(shift);
                 }
             }
         }
-        closed
+        freed
     }
 
     fn grow_by_best_shift(&mut self) {
         let mut best: Option<(Score, BTreeSet<Shift>)> = None;
         for candidate in self.neighbours() {
-            let mut support = self.support.clone();
-            let f = &self.equations[candidate.equation];
-            support.extend(f.monomials().map(|m| m.times(&candidate.multiplier)));
-            let closed = self.closure(&support, Some(candidate));
-            let excess = support.len() as i64 - closed.len() as i64;
-            let score = (excess, closed.len(), candidate.multiplier, candidate.equation);
+            let new: Vec<Monomial> =
+                monomials_of(self.equations, &candidate).filter(|m| !self.support.contains(m)).collect();
+            let mut freed = self.freed_by(&new);
+            freed.insert(candidate);
+            let (columns, rows) = (self.support.len() + new.len(), self.accepted.len() + freed.len());
+            let score = (columns as i64 - rows as i64, rows, candidate.multiplier, candidate.equation);
             if best.as_ref().is_none_or(|(least, _)| score < *least) {
-                best = Some((score, closed));
+                best = Some((score, freed));
             }
         }
-        for shift in best.map(|(_, closed)| closed).unwrap_or_default() {
+        for shift in best.map(|(_, freed)| freed).unwrap_or_default() {
+            self.accept(shift);
+        }
+    }
+
+    fn grow_by_neighbours(&mut self) {
+        for shift in self.neighbours() {
             self.accept(shift);
         }
     }
@@ -140,26 +133,36 @@ impl Iterator for Shifts<'_> {
         self.level += 1;
         match self.growth.clone() {
             Growth::Degree(weights) => self.grow_by_degree(&weights),
-            _ if self.level == 0 => {
-                for equation in 0..self.equations.len() {
-                    self.accept(Shift { equation, multiplier: Monomial::ONE });
-                }
-                for shift in self.closure(&self.support, None) {
-                    self.accept(shift);
-                }
-            }
-            Growth::Neighbours => {
-                for shift in self.neighbours() {
-                    self.accept(shift);
-                }
-            }
-            Growth::BestShift => self.grow_by_best_shift(),
+            _ if self.level == 0 => self.accepted.extend(shifts_within(self.equations, &self.support)),
+            Growth::Neighbours => self.grow_by_neighbours(),
+            Growth::BestShift(after) if self.level <= after => self.grow_by_neighbours(),
+            Growth::BestShift(_) => self.grow_by_best_shift(),
         }
         let grown = self.accepted.len() > before || matches!(self.growth, Growth::Degree(_));
         // Exponents are i8; far below that no template is of use any more.
-        let in_range = self.support.iter().all(|m| m.exponents().iter().all(|&e| e < 60)) && self.level < 60;
+        let in_range =
+            self.support.iter().all(|m| m.exponents().iter().all(|&e| (-60..60).contains(&e))) && self.level < 1000;
         (grown && in_range && self.support.len() <= self.limit).then(|| self.accepted.iter().copied().collect())
     }
+}
+
+/// The monomials of a shift.
+pub fn monomials_of<'a>(equations: &'a [Polynomial<u32>], shift: &Shift) -> impl Iterator<Item = Monomial> + use<'a> {
+    let multiplier = shift.multiplier;
+    equations[shift.equation].monomials().map(move |m| m.times(&multiplier))
+}
+
+/// All shifts whose monomials lie in `support`.
+pub fn shifts_within(equations: &[Polynomial<u32>], support: &HashSet<Monomial>) -> BTreeSet<Shift> {
+    let mut shifts = BTreeSet::new();
+    for (equation, f) in equations.iter().enumerate() {
+        let Some(first) = f.monomials().next() else { continue };
+        let of = |m: &Monomial| Shift { equation, multiplier: m.over(&first) };
+        shifts.extend(
+            support.iter().map(of).filter(|shift| monomials_of(equations, shift).all(|m| support.contains(&m))),
+        );
+    }
+    shifts
 }
 
 /// The largest weighted degree of a term.

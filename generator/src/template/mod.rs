@@ -14,6 +14,8 @@
 
 pub mod file;
 pub mod grow;
+pub mod improve;
+mod index_set;
 pub mod reduce;
 pub mod shift_matrix;
 pub mod solving_set;

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use super::shift_matrix::ShiftMatrix;
 use super::solving_set::{Dependencies, Requirements, SolvingSet};
 use super::{EliminationTemplate, Shift};
-use crate::algebra::Monomial;
+use crate::algebra::{Echelon, Monomial};
 use crate::instance::Random;
 
 /// The order in which rows are offered for deletion.
@@ -29,7 +29,7 @@ pub fn reduce(
     requirements: &Requirements<'_>,
     order: DeletionOrder,
 ) -> Option<EliminationTemplate> {
-    let mut current = Reduction::start(matrix.clone(), action, requirements)?;
+    let mut current = Reduction::start(matrix.clone(), action, requirements, order)?;
     let mut queue = deletion_queue(&current.matrix, order);
     // Blocks of rows first, halved on failure: a large template loses most rows in a few trials.
     let mut block = (queue.len() / 8).max(1);
@@ -45,7 +45,7 @@ pub fn reduce(
                     deleted = true;
                     if queue.len() * 4 < current.alive.len() * 3 {
                         let shifts: Vec<Shift> = queue.iter().map(|&row| current.matrix.shifts[row]).collect();
-                        current = current.compacted(action, requirements)?;
+                        current = current.compacted(action, requirements, order)?;
                         let row_of = |shift: &Shift| current.matrix.shifts.iter().position(|other| other == shift);
                         queue = shifts.iter().filter_map(row_of).collect();
                     }
@@ -71,11 +71,16 @@ struct Reduction {
 }
 
 impl Reduction {
-    /// Starts with the rows that the smallest solving set needs.
-    fn start(mut matrix: ShiftMatrix, action: &Monomial, requirements: &Requirements<'_>) -> Option<Self> {
+    /// Starts with the rows that the best solving set needs. Of dependent rows those are left out that are offered for deletion first.
+    fn start(
+        mut matrix: ShiftMatrix,
+        action: &Monomial,
+        requirements: &Requirements<'_>,
+        order: DeletionOrder,
+    ) -> Option<Self> {
         loop {
-            let dependencies = Dependencies::new(&matrix, action, true)?;
-            let set = dependencies.smallest(&matrix, requirements)?;
+            let dependencies = independent(&matrix, action, order)?;
+            let set = dependencies.best(&matrix, requirements)?;
             let needed = dependencies.rows_of(&set);
             if needed.len() == matrix.rows.len() {
                 let alive = vec![true; needed.len()];
@@ -92,9 +97,7 @@ impl Reduction {
         if !rest.dependencies.settle(requirements.solutions) {
             return None;
         }
-        if !rest.dependencies.still_solves(&rest.set) {
-            rest.set = rest.dependencies.smallest(&rest.matrix, requirements)?;
-        }
+        rest.set = rest.dependencies.best(&rest.matrix, requirements)?;
         let needed = rest.dependencies.rows_of(&rest.set);
         for row in 0..rest.alive.len() {
             if rest.alive[row] && needed.binary_search(&row).is_err() {
@@ -105,8 +108,8 @@ impl Reduction {
     }
 
     /// The same on a matrix of the rows that are left.
-    fn compacted(&self, action: &Monomial, requirements: &Requirements<'_>) -> Option<Self> {
-        Self::start(self.matrix.retain_rows(|row| self.alive[row]), action, requirements)
+    fn compacted(&self, action: &Monomial, requirements: &Requirements<'_>, order: DeletionOrder) -> Option<Self> {
+        Self::start(self.matrix.retain_rows(|row| self.alive[row]), action, requirements, order)
     }
 
     fn delete(&mut self, row: usize) {
@@ -116,20 +119,43 @@ impl Reduction {
 
     /// The template of the solving set; all rows are needed. Excess columns without a pivot cancel.
     fn template(&self, action: &Monomial) -> Option<EliminationTemplate> {
-        let monomials = |columns: &[usize]| columns.iter().map(|&column| self.matrix.monomials[column]).collect();
-        let is_excess = |column: &usize| self.set.reducible.binary_search(column).is_err();
-        let excess: Vec<usize> = self.dependencies.pivots().into_iter().filter(is_excess).collect();
-        let mut shifts: Vec<Shift> =
-            (0..self.alive.len()).filter(|&row| self.alive[row]).map(|row| self.matrix.shifts[row]).collect();
+        let matrix = self.matrix.retain_rows(|row| self.alive[row]);
+        let monomials = |columns: &[usize]| -> Vec<Monomial> {
+            columns.iter().map(|&column| self.matrix.monomials[column]).collect()
+        };
+        let (reducible, basis) = (monomials(&self.set.reducible), monomials(&self.set.basis));
+        let mut shifts = matrix.shifts.clone();
         shifts.sort_unstable();
-        (shifts.len() == excess.len() + self.set.reducible.len()).then(|| EliminationTemplate {
+        let excess = matrix.pivots_before(&reducible, &basis);
+        (shifts.len() == excess.len() + reducible.len()).then_some(EliminationTemplate {
             shifts,
             action: *action,
-            excess: monomials(&excess),
-            reducible: monomials(&self.set.reducible),
-            basis: monomials(&self.set.basis),
+            excess,
+            reducible,
+            basis,
         })
     }
+}
+
+/// The dependencies of a matrix for an action monomial, of independent rows, of which those are preferred that are offered for deletion late.
+pub fn independent(matrix: &ShiftMatrix, action: &Monomial, order: DeletionOrder) -> Option<Dependencies> {
+    Dependencies::tracked(matrix, action, &independent_rows(matrix, order))
+}
+
+/// Rows of which none depends on others, as many as there can be; those are preferred that are offered for deletion late.
+fn independent_rows(matrix: &ShiftMatrix, order: DeletionOrder) -> Vec<usize> {
+    let mut echelon = Echelon::new(matrix.field, matrix.monomials.len());
+    let mut rows: Vec<usize> = deletion_queue(matrix, order)
+        .into_iter()
+        .rev()
+        .filter(|&row| {
+            let entries: Vec<(u32, u32)> =
+                matrix.rows[row].iter().map(|&(column, value)| (column as u32, value)).collect();
+            echelon.insert_sparse(&entries).is_some()
+        })
+        .collect();
+    rows.sort_unstable();
+    rows
 }
 
 /// The rows in the order in which they are offered.

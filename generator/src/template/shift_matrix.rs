@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::Shift;
-use crate::algebra::{Monomial, Polynomial, PrimeField};
+use crate::algebra::{Echelon, Monomial, Polynomial, PrimeField};
 
 /// Rows of `m * f` for a set of shifts, sparse, with their monomials.
 ///
@@ -40,6 +40,27 @@ impl ShiftMatrix {
         };
         let rows = shifts.iter().map(row).collect();
         Self { field, shifts: shifts.to_vec(), monomials, column_of, rows }
+    }
+
+    /// The monomials apart from `reducible` and `basis` in which a row leads when the columns stand in the order: others, `reducible`, `basis`.
+    pub fn pivots_before(&self, reducible: &[Monomial], basis: &[Monomial]) -> Vec<Monomial> {
+        let mut part = vec![0; self.monomials.len()];
+        let mut mark = |monomials: &[Monomial], number| {
+            monomials.iter().filter_map(|m| self.column_of.get(m)).for_each(|&column| part[column] = number);
+        };
+        mark(reducible, 1);
+        mark(basis, 2);
+        let mut order: Vec<usize> = (0..part.len()).collect();
+        order.sort_by_key(|&column| part[column]);
+        let mut position = vec![0; order.len()];
+        order.iter().enumerate().for_each(|(at, &column)| position[column] = at as u32);
+        let mut echelon = Echelon::new(self.field, order.len());
+        for row in &self.rows {
+            let entries: Vec<(u32, u32)> = row.iter().map(|&(column, value)| (position[column], value)).collect();
+            echelon.insert_sparse(&entries);
+        }
+        let pivots = echelon.pivot_columns().into_iter().map(|at| order[at]);
+        pivots.filter(|&column| part[column] == 0).map(|column| self.monomials[column]).collect()
     }
 
     /// The same without some rows; columns that become empty go too.

@@ -4,6 +4,9 @@
 //! row space in terms of B. B need not be a basis of the quotient ring: with |B| above the number of solutions some
 //! eigenvalues are spurious. (Martyushev, Bhayani, Pajdla, arXiv 2307.00320.)
 
+use std::collections::BTreeSet;
+
+use super::index_set::IndexSet;
 use super::shift_matrix::ShiftMatrix;
 use super::tableau::Tableau;
 use crate::algebra::Monomial;
@@ -15,6 +18,8 @@ pub struct SolvingSet {
     pub basis: Vec<usize>,
     /// R = aB \ B, and the columns that are only there for an unknown to be read from.
     pub reducible: Vec<usize>,
+    /// How many rows of the matrix express R in B.
+    pub rows: usize,
 }
 
 /// What a solving set must satisfy to be of use.
@@ -53,22 +58,32 @@ pub struct Dependencies {
     /// The column of a m for the monomial m of each column.
     image: Vec<Option<usize>>,
     part: Vec<Part>,
-    /// The rank that the next column gets which becomes excess.
-    next_excess: usize,
 }
 
 impl Dependencies {
-    /// For the rows of `matrix`; `tracked` if rows are to be deleted. `None` if no column is permissible.
-    pub fn new(matrix: &ShiftMatrix, action: &Monomial, tracked: bool) -> Option<Self> {
+    /// For all rows of `matrix`. `None` if no column is permissible.
+    pub fn new(matrix: &ShiftMatrix, action: &Monomial) -> Option<Self> {
+        let rows: Vec<usize> = (0..matrix.rows.len()).collect();
+        Self::of(matrix, action, &rows, false)
+    }
+
+    /// For some rows, which must be independent; they can be deleted later.
+    pub fn tracked(matrix: &ShiftMatrix, action: &Monomial, rows: &[usize]) -> Option<Self> {
+        Self::of(matrix, action, rows, true)
+    }
+
+    fn of(matrix: &ShiftMatrix, action: &Monomial, rows: &[usize], tracked: bool) -> Option<Self> {
         let columns = matrix.monomials.len();
         let image: Vec<Option<usize>> =
             matrix.monomials.iter().map(|m| matrix.column_of.get(&m.times(action)).copied()).collect();
         let mut part = vec![Part::Permissible; columns];
         stabilise(&mut part, &image);
+        if !part.contains(&Part::Permissible) {
+            return None;
+        }
         let ranks = (0..columns).map(|column| rank(part[column], column, columns)).collect();
-        let next_excess = columns;
-        let mut dependencies = Self { tableau: Tableau::new(matrix, ranks, tracked), image, part, next_excess };
-        (dependencies.settle(1) && dependencies.part.contains(&Part::Permissible)).then_some(dependencies)
+        let mut dependencies = Self { tableau: Tableau::new(matrix, rows, ranks, columns, tracked), image, part };
+        dependencies.settle(1).then_some(dependencies)
     }
 
     /// Takes a row out of the matrix; call [`Dependencies::settle`] afterwards.
@@ -95,23 +110,16 @@ impl Dependencies {
                 return false;
             }
             for column in 0..part.len() {
-                if part[column] != self.part[column] {
-                    self.move_to(column, part[column]);
+                if part[column] == self.part[column] {
+                    continue;
+                }
+                self.part[column] = part[column];
+                match part[column] {
+                    Part::Excess => self.tableau.give_up(column),
+                    part => self.tableau.move_forward(column, rank(part, column, self.part.len())),
                 }
             }
         }
-    }
-
-    fn move_to(&mut self, column: usize, part: Part) {
-        let rank = match part {
-            Part::Excess => {
-                self.next_excess += 1;
-                self.next_excess - 1
-            }
-            part => rank(part, column, self.part.len()),
-        };
-        self.part[column] = part;
-        self.tableau.move_forward(column, rank);
     }
 
     /// Whether the column is expressed by permissible ones.
@@ -120,10 +128,88 @@ impl Dependencies {
         others.as_mut().is_some_and(|others| others.all(|other| self.part[other] == Part::Permissible))
     }
 
-    /// Whether a solving set that held before rows were deleted still does.
-    pub fn still_solves(&self, set: &SolvingSet) -> bool {
-        set.basis.iter().all(|&b| !self.tableau.is_pivot(b))
-            && set.reducible.iter().all(|&column| self.is_expressed(column, &set.basis))
+    /// The rows of the matrix that express the reducible columns of a solving set, increasing.
+    pub fn rows_of(&self, set: &SolvingSet) -> Vec<usize> {
+        self.shifts_of(&set.reducible).iter().collect()
+    }
+
+    fn shifts_of(&self, columns: &[usize]) -> IndexSet {
+        let mut shifts = self.tableau.no_shifts();
+        columns.iter().for_each(|&column| shifts.extend(&self.tableau.shifts_of(column)));
+        shifts
+    }
+
+    /// The solving set with the fewest rows among those that meet the requirements, and among these the smallest; `None` if there is none.
+    pub fn best(&self, matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> Option<SolvingSet> {
+        let mut closed: Vec<(usize, usize, Vec<usize>)> = self
+            .closed_sets(requirements)
+            .into_iter()
+            .map(|basis| (self.shifts_of(&self.image_outside(&basis)).len(), basis.len(), basis))
+            .collect();
+        closed.sort_unstable();
+        let mut best: Option<SolvingSet> = None;
+        for (rows, size, basis) in closed {
+            // Reading the unknowns may take more rows, never fewer.
+            if best.as_ref().is_some_and(|best| (best.rows, best.basis.len()) <= (rows, size)) {
+                break;
+            }
+            let Some(reducible) = self.readable(matrix, &basis, requirements.unknowns) else { continue };
+            let rows = self.shifts_of(&reducible).len();
+            if best.as_ref().is_none_or(|best| (rows, size) < (best.rows, best.basis.len())) {
+                best = Some(SolvingSet { basis, reducible, rows });
+            }
+        }
+        best
+    }
+
+    /// Sets of free columns that are closed under the action and of a size in the required range: the closure of each free column, and
+    /// of the columns that each single row depends on.
+    fn closed_sets(&self, requirements: &Requirements<'_>) -> BTreeSet<Vec<usize>> {
+        let free: Vec<usize> = (0..self.part.len()).filter(|&column| self.is_free(column)).collect();
+        let mut index_of = vec![usize::MAX; self.part.len()];
+        free.iter().enumerate().for_each(|(at, &column)| index_of[column] = at);
+        let dependence = |column: usize| {
+            let mut set = IndexSet::new(free.len());
+            for other in self.tableau.dependence(column).into_iter().flatten() {
+                set.insert(index_of[other]);
+            }
+            set
+        };
+        let next: Vec<IndexSet> = free
+            .iter()
+            .map(|&column| match self.image[column] {
+                Some(target) if self.is_free(target) => {
+                    let mut set = IndexSet::new(free.len());
+                    set.insert(index_of[target]);
+                    set
+                }
+                Some(target) => dependence(target),
+                None => IndexSet::new(free.len()),
+            })
+            .collect();
+        let closures: Vec<IndexSet> = (0..free.len()).map(|at| reachable(at, &next)).collect();
+        let of_rows =
+            self.tableau.pivots().iter().filter(|&&column| self.part[column] != Part::Excess).map(|&column| {
+                let mut union = IndexSet::new(free.len());
+                dependence(column).iter().for_each(|at| union.extend(&closures[at]));
+                union
+            });
+        let sets: BTreeSet<IndexSet> = closures.iter().cloned().chain(of_rows).collect();
+        let sizes = requirements.solutions..=requirements.max_basis;
+        let columns = |set: IndexSet| set.iter().map(|at| free[at]).collect();
+        sets.into_iter().filter(|set| sizes.contains(&set.len())).map(columns).collect()
+    }
+
+    fn is_free(&self, column: usize) -> bool {
+        self.part[column] == Part::Permissible && !self.tableau.is_pivot(column)
+    }
+
+    /// aB \ B, increasing.
+    fn image_outside(&self, basis: &[usize]) -> Vec<usize> {
+        let mut image: Vec<usize> =
+            basis.iter().filter_map(|&b| self.image[b]).filter(|t| basis.binary_search(t).is_err()).collect();
+        image.sort_unstable();
+        image
     }
 
     /// Whether the column is in B or a row expresses it in B.
@@ -133,102 +219,9 @@ impl Dependencies {
             || self.tableau.dependence(column).is_some_and(|mut others| others.all(|other| is_basis(&other)))
     }
 
-    /// The rows of the matrix that express the reducible columns of a solving set, increasing.
-    pub fn rows_of(&self, set: &SolvingSet) -> Vec<usize> {
-        let mut rows: Vec<usize> = set.reducible.iter().flat_map(|&column| self.tableau.shifts_of(column)).collect();
-        rows.sort_unstable();
-        rows.dedup();
-        rows
-    }
-
-    /// The pivot columns, increasing.
-    pub fn pivots(&self) -> Vec<usize> {
-        let mut pivots = self.tableau.pivots().to_vec();
-        pivots.sort_unstable();
-        pivots
-    }
-
-    /// The smallest solving set that meets the requirements, or `None`. Among sets of one size one from which all unknowns can be read
-    /// without further rows is preferred.
-    pub fn smallest(&self, matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> Option<SolvingSet> {
-        let support: Vec<Option<Vec<usize>>> = (0..self.part.len())
-            .map(|column| match self.part[column] {
-                Part::Excess => None,
-                _ => self.tableau.dependence(column).map(Iterator::collect),
-            })
-            .collect();
-        let mut best: Option<(SolvingSet, bool)> = None;
-        let mut tried: Vec<Vec<usize>> = Vec::new();
-        for seed in self.seeds(&support) {
-            let limit = match &best {
-                Some((set, needs_more)) => set.basis.len() - usize::from(!needs_more),
-                None => requirements.max_basis,
-            };
-            let Some(basis) = self.closure(&seed, &support, limit) else { continue };
-            if basis.len() < requirements.solutions || tried.contains(&basis) {
-                continue;
-            }
-            if let Some(found) = self.readable(matrix, &basis, requirements.unknowns) {
-                let is_better =
-                    |(old, old_more): &(SolvingSet, bool)| (basis.len(), found.1) < (old.basis.len(), *old_more);
-                if best.as_ref().is_none_or(is_better) {
-                    best = Some(found);
-                }
-            }
-            tried.push(basis);
-        }
-        best.map(|(set, _)| set)
-    }
-
-    /// Starting points for closures: the supports of single rows, and single free columns, small first.
-    fn seeds(&self, support: &[Option<Vec<usize>>]) -> Vec<Vec<usize>> {
-        let mut seeds: Vec<Vec<usize>> = support.iter().flatten().filter(|s| !s.is_empty()).cloned().collect();
-        seeds.extend((0..self.part.len()).filter(|&c| self.is_free(c)).map(|c| vec![c]));
-        seeds.sort_unstable_by(|a, b| (a.len(), a).cmp(&(b.len(), b)));
-        seeds.dedup();
-        seeds
-    }
-
-    fn is_free(&self, column: usize) -> bool {
-        self.part[column] == Part::Permissible && !self.tableau.is_pivot(column)
-    }
-
-    /// The smallest set of free columns that holds `seed` and is closed under the action; `None` if larger than `limit`.
-    fn closure(&self, seed: &[usize], support: &[Option<Vec<usize>>], limit: usize) -> Option<Vec<usize>> {
-        let mut member = vec![false; self.part.len()];
-        let mut members = Vec::new();
-        let mut enter = |column: usize, members: &mut Vec<usize>| {
-            if !member[column] {
-                member[column] = true;
-                members.push(column);
-            }
-        };
-        for &column in seed {
-            enter(column, &mut members);
-        }
-        let mut next = 0;
-        while next < members.len() {
-            if members.len() > limit {
-                return None;
-            }
-            let target = self.image[members[next]]?;
-            match &support[target] {
-                _ if self.is_free(target) => enter(target, &mut members),
-                Some(support) => support.iter().for_each(|&column| enter(column, &mut members)),
-                None => return None,
-            }
-            next += 1;
-        }
-        members.sort_unstable();
-        (members.len() <= limit).then_some(members)
-    }
-
-    /// The solving set of a closed B if every unknown can be read from it, and whether that needs columns besides B and its image.
-    fn readable(&self, matrix: &ShiftMatrix, basis: &[usize], unknowns: &[usize]) -> Option<(SolvingSet, bool)> {
-        let mut reducible: Vec<usize> =
-            basis.iter().filter_map(|&b| self.image[b]).filter(|t| basis.binary_search(t).is_err()).collect();
-        reducible.sort_unstable();
-        let image = reducible.len();
+    /// The columns to express in a closed B if every unknown can then be read: aB \ B and what else it takes, increasing.
+    fn readable(&self, matrix: &ShiftMatrix, basis: &[usize], unknowns: &[usize]) -> Option<Vec<usize>> {
+        let mut reducible = self.image_outside(basis);
         for &unknown in unknowns {
             let x = Monomial::unknown(unknown);
             let times_x = |column: usize| matrix.column_of.get(&matrix.monomials[column].times(&x)).copied();
@@ -252,9 +245,19 @@ impl Dependencies {
                 reducible.insert(at, lowest);
             }
         }
-        let needs_more = reducible.len() > image;
-        Some((SolvingSet { basis: basis.to_vec(), reducible }, needs_more))
+        Some(reducible)
     }
+}
+
+/// All indices that are reached from one, with itself.
+fn reachable(from: usize, next: &[IndexSet]) -> IndexSet {
+    let mut reached = IndexSet::new(next.len());
+    reached.insert(from);
+    let mut queue = vec![from];
+    while let Some(at) = queue.pop() {
+        queue.extend(next[at].iter().filter(|&other| reached.insert(other)));
+    }
+    reached
 }
 
 /// Shrinks P and R until P = columns that are not excess and whose image is not, R = images of P outside P.
@@ -280,13 +283,13 @@ fn stabilise(part: &mut [Part], image: &[Option<usize>]) {
     }
 }
 
-/// Excess columns first, then reducible, then permissible ones; room for `columns` that become excess later.
+/// Excess columns first, then reducible, then permissible ones.
 fn rank(part: Part, column: usize, columns: usize) -> usize {
     column
         + columns
             * match part {
                 Part::Excess => 0,
-                Part::Reducible => 2,
-                Part::Permissible => 3,
+                Part::Reducible => 1,
+                Part::Permissible => 2,
             }
 }

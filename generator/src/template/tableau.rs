@@ -1,25 +1,35 @@
-//! A reduced echelon form that is kept up to date while rows of the matrix are deleted and columns change their order.
+//! A reduced echelon form that is kept up to date while rows of the matrix are deleted and columns are given up.
 //!
 //! Both changes cost one row operation for each row, where a new elimination would cost one for each pair of rows.
 
+use super::index_set::IndexSet;
 use super::shift_matrix::ShiftMatrix;
-use crate::algebra::{DenseMatrix, PrimeField};
+use crate::algebra::{Echelon, PrimeField};
 
-/// The reduced echelon form of a [`ShiftMatrix`] for an order of its columns, and each row as a combination of the shifts.
+/// The part of the reduced echelon form of a [`ShiftMatrix`] that is left when the rows are gone that lead in a column of the excess, and each
+/// row as a combination of the shifts.
 ///
 /// ```text
-///              columns, where they stand in the matrix    shifts
-///   row k    [ 0 at other pivots, 1 at its own, * ..   |   U[k]   ]      U M = the left part
+///              columns                                       shifts
+///   row k    [ 0 at other pivots, 1 at its own, * .. * ]  [   U[k]   ]      U M = the left part
 /// ```
 ///
-/// A row leads at its pivot: every other column with an entry has a larger rank. The row space decides everything, so whether a monomial
-/// t can be expressed by others B that are no pivots is read off: it can if t is a pivot and the other entries of its row are in B.
+/// The excess columns come first. A row leads at its pivot: every other column with an entry has a larger rank. Rows that lead in
+/// the excess are of no use for any other row, neither now nor after further changes, and are not kept; that is most of the matrix. The row
+/// space decides everything, so whether a monomial t can be expressed by others B that are no pivots is read off: it can if t is a pivot and the other
+/// entries of its row are in B.
 #[derive(Clone, Debug)]
 pub struct Tableau {
     field: PrimeField,
-    columns: usize,
-    width: usize,
-    /// Rows of `width` values, one after another.
+    /// The columns of the matrix that have an entry in some row of the beginning, by their position here.
+    columns: Vec<usize>,
+    /// Position of each column of the matrix among `columns`.
+    place: Vec<Option<usize>>,
+    /// The shifts by their position behind the columns.
+    shifts: Vec<usize>,
+    /// Position of each shift, counted from the first column.
+    place_of_shift: Vec<Option<usize>>,
+    /// Rows of `columns` and `shifts` values, one after another.
     data: Vec<u32>,
     /// Pivot column of each row.
     pivots: Vec<usize>,
@@ -30,45 +40,67 @@ pub struct Tableau {
 }
 
 impl Tableau {
-    /// For columns in the order of their ranks, which must differ. With `tracked`, rows of the matrix that depend on lower ones take no part,
-    /// and combinations are kept so that rows can be deleted.
-    pub fn new(matrix: &ShiftMatrix, ranks: Vec<usize>, tracked: bool) -> Self {
-        let columns = matrix.monomials.len();
-        let mut order: Vec<usize> = (0..columns).collect();
+    /// Of some rows of the matrix; columns in the order of their ranks, which must differ; those of rank below `excess` are the excess.
+    /// With `tracked`, combinations are kept so that rows can be deleted; the rows must then be independent.
+    pub fn new(matrix: &ShiftMatrix, rows: &[usize], ranks: Vec<usize>, excess: usize, tracked: bool) -> Self {
+        let count = matrix.monomials.len();
+        let mut order: Vec<usize> = (0..count).collect();
         order.sort_unstable_by_key(|&column| ranks[column]);
-        let mut position = vec![0; columns];
+        let mut position = vec![0; count];
         order.iter().enumerate().for_each(|(at, &column)| position[column] = at);
-        let chosen = if tracked { independent_rows(matrix) } else { (0..matrix.rows.len()).collect() };
-        let width = columns + if tracked { matrix.rows.len() } else { 0 };
-        let mut dense = DenseMatrix::zeros(matrix.field, chosen.len(), width);
-        for (at, &row) in chosen.iter().enumerate() {
-            let target = dense.row_mut(at);
-            matrix.rows[row].iter().for_each(|&(column, value)| target[position[column]] = value);
+        let width = count + if tracked { rows.len() } else { 0 };
+        let mut echelon = Echelon::new(matrix.field, width);
+        for (at, &row) in rows.iter().enumerate() {
+            let mut entries: Vec<(u32, u32)> =
+                matrix.rows[row].iter().map(|&(column, value)| (position[column] as u32, value)).collect();
             if tracked {
-                target[columns + row] = 1;
+                entries.push(((count + at) as u32, 1));
             }
+            echelon.insert_sparse(&entries);
         }
-        let leading = dense.reduce_to_echelon();
+        let is_kept = |at: &usize| *at < count && ranks[order[*at]] >= excess;
+        let leading: Vec<usize> = echelon.pivot_columns().into_iter().filter(is_kept).collect();
+        // From the last row up, so that each is reduced by all that lead behind it.
+        let mut reduced = Echelon::new(matrix.field, width);
+        for &at in leading.iter().rev() {
+            reduced.insert_sparse_reduced(&echelon.row(at));
+        }
+        let kept: Vec<(usize, Vec<(u32, u32)>)> = leading.iter().map(|&at| (order[at], reduced.row(at))).collect();
+        let mut is_used = vec![false; width];
+        kept.iter().flat_map(|(_, row)| row).for_each(|&(at, _)| is_used[at as usize] = true);
+        let columns: Vec<usize> = (0..count).filter(|&column| is_used[position[column]]).collect();
+        let shifts: Vec<usize> = (count..width).filter(|&at| is_used[at]).map(|at| rows[at - count]).collect();
         let mut tableau = Self {
             field: matrix.field,
+            place: inverse(&columns, 0, count),
+            place_of_shift: inverse(&shifts, columns.len(), matrix.rows.len()),
+            data: Vec::with_capacity(kept.len() * (columns.len() + shifts.len())),
+            pivots: kept.iter().map(|&(column, _)| column).collect(),
+            row_of: inverse(&kept.iter().map(|&(column, _)| column).collect::<Vec<_>>(), 0, count),
             columns,
-            width,
-            data: Vec::with_capacity(leading.len() * width),
-            pivots: Vec::with_capacity(leading.len()),
-            row_of: vec![None; columns],
+            shifts,
             ranks,
         };
-        for (row, &at) in leading.iter().enumerate().filter(|&(_, &at)| at < columns) {
-            let from = dense.row(row);
-            tableau.data.extend(position.iter().map(|&at| from[at]));
-            tableau.data.extend(&from[columns..]);
-            tableau.row_of[order[at]] = Some(tableau.pivots.len());
-            tableau.pivots.push(order[at]);
+        for (_, row) in &kept {
+            let start = tableau.data.len();
+            tableau.data.resize(start + tableau.width(), 0);
+            for &(at, value) in row {
+                let at = at as usize;
+                let place =
+                    if at < count { tableau.place[order[at]] } else { tableau.place_of_shift[rows[at - count]] };
+                if let Some(place) = place {
+                    tableau.data[start + place] = value;
+                }
+            }
         }
         tableau
     }
 
-    /// Number of rows, which is the rank.
+    fn width(&self) -> usize {
+        self.columns.len() + self.shifts.len()
+    }
+
+    /// Number of rows.
     pub fn rows(&self) -> usize {
         self.pivots.len()
     }
@@ -85,48 +117,71 @@ impl Tableau {
 
     /// The other columns with an entry in the row that leads in `column`; `None` where none leads.
     pub fn dependence(&self, column: usize) -> Option<impl Iterator<Item = usize> + '_> {
-        let row = self.row(self.row_of[column]?);
-        Some((0..self.columns).filter(move |&other| row[other] != 0 && other != column))
+        let entries = &self.row(self.row_of[column]?)[..self.columns.len()];
+        let others = entries.iter().zip(&self.columns).filter(|&(value, _)| *value != 0).map(|(_, &other)| other);
+        Some(others.filter(move |&other| other != column))
     }
 
     /// The shifts that the row that leads in `column` is made of; none where none leads.
-    pub fn shifts_of(&self, column: usize) -> impl Iterator<Item = usize> + '_ {
-        let combination = self.row_of[column].map_or(&[][..], |row| &self.row(row)[self.columns..]);
-        combination.iter().enumerate().filter(|(_, value)| **value != 0).map(|(shift, _)| shift)
+    pub(super) fn shifts_of(&self, column: usize) -> IndexSet {
+        let mut shifts = self.no_shifts();
+        if let Some(row) = self.row_of[column] {
+            let combination = self.row(row)[self.columns.len()..].iter().zip(&self.shifts);
+            combination.filter(|(value, _)| **value != 0).for_each(|(_, &shift)| {
+                shifts.insert(shift);
+            });
+        }
+        shifts
+    }
+
+    /// No shift.
+    pub(super) fn no_shifts(&self) -> IndexSet {
+        IndexSet::new(self.place_of_shift.len())
     }
 
     fn row(&self, row: usize) -> &[u32] {
-        &self.data[row * self.width..(row + 1) * self.width]
+        &self.data[row * self.width()..(row + 1) * self.width()]
     }
 
     /// Takes a shift out: of the rows that hold it the one that leads last is subtracted from the others and goes. Nothing happens if none does.
     pub fn delete_shift(&mut self, shift: usize) {
-        let at = self.columns + shift;
-        if let Some(row) = self.last_row_with(at, 0) {
-            self.eliminate(row, at);
-            self.remove_row(row);
+        if let Some(at) = self.place_of_shift[shift] {
+            self.remove_last_row_with(at, None);
         }
     }
 
-    /// Moves a column forward in the order. If it was no pivot and rows that lead behind its new place have an entry there, the last
-    /// of them leads there from now on.
-    pub fn move_forward(&mut self, column: usize, rank: usize) {
-        debug_assert!(rank < self.ranks[column]);
-        self.ranks[column] = rank;
-        if self.row_of[column].is_some() {
-            return;
+    /// Puts a column at the end of the excess: the row that leads there is not kept.
+    pub fn give_up(&mut self, column: usize) {
+        if let Some(at) = self.place[column] {
+            self.remove_last_row_with(at, self.row_of[column]);
         }
-        if let Some(row) = self.last_row_with(column, rank) {
-            self.eliminate(row, column);
+    }
+
+    /// Moves a column that is not of the excess forward in the order. If it was no pivot and rows that lead behind its new place have
+    /// an entry there, the last of them leads there from now on.
+    pub fn move_forward(&mut self, column: usize, rank: usize) {
+        debug_assert!(rank <= self.ranks[column]);
+        self.ranks[column] = rank;
+        let (None, Some(at)) = (self.row_of[column], self.place[column]) else { return };
+        if let Some(row) = self.last_row_with(at, rank) {
+            self.eliminate(row, at);
             self.row_of[self.pivots[row]] = None;
             self.row_of[column] = Some(row);
             self.pivots[row] = column;
         }
     }
 
+    fn remove_last_row_with(&mut self, at: usize, known: Option<usize>) {
+        if let Some(row) = known.or_else(|| self.last_row_with(at, 0)) {
+            self.eliminate(row, at);
+            self.remove_row(row);
+        }
+    }
+
     /// The row that leads last, behind `rank` or there, among those with an entry at position `at`.
     fn last_row_with(&self, at: usize, rank: usize) -> Option<usize> {
-        let candidates = (0..self.rows()).filter(|&row| self.data[row * self.width + at] != 0);
+        let width = self.width();
+        let candidates = (0..self.rows()).filter(|&row| self.data[row * width + at] != 0);
         candidates
             .map(|row| (self.ranks[self.pivots[row]], row))
             .filter(|&(leading, _)| leading >= rank)
@@ -136,10 +191,10 @@ impl Tableau {
 
     /// Scales the row to 1 at position `at` and subtracts it from all others with an entry there.
     fn eliminate(&mut self, row: usize, at: usize) {
-        let field = self.field;
+        let (field, width) = (self.field, self.width());
         let inverse = field.inverse(self.row(row)[at]).unwrap_or(0);
         let pivot: Vec<u32> = self.row(row).iter().map(|&value| field.mul(value, inverse)).collect();
-        for (other, entries) in self.data.chunks_exact_mut(self.width).enumerate() {
+        for (other, entries) in self.data.chunks_exact_mut(width).enumerate() {
             if other == row {
                 entries.copy_from_slice(&pivot);
             } else if entries[at] != 0 {
@@ -149,27 +204,22 @@ impl Tableau {
     }
 
     fn remove_row(&mut self, row: usize) {
-        let last = self.rows() - 1;
+        let (last, width) = (self.rows() - 1, self.width());
         self.row_of[self.pivots[row]] = None;
         if row != last {
-            self.data.copy_within(last * self.width..(last + 1) * self.width, row * self.width);
+            self.data.copy_within(last * width..(last + 1) * width, row * width);
             self.row_of[self.pivots[last]] = Some(row);
         }
         self.pivots.swap_remove(row);
-        self.data.truncate(last * self.width);
+        self.data.truncate(last * width);
     }
 }
 
-/// Rows that do not depend on lower ones.
-fn independent_rows(matrix: &ShiftMatrix) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..matrix.rows.len()).collect();
-    order.sort_unstable_by_key(|&row| (matrix.shifts[row].multiplier, matrix.shifts[row].equation));
-    let mut dense = DenseMatrix::zeros(matrix.field, order.len(), matrix.monomials.len());
-    for (at, &row) in order.iter().enumerate() {
-        let target = dense.row_mut(at);
-        matrix.rows[row].iter().for_each(|&(column, value)| target[column] = value);
-    }
-    dense.independent_rows().into_iter().map(|at| order[at]).collect()
+/// The position of each of `count` indices in a list, counted from `first`.
+fn inverse(list: &[usize], first: usize, count: usize) -> Vec<Option<usize>> {
+    let mut place = vec![None; count];
+    list.iter().enumerate().for_each(|(at, &index)| place[index] = Some(first + at));
+    place
 }
 
 #[cfg(test)]
@@ -195,8 +245,12 @@ mod tests {
 
     /// Pivot and entries of each row, in the order of the columns.
     fn content(tableau: &Tableau) -> Vec<(usize, Vec<u32>)> {
+        let entry = |row: usize, column: usize| tableau.place[column].map_or(0, |at| tableau.row(row)[at]);
         let mut rows: Vec<_> = (0..tableau.rows())
-            .map(|row| (tableau.ranks[tableau.pivots[row]], tableau.row(row)[..tableau.columns].to_vec()))
+            .map(|row| {
+                let entries = (0..tableau.place.len()).map(|column| entry(row, column)).collect();
+                (tableau.ranks[tableau.pivots[row]], entries)
+            })
             .collect();
         rows.sort_unstable();
         rows
@@ -208,22 +262,27 @@ mod tests {
         for _ in 0..50 {
             let mut matrix = matrix(&mut random);
             let columns = matrix.monomials.len();
-            let ranks: Vec<usize> = (columns..2 * columns).collect();
-            let mut tableau = Tableau::new(&matrix, ranks.clone(), true);
-            let mut ranks = ranks;
+            let all: Vec<usize> = (0..matrix.rows.len()).collect();
+            // Ranks below `columns` are the excess, those from 2 * columns on have not moved yet.
+            let mut ranks: Vec<usize> =
+                (0..columns).map(|at| if at % 7 == 0 { at } else { 2 * columns + at }).collect();
+            let mut tableau = Tableau::new(&matrix, &all, ranks.clone(), columns, true);
             let mut kept = vec![true; matrix.rows.len()];
-            for step in 0..6 {
+            for step in 0..4 {
                 let column = random.below(columns as u64) as usize;
-                if ranks[column] >= columns {
-                    ranks[column] = step;
-                    tableau.move_forward(column, step);
+                if ranks[column] >= 2 * columns {
+                    ranks[column] = columns + step;
+                    tableau.move_forward(column, columns + step);
                 }
                 let row = random.below(matrix.rows.len() as u64) as usize;
                 kept[row] = false;
                 tableau.delete_shift(row);
+                let column = random.below(columns as u64) as usize;
+                ranks[column] = column;
+                tableau.give_up(column);
             }
             matrix.rows.iter_mut().zip(&kept).filter(|(_, kept)| !**kept).for_each(|(row, _)| row.clear());
-            assert_eq!(content(&tableau), content(&Tableau::new(&matrix, ranks, false)));
+            assert_eq!(content(&tableau), content(&Tableau::new(&matrix, &all, ranks, columns, false)));
         }
     }
 
@@ -231,18 +290,23 @@ mod tests {
     fn rows_are_the_combinations_of_shifts_that_they_say() {
         let matrix = matrix(&mut Random::new(2));
         let columns = matrix.monomials.len();
-        let mut tableau = Tableau::new(&matrix, (columns..2 * columns).collect(), true);
+        let all: Vec<usize> = (0..matrix.rows.len()).collect();
+        let mut tableau = Tableau::new(&matrix, &all, (columns + 1..2 * columns + 1).collect(), columns, true);
         tableau.delete_shift(3);
-        tableau.move_forward(columns - 1, 0);
+        tableau.give_up(1);
+        tableau.move_forward(columns - 1, columns);
+        assert!(tableau.rows() > 2);
         for row in 0..tableau.rows() {
             let mut sum = vec![0; columns];
-            for (shift, &factor) in tableau.row(row)[columns..].iter().enumerate() {
+            for (&shift, &factor) in tableau.shifts.iter().zip(&tableau.row(row)[tableau.columns.len()..]) {
                 for &(column, value) in &matrix.rows[shift] {
                     sum[column] = matrix.field.add(sum[column], matrix.field.mul(factor, value));
                 }
             }
-            assert_eq!(sum, tableau.row(row)[..columns]);
-            assert!(tableau.shifts_of(tableau.pivots[row]).all(|shift| shift != 3));
+            // The column that was given up is eliminated, and zero at first.
+            let entries = (0..columns).map(|column| tableau.place[column].map_or(0, |at| tableau.row(row)[at]));
+            assert!(sum.iter().copied().eq(entries));
+            assert!(tableau.shifts_of(tableau.pivots[row]).iter().all(|shift| shift != 3));
         }
     }
 }

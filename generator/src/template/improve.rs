@@ -1,0 +1,74 @@
+//! Makes a template smaller by going back and forth: some rows more, then as few as possible in another order.
+
+use std::collections::HashSet;
+
+use super::grow::{monomials_of, shifts_within};
+use super::reduce::{DeletionOrder, reduce};
+use super::shift_matrix::ShiftMatrix;
+use super::solving_set::Requirements;
+use super::{EliminationTemplate, Shift};
+use crate::algebra::{Monomial, Polynomial, PrimeField};
+use crate::instance::Random;
+
+/// What a template is improved with.
+#[derive(Clone, Debug)]
+pub struct Improvement<'a> {
+    /// The field of the coefficients.
+    pub field: PrimeField,
+    /// The equations that the template is for.
+    pub equations: &'a [Polynomial<u32>],
+    /// Action monomials to try besides that of the template.
+    pub actions: &'a [Monomial],
+    /// How often.
+    pub rounds: u64,
+    /// Seed of the choices.
+    pub seed: u64,
+}
+
+impl Improvement<'_> {
+    /// A template with at most as many rows, and among those with as many the smallest basis that was found.
+    ///
+    /// Each round takes all shifts that fit into the monomials of the template, mostly with some neighbours of its shifts more, and reduces
+    /// them in another order.
+    pub fn of(&self, template: EliminationTemplate, requirements: &Requirements<'_>) -> EliminationTemplate {
+        let mut random = Random::new(self.seed);
+        let mut current = template;
+        for round in 0..self.rounds {
+            let action = match random.below(3) {
+                0 => self.actions[random.below(self.actions.len() as u64) as usize],
+                _ => current.action,
+            };
+            let shifts = self.surroundings(&current, round % 4, requirements.unknowns, &mut random);
+            let matrix = ShiftMatrix::new(self.field, self.equations, &shifts);
+            let order = match random.below(4) {
+                0 => DeletionOrder::HighestFirst,
+                1 => DeletionOrder::RarestFirst,
+                _ => DeletionOrder::Shuffled(random.bits()),
+            };
+            let size = |t: &EliminationTemplate| (t.rows(), t.basis.len());
+            current = reduce(&matrix, &action, requirements, order)
+                .filter(|next| size(next) <= size(&current))
+                .unwrap_or(current);
+        }
+        current
+    }
+
+    /// All shifts within the monomials of the template and of some neighbours of its shifts.
+    fn surroundings(
+        &self,
+        template: &EliminationTemplate,
+        neighbours: u64,
+        unknowns: &[usize],
+        random: &mut Random,
+    ) -> Vec<Shift> {
+        let mut support: HashSet<Monomial> =
+            template.shifts.iter().flat_map(|shift| monomials_of(self.equations, shift)).collect();
+        for _ in 0..neighbours {
+            let shift = template.shifts[random.below(template.shifts.len() as u64) as usize];
+            let x = Monomial::unknown(unknowns[random.below(unknowns.len() as u64) as usize]);
+            let multiplier = if random.below(2) == 0 { shift.multiplier.times(&x) } else { shift.multiplier.over(&x) };
+            support.extend(monomials_of(self.equations, &Shift { multiplier, ..shift }));
+        }
+        shifts_within(self.equations, &support).into_iter().collect()
+    }
+}
