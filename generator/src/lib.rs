@@ -34,6 +34,7 @@ mod block_triangular;
 /// Template to plan: no algebra left, every value written before it is read.
 pub mod plan;
 pub mod schedule;
+mod straight_line;
 
 /// Plan to action matrix in any field: exact over Z_p, and the emitted arithmetic in `f64`.
 pub mod interpret;

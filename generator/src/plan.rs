@@ -46,6 +46,45 @@ pub enum Operation {
     Negate(ValueId),
 }
 
+impl Operation {
+    /// Whether something is computed: neither a constant nor a scalar of the data.
+    pub fn is_step(self) -> bool {
+        !matches!(self, Self::Constant(_) | Self::Input(_))
+    }
+
+    /// The values that it reads.
+    pub fn operands(self) -> [Option<ValueId>; 2] {
+        match self {
+            Self::Constant(_) | Self::Input(_) => [None, None],
+            Self::Negate(a) => [Some(a), None],
+            Self::Add(a, b) | Self::Subtract(a, b) | Self::Multiply(a, b) | Self::Divide(a, b) => [Some(a), Some(b)],
+        }
+    }
+
+    /// The same on other values.
+    #[must_use]
+    pub fn with_operands(self, to: impl Fn(ValueId) -> ValueId) -> Self {
+        match self {
+            Self::Constant(_) | Self::Input(_) => self,
+            Self::Add(a, b) => Self::Add(to(a), to(b)),
+            Self::Subtract(a, b) => Self::Subtract(to(a), to(b)),
+            Self::Multiply(a, b) => Self::Multiply(to(a), to(b)),
+            Self::Divide(a, b) => Self::Divide(to(a), to(b)),
+            Self::Negate(a) => Self::Negate(to(a)),
+        }
+    }
+}
+
+/// How straight-line code is emitted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CodeForm {
+    /// A statement for each step.
+    Statements,
+    /// A table that the run-time library executes. The constants come first, then the inputs; a run of steps of the same operation is read
+    /// by later runs only.
+    Table,
+}
+
 /// An entry of a table that is filled from the coefficients.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Entry {
@@ -183,6 +222,8 @@ pub struct Plan {
     pub solutions: usize,
     /// The straight-line code.
     pub code: Vec<Operation>,
+    /// How it is emitted.
+    pub form: CodeForm,
     /// The value of each coefficient.
     pub coefficients: Vec<ValueId>,
     /// The elimination.
@@ -206,8 +247,7 @@ pub struct Plan {
 impl Plan {
     /// Operations of one solve.
     pub fn operations(&self) -> OperationCount {
-        let coefficients =
-            self.code.iter().filter(|op| !matches!(op, Operation::Constant(_) | Operation::Input(_))).count();
+        let coefficients = self.code.iter().filter(|operation| operation.is_step()).count();
         let width = self.elimination.basis;
         let elimination = self.elimination.blocks.iter().map(|block| {
             let n = block.size;
@@ -222,13 +262,10 @@ impl Plan {
     /// Checks that every table stays in range and that every value and pivot is written before it is read.
     pub fn check(&self) -> Result<(), PlanError> {
         let written = |at: usize, id: &ValueId| (id.0 as usize) < at;
+        let inputs = self.data.iter().map(DataParameter::len).sum::<usize>();
         let code_ok = self.code.iter().enumerate().all(|(at, op)| match op {
-            Operation::Constant(_) => true,
-            Operation::Input(input) => (*input as usize) < self.data.iter().map(DataParameter::len).sum(),
-            Operation::Negate(a) => written(at, a),
-            Operation::Add(a, b) | Operation::Subtract(a, b) | Operation::Multiply(a, b) | Operation::Divide(a, b) => {
-                written(at, a) && written(at, b)
-            }
+            Operation::Input(input) => (*input as usize) < inputs,
+            _ => op.operands().iter().flatten().all(|id| written(at, id)),
         });
         let coefficient_ok = |id: CoefficientId| usize::from(id.0) < self.coefficients.len();
         let e = &self.elimination;

@@ -4,13 +4,14 @@ use std::collections::HashMap;
 
 use crate::algebra::Monomial;
 use crate::block_triangular::{DiagonalBlock, block_triangular_form};
-use crate::expression::{Expression, ExpressionGraph, ExpressionId, SymbolicPolynomial};
+use crate::expression::{ExpressionId, SymbolicPolynomial};
 use crate::plan::{
-    ActionRow, BasisId, Block, CoefficientId, Elimination, Entry, Extraction, KnownMonomial, Operation, PivotId, Plan,
-    PlanError, PlannedRecovery, RootMethod, Term, ValueId,
+    ActionRow, BasisId, Block, CoefficientId, Elimination, Entry, Extraction, KnownMonomial, PivotId, Plan, PlanError,
+    PlannedRecovery, RootMethod, Term,
 };
 use crate::presolve::ReducedProblem;
 use crate::problem::Problem;
+use crate::straight_line::straight_line_code;
 use crate::template::{EliminationTemplate, Shift};
 
 /// Why a template cannot be turned into a plan.
@@ -61,7 +62,7 @@ pub fn schedule(
     if coefficients.used.len() > usize::from(u16::MAX) {
         return Err(ScheduleError::TooLarge("coefficients"));
     }
-    let (code, values) = straight_line_code(&reduced.problem.graph, &coefficients.used);
+    let (code, values, form) = straight_line_code(&reduced.problem.graph, &coefficients.used);
     let plan = Plan {
         name: problem.name.clone(),
         docs: problem.docs.clone(),
@@ -69,6 +70,7 @@ pub fn schedule(
         unknowns: problem.unknowns.clone(),
         solutions,
         code,
+        form,
         coefficients: values,
         elimination,
         action,
@@ -276,41 +278,4 @@ fn plan_extraction(
     let found = [&basis, &image, &all].into_iter().map(|known| pairs(known)).find(|pairs| !pairs.is_empty());
     let unreadable = || ScheduleError::Unreadable(problem.unknowns[unknown].clone());
     Ok(Extraction { unknown, pairs: found.ok_or_else(unreadable)? })
-}
-
-/// The nodes that `used` depends on, in order, and the position of each used one.
-fn straight_line_code(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Vec<Operation>, Vec<ValueId>) {
-    let mut needed = vec![false; graph.nodes().len()];
-    used.iter().for_each(|id| needed[id.index()] = true);
-    for at in (0..needed.len()).rev() {
-        if needed[at] {
-            operands(graph.nodes()[at]).into_iter().flatten().for_each(|id| needed[id.index()] = true);
-        }
-    }
-    let mut position = vec![ValueId(0); needed.len()];
-    let mut code = Vec::new();
-    for (at, node) in graph.nodes().iter().enumerate().filter(|&(at, _)| needed[at]) {
-        position[at] = ValueId(code.len() as u32);
-        let to = |id: ExpressionId| position[id.index()];
-        code.push(match *node {
-            Expression::Constant(value) => Operation::Constant(value),
-            Expression::Input(input) => Operation::Input(input),
-            Expression::Add(a, b) => Operation::Add(to(a), to(b)),
-            Expression::Subtract(a, b) => Operation::Subtract(to(a), to(b)),
-            Expression::Multiply(a, b) => Operation::Multiply(to(a), to(b)),
-            Expression::Divide(a, b) => Operation::Divide(to(a), to(b)),
-            Expression::Negate(a) => Operation::Negate(to(a)),
-        });
-    }
-    (code, used.iter().map(|id| position[id.index()]).collect())
-}
-
-fn operands(node: Expression) -> [Option<ExpressionId>; 2] {
-    match node {
-        Expression::Constant(_) | Expression::Input(_) => [None, None],
-        Expression::Negate(a) => [Some(a), None],
-        Expression::Add(a, b) | Expression::Subtract(a, b) | Expression::Multiply(a, b) | Expression::Divide(a, b) => {
-            [Some(a), Some(b)]
-        }
-    }
 }

@@ -2,15 +2,16 @@
 //!
 //! The modules stand in the order in which an emitted solver uses them:
 //!
-//! 1. [`template`] fills the elimination template and [`lu`] eliminates its diagonal blocks; what is left is the action
+//! 1. [`program`] computes the coefficients of large problems; those of small ones are emitted as statements.
+//! 2. [`template`] fills the elimination template and [`lu`] eliminates its diagonal blocks; what is left is the action
 //!    matrix.
-//! 2. [`hessenberg`] and [`eigenvalues`] give its eigenvalues and, for one eigenvalue at a time, the eigenvector;
+//! 3. [`hessenberg`] and [`eigenvalues`] give its eigenvalues and, for one eigenvalue at a time, the eigenvector;
 //!    [`polynomial_roots`] gives only the real ones, from the characteristic polynomial.
-//! 3. [`extract`] reads unknowns off an eigenvector.
-//! 4. [`mod@polish`] improves a solution on the original equations, which [`system`] evaluates from static tables.
-//! 5. [`driver`] does 2 to 4 for every eigenvalue; [`distinct`] drops what was found twice. Solutions that share an
+//! 4. [`extract`] reads unknowns off an eigenvector.
+//! 5. [`mod@polish`] improves a solution on the original equations, which [`system`] evaluates from static tables.
+//! 6. [`driver`] does 3 to 5 for every eigenvalue; [`distinct`] drops what was found twice. Solutions that share an
 //!    eigenvalue are told apart by `shared_value` on its `invariant_subspace`.
-//! 6. [`solutions`] and [`error`] are what a solver returns.
+//! 7. [`solutions`] and [`error`] are what a solver returns.
 //!
 //! Nothing here allocates, panics on data, loops without a bound or knows a problem. All sizes are const generic and
 //! matrices are arrays of rows, so that the inner loops run over contiguous memory and vectorise.
@@ -39,6 +40,7 @@ mod inverse_iteration;
 pub mod lu;
 pub mod polish;
 pub mod polynomial_roots;
+pub mod program;
 pub mod scalar;
 mod shared_value;
 pub mod solutions;
@@ -55,6 +57,7 @@ pub use lu::{solve_block, solve_block_trailing};
 pub use num_complex::Complex;
 pub use polish::polish;
 pub use polynomial_roots::{real_roots, real_roots_monic};
+pub use program::{Operation, Program, Run};
 pub use scalar::Scalar;
 pub use solutions::Solutions;
 pub use system::{PolynomialSystem, Product, System, Tables, Term};

@@ -8,9 +8,9 @@ use crate::plan::{Operation, Plan, PlannedRecovery, ValueId};
 use crate::problem::DataParameter;
 use crate::rational::Rational;
 
-/// The function from the data to the coefficients. Intermediate values stand in one array: as thousands of variables of their own, each
+/// The function from the data to the coefficients, with a statement for each step. Intermediate values stand in one array: as thousands of variables of their own, each
 /// with its debug information, they overflow the stack of the compiler.
-pub(super) fn coefficients(plan: &Plan) -> TokenStream {
+pub(super) fn statements(plan: &Plan) -> TokenStream {
     let parameters = plan.data.iter().map(parameter);
     let inputs: Vec<TokenStream> = plan.data.iter().flat_map(elements).collect();
     let values = format_ident!("{}", name_of_values(plan));
@@ -18,7 +18,7 @@ pub(super) fn coefficients(plan: &Plan) -> TokenStream {
     let mut count = 0usize;
     for operation in &plan.code {
         slots.push(count);
-        count += usize::from(!matches!(operation, Operation::Constant(_) | Operation::Input(_)));
+        count += usize::from(operation.is_step());
     }
     let slot = |at: usize| {
         let index = Literal::usize_unsuffixed(slots[at]);
@@ -90,7 +90,7 @@ fn elements(parameter: &DataParameter) -> Vec<TokenStream> {
 }
 
 /// A constant in parentheses where it is not a plain positive number; fractions are divided as the interpreter does.
-fn constant(value: Rational) -> TokenStream {
+pub(super) fn constant(value: Rational) -> TokenStream {
     let magnitude = Literal::f64_unsuffixed((value.numerator() as f64).abs());
     let signed = if value.numerator() < 0 { quote!(-#magnitude) } else { quote!(#magnitude) };
     let denominator = Literal::f64_unsuffixed(value.denominator() as f64);

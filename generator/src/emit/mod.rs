@@ -1,12 +1,13 @@
 //! Prints a [`crate::plan::Plan`] as Rust source. No decision is taken here.
 
 mod code;
+mod program;
 mod tables;
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::plan::{ActionRow, KnownMonomial, Plan, RootMethod};
+use crate::plan::{ActionRow, CodeForm, KnownMonomial, Plan, RootMethod};
 use crate::problem::DataParameter;
 
 /// Where an emitted solver comes from, for its header.
@@ -43,7 +44,10 @@ fn module(plan: &Plan, provenance: &Provenance) -> TokenStream {
     let solution = solution_struct(plan);
     let api = api(plan);
     let instance = instance(plan);
-    let coefficients = code::coefficients(plan);
+    let coefficients = match plan.form {
+        CodeForm::Statements => code::statements(plan),
+        CodeForm::Table => program::table(plan),
+    };
     let tables = tables::tables(plan);
     quote! {
         pub mod #name {

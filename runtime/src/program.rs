@@ -1,0 +1,119 @@
+//! Coefficients of large problems: arithmetic on the data as a table instead of statements.
+
+/// What every step of a [`Run`] does with its operands a and b.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Operation {
+    /// a + b
+    Add,
+    /// a - b
+    Subtract,
+    /// a * b
+    Multiply,
+    /// a / b
+    Divide,
+    /// -a
+    Negate,
+}
+
+/// Consecutive steps that do the same and do not read each other's results: one decision for all of them.
+#[derive(Clone, Copy, Debug)]
+pub struct Run {
+    /// What they do.
+    pub operation: Operation,
+    /// How many they are.
+    pub steps: u32,
+}
+
+/// Straight-line arithmetic from the data to the coefficients.
+///
+/// ```text
+///   values   [ constants | data, one parameter after another | result of step 0, of step 1, .. ]
+///   operands   the positions in values of the operands of each step, all before its own run's results
+///   results    the positions in values of the coefficients
+/// ```
+///
+/// Statements run in half the time, but the time to compile them grows with the square of their number.
+#[derive(Clone, Copy, Debug)]
+pub struct Program {
+    /// Numbers that do not depend on the data.
+    pub constants: &'static [f64],
+    /// The steps, grouped.
+    pub runs: &'static [Run],
+    /// (a, b) of each step; a twice for [`Operation::Negate`].
+    pub operands: &'static [(u32, u32)],
+    /// Where the coefficients are.
+    pub results: &'static [u32],
+}
+
+impl Program {
+    /// The coefficients, C of them. V counts all constants, data and steps.
+    #[inline]
+    #[must_use]
+    pub fn evaluate<const V: usize, const C: usize>(&self, data: &[&[f64]]) -> [f64; C] {
+        let (mut values, mut coefficients) = ([0.0; V], [0.0; C]);
+        self.run(data, &mut values, &mut coefficients);
+        coefficients
+    }
+
+    /// What would be out of range is left out or NaN; the generator's tables fit.
+    #[inline(never)]
+    fn run(&self, data: &[&[f64]], values: &mut [f64], coefficients: &mut [f64]) {
+        let mut written = 0;
+        for given in core::iter::once(&self.constants).chain(data) {
+            values[written..].iter_mut().zip(*given).for_each(|(place, &value)| *place = value);
+            written = (written + given.len()).min(values.len());
+        }
+        let mut operands = self.operands;
+        for run in self.runs {
+            let (of_run, rest) = operands.split_at((run.steps as usize).min(operands.len()));
+            operands = rest;
+            let (known, open) = values.split_at_mut(written);
+            let steps = open.iter_mut().zip(of_run);
+            let at = |position: u32| known.get(position as usize).copied().unwrap_or(f64::NAN);
+            match run.operation {
+                Operation::Add => steps.for_each(|(result, &(a, b))| *result = at(a) + at(b)),
+                Operation::Subtract => steps.for_each(|(result, &(a, b))| *result = at(a) - at(b)),
+                Operation::Multiply => steps.for_each(|(result, &(a, b))| *result = at(a) * at(b)),
+                Operation::Divide => steps.for_each(|(result, &(a, b))| *result = at(a) / at(b)),
+                Operation::Negate => steps.for_each(|(result, &(a, _))| *result = -at(a)),
+            }
+            written = (written + of_run.len()).min(values.len());
+        }
+        for (coefficient, &position) in coefficients.iter_mut().zip(self.results) {
+            *coefficient = values.get(position as usize).copied().unwrap_or(f64::NAN);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PROGRAM: Program = Program {
+        constants: &[3.0],
+        runs: &[
+            Run { operation: Operation::Multiply, steps: 2 },
+            Run { operation: Operation::Subtract, steps: 1 },
+            Run { operation: Operation::Divide, steps: 1 },
+            Run { operation: Operation::Add, steps: 1 },
+            Run { operation: Operation::Negate, steps: 1 },
+        ],
+        operands: &[(0, 1), (1, 2), (4, 5), (6, 3), (7, 0), (8, 8)],
+        results: &[9, 5, 0],
+    };
+
+    #[test]
+    fn steps_are_executed_in_order() {
+        for [a, b, c] in [[1.0, 2.0, 3.0], [-0.5, 1e200, 7.0], [0.1, 0.2, 0.0]] {
+            let [first, second, third] = PROGRAM.evaluate::<10, 3>(&[&[a, b], &[c]]);
+            assert_eq!(first.to_bits(), (-((3.0 * a - a * b) / c + 3.0)).to_bits());
+            assert_eq!((second, third), (a * b, 3.0));
+        }
+    }
+
+    #[test]
+    fn what_is_out_of_range_is_not_a_number() {
+        assert!(PROGRAM.evaluate::<5, 3>(&[&[1.0, 2.0], &[3.0]])[0].is_nan());
+        assert!(Program { results: &[99], ..PROGRAM }.evaluate::<10, 1>(&[&[1.0, 2.0], &[3.0]])[0].is_nan());
+    }
+}
