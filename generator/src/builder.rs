@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use crate::check::check;
 use crate::diagnostic::Diagnostics;
 use crate::generate::{GenerateError, generate};
+use crate::monitor::Unmonitored;
 use crate::problem::Problem;
 use crate::search::{SearchError, SearchOptions, candidates};
 use crate::template::file::TemplateFile;
@@ -159,7 +160,7 @@ fn default_search(problem: &Problem, shown: &str) -> Result<TemplateFile, String
     );
     let algebra = check(problem).map_err(|messages| messages.render())?;
     let options = SearchOptions::for_a_build();
-    let found = candidates(problem, algebra.solutions, &options, &|_| {}).map_err(|error: SearchError| {
+    let found = candidates(problem, algebra.solutions, &options, &Unmonitored).map_err(|error: SearchError| {
         format!("{error}\nhelp: search longer than a build should: `eliminant search {shown}`")
     })?;
     let best = found.first().ok_or_else(|| "the search found no template".to_owned())?;

@@ -1,31 +1,68 @@
 //! Chooses among the templates that a search found, by their cost and by what they do on random real instances.
 //!
-//! The candidates come in order of operations. The cheapest one of each combination of presolved form, action monomial and basis is measured
-//! until [`MEASURED`] are; if none of these is acceptable, more are, up to [`MEASURED_AT_MOST`].
+//! # The rule
+//! Candidates are considered in the order of the preference ([`Preference::key`]): *speed* fewest operations first, *size* fewest rows first,
+//! *stability* fewest operations first, up to [`STABILITY_COST`] times those of the first one that is not rejected. Of each combination of presolved
+//! form, action monomial and basis only the first is.
 //!
-//! A candidate is *acceptable* if
-//! - no instance failed,
-//! - at most one instance in [`INCOMPLETE_ONE_IN`] lacks a solution,
-//! - the 99 % quantile of its log10 relative residual is at most [`GOOD_RESIDUAL`], or at most 1 above the best one measured.
+//! 1. *Screening.* [`SCREENED`] candidates are measured on [`Measuring::trials`] instances. A candidate is *rejected* if an instance fails, or if so many
+//!    lack a solution that one in [`INCOMPLETE_ONE_IN`] would explain it with a probability below [`SIGNIFICANCE`]. It is *precise* if
+//!    the 99 % quantile of its log10 relative residual is at most [`GOOD_RESIDUAL`], or at most 1 above the best of those that are not rejected.
+//! 2. *Confirmation.* Those that are precise and not rejected are measured on [`Measuring::confirm`] instances, in the order of the preference (for *stability*:
+//!    fewest unsolved instances, then smallest 99 % quantile, then smallest median), each only until it is rejected. The first that lasts and lacks a solution
+//!    on at most one instance in [`INCOMPLETE_ONE_IN`] is *accepted*. Where none is, further candidates are screened, up to [`SCREENED_AT_MOST`].
+//! 3. *Choice.* If the accepted one solves every instance it is chosen (*stability* looks on). Otherwise up to [`RIVALS`] others of similar cost are confirmed
+//!    too (*speed*: operations within [`SIMILAR_COST`]; *size*: as many rows; *stability*: all), and the accepted one with the fewest unsolved instances is chosen.
 //!
-//! Among the acceptable ones whose operations are within [`SIMILAR_COST`] of the cheapest of them, the one with the fewest instances that lack a
-//! solution is chosen, and among these the cheapest. Where none is acceptable: the one with the fewest instances that failed or lack a solution, and among these
-//! the one with the smallest 99 % quantile.
+//! Where none is accepted, the one with the smallest share of unsolved instances is chosen, and the choice says so.
 
+use std::ops::Range;
+
+use crate::monitor::{Monitor, Stage};
+use crate::preference::{Cost, Preference};
 use crate::search::Candidate;
-use crate::stability::{Stability, stability};
+use crate::stability::{Stability, measure};
 
-/// Candidates that are measured in any case.
-pub const MEASURED: usize = 8;
-/// No more candidates are measured.
-pub const MEASURED_AT_MOST: usize = 32;
+/// Candidates that are screened in any case.
+pub const SCREENED: usize = 8;
+/// No more candidates are screened.
+pub const SCREENED_AT_MOST: usize = 32;
 /// One instance in so many may lack a solution.
 pub const INCOMPLETE_ONE_IN: usize = 1000;
+/// A candidate is rejected early only where chance explains its failures with a probability below this.
+pub const SIGNIFICANCE: f64 = 0.01;
 /// A 99 % quantile of the log10 relative residual that is good enough.
 pub const GOOD_RESIDUAL: f64 = -12.0;
-
+/// What stability may cost, as a factor of operations.
+pub const STABILITY_COST: f64 = 2.0;
 /// Candidates whose operations differ by no more than this factor cost the same for the choice.
 pub const SIMILAR_COST: f64 = 1.1;
+/// Candidates that are confirmed besides the first accepted one.
+pub const RIVALS: usize = 2;
+/// Instances that are measured at once; after each block the candidate may be rejected.
+const BLOCK: usize = 100;
+
+/// How much is measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Measuring {
+    /// Instances on which candidates are screened.
+    pub trials: usize,
+    /// Instances on which the chosen one must hold; no fewer than `trials` are used.
+    pub confirm: usize,
+    /// Seed of the instances.
+    pub seed: u64,
+}
+
+/// What measuring a candidate came to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Not rejected on the instances so far.
+    Screened,
+    /// Confirmed.
+    Accepted,
+    /// It fails, or lacks solutions on too many instances.
+    Rejected,
+}
 
 /// A candidate with what it does on random real instances.
 #[derive(Clone, Debug)]
@@ -34,34 +71,51 @@ pub struct Measured {
     pub candidate: Candidate,
     /// Its measurement.
     pub stability: Stability,
+    /// What that came to.
+    pub verdict: Verdict,
 }
 
-/// Candidates that were measured, cheapest first, and the one to use.
+/// Candidates that were measured, in the order of the preference, and the one to use.
 #[derive(Clone, Debug)]
 pub struct Choice {
     /// At least one.
     pub measured: Vec<Measured>,
     /// Index into `measured`.
     pub chosen: usize,
+    /// Different candidates that were not measured.
+    pub unmeasured: usize,
+    /// Whether the monitor ended the measurements.
+    pub is_cut: bool,
 }
 
-/// Measures the cheapest different candidates on `trials` instances each and chooses one; `None` where there is no candidate.
-/// `candidates` are in order of operations; `progress` hears of each measurement.
-pub fn choose(candidates: &[Candidate], trials: usize, seed: u64, progress: &dyn Fn(&str)) -> Option<Choice> {
-    let mut measured: Vec<Measured> = Vec::new();
+/// Measures candidates and chooses one by the rule at the top of this module; `None` where there is no candidate.
+/// `candidates` are in the order of the preference.
+pub fn choose(
+    candidates: &[Candidate],
+    preference: Preference,
+    measuring: Measuring,
+    monitor: &dyn Monitor,
+) -> Option<Choice> {
     let different = different(candidates);
-    for candidate in different.iter().take(MEASURED_AT_MOST) {
-        if measured.len() >= MEASURED && measured.iter().any(|m| is_complete(&m.stability)) {
-            break;
-        }
-        let t = &candidate.template;
-        progress(&format!("measuring template {} ({} x {})", measured.len() + 1, t.rows(), t.columns()));
-        let stability = stability(&candidate.plan, trials, seed, &|| ());
-        measured.push(Measured { candidate: (*candidate).clone(), stability });
-    }
-    let figures: Vec<_> = measured.iter().map(|m| (m.candidate.plan.operations().total(), &m.stability)).collect();
-    let chosen = pick(&figures)?;
-    Some(Choice { measured, chosen })
+    let costs: Vec<Cost> = different.iter().map(|candidate| Cost::of(candidate)).collect();
+    let measure = |at: usize, instances: Range<usize>| {
+        let t = &different[at].template;
+        let (rows, columns) = (t.rows(), t.columns());
+        monitor.say(&format!("measuring template {} ({rows} x {columns}) on {} instances", at + 1, instances.end));
+        measure(&different[at].plan, instances, measuring.seed, &|| ())
+    };
+    let mut board = Board { costs: &costs, preference, measuring, measure: &measure, monitor, entries: Vec::new() };
+    let accepted = board.accept();
+    let chosen = accepted.or_else(|| board.least_bad())?;
+    let Board { entries, .. } = board;
+    let is_cut = monitor.is_over(Stage::Measuring) && entries[chosen].verdict != Verdict::Accepted;
+    let unmeasured = different.len() - entries.len();
+    let with = |(entry, candidate): (Entry, &&Candidate)| Measured {
+        candidate: (*candidate).clone(),
+        stability: entry.stability,
+        verdict: entry.verdict,
+    };
+    Some(Choice { measured: entries.into_iter().zip(&different).map(with).collect(), chosen, unmeasured, is_cut })
 }
 
 /// The first candidate of each combination of presolved form, action monomial and basis.
@@ -80,65 +134,311 @@ fn different(candidates: &[Candidate]) -> Vec<&Candidate> {
     different
 }
 
-/// No failure, and hardly an instance that lacks a solution.
-fn is_complete(stability: &Stability) -> bool {
-    stability.failures == 0 && stability.incomplete * INCOMPLETE_ONE_IN <= stability.trials
+struct Entry {
+    stability: Stability,
+    verdict: Verdict,
 }
 
-/// The rule at the top of this module; the measurements, each with its operations, are in order of these.
-fn pick(measured: &[(usize, &Stability)]) -> Option<usize> {
-    let p99 = |at: usize| measured[at].1.quantile(0.99).unwrap_or(f64::INFINITY);
-    let unsolved = |at: usize| measured[at].1.incomplete + measured[at].1.failures;
-    let complete: Vec<usize> = (0..measured.len()).filter(|&at| is_complete(measured[at].1)).collect();
-    let best = complete.iter().map(|&at| p99(at)).fold(f64::INFINITY, f64::min);
-    let acceptable: Vec<usize> = complete.into_iter().filter(|&at| p99(at) <= GOOD_RESIDUAL.max(best + 1.0)).collect();
-    match acceptable.first() {
-        Some(&cheapest) => {
-            let most = measured[cheapest].0 as f64 * SIMILAR_COST;
-            let similar = acceptable.into_iter().filter(|&at| measured[at].0 as f64 <= most);
-            similar.min_by_key(|&at| (unsolved(at), at))
+/// The measurements so far, of the first candidates.
+struct Board<'a> {
+    costs: &'a [Cost],
+    preference: Preference,
+    measuring: Measuring,
+    /// What a candidate does on a range of instances.
+    measure: &'a dyn Fn(usize, Range<usize>) -> Stability,
+    monitor: &'a dyn Monitor,
+    entries: Vec<Entry>,
+}
+
+impl Board<'_> {
+    /// Screens and confirms until candidates are accepted; the best of them.
+    fn accept(&mut self) -> Option<usize> {
+        while self.screen() {
+            for first in self.finalists() {
+                if self.confirm(first) {
+                    return Some(self.best_rival(first));
+                }
+                if self.is_over() {
+                    return None;
+                }
+            }
         }
-        None => (0..measured.len()).min_by(|&a, &b| unsolved(a).cmp(&unsolved(b)).then(p99(a).total_cmp(&p99(b)))),
+        None
     }
+
+    /// Screens at least [`SCREENED`] more, and more until one is worth confirming. Whether any is.
+    fn screen(&mut self) -> bool {
+        let before = self.entries.len();
+        while self.entries.len() < self.costs.len().min(SCREENED_AT_MOST) {
+            let enough = self.entries.len() >= before + SCREENED && !self.finalists().is_empty();
+            // The first one is measured in any case, so that there is something to choose.
+            if enough || !self.is_affordable(self.entries.len()) || (!self.entries.is_empty() && self.is_over()) {
+                break;
+            }
+            self.entries.push(Entry { stability: Stability::default(), verdict: Verdict::Screened });
+            let at = self.entries.len() - 1;
+            self.measure_up_to(at, self.measuring.trials);
+        }
+        !self.finalists().is_empty()
+    }
+
+    /// Stability has a bound on its cost.
+    fn is_affordable(&self, at: usize) -> bool {
+        let first = self.entries.iter().position(|entry| entry.verdict != Verdict::Rejected);
+        match (self.preference, first) {
+            (Preference::Stability, Some(first)) => {
+                self.costs[at].operations as f64 <= STABILITY_COST * self.costs[first].operations as f64
+            }
+            _ => true,
+        }
+    }
+
+    fn is_over(&self) -> bool {
+        self.monitor.is_over(Stage::Measuring)
+    }
+
+    /// Precise ones that are neither rejected nor accepted, in the order in which they are confirmed.
+    fn finalists(&self) -> Vec<usize> {
+        let alive = |at: &usize| self.entries[*at].verdict != Verdict::Rejected;
+        let best = (0..self.entries.len()).filter(alive).map(|at| self.p99(at)).fold(f64::INFINITY, f64::min);
+        let precise = |at: &usize| self.p99(*at) <= GOOD_RESIDUAL.max(best + 1.0);
+        let open = |at: &usize| self.entries[*at].verdict == Verdict::Screened;
+        let mut finalists: Vec<usize> = (0..self.entries.len()).filter(open).filter(precise).collect();
+        if self.preference == Preference::Stability {
+            finalists.sort_by(|&a, &b| self.by_stability(a, b));
+        }
+        finalists
+    }
+
+    /// Whether it is accepted.
+    fn confirm(&mut self, at: usize) -> bool {
+        let confirm = self.measuring.confirm.max(self.measuring.trials);
+        if self.measure_up_to(at, confirm) {
+            self.entries[at].verdict = Verdict::Accepted;
+        }
+        self.entries[at].verdict == Verdict::Accepted
+    }
+
+    /// Of `first`, which is accepted, and others of similar cost.
+    fn best_rival(&mut self, first: usize) -> usize {
+        let mut accepted = vec![first];
+        if self.preference == Preference::Stability || self.unsolved(first) > 0 {
+            let similar = |at: &usize| self.is_similar(first, *at);
+            for rival in self.finalists().into_iter().filter(similar).take(RIVALS).collect::<Vec<_>>() {
+                if self.confirm(rival) {
+                    accepted.push(rival);
+                }
+            }
+        }
+        let order = |a: &usize, b: &usize| match self.preference {
+            Preference::Stability => self.by_stability(*a, *b),
+            Preference::Speed | Preference::Size => (self.unsolved(*a), a).cmp(&(self.unsolved(*b), b)),
+        };
+        accepted.into_iter().min_by(order).unwrap_or(first)
+    }
+
+    fn is_similar(&self, a: usize, b: usize) -> bool {
+        let (a, b) = (&self.costs[a], &self.costs[b]);
+        match self.preference {
+            Preference::Speed => b.operations as f64 <= SIMILAR_COST * a.operations as f64,
+            Preference::Size => b.rows == a.rows,
+            Preference::Stability => true,
+        }
+    }
+
+    /// Measures on the first `trials` instances in all, until it is rejected or the time is over. Whether it lasted.
+    fn measure_up_to(&mut self, at: usize, trials: usize) -> bool {
+        let confirm = self.measuring.confirm.max(self.measuring.trials);
+        loop {
+            let from = self.entries[at].stability.trials;
+            if self.entries[at].verdict == Verdict::Rejected {
+                return false;
+            }
+            if from >= trials {
+                return true;
+            }
+            if from > 0 && self.is_over() {
+                return false;
+            }
+            let block = (self.measure)(at, from..(from + BLOCK).min(trials));
+            let entry = &mut self.entries[at];
+            entry.stability.join(block);
+            if is_rejected(&entry.stability, confirm) {
+                entry.verdict = Verdict::Rejected;
+            }
+        }
+    }
+
+    /// Where nothing is accepted: a finalist if the time is over, or else the smallest share of unsolved instances; few trials say little.
+    fn least_bad(&self) -> Option<usize> {
+        let share = |at: usize| (self.unsolved(at) + 1) as f64 / (self.entries[at].stability.trials + 1) as f64;
+        let by_share = |&a: &usize, &b: &usize| {
+            share(a).total_cmp(&share(b)).then(self.p99(a).total_cmp(&self.p99(b))).then(a.cmp(&b))
+        };
+        self.finalists().first().copied().or_else(|| (0..self.entries.len()).min_by(by_share))
+    }
+
+    fn by_stability(&self, a: usize, b: usize) -> std::cmp::Ordering {
+        let quantile = |at: usize, q: f64| self.entries[at].stability.quantile(q).unwrap_or(f64::INFINITY);
+        let by_quantile = |q: f64| quantile(a, q).total_cmp(&quantile(b, q));
+        self.unsolved(a).cmp(&self.unsolved(b)).then(by_quantile(0.99)).then(by_quantile(0.5)).then(a.cmp(&b))
+    }
+
+    fn p99(&self, at: usize) -> f64 {
+        self.entries[at].stability.quantile(0.99).unwrap_or(f64::INFINITY)
+    }
+
+    fn unsolved(&self, at: usize) -> usize {
+        self.entries[at].stability.incomplete + self.entries[at].stability.failures
+    }
+}
+
+/// A failure, more incomplete instances than `confirm` instances may have, or more than chance explains.
+fn is_rejected(stability: &Stability, confirm: usize) -> bool {
+    let Stability { trials, incomplete, failures, .. } = *stability;
+    failures > 0
+        || incomplete * INCOMPLETE_ONE_IN > confirm
+        || at_least(incomplete, trials as f64 / INCOMPLETE_ONE_IN as f64) < SIGNIFICANCE
+}
+
+/// The probability that a Poisson variable of this mean is at least `count`.
+fn at_least(count: usize, mean: f64) -> f64 {
+    let (mut below, mut term) = (0.0, (-mean).exp());
+    for k in 0..count {
+        below += term;
+        term *= mean / (k + 1) as f64;
+    }
+    1.0 - below
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::monitor::Unmonitored;
 
-    /// 1000 trials whose residuals are all 10^`residual`.
-    fn measured(residual: f64, incomplete: usize, failures: usize) -> Stability {
-        Stability { residuals_log10: vec![residual; 100], trials: 1000, incomplete, failures, ..Stability::default() }
+    /// A candidate: operations, rows, log10 of all its residuals, and every how many instances one lacks a solution (0: never).
+    type Made = (usize, usize, f64, usize);
+
+    fn measure_made(made: &[Made], at: usize, instances: Range<usize>) -> Stability {
+        let (_, _, residual, every) = made[at];
+        let incomplete = if every == 0 { 0 } else { instances.clone().filter(|k| k % every == every - 1).count() };
+        let trials = instances.len();
+        Stability { residuals_log10: vec![residual; trials], trials, incomplete, ..Stability::default() }
     }
 
-    /// Each costs twice as much as the one before.
-    fn pick_of(all: &[Stability]) -> Option<usize> {
-        pick(&all.iter().enumerate().map(|(at, stability)| (100 << at, stability)).collect::<Vec<_>>())
+    /// Which of them is chosen, with the verdict, and the trials of each.
+    fn decide(preference: Preference, monitor: &dyn Monitor, made: &[Made]) -> (Option<(usize, Verdict)>, Vec<usize>) {
+        let costs: Vec<Cost> = made.iter().map(|&(operations, rows, ..)| Cost { operations, rows, basis: 1 }).collect();
+        let measuring = Measuring { trials: 300, confirm: 10_000, seed: 1 };
+        let measure = |at, instances| measure_made(made, at, instances);
+        let mut board = Board { costs: &costs, preference, measuring, measure: &measure, monitor, entries: Vec::new() };
+        let chosen = board.accept().or_else(|| board.least_bad());
+        let trials = board.entries.iter().map(|entry| entry.stability.trials).collect();
+        (chosen.map(|at| (at, board.entries[at].verdict)), trials)
+    }
+
+    fn chosen(preference: Preference, made: &[Made]) -> Option<(usize, Verdict)> {
+        decide(preference, &Unmonitored, made).0
+    }
+
+    use Preference::{Size, Speed, Stability as Stable};
+    use Verdict::{Accepted, Rejected, Screened};
+
+    #[test]
+    fn the_first_acceptable_candidate_wins() {
+        assert_eq!(chosen(Speed, &[(100, 9, -13.0, 0), (200, 8, -16.0, 0)]), Some((0, Accepted)));
+        assert_eq!(chosen(Speed, &[(100, 9, -11.0, 0), (200, 8, -15.0, 0)]), Some((1, Accepted)));
+        assert_eq!(chosen(Size, &[(200, 8, -13.0, 0), (100, 9, -16.0, 0)]), Some((0, Accepted)));
+        assert_eq!(chosen(Speed, &[]), None);
     }
 
     #[test]
-    fn the_cheapest_acceptable_candidate_wins() {
-        assert_eq!(pick_of(&[measured(-13.0, 0, 0), measured(-16.0, 0, 0)]), Some(0));
-        assert_eq!(pick_of(&[measured(-13.0, 2, 0), measured(-13.0, 1, 0)]), Some(1));
-        assert_eq!(pick_of(&[measured(-15.0, 0, 1), measured(-13.0, 0, 0)]), Some(1));
-        assert_eq!(pick_of(&[measured(-11.0, 0, 0), measured(-15.0, 0, 0)]), Some(1));
+    fn what_screening_cannot_see_confirmation_does() {
+        // One in 400 lacks a solution: none of the first 300.
+        let (decision, trials) = decide(Speed, &Unmonitored, &[(100, 9, -15.0, 400), (200, 9, -15.0, 0)]);
+        assert_eq!(decision, Some((1, Accepted)));
+        assert!((301..10_000).contains(&trials[0]), "{trials:?}");
+        assert_eq!(trials[1], 10_000);
+    }
+
+    #[test]
+    fn a_hopeless_candidate_costs_one_block() {
+        let (_, trials) = decide(Speed, &Unmonitored, &[(100, 9, -15.0, 3), (200, 9, -15.0, 0)]);
+        assert_eq!(trials, [BLOCK, 10_000]);
+    }
+
+    #[test]
+    fn one_failure_rejects() {
+        let failed = Stability { trials: 10_000, failures: 1, ..Stability::default() };
+        assert!(is_rejected(&failed, 10_000));
+        let bad = Stability { trials: 10_000, incomplete: 11, ..Stability::default() };
+        assert!(is_rejected(&bad, 10_000));
+        assert!(!is_rejected(&Stability { incomplete: 10, ..bad }, 10_000));
     }
 
     #[test]
     fn among_similar_costs_the_most_complete_wins() {
-        let (a, b, c) = (measured(-15.0, 1, 0), measured(-13.0, 0, 0), measured(-16.0, 0, 0));
-        assert_eq!(pick(&[(100, &a), (105, &b), (105, &c)]), Some(1));
-        assert_eq!(pick(&[(100, &a), (111, &b)]), Some(0));
+        let made = |second, rows| [(100, 9, -15.0, 2000), (second, rows, -13.0, 0), (second + 1, rows, -16.0, 0)];
+        assert_eq!(chosen(Speed, &made(105, 20)), Some((1, Accepted)));
+        assert_eq!(chosen(Speed, &made(111, 20)), Some((0, Accepted)));
+        assert_eq!(chosen(Size, &made(900, 9)), Some((1, Accepted)));
+        assert_eq!(chosen(Size, &made(105, 10)), Some((0, Accepted)));
+    }
+
+    #[test]
+    fn stability_takes_the_most_precise_within_its_cost() {
+        let made = [(100, 9, -13.0, 0), (150, 9, -15.0, 0), (190, 9, -14.0, 0), (250, 9, -16.0, 0)];
+        assert_eq!(chosen(Stable, &made), Some((1, Accepted)));
+        assert_eq!(decide(Stable, &Unmonitored, &made).1.len(), 3, "the last is too expensive to be measured");
     }
 
     #[test]
     fn where_all_residuals_are_large_close_to_the_best_will_do() {
-        assert_eq!(pick_of(&[measured(-8.0, 0, 0), measured(-9.5, 0, 0), measured(-10.0, 0, 0)]), Some(1));
+        assert_eq!(chosen(Speed, &[(100, 9, -8.0, 0), (200, 9, -9.5, 0), (300, 9, -10.0, 0)]), Some((1, Accepted)));
+    }
+
+    #[test]
+    fn further_candidates_are_screened_where_the_first_are_rejected() {
+        let mut made: Vec<Made> = (0..SCREENED).map(|k| (100 + k, 9, -15.0, 10)).collect();
+        made.extend([(900, 9, -15.0, 0), (901, 9, -15.0, 0)]);
+        assert_eq!(chosen(Speed, &made), Some((SCREENED, Accepted)));
+        made = (0..SCREENED).map(|k| (100 + k, 9, -15.0, 400)).collect();
+        made.extend([(900, 9, -15.0, 0), (901, 9, -15.0, 0)]);
+        assert_eq!(chosen(Speed, &made), Some((SCREENED, Accepted)));
     }
 
     #[test]
     fn without_an_acceptable_candidate_the_most_complete_wins_then_the_most_precise() {
-        assert_eq!(pick_of(&[measured(-15.0, 300, 0), measured(-14.0, 100, 100), measured(-15.0, 0, 200)]), Some(2));
-        assert_eq!(pick_of(&[]), None);
+        let made = [(100, 9, -15.0, 3), (200, 9, -14.0, 10), (300, 9, -15.0, 10)];
+        assert_eq!(chosen(Speed, &made), Some((2, Rejected)));
+    }
+
+    /// Over after so many questions.
+    struct Impatient(std::sync::atomic::AtomicUsize, usize);
+
+    impl Monitor for Impatient {
+        fn say(&self, _: &str) {}
+
+        fn is_over(&self, _: Stage) -> bool {
+            self.0.fetch_add(1, std::sync::atomic::Ordering::Relaxed) >= self.1
+        }
+    }
+
+    #[test]
+    fn where_the_time_is_over_the_first_finalist_so_far_is_chosen() {
+        let made = [(100, 9, -11.0, 0), (200, 9, -15.0, 0), (300, 9, -15.0, 0)];
+        let over_after = |questions| decide(Speed, &Impatient(0.into(), questions), &made);
+        assert_eq!(over_after(0), (Some((0, Screened)), vec![BLOCK]));
+        assert_eq!(over_after(5), (Some((1, Screened)), vec![300, 300]));
+        let (decision, trials) = over_after(40);
+        assert_eq!(decision, Some((1, Screened)));
+        assert!((301..10_000).contains(&trials[1]), "{trials:?}");
+    }
+
+    #[test]
+    fn poisson_tails() {
+        assert!((at_least(1, 1.0) - (1.0 - (-1.0_f64).exp())).abs() < 1e-15);
+        assert!((at_least(3, 0.3) - 0.003_599_493).abs() < 1e-8);
+        assert_eq!(at_least(0, 5.0), 1.0);
     }
 }

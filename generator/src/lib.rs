@@ -22,6 +22,11 @@ pub mod check;
 /// Problem to problem with fewer unknowns, and how to recover the others.
 pub mod presolve;
 
+/// How a search tells what it does and is told to end, and what it looks for first.
+pub mod monitor;
+pub mod pareto;
+pub mod preference;
+
 #[cfg(feature = "search")]
 pub mod choose;
 mod explore;

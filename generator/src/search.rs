@@ -3,7 +3,9 @@
 //! The result depends on the problem and the options only: neither on the number of threads nor on time.
 
 use crate::explore::explore;
+use crate::monitor::Monitor;
 use crate::plan::{Plan, RootMethod};
+use crate::preference::{Cost, Preference};
 use crate::presolve::Presolve;
 use crate::problem::Problem;
 use crate::schedule::{ScheduleError, schedule};
@@ -22,6 +24,8 @@ pub struct SearchOptions {
     pub max_columns: usize,
     /// How often each of the smallest templates is enlarged and reduced anew in a shuffled order.
     pub shuffles: u64,
+    /// What is looked for first.
+    pub prefer: Preference,
 }
 
 impl SearchOptions {
@@ -33,7 +37,7 @@ impl SearchOptions {
 
 impl Default for SearchOptions {
     fn default() -> Self {
-        Self { seed: 1, max_columns: 600, shuffles: 12 }
+        Self { seed: 1, max_columns: 600, shuffles: 12, prefer: Preference::default() }
     }
 }
 
@@ -51,16 +55,16 @@ pub struct Candidate {
 }
 
 impl Candidate {
-    /// Cheapest first; ties by size and then by content, so that the order does not depend on how the search ran.
-    fn rank(&self) -> (usize, usize, usize, String) {
-        let size = (self.template.rows(), self.template.basis.len());
-        (self.plan.operations().total(), size.0, size.1, format!("{:?}", self.template))
+    /// In the order of the preference; ties by content, so that the order does not depend on how the search ran.
+    fn rank(&self, preference: Preference) -> ([usize; 3], String) {
+        (preference.key(&Cost::of(self)), format!("{:?}", self.template))
     }
 
     /// The file that records it.
     pub fn to_file(&self, problem: &Problem, options: &SearchOptions) -> TemplateFile {
         let mut provenance = vec![
             ("generator".to_owned(), env!("CARGO_PKG_VERSION").to_owned()),
+            ("prefer".to_owned(), options.prefer.to_string()),
             ("growth".to_owned(), self.growth.to_string()),
             ("shuffles".to_owned(), options.shuffles.to_string()),
             ("seed".to_owned(), options.seed.to_string()),
@@ -101,17 +105,17 @@ pub enum SearchError {
     },
 }
 
-/// All templates found, cheapest first, at least one. `solutions` is the number of solutions of the problem; `progress` hears of each stage.
+/// All templates found, at least one, in the order of the preference. `solutions` is the number of solutions of the problem.
 pub fn candidates(
     problem: &Problem,
     solutions: usize,
     options: &SearchOptions,
-    progress: &(dyn Fn(&str) + Sync),
+    monitor: &dyn Monitor,
 ) -> Result<Vec<Candidate>, SearchError> {
     let forms = forms(problem, options)?;
     let growths: Vec<(&Form, Growth)> =
         forms.iter().flat_map(|form| growths(form).into_iter().map(move |growth| (form, growth))).collect();
-    progress(&format!("{solutions} solutions; growing shifts in {} ways", growths.len()));
+    monitor.say(&format!("{solutions} solutions; growing shifts in {} ways", growths.len()));
     let explored = map(&growths, |(form, growth)| explore(form, growth, solutions, options));
     let tried = explored.iter().map(|explored| explored.tried).sum();
     let largest = explored.iter().map(|explored| explored.largest).max().unwrap_or_default();
@@ -120,18 +124,18 @@ pub fn candidates(
         .zip(explored)
         .flat_map(|((form, growth), explored)| explored.templates.into_iter().map(move |t| (*form, growth, t)))
         .collect();
-    progress(&format!("planning {} templates", work.len()));
+    monitor.say(&format!("planning {} templates", work.len()));
     let plan = |(form, growth, template): &(&Form, &Growth, EliminationTemplate)| {
         candidate(problem, form, growth, template, solutions)
     };
     let mut found: Vec<Candidate> = map(&work, plan).into_iter().flatten().collect();
-    found.sort_by_cached_key(Candidate::rank);
+    found.sort_by_cached_key(|candidate| candidate.rank(options.prefer));
     found.dedup_by(|a, b| a.template == b.template && a.presolve == b.presolve);
     if found.is_empty() {
         let (columns, rows) = largest;
         return Err(SearchError::NotFound { max_columns: options.max_columns, tried, rows, columns });
     }
-    progress(&format!("{} different templates", found.len()));
+    monitor.say(&format!("{} different templates", found.len()));
     Ok(found)
 }
 

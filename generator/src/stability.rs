@@ -2,6 +2,8 @@
 
 mod shared_value;
 
+use std::ops::Range;
+
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
 use crate::arithmetic::Float64;
@@ -33,6 +35,17 @@ impl Stability {
         self.residuals_log10.get((q * last as f64).round() as usize).copied()
     }
 
+    /// Adds what other instances gave.
+    pub fn join(&mut self, other: Self) {
+        self.trials += other.trials;
+        self.found += other.found;
+        self.expected += other.expected;
+        self.incomplete += other.incomplete;
+        self.failures += other.failures;
+        self.residuals_log10.extend(other.residuals_log10);
+        self.residuals_log10.sort_by(f64::total_cmp);
+    }
+
     fn add(&mut self, expected: usize, residuals: Option<Vec<f64>>) {
         self.trials += 1;
         self.expected += expected;
@@ -47,13 +60,18 @@ impl Stability {
     }
 }
 
-/// Solves `trials` instances drawn on the data's variety; instance k depends on (seed, k) only.
+/// Solves the first `trials` instances; see [`measure`].
 pub fn stability(plan: &Plan, trials: usize, seed: u64, each: &(dyn Fn() + Sync)) -> Stability {
+    measure(plan, 0..trials, seed, each)
+}
+
+/// Solves instances drawn on the data's variety; instance k depends on (seed, k) only. `each` is called after each.
+pub fn measure(plan: &Plan, instances: Range<usize>, seed: u64, each: &(dyn Fn() + Sync)) -> Stability {
     use rayon::prelude::*;
-    let results: Vec<Option<Vec<f64>>> = (0..trials as u64)
+    let results: Vec<Option<Vec<f64>>> = instances
         .into_par_iter()
         .map(|k| {
-            let mut random = Random::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(k));
+            let mut random = Random::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(k as u64));
             let inputs = draw_inputs(&plan.data, Float64, &mut random);
             let found = solve(plan, &inputs);
             each();

@@ -158,6 +158,47 @@ fn search_reports_and_writes_the_same_bytes_again() {
 }
 
 #[test]
+fn search_prefers_what_it_is_told() {
+    let folder = two_conics("search_prefers_what_it_is_told");
+    let search = |prefer| json(&folder, &["search", "two_conics.rs", "--trials", "50", "--prefer", prefer]);
+    let figure = |report: &Value, key: &str| report[key].as_u64().unwrap_or_else(|| panic!("{key}: {report}"));
+    let (size, speed, stability) = (search("size"), search("speed"), search("stability"));
+    assert!(figure(&size, "rows") < figure(&speed, "rows"), "{size} {speed}");
+    assert!(figure(&speed, "operations") < figure(&size, "operations"), "{speed} {size}");
+    assert!(figure(&stability, "operations") <= 2 * figure(&speed, "operations"), "{stability} {speed}");
+    for report in [size, speed, stability] {
+        check_summary(&report);
+        let candidates = report["candidates"].as_array().unwrap();
+        let chosen = &candidates[figure(&report, "chosen") as usize];
+        assert_eq!((&chosen["verdict"], &chosen["trials"]), (&"accepted".into(), &10_000.into()), "{report}");
+        assert_eq!(report["warnings"], serde_json::json!([]), "{report}");
+        // Nothing on the front is beaten in all that counts by anything measured on as many instances.
+        let front: Vec<&Value> = candidates.iter().filter(|candidate| candidate["pareto"] == true).collect();
+        assert!(!front.is_empty());
+        for (a, b) in front.iter().flat_map(|a| candidates.iter().map(move |b| (a, b))) {
+            let less = |key: &str| figure(b, key) < figure(a, key);
+            let p99 = |c: &Value| (10.0 * c["p99"].as_f64().unwrap()).round();
+            assert!(!(less("rows") && less("operations") && p99(b) < p99(a)), "{a} {b}");
+        }
+    }
+}
+
+#[test]
+fn a_template_that_is_not_confirmed_comes_with_a_warning() {
+    let folder = folder("a_template_that_is_not_confirmed_comes_with_a_warning");
+    // Data are drawn from (-1, 1): where the leading coefficient is tiny a solution runs away.
+    let problem = "fn steep(a: f64, b: f64) -> (x, y) { a.pow(12) * x * x + b * y + x == 1; x + y * y == b; }";
+    fs::write(folder.join("steep.rs"), problem).unwrap();
+    let report = json(&folder, &["search", "steep.rs", "--trials", "100", "--confirm", "1000"]);
+    let candidates = report["candidates"].as_array().unwrap();
+    let chosen = &candidates[report["chosen"].as_u64().unwrap() as usize];
+    let warnings = report["warnings"].as_array().unwrap();
+    assert_eq!(chosen["verdict"], "rejected", "{report}");
+    assert!(warnings[0].as_str().is_some_and(|warning| warning.contains("lacks a solution on")), "{report}");
+    assert!(folder.join("steep.template.toml").exists());
+}
+
+#[test]
 fn a_failing_search_leaves_the_old_template() {
     let folder = two_conics("a_failing_search_leaves_the_old_template");
     let template = folder.join("two_conics.template.toml");
@@ -348,6 +389,8 @@ fn wrong_usage_is_told_apart() {
         &["check", "two_conics.rs", "other.rs"],
         &["search", "two_conics.rs", "--seed", "x"],
         &["search", "two_conics.rs", "--max-columns", "0"],
+        &["search", "two_conics.rs", "--prefer", "beauty"],
+        &["search", "two_conics.rs", "--confirm", "0"],
         &["search", "two_conics.rs", "--shuffles", "-1"],
         &["stability", "two_conics.rs", "--trials", "0"],
         &["stability", "two_conics.rs", "--trials", "1e3"],

@@ -4,6 +4,7 @@ use std::fs;
 
 use eliminant_generator::Generator;
 use eliminant_generator::generate::generate;
+use eliminant_generator::monitor::Unmonitored;
 use eliminant_generator::search::{SearchOptions, candidates};
 use eliminant_tests::{cases, templates_folder};
 use rayon::ThreadPoolBuilder;
@@ -69,7 +70,7 @@ fn searches_repeat_themselves_on_any_number_of_threads() {
         let (problem, solutions) = (case.problem(), case.template().solutions);
         let search = |threads: usize| -> Vec<String> {
             let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-            let found = pool.install(|| candidates(&problem, solutions, &options, &|_| ())).expect("a template");
+            let found = pool.install(|| candidates(&problem, solutions, &options, &Unmonitored)).expect("a template");
             found.iter().map(|c| c.to_file(&problem, &options).to_text(&problem.unknowns)).collect()
         };
         let one = search(1);

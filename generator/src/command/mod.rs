@@ -12,6 +12,7 @@ mod picture;
 mod progress;
 mod report;
 mod search;
+mod search_report;
 mod spy;
 mod stability;
 mod svg;

@@ -1,0 +1,185 @@
+//! What `eliminant search` prints.
+
+use std::fmt;
+
+use serde::Serialize;
+
+use super::report::{Summary, counted, one_decimal, seconds, table};
+use crate::choose::{Choice, INCOMPLETE_ONE_IN, Measured, Verdict};
+use crate::pareto::front;
+use crate::preference::{Cost, Preference};
+use crate::presolve::Presolve;
+use crate::problem::Problem;
+
+/// The object of `--json`: that of the chosen template as `eliminant inspect` prints it, and these.
+#[derive(Serialize)]
+pub(super) struct Report {
+    #[serde(flatten)]
+    summary: Summary,
+    prefer: Preference,
+    /// How many different templates were found.
+    found_templates: usize,
+    /// Index of the chosen one among the candidates.
+    chosen: usize,
+    /// Those that were measured, in the order of the preference.
+    candidates: Vec<Row>,
+    /// What is to be known about the result before it is used.
+    warnings: Vec<String>,
+    /// Where the template was written.
+    file: String,
+    seconds: f64,
+}
+
+/// A candidate that was measured.
+#[derive(Serialize)]
+struct Row {
+    rows: usize,
+    columns: usize,
+    basis: usize,
+    action: String,
+    presolve: &'static str,
+    growth: String,
+    operations: usize,
+    trials: usize,
+    /// log10 of the relative residual.
+    median: Option<f64>,
+    p99: Option<f64>,
+    incomplete: usize,
+    failures: usize,
+    /// `accepted`, `screened` (neither accepted nor rejected) or `rejected`.
+    verdict: &'static str,
+    /// Whether no other one has as few operations, as few rows, as small a 99 % quantile (to one decimal) and as small a share of unsolved instances.
+    pareto: bool,
+}
+
+impl Report {
+    pub(super) fn new(
+        problem: &Problem,
+        prefer: Preference,
+        found_templates: usize,
+        choice: &Choice,
+        file: String,
+        seconds: f64,
+    ) -> Self {
+        let chosen = &choice.measured[choice.chosen];
+        let on_front = front(&choice.measured.iter().map(point).collect::<Vec<_>>());
+        let candidates = choice.measured.iter().zip(on_front).map(|(m, pareto)| Row::new(m, problem, pareto)).collect();
+        Self {
+            summary: Summary::new(problem, &chosen.candidate.template, &chosen.candidate.plan),
+            prefer,
+            found_templates,
+            chosen: choice.chosen,
+            candidates,
+            warnings: warnings(choice),
+            file,
+            seconds,
+        }
+    }
+}
+
+/// What candidates are compared by for the Pareto front.
+fn point(measured: &Measured) -> [f64; 4] {
+    let (cost, stability) = (Cost::of(&measured.candidate), &measured.stability);
+    let p99 = stability.quantile(0.99).map_or(f64::INFINITY, |p99| (10.0 * p99).round());
+    let unsolved = (stability.incomplete + stability.failures) as f64 / stability.trials.max(1) as f64;
+    [cost.operations as f64, cost.rows as f64, p99, unsolved]
+}
+
+fn warnings(choice: &Choice) -> Vec<String> {
+    let chosen = &choice.measured[choice.chosen];
+    let (stability, trials) = (&chosen.stability, counted(chosen.stability.trials, "instance"));
+    let mut warnings = Vec::new();
+    if chosen.verdict == Verdict::Rejected {
+        warnings.push(format!(
+            "no template that was measured fails on no instance and lacks a solution on at most one in {INCOMPLETE_ONE_IN}; of {trials} the chosen one \
+             lacks a solution on {} and fails on {}",
+            stability.incomplete, stability.failures
+        ));
+    } else if chosen.verdict == Verdict::Screened {
+        warnings.push(format!("the chosen template was measured on {trials} only"));
+    }
+    warnings
+}
+
+impl Row {
+    fn new(measured: &Measured, problem: &Problem, pareto: bool) -> Self {
+        let (candidate, stability) = (&measured.candidate, &measured.stability);
+        Self {
+            rows: candidate.template.rows(),
+            columns: candidate.template.columns(),
+            basis: candidate.template.basis.len(),
+            action: candidate.template.action.display(&problem.unknowns).to_string(),
+            presolve: match candidate.presolve {
+                Presolve::None => "none",
+                Presolve::Constant => "constant",
+                Presolve::Linear => "linear",
+            },
+            growth: candidate.growth.to_string(),
+            operations: candidate.plan.operations().total(),
+            trials: stability.trials,
+            median: stability.quantile(0.5),
+            p99: stability.quantile(0.99),
+            incomplete: stability.incomplete,
+            failures: stability.failures,
+            verdict: match measured.verdict {
+                Verdict::Accepted => "accepted",
+                Verdict::Screened => "screened",
+                Verdict::Rejected => "rejected",
+            },
+            pareto,
+        }
+    }
+
+    fn cells(&self, is_chosen: bool) -> Vec<String> {
+        vec![
+            format!("{}{}", if is_chosen { "*" } else { " " }, if self.pareto { "+" } else { "" }),
+            format!("{} x {}", self.rows, self.columns),
+            self.action.clone(),
+            self.presolve.to_owned(),
+            self.growth.clone(),
+            self.verdict.to_owned(),
+            self.basis.to_string(),
+            self.operations.to_string(),
+            one_decimal(self.median),
+            one_decimal(self.p99),
+            self.trials.to_string(),
+            self.incomplete.to_string(),
+            self.failures.to_string(),
+        ]
+    }
+}
+
+const HEAD: [&str; 13] = [
+    "",
+    "size",
+    "action",
+    "presolve",
+    "growth",
+    "verdict",
+    "|B|",
+    "operations",
+    "median",
+    "p99",
+    "trials",
+    "incomplete",
+    "failed",
+];
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.summary)?;
+        let rows: Vec<Vec<String>> =
+            self.candidates.iter().enumerate().map(|(at, row)| row.cells(at == self.chosen)).collect();
+        let found = counted(self.found_templates, "template");
+        writeln!(f, "\n{found} found, {} measured in the order of {}:", rows.len(), self.prefer)?;
+        write!(f, "{}", table(&HEAD, &rows, 6))?;
+        writeln!(
+            f,
+            "(* chosen; + on the Pareto front of operations, rows, p99 and unsolved instances; median and p99 of the log10 relative residual)\n"
+        )?;
+        for warning in &self.warnings {
+            writeln!(f, "warning: {warning}")?;
+        }
+        writeln!(f, "wrote {} in {}", self.file, seconds(self.seconds))
+    }
+}
