@@ -20,8 +20,15 @@ pub(crate) struct Explored {
 
 /// Starts with more rows than so many percent of those of the smallest with the same bound on |B| are left out.
 const ROWS_PERCENT: usize = 150;
-/// For each bound on |B| so many of the smallest templates are improved.
+/// For each bound on |B| starts are reduced, the smallest first, until the next would exceed this estimate of multiplications; at least [`LEAST_REDUCED`] are.
+const WORK: usize = 100_000_000;
+/// See [`WORK`].
+const LEAST_REDUCED: usize = 4;
+/// For each bound on |B| so many of the smallest templates are returned, and so many of them are improved first.
+const RETURNED: usize = 8;
 const IMPROVED: usize = 2;
+/// A template with more rows than this is improved less often, in proportion.
+const ROWS_OF_FULL_IMPROVEMENT: u64 = 50;
 
 /// Grows the shifts of a form in one way, and reduces what solves to small templates for a number of bounds on |B|.
 ///
@@ -37,6 +44,8 @@ pub(crate) fn explore(form: &Form, growth: &Growth, solutions: usize, options: &
             .filter_map(|start| reduce(&start.matrix, &start.action, &requirements, DeletionOrder::HighestFirst))
             .collect();
         templates.sort_by_key(|template| (template.rows(), template.basis.len()));
+        templates.dedup();
+        templates.truncate(RETURNED);
         let improved: Vec<EliminationTemplate> =
             templates.iter().take(IMPROVED).map(|template| improve(form, template, &requirements, options)).collect();
         for template in improved.into_iter().chain(templates) {
@@ -48,10 +57,22 @@ pub(crate) fn explore(form: &Form, growth: &Growth, solutions: usize, options: &
     explored
 }
 
-/// Without those that have many more rows than the smallest.
-fn promising(starts: Vec<&Start>) -> Vec<&Start> {
-    let least = starts.iter().map(|start| start.matrix.rows.len()).min().unwrap_or(0);
-    starts.into_iter().filter(|start| start.matrix.rows.len() * 100 <= least * ROWS_PERCENT).collect()
+/// Those to reduce, smallest first.
+fn promising(mut starts: Vec<&Start>) -> Vec<&Start> {
+    starts.sort_by_key(|start| (start.matrix.rows.len(), start.matrix.monomials.len()));
+    let least = starts.first().map_or(0, |start| start.matrix.rows.len());
+    let mut work = 0;
+    let mut count = 0;
+    starts
+        .into_iter()
+        .take_while(|start| {
+            let (rows, columns) = (start.matrix.rows.len(), start.matrix.monomials.len());
+            // As many trials as rows; each updates a row for each of about |B| reducible columns.
+            work += rows * start.max_basis * (rows + columns);
+            count += 1;
+            rows * 100 <= least * ROWS_PERCENT && (work <= WORK || count <= LEAST_REDUCED)
+        })
+        .collect()
 }
 
 fn improve(
@@ -64,7 +85,7 @@ fn improve(
         field: form.instance.field,
         equations: &form.instance.equations,
         actions: &actions(form),
-        rounds: options.shuffles,
+        rounds: options.shuffles * ROWS_OF_FULL_IMPROVEMENT / ROWS_OF_FULL_IMPROVEMENT.max(template.rows() as u64),
         seed: options.seed,
     };
     improvement.of(template.clone(), requirements)

@@ -5,10 +5,10 @@ use crate::instance::Instance;
 use crate::presolve::{Presolve, ReducedProblem, presolve};
 use crate::problem::Problem;
 use crate::search::{SearchError, SearchOptions};
-use crate::template::grow::{Growth, Shifts};
-use crate::template::reduce::{DeletionOrder, independent};
+use crate::template::grow::{Growth, Shifts, linear_groups};
+use crate::template::reduce::{DeletionOrder, independent_rows};
 use crate::template::shift_matrix::ShiftMatrix;
-use crate::template::solving_set::Requirements;
+use crate::template::solving_set::{Dependencies, Requirements};
 
 /// The field in which templates are searched.
 pub(crate) const SEARCH_FIELD: PrimeField = PrimeField::new(PRIMES[0]);
@@ -46,7 +46,8 @@ pub(crate) fn forms(problem: &Problem, options: &SearchOptions) -> Result<Vec<Fo
     Ok(forms)
 }
 
-/// Weights 1 and 2 in all ways for few unknowns, one unknown at a time for more; neighbours; best shift.
+/// Weights 1 and 2 in all ways for few unknowns, one unknown at a time for more; two degrees where equations are linear in some unknowns; neighbours;
+/// best shift.
 pub(crate) fn growths(form: &Form) -> Vec<Growth> {
     let (kept, all) = (&form.reduced.kept, form.reduced.problem.unknowns.len());
     let mut growths = vec![Growth::Degree(vec![1; all])];
@@ -60,6 +61,9 @@ pub(crate) fn growths(form: &Form) -> Vec<Growth> {
         let mut weights = vec![1; all];
         kept.iter().enumerate().filter(|(at, _)| heavy >> at & 1 == 1).for_each(|(_, &unknown)| weights[unknown] = 2);
         growths.push(Growth::Degree(weights));
+    }
+    for apart in linear_groups(&form.instance.equations, kept) {
+        growths.extend([0, 1].map(|beyond| Growth::Graded { apart: apart.clone(), beyond }));
     }
     growths.push(Growth::Neighbours);
     growths.push(Growth::BestShift(0));
@@ -112,8 +116,9 @@ pub(crate) fn grow(form: &Form, growth: &Growth, solutions: usize, options: &Sea
         let matrix = ShiftMatrix::new(form.instance.field, equations, &shifts);
         grown.tried += 1;
         grown.largest = grown.largest.max((matrix.monomials.len(), matrix.rows.len()));
+        let independent = independent_rows(&matrix, DeletionOrder::HighestFirst);
         for action in actions(form) {
-            let Some(dependencies) = independent(&matrix, &action, DeletionOrder::HighestFirst) else { continue };
+            let Some(dependencies) = Dependencies::new(&matrix, &action, &independent, kept) else { continue };
             for &max_basis in &limits {
                 let requirements = Requirements { unknowns: kept, solutions, max_basis };
                 let Some(set) = dependencies.best(&matrix, &requirements) else { continue };

@@ -1,7 +1,8 @@
 //! Sets of shifts to try, smallest first.
 //!
-//! Three ways to grow, which lead to different templates:
+//! Four ways to grow, which lead to different templates:
 //! - by degree: all multiples up to a weighted degree (total degree, or weights fitted to the Newton polytopes);
+//! - by two degrees: the degree in some unknowns is bounded, the degree in the others grows;
 //! - by neighbours: every accepted multiplier times every unknown;
 //! - by the best single shift: add the shift whose support, with every shift that becomes free in it, leaves the smallest
 //!   excess of columns over rows (Martyushev, Bhayani, Pajdla, arXiv 2307.00320), from the start or after some levels of neighbours.
@@ -16,6 +17,13 @@ use crate::algebra::{MAX_UNKNOWNS, Monomial, Polynomial};
 pub enum Growth {
     /// All shifts up to a weighted degree. Weights belong to the unknowns of the problem; those of eliminated unknowns are ignored.
     Degree(Vec<i32>),
+    /// All shifts up to a total degree in all but some unknowns, whose total degree in these exceeds that of the equations by no more than `beyond`.
+    Graded {
+        /// Indices of the unknowns that are counted on their own.
+        apart: Vec<usize>,
+        /// By how much the degree in these may grow.
+        beyond: i32,
+    },
     /// All multiples of the accepted shifts by an unknown.
     Neighbours,
     /// One shift at a time with its closure, after this many levels of neighbours.
@@ -26,6 +34,7 @@ impl std::fmt::Display for Growth {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Degree(weights) => write!(f, "degree with weights {weights:?}"),
+            Self::Graded { apart, beyond } => write!(f, "degree, {beyond} more in the unknowns {apart:?}"),
             Self::Neighbours => write!(f, "neighbours"),
             Self::BestShift(0) => write!(f, "best shift"),
             Self::BestShift(levels) => write!(f, "best shift after {levels} levels of neighbours"),
@@ -54,8 +63,9 @@ impl<'a> Shifts<'a> {
     /// Before the first set.
     pub fn new(equations: &'a [Polynomial<u32>], unknowns: &'a [usize], growth: Growth, limit: usize) -> Self {
         let level = match &growth {
-            Growth::Degree(weights) => equations.iter().map(|f| weighted_degree(f, weights)).max().unwrap_or(0) - 1,
-            _ => -1,
+            Growth::Degree(weights) => highest(equations, weights) - 1,
+            Growth::Graded { apart, .. } => highest(equations, &outside(unknowns, apart)) - 1,
+            Growth::Neighbours | Growth::BestShift(_) => -1,
         };
         let support = equations.iter().flat_map(Polynomial::monomials).collect();
         Self { equations, unknowns, growth, limit, level, accepted: BTreeSet::new(), support }
@@ -65,6 +75,19 @@ impl<'a> Shifts<'a> {
         for (equation, f) in self.equations.iter().enumerate() {
             let room = self.level - weighted_degree(f, weights);
             for multiplier in monomials_up_to(self.unknowns, weights, room) {
+                self.accept(Shift { equation, multiplier });
+            }
+        }
+    }
+
+    fn grow_by_two_degrees(&mut self, apart: &[usize], beyond: i32) {
+        let (inside, outside) = (inside(apart), outside(self.unknowns, apart));
+        let rest: Vec<usize> = self.unknowns.iter().copied().filter(|unknown| !apart.contains(unknown)).collect();
+        let most = highest(self.equations, &inside) + beyond;
+        for (equation, f) in self.equations.iter().enumerate() {
+            let few = monomials_up_to(apart, &inside, most - weighted_degree(f, &inside));
+            let many = monomials_up_to(&rest, &outside, self.level - weighted_degree(f, &outside));
+            for multiplier in few.iter().flat_map(|a| many.iter().map(|b| a.times(b))) {
                 self.accept(Shift { equation, multiplier });
             }
         }
@@ -133,12 +156,13 @@ impl Iterator for Shifts<'_> {
         self.level += 1;
         match self.growth.clone() {
             Growth::Degree(weights) => self.grow_by_degree(&weights),
+            Growth::Graded { apart, beyond } => self.grow_by_two_degrees(&apart, beyond),
             _ if self.level == 0 => self.accepted.extend(shifts_within(self.equations, &self.support)),
             Growth::Neighbours => self.grow_by_neighbours(),
             Growth::BestShift(after) if self.level <= after => self.grow_by_neighbours(),
             Growth::BestShift(_) => self.grow_by_best_shift(),
         }
-        let grown = self.accepted.len() > before || matches!(self.growth, Growth::Degree(_));
+        let grown = self.accepted.len() > before || matches!(self.growth, Growth::Degree(_) | Growth::Graded { .. });
         // Exponents are i8; far below that no template is of use any more.
         let in_range =
             self.support.iter().all(|m| m.exponents().iter().all(|&e| (-60..60).contains(&e))) && self.level < 1000;
@@ -163,6 +187,38 @@ pub fn shifts_within(equations: &[Polynomial<u32>], support: &HashSet<Monomial>)
         );
     }
     shifts
+}
+
+/// Weight 1 for some unknowns, 0 for the others.
+fn inside(unknowns: &[usize]) -> Vec<i32> {
+    (0..MAX_UNKNOWNS).map(|unknown| i32::from(unknowns.contains(&unknown))).collect()
+}
+
+/// Weight 1 for `unknowns` that are not `apart`, 0 for all others.
+fn outside(unknowns: &[usize], apart: &[usize]) -> Vec<i32> {
+    (0..MAX_UNKNOWNS).map(|unknown| i32::from(unknowns.contains(&unknown) && !apart.contains(&unknown))).collect()
+}
+
+/// The largest weighted degree of the equations.
+fn highest(equations: &[Polynomial<u32>], weights: &[i32]) -> i32 {
+    equations.iter().map(|f| weighted_degree(f, weights)).max().unwrap_or(0)
+}
+
+/// Largest groups of unknowns in which, taken together, all equations are linear: no term holds two of them, nor one squared. Groups of one are left out.
+pub fn linear_groups(equations: &[Polynomial<u32>], unknowns: &[usize]) -> Vec<Vec<usize>> {
+    let degree = |m: &Monomial, group: &[usize]| group.iter().map(|&u| i32::from(m.exponent(u))).sum::<i32>();
+    let is_linear = |group: &[usize]| equations.iter().flat_map(Polynomial::monomials).all(|m| degree(&m, group) <= 1);
+    let with = |group: &[usize], unknown: usize| [group, &[unknown]].concat();
+    let mut groups: Vec<Vec<usize>> = vec![vec![]];
+    for &unknown in unknowns {
+        let larger: Vec<Vec<usize>> =
+            groups.iter().map(|group| with(group, unknown)).filter(|group| is_linear(group)).collect();
+        groups.extend(larger);
+    }
+    let is_largest = |group: &&Vec<usize>| {
+        unknowns.iter().all(|unknown| group.contains(unknown) || !is_linear(&with(group, *unknown)))
+    };
+    groups.iter().filter(|group| group.len() > 1).filter(is_largest).cloned().collect()
 }
 
 /// The largest weighted degree of a term.
@@ -200,6 +256,24 @@ pub fn monomials_up_to(unknowns: &[usize], weights: &[i32], bound: i32) -> Vec<M
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn bilinear_equations_grow_in_one_group_of_unknowns() {
+        // x u + y v + 1 in x, y, u, v.
+        let term = |exponents: [i8; 4]| (Monomial::from_exponents(&exponents), 1);
+        let equations = [Polynomial::from_terms(vec![term([1, 0, 1, 0]), term([0, 1, 0, 1]), term([0, 0, 0, 0])])];
+        let unknowns = [0, 1, 2, 3];
+        let groups = linear_groups(&equations, &unknowns);
+        assert_eq!(groups, [vec![0, 1], vec![1, 2], vec![0, 3], vec![2, 3]]);
+        let growth = Growth::Graded { apart: groups[0].clone(), beyond: 0 };
+        let mut sets = Shifts::new(&equations, &unknowns, growth, 100);
+        assert_eq!(sets.next().map(|shifts| shifts.len()), Some(1));
+        // 1, u, v; then 6 of degree two.
+        assert_eq!(sets.next().map(|shifts| shifts.len()), Some(3));
+        assert_eq!(sets.next().map(|shifts| shifts.len()), Some(6));
+        let growth = Growth::Graded { apart: groups[0].clone(), beyond: 1 };
+        assert_eq!(Shifts::new(&equations, &unknowns, growth, 100).nth(1).map(|shifts| shifts.len()), Some(9));
+    }
 
     #[test]
     fn counts_monomials_by_weighted_degree() {

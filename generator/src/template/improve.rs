@@ -72,3 +72,33 @@ impl Improvement<'_> {
         shifts_within(self.equations, &support).into_iter().collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::PRIMES;
+    use crate::instance::Draw;
+    use crate::template::grow::{Growth, Shifts, monomials_up_to};
+    use crate::template::verify::verify;
+
+    #[test]
+    fn two_conics_lose_rows_where_the_basis_may_be_larger() {
+        let field = PrimeField::new(PRIMES[0]);
+        let mut random = Random::new(1);
+        let mut conic = || {
+            let monomials = monomials_up_to(&[0, 1], &[1, 1], 2);
+            Polynomial::from_terms(monomials.into_iter().map(|m| (m, field.draw(&mut random))).collect())
+        };
+        let equations = [conic(), conic()];
+        let actions = [Monomial::unknown(0), Monomial::ONE.over(&Monomial::unknown(0))];
+        let shifts = Shifts::new(&equations, &[0, 1], Growth::Degree(vec![1, 1]), 100).nth(1).unwrap();
+        let matrix = ShiftMatrix::new(field, &equations, &shifts);
+        let requirements = |max_basis| Requirements { unknowns: &[0, 1], solutions: 4, max_basis };
+        let template = reduce(&matrix, &actions[0], &requirements(4), DeletionOrder::HighestFirst).unwrap();
+        assert_eq!((template.rows(), template.basis.len()), (6, 4));
+        let improvement = Improvement { field, equations: &equations, actions: &actions, rounds: 8, seed: 1 };
+        let improved = improvement.of(template, &requirements(5));
+        assert_eq!((improved.rows(), improved.basis.len()), (4, 5));
+        assert!(verify(&improved, field, &equations).is_ok());
+    }
+}

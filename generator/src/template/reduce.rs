@@ -79,7 +79,8 @@ impl Reduction {
         order: DeletionOrder,
     ) -> Option<Self> {
         loop {
-            let dependencies = independent(&matrix, action, order)?;
+            let rows = independent_rows(&matrix, order);
+            let dependencies = Dependencies::new(&matrix, action, &rows, requirements.unknowns)?;
             let set = dependencies.best(&matrix, requirements)?;
             let needed = dependencies.rows_of(&set);
             if needed.len() == matrix.rows.len() {
@@ -137,13 +138,8 @@ impl Reduction {
     }
 }
 
-/// The dependencies of a matrix for an action monomial, of independent rows, of which those are preferred that are offered for deletion late.
-pub fn independent(matrix: &ShiftMatrix, action: &Monomial, order: DeletionOrder) -> Option<Dependencies> {
-    Dependencies::tracked(matrix, action, &independent_rows(matrix, order))
-}
-
 /// Rows of which none depends on others, as many as there can be; those are preferred that are offered for deletion late.
-fn independent_rows(matrix: &ShiftMatrix, order: DeletionOrder) -> Vec<usize> {
+pub fn independent_rows(matrix: &ShiftMatrix, order: DeletionOrder) -> Vec<usize> {
     let mut echelon = Echelon::new(matrix.field, matrix.monomials.len());
     let mut rows: Vec<usize> = deletion_queue(matrix, order)
         .into_iter()
@@ -183,6 +179,7 @@ mod tests {
     use crate::algebra::{PRIMES, Polynomial, PrimeField};
     use crate::instance::Draw;
     use crate::template::grow::{Growth, Shifts, monomials_up_to};
+    use crate::template::verify::verify;
 
     #[test]
     fn two_conics_give_a_small_template() {
@@ -204,5 +201,25 @@ mod tests {
         assert_eq!(template.basis.len(), 4);
         assert_eq!(template.rows() + 4, template.columns());
         assert!(template.rows() <= 6, "{template:?}");
+    }
+
+    #[test]
+    fn an_unknown_outside_of_basis_and_image_is_read_from_the_excess() {
+        // x^3 + a x^2 + b x + c = 0 and y + d x^2 + e x + f = 0: no row but the second knows y.
+        let field = PrimeField::new(PRIMES[0]);
+        let mut random = Random::new(3);
+        let mut with = |leading: [i8; 2], rest: &[[i8; 2]]| {
+            let terms = rest.iter().map(|exponents| (Monomial::from_exponents(exponents), field.draw(&mut random)));
+            Polynomial::from_terms(terms.chain([(Monomial::from_exponents(&leading), 1)]).collect())
+        };
+        let low = [[2, 0], [1, 0], [0, 0]];
+        let equations = [with([3, 0], &low), with([0, 1], &low)];
+        let shifts = [0, 1].map(|equation| Shift { equation, multiplier: Monomial::ONE });
+        let matrix = ShiftMatrix::new(field, &equations, &shifts);
+        let requirements = Requirements { unknowns: &[0, 1], solutions: 3, max_basis: 3 };
+        let template = reduce(&matrix, &Monomial::unknown(0), &requirements, DeletionOrder::HighestFirst).unwrap();
+        assert_eq!((template.rows(), template.columns()), (2, 5));
+        assert!(template.reducible.contains(&Monomial::unknown(1)) && template.excess.is_empty(), "{template:?}");
+        assert!(verify(&template, field, &equations).is_ok());
     }
 }

@@ -33,10 +33,15 @@ pub struct Requirements<'a> {
     pub max_basis: usize,
 }
 
+/// So many of the lowest columns are kept for each unknown that may need one.
+const COLUMNS_TO_READ: usize = 3;
+
 /// Where a column stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Part {
     Excess,
+    /// Of the excess, but an unknown may be read from it.
+    Reading,
     Reducible,
     Permissible,
 }
@@ -44,10 +49,11 @@ enum Part {
 /// For an action monomial a, how each reducible monomial depends on the permissible ones.
 ///
 /// ```text
-///   | excess | reducible = aP \ P | permissible P |
-///   |   *    |         *          |       *       |   rows that only serve to eliminate the excess
-///   |   0    |         1          |       *       |   a row for each reducible column, all of which depend on P only
-///   |   0    |         0          |       *       |   relations within P
+///   | excess | reading | reducible = aP \ P | permissible P |
+///   |   *    |    *    |         *          |       *       |   rows that only serve to eliminate the excess
+///   |   0    |    1    |         *          |       *       |   monomials from which an unknown may be read that P and aP do not give
+///   |   0    |    0    |         1          |       *       |   a row for each reducible column, all of which depend on P only
+///   |   0    |    0    |         0          |       *       |   relations within P
 /// ```
 ///
 /// Columns that turn out not to be expressible become excess, which shrinks P, until nothing changes. With fewer rows less is expressible,
@@ -61,29 +67,47 @@ pub struct Dependencies {
 }
 
 impl Dependencies {
-    /// For all rows of `matrix`. `None` if no column is permissible.
-    pub fn new(matrix: &ShiftMatrix, action: &Monomial) -> Option<Self> {
-        let rows: Vec<usize> = (0..matrix.rows.len()).collect();
-        Self::of(matrix, action, &rows, false)
+    /// For some rows of `matrix`, which must be independent. `None` if no column is permissible. `unknowns` are those that will be read.
+    pub fn new(matrix: &ShiftMatrix, action: &Monomial, rows: &[usize], unknowns: &[usize]) -> Option<Self> {
+        let dependencies = Self::with_reading(matrix, action, rows, &[])?;
+        match dependencies.columns_to_read(matrix, unknowns) {
+            none if none.is_empty() => Some(dependencies),
+            reading => Self::with_reading(matrix, action, rows, &reading),
+        }
     }
 
-    /// For some rows, which must be independent; they can be deleted later.
-    pub fn tracked(matrix: &ShiftMatrix, action: &Monomial, rows: &[usize]) -> Option<Self> {
-        Self::of(matrix, action, rows, true)
-    }
-
-    fn of(matrix: &ShiftMatrix, action: &Monomial, rows: &[usize], tracked: bool) -> Option<Self> {
+    fn with_reading(matrix: &ShiftMatrix, action: &Monomial, rows: &[usize], reading: &[usize]) -> Option<Self> {
         let columns = matrix.monomials.len();
         let image: Vec<Option<usize>> =
             matrix.monomials.iter().map(|m| matrix.column_of.get(&m.times(action)).copied()).collect();
         let mut part = vec![Part::Permissible; columns];
+        reading.iter().for_each(|&column| part[column] = Part::Reading);
         stabilise(&mut part, &image);
         if !part.contains(&Part::Permissible) {
             return None;
         }
         let ranks = (0..columns).map(|column| rank(part[column], column, columns)).collect();
-        let mut dependencies = Self { tableau: Tableau::new(matrix, rows, ranks, columns, tracked), image, part };
+        let mut dependencies = Self { tableau: Tableau::new(matrix, rows, ranks, columns), image, part };
         dependencies.settle(1).then_some(dependencies)
+    }
+
+    /// For each unknown x without two columns m and x m outside the excess: columns of the excess that have such a partner outside it.
+    fn columns_to_read(&self, matrix: &ShiftMatrix, unknowns: &[usize]) -> Vec<usize> {
+        let is_outside = |column: usize| self.part[column] != Part::Excess;
+        let mut columns = Vec::new();
+        for &unknown in unknowns {
+            let x = Monomial::unknown(unknown);
+            let pairs: Vec<(usize, usize)> = (0..matrix.monomials.len())
+                .rev()
+                .filter_map(|m| Some((m, *matrix.column_of.get(&matrix.monomials[m].times(&x))?)))
+                .filter(|&(m, xm)| is_outside(m) || is_outside(xm))
+                .collect();
+            if !pairs.iter().any(|&(m, xm)| is_outside(m) && is_outside(xm)) {
+                let lowest = pairs.iter().take(COLUMNS_TO_READ);
+                columns.extend(lowest.map(|&(m, xm)| if is_outside(m) { xm } else { m }));
+            }
+        }
+        columns
     }
 
     /// Takes a row out of the matrix; call [`Dependencies::settle`] afterwards.
@@ -116,7 +140,9 @@ impl Dependencies {
                 self.part[column] = part[column];
                 match part[column] {
                     Part::Excess => self.tableau.give_up(column),
-                    part => self.tableau.move_forward(column, rank(part, column, self.part.len())),
+                    part @ (Part::Reading | Part::Reducible | Part::Permissible) => {
+                        self.tableau.move_forward(column, rank(part, column, self.part.len()))
+                    }
                 }
             }
         }
@@ -262,6 +288,7 @@ fn reachable(from: usize, next: &[IndexSet]) -> IndexSet {
 
 /// Shrinks P and R until P = columns that are not excess and whose image is not, R = images of P outside P.
 fn stabilise(part: &mut [Part], image: &[Option<usize>]) {
+    let is_expressible = |part: Part| matches!(part, Part::Reducible | Part::Permissible);
     let mut is_stable = false;
     while !is_stable {
         is_stable = true;
@@ -273,7 +300,8 @@ fn stabilise(part: &mut [Part], image: &[Option<usize>]) {
         }
         for column in 0..part.len() {
             let next = match part[column] {
-                Part::Permissible if image[column].is_some_and(|target| part[target] != Part::Excess) => continue,
+                Part::Reading => continue,
+                Part::Permissible if image[column].is_some_and(|target| is_expressible(part[target])) => continue,
                 Part::Permissible | Part::Reducible if is_image[column] => Part::Reducible,
                 _ => Part::Excess,
             };
@@ -283,13 +311,14 @@ fn stabilise(part: &mut [Part], image: &[Option<usize>]) {
     }
 }
 
-/// Excess columns first, then reducible, then permissible ones.
+/// Excess columns first, those for reading last among them, then reducible, then permissible ones.
 fn rank(part: Part, column: usize, columns: usize) -> usize {
     column
         + columns
             * match part {
                 Part::Excess => 0,
-                Part::Reducible => 1,
-                Part::Permissible => 2,
+                Part::Reading => 1,
+                Part::Reducible => 2,
+                Part::Permissible => 3,
             }
 }

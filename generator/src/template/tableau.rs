@@ -40,22 +40,20 @@ pub struct Tableau {
 }
 
 impl Tableau {
-    /// Of some rows of the matrix; columns in the order of their ranks, which must differ; those of rank below `excess` are the excess.
-    /// With `tracked`, combinations are kept so that rows can be deleted; the rows must then be independent.
-    pub fn new(matrix: &ShiftMatrix, rows: &[usize], ranks: Vec<usize>, excess: usize, tracked: bool) -> Self {
+    /// Of some rows of the matrix, which must be independent; columns in the order of their ranks, which must differ; those of rank below
+    /// `excess` are the excess.
+    pub fn new(matrix: &ShiftMatrix, rows: &[usize], ranks: Vec<usize>, excess: usize) -> Self {
         let count = matrix.monomials.len();
         let mut order: Vec<usize> = (0..count).collect();
         order.sort_unstable_by_key(|&column| ranks[column]);
         let mut position = vec![0; count];
         order.iter().enumerate().for_each(|(at, &column)| position[column] = at);
-        let width = count + if tracked { rows.len() } else { 0 };
+        let width = count + rows.len();
         let mut echelon = Echelon::new(matrix.field, width);
         for (at, &row) in rows.iter().enumerate() {
             let mut entries: Vec<(u32, u32)> =
                 matrix.rows[row].iter().map(|&(column, value)| (position[column] as u32, value)).collect();
-            if tracked {
-                entries.push(((count + at) as u32, 1));
-            }
+            entries.push(((count + at) as u32, 1));
             echelon.insert_sparse(&entries);
         }
         let is_kept = |at: &usize| *at < count && ranks[order[*at]] >= excess;
@@ -266,7 +264,7 @@ mod tests {
             // Ranks below `columns` are the excess, those from 2 * columns on have not moved yet.
             let mut ranks: Vec<usize> =
                 (0..columns).map(|at| if at % 7 == 0 { at } else { 2 * columns + at }).collect();
-            let mut tableau = Tableau::new(&matrix, &all, ranks.clone(), columns, true);
+            let mut tableau = Tableau::new(&matrix, &all, ranks.clone(), columns);
             let mut kept = vec![true; matrix.rows.len()];
             for step in 0..4 {
                 let column = random.below(columns as u64) as usize;
@@ -282,7 +280,7 @@ mod tests {
                 tableau.give_up(column);
             }
             matrix.rows.iter_mut().zip(&kept).filter(|(_, kept)| !**kept).for_each(|(row, _)| row.clear());
-            assert_eq!(content(&tableau), content(&Tableau::new(&matrix, &all, ranks, columns, false)));
+            assert_eq!(content(&tableau), content(&Tableau::new(&matrix, &all, ranks, columns)));
         }
     }
 
@@ -291,7 +289,7 @@ mod tests {
         let matrix = matrix(&mut Random::new(2));
         let columns = matrix.monomials.len();
         let all: Vec<usize> = (0..matrix.rows.len()).collect();
-        let mut tableau = Tableau::new(&matrix, &all, (columns + 1..2 * columns + 1).collect(), columns, true);
+        let mut tableau = Tableau::new(&matrix, &all, (columns + 1..2 * columns + 1).collect(), columns);
         tableau.delete_shift(3);
         tableau.give_up(1);
         tableau.move_forward(columns - 1, columns);
