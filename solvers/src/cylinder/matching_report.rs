@@ -38,6 +38,8 @@ pub struct MatchedCylinderReport {
     pub rms: f64,
     /// Part of all lines that are not its silhouettes.
     pub outlier_rate: f64,
+    /// Expected number of cylinders with matches as many and as near by chance.
+    pub false_alarms: f64,
     /// One for each silhouette.
     pub matches: Vec<ResidualReport>,
 }
@@ -62,6 +64,7 @@ impl MatchingReport {
             radius: found.cylinder.radius,
             rms: found.rms,
             outlier_rate: found.outlier_rate,
+            false_alarms: found.false_alarms,
             matches: found
                 .matches
                 .iter()
@@ -96,6 +99,7 @@ impl fmt::Display for MatchingReport {
             writeln!(text, "radius           {:14.7}", cylinder.radius)?;
             writeln!(text, "rms distance     {:14.6e}", cylinder.rms)?;
             writeln!(text, "outlier rate     {:14.4}   {} matches", cylinder.outlier_rate, cylinder.matches.len())?;
+            writeln!(text, "false alarms     {:14.1e}   as many and as near matches by chance", cylinder.false_alarms)?;
             writeln!(text, "\n{}", ResidualReport::HEADING)?;
             cylinder.matches.iter().try_for_each(|residual| writeln!(text, "{residual}"))?;
         }

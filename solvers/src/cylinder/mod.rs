@@ -56,6 +56,9 @@ pub mod picture;
 mod plucker;
 /// Cylinders, cameras, lines and points as a PLY file.
 pub mod ply;
+/// Progress bars on standard error.
+#[cfg(feature = "command")]
+mod progress;
 /// The cylinder as quadric and dual quadric, and its outline from the dual.
 pub mod quadric;
 /// Seeded random numbers, for simulations.
@@ -99,7 +102,9 @@ pub use estimate::{Estimate, EstimateConsensus, EstimateError};
 pub use input::{InputError, parse_scene, read_scene};
 pub use least_squares::LeastSquares;
 pub use linear_conic::LinearConic;
-pub use matching::{MatchError, MatchOptions, MatchedCylinder, Matching, References, match_cylinders};
+pub use matching::{
+    MatchError, MatchOptions, MatchedCylinder, Matching, Progress, References, match_cylinders, match_cylinders_with,
+};
 pub use minimal::{Minimal, minimal_circles};
 pub use navab::Navab;
 pub use parallel::{ParallelError, ParallelTriangulation, triangulate_parallel};

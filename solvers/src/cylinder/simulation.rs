@@ -55,6 +55,8 @@ pub struct ParallelScene {
     pub views: Vec<View>,
     /// Common direction of the cylinders.
     pub direction: Unit<Vector3<f64>>,
+    /// The middle of the square in which they stand, at half of their height.
+    pub middle: Point3<f64>,
     /// The cylinders.
     pub cylinders: Vec<Cylinder>,
     /// For each view and line the index of the cylinder and the side that it is a silhouette of; `None` for clutter.
@@ -101,7 +103,13 @@ impl ParallelSetup {
         let direction = frame.direction();
         let cylinder =
             |&(centre, radius): &(Point2<f64>, f64)| Cylinder::new(&frame.point(&centre, 0.0), direction, radius);
-        Ok(ParallelScene { views, direction, cylinders: circles.iter().map(cylinder).collect(), truth })
+        Ok(ParallelScene {
+            views,
+            direction,
+            middle: frame.origin,
+            cylinders: circles.iter().map(cylinder).collect(),
+            truth,
+        })
     }
 
     /// A camera in its sector around the scene that looks at its middle.

@@ -1,6 +1,7 @@
 //! `cylinders match`: cylinders and their silhouettes among lines without labels.
 
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use nalgebra::{Unit, Vector3};
 
@@ -9,9 +10,10 @@ use super::files::write;
 use super::output::Output;
 use super::scene::SceneArguments;
 use crate::cylinder::matching_report::MatchingReport;
+use crate::cylinder::progress::progress_bar;
 use crate::cylinder::{
-    MatchOptions, References, Scene, TriangulateError, View, default_direction_options, estimate_direction_robustly,
-    match_cylinders,
+    MatchError, MatchOptions, Matching, Progress, References, Scene, TriangulateError, View, default_direction_options,
+    estimate_direction_robustly, match_cylinders_with,
 };
 
 /// Find parallel cylinders and their silhouettes among lines of which nobody says what they show
@@ -58,12 +60,28 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     };
     let scene = || arguments.scene.path().to_owned();
     let matching =
-        match_cylinders(&views, &direction, &options).map_err(|error| CommandError::Match { scene: scene(), error })?;
+        search(&views, &direction, &options).map_err(|error| CommandError::Match { scene: scene(), error })?;
     let output = Output::of(&MatchingReport::new(&views, &direction, &matching));
     if let Some(path) = &arguments.out {
         write(path, output.json.as_bytes())?;
     }
     Ok(output)
+}
+
+/// With a progress bar: pairs searched, and cylinders found so far.
+fn search(views: &[View], direction: &Unit<Vector3<f64>>, options: &MatchOptions) -> Result<Matching, MatchError> {
+    let bar = progress_bar(0);
+    let found = AtomicUsize::new(0);
+    let matching = match_cylinders_with(views, direction, options, &|progress| match progress {
+        Progress::Pairs(pairs) => {
+            bar.reset();
+            bar.set_length(pairs as u64);
+        }
+        Progress::Pair => bar.inc(1),
+        Progress::Cylinder => bar.set_message(format!("cylinders: {}", found.fetch_add(1, Ordering::Relaxed) + 1)),
+    });
+    bar.finish_and_clear();
+    matching
 }
 
 fn direction(arguments: &Arguments, views: &[View]) -> Result<Unit<Vector3<f64>>, CommandError> {

@@ -1,10 +1,10 @@
 //! Seeded instances, on all processors.
 
-use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
 use super::Options;
 use super::random::instance_seed;
+use crate::cylinder::progress::progress_bar;
 use crate::cylinder::random::Random;
 
 /// The results of all instances, in their order.
@@ -15,8 +15,7 @@ pub(super) fn instances<T: Send>(options: &Options, runs: usize, solve: impl Fn(
 /// The same for instances that make random numbers from a seed themselves. A progress bar shows how many are done, where
 /// standard error is a terminal.
 pub(super) fn seeded_instances<T: Send>(options: &Options, runs: usize, solve: impl Fn(u64) -> T + Sync) -> Vec<T> {
-    let style = ProgressStyle::with_template("{wide_bar} {pos}/{len} {eta}").unwrap_or(ProgressStyle::default_bar());
-    let bar = ProgressBar::new(runs as u64).with_style(style);
+    let bar = progress_bar(runs);
     let instance = |instance: usize| {
         let result = solve(instance_seed(options.seed, instance as u64));
         bar.inc(1);

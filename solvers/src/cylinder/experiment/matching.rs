@@ -150,7 +150,7 @@ fn score(setup: &ParallelSetup, told: Told, seed: u64) -> Result<Score, ViewErro
 /// The true cylinder that this one is.
 fn nearest(found: &Cylinder, scene: &ParallelScene) -> Option<usize> {
     let error = |truth: &Cylinder| {
-        let axis = found.distance(&truth.axis_point) + found.radius;
+        let axis = found.distance(&truth.axis_at(truth.height(&scene.middle))) + found.radius;
         axis.max((found.radius - truth.radius).abs()) / truth.radius
     };
     scene.cylinders.iter().position(|truth| error(truth) < FOUND)

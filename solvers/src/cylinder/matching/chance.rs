@@ -6,63 +6,122 @@
 //!   p = (sum of 2 t over all rays) / (sum of the images' angles between their outermost rays)
 //! ```
 //!
-//! A hypothesis matches three lines by construction. The number of hypotheses that have `k` matches or more by chance is at most
-//! the number of all of them times the tail of a binomial distribution, `P(B >= k - 3)` over the other silhouettes.
+//! and within a part `q` of the threshold with the probability `q p`. A hypothesis matches three lines by construction. With `n`
+//! silhouettes, the `k`-th nearest of whose lines are at most `q_k` thresholds away, the number of hypotheses that are as
+//! good or better by chance is at most
+//!
+//! ```text
+//!   false alarms = hypotheses * (n - 3) * min over k of P(B >= k - 3),    B binomial: n - 3 trials, probability q_k p
+//! ```
+//!
+//! the factor `n - 3` for the choice of `k` (Moisan & Stival, "A Probabilistic Criterion to Detect Rigid Point Matches between Two
+//! Images", 2004). A silhouette that another cylinder hides is no trial: a cylinder behind others is seen by few lines, but by
+//! nearly all that could be seen of it.
 
 use super::pair::Pair;
 use super::plan::Plan;
 
-/// Expected number of hypotheses that have the least support by chance.
-const FALSE_ALARMS: f64 = 0.01;
+/// Expected number of hypotheses that are accepted by chance, at most: the usual choice in the literature.
+pub(super) const FALSE_ALARMS: f64 = 1.0;
 
 /// Number of matches that a hypothesis has by construction.
 const SAMPLE: usize = 3;
 
-/// The least number of matches that the hypotheses of the lines that are left do not reach by chance: more than there are
-/// silhouettes where any number may be reached.
-pub(super) fn least_by_chance(plan: &Plan, pairs: &[Pair]) -> usize {
-    let views = plan.views();
-    let silhouettes = 2 * views.iter().filter(|view| !view.lines.is_empty()).count();
-    let free: Vec<_> = views.iter().map(|view| plan.free_lines(view)).collect();
-    let covered: f64 = views.iter().zip(&free).map(|(view, &free)| 2.0 * view.threshold * free as f64).sum();
-    let probability = covered / views.iter().map(|view| view.span).sum::<f64>();
-    let lines: usize = free.iter().sum();
-    let of_pair = |pair: &Pair| 2 * (lines - free[pair.view()]);
-    let hypotheses: usize = pairs.iter().filter(|pair| pair.is_free(plan)).map(of_pair).sum();
-    // Not so where no image has two lines: their angle is zero.
-    let sparse = probability > 0.0 && probability < 1.0;
-    if !sparse {
-        return silhouettes + 1;
-    }
-    let trials = silhouettes - SAMPLE;
-    let mut least = trials + 1;
-    let mut tail = 0.0;
-    for successes in (0..=trials).rev() {
-        tail += binomial(trials, successes, probability);
-        if tail * hypotheses as f64 > FALSE_ALARMS {
-            break;
+/// What the lines that are left give by chance.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Chance {
+    /// Number of silhouettes of a circle that nothing hides.
+    silhouettes: usize,
+    hypotheses: usize,
+    /// `p`; not between 0 and 1 where there are no lines or no image has two of them.
+    probability: f64,
+}
+
+impl Chance {
+    pub(super) fn of(plan: &Plan, pairs: &[Pair]) -> Self {
+        let views = plan.views();
+        let free: Vec<_> = views.iter().map(|view| plan.free_lines(view)).collect();
+        let covered: f64 = views.iter().zip(&free).map(|(view, &free)| 2.0 * view.threshold * free as f64).sum();
+        let lines: usize = free.iter().sum();
+        let of_pair = |pair: &Pair| 2 * (lines - free[pair.view()]);
+        Self {
+            silhouettes: 2 * views.iter().filter(|view| !view.lines.is_empty()).count(),
+            hypotheses: pairs.iter().filter(|pair| pair.is_free(plan)).map(of_pair).sum(),
+            probability: covered / views.iter().map(|view| view.span).sum::<f64>(),
         }
-        least = successes;
     }
-    least + SAMPLE
+
+    /// The least number of matches that the hypotheses do not reach by chance: more than there are silhouettes where any number may
+    /// be reached.
+    pub(super) fn least_support(&self) -> usize {
+        let sparse = self.probability > 0.0 && self.probability < 1.0;
+        if !sparse {
+            return self.silhouettes + 1;
+        }
+        let trials = self.silhouettes - SAMPLE;
+        let is_more =
+            |successes: &usize| self.hypotheses as f64 * tail(trials, *successes, self.probability) <= FALSE_ALARMS;
+        (0..=trials).find(is_more).unwrap_or(trials + 1) + SAMPLE
+    }
+
+    /// Expected number of hypotheses that have matches as near by chance as these, in units of the threshold, on so many silhouettes
+    /// that are not hidden. Infinite where these are too few to tell.
+    pub(super) fn false_alarms(&self, mut distances: Vec<f64>, silhouettes: usize) -> f64 {
+        let trials = silhouettes.saturating_sub(SAMPLE);
+        distances.sort_unstable_by(f64::total_cmp);
+        let beyond = distances.iter().enumerate().skip(SAMPLE);
+        let tails = beyond.map(|(matches, distance)| tail(trials, matches + 1 - SAMPLE, distance * self.probability));
+        // As a factor first: no matches are no product with zero.
+        tails.fold(f64::INFINITY, f64::min) * (trials * self.hypotheses).max(1) as f64
+    }
+}
+
+/// Probability of so many successes or more in so many trials.
+fn tail(trials: usize, successes: usize, probability: f64) -> f64 {
+    let probability = probability.clamp(f64::MIN_POSITIVE, 1.0);
+    // The smallest terms first.
+    (successes..=trials).rev().map(|successes| binomial(trials, successes, probability)).sum()
 }
 
 /// Probability of so many successes in so many trials.
 fn binomial(trials: usize, successes: usize, probability: f64) -> f64 {
+    let failures = trials - successes;
+    if failures > 0 && probability >= 1.0 {
+        return 0.0;
+    }
     let choices: f64 = (0..successes).map(|index| ((trials - index) as f64 / (index + 1) as f64).ln()).sum();
-    (choices + successes as f64 * probability.ln() + (trials - successes) as f64 * (-probability).ln_1p()).exp()
+    let all_others = if failures > 0 { failures as f64 * (-probability).ln_1p() } else { 0.0 };
+    (choices + successes as f64 * probability.ln() + all_others).exp()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::binomial;
+    use super::*;
 
     #[test]
     fn probabilities_are_those_of_coins_and_sum_to_one() {
         for (successes, expected) in [1.0, 4.0, 6.0, 4.0, 1.0].into_iter().enumerate() {
             assert!((binomial(4, successes, 0.5) - expected / 16.0).abs() < 1e-15);
         }
-        let sum: f64 = (0..=97).map(|successes| binomial(97, successes, 0.23)).sum();
-        assert!((sum - 1.0).abs() < 1e-12, "{sum}");
+        assert!((tail(4, 3, 0.5) - 5.0 / 16.0).abs() < 1e-15);
+        assert!((tail(97, 0, 0.23) - 1.0).abs() < 1e-12);
+        assert_eq!([tail(5, 5, 1.0), tail(5, 0, 0.0), tail(5, 6, 0.5)], [1.0, 1.0, 0.0]);
+    }
+
+    #[test]
+    fn a_circle_is_the_less_by_chance_the_more_of_its_visible_silhouettes_match_and_the_nearer() {
+        let chance = Chance { silhouettes: 24, hypotheses: 1000, probability: 0.1 };
+        let near =
+            |matches: usize, distance: f64, silhouettes| chance.false_alarms(vec![distance; matches], silhouettes);
+        assert!(near(9, 0.5, 24) < near(8, 0.5, 24));
+        assert!(near(8, 0.25, 24) < near(8, 0.5, 24));
+        assert!(near(8, 0.5, 10) < near(8, 0.5, 24));
+        // Three of seven trials at half of the probability, and the choice among seven.
+        let expected = 7.0 * 1000.0 * tail(7, 3, 0.05);
+        assert!((near(6, 0.5, 10) / expected - 1.0).abs() < 1e-12);
+        // A line that is far off adds nothing.
+        let with_far = chance.false_alarms(vec![0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 1.0], 24);
+        assert_eq!(with_far, near(6, 0.1, 24));
+        assert_eq!(near(3, 0.0, 24), f64::INFINITY);
     }
 }

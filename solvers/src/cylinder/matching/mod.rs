@@ -13,6 +13,8 @@
 
 /// Support by chance, and the support that is more than that.
 mod chance;
+/// Which silhouettes of a circle others hide.
+mod occlusion;
 /// Pairs of silhouettes of one image: all circles that they and another line leave, and the best of them.
 mod pair;
 /// Cameras and lines in the cross-section; the lines near the silhouettes of a circle.
@@ -30,7 +32,8 @@ use super::cylinder::{Cylinder, LineResidual};
 use super::scene::LineId;
 use super::silhouette_distance::DistanceUnit;
 use super::view::View;
-use chance::least_by_chance;
+use chance::{Chance, FALSE_ALARMS};
+use occlusion::hidden;
 use pair::{Hypothesis, Pair, pairs};
 use plan::{Plan, PlanMatch};
 
@@ -43,7 +46,8 @@ const THRESHOLD_RADIANS: f64 = 1e-3;
 /// Three lines leave four circles; the fourth decides.
 const LEAST_SUPPORT: usize = 4;
 
-/// By how much less support is asked for where too few models were found.
+/// By how much less support is asked for where too few models were found, and than chance gives on silhouettes none of which is
+/// hidden.
 const SUPPORT_STEP: usize = 2;
 
 /// Limit on the repetitions of fit and choice of matches; they agree after two or three.
@@ -72,7 +76,7 @@ pub struct MatchOptions {
     /// Largest number of cylinders; `None` for all that have the support.
     pub count: Option<usize>,
     /// Least number of matches of a cylinder, four or more. `None` for four where the number of cylinders is given, otherwise for
-    /// the least that the lines left over would not reach by chance if they were in no order.
+    /// what the lines left over would not reach by chance if they were in no order.
     pub least_support: Option<usize>,
 }
 
@@ -87,6 +91,8 @@ pub struct MatchedCylinder {
     pub matches: Vec<LineResidual>,
     /// Part of all lines that are not its silhouettes.
     pub outlier_rate: f64,
+    /// Expected number of cylinders with matches as many and as near, if the lines that were left when it was found were in no order.
+    pub false_alarms: f64,
 }
 
 /// All cylinders that were found.
@@ -141,8 +147,8 @@ pub enum MatchError {
     SingleViewpoint,
     /// No model has the support.
     #[error(
-        "no cylinder has {least_support} of the {lines} lines near its silhouettes; pass more views, a better calibration or \
-         direction, or another threshold"
+        "no cylinder has {least_support} of the {lines} lines near its silhouettes, and more than chance would give; pass more \
+         views, a better calibration or direction, or another threshold"
     )]
     NoCylinder {
         /// Least number of matches that was asked of a cylinder.
@@ -165,6 +171,17 @@ impl MatchOptions {
     }
 }
 
+/// How far a search has come.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Progress {
+    /// So many pairs of lines are about to be searched, as again whenever less support is asked for.
+    Pairs(usize),
+    /// A pair has been searched.
+    Pair,
+    /// A cylinder has been found.
+    Cylinder,
+}
+
 /// Finds all cylinders of a direction among lines without labels, and the lines that are their silhouettes.
 ///
 /// Lines that are not along the direction are left aside. The one that is best supported is taken first (most matches, then the
@@ -177,6 +194,19 @@ pub fn match_cylinders(
     direction: &Unit<Vector3<f64>>,
     options: &MatchOptions,
 ) -> Result<Matching, MatchError> {
+    match_cylinders_with(views, direction, options, &|_| {})
+}
+
+/// [`match_cylinders`] that says how far it has come, from all its threads.
+///
+/// # Errors
+/// [`MatchError`].
+pub fn match_cylinders_with(
+    views: &[View],
+    direction: &Unit<Vector3<f64>>,
+    options: &MatchOptions,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Matching, MatchError> {
     if let Some(least_support) = options.least_support.filter(|&least| least < LEAST_SUPPORT) {
         return Err(MatchError::LeastSupport { least_support });
     }
@@ -185,7 +215,7 @@ pub fn match_cylinders(
     if pairs.is_empty() {
         return Err(MatchError::NoPair);
     }
-    let (found, least_support) = search(&mut plan, &pairs, options);
+    let (found, least_support) = search(&mut plan, &pairs, options, progress);
 
     let lines = views.iter().map(|view| view.lines().len()).sum();
     if found.is_empty() {
@@ -207,6 +237,7 @@ pub fn match_cylinders(
 struct Model {
     fit: CircleFit,
     matches: Vec<PlanMatch>,
+    false_alarms: f64,
 }
 
 impl Model {
@@ -223,53 +254,120 @@ impl Model {
             rms: self.fit.rms,
             matches: self.matches.iter().filter_map(residual).collect(),
             outlier_rate: 1.0 - self.matches.len() as f64 / lines as f64,
+            false_alarms: self.false_alarms,
         }
     }
 }
 
 /// Searches for models with ever less support, and returns them with the least support that was asked for at the end: the less
 /// is asked, the longer it takes, and the more models are taken, the less is reached by chance.
-fn search(plan: &mut Plan, pairs: &[Pair], options: &MatchOptions) -> (Vec<Model>, usize) {
+fn search(
+    plan: &mut Plan,
+    pairs: &[Pair],
+    options: &MatchOptions,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> (Vec<Model>, usize) {
     let count = options.count.unwrap_or(usize::MAX);
-    // Where the number of cylinders is known, chance is no reason to stop.
+    // Where the number of cylinders or of matches is known, chance is no reason to stop.
     let floor = options.least_support.or(options.count.map(|_| LEAST_SUPPORT));
+    let false_alarms = if floor.is_some() { f64::INFINITY } else { FALSE_ALARMS };
     let mut found: Vec<Model> = Vec::new();
     let mut least = usize::MAX;
     while found.len() < count {
-        let chance = least_by_chance(plan, pairs);
-        let next = floor.map_or(chance.max(LEAST_SUPPORT), |floor| chance.min(least - SUPPORT_STEP).max(floor));
+        let chance = Chance::of(plan, pairs).least_support();
+        let next = match floor {
+            Some(floor) => chance.min(least - SUPPORT_STEP).max(floor),
+            None => (chance - SUPPORT_STEP).max(LEAST_SUPPORT),
+        };
         if next >= least {
             break;
         }
         least = next;
-        found.extend(extract(plan, pairs, least, count - found.len()));
+        let demand = Demand { least_support: least, false_alarms, count };
+        extract(plan, pairs, &demand, progress, &mut found);
     }
     (found, least)
 }
 
+/// What is asked of models.
+#[derive(Clone, Copy, Debug)]
+struct Demand {
+    least_support: usize,
+    /// Largest number of false alarms.
+    false_alarms: f64,
+    /// Number of models at which the search ends.
+    count: usize,
+}
+
 /// Takes the best supported models one after the other. Without its lines a pair's best hypothesis can only lose support: what
 /// was found before is a bound, and a pair is searched again only when it is the next by its bound.
-fn extract(plan: &mut Plan, pairs: &[Pair], least_support: usize, count: usize) -> Vec<Model> {
-    let search = |(index, pair): (usize, &Pair)| pair.best(plan, least_support).map(|best| (best, index));
+fn extract(
+    plan: &mut Plan,
+    pairs: &[Pair],
+    demand: &Demand,
+    progress: &(dyn Fn(Progress) + Sync),
+    found: &mut Vec<Model>,
+) {
+    progress(Progress::Pairs(pairs.len()));
+    let search = |(index, pair): (usize, &Pair)| {
+        let best = pair.best(plan, demand.least_support);
+        progress(Progress::Pair);
+        best.map(|best| (best, index))
+    };
     #[cfg(feature = "parallel")]
     let best: Vec<_> = pairs.par_iter().enumerate().map(search).collect();
     #[cfg(not(feature = "parallel"))]
     let best: Vec<_> = pairs.iter().enumerate().map(search).collect();
 
+    let mut round = found.len();
+    let mut chance = Chance::of(plan, pairs);
     let mut queue: BinaryHeap<_> =
-        best.into_iter().flatten().map(|(best, pair)| Candidate { best, pair, round: 0 }).collect();
-    let mut found: Vec<Model> = Vec::new();
-    while found.len() < count {
-        let Some(Candidate { best, pair, round }) = queue.pop() else { break };
-        if round < found.len() {
-            let again = pairs[pair].best(plan, least_support);
-            queue.extend(again.map(|best| Candidate { best, pair, round: found.len() }));
-        } else if let Some(model) = fitted(plan, best.circle) {
-            plan.take(model.matches.iter().map(|line| line.line));
-            found.push(model);
+        best.into_iter().flatten().map(|(best, pair)| Candidate { best, pair, round }).collect();
+    // What might be chance, until others are found: then there are fewer lines, and some of its silhouettes may be hidden.
+    let mut doubtful = Vec::new();
+    while found.len() < demand.count {
+        let Some(candidate) = queue.pop() else { break };
+        if candidate.round < round {
+            let again = pairs[candidate.pair].best(plan, demand.least_support);
+            queue.extend(again.map(|best| Candidate { best, round, ..candidate }));
+            continue;
+        }
+        let Some(model) = fitted(plan, candidate.best.circle) else { continue };
+        let false_alarms = false_alarms(plan, &chance, &model.fit.circle, found);
+        if false_alarms > demand.false_alarms {
+            doubtful.push(candidate);
+            continue;
+        }
+        plan.take(model.matches.iter().map(|line| line.line));
+        found.push(Model { false_alarms, ..model });
+        progress(Progress::Cylinder);
+        (round, chance) = (found.len(), Chance::of(plan, pairs));
+        queue.extend(doubtful.drain(..));
+    }
+}
+
+/// Expected number of circles like this one by chance: on all silhouettes, or on those that the models found do not hide, whichever
+/// is less, and twice that for the choice. Cylinders of finite length do not hide all that is behind them.
+fn false_alarms(plan: &Plan, chance: &Chance, circle: &Circle, found: &[Model]) -> f64 {
+    let circles: Vec<_> = found.iter().map(|model| model.fit.circle).collect();
+    let (mut all, mut visible) = ((Vec::new(), 0), (Vec::new(), 0));
+    for view in plan.views().iter().filter(|view| !view.lines.is_empty()) {
+        let Some((silhouettes, hidden)) = plan.silhouettes(view, circle).zip(hidden(&view.centre, circle, &circles))
+        else {
+            continue;
+        };
+        for (silhouette, hidden) in silhouettes.into_iter().zip(hidden) {
+            let distance = silhouette.map(|(_, cost)| cost.sqrt());
+            for (distances, count) in [Some(&mut all), Some(&mut visible).filter(|_| !hidden)].into_iter().flatten() {
+                distances.extend(distance);
+                *count += 1;
+            }
         }
     }
-    found
+    2.0 * [all, visible]
+        .map(|(distances, count)| chance.false_alarms(distances, count))
+        .into_iter()
+        .fold(f64::INFINITY, f64::min)
 }
 
 /// A pair's best hypothesis after so many models had been taken.
@@ -307,7 +405,7 @@ fn fitted(plan: &Plan, circle: Circle) -> Option<Model> {
     let fit = |circle: &Circle| {
         let matches = plan.matches(circle);
         let lines: Vec<_> = matches.iter().map(|line| plan.tangent_line(line.line)).collect();
-        Some(Model { fit: fit_circle(&lines, plan.extent()).ok()?, matches })
+        Some(Model { fit: fit_circle(&lines, plan.extent()).ok()?, matches, false_alarms: f64::INFINITY })
     };
     let mut model = fit(&circle)?;
     for _ in 0..REPETITIONS {

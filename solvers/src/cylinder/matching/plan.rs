@@ -221,7 +221,7 @@ impl Plan {
 
     /// The line nearest to the left and that nearest to the right silhouette of a circle, each with its part of the cost; `None`
     /// where the camera is inside.
-    fn silhouettes(&self, view: &PlanView, circle: &Circle) -> Option<[Option<(usize, f64)>; 2]> {
+    pub(super) fn silhouettes(&self, view: &PlanView, circle: &Circle) -> Option<[Option<(usize, f64)>; 2]> {
         let Circle { centre, radius } = *circle;
         let to_centre = centre - view.centre;
         let square = to_centre.norm_squared();
