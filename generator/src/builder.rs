@@ -163,7 +163,7 @@ fn default_search(problem: &Problem, shown: &str) -> Result<TemplateFile, String
     let found = candidates(problem, algebra.solutions, &options, &Unmonitored).map_err(|error: SearchError| {
         format!("{error}\nhelp: search longer than a build should: `eliminant search {shown}`")
     })?;
-    let best = found.first().ok_or_else(|| "the search found no template".to_owned())?;
+    let best = found.candidates.first().ok_or_else(|| "the search found no template".to_owned())?;
     Ok(best.to_file(problem, &options))
 }
 

@@ -89,25 +89,20 @@ pub struct Choice {
 }
 
 /// Measures candidates and chooses one by the rule at the top of this module; `None` where there is no candidate.
-/// `candidates` are in the order of the preference.
+/// `candidates` are in the order of the preference; `known` are measurements on the first instances, made by [`screen`] with the same `measuring`.
 pub fn choose(
     candidates: &[Candidate],
     preference: Preference,
     measuring: Measuring,
+    known: &dyn Fn(&Candidate) -> Option<Stability>,
     monitor: &dyn Monitor,
 ) -> Option<Choice> {
     let different = different(candidates);
-    let costs: Vec<Cost> = different.iter().map(|candidate| Cost::of(candidate)).collect();
-    let measure = |at: usize, instances: Range<usize>| {
-        let t = &different[at].template;
-        let (rows, columns) = (t.rows(), t.columns());
-        monitor.say(&format!("measuring template {} ({rows} x {columns}) on {} instances", at + 1, instances.end));
-        measure(&different[at].plan, instances, measuring.seed, &|| ())
-    };
-    let mut board = Board { costs: &costs, preference, measuring, measure: &measure, monitor, entries: Vec::new() };
-    let accepted = board.accept();
-    let chosen = accepted.or_else(|| board.least_bad())?;
-    let Board { entries, .. } = board;
+    let known = |at: usize| known(different[at]);
+    let (chosen, entries) = on_board(&different, preference, measuring, &known, monitor, |board| {
+        board.accept().or_else(|| board.least_bad())
+    });
+    let chosen = chosen?;
     let is_cut = monitor.is_over(Stage::Measuring) && entries[chosen].verdict != Verdict::Accepted;
     let unmeasured = different.len() - entries.len();
     let with = |(entry, candidate): (Entry, &&Candidate)| Measured {
@@ -116,6 +111,47 @@ pub fn choose(
         verdict: entry.verdict,
     };
     Some(Choice { measured: entries.into_iter().zip(&different).map(with).collect(), chosen, unmeasured, is_cut })
+}
+
+/// Candidates that a share of a search hands over at most: more than are ever screened.
+pub const HANDED_OVER: usize = 2 * SCREENED_AT_MOST;
+
+/// The candidates that may be chosen where others join, in the order of the preference, with their measurements where they are screened.
+pub fn screen<'a>(
+    candidates: &'a [Candidate],
+    preference: Preference,
+    measuring: Measuring,
+    monitor: &dyn Monitor,
+) -> Vec<(&'a Candidate, Option<Stability>)> {
+    let mut different = different(candidates);
+    different.truncate(HANDED_OVER);
+    let ((), entries) = on_board(&different, preference, measuring, &|_| None, monitor, |board| {
+        board.screen();
+    });
+    let measured = entries.into_iter().map(|entry| Some(entry.stability)).chain(std::iter::repeat(None));
+    different.into_iter().zip(measured).collect()
+}
+
+/// Decides on a board for real candidates, and returns it with the measurements.
+fn on_board<R>(
+    candidates: &[&Candidate],
+    preference: Preference,
+    measuring: Measuring,
+    known: &dyn Fn(usize) -> Option<Stability>,
+    monitor: &dyn Monitor,
+    decide: impl FnOnce(&mut Board<'_>) -> R,
+) -> (R, Vec<Entry>) {
+    let costs: Vec<Cost> = candidates.iter().map(|candidate| Cost::of(candidate)).collect();
+    let measure = |at: usize, instances: Range<usize>| {
+        let t = &candidates[at].template;
+        let (rows, columns) = (t.rows(), t.columns());
+        monitor.say(&format!("measuring template {} ({rows} x {columns}) on {} instances", at + 1, instances.end));
+        measure(&candidates[at].plan, instances, measuring.seed, &|| ())
+    };
+    let entries = Vec::new();
+    let mut board = Board { costs: &costs, preference, measuring, known, measure: &measure, monitor, entries };
+    let decision = decide(&mut board);
+    (decision, board.entries)
 }
 
 /// The first candidate of each combination of presolved form, action monomial and basis.
@@ -144,6 +180,8 @@ struct Board<'a> {
     costs: &'a [Cost],
     preference: Preference,
     measuring: Measuring,
+    /// What is known of a candidate beforehand.
+    known: &'a dyn Fn(usize) -> Option<Stability>,
     /// What a candidate does on a range of instances.
     measure: &'a dyn Fn(usize, Range<usize>) -> Stability,
     monitor: &'a dyn Monitor,
@@ -175,8 +213,9 @@ impl Board<'_> {
             if enough || !self.is_affordable(self.entries.len()) || (!self.entries.is_empty() && self.is_over()) {
                 break;
             }
-            self.entries.push(Entry { stability: Stability::default(), verdict: Verdict::Screened });
-            let at = self.entries.len() - 1;
+            let at = self.entries.len();
+            let stability = (self.known)(at).unwrap_or_default();
+            self.entries.push(Entry { verdict: self.verdict(&stability), stability });
             self.measure_up_to(at, self.measuring.trials);
         }
         !self.finalists().is_empty()
@@ -246,9 +285,16 @@ impl Board<'_> {
         }
     }
 
+    /// Of one that is not confirmed.
+    fn verdict(&self, stability: &Stability) -> Verdict {
+        match is_rejected(stability, self.measuring.confirm.max(self.measuring.trials)) {
+            true => Verdict::Rejected,
+            false => Verdict::Screened,
+        }
+    }
+
     /// Measures on the first `trials` instances in all, until it is rejected or the time is over. Whether it lasted.
     fn measure_up_to(&mut self, at: usize, trials: usize) -> bool {
-        let confirm = self.measuring.confirm.max(self.measuring.trials);
         loop {
             let from = self.entries[at].stability.trials;
             if self.entries[at].verdict == Verdict::Rejected {
@@ -261,11 +307,8 @@ impl Board<'_> {
                 return false;
             }
             let block = (self.measure)(at, from..(from + BLOCK).min(trials));
-            let entry = &mut self.entries[at];
-            entry.stability.join(block);
-            if is_rejected(&entry.stability, confirm) {
-                entry.verdict = Verdict::Rejected;
-            }
+            self.entries[at].stability.join(block);
+            self.entries[at].verdict = self.verdict(&self.entries[at].stability);
         }
     }
 
@@ -331,7 +374,9 @@ mod tests {
         let costs: Vec<Cost> = made.iter().map(|&(operations, rows, ..)| Cost { operations, rows, basis: 1 }).collect();
         let measuring = Measuring { trials: 300, confirm: 10_000, seed: 1 };
         let measure = |at, instances| measure_made(made, at, instances);
-        let mut board = Board { costs: &costs, preference, measuring, measure: &measure, monitor, entries: Vec::new() };
+        let (entries, known) = (Vec::new(), |_| None);
+        let mut board =
+            Board { costs: &costs, preference, measuring, known: &known, measure: &measure, monitor, entries };
         let chosen = board.accept().or_else(|| board.least_bad());
         let trials = board.entries.iter().map(|entry| entry.stability.trials).collect();
         (chosen.map(|at| (at, board.entries[at].verdict)), trials)

@@ -1,11 +1,13 @@
 //! All templates that one way to grow leads to.
 
+use crate::monitor::Monitor;
 use crate::search::SearchOptions;
 use crate::starts::{Form, Start, actions, basis_limits, grow};
 use crate::template::EliminationTemplate;
 use crate::template::grow::Growth;
 use crate::template::improve::Improvement;
 use crate::template::reduce::{DeletionOrder, reduce};
+use crate::template::shift_matrix::ShiftMatrix;
 use crate::template::solving_set::Requirements;
 
 /// What one way to grow led to.
@@ -16,6 +18,8 @@ pub(crate) struct Explored {
     pub(crate) tried: usize,
     /// (columns, rows) of the largest.
     pub(crate) largest: (usize, usize),
+    /// The largest where none solves.
+    pub(crate) unsolved: Option<ShiftMatrix>,
 }
 
 /// Starts with more rows than so many percent of those of the smallest with the same bound on |B| are left out.
@@ -32,22 +36,34 @@ const ROWS_OF_FULL_IMPROVEMENT: u64 = 50;
 
 /// Grows the shifts of a form in one way, and reduces what solves to small templates for a number of bounds on |B|.
 ///
-/// The result depends on the arguments alone, so that ways to grow can be explored anywhere and put together.
-pub(crate) fn explore(form: &Form, growth: &Growth, solutions: usize, options: &SearchOptions) -> Explored {
-    let grown = grow(form, growth, solutions, options);
-    let mut explored = Explored { templates: Vec::new(), tried: grown.tried, largest: grown.largest };
+/// Unless the monitor ends it the result depends on the arguments alone, so that ways to grow can be explored anywhere and put together.
+pub(crate) fn explore(
+    form: &Form,
+    growth: &Growth,
+    solutions: usize,
+    options: &SearchOptions,
+    monitor: &dyn Monitor,
+) -> Explored {
+    let grown = grow(form, growth, solutions, options, monitor);
+    let mut explored =
+        Explored { templates: Vec::new(), tried: grown.tried, largest: grown.largest, unsolved: grown.unsolved };
     for max_basis in basis_limits(solutions) {
         let requirements = Requirements { unknowns: &form.reduced.kept, solutions, max_basis };
         let starts = promising(grown.starts.iter().filter(|start| start.max_basis == max_basis).collect());
         let mut templates: Vec<EliminationTemplate> = starts
             .into_iter()
-            .filter_map(|start| reduce(&start.matrix, &start.action, &requirements, DeletionOrder::HighestFirst))
+            .filter_map(|start| {
+                reduce(&start.matrix, &start.action, &requirements, DeletionOrder::HighestFirst, monitor)
+            })
             .collect();
         templates.sort_by_key(|template| (template.rows(), template.basis.len()));
         templates.dedup();
         templates.truncate(RETURNED);
-        let improved: Vec<EliminationTemplate> =
-            templates.iter().take(IMPROVED).map(|template| improve(form, template, &requirements, options)).collect();
+        let improved: Vec<EliminationTemplate> = templates
+            .iter()
+            .take(IMPROVED)
+            .map(|template| improve(form, template, &requirements, options, monitor))
+            .collect();
         for template in improved.into_iter().chain(templates) {
             if !explored.templates.contains(&template) {
                 explored.templates.push(template);
@@ -80,6 +96,7 @@ fn improve(
     template: &EliminationTemplate,
     requirements: &Requirements<'_>,
     options: &SearchOptions,
+    monitor: &dyn Monitor,
 ) -> EliminationTemplate {
     let improvement = Improvement {
         field: form.instance.field,
@@ -88,5 +105,5 @@ fn improve(
         rounds: options.shuffles * ROWS_OF_FULL_IMPROVEMENT / ROWS_OF_FULL_IMPROVEMENT.max(template.rows() as u64),
         seed: options.seed,
     };
-    improvement.of(template.clone(), requirements)
+    improvement.of(template.clone(), requirements, monitor)
 }

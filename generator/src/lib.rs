@@ -22,10 +22,12 @@ pub mod check;
 /// Problem to problem with fewer unknowns, and how to recover the others.
 pub mod presolve;
 
-/// How a search tells what it does and is told to end, and what it looks for first.
+pub mod attempt;
+/// How a search tells what it does and is told to end, what it looks for first, which share of the work is its own, and what it tried in vain.
 pub mod monitor;
 pub mod pareto;
 pub mod preference;
+pub mod share;
 
 #[cfg(feature = "search")]
 pub mod choose;

@@ -3,11 +3,9 @@
 /// The stages of a search, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Stage {
-    /// Sets of shifts grow.
-    Growing,
-    /// Rows are deleted.
-    Deleting,
-    /// Candidates are measured on real instances.
+    /// Templates are searched.
+    Searching,
+    /// Templates are planned, and measured on real instances.
     Measuring,
 }
 

@@ -1,15 +1,20 @@
 //! Searches elimination templates: many ways to grow, act and reduce, judged by the planned work and, where it is measured, by stability.
 //!
-//! The result depends on the problem and the options only: neither on the number of threads nor on time.
+//! The result depends on the problem and the options only: not on the number of threads, and not on time unless the monitor ends the search early. Work is done in an
+//! order that depends on the problem and the options only, so that what is left out then is the end of it.
 
-use crate::explore::explore;
-use crate::monitor::Monitor;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use crate::attempt::{Attempt, Attempts};
+use crate::explore::{Explored, explore};
+use crate::monitor::{Monitor, Stage};
 use crate::plan::{Plan, RootMethod};
 use crate::preference::{Cost, Preference};
 use crate::presolve::Presolve;
 use crate::problem::Problem;
 use crate::schedule::{ScheduleError, schedule};
-use crate::starts::{Form, SEARCH_FIELD, forms, growths};
+use crate::share::Share;
+use crate::starts::{Form, SEARCH_FIELD, forms, growths, obstacle};
 use crate::template::EliminationTemplate;
 use crate::template::file::TemplateFile;
 use crate::template::grow::Growth;
@@ -26,6 +31,8 @@ pub struct SearchOptions {
     pub shuffles: u64,
     /// What is looked for first.
     pub prefer: Preference,
+    /// Which of the ways to grow are tried.
+    pub share: Share,
 }
 
 impl SearchOptions {
@@ -37,7 +44,7 @@ impl SearchOptions {
 
 impl Default for SearchOptions {
     fn default() -> Self {
-        Self { seed: 1, max_columns: 600, shuffles: 12, prefer: Preference::default() }
+        Self { seed: 1, max_columns: 600, shuffles: 12, prefer: Preference::default(), share: Share::ALL }
     }
 }
 
@@ -46,8 +53,10 @@ impl Default for SearchOptions {
 pub struct Candidate {
     /// Which unknowns were eliminated before.
     pub presolve: Presolve,
-    /// How its shifts were grown.
-    pub growth: Growth,
+    /// Position of the way in which its shifts were grown among all ways to grow.
+    pub way: usize,
+    /// The way in words.
+    pub growth: String,
     /// The template.
     pub template: EliminationTemplate,
     /// The solver.
@@ -55,17 +64,12 @@ pub struct Candidate {
 }
 
 impl Candidate {
-    /// In the order of the preference; ties by content, so that the order does not depend on how the search ran.
-    fn rank(&self, preference: Preference) -> ([usize; 3], String) {
-        (preference.key(&Cost::of(self)), format!("{:?}", self.template))
-    }
-
     /// The file that records it.
     pub fn to_file(&self, problem: &Problem, options: &SearchOptions) -> TemplateFile {
         let mut provenance = vec![
             ("generator".to_owned(), env!("CARGO_PKG_VERSION").to_owned()),
             ("prefer".to_owned(), options.prefer.to_string()),
-            ("growth".to_owned(), self.growth.to_string()),
+            ("growth".to_owned(), self.growth.clone()),
             ("shuffles".to_owned(), options.shuffles.to_string()),
             ("seed".to_owned(), options.seed.to_string()),
             ("prime".to_owned(), SEARCH_FIELD.modulus().to_string()),
@@ -83,6 +87,21 @@ impl Candidate {
     }
 }
 
+/// What a search found.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// At least one, all different, in the order of the preference.
+    pub candidates: Vec<Candidate>,
+    /// Ways to grow sets of shifts, those of other shares not counted.
+    pub ways: usize,
+    /// How many of them the monitor did not let begin.
+    pub untried: usize,
+    /// Templates that the monitor did not let plan.
+    pub unplanned: usize,
+    /// Whether the monitor ended the search: what was tried last may have been cut short.
+    pub is_cut: bool,
+}
+
 /// Why a search found nothing.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SearchError {
@@ -90,76 +109,148 @@ pub enum SearchError {
     #[error("no random instance has the support of the problem: a coefficient vanishes for most data")]
     NoInstance,
     /// No set of shifts within the limits solves.
-    #[error(
-        "no elimination template within {max_columns} columns: tried {tried} sets of shifts, the largest {rows} x {columns}"
-    )]
+    #[error("no elimination template within {max_columns} columns{}: {}", ended(*.untried, *.is_over), Attempts(attempts))]
     NotFound {
         /// The limit.
         max_columns: usize,
-        /// Number of sets of shifts.
-        tried: usize,
-        /// Rows of the largest.
-        rows: usize,
-        /// Columns of the largest.
-        columns: usize,
+        /// The ways to grow that were tried.
+        attempts: Vec<Attempt>,
+        /// How many others there are.
+        untried: usize,
+        /// Whether the monitor ended the search.
+        is_over: bool,
     },
 }
 
-/// All templates found, at least one, in the order of the preference. `solutions` is the number of solutions of the problem.
+fn ended(untried: usize, is_over: bool) -> String {
+    match is_over {
+        true => format!(", and the search ended early, with {untried} ways to grow not tried"),
+        false => String::new(),
+    }
+}
+
+/// A way to grow sets of shifts.
+struct Way<'a> {
+    form: &'a Form,
+    growth: Growth,
+}
+
+impl Way<'_> {
+    fn describe(&self) -> String {
+        let presolve = match self.form.presolve {
+            Presolve::None => "",
+            Presolve::Constant => "after presolve with constant coefficients, ",
+            Presolve::Linear => "after presolve, ",
+        };
+        format!("{presolve}{}", self.growth)
+    }
+}
+
+/// All ways to grow, what is quick and general first.
+fn ways(forms: &[Form]) -> Vec<Way<'_>> {
+    let of = |form| growths(form).into_iter().map(move |growth| Way { form, growth });
+    let mut ways: Vec<Way<'_>> = forms.iter().flat_map(of).collect();
+    ways.sort_by_key(|way| match &way.growth {
+        Growth::Degree(weights) if weights.iter().all(|&weight| weight == 1) => 0,
+        Growth::Degree(_) => 2,
+        _ => 1,
+    });
+    ways
+}
+
+/// All templates of a share of the ways to grow. `solutions` is the number of solutions of the problem.
 pub fn candidates(
     problem: &Problem,
     solutions: usize,
     options: &SearchOptions,
     monitor: &dyn Monitor,
-) -> Result<Vec<Candidate>, SearchError> {
+) -> Result<Found, SearchError> {
     let forms = forms(problem, options)?;
-    let growths: Vec<(&Form, Growth)> =
-        forms.iter().flat_map(|form| growths(form).into_iter().map(move |growth| (form, growth))).collect();
-    monitor.say(&format!("{solutions} solutions; growing shifts in {} ways", growths.len()));
-    let explored = map(&growths, |(form, growth)| explore(form, growth, solutions, options));
-    let tried = explored.iter().map(|explored| explored.tried).sum();
-    let largest = explored.iter().map(|explored| explored.largest).max().unwrap_or_default();
-    let work: Vec<(&Form, &Growth, EliminationTemplate)> = growths
-        .iter()
-        .zip(explored)
-        .flat_map(|((form, growth), explored)| explored.templates.into_iter().map(move |t| (*form, growth, t)))
-        .collect();
-    monitor.say(&format!("planning {} templates", work.len()));
-    let plan = |(form, growth, template): &(&Form, &Growth, EliminationTemplate)| {
-        candidate(problem, form, growth, template, solutions)
-    };
-    let mut found: Vec<Candidate> = map(&work, plan).into_iter().flatten().collect();
-    found.sort_by_cached_key(|candidate| candidate.rank(options.prefer));
-    found.dedup_by(|a, b| a.template == b.template && a.presolve == b.presolve);
-    if found.is_empty() {
-        let (columns, rows) = largest;
-        return Err(SearchError::NotFound { max_columns: options.max_columns, tried, rows, columns });
+    let ways: Vec<(usize, Way<'_>)> =
+        ways(&forms).into_iter().enumerate().filter(|(at, _)| options.share.holds(*at)).collect();
+    monitor.say(&format!("{solutions} solutions; growing shifts in {} ways", ways.len()));
+    let is_over = || monitor.is_over(Stage::Searching);
+    let explored = map(&ways, |(_, way)| explore(way.form, &way.growth, solutions, options, monitor), &is_over);
+    let untried = explored.iter().filter(|explored| explored.is_none()).count();
+    let mut work: Vec<(usize, &Way<'_>, &EliminationTemplate)> = Vec::new();
+    for ((at, way), explored) in ways.iter().zip(&explored) {
+        work.extend(explored.iter().flat_map(|explored| &explored.templates).map(|template| (*at, way, template)));
     }
-    monitor.say(&format!("{} different templates", found.len()));
-    Ok(found)
+    work.sort_by_key(|(_, _, template)| (template.rows(), template.basis.len()));
+    monitor.say(&format!("planning {} templates", work.len()));
+    let plan = |&(at, way, template): &(usize, &Way<'_>, &EliminationTemplate)| {
+        candidate(problem, way, at, template, solutions)
+    };
+    let planned = map(&work, plan, &|| monitor.is_over(Stage::Measuring));
+    let unplanned = planned.iter().filter(|planned| planned.is_none()).count();
+    let candidates = in_order(planned.into_iter().flatten().flatten().collect(), options.prefer);
+    if candidates.is_empty() {
+        let attempt = |((_, way), explored): (&(usize, Way<'_>), Option<Explored>)| {
+            let explored = explored?;
+            let obstacle = explored.unsolved.map(|matrix| obstacle(way.form, &matrix, solutions));
+            Some(Attempt::new(way.describe(), explored.tried, explored.largest, obstacle.as_ref(), &problem.unknowns))
+        };
+        let attempts = ways.iter().zip(explored).filter_map(attempt).collect();
+        return Err(SearchError::NotFound { max_columns: options.max_columns, attempts, untried, is_over: is_over() });
+    }
+    monitor.say(&format!("{} different templates", candidates.len()));
+    Ok(Found { candidates, ways: ways.len(), untried, unplanned, is_cut: is_over() })
+}
+
+/// Different candidates in the order of the preference. Ties are broken by content and by the way that they were found, so that the order depends
+/// neither on how the search ran nor on how it was shared.
+pub fn in_order(mut candidates: Vec<Candidate>, preference: Preference) -> Vec<Candidate> {
+    candidates.sort_by_cached_key(|candidate| {
+        let content = format!("{:?} {:?}", candidate.presolve, candidate.template);
+        (preference.key(&Cost::of(candidate)), content, candidate.way)
+    });
+    candidates.dedup_by(|a, b| a.template == b.template && a.presolve == b.presolve);
+    candidates
 }
 
 /// `None` if the template does not hold at the other prime, or no unknown can be read.
 fn candidate(
     problem: &Problem,
-    form: &Form,
-    growth: &Growth,
+    way: &Way<'_>,
+    at: usize,
     template: &EliminationTemplate,
     solutions: usize,
 ) -> Option<Candidate> {
+    let form = way.form;
     verify(template, form.check.field, &form.check.equations).ok()?;
     let plan = schedule(problem, &form.reduced, template, solutions, RootMethod::Eigenvalues);
     debug_assert!(!matches!(plan, Err(ScheduleError::Plan(_))), "{plan:?}");
-    Some(Candidate { presolve: form.presolve, growth: growth.clone(), template: template.clone(), plan: plan.ok()? })
+    let (growth, template) = (way.growth.to_string(), template.clone());
+    Some(Candidate { presolve: form.presolve, way: at, growth, template, plan: plan.ok()? })
 }
 
-/// Maps in parallel where the feature `search` is on; the order of the results is that of the items in any case.
-fn map<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
+/// Maps one item after the other until it is over, in parallel where the feature `search` is on. The first item is mapped in any case; what is not is
+/// `None`. The order of the results is that of the items.
+fn map<T: Sync, R: Send>(
+    items: &[T],
+    f: impl Fn(&T) -> R + Sync + Send,
+    is_over: &(dyn Fn() -> bool + Sync),
+) -> Vec<Option<R>> {
+    let next = AtomicUsize::new(0);
+    // Each thread takes the next item that is left, so that items begin in their order.
+    let work = || -> Vec<(usize, R)> {
+        let mut mine = Vec::new();
+        loop {
+            let at = next.fetch_add(1, Ordering::Relaxed);
+            match items.get(at) {
+                Some(item) if at == 0 || !is_over() => mine.push((at, f(item))),
+                _ => return mine,
+            }
+        }
+    };
     #[cfg(feature = "search")]
-    {
+    let done: Vec<(usize, R)> = {
         use rayon::prelude::*;
-        items.par_iter().map(f).collect()
-    }
+        (0..rayon::current_num_threads()).into_par_iter().flat_map_iter(|_| work()).collect()
+    };
     #[cfg(not(feature = "search"))]
-    items.iter().map(f).collect()
+    let done = work();
+    let mut results: Vec<Option<R>> = items.iter().map(|_| None).collect();
+    done.into_iter().for_each(|(at, result)| results[at] = Some(result));
+    results
 }

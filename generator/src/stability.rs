@@ -14,7 +14,7 @@ use crate::plan::{KnownMonomial, Plan, Term};
 /// What many instances gave.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stability {
-    /// log10 of the relative residual of every solution found, increasing.
+    /// log10 of the relative residual of every solution found, to three decimals, increasing.
     pub residuals_log10: Vec<f64>,
     /// Instances drawn.
     pub trials: usize,
@@ -54,7 +54,8 @@ impl Stability {
             Some(residuals) => {
                 self.found += residuals.len();
                 self.incomplete += usize::from(residuals.len() < expected);
-                self.residuals_log10.extend(residuals.iter().map(|residual| residual.max(1e-17).log10()));
+                self.residuals_log10
+                    .extend(residuals.iter().map(|residual| (1000.0 * residual.max(1e-17).log10()).round() / 1000.0));
             }
         }
     }

@@ -2,13 +2,14 @@
 
 use crate::algebra::{Monomial, PRIMES, PrimeField};
 use crate::instance::Instance;
+use crate::monitor::{Monitor, Stage};
 use crate::presolve::{Presolve, ReducedProblem, presolve};
 use crate::problem::Problem;
 use crate::search::{SearchError, SearchOptions};
 use crate::template::grow::{Growth, Shifts, linear_groups};
 use crate::template::reduce::{DeletionOrder, independent_rows};
 use crate::template::shift_matrix::ShiftMatrix;
-use crate::template::solving_set::{Dependencies, Requirements};
+use crate::template::solving_set::{Dependencies, Obstacle, Requirements};
 
 /// The field in which templates are searched.
 pub(crate) const SEARCH_FIELD: PrimeField = PrimeField::new(PRIMES[0]);
@@ -93,6 +94,8 @@ pub(crate) struct Grown {
     pub(crate) tried: usize,
     /// (columns, rows).
     pub(crate) largest: (usize, usize),
+    /// The largest where there is no start.
+    pub(crate) unsolved: Option<ShiftMatrix>,
 }
 
 /// Levels to go on growing after the first that solves: larger sets sometimes reduce to smaller templates.
@@ -101,11 +104,17 @@ const LEVELS_BEYOND_FIRST: usize = 1;
 const ROWS_BETWEEN_LOOKS: usize = 20;
 
 /// Grows one form in one way until an action monomial solves, and a little further.
-pub(crate) fn grow(form: &Form, growth: &Growth, solutions: usize, options: &SearchOptions) -> Grown {
+pub(crate) fn grow(
+    form: &Form,
+    growth: &Growth,
+    solutions: usize,
+    options: &SearchOptions,
+    monitor: &dyn Monitor,
+) -> Grown {
     let equations = &form.instance.equations;
     let kept = &form.reduced.kept;
     let limits = basis_limits(solutions);
-    let mut grown = Grown { starts: Vec::new(), tried: 0, largest: (0, 0) };
+    let mut grown = Grown { starts: Vec::new(), tried: 0, largest: (0, 0), unsolved: None };
     let mut levels_left = LEVELS_BEYOND_FIRST;
     let mut last_look: usize = 0;
     for shifts in Shifts::new(equations, kept, growth.clone(), options.max_columns) {
@@ -113,6 +122,9 @@ pub(crate) fn grow(form: &Form, growth: &Growth, solutions: usize, options: &Sea
             continue;
         }
         last_look = shifts.len();
+        if monitor.is_over(Stage::Searching) {
+            break;
+        }
         let matrix = ShiftMatrix::new(form.instance.field, equations, &shifts);
         grown.tried += 1;
         grown.largest = grown.largest.max((matrix.monomials.len(), matrix.rows.len()));
@@ -128,11 +140,25 @@ pub(crate) fn grow(form: &Form, growth: &Growth, solutions: usize, options: &Sea
             }
         }
         if !grown.starts.is_empty() {
+            grown.unsolved = None;
             if levels_left == 0 {
                 break;
             }
             levels_left -= 1;
+        } else {
+            grown.unsolved = Some(matrix);
         }
     }
     grown
+}
+
+/// What keeps the rows from solving for any action monomial.
+pub(crate) fn obstacle(form: &Form, matrix: &ShiftMatrix, solutions: usize) -> Obstacle {
+    let max_basis = basis_limits(solutions).last().copied().unwrap_or(solutions);
+    let requirements = Requirements { unknowns: &form.reduced.kept, solutions, max_basis };
+    let rows = independent_rows(matrix, DeletionOrder::HighestFirst);
+    let of = |action: Monomial| Dependencies::new(matrix, &action, &rows, &form.reduced.kept);
+    let dependencies = actions(form).into_iter().filter_map(of);
+    let obstacles = dependencies.map(|dependencies| dependencies.obstacle(matrix, &requirements));
+    obstacles.min_by_key(Obstacle::distance).unwrap_or(Obstacle::NothingExpressed)
 }

@@ -1,59 +1,19 @@
 //! The `eliminant` command, as people call it.
 #![cfg(feature = "command")]
 
+mod support;
+
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::path::PathBuf;
 
 use serde_json::Value;
-
-const TWO_CONICS: &str = include_str!("../../templates/two_conics.rs");
-
-/// An empty folder of a test's own.
-fn folder(test: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("command").join(test);
-    if folder.exists() {
-        fs::remove_dir_all(&folder).unwrap();
-    }
-    fs::create_dir_all(&folder).unwrap();
-    folder
-}
-
-/// A folder with `two_conics.rs`.
-fn two_conics(test: &str) -> PathBuf {
-    let folder = folder(test);
-    fs::write(folder.join("two_conics.rs"), TWO_CONICS).unwrap();
-    folder
-}
+use support::{TWO_CONICS, eliminant, folder, json, names, status, stderr, stdout, two_conics};
 
 /// A folder with `two_conics.rs` and its template.
 fn searched(test: &str) -> PathBuf {
     let folder = two_conics(test);
     assert_eq!(status(&eliminant(&folder, &["search", "two_conics.rs", "--trials", "20"])), 0);
     folder
-}
-
-fn eliminant(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_eliminant")).current_dir(folder).args(arguments).output().unwrap()
-}
-
-fn status(output: &Output) -> i32 {
-    output.status.code().unwrap_or_else(|| panic!("killed: {}", stderr(output)))
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).unwrap()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-/// The JSON of a run that must succeed.
-fn json(folder: &Path, arguments: &[&str]) -> Value {
-    let output = eliminant(folder, &[arguments, &["--json"]].concat());
-    assert_eq!(status(&output), 0, "{}", stderr(&output));
-    serde_json::from_str(&stdout(&output)).unwrap()
 }
 
 /// What every report on a template of two general conics holds.
@@ -68,13 +28,6 @@ fn check_summary(report: &Value) {
     assert_eq!(report["basis_monomials"].as_array().map(Vec::len), Some(count("basis") as usize));
     assert!(report["action"].as_str().is_some_and(|action| action.contains(['x', 'y'])));
     assert!(report["seconds"].as_f64().is_some_and(|seconds| seconds >= 0.0));
-}
-
-fn names(folder: &Path) -> Vec<String> {
-    let mut names: Vec<String> =
-        fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort();
-    names
 }
 
 #[test]

@@ -226,7 +226,7 @@ fn a_problem_without_template_is_searched() {
     let solutions = check(&problem).expect("finitely many").solutions;
     assert_eq!(solutions, 4);
     let solves = SearchOptions::for_a_build();
-    let found = candidates(&problem, solutions, &solves, &Unmonitored).expect("a template");
+    let found = candidates(&problem, solutions, &solves, &Unmonitored).expect("a template").candidates;
     let emitted =
         found.iter().find(|c| generate(&problem, &c.to_file(&problem, &solves)).is_ok_and(|text| text == solver));
     let measured = stability(&emitted.expect("one of the candidates").plan, 1000, 1, &|| ());

@@ -70,7 +70,10 @@ fn searches_repeat_themselves_on_any_number_of_threads() {
         let (problem, solutions) = (case.problem(), case.template().solutions);
         let search = |threads: usize| -> Vec<String> {
             let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-            let found = pool.install(|| candidates(&problem, solutions, &options, &Unmonitored)).expect("a template");
+            let found = pool
+                .install(|| candidates(&problem, solutions, &options, &Unmonitored))
+                .expect("a template")
+                .candidates;
             found.iter().map(|c| c.to_file(&problem, &options).to_text(&problem.unknowns)).collect()
         };
         let one = search(1);

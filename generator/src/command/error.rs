@@ -28,6 +28,12 @@ pub(super) enum CommandError {
     /// No template was found.
     #[error("error: {}: {error}", path.display())]
     Search { path: PathBuf, error: SearchError },
+    /// A file that `search --shard` wrote is none, or does not belong to the others.
+    #[error("error: `{}`: {reason}", path.display())]
+    Shard { path: PathBuf, reason: String },
+    /// Some shards are missing.
+    #[error("error: {reason}\nhelp: run `eliminant search {} --shard i/n` for each i, and merge all their files", problem.display())]
+    Shards { problem: PathBuf, reason: String },
     /// There is no template file yet.
     #[error("error: there is no template file `{}`\nhelp: search one: `eliminant search {}`", template.display(), problem.display())]
     NoTemplate { template: PathBuf, problem: PathBuf },

@@ -13,7 +13,7 @@ use crate::template::file::TemplateFile;
 /// No problem or template is longer; a device may have no end.
 const MAX_BYTES: u64 = 16 << 20;
 
-fn read_text(path: &Path) -> Result<String, CommandError> {
+pub(super) fn read_text(path: &Path) -> Result<String, CommandError> {
     let fail = |reason: String| CommandError::Read { path: path.to_owned(), reason };
     if fs::metadata(path).is_ok_and(|metadata| metadata.is_dir()) {
         return Err(fail("it is a folder, not a file".into()));

@@ -13,9 +13,11 @@ mod progress;
 mod report;
 mod search;
 mod search_report;
+mod shard;
 mod spy;
 mod stability;
 mod svg;
+mod watch;
 
 use std::ffi::OsString;
 use std::io::{self, Write};

@@ -4,34 +4,6 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::monitor::{Monitor, Stage};
-
-/// Says in words what a search does, with the time that it has taken.
-pub(super) struct Watch {
-    spinner: ProgressBar,
-}
-
-impl Watch {
-    pub(super) fn new() -> Self {
-        Self { spinner: spinner() }
-    }
-
-    /// Clears what is displayed.
-    pub(super) fn finish(&self) {
-        self.spinner.finish_and_clear();
-    }
-}
-
-impl Monitor for Watch {
-    fn say(&self, message: &str) {
-        self.spinner.set_message(message.to_owned());
-    }
-
-    fn is_over(&self, _: Stage) -> bool {
-        false
-    }
-}
-
 /// Says in words what goes on, with the time that it has taken.
 pub(super) fn spinner() -> ProgressBar {
     styled(ProgressBar::new_spinner(), "{spinner} [{elapsed_precise}] {msg}")

@@ -28,7 +28,7 @@ pub(super) fn error_json(error: &CommandError) -> String {
 }
 
 /// Numbers that are not finite become `null`.
-fn to_json(value: &impl Serialize) -> String {
+pub(super) fn to_json(value: &impl Serialize) -> String {
     // Only maps whose keys are no strings, and writers, can fail.
     serde_json::to_string_pretty(value).unwrap_or_default() + "\n"
 }

@@ -1,20 +1,22 @@
 //! `eliminant search`: finds, measures and chooses a template, and writes it beside the problem.
 
 use std::path::PathBuf;
-use std::time::Instant;
+use std::time::Duration;
 
 use super::error::CommandError;
 use super::files::{read_named_problem, template_path, write};
-use super::progress::Watch;
 use super::report::{Output, one_decimal};
-use super::search_report::Report;
+use super::search_report::{Cut, Report, ShardReport};
+use super::shard::{Common, ShardCandidate, ShardFile, merge};
+use super::watch::{End, Watch};
 use crate::check::check;
-use crate::choose::{Measured, Measuring, choose};
+use crate::choose::{Measured, Measuring, choose, screen};
 use crate::generate::plan;
 use crate::monitor::Monitor;
 use crate::preference::Preference;
 use crate::problem::Problem;
-use crate::search::{SearchError, SearchOptions, candidates};
+use crate::search::{Candidate, Found, SearchError, SearchOptions, candidates};
+use crate::share::Share;
 use crate::stability::Stability;
 use crate::template::file::TemplateFile;
 
@@ -22,10 +24,13 @@ use crate::template::file::TemplateFile;
 #[derive(clap::Args, Debug)]
 #[command(
     after_help = "The candidates are measured on random real instances in the order of the preference. The first one is chosen that fails on none of --confirm
-instances, lacks a solution on at most one in 1000, and has small residuals. The same problem and options give the same file.
+instances, lacks a solution on at most one in 1000, and has small residuals. The same problem and options give the same file, on any number of
+threads. Ctrl-C ends the search with the best found so far; pressed again it leaves everything as it was.
 
 Example:
-  eliminant search problems/two_circles.rs    writes problems/two_circles.template.toml"
+  eliminant search problems/two_circles.rs    writes problems/two_circles.template.toml
+  for i in 1 2 3 4; do eliminant search problems/two_circles.rs --shard $i/4; done
+  eliminant search problems/two_circles.rs --merge problems/two_circles.shard-*.json    writes the same file as one search"
 )]
 pub(super) struct Arguments {
     /// The problem file, NAME.rs
@@ -39,7 +44,7 @@ pub(super) struct Arguments {
     /// No template has more columns before it is reduced
     #[arg(long, value_name = "N", default_value_t = SearchOptions::default().max_columns as u64, value_parser = clap::value_parser!(u64).range(2..=20_000))]
     max_columns: u64,
-    /// Shuffled orders of deletion besides the two fixed ones
+    /// How often each of the smallest templates is enlarged and reduced anew in a shuffled order
     #[arg(long, value_name = "N", default_value_t = SearchOptions::default().shuffles, value_parser = clap::value_parser!(u64).range(0..=10_000))]
     shuffles: u64,
     /// Random real instances on which candidates are screened
@@ -48,38 +53,150 @@ pub(super) struct Arguments {
     /// Random real instances on which the chosen one must hold
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..=10_000_000))]
     confirm: u64,
-    /// Where the template goes instead of NAME.template.toml beside the problem
+    /// Ends after about this time with the best found so far; results may then differ from run to run
+    #[arg(long, value_name = "SECONDS", value_parser = parse_seconds)]
+    budget: Option<Duration>,
+    /// Searches only part I of N and writes what it finds for `--merge`, to NAME.shard-I-of-N.json unless `--out` says otherwise
+    #[arg(long, value_name = "I/N")]
+    shard: Option<Share>,
+    /// Chooses among what the shards of one search found; options are those of the shards
+    #[arg(
+        long,
+        value_name = "FILES",
+        num_args = 1..,
+        conflicts_with_all = ["prefer", "seed", "max_columns", "shuffles", "trials", "confirm", "shard"]
+    )]
+    merge: Vec<PathBuf>,
+    /// Where the result goes instead of NAME.template.toml beside the problem
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
 
+fn parse_seconds(text: &str) -> Result<Duration, String> {
+    let seconds = text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+    seconds.filter(|seconds| !seconds.is_zero()).ok_or_else(|| "expected a number of seconds above 0".to_owned())
+}
+
+/// What a search is asked for.
+#[derive(Clone, Debug)]
+pub(super) struct Settings {
+    pub(super) options: SearchOptions,
+    pub(super) measuring: Measuring,
+}
+
+impl Settings {
+    pub(super) fn new(
+        prefer: Preference,
+        seed: u64,
+        max_columns: usize,
+        shuffles: u64,
+        share: Share,
+        trials: usize,
+        confirm: usize,
+    ) -> Self {
+        let options = SearchOptions { seed, max_columns, shuffles, prefer, share };
+        Self { options, measuring: Measuring { trials, confirm, seed } }
+    }
+}
+
+impl Arguments {
+    fn settings(&self) -> Settings {
+        let (trials, confirm) = (self.trials as usize, self.confirm as usize);
+        let share = self.shard.unwrap_or(Share::ALL);
+        Settings::new(self.prefer, self.seed, self.max_columns as usize, self.shuffles, share, trials, confirm)
+    }
+}
+
 pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
-    let start = Instant::now();
     let path = &arguments.file;
     let problem = read_named_problem(path)?;
-    let options = SearchOptions {
-        seed: arguments.seed,
-        max_columns: arguments.max_columns as usize,
-        shuffles: arguments.shuffles,
-        prefer: arguments.prefer,
-    };
-    let (trials, confirm) = (arguments.trials as usize, arguments.confirm as usize);
-    let measuring = Measuring { trials, confirm, seed: arguments.seed };
-    let watch = Watch::new();
+    let watch = Watch::new(arguments.budget);
+    if !arguments.merge.is_empty() {
+        let merged = merge(path, &problem, &arguments.merge)?;
+        let known = |candidate: &Candidate| merged.known(candidate);
+        return conclude(arguments, &problem, &merged.settings, &merged.found, merged.templates, &known, &watch);
+    }
+    let settings = arguments.settings();
     watch.say("counting solutions");
-    let algebra = check(&problem)?;
-    let fail = |error: SearchError| CommandError::Search { path: path.clone(), error };
-    let found = candidates(&problem, algebra.solutions, &options, &watch).map_err(fail)?;
-    let none = || fail(SearchError::NotFound { max_columns: options.max_columns, tried: 0, rows: 0, columns: 0 });
-    let choice = choose(&found, options.prefer, measuring, &watch).ok_or_else(none)?;
-    let file = to_file(&choice.measured[choice.chosen], &problem, &options);
+    let solutions = check(&problem)?.solutions;
+    let found = candidates(&problem, solutions, &settings.options, &watch);
+    match (arguments.shard, found) {
+        (Some(share), found) => hand_over(arguments, &problem, &settings, share, found, &watch),
+        (None, Ok(found)) => {
+            let templates = found.candidates.len();
+            conclude(arguments, &problem, &settings, &found, templates, &|_| None, &watch)
+        }
+        (None, Err(error)) => Err(CommandError::Search { path: path.clone(), error }),
+    }
+}
+
+/// Measures, chooses and writes.
+fn conclude(
+    arguments: &Arguments,
+    problem: &Problem,
+    settings: &Settings,
+    found: &Found,
+    templates: usize,
+    known: &dyn Fn(&Candidate) -> Option<Stability>,
+    watch: &Watch,
+) -> Result<Output, CommandError> {
+    let path = &arguments.file;
+    let nothing = || SearchError::NotFound {
+        max_columns: settings.options.max_columns,
+        attempts: Vec::new(),
+        untried: found.untried,
+        is_over: watch.end().is_some(),
+    };
+    let choice = choose(&found.candidates, settings.options.prefer, settings.measuring, known, watch)
+        .ok_or_else(|| CommandError::Search { path: path.clone(), error: nothing() })?;
+    let file = to_file(&choice.measured[choice.chosen], problem, &settings.options);
     // Nothing is written that would not be accepted.
-    plan(&problem, &file).map_err(|error| CommandError::Generate { problem: path.clone(), error: error.into() })?;
+    plan(problem, &file).map_err(|error| CommandError::Generate { problem: path.clone(), error: error.into() })?;
     let out = arguments.out.clone().unwrap_or_else(|| template_path(path));
     write(&out, &file.to_text(&problem.unknowns))?;
     watch.finish();
-    let seconds = start.elapsed().as_secs_f64();
-    Ok(Output::of(&Report::new(&problem, options.prefer, found.len(), &choice, out.display().to_string(), seconds)))
+    let end = watch.end().or(found.is_cut.then_some(End::Shards));
+    let end = end.filter(|_| found.untried + found.unplanned > 0 || choice.is_cut || found.is_cut);
+    let cut = end.map(|end| Cut::new(end, found, &choice));
+    let (prefer, seconds) = (settings.options.prefer, watch.seconds());
+    Ok(Output::of(&Report::new(problem, prefer, templates, &choice, cut, out.display().to_string(), seconds)))
+}
+
+/// Screens what a shard found and writes it for the merge. A shard that finds nothing says so in its file.
+fn hand_over(
+    arguments: &Arguments,
+    problem: &Problem,
+    settings: &Settings,
+    share: Share,
+    found: Result<Found, SearchError>,
+    watch: &Watch,
+) -> Result<Output, CommandError> {
+    let (found, attempts) = match found {
+        Ok(found) => (found, Vec::new()),
+        Err(SearchError::NotFound { attempts, untried, .. }) => {
+            let ways = attempts.len() + untried;
+            (Found { candidates: Vec::new(), ways, untried, unplanned: 0, is_cut: untried > 0 }, attempts)
+        }
+        Err(error) => return Err(CommandError::Search { path: arguments.file.clone(), error }),
+    };
+    let screened = screen(&found.candidates, settings.options.prefer, settings.measuring, watch);
+    let candidate = |(candidate, stability)| ShardCandidate::new(candidate, stability, problem, settings);
+    let shard = ShardFile {
+        shard: share.to_string(),
+        common: Common::new(problem, settings),
+        ways: found.ways,
+        untried: found.untried,
+        unplanned: found.unplanned,
+        is_cut: found.is_cut,
+        found: found.candidates.len(),
+        attempts,
+        candidates: screened.into_iter().map(candidate).collect(),
+    };
+    let name = format!("{}.shard-{}-of-{}.json", problem.name, share.number(), share.of());
+    let out = arguments.out.clone().unwrap_or_else(|| arguments.file.with_file_name(name));
+    write(&out, &shard.to_text())?;
+    watch.finish();
+    Ok(Output::of(&ShardReport::new(&shard, out.display().to_string(), watch.seconds())))
 }
 
 /// The file of the chosen candidate, with its measurement; figures are rounded so that the last bits of a machine do not matter.

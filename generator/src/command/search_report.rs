@@ -5,11 +5,14 @@ use std::fmt;
 use serde::Serialize;
 
 use super::report::{Summary, counted, one_decimal, seconds, table};
+use super::shard::ShardFile;
+use super::watch::End;
 use crate::choose::{Choice, INCOMPLETE_ONE_IN, Measured, Verdict};
 use crate::pareto::front;
 use crate::preference::{Cost, Preference};
 use crate::presolve::Presolve;
 use crate::problem::Problem;
+use crate::search::Found;
 
 /// The object of `--json`: that of the chosen template as `eliminant inspect` prints it, and these.
 #[derive(Serialize)]
@@ -23,11 +26,87 @@ pub(super) struct Report {
     chosen: usize,
     /// Those that were measured, in the order of the preference.
     candidates: Vec<Row>,
+    /// What ended the search early and what it left out; `null` where nothing did.
+    cut: Option<Cut>,
     /// What is to be known about the result before it is used.
     warnings: Vec<String>,
     /// Where the template was written.
     file: String,
     seconds: f64,
+}
+
+/// What a search that was ended early left out.
+#[derive(Serialize)]
+pub(super) struct Cut {
+    /// `budget`, `interrupt`, or `shards` where shards of it were ended.
+    by: &'static str,
+    /// Ways to grow sets of shifts.
+    ways: usize,
+    /// How many of them were not tried; the last ones that were may have been cut short.
+    untried: usize,
+    /// Templates that were found but not planned.
+    unplanned: usize,
+    /// Different templates that were not measured.
+    unmeasured: usize,
+}
+
+impl Cut {
+    pub(super) fn new(end: End, found: &Found, choice: &Choice) -> Self {
+        let by = match end {
+            End::Budget => "budget",
+            End::Interrupt => "interrupt",
+            End::Shards => "shards",
+        };
+        let Found { ways, untried, unplanned, .. } = *found;
+        Self { by, ways, untried, unplanned, unmeasured: choice.unmeasured }
+    }
+}
+
+impl fmt::Display for Cut {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { ways, untried, unplanned, unmeasured, .. } = self;
+        let end = match self.by {
+            "budget" => "the budget",
+            "shards" => "the end of shards",
+            _ => "Ctrl-C",
+        };
+        write!(f, "{end} ended the search: {untried} of {ways} ways to grow sets of shifts not tried, ")?;
+        write!(
+            f,
+            "{} not planned, {unmeasured} not measured; another run may give another result",
+            counted(*unplanned, "template")
+        )
+    }
+}
+
+/// What a shard of a search reports.
+#[derive(Serialize)]
+pub(super) struct ShardReport {
+    shard: String,
+    /// How many different templates were found.
+    found_templates: usize,
+    /// Ways to grow sets of shifts in this shard.
+    ways: usize,
+    /// How many of them the budget or Ctrl-C left out.
+    untried: usize,
+    file: String,
+    seconds: f64,
+}
+
+impl ShardReport {
+    pub(super) fn new(shard: &ShardFile, file: String, seconds: f64) -> Self {
+        let (ways, untried) = (shard.ways, shard.untried);
+        Self { shard: shard.shard.clone(), found_templates: shard.found, ways, untried, file, seconds }
+    }
+}
+
+impl fmt::Display for ShardReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { shard, ways, untried, .. } = self;
+        let found = counted(self.found_templates, "template");
+        writeln!(f, "shard {shard}: {found} found in {ways} ways to grow sets of shifts, {untried} of them not tried")?;
+        writeln!(f, "wrote {} in {}", self.file, seconds(self.seconds))
+    }
 }
 
 /// A candidate that was measured.
@@ -58,6 +137,7 @@ impl Report {
         prefer: Preference,
         found_templates: usize,
         choice: &Choice,
+        cut: Option<Cut>,
         file: String,
         seconds: f64,
     ) -> Self {
@@ -70,7 +150,8 @@ impl Report {
             found_templates,
             chosen: choice.chosen,
             candidates,
-            warnings: warnings(choice),
+            warnings: warnings(choice, cut.as_ref()),
+            cut,
             file,
             seconds,
         }
@@ -85,7 +166,7 @@ fn point(measured: &Measured) -> [f64; 4] {
     [cost.operations as f64, cost.rows as f64, p99, unsolved]
 }
 
-fn warnings(choice: &Choice) -> Vec<String> {
+fn warnings(choice: &Choice, cut: Option<&Cut>) -> Vec<String> {
     let chosen = &choice.measured[choice.chosen];
     let (stability, trials) = (&chosen.stability, counted(chosen.stability.trials, "instance"));
     let mut warnings = Vec::new();
@@ -98,6 +179,7 @@ fn warnings(choice: &Choice) -> Vec<String> {
     } else if chosen.verdict == Verdict::Screened {
         warnings.push(format!("the chosen template was measured on {trials} only"));
     }
+    warnings.extend(cut.map(Cut::to_string));
     warnings
 }
 

@@ -9,6 +9,7 @@ use super::solving_set::Requirements;
 use super::{EliminationTemplate, Shift};
 use crate::algebra::{Monomial, Polynomial, PrimeField};
 use crate::instance::Random;
+use crate::monitor::{Monitor, Stage};
 
 /// What a template is improved with.
 #[derive(Clone, Debug)]
@@ -30,10 +31,18 @@ impl Improvement<'_> {
     ///
     /// Each round takes all shifts that fit into the monomials of the template, mostly with some neighbours of its shifts more, and reduces
     /// them in another order.
-    pub fn of(&self, template: EliminationTemplate, requirements: &Requirements<'_>) -> EliminationTemplate {
+    pub fn of(
+        &self,
+        template: EliminationTemplate,
+        requirements: &Requirements<'_>,
+        monitor: &dyn Monitor,
+    ) -> EliminationTemplate {
         let mut random = Random::new(self.seed);
         let mut current = template;
         for round in 0..self.rounds {
+            if monitor.is_over(Stage::Searching) {
+                break;
+            }
             let action = match random.below(3) {
                 0 => self.actions[random.below(self.actions.len() as u64) as usize],
                 _ => current.action,
@@ -46,7 +55,7 @@ impl Improvement<'_> {
                 _ => DeletionOrder::Shuffled(random.bits()),
             };
             let size = |t: &EliminationTemplate| (t.rows(), t.basis.len());
-            current = reduce(&matrix, &action, requirements, order)
+            current = reduce(&matrix, &action, requirements, order, monitor)
                 .filter(|next| size(next) <= size(&current))
                 .unwrap_or(current);
         }
@@ -78,6 +87,7 @@ mod tests {
     use super::*;
     use crate::algebra::PRIMES;
     use crate::instance::Draw;
+    use crate::monitor::Unmonitored;
     use crate::template::grow::{Growth, Shifts, monomials_up_to};
     use crate::template::verify::verify;
 
@@ -94,10 +104,11 @@ mod tests {
         let shifts = Shifts::new(&equations, &[0, 1], Growth::Degree(vec![1, 1]), 100).nth(1).unwrap();
         let matrix = ShiftMatrix::new(field, &equations, &shifts);
         let requirements = |max_basis| Requirements { unknowns: &[0, 1], solutions: 4, max_basis };
-        let template = reduce(&matrix, &actions[0], &requirements(4), DeletionOrder::HighestFirst).unwrap();
+        let template =
+            reduce(&matrix, &actions[0], &requirements(4), DeletionOrder::HighestFirst, &Unmonitored).unwrap();
         assert_eq!((template.rows(), template.basis.len()), (6, 4));
         let improvement = Improvement { field, equations: &equations, actions: &actions, rounds: 8, seed: 1 };
-        let improved = improvement.of(template, &requirements(5));
+        let improved = improvement.of(template, &requirements(5), &Unmonitored);
         assert_eq!((improved.rows(), improved.basis.len()), (4, 5));
         assert!(verify(&improved, field, &equations).is_ok());
     }

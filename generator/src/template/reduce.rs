@@ -7,6 +7,7 @@ use super::solving_set::{Dependencies, Requirements, SolvingSet};
 use super::{EliminationTemplate, Shift};
 use crate::algebra::{Echelon, Monomial};
 use crate::instance::Random;
+use crate::monitor::{Monitor, Stage};
 
 /// The order in which rows are offered for deletion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,12 +23,13 @@ pub enum DeletionOrder {
 /// Deletes rows one by one, searching the solving set anew where it no longer holds, as long as |B| does not grow beyond
 /// `requirements.max_basis`.
 ///
-/// After a full pass over the rows without a deletion the template cannot lose a row. `None` if the shifts do not solve.
+/// After a full pass over the rows without a deletion the template cannot lose a row, unless the monitor ended the search. `None` if the shifts do not solve.
 pub fn reduce(
     matrix: &ShiftMatrix,
     action: &Monomial,
     requirements: &Requirements<'_>,
     order: DeletionOrder,
+    monitor: &dyn Monitor,
 ) -> Option<EliminationTemplate> {
     let mut current = Reduction::start(matrix.clone(), action, requirements, order)?;
     let mut queue = deletion_queue(&current.matrix, order);
@@ -37,6 +39,9 @@ pub fn reduce(
         let mut deleted = false;
         let mut at = 0;
         while at < queue.len() {
+            if monitor.is_over(Stage::Searching) {
+                return current.template(action);
+            }
             let end = (at + block).min(queue.len());
             match current.without(&queue[at..end], requirements) {
                 Some(smaller) => {
@@ -178,6 +183,7 @@ mod tests {
     use super::*;
     use crate::algebra::{PRIMES, Polynomial, PrimeField};
     use crate::instance::Draw;
+    use crate::monitor::Unmonitored;
     use crate::template::grow::{Growth, Shifts, monomials_up_to};
     use crate::template::verify::verify;
 
@@ -195,7 +201,7 @@ mod tests {
         let template = Shifts::new(&equations, &[0, 1], Growth::Degree(vec![1, 1]), 100)
             .find_map(|shifts| {
                 let matrix = ShiftMatrix::new(field, &equations, &shifts);
-                reduce(&matrix, &action, &requirements, DeletionOrder::HighestFirst)
+                reduce(&matrix, &action, &requirements, DeletionOrder::HighestFirst, &Unmonitored)
             })
             .unwrap();
         assert_eq!(template.basis.len(), 4);
@@ -217,7 +223,8 @@ mod tests {
         let shifts = [0, 1].map(|equation| Shift { equation, multiplier: Monomial::ONE });
         let matrix = ShiftMatrix::new(field, &equations, &shifts);
         let requirements = Requirements { unknowns: &[0, 1], solutions: 3, max_basis: 3 };
-        let template = reduce(&matrix, &Monomial::unknown(0), &requirements, DeletionOrder::HighestFirst).unwrap();
+        let template =
+            reduce(&matrix, &Monomial::unknown(0), &requirements, DeletionOrder::HighestFirst, &Unmonitored).unwrap();
         assert_eq!((template.rows(), template.columns()), (2, 5));
         assert!(template.reducible.contains(&Monomial::unknown(1)) && template.excess.is_empty(), "{template:?}");
         assert!(verify(&template, field, &equations).is_ok());

@@ -4,12 +4,16 @@
 //! row space in terms of B. B need not be a basis of the quotient ring: with |B| above the number of solutions some
 //! eigenvalues are spurious. (Martyushev, Bhayani, Pajdla, arXiv 2307.00320.)
 
+mod obstacle;
+
 use std::collections::BTreeSet;
 
 use super::index_set::IndexSet;
 use super::shift_matrix::ShiftMatrix;
 use super::tableau::Tableau;
 use crate::algebra::Monomial;
+
+pub use obstacle::Obstacle;
 
 /// Columns of a [`ShiftMatrix`], increasing.
 #[derive(Clone, Debug, PartialEq, Eq)]
