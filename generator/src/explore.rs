@@ -1,14 +1,20 @@
 //! All templates that one way to grow leads to.
 
+use std::collections::HashMap;
+use std::hash::Hash;
+use std::sync::{Mutex, PoisonError};
+
+use crate::algebra::Monomial;
 use crate::monitor::Monitor;
+use crate::presolve::Presolve;
 use crate::search::SearchOptions;
 use crate::starts::{Form, Start, actions, basis_limits, grow};
-use crate::template::EliminationTemplate;
 use crate::template::grow::Growth;
 use crate::template::improve::Improvement;
 use crate::template::reduce::{DeletionOrder, reduce};
 use crate::template::shift_matrix::ShiftMatrix;
 use crate::template::solving_set::Requirements;
+use crate::template::{EliminationTemplate, Shift};
 
 /// What one way to grow led to.
 pub(crate) struct Explored {
@@ -34,14 +40,44 @@ const IMPROVED: usize = 2;
 /// A template with more rows than this is improved less often, in proportion.
 const ROWS_OF_FULL_IMPROVEMENT: u64 = 50;
 
+/// What was computed before: different ways to grow often come to the same rows. It saves work and changes no result.
+#[derive(Default)]
+pub(crate) struct Memory {
+    reduced: Remembered<(Presolve, Vec<Shift>, Monomial, usize), Option<EliminationTemplate>>,
+    improved: Remembered<(Presolve, EliminationTemplate, usize), EliminationTemplate>,
+}
+
+/// Values of a function by its arguments.
+struct Remembered<K, V>(Mutex<HashMap<K, V>>);
+
+impl<K, V> Default for Remembered<K, V> {
+    fn default() -> Self {
+        Self(Mutex::new(HashMap::new()))
+    }
+}
+
+impl<K: Eq + Hash, V: Clone> Remembered<K, V> {
+    /// The value remembered for `key`, or else what `compute` returns, which may be computed twice by two threads.
+    fn get(&self, key: K, compute: impl FnOnce() -> V) -> V {
+        let known = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let value = known().get(&key).cloned();
+        value.unwrap_or_else(|| {
+            let value = compute();
+            known().insert(key, value.clone());
+            value
+        })
+    }
+}
+
 /// Grows the shifts of a form in one way, and reduces what solves to small templates for a number of bounds on |B|.
 ///
-/// Unless the monitor ends it the result depends on the arguments alone, so that ways to grow can be explored anywhere and put together.
+/// Unless the monitor ends it the result depends on the arguments other than `memory` alone, so that ways to grow can be explored anywhere and put together.
 pub(crate) fn explore(
     form: &Form,
     growth: &Growth,
     solutions: usize,
     options: &SearchOptions,
+    memory: &Memory,
     monitor: &dyn Monitor,
 ) -> Explored {
     let grown = grow(form, growth, solutions, options, monitor);
@@ -50,20 +86,20 @@ pub(crate) fn explore(
     for max_basis in basis_limits(solutions) {
         let requirements = Requirements { unknowns: &form.reduced.kept, solutions, max_basis };
         let starts = promising(grown.starts.iter().filter(|start| start.max_basis == max_basis).collect());
-        let mut templates: Vec<EliminationTemplate> = starts
-            .into_iter()
-            .filter_map(|start| {
-                reduce(&start.matrix, &start.action, &requirements, DeletionOrder::HighestFirst, monitor)
-            })
-            .collect();
+        let reduced = |start: &Start| {
+            let key = (form.presolve, start.matrix.shifts.clone(), start.action, max_basis);
+            let compute = || reduce(&start.matrix, &start.action, &requirements, DeletionOrder::HighestFirst, monitor);
+            memory.reduced.get(key, compute)
+        };
+        let mut templates: Vec<EliminationTemplate> = starts.into_iter().filter_map(reduced).collect();
         templates.sort_by_key(|template| (template.rows(), template.basis.len()));
         templates.dedup();
         templates.truncate(RETURNED);
-        let improved: Vec<EliminationTemplate> = templates
-            .iter()
-            .take(IMPROVED)
-            .map(|template| improve(form, template, &requirements, options, monitor))
-            .collect();
+        let improved = |template: &EliminationTemplate| {
+            let compute = || improve(form, template, &requirements, options, monitor);
+            memory.improved.get((form.presolve, template.clone(), max_basis), compute)
+        };
+        let improved: Vec<EliminationTemplate> = templates.iter().take(IMPROVED).map(improved).collect();
         for template in improved.into_iter().chain(templates) {
             if !explored.templates.contains(&template) {
                 explored.templates.push(template);
@@ -106,4 +142,30 @@ fn improve(
         seed: options.seed,
     };
     improvement.of(template.clone(), requirements, monitor)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::monitor::Unmonitored;
+    use crate::problem::Problem;
+    use crate::starts::forms;
+
+    #[test]
+    fn what_is_remembered_changes_no_result() {
+        let text = "/// Two conics.\nfn conics(a: [f64; 6], b: [f64; 6]) -> (x, y) {\n    dot(a, [x * x, x * y, y * y, x, y, 1]) == 0;\n    \
+                    dot(b, [x * x, x * y, y * y, x, y, 1]) == 0;\n}\n";
+        let problem = Problem::parse("conics.rs", text).unwrap();
+        let options = SearchOptions::default();
+        let forms = forms(&problem, &options).unwrap();
+        let shared = Memory::default();
+        for growth in [Growth::Degree(vec![1, 1]), Growth::Neighbours, Growth::BestShift(0), Growth::Degree(vec![1, 1])]
+        {
+            let [alone, together] = [&Memory::default(), &shared]
+                .map(|memory| explore(&forms[0], &growth, 4, &options, memory, &Unmonitored).templates);
+            assert_eq!(alone, together);
+            let sizes: Vec<_> = alone.iter().map(|t| (t.rows(), t.basis.len())).collect();
+            assert!(sizes.contains(&(6, 4)) && sizes.contains(&(4, 5)), "{growth}: {sizes:?}");
+        }
+    }
 }

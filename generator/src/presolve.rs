@@ -9,7 +9,7 @@ use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
 use crate::problem::Problem;
 
 /// How far to presolve.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Presolve {
     /// Keep every unknown.
     None,

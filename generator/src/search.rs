@@ -6,7 +6,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::attempt::{Attempt, Attempts};
-use crate::explore::{Explored, explore};
+use crate::explore::{Explored, Memory, explore};
 use crate::monitor::{Monitor, Stage};
 use crate::plan::{Plan, RootMethod};
 use crate::preference::{Cost, Preference};
@@ -170,7 +170,9 @@ pub fn candidates(
         ways(&forms).into_iter().enumerate().filter(|(at, _)| options.share.holds(*at)).collect();
     monitor.say(&format!("{solutions} solutions; growing shifts in {} ways", ways.len()));
     let is_over = || monitor.is_over(Stage::Searching);
-    let explored = map(&ways, |(_, way)| explore(way.form, &way.growth, solutions, options, monitor), &is_over);
+    let memory = Memory::default();
+    let explored =
+        map(&ways, |(_, way)| explore(way.form, &way.growth, solutions, options, &memory, monitor), &is_over);
     let untried = explored.iter().filter(|explored| explored.is_none()).count();
     let mut work: Vec<(usize, &Way<'_>, &EliminationTemplate)> = Vec::new();
     for ((at, way), explored) in ways.iter().zip(&explored) {

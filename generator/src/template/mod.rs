@@ -34,7 +34,7 @@ pub struct Shift {
 }
 
 /// An elimination template, drawn at the top of this module.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct EliminationTemplate {
     /// The rows, |E| + |R| of them.
     pub shifts: Vec<Shift>,
