@@ -4,6 +4,10 @@
 //! unknown is substituted away in all other equations and recovered after the solve. Substitution can also hurt (degrees grow, coefficients swell): a
 //! search judges all of [`crate::presolve::Presolve`] side by side.
 
+mod square;
+
+use square::divide_by_square;
+
 use crate::algebra::Monomial;
 use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
 use crate::problem::Problem;
@@ -17,6 +21,9 @@ pub enum Presolve {
     Constant,
     /// Wherever the coefficient depends on data only.
     Linear,
+    /// As [`Presolve::Linear`]; then all other equations are divided by one that gives the square of an unknown, which keeps the unknown
+    /// and takes the equation away.
+    Square,
 }
 
 /// `unknown = value`, where `value` holds unknowns that are kept or recovered earlier.
@@ -58,6 +65,9 @@ pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
     }
     // Recovery runs backwards: what was eliminated last depends on kept unknowns only.
     reduced.recoveries.reverse();
+    if presolve == Presolve::Square {
+        divide_by_square(&mut reduced);
+    }
     reduced
 }
 

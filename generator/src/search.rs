@@ -141,6 +141,7 @@ impl Way<'_> {
             Presolve::None => "",
             Presolve::Constant => "after presolve with constant coefficients, ",
             Presolve::Linear => "after presolve, ",
+            Presolve::Square => "after presolve and division by a square, ",
         };
         format!("{presolve}{}", self.growth)
     }

@@ -35,9 +35,9 @@ pub(crate) struct Form {
 /// The different presolved forms of a problem.
 pub(crate) fn forms(problem: &Problem, options: &SearchOptions) -> Result<Vec<Form>, SearchError> {
     let mut forms: Vec<Form> = Vec::new();
-    for kind in [Presolve::None, Presolve::Constant, Presolve::Linear] {
+    for kind in [Presolve::None, Presolve::Constant, Presolve::Linear, Presolve::Square] {
         let reduced = presolve(problem, kind);
-        if forms.iter().any(|form| form.reduced.kept == reduced.kept) {
+        if forms.iter().any(|form| is_same(&form.reduced, &reduced)) {
             continue;
         }
         let draw = |field, seed| Instance::draw(&reduced.problem, field, seed).ok_or(SearchError::NoInstance);
@@ -45,6 +45,14 @@ pub(crate) fn forms(problem: &Problem, options: &SearchOptions) -> Result<Vec<Fo
         forms.push(Form { presolve: kind, reduced, instance, check });
     }
     Ok(forms)
+}
+
+/// Whether two forms have the same unknowns and the same monomials in the same equations.
+fn is_same(a: &ReducedProblem, b: &ReducedProblem) -> bool {
+    let monomials = |form: &ReducedProblem| -> Vec<Vec<Monomial>> {
+        form.problem.polynomials().map(|polynomial| polynomial.monomials().collect()).collect()
+    };
+    a.kept == b.kept && monomials(a) == monomials(b)
 }
 
 /// Weights 1 and 2 in all ways for few unknowns, one unknown at a time for more; two degrees where equations are linear in some unknowns; neighbours;

@@ -195,6 +195,7 @@ impl Row {
                 Presolve::None => "none",
                 Presolve::Constant => "constant",
                 Presolve::Linear => "linear",
+                Presolve::Square => "square",
             },
             growth: candidate.growth.to_string(),
             operations: candidate.plan.operations().total(),

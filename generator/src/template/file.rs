@@ -94,8 +94,12 @@ struct RawShifts {
     multipliers: Vec<String>,
 }
 
-const PRESOLVES: [(&str, Presolve); 3] =
-    [("none", Presolve::None), ("constant", Presolve::Constant), ("linear", Presolve::Linear)];
+const PRESOLVES: [(&str, Presolve); 4] = [
+    ("none", Presolve::None),
+    ("constant", Presolve::Constant),
+    ("linear", Presolve::Linear),
+    ("square", Presolve::Square),
+];
 const ROOTS: [(&str, RootMethod); 2] =
     [("eigenvalues", RootMethod::Eigenvalues), ("characteristic_polynomial", RootMethod::CharacteristicPolynomial)];
 

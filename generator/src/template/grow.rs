@@ -204,7 +204,7 @@ fn highest(equations: &[Polynomial<u32>], weights: &[i32]) -> i32 {
     equations.iter().map(|f| weighted_degree(f, weights)).max().unwrap_or(0)
 }
 
-/// Largest groups of unknowns in which, taken together, all equations are linear: no term holds two of them, nor one squared. Groups of one are left out.
+/// Largest groups of unknowns in which, taken together, all equations are linear: no term holds two of them, nor one squared.
 pub fn linear_groups(equations: &[Polynomial<u32>], unknowns: &[usize]) -> Vec<Vec<usize>> {
     let degree = |m: &Monomial, group: &[usize]| group.iter().map(|&u| i32::from(m.exponent(u))).sum::<i32>();
     let is_linear = |group: &[usize]| equations.iter().flat_map(Polynomial::monomials).all(|m| degree(&m, group) <= 1);
@@ -218,7 +218,7 @@ pub fn linear_groups(equations: &[Polynomial<u32>], unknowns: &[usize]) -> Vec<V
     let is_largest = |group: &&Vec<usize>| {
         unknowns.iter().all(|unknown| group.contains(unknown) || !is_linear(&with(group, *unknown)))
     };
-    groups.iter().filter(|group| group.len() > 1).filter(is_largest).cloned().collect()
+    groups.iter().filter(|group| !group.is_empty()).filter(is_largest).cloned().collect()
 }
 
 /// The largest weighted degree of a term.

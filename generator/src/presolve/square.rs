@@ -1,0 +1,146 @@
+//! Divides by an equation that gives the square of an unknown, such as that of a unit vector or quaternion.
+//!
+//! With `c x^2 + rest = 0`, where x is nowhere else in it and c is a constant, every polynomial has a remainder E + x O with E and O free of x.
+//! An equation f and its multiple x f leave
+//!
+//! ```text
+//!   f  ->  E + x O
+//!   x f -> r O + x E        r = -rest / c = x^2
+//! ```
+//!
+//! Both are in the ideal, and their multiples by the other unknowns give, modulo the equation, all multiples of f: the equation itself needs no rows any more,
+//! which is what an offline Schur complement of its multiples achieves too (Martyushev, Bhayani, Pajdla, arXiv 2307.00320).
+
+use super::{MAX_TERMS, ReducedProblem};
+use crate::algebra::{MAX_UNKNOWNS, Monomial};
+use crate::expression::{ExpressionGraph, SymbolicPolynomial};
+use crate::problem::Problem;
+
+/// Replaces the other equations by their remainders and those of their multiples; no change where no equation gives a square, or one would grow too long.
+pub(super) fn divide_by_square(reduced: &mut ReducedProblem) {
+    if let Some((equation, unknown)) = square(reduced)
+        && let Some(problem) = divided(reduced, equation, unknown)
+    {
+        reduced.problem = problem;
+    }
+}
+
+/// The shortest equation with an unknown whose square alone it holds.
+fn square(reduced: &ReducedProblem) -> Option<(usize, usize)> {
+    let graph = &reduced.problem.graph;
+    let mut found = Vec::new();
+    for (equation, polynomial) in reduced.problem.polynomials().enumerate() {
+        for &unknown in &reduced.kept {
+            let x = Monomial::unknown(unknown);
+            let mut with_x = polynomial.terms().iter().filter(|(m, _)| m.exponent(unknown) != 0);
+            if let (Some(&(monomial, c)), None) = (with_x.next(), with_x.next())
+                && monomial == x.times(&x)
+                && graph.as_constant(c).is_some()
+            {
+                found.push((polynomial.terms().len(), equation, unknown));
+            }
+        }
+    }
+    // Divided by the only equation nothing would be left.
+    let (_, equation, unknown) = found.into_iter().min()?;
+    (reduced.problem.equations.len() > 1).then_some((equation, unknown))
+}
+
+fn divided(reduced: &ReducedProblem, equation: usize, unknown: usize) -> Option<Problem> {
+    let mut problem = reduced.problem.clone();
+    let divisor = problem.equations.remove(equation).polynomial;
+    let graph = &mut problem.graph;
+    let (with_x, rest): (Vec<_>, Vec<_>) = divisor.terms().iter().copied().partition(|(m, _)| m.exponent(unknown) != 0);
+    let inverse = graph.div(ExpressionGraph::ONE, with_x.first()?.1)?;
+    let factor = graph.neg(inverse);
+    let square = graph.polynomial_scale(&SymbolicPolynomial::from_terms(rest), factor);
+    let x = graph.term(ExpressionGraph::ONE, Monomial::unknown(unknown));
+    let mut equations = Vec::new();
+    for statement in std::mem::take(&mut problem.equations) {
+        let even = half(&mut problem.graph, &statement.polynomial, unknown, 0, &square)?;
+        let odd = half(&mut problem.graph, &statement.polynomial, unknown, 1, &square)?;
+        let graph = &mut problem.graph;
+        let odd_times_x = graph.polynomial_mul(&odd, &x)?;
+        let remainder = graph.polynomial_add(&even, &odd_times_x);
+        let (constant, linear) = (graph.polynomial_mul(&odd, &square)?, graph.polynomial_mul(&even, &x)?);
+        let of_multiple = graph.polynomial_add(&constant, &linear);
+        // Without x the remainder can be multiplied by it as it is.
+        let both = if odd.is_zero() { vec![remainder] } else { vec![remainder, of_multiple] };
+        for polynomial in both.into_iter().filter(|polynomial| !polynomial.is_zero()) {
+            if polynomial.terms().len() > MAX_TERMS {
+                return None;
+            }
+            let mut statement = statement.clone();
+            statement.polynomial = polynomial;
+            equations.push(statement);
+        }
+    }
+    problem.equations = equations;
+    Some(problem)
+}
+
+/// The terms of even (`parity` 0) or odd (1) degree in x, divided by x^parity, with `square` for x^2.
+fn half(
+    graph: &mut ExpressionGraph,
+    p: &SymbolicPolynomial,
+    unknown: usize,
+    parity: i8,
+    square: &SymbolicPolynomial,
+) -> Option<SymbolicPolynomial> {
+    let highest = p.monomials().map(|m| m.exponent(unknown)).max().unwrap_or(0);
+    if p.monomials().any(|m| m.exponent(unknown) < 0) {
+        return None;
+    }
+    // Horner in x^2.
+    let mut result = SymbolicPolynomial::ZERO;
+    for power in (0..=highest).rev().filter(|power| power % 2 == parity) {
+        result = graph.polynomial_mul(&result, square)?;
+        let mut x_power = [0; MAX_UNKNOWNS];
+        x_power[unknown] = power;
+        let x_power = Monomial::from_exponents(&x_power);
+        let slice = p.terms().iter().filter(|(m, _)| m.exponent(unknown) == power);
+        let slice = SymbolicPolynomial::from_terms(slice.map(|&(m, c)| (m.over(&x_power), c)).collect());
+        result = graph.polynomial_add(&result, &slice);
+    }
+    Some(result)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::algebra::{PRIMES, Polynomial, PrimeField};
+    use crate::instance::Instance;
+    use crate::presolve::{Presolve, presolve};
+    use crate::problem::Problem;
+
+    const FIELD: PrimeField = PrimeField::new(PRIMES[0]);
+
+    fn value(polynomial: &Polynomial<u32>, point: [u32; 2]) -> u32 {
+        polynomial.terms().iter().fold(0, |sum, (m, c)| {
+            let power = |at: usize| FIELD.pow(point[at], m.exponent(at) as u32);
+            FIELD.add(sum, FIELD.mul(*c, FIELD.mul(power(0), power(1))))
+        })
+    }
+
+    #[test]
+    fn remainders_take_the_values_of_the_equations_and_their_multiples_where_the_divisor_vanishes() {
+        let text = "/// A cubic on a circle.\nfn cubic(a: [f64; 6]) -> (x, y) {\n    dot(a, [x * x * x, x * x * y, x * y, x, y, 1]) == 0;\n    \
+                    x * x + y * y == 1;\n}\n";
+        let problem = Problem::parse("cubic.rs", text).unwrap();
+        let reduced = presolve(&problem, Presolve::Square);
+        assert_eq!(reduced.kept, [0, 1]);
+        let draw = |problem: &Problem| Instance::draw(problem, FIELD, 1).unwrap();
+        let (before, after) = (draw(&problem), draw(&reduced.problem));
+        assert_eq!(after.equations.len(), 2);
+        assert!(after.equations.iter().flat_map(Polynomial::monomials).all(|m| m.exponent(0) <= 1));
+        for t in 2..10 {
+            // A point of the circle.
+            let square = FIELD.mul(t, t);
+            let inverse = FIELD.inverse(FIELD.add(1, square)).unwrap();
+            let x = FIELD.mul(FIELD.add(t, t), inverse);
+            let point = [x, FIELD.mul(FIELD.sub(1, square), inverse)];
+            assert_eq!(value(&before.equations[1], point), 0);
+            let f = value(&before.equations[0], point);
+            assert_eq!([0, 1].map(|at| value(&after.equations[at], point)), [f, FIELD.mul(x, f)]);
+        }
+    }
+}
