@@ -72,10 +72,36 @@ pub(super) fn unknown_list(output: &ReturnType) -> Option<Vec<&Type>> {
 
 /// A type that is a plain name in lower case and no primitive type: an unknown.
 fn unknown_name(ty: &Type) -> Option<&Ident> {
+    plain_name(ty).filter(|ident| ident.to_string().starts_with(|c: char| c.is_lowercase() || c == '_'))
+}
+
+/// A type that is a plain name, in whatever case, and no primitive type.
+fn plain_name(ty: &Type) -> Option<&Ident> {
     let Type::Path(path) = ty else { return None };
     let ident = path.path.get_ident().filter(|_| path.qself.is_none())?;
-    let name = ident.to_string();
-    (name.starts_with(|c: char| c.is_lowercase() || c == '_') && !PRIMITIVES.contains(&name.as_str())).then_some(ident)
+    (!PRIMITIVES.contains(&ident.to_string().as_str())).then_some(ident)
+}
+
+/// The message for what stands in place of the name of an unknown.
+fn no_name(ty: &Type) -> Diagnostic {
+    let span = place(ty);
+    let primitive = match ty {
+        Type::Path(path) => path.path.get_ident(),
+        _ => None,
+    };
+    if let Some(primitive) = primitive {
+        return Diagnostic::new(format!("`{primitive}` is a type, not the name of an unknown"), span)
+            .label("choose another name")
+            .hint("the return type lists unknowns by name; they are scalars and need no type: `-> (x, y)`");
+    }
+    if let Type::Infer(_) = ty {
+        return Diagnostic::new("an unknown without a name", span)
+            .label("choose a name")
+            .hint("every unknown is a field of the solution");
+    }
+    Diagnostic::new("the return type lists unknowns by name", span)
+        .label("expected a name")
+        .hint("unknowns are scalars: write a vector as `(x, y, z)` and group it with `let v = [x, y, z];`")
 }
 
 /// The lines of the doc comments, without the blank after `///`.
@@ -126,18 +152,8 @@ impl Interpreter<'_> {
         let mut unknowns: Vec<Unknown> = Vec::new();
         for ty in types {
             let span = place(ty);
-            let plain = match ty {
-                Type::Path(path) => {
-                    path.path.get_ident().filter(|ident| !PRIMITIVES.contains(&ident.to_string().as_str()))
-                }
-                _ => None,
-            };
-            let Some(ident) = plain else {
-                self.report(
-                    Diagnostic::new("the return type lists unknowns by name", span).label("expected a name").hint(
-                        "unknowns are scalars: write a vector as `(x, y, z)` and group it with `let v = [x, y, z];`",
-                    ),
-                );
+            let Some(ident) = plain_name(ty) else {
+                self.report(no_name(ty));
                 continue;
             };
             let name = ident.to_string();

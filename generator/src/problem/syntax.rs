@@ -1,6 +1,6 @@
 //! Text to syntax tree: limits that keep the parser safe on any input, and syntax errors in the words of the language.
 
-use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use syn::spanned::Spanned;
 
 use super::Span;
@@ -129,6 +129,9 @@ fn syntax_error(error: &syn::Error, text: &str) -> Diagnostic {
             .label("a second comparison in one statement")
             .hint("state each equation on its own: `a == b; b == c;`");
     }
+    if let Some(diagnostic) = keyword_for_name(text, span.start) {
+        return diagnostic;
+    }
     let diagnostic = Diagnostic::new(format!("syntax error: {found}"), span.clone());
     if !found.contains("expected `;`") {
         return diagnostic;
@@ -139,4 +142,22 @@ fn syntax_error(error: &syn::Error, text: &str) -> Diagnostic {
         return diagnostic.at(before.len() - last..before.len()).label("missing after this").hint("end it with `;`");
     }
     diagnostic.label("unexpected here").hint("a product needs `*`: `2 * x`, `a * (b + c)`")
+}
+
+/// A keyword of Rust where a name is meant: at the place of a syntax error or right before it, between what can only surround a value.
+fn keyword_for_name(text: &str, at: usize) -> Option<Diagnostic> {
+    let is_letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let word_from = |start: usize| start..text[start..].find(|c| !is_letter(c)).map_or(text.len(), |end| start + end);
+    let before = text.get(..at)?.trim_end();
+    let previous = before.trim_end_matches(is_letter).len();
+    [at, previous].into_iter().map(word_from).find_map(|span| {
+        let word = &text[span.clone()];
+        let (left, right) = (text[..span.start].trim_end(), text[span.end..].trim_start());
+        let is_value = left.ends_with(['(', '[', ',', '+', '-', '*', '/', '='])
+            && right.starts_with([')', ']', ',', '+', '-', '*', '/', '=', ';']);
+        let is_keyword = !word.is_empty() && word != "_" && syn::parse_str::<Ident>(word).is_err();
+        let is_keyword = is_keyword && word.starts_with(|c: char| c.is_ascii_alphabetic());
+        (is_value && is_keyword)
+            .then(|| Diagnostic::new(format!("`{word}` is reserved in Rust"), span).label("choose another name"))
+    })
 }
