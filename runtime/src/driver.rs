@@ -43,15 +43,6 @@ pub trait ActionMethod<const B: usize, const N: usize, const K: usize> {
     fn is_admissible<S: Scalar>(&self, unknowns: &[S; N]) -> bool;
 }
 
-/// How real roots are found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RootMethod {
-    /// QR iteration on the Hessenberg form.
-    Eigenvalues,
-    /// Real roots of the characteristic polynomial.
-    CharacteristicPolynomial,
-}
-
 /// All complex solutions, at most MAX.
 ///
 /// # Errors
@@ -76,7 +67,7 @@ pub fn complex_solutions<const B: usize, const N: usize, const K: usize, const M
     Ok(found.iter().map(|candidate| candidate.unknowns).collect())
 }
 
-/// All real solutions, at most MAX.
+/// All real solutions, at most MAX, by the QR iteration.
 ///
 /// # Errors
 /// As [`complex_solutions`].
@@ -84,30 +75,37 @@ pub fn complex_solutions<const B: usize, const N: usize, const K: usize, const M
 pub fn real_solutions<const B: usize, const N: usize, const K: usize, const MAX: usize>(
     method: &impl ActionMethod<B, N, K>,
     action: &[[f64; B]; B],
-    roots: RootMethod,
 ) -> Result<Solutions<[f64; N], MAX>, SolveError> {
     let spectrum = Hessenberg::reduce(action)?;
     let mut found = Solutions::<Candidate<f64, N>, MAX>::new();
-    match roots {
-        RootMethod::CharacteristicPolynomial => {
-            for value in real_roots_monic(&spectrum.characteristic_polynomial()) {
-                add_real(method, &spectrum, value.into(), &mut found);
+    let values = spectrum.eigenvalues()?;
+    let mut complete = true;
+    for value in upper_half(values).filter(is_nearly_real) {
+        complete &= add_real(method, &spectrum, value, &mut found);
+    }
+    if !complete {
+        for_each_shared_value(method, action, &spectrum, &values, |source, value| {
+            if is_nearly_real(&value) {
+                add_real(method, source, value, &mut found);
             }
-        }
-        RootMethod::Eigenvalues => {
-            let values = spectrum.eigenvalues()?;
-            let mut complete = true;
-            for value in upper_half(values).filter(is_nearly_real) {
-                complete &= add_real(method, &spectrum, value, &mut found);
-            }
-            if !complete {
-                for_each_shared_value(method, action, &spectrum, &values, |source, value| {
-                    if is_nearly_real(&value) {
-                        add_real(method, source, value, &mut found);
-                    }
-                });
-            }
-        }
+        });
+    }
+    Ok(found.iter().map(|candidate| candidate.unknowns).collect())
+}
+
+/// All real solutions, at most MAX, by the real roots of the characteristic polynomial.
+///
+/// # Errors
+/// [`SolveError::NonFiniteInput`] for a matrix that is not finite.
+#[inline]
+pub fn real_solutions_by_polynomial<const B: usize, const N: usize, const K: usize, const MAX: usize>(
+    method: &impl ActionMethod<B, N, K>,
+    action: &[[f64; B]; B],
+) -> Result<Solutions<[f64; N], MAX>, SolveError> {
+    let spectrum = Hessenberg::reduce(action)?;
+    let mut found = Solutions::<Candidate<f64, N>, MAX>::new();
+    for value in real_roots_monic(&spectrum.characteristic_polynomial()) {
+        add_real(method, &spectrum, value.into(), &mut found);
     }
     Ok(found.iter().map(|candidate| candidate.unknowns).collect())
 }

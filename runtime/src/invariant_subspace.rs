@@ -37,42 +37,10 @@ impl<const N: usize> Hessenberg<N> {
     /// The clusters among all eigenvalues of A.
     pub(crate) fn clusters(&self, values: &[Complex<f64>; N]) -> ArrayVec<Cluster, N> {
         let values = values.map(|value| value.scale(1.0 / self.unit));
-        let norm = self.norm();
-        let distance = |a: Complex<f64>, b: Complex<f64>| (a - b).modulus();
-        // first[i]: the first member of the cluster of eigenvalue i.
-        let mut first: [usize; N] = core::array::from_fn(|i| i);
-        for i in 0..N {
-            for j in 0..i {
-                let size = values[i].modulus().max(values[j].modulus());
-                if distance(values[i], values[j]) <= NEAR * size + NEAR_TO_NORM * norm {
-                    let (from, to) = (first[i].max(first[j]), first[i].min(first[j]));
-                    first.iter_mut().filter(|label| **label == from).for_each(|label| *label = to);
-                }
-            }
-        }
         let mut clusters = ArrayVec::new_const();
-        for label in 0..N {
-            let members = || (0..N).filter(|&i| first[i] == label);
-            let size = members().count();
-            if size < 2 {
-                continue;
-            }
-            let sum = members().fold(Complex::ZERO, |sum, i| sum + values[i]);
-            let mut centre = sum.scale(1.0 / size as f64);
-            // A set that is its own conjugate has a real mean, up to rounding; of two that are conjugates one is taken.
-            let own_conjugate = members().any(|i| members().any(|j| values[i] == values[j].conj()));
-            if own_conjugate {
-                centre.im = 0.0;
-            } else if centre.im < 0.0 {
-                continue;
-            }
-            let radius = members().map(|i| distance(values[i], centre)).fold(0.0, f64::max);
-            let is_other = |i: &usize| first[*i] != label && !members().any(|j| values[j].conj() == values[*i]);
-            let others = (0..N).filter(is_other).map(|i| distance(values[i], centre));
-            let gap = others.fold(if norm > 0.0 { norm } else { 1.0 }, f64::min);
-            let dimension = if own_conjugate { size } else { 2 * size };
-            let _ = clusters.try_push(Cluster { centre, shift: (SHIFT * gap).max(2.0 * radius), dimension });
-        }
+        find_clusters(&values, self.norm(), &mut [0; N], &mut |cluster| {
+            let _ = clusters.try_push(cluster);
+        });
         clusters
     }
 
@@ -105,6 +73,46 @@ impl<const N: usize> Hessenberg<N> {
         vectors.iter_mut().for_each(|vector| self.transform_back(vector));
         orthonormalize(vectors);
         basis
+    }
+}
+
+/// Calls `found` for the clusters among the eigenvalues of a matrix of that norm. `first` is working memory: for each eigenvalue the first member
+/// of its cluster. On slices, because it runs rarely: compiled once for all solvers.
+#[inline(never)]
+fn find_clusters(values: &[Complex<f64>], norm: f64, first: &mut [usize], found: &mut dyn FnMut(Cluster)) {
+    let distance = |a: Complex<f64>, b: Complex<f64>| (a - b).modulus();
+    let n = values.len().min(first.len());
+    for i in 0..n {
+        first[i] = i;
+        for j in 0..i {
+            let size = values[i].modulus().max(values[j].modulus());
+            if distance(values[i], values[j]) <= NEAR * size + NEAR_TO_NORM * norm {
+                let (from, to) = (first[i].max(first[j]), first[i].min(first[j]));
+                first[..=i].iter_mut().filter(|label| **label == from).for_each(|label| *label = to);
+            }
+        }
+    }
+    for label in 0..n {
+        let members = || (0..n).filter(|&i| first[i] == label);
+        let size = members().count();
+        if size < 2 {
+            continue;
+        }
+        let sum = members().fold(Complex::ZERO, |sum, i| sum + values[i]);
+        let mut centre = sum.scale(1.0 / size as f64);
+        // A set that is its own conjugate has a real mean, up to rounding; of two that are conjugates one is taken.
+        let own_conjugate = members().any(|i| members().any(|j| values[i] == values[j].conj()));
+        if own_conjugate {
+            centre.im = 0.0;
+        } else if centre.im < 0.0 {
+            continue;
+        }
+        let radius = members().map(|i| distance(values[i], centre)).fold(0.0, f64::max);
+        let is_other = |i: &usize| first[*i] != label && !members().any(|j| values[j].conj() == values[*i]);
+        let others = (0..n).filter(is_other).map(|i| distance(values[i], centre));
+        let gap = others.fold(if norm > 0.0 { norm } else { 1.0 }, f64::min);
+        let dimension = if own_conjugate { size } else { 2 * size };
+        found(Cluster { centre, shift: (SHIFT * gap).max(2.0 * radius), dimension });
     }
 }
 

@@ -49,7 +49,7 @@ pub mod template;
 
 pub use arrayvec::ArrayVec;
 pub use distinct::{Candidate, push_distinct};
-pub use driver::{ActionMethod, RootMethod, complex_solutions, real_solutions};
+pub use driver::{ActionMethod, complex_solutions, real_solutions, real_solutions_by_polynomial};
 pub use error::SolveError;
 pub use extract::ratio;
 pub use hessenberg::Hessenberg;
@@ -61,7 +61,7 @@ pub use program::{Operation, Program, Run};
 pub use scalar::Scalar;
 pub use solutions::Solutions;
 pub use system::{PolynomialSystem, Product, System, Tables, Term};
-pub use template::{Block, Entry, check_coefficients, eliminate_block, fill};
+pub use template::{Block, Entry, check_coefficients, eliminate_block, eliminate_large_block, fill};
 
 /// Includes the solver of that name, which the build script wrote: the emitted file holds `pub mod NAME { .. }`.
 ///

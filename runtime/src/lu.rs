@@ -42,30 +42,58 @@ pub fn solve_block_trailing<const N: usize, const M: usize>(
     right: &mut [[f64; M]],
     needed: usize,
 ) -> Result<(), SolveError> {
-    let Some(right) = right.first_chunk_mut::<N>() else {
+    solve_rows(matrix.as_flattened_mut(), &mut [0.0; N], &mut [0.0; N], right, needed)
+}
+
+/// [`solve_block_trailing`] compiled once for all N: what large blocks gain from a known N is not worth their code.
+///
+/// # Errors
+/// As [`solve_block`].
+#[inline(never)]
+pub(crate) fn solve_large_block<const M: usize>(
+    matrix: &mut [f64],
+    row_scale: &mut [f64],
+    smallest: &mut [f64],
+    right: &mut [[f64; M]],
+    needed: usize,
+) -> Result<(), SolveError> {
+    solve_rows(matrix, row_scale, smallest, right, needed)
+}
+
+/// The matrix row by row; `row_scale` and `smallest` are working memory, a number for each row.
+#[inline(always)]
+fn solve_rows<const M: usize>(
+    matrix: &mut [f64],
+    row_scale: &mut [f64],
+    smallest: &mut [f64],
+    right: &mut [[f64; M]],
+    needed: usize,
+) -> Result<(), SolveError> {
+    let n = row_scale.len();
+    let Some(right) = right.get_mut(..n).filter(|_| matrix.len() == n * n && smallest.len() == n) else {
         return Err(SolveError::Degenerate { column: 0 });
     };
     if !float::all_finite(right) {
         return Err(SolveError::NonFiniteInput);
     }
-    eliminate(matrix, right)?;
-    let first = N.saturating_sub(needed);
+    equilibrate(matrix, row_scale, smallest)?;
+    eliminate(matrix, row_scale, smallest, right)?;
+    let first = n.saturating_sub(needed);
     back_substitute(matrix, right, first);
     if float::all_finite(&right[first..]) {
         Ok(())
     } else {
-        Err(SolveError::Degenerate { column: N.saturating_sub(1) })
+        Err(SolveError::Degenerate { column: n.saturating_sub(1) })
     }
 }
 
 /// Row scales (1 / 1-norm) and, per column, the smallest size that a pivot in equilibrated rows may have.
-#[inline]
-fn equilibrate<const N: usize>(matrix: &[[f64; N]; N]) -> Result<([f64; N], [f64; N]), SolveError> {
-    let mut row_scale = [0.0; N];
-    let mut column_size = [0.0; N];
-    for i in 0..N {
+#[inline(always)]
+fn equilibrate(matrix: &[f64], row_scale: &mut [f64], smallest: &mut [f64]) -> Result<(), SolveError> {
+    let n = row_scale.len();
+    for (row, scale) in matrix.chunks_exact(n.max(1)).zip(row_scale.iter_mut()) {
         let mut partial = [0.0; 4];
-        let (quads, rest) = matrix[i].as_chunks::<4>();
+        let (quads, rest) = row.as_chunks::<4>();
         for quad in quads {
             for lane in 0..4 {
                 partial[lane] += quad[lane].abs();
@@ -75,28 +103,31 @@ fn equilibrate<const N: usize>(matrix: &[[f64; N]; N]) -> Result<([f64; N], [f64
         if !norm.is_finite() {
             return Err(SolveError::NonFiniteInput);
         }
-        row_scale[i] = 1.0 / norm;
-        for j in 0..N {
-            let size = matrix[i][j].abs() * row_scale[i];
-            column_size[j] = if size > column_size[j] { size } else { column_size[j] };
+        *scale = 1.0 / norm;
+        for (largest, entry) in smallest.iter_mut().zip(row) {
+            let size = entry.abs() * *scale;
+            *largest = if size > *largest { size } else { *largest };
         }
     }
-    let threshold = N as f64 * f64::EPSILON;
-    Ok((row_scale, column_size.map(|size| size * threshold)))
+    let threshold = n as f64 * f64::EPSILON;
+    smallest.iter_mut().for_each(|size| *size *= threshold);
+    Ok(())
 }
 
 /// Forward elimination of matrix and right together, rows physically swapped.
-#[inline]
-fn eliminate<const N: usize, const M: usize>(
-    matrix: &mut [[f64; N]; N],
-    right: &mut [[f64; M]; N],
+#[inline(always)]
+fn eliminate<const M: usize>(
+    matrix: &mut [f64],
+    row_scale: &mut [f64],
+    smallest: &[f64],
+    right: &mut [[f64; M]],
 ) -> Result<(), SolveError> {
-    let (mut row_scale, smallest) = equilibrate(matrix)?;
-    for k in 0..N {
+    let n = row_scale.len();
+    for k in 0..n {
         let mut pivot = k;
-        let mut size = matrix[k][k].abs() * row_scale[k];
-        for i in k + 1..N {
-            let candidate = matrix[i][k].abs() * row_scale[i];
+        let mut size = matrix[k * n + k].abs() * row_scale[k];
+        for i in k + 1..n {
+            let candidate = matrix[i * n + k].abs() * row_scale[i];
             if candidate > size {
                 (pivot, size) = (i, candidate);
             }
@@ -106,15 +137,16 @@ fn eliminate<const N: usize, const M: usize>(
             return Err(SolveError::Degenerate { column: k });
         }
         if pivot != k {
-            matrix.swap(k, pivot);
+            let (above, below) = matrix.split_at_mut(pivot * n);
+            above[k * n..(k + 1) * n].swap_with_slice(&mut below[..n]);
             right.swap(k, pivot);
             row_scale.swap(k, pivot);
         }
-        let (above, below) = matrix.split_at_mut(k + 1);
+        let (above, below) = matrix.split_at_mut((k + 1) * n);
         let (right_above, right_below) = right.split_at_mut(k + 1);
-        let (pivot_row, pivot_right) = (&above[k], &right_above[k]);
+        let (pivot_row, pivot_right) = (&above[k * n..], &right_above[k]);
         let inverse = 1.0 / pivot_row[k];
-        for (row, right_row) in below.iter_mut().zip(right_below) {
+        for (row, right_row) in below.chunks_exact_mut(n).zip(right_below) {
             if row[k] != 0.0 {
                 let multiplier = row[k] * inverse;
                 row[k] = multiplier;
@@ -131,19 +163,20 @@ fn eliminate<const N: usize, const M: usize>(
 }
 
 /// Rows `first..` of U^-1 * right, from the last row up.
-#[inline]
-fn back_substitute<const N: usize, const M: usize>(matrix: &[[f64; N]; N], right: &mut [[f64; M]; N], first: usize) {
-    for k in (first..N).rev() {
+#[inline(always)]
+fn back_substitute<const M: usize>(matrix: &[f64], right: &mut [[f64; M]], first: usize) {
+    let n = right.len();
+    for k in (first..n).rev() {
         let (above, below) = right.split_at_mut(k + 1);
         let mut row = above[k];
-        for (factor, solved) in matrix[k][k + 1..].iter().zip(below.iter()) {
+        for (factor, solved) in matrix[k * n + k + 1..(k + 1) * n].iter().zip(below.iter()) {
             if *factor != 0.0 {
                 for j in 0..M {
                     row[j] -= factor * solved[j];
                 }
             }
         }
-        let inverse = 1.0 / matrix[k][k];
+        let inverse = 1.0 / matrix[k * n + k];
         for j in 0..M {
             row[j] *= inverse;
         }

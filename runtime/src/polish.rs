@@ -5,7 +5,11 @@ use crate::scalar::Scalar;
 use crate::system::System;
 
 /// Steps at most; nearly always one or two lower the residual and the next one stops.
-pub const POLISH_STEPS: usize = 8;
+pub const POLISH_STEPS: usize = 24;
+
+/// A step that does not lower a high residual is shortened by this factor so many times at most.
+const SHORTER: f64 = 0.35;
+const SHORTER_STEPS: usize = 6;
 
 /// A relative residual at most this is rounding: no step could lower it by much.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
@@ -21,7 +25,7 @@ const NOISE: f64 = 1e-12;
 /// max over equations e of |f_e(x)| / (sum of the moduli of the terms of f_e at x), 0/0 counting as 0.
 ///
 /// Equations are weighted by one over that sum, which makes the result independent of their scaling; scaling an unknown
-/// does not matter to Householder QR. A step is kept only if it lowers the residual; the first one that does not ends
+/// does not matter to Householder QR. A step is kept only if it lowers the residual, if need be a fraction of it; where no fraction does, that ends
 /// the iteration, as does a residual at rounding level or a rank-deficient Jacobian. Infinity, with x unchanged, when x
 /// or a value at x is not finite.
 ///
@@ -59,6 +63,18 @@ pub fn polish<S: Scalar, const N: usize, const E: usize>(
         let mut residual = relative_residual(&values, &scale);
         if !(residual < best) && best > STALLED {
             moved = without_noise(&moved);
+            system.residual(&moved, &mut values, &mut scale);
+            residual = relative_residual(&values, &scale);
+        }
+        let mut fraction = 1.0;
+        for _ in 0..SHORTER_STEPS {
+            if residual < best || best <= STALLED {
+                break;
+            }
+            fraction *= SHORTER;
+            for j in 0..N {
+                moved[j] = x[j] - correction[j].scale(fraction);
+            }
             system.residual(&moved, &mut values, &mut scale);
             residual = relative_residual(&values, &scale);
         }

@@ -79,10 +79,12 @@ impl<'a, const B: usize> SharedValue<'a, B> {
         let (mut sum, mut total, mut incomplete) = ([[0.0; B]; B], 0.0, false);
         let mut weight = 1.0;
         for pairs in M::PAIRS.iter().filter(|pairs| !pairs.is_empty()) {
-            let Some(matrix) = multiplication(&known, dimension, pairs) else {
+            let (mut gram, mut matrix) = ([[0.0; B]; B], [[0.0; B]; B]);
+            let values = Values { known: known.as_flattened(), width: K };
+            if !values.multiplication(dimension, pairs, gram.as_flattened_mut(), matrix.as_flattened_mut(), B) {
                 incomplete = true;
                 continue;
-            };
+            }
             let norm = float::sqrt(matrix.as_flattened().iter().map(|entry| entry * entry).sum());
             if norm > 0.0 {
                 for (entry, value) in sum.as_flattened_mut().iter_mut().zip(matrix.as_flattened()) {
@@ -153,45 +155,65 @@ impl<const B: usize> Eigenpairs<B> for Combinations<'_, B> {
     }
 }
 
-/// A_x in the leading rows and columns, by the normal equations V_m^T V_m A_x = V_m^T V_(x m) and Cholesky's
-/// factorisation; None where V_m lacks rank. The polish gives back the digits that this costs.
-fn multiplication<const B: usize, const K: usize>(
-    known: &[[f64; K]; B],
-    dimension: usize,
-    pairs: &[(u16, u16)],
-) -> Option<[[f64; B]; B]> {
-    let (mut gram, mut right) = ([[0.0; B]; B], [[0.0; B]; B]);
-    for i in 0..dimension {
-        for j in 0..dimension {
-            for &(from, to) in pairs {
-                let value = known[i].get(usize::from(from))?;
-                gram[i][j] += value * known[j].get(usize::from(from))?;
-                right[i][j] += value * known[j].get(usize::from(to))?;
+/// The values of the known monomials on the basis: a row of `width` for each basis vector.
+struct Values<'a> {
+    known: &'a [f64],
+    width: usize,
+}
+
+impl Values<'_> {
+    /// The value of a monomial on basis vector `row`; NaN where there is none.
+    fn at(&self, row: usize, monomial: u16) -> f64 {
+        self.known.get(row * self.width + usize::from(monomial)).copied().unwrap_or(f64::NAN)
+    }
+
+    /// A_x in the leading rows and columns of `right`, by the normal equations V_m^T V_m A_x = V_m^T V_(x m) and Cholesky's
+    /// factorisation; false where V_m lacks rank. The polish gives back the digits that this costs. `gram` is working memory; both are
+    /// zero before, with rows of `stride`.
+    ///
+    /// On slices, because it runs rarely: compiled once for all solvers.
+    #[inline(never)]
+    fn multiplication(
+        &self,
+        dimension: usize,
+        pairs: &[(u16, u16)],
+        gram: &mut [f64],
+        right: &mut [f64],
+        stride: usize,
+    ) -> bool {
+        let at = |i: usize, j: usize| i * stride + j;
+        for i in 0..dimension {
+            for j in 0..dimension {
+                for &(from, to) in pairs {
+                    let value = self.at(i, from);
+                    gram[at(i, j)] += value * self.at(j, from);
+                    right[at(i, j)] += value * self.at(j, to);
+                }
             }
         }
+        // gram = L L^T, L over its lower half; right := L^-1 right.
+        for i in 0..dimension {
+            let size = gram[at(i, i)];
+            for j in 0..i {
+                let dot: f64 = (0..j).map(|k| gram[at(i, k)] * gram[at(j, k)]).sum();
+                gram[at(i, j)] = (gram[at(i, j)] - dot) / gram[at(j, j)];
+            }
+            let square = size - (0..i).map(|k| gram[at(i, k)] * gram[at(i, k)]).sum::<f64>();
+            if !(square > RANK * size) {
+                return false;
+            }
+            gram[at(i, i)] = float::sqrt(square);
+            for j in 0..dimension {
+                let dot: f64 = (0..i).map(|k| gram[at(i, k)] * right[at(k, j)]).sum();
+                right[at(i, j)] = (right[at(i, j)] - dot) / gram[at(i, i)];
+            }
+        }
+        for i in (0..dimension).rev() {
+            for j in 0..dimension {
+                let dot: f64 = (i + 1..dimension).map(|k| gram[at(k, i)] * right[at(k, j)]).sum();
+                right[at(i, j)] = (right[at(i, j)] - dot) / gram[at(i, i)];
+            }
+        }
+        true
     }
-    // gram = L L^T, L over its lower half; right := L^-1 right.
-    for i in 0..dimension {
-        let size = gram[i][i];
-        for j in 0..i {
-            let dot: f64 = (0..j).map(|k| gram[i][k] * gram[j][k]).sum();
-            gram[i][j] = (gram[i][j] - dot) / gram[j][j];
-        }
-        let square = size - (0..i).map(|k| gram[i][k] * gram[i][k]).sum::<f64>();
-        if !(square > RANK * size) {
-            return None;
-        }
-        gram[i][i] = float::sqrt(square);
-        for j in 0..dimension {
-            let dot: f64 = (0..i).map(|k| gram[i][k] * right[k][j]).sum();
-            right[i][j] = (right[i][j] - dot) / gram[i][i];
-        }
-    }
-    for i in (0..dimension).rev() {
-        for j in 0..dimension {
-            let dot: f64 = (i + 1..dimension).map(|k| gram[k][i] * right[k][j]).sum();
-            right[i][j] = (right[i][j] - dot) / gram[i][i];
-        }
-    }
-    Some(right)
 }

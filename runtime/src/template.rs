@@ -1,7 +1,7 @@
 //! Filling and eliminating a block-triangular elimination template from tables.
 
 use crate::error::SolveError;
-use crate::lu::solve_block_trailing;
+use crate::lu::{solve_block_trailing, solve_large_block};
 
 /// A table entry: row, column, slot of the coefficient.
 pub type Entry = (u16, u16, u16);
@@ -45,6 +45,38 @@ pub fn eliminate_block<const N: usize, const M: usize>(
     right: &mut [[f64; M]],
     coefficients: &[f64],
 ) -> Result<(), SolveError> {
+    let open = couple(block, right, coefficients)?;
+    let mut matrix = [[0.0; N]; N];
+    fill(&mut matrix, block.diagonal, coefficients);
+    solve_block_trailing(&mut matrix, open, usize::from(block.needed)).map_err(overflow)
+}
+
+/// Like [`eliminate_block`], for a large block: code of which little is compiled for each N. Its matrix is on the stack while it runs,
+/// 8 N^2 bytes.
+///
+/// # Errors
+/// As [`eliminate_block`].
+#[inline(never)]
+pub fn eliminate_large_block<const N: usize, const M: usize>(
+    block: &Block,
+    right: &mut [[f64; M]],
+    coefficients: &[f64],
+) -> Result<(), SolveError> {
+    let open = couple(block, right, coefficients)?;
+    let mut matrix = [[0.0; N]; N];
+    fill(&mut matrix, block.diagonal, coefficients);
+    let (mut row_scale, mut smallest) = ([0.0; N], [0.0; N]);
+    let needed = usize::from(block.needed);
+    solve_large_block(matrix.as_flattened_mut(), &mut row_scale, &mut smallest, open, needed).map_err(overflow)
+}
+
+/// Subtracts what the pivots solved before contribute; returns the rows from the block's first on.
+#[inline]
+fn couple<'a, const M: usize>(
+    block: &Block,
+    right: &'a mut [[f64; M]],
+    coefficients: &[f64],
+) -> Result<&'a mut [[f64; M]], SolveError> {
     let Some((solved, open)) = right.split_at_mut_checked(usize::from(block.first)) else {
         return Err(SolveError::Degenerate { column: 0 });
     };
@@ -57,13 +89,15 @@ pub fn eliminate_block<const N: usize, const M: usize>(
             row[j] -= factor * pivot[j];
         }
     }
-    let mut matrix = [[0.0; N]; N];
-    fill(&mut matrix, block.diagonal, coefficients);
-    solve_block_trailing(&mut matrix, open, usize::from(block.needed)).map_err(|error| match error {
-        // The coefficients are finite: sums and products of them overflowed.
+    Ok(open)
+}
+
+/// The coefficients are finite: where something else is not, sums and products of them overflowed.
+fn overflow(error: SolveError) -> SolveError {
+    match error {
         SolveError::NonFiniteInput => SolveError::Degenerate { column: 0 },
         error => error,
-    })
+    }
 }
 
 /// Refuses data that are not finite, also where no equation reads them, and coefficients that are not: an overflow or a division by

@@ -259,3 +259,17 @@ fn close_solutions_are_one_where_the_equations_cannot_tell() {
         assert!(found.iter().all(|candidate| (candidate.unknowns[0].abs() - truth).abs() < 1e-7), "{found:?}");
     }
 }
+
+/// x^4 = 10 from where Newton's step is forty times too long.
+#[test]
+fn a_step_that_is_too_long_is_shortened() {
+    const POWER: Tables<1, 1, 5, 2> = Tables::new(
+        &[product(0, 0), product(0, 0), product(1, 0), product(2, 0), product(3, 0)],
+        &[2],
+        &[term(0, 0), term(1, 4)],
+    );
+    let system = POWER.bind(&[-10.0, 1.0]);
+    let mut x = [0.5];
+    let residual = polish(&mut x, &system, 24);
+    assert!(residual <= 1e-15 && (x[0] - 10.0_f64.powf(0.25)).abs() <= 1e-15 * x[0].abs(), "{x:?} {residual:e}");
+}

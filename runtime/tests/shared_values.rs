@@ -1,7 +1,7 @@
 //! Solutions that share a value of the action monomial, on action matrices made from solutions.
 mod support;
 
-use eliminant::{ActionMethod, Complex, RootMethod, Scalar, Solutions, complex_solutions, real_solutions};
+use eliminant::{ActionMethod, Complex, Scalar, Solutions, complex_solutions, real_solutions};
 use nalgebra::SMatrix;
 use support::Random;
 
@@ -73,7 +73,7 @@ fn draw(random: &mut Random, pairs: usize) -> Points {
 /// How many of the points with real coordinates `real_solutions` finds, and of all `complex_solutions`; both must find nothing else.
 fn found(points: &Points, values: &[Complex<f64>; B]) -> [usize; 2] {
     let action = action_matrix(&points.0, values);
-    let real: Solutions<[f64; 2], B> = real_solutions(points, &action, RootMethod::Eigenvalues).unwrap();
+    let real: Solutions<[f64; 2], B> = real_solutions(points, &action).unwrap();
     let all: Solutions<Point, B> = complex_solutions(points, &action).unwrap();
     let is = |p: &Point, x: &Point| (0..2).all(|j| (p[j] - x[j]).modulus() < 1e-9);
     [real.iter().map(|x| x.map(Complex::from)).collect::<Vec<_>>(), all.to_vec()].map(|list| {

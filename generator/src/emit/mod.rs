@@ -10,6 +10,9 @@ use quote::{format_ident, quote};
 use crate::plan::{ActionRow, CodeForm, KnownMonomial, Plan, RootMethod};
 use crate::problem::DataParameter;
 
+/// Blocks of more rows are eliminated by code that is not compiled for their size: it is as fast.
+const LARGE_BLOCK: usize = 24;
+
 /// Where an emitted solver comes from, for its header.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Provenance {
@@ -120,8 +123,8 @@ fn api(plan: &Plan) -> TokenStream {
     let solutions = plan.solutions;
     let basis = plan.elimination.basis;
     let roots = match plan.roots {
-        RootMethod::Eigenvalues => quote!(Eigenvalues),
-        RootMethod::CharacteristicPolynomial => quote!(CharacteristicPolynomial),
+        RootMethod::Eigenvalues => quote!(real_solutions),
+        RootMethod::CharacteristicPolynomial => quote!(real_solutions_by_polynomial),
     };
     let mutable = if plan.read.is_empty() { quote!() } else { quote!(mut) };
     quote! {
@@ -134,7 +137,7 @@ fn api(plan: &Plan) -> TokenStream {
         pub fn solve(#(#parameters),*) -> Result<eliminant::Solutions<#name, #solutions>, eliminant::SolveError> {
             let #mutable instance_ = Instance::new(#(#arguments),*)?;
             let action_ = instance_.action_matrix()?;
-            let found = eliminant::real_solutions::<_, _, _, #solutions>(&instance_, &action_, eliminant::RootMethod::#roots)?;
+            let found = eliminant::#roots::<_, _, _, #solutions>(&instance_, &action_)?;
             Ok(found.into_iter().map(#name::from_array).collect())
         }
 
@@ -228,7 +231,8 @@ fn instance(plan: &Plan) -> TokenStream {
     let (rows, basis, unknowns) = (plan.elimination.rows, plan.elimination.basis, plan.unknowns.len());
     let blocks = plan.elimination.blocks.iter().enumerate().map(|(at, block)| {
         let size = block.size;
-        quote!(eliminant::eliminate_block::<#size, #basis>(&BLOCKS[#at], &mut right, &self.coefficients)?;)
+        let eliminate = if size > LARGE_BLOCK { quote!(eliminate_large_block) } else { quote!(eliminate_block) };
+        quote!(eliminant::#eliminate::<#size, #basis>(&BLOCKS[#at], &mut right, &self.coefficients)?;)
     });
     let action = plan.action.iter().enumerate().map(|(at, row)| match row {
         ActionRow::Unit(b) => {
