@@ -107,12 +107,18 @@ fn provenance(problem: &Problem, file: &TemplateFile, plan: &Plan) -> Provenance
         format!("- generator: eliminant-generator {}", env!("CARGO_PKG_VERSION")),
         format!("- problem: fingerprint {:016x}", file.fingerprint),
         format!(
-            "- template: {} x {} ({} excess, {} reducible, {} basis columns), {} diagonal blocks, the largest of size {largest}",
+            "- template: {} x {} ({} excess, {} reducible, {} basis columns)",
             t.rows(),
             t.columns(),
             t.excess.len(),
             t.reducible.len(),
             t.basis.len(),
+        ),
+        format!(
+            "- at run time: {} x {} ({} constant rows are eliminated beforehand), {} diagonal blocks, the largest of size {largest}",
+            plan.elimination.rows,
+            plan.elimination.columns(),
+            t.rows() - plan.elimination.rows,
             plan.elimination.blocks.len()
         ),
         format!(

@@ -38,6 +38,7 @@ mod starts;
 pub mod template;
 
 mod block_triangular;
+mod constant_rows;
 /// Template to plan: no algebra left, every value written before it is read.
 pub mod plan;
 pub mod schedule;

@@ -116,7 +116,8 @@ pub struct Block {
     pub coupling: Vec<Entry>,
 }
 
-/// The elimination: the template's rows and pivot columns permuted to block-triangular form, blocks in order of solution.
+/// The elimination: the template's rows and pivot columns permuted to block-triangular form, blocks in order of solution. Constant rows may
+/// have been eliminated beforehand: they and their pivot columns are not among these.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Elimination {
     /// Number of rows, which is the number of pivots.
@@ -131,6 +132,13 @@ pub struct Elimination {
     pub row_shifts: Vec<usize>,
     /// For each pivot, which of the template's excess and, behind them, reducible columns it is. Only for people.
     pub pivot_columns: Vec<usize>,
+}
+
+impl Elimination {
+    /// Number of columns: pivots and basis.
+    pub fn columns(&self) -> usize {
+        self.rows + self.basis
+    }
 }
 
 /// Where a row of the action matrix comes from.

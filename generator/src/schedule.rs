@@ -4,13 +4,14 @@ use std::collections::HashMap;
 
 use crate::algebra::Monomial;
 use crate::block_triangular::{DiagonalBlock, block_triangular_form};
-use crate::expression::{ExpressionId, SymbolicPolynomial};
+use crate::constant_rows::{Row, eliminate_constant_rows};
+use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
 use crate::plan::{
     ActionRow, BasisId, Block, CoefficientId, Elimination, Entry, Extraction, KnownMonomial, PivotId, Plan, PlanError,
     PlannedRecovery, RootMethod, Term,
 };
 use crate::presolve::ReducedProblem;
-use crate::problem::Problem;
+use crate::problem::{Problem, Statement};
 use crate::straight_line::straight_line_code;
 use crate::template::{EliminationTemplate, Shift};
 
@@ -35,6 +36,8 @@ pub enum ScheduleError {
 }
 
 /// Plans the solver of `problem` from a template for its presolved form. `solutions` is the number of complex solutions.
+///
+/// Constant rows are eliminated here where the plan then has fewer operations.
 pub fn schedule(
     problem: &Problem,
     reduced: &ReducedProblem,
@@ -43,46 +46,92 @@ pub fn schedule(
     roots: RootMethod,
 ) -> Result<Plan, ScheduleError> {
     check_shape(reduced, template)?;
-    let mut coefficients = Coefficients { ids: HashMap::new(), used: Vec::new() };
-    let (elimination, pivots) = plan_elimination(reduced, template, &mut coefficients)?;
-    let action = plan_action(template, &pivots)?;
-    let is_image = |m: &Monomial| template.basis.contains(&m.over(&template.action));
-    let extra: Vec<Monomial> = template.reducible.iter().filter(|m| !is_image(m)).copied().collect();
-    let read = extra.iter().filter_map(|m| pivots.get(m).copied()).collect();
-    let extraction = |&unknown: &usize| plan_extraction(problem, template, &extra, unknown);
-    let extractions = reduced.kept.iter().map(extraction).collect::<Result<_, _>>()?;
-    let width = problem.unknowns.len();
-    let recoveries: Vec<_> = reduced
-        .recoveries
-        .iter()
-        .map(|r| PlannedRecovery { unknown: r.unknown, terms: coefficients.terms(&r.value, width) })
-        .collect();
-    let equations = problem.polynomials().map(|p| coefficients.terms(p, width)).collect();
-    let nonzero = problem.nonzero.iter().map(|s| coefficients.terms(&s.polynomial, width)).collect();
-    if coefficients.used.len() > usize::from(u16::MAX) {
-        return Err(ScheduleError::TooLarge("coefficients"));
+    let scheduler = Scheduler { problem, reduced, template, solutions, roots };
+    let mut rows = template_rows(reduced, template);
+    let plan = scheduler.plan(&rows, &reduced.problem.graph);
+    let is_constant = |equation: &Statement| equation.polynomial.terms().iter().all(|&(_, c)| is_constant(reduced, c));
+    if !reduced.problem.equations.iter().any(is_constant) {
+        return plan;
     }
-    let (code, values, form) = straight_line_code(&reduced.problem.graph, &coefficients.used);
-    let plan = Plan {
-        name: problem.name.clone(),
-        docs: problem.docs.clone(),
-        data: problem.data.clone(),
-        unknowns: problem.unknowns.clone(),
-        solutions,
-        code,
-        form,
-        coefficients: values,
-        elimination,
-        action,
-        read,
-        roots,
-        extractions,
-        recoveries,
-        equations,
-        nonzero,
+    let mut graph = reduced.problem.graph.clone();
+    eliminate_constant_rows(&mut rows, template.excess.len(), &mut graph);
+    match (plan, scheduler.plan(&rows, &graph)) {
+        (Ok(plan), Ok(shorter)) if shorter.operations().total() < plan.operations().total() => Ok(shorter),
+        (Err(ScheduleError::TooLarge(_)), Ok(shorter)) => Ok(shorter),
+        (plan, _) => plan,
+    }
+}
+
+fn is_constant(reduced: &ReducedProblem, coefficient: ExpressionId) -> bool {
+    reduced.problem.graph.as_constant(coefficient).is_some()
+}
+
+/// Monomials that are no column cancel in every combination that is read, and are left out.
+fn template_rows(reduced: &ReducedProblem, template: &EliminationTemplate) -> Vec<Row> {
+    let columns = template.excess.iter().chain(&template.reducible).chain(&template.basis);
+    let position: HashMap<Monomial, usize> = columns.enumerate().map(|(at, &m)| (m, at)).collect();
+    let row = |(at, shift): (usize, &Shift)| {
+        let terms = reduced.problem.equations[shift.equation].polynomial.terms();
+        let entry = |&(m, c): &(Monomial, ExpressionId)| Some((*position.get(&m.times(&shift.multiplier))?, c));
+        Row { shift: at, entries: terms.iter().filter_map(entry).collect() }
     };
-    plan.check()?;
-    Ok(plan)
+    template.shifts.iter().enumerate().map(row).collect()
+}
+
+/// What all plans for one template have in common.
+struct Scheduler<'a> {
+    problem: &'a Problem,
+    reduced: &'a ReducedProblem,
+    template: &'a EliminationTemplate,
+    solutions: usize,
+    roots: RootMethod,
+}
+
+impl Scheduler<'_> {
+    /// The plan with these rows of the template; `graph` holds their entries.
+    fn plan(&self, rows: &[Row], graph: &ExpressionGraph) -> Result<Plan, ScheduleError> {
+        let Self { problem, reduced, template, .. } = self;
+        let mut coefficients = Coefficients { ids: HashMap::new(), used: Vec::new() };
+        let (elimination, pivots) = plan_elimination(template, rows, &mut coefficients)?;
+        let action = plan_action(template, &pivots)?;
+        let is_image = |m: &Monomial| template.basis.contains(&m.over(&template.action));
+        let extra: Vec<Monomial> = template.reducible.iter().filter(|m| !is_image(m)).copied().collect();
+        let read = extra.iter().filter_map(|m| pivots.get(m).copied()).collect();
+        let extraction = |&unknown: &usize| plan_extraction(problem, template, &extra, unknown);
+        let extractions = reduced.kept.iter().map(extraction).collect::<Result<_, _>>()?;
+        let width = problem.unknowns.len();
+        let recoveries: Vec<_> = reduced
+            .recoveries
+            .iter()
+            .map(|r| PlannedRecovery { unknown: r.unknown, terms: coefficients.terms(&r.value, width) })
+            .collect();
+        let equations = problem.polynomials().map(|p| coefficients.terms(p, width)).collect();
+        let nonzero = problem.nonzero.iter().map(|s| coefficients.terms(&s.polynomial, width)).collect();
+        if coefficients.used.len() > usize::from(u16::MAX) {
+            return Err(ScheduleError::TooLarge("coefficients"));
+        }
+        let (code, values, form) = straight_line_code(graph, &coefficients.used);
+        let plan = Plan {
+            name: problem.name.clone(),
+            docs: problem.docs.clone(),
+            data: problem.data.clone(),
+            unknowns: problem.unknowns.clone(),
+            solutions: self.solutions,
+            code,
+            form,
+            coefficients: values,
+            elimination,
+            action,
+            read,
+            roots: self.roots,
+            extractions,
+            recoveries,
+            equations,
+            nonzero,
+        };
+        plan.check()?;
+        Ok(plan)
+    }
 }
 
 fn check_shape(reduced: &ReducedProblem, template: &EliminationTemplate) -> Result<(), ScheduleError> {
@@ -132,54 +181,54 @@ impl Coefficients {
 }
 
 fn plan_elimination(
-    reduced: &ReducedProblem,
     template: &EliminationTemplate,
+    rows: &[Row],
     coefficients: &mut Coefficients,
 ) -> Result<(Elimination, HashMap<Monomial, PivotId>), ScheduleError> {
-    let left: HashMap<Monomial, usize> =
-        template.excess.iter().chain(&template.reducible).enumerate().map(|(at, &m)| (m, at)).collect();
-    let basis: HashMap<Monomial, usize> = template.basis.iter().enumerate().map(|(at, &m)| (m, at)).collect();
-    let rows: Vec<Row> = template
-        .shifts
-        .iter()
-        .map(|shift| Row::of(&reduced.problem.equations[shift.equation].polynomial, shift, &left, &basis))
-        .collect();
+    let (excess, left) = (template.excess.len(), template.excess.len() + template.reducible.len());
+    // Columns of which a constant row was the pivot have no entry any more.
+    let mut used: Vec<bool> = (0..left).map(|column| column >= excess).collect();
+    rows.iter().flat_map(|row| row.entries.range(..left)).for_each(|(&column, _)| used[column] = true);
+    let columns: Vec<usize> = (0..left).filter(|&column| used[column]).collect();
+    if columns.len() != rows.len() {
+        return Err(ScheduleError::Singular);
+    }
+    let position = |column: &usize| columns.binary_search(column).unwrap_or(0);
     let pattern: Vec<Vec<usize>> =
-        rows.iter().map(|row| row.left.iter().map(|&(column, _)| column).collect()).collect();
+        rows.iter().map(|row| row.entries.range(..left).map(|(column, _)| position(column)).collect()).collect();
     let mut diagonal = block_triangular_form(&pattern).ok_or(ScheduleError::Singular)?;
-    let needed = needed_last(&mut diagonal, &pattern, template);
-    let row_shifts = diagonal.iter().flat_map(|block| block.rows.iter().copied()).collect();
-    let pivot_columns: Vec<usize> = diagonal.iter().flat_map(|block| block.columns.iter().copied()).collect();
-    let mut pivot_of_column = vec![0; template.rows()];
+    let is_reducible: Vec<bool> = columns.iter().map(|&column| column >= excess).collect();
+    let needed = needed_last(&mut diagonal, &pattern, is_reducible);
+    let mut pivot_of_column = vec![0; left];
+    let pivot_columns: Vec<usize> = diagonal.iter().flat_map(|block| &block.columns).map(|&at| columns[at]).collect();
     for (pivot, &column) in pivot_columns.iter().enumerate() {
         pivot_of_column[column] = pivot;
     }
     let mut elimination = Elimination {
-        rows: template.rows(),
+        rows: rows.len(),
         basis: template.basis.len(),
         right: Vec::new(),
         blocks: Vec::new(),
-        row_shifts,
+        row_shifts: diagonal.iter().flat_map(|block| &block.rows).map(|&row| rows[row].shift).collect(),
         pivot_columns,
     };
-    let mut first = 0;
     for (block, needed) in diagonal.iter().zip(needed) {
-        let planned = plan_block(block, first, &rows, &pivot_of_column, coefficients, &mut elimination.right);
+        let first = elimination.blocks.last().map_or(0, |last: &Block| last.first + last.size);
+        let planned = plan_block(block, first, rows, &pivot_of_column, coefficients, &mut elimination.right);
         elimination.blocks.push(Block { needed, ..planned });
-        first += block.rows.len();
     }
-    let pivots = left.into_iter().map(|(m, at)| (m, PivotId(pivot_of_column[at] as u16))).collect();
+    let reducible = template.reducible.iter().zip(&pivot_of_column[excess..]);
+    let pivots = reducible.map(|(&m, &pivot)| (m, PivotId(pivot as u16))).collect();
     Ok((elimination, pivots))
 }
 
-/// Reorders the columns of each block so that those which something else reads come last; returns their number for each block.
-fn needed_last(blocks: &mut [DiagonalBlock], pattern: &[Vec<usize>], template: &EliminationTemplate) -> Vec<usize> {
+/// Reorders the columns of each block so that those which something else reads come last; returns their number for each block. `is_read` says
+/// which are read after the elimination.
+fn needed_last(blocks: &mut [DiagonalBlock], pattern: &[Vec<usize>], mut is_read: Vec<bool>) -> Vec<usize> {
     let mut block_of_column = vec![0; pattern.len()];
     for (at, block) in blocks.iter().enumerate() {
         block.columns.iter().for_each(|&column| block_of_column[column] = at);
     }
-    // Reducible columns stand behind the excess columns.
-    let mut is_read: Vec<bool> = (0..pattern.len()).map(|column| column >= template.excess.len()).collect();
     for (at, block) in blocks.iter().enumerate() {
         for &column in block.rows.iter().flat_map(|&row| &pattern[row]) {
             is_read[column] |= block_of_column[column] != at;
@@ -202,9 +251,11 @@ fn plan_block(
     coefficients: &mut Coefficients,
     right: &mut Vec<Entry>,
 ) -> Block {
+    let width = pivot_of_column.len();
     let mut planned = Block { first, size: block.rows.len(), needed: 0, diagonal: Vec::new(), coupling: Vec::new() };
     for (at, &row) in block.rows.iter().enumerate() {
-        for &(column, c) in &rows[row].left {
+        let (left, basis) = (rows[row].entries.range(..width), rows[row].entries.range(width..));
+        for (&column, &c) in left {
             let pivot = pivot_of_column[column];
             let coefficient = coefficients.id(c);
             let row = at as u16;
@@ -213,34 +264,12 @@ fn plan_block(
                 None => planned.coupling.push(Entry { row, column: pivot as u16, coefficient }),
             }
         }
-        for &(column, c) in &rows[row].right {
+        for (&column, &c) in basis {
             let coefficient = coefficients.id(c);
-            right.push(Entry { row: (first + at) as u16, column: column as u16, coefficient });
+            right.push(Entry { row: (first + at) as u16, column: (column - width) as u16, coefficient });
         }
     }
     planned
-}
-
-/// Entries of a template row: positions among the eliminated and the basis columns.
-struct Row {
-    left: Vec<(usize, ExpressionId)>,
-    right: Vec<(usize, ExpressionId)>,
-}
-
-impl Row {
-    /// Monomials that are no column cancel in every combination that is read, and are left out.
-    fn of(
-        equation: &SymbolicPolynomial,
-        shift: &Shift,
-        left: &HashMap<Monomial, usize>,
-        basis: &HashMap<Monomial, usize>,
-    ) -> Self {
-        let terms = || equation.terms().iter().map(|&(m, c)| (m.times(&shift.multiplier), c));
-        Self {
-            left: terms().filter_map(|(m, c)| Some((*left.get(&m)?, c))).collect(),
-            right: terms().filter_map(|(m, c)| Some((*basis.get(&m)?, c))).collect(),
-        }
-    }
 }
 
 fn plan_action(

@@ -5,6 +5,7 @@ pub mod cylinder;
 eliminant::include_solver!("circle_least_squares");
 eliminant::include_solver!("circle_least_squares_dual");
 eliminant::include_solver!("circle_minimal");
+eliminant::include_solver!("katsura_5");
 eliminant::include_solver!("pose_35pt_focal");
 eliminant::include_solver!("pose_4pt_focal_radial");
 eliminant::include_solver!("pose_4pt_focal_radial_cut");

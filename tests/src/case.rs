@@ -96,6 +96,7 @@ pub fn cases() -> Vec<Case> {
         case!(circle_least_squares, CircleLeastSquares, (gram), (d1, d2, d3, d4, d5, lambda1, lambda2)),
         case!(circle_least_squares_dual, CircleLeastSquaresDual, (gram), (d3, d4, d5)),
         case!(circle_minimal, CircleMinimal, (d_alpha, d_beta, d_gamma), (a, b)),
+        case!(katsura_5, Katsura5, (), (t, u, v, x, y, z)),
         case!(pose_35pt_focal, Pose35ptFocal, (points, horizontal, vertical), (x, y)),
         case!(pose_4pt_focal_radial, Pose4ptFocalRadial, (row1, row2, row3), (w, radial, y, z)),
         case!(pose_4pt_focal_radial_cut, Pose4ptFocalRadialCut, (upper, lower), (radial, x, y, z)),

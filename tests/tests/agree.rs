@@ -75,13 +75,13 @@ fn on_special_data() {
             }
         });
         println!("{} with special values: {} solved, {} refused", case.name, counts[0], counts[1]);
-        assert!(counts[1] > 0, "{}: nothing was degenerate", case.name);
+        assert!(counts[1] > 0 || case.problem().data.is_empty(), "{}: nothing was degenerate", case.name);
     }
 }
 
 #[test]
 fn on_data_that_are_not_finite() {
-    for case in cases() {
+    for case in cases().into_iter().filter(|case| !case.problem().data.is_empty()) {
         compare(&case, 4_000_000, |random, inputs| {
             let at = random.below(inputs.len() as u64) as usize;
             inputs[at] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY][random.below(3) as usize];

@@ -90,7 +90,7 @@ fn a_value_that_is_not_finite_is_refused_wherever_it_stands() {
 fn the_upper_half_of_symmetric_data_is_enough() {
     let mut unread = 0;
     for subject in subjects() {
-        let n = subject.data[0].shape.last().copied().unwrap_or(1);
+        let n = subject.data.first().and_then(|parameter| parameter.shape.last()).copied().unwrap_or(1);
         let mut data = subject.random(2);
         let expected = (subject.case.solve)(&data).expect("random data are not degenerate");
         for parameter in subject.data.iter().filter(|parameter| parameter.attribute == DataAttribute::Symmetric) {
@@ -113,7 +113,8 @@ fn degenerate_data_are_refused_or_solved() {
             subject.assert(&format!("all {value}"), &vec![value; n]);
         }
         let zeros = (subject.case.solve)(&vec![0.0; n]);
-        assert!(matches!(zeros, Err(SolveError::Degenerate { .. })), "{}: {zeros:?}", subject.case.name);
+        let refused = matches!(zeros, Err(SolveError::Degenerate { .. }));
+        assert!(refused || subject.data.is_empty(), "{}: {zeros:?}", subject.case.name);
         for at in 0..n {
             let mut one = vec![0.0; n];
             one[at] = 1.0;
@@ -136,7 +137,8 @@ fn degenerate_data_are_refused_or_solved() {
 /// Gram matrices of fewer rows than they have columns, and of rows that repeat.
 #[test]
 fn rank_deficient_gram_matrices_are_refused_or_solved() {
-    for subject in subjects().iter().filter(|subject| subject.data[0].attribute == DataAttribute::Symmetric) {
+    let is_gram = |parameter: &DataParameter| parameter.attribute == DataAttribute::Symmetric;
+    for subject in subjects().iter().filter(|subject| subject.data.first().is_some_and(is_gram)) {
         let n = subject.data[0].shape[0];
         for seed in 0..500 {
             let mut random = Random::new(seed);
@@ -171,7 +173,7 @@ fn huge_and_tiny_data_are_refused_or_solved() {
 }
 
 fn run(cases: u32, seed: u64, values: BoxedStrategy<f64>) {
-    for subject in subjects() {
+    for subject in subjects().into_iter().filter(|subject| subject.inputs() > 0) {
         let config = Config { cases, rng_seed: RngSeed::Fixed(seed), failure_persistence: None, ..Config::default() };
         let data = proptest::collection::vec(values.clone(), subject.inputs());
         let result =

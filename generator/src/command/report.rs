@@ -47,6 +47,9 @@ pub(super) struct Summary {
     reducible: usize,
     /// |B|.
     basis: usize,
+    /// Rows and columns at run time, without the constant rows and their pivots, which are eliminated beforehand.
+    online_rows: usize,
+    online_columns: usize,
     basis_monomials: Vec<String>,
     action: String,
     operations: usize,
@@ -75,6 +78,8 @@ impl Summary {
             excess: template.excess.len(),
             reducible: template.reducible.len(),
             basis: template.basis.len(),
+            online_rows: plan.elimination.rows,
+            online_columns: plan.elimination.columns(),
             basis_monomials: template.basis.iter().map(|m| m.display(names).to_string()).collect(),
             action: template.action.display(names).to_string(),
             operations: operations.total(),
@@ -98,6 +103,11 @@ impl fmt::Display for Summary {
             "template    {} x {}: {} excess, {} reducible, {} basis columns",
             self.rows, self.columns, self.excess, self.reducible, self.basis
         )?;
+        if self.online_rows < self.rows {
+            let constant = counted(self.rows - self.online_rows, "constant row");
+            let (rows, columns) = (self.online_rows, self.online_columns);
+            writeln!(f, "at run time {rows} x {columns}: {constant} eliminated beforehand")?;
+        }
         writeln!(f, "action      {}", self.action)?;
         writeln!(f, "basis       {}", self.basis_monomials.join(", "))?;
         writeln!(

@@ -1,6 +1,7 @@
 //! Instances whose solutions are known beforehand: geometry first, data from it.
 
 mod absolute_pose;
+mod benchmarks;
 mod cameras;
 mod circles;
 mod points;
@@ -32,7 +33,8 @@ pub struct Maker {
 
 /// One maker for every problem, by name.
 pub fn makers() -> Vec<Maker> {
-    let families = [absolute_pose::makers(), circles::makers(), points::makers(), relative_pose::makers()];
+    let families =
+        [absolute_pose::makers(), benchmarks::makers(), circles::makers(), points::makers(), relative_pose::makers()];
     let mut makers: Vec<Maker> = families.into_iter().flatten().collect();
     makers.sort_by_key(|maker| maker.name);
     makers
