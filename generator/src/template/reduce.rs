@@ -229,4 +229,26 @@ mod tests {
         assert!(template.reducible.contains(&Monomial::unknown(1)) && template.excess.is_empty(), "{template:?}");
         assert!(verify(&template, field, &equations).is_ok());
     }
+
+    #[test]
+    fn unknowns_that_only_occur_together_cannot_be_read() {
+        // x^3 + a x^2 + b x + c = 0 and y + d z + e x^2 + f x + g = 0.
+        let field = PrimeField::new(PRIMES[0]);
+        let mut random = Random::new(4);
+        let mut of = |exponents: &[[i8; 3]]| {
+            let terms =
+                exponents.iter().map(|exponents| (Monomial::from_exponents(exponents), field.draw(&mut random)));
+            Polynomial::from_terms(terms.collect())
+        };
+        let cubic = of(&[[3, 0, 0], [2, 0, 0], [1, 0, 0], [0, 0, 0]]);
+        let equations = [cubic, of(&[[0, 1, 0], [0, 0, 1], [2, 0, 0], [1, 0, 0], [0, 0, 0]])];
+        let shifts = [0, 1].map(|equation| Shift { equation, multiplier: Monomial::ONE });
+        let matrix = ShiftMatrix::new(field, &equations, &shifts);
+        let reduced = |unknowns: &[usize]| {
+            let requirements = Requirements { unknowns, solutions: 3, max_basis: 3 };
+            reduce(&matrix, &Monomial::unknown(0), &requirements, DeletionOrder::HighestFirst, &Unmonitored)
+        };
+        assert!(reduced(&[0]).is_some());
+        assert_eq!(reduced(&[0, 1, 2]), None);
+    }
 }

@@ -218,12 +218,12 @@ impl Dependencies {
             })
             .collect();
         let closures: Vec<IndexSet> = (0..free.len()).map(|at| reachable(at, &next)).collect();
-        let of_rows =
-            self.tableau.pivots().iter().filter(|&&column| self.part[column] != Part::Excess).map(|&column| {
-                let mut union = IndexSet::new(free.len());
-                dependence(column).iter().for_each(|at| union.extend(&closures[at]));
-                union
-            });
+        let is_expressed = |column: &&usize| matches!(self.part[**column], Part::Reducible | Part::Permissible);
+        let of_rows = self.tableau.pivots().iter().filter(is_expressed).map(|&column| {
+            let mut union = IndexSet::new(free.len());
+            dependence(column).iter().for_each(|at| union.extend(&closures[at]));
+            union
+        });
         let sets: BTreeSet<IndexSet> = closures.iter().cloned().chain(of_rows).collect();
         let sizes = requirements.solutions..=requirements.max_basis;
         let columns = |set: IndexSet| set.iter().map(|at| free[at]).collect();
