@@ -1,8 +1,8 @@
 //! Chooses among the templates that a search found, by their cost and by what they do on random real instances.
 //!
 //! # The rule
-//! Candidates are considered in the order of the preference ([`Preference::key`]): *speed* fewest operations first, *size* fewest rows first,
-//! *stability* fewest operations first, up to [`STABILITY_COST`] times those of the first one that is not rejected. Of each combination of presolved
+//! Candidates are considered in the order of the preference ([`Preference::key`]): *speed* fewest operations first, *size* fewest rows first
+//! among those with at most [`SIZE_COST`] times the operations of the cheapest, *stability* fewest operations first, up to [`STABILITY_COST`] times those of the first one that is not rejected. Of each combination of presolved
 //! form, action monomial and basis only the first is.
 //!
 //! 1. *Screening.* [`SCREENED`] candidates are measured on [`Measuring::trials`] instances. A candidate is *rejected* if an instance fails, or if so many
@@ -35,6 +35,8 @@ pub const SIGNIFICANCE: f64 = 0.01;
 pub const GOOD_RESIDUAL: f64 = -12.0;
 /// What stability may cost, as a factor of operations.
 pub const STABILITY_COST: f64 = 2.0;
+/// What few rows may cost, as a factor of operations: a larger basis always saves rows, at the cube of its size.
+pub const SIZE_COST: f64 = 2.5;
 /// Candidates whose operations differ by no more than this factor cost the same for the choice.
 pub const SIMILAR_COST: f64 = 1.1;
 /// Candidates that are confirmed besides the first accepted one.
@@ -97,7 +99,7 @@ pub fn choose(
     known: &dyn Fn(&Candidate) -> Option<Stability>,
     monitor: &dyn Monitor,
 ) -> Option<Choice> {
-    let different = different(candidates);
+    let different = affordable(different(candidates), preference);
     let known = |at: usize| known(different[at]);
     let (chosen, entries) = on_board(&different, preference, measuring, &known, monitor, |board| {
         board.accept().or_else(|| board.least_bad())
@@ -168,6 +170,15 @@ fn different(candidates: &[Candidate]) -> Vec<&Candidate> {
         }
     }
     different
+}
+
+/// Those that size may cost; all for other preferences.
+fn affordable(candidates: Vec<&Candidate>, preference: Preference) -> Vec<&Candidate> {
+    let operations = |candidate: &&Candidate| candidate.plan.operations().total() as f64;
+    let least = candidates.iter().map(operations).fold(f64::INFINITY, f64::min);
+    let is_affordable =
+        |candidate: &&Candidate| preference != Preference::Size || operations(candidate) <= SIZE_COST * least;
+    candidates.into_iter().filter(is_affordable).collect()
 }
 
 struct Entry {

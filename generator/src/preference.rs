@@ -12,7 +12,7 @@ pub enum Preference {
     Speed,
     /// Fewest missed solutions, then smallest residuals, at a bounded cost
     Stability,
-    /// Fewest rows
+    /// Fewest rows, at a bounded cost
     Size,
 }
 
