@@ -125,8 +125,11 @@ pub fn screen<'a>(
     measuring: Measuring,
     monitor: &dyn Monitor,
 ) -> Vec<(&'a Candidate, Option<Stability>)> {
-    let mut different = different(candidates);
-    different.truncate(HANDED_OVER);
+    let mut different = affordable(different(candidates), preference);
+    // What size may cost depends on the cheapest one of all.
+    let cheapest = different.iter().copied().min_by_key(|candidate| candidate.plan.operations().total());
+    let dropped = different.split_off(different.len().min(HANDED_OVER));
+    different.extend(cheapest.filter(|cheapest| dropped.iter().any(|candidate| std::ptr::eq(*candidate, *cheapest))));
     let ((), entries) = on_board(&different, preference, measuring, &|_| None, monitor, |board| {
         board.screen();
     });

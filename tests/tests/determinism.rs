@@ -5,9 +5,12 @@ use std::fs;
 use eliminant_generator::Generator;
 use eliminant_generator::generate::generate;
 use eliminant_generator::monitor::Unmonitored;
-use eliminant_generator::search::{SearchOptions, candidates};
+use eliminant_generator::search::{SearchError, SearchOptions, candidates};
 use eliminant_tests::{cases, templates_folder};
 use rayon::ThreadPoolBuilder;
+
+/// Problems with more solutions are not searched: that would take minutes.
+const MOST_SOLUTIONS: usize = 18;
 
 /// The stems of the files in `templates/` that end so.
 fn stems(suffix: &str) -> Vec<String> {
@@ -62,22 +65,22 @@ fn template_files_survive_a_round_trip() {
     }
 }
 
-/// All templates that a search finds, in order, with one thread and with several.
+/// All templates that a search finds, in order, or why it finds none, with one thread and with several.
 #[test]
 fn searches_repeat_themselves_on_any_number_of_threads() {
     let options = SearchOptions { max_columns: 100, shuffles: 1, ..SearchOptions::default() };
     for case in cases() {
         let (problem, solutions) = (case.problem(), case.template().solutions);
-        let search = |threads: usize| -> Vec<String> {
+        if solutions > MOST_SOLUTIONS {
+            continue;
+        }
+        let search = |threads: usize| -> Result<Vec<String>, SearchError> {
             let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-            let found = pool
-                .install(|| candidates(&problem, solutions, &options, &Unmonitored))
-                .expect("a template")
-                .candidates;
-            found.iter().map(|c| c.to_file(&problem, &options).to_text(&problem.unknowns)).collect()
+            let found = pool.install(|| candidates(&problem, solutions, &options, &Unmonitored))?.candidates;
+            Ok(found.iter().map(|c| c.to_file(&problem, &options).to_text(&problem.unknowns)).collect())
         };
         let one = search(1);
-        println!("{}: {} templates", case.name, one.len());
+        println!("{}: {:?} templates", case.name, one.as_ref().map(Vec::len));
         assert_eq!(one, search(3), "{}", case.name);
         assert_eq!(one, search(2), "{}", case.name);
     }
