@@ -97,6 +97,9 @@ const POLISH_STEPS: usize = 8;
 const STALLED: f64 = 1e-12;
 /// An unknown this small relative to the largest one may be the rounding noise of zero.
 const NOISE: f64 = 1e-12;
+/// A step that would change an unknown by more than this part of it, where the residual is no rounding error, shows that there is no solution
+/// near by.
+const FAR: f64 = 0.1;
 /// Two solutions are the same when every unknown agrees to this relative distance.
 const SAME: f64 = 1e-8;
 /// An unknown this small relative to the largest one may be the rounding noise of zero.
@@ -230,7 +233,7 @@ fn evaluate(terms: &[Term], c: &[f64], x: &Point) -> (Complex<f64>, f64, Point) 
 }
 
 /// Gauss-Newton on all equations while it lowers the relative residual, which is returned. A step that leaves a high residual is tried again
-/// with unknowns at the level of noise set to zero.
+/// with unknowns at the level of noise set to zero. Infinity where the residual stays high and the last step is large.
 fn polish(plan: &Plan, c: &[f64], point: &mut Point) -> f64 {
     let evaluate_all = |x: &Point| plan.equations.iter().map(|terms| evaluate(terms, c, x)).collect::<Vec<_>>();
     let worst = |all: &[(Complex<f64>, f64, Point)]| {
@@ -247,12 +250,14 @@ fn polish(plan: &Plan, c: &[f64], point: &mut Point) -> f64 {
     };
     let mut all = evaluate_all(point);
     let mut best = worst(&all);
+    let mut last = vec![Complex::ZERO; point.len()];
     for _ in 0..POLISH_STEPS {
         let weights: Vec<Complex<f64>> = all.iter().map(weight).collect();
         let jacobian = DMatrix::from_fn(all.len(), point.len(), |e, j| all[e].2[j] * weights[e]);
         let right = DVector::from_fn(all.len(), |e, _| all[e].0 * weights[e]);
         let qr = jacobian.qr();
         let Some(step) = qr.r().solve_upper_triangular(&(qr.q().adjoint() * right)) else { break };
+        last = step.iter().copied().collect();
         let mut moved: Point = point.iter().zip(step.iter()).map(|(x, s)| x - s).collect();
         let mut next = evaluate_all(&moved);
         let mut residual = worst(&next);
@@ -269,5 +274,10 @@ fn polish(plan: &Plan, c: &[f64], point: &mut Point) -> f64 {
         (best, all) = (residual, next);
         *point = moved;
     }
-    best
+    let noise = NOISE * point.iter().map(|x| x.norm()).fold(0.0, f64::max);
+    let is_far = |(x, step): (&Complex<f64>, &Complex<f64>)| step.norm() > FAR * x.norm() + noise;
+    match best > STALLED && point.iter().zip(&last).any(is_far) {
+        true => f64::INFINITY,
+        false => best,
+    }
 }

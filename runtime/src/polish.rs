@@ -20,6 +20,10 @@ const STALLED: f64 = 1e-12;
 /// An unknown this small relative to the largest one may be the rounding noise of zero.
 const NOISE: f64 = 1e-12;
 
+/// Where the residual has a cause other than rounding, a step that would change an unknown by more than this part of it shows that
+/// x is near no solution.
+const FAR: f64 = 0.1;
+
 /// Improves x by at most `steps` Gauss-Newton steps and returns its relative residual,
 ///
 /// max over equations e of |f_e(x)| / (sum of the moduli of the terms of f_e at x), 0/0 counting as 0.
@@ -28,6 +32,9 @@ const NOISE: f64 = 1e-12;
 /// does not matter to Householder QR. A step is kept only if it lowers the residual, if need be a fraction of it; where no fraction does, that ends
 /// the iteration, as does a residual at rounding level or a rank-deficient Jacobian. Infinity, with x unchanged, when x
 /// or a value at x is not finite.
+///
+/// Infinity also where the residual is no rounding error and the last step, taken or not, changes an unknown by a tenth: so far out,
+/// where the terms of highest degree alone are nearly zero, the residual is small without a solution near by.
 ///
 /// Where every term of an equation holds an unknown that is zero at the solution, noise in that unknown keeps the relative residual high
 /// however small it is. A step that does not lower a high residual is therefore tried again with unknowns at the level of noise set to zero.
@@ -45,6 +52,7 @@ pub fn polish<S: Scalar, const N: usize, const E: usize>(
     }
     let mut jacobian = [[S::ZERO; N]; E];
     let mut best = f64::INFINITY;
+    let mut correction = [S::ZERO; N];
     for step in 0..steps {
         system.evaluate(x, &mut values, &mut scale, &mut jacobian);
         if step == 0 {
@@ -54,7 +62,8 @@ pub fn polish<S: Scalar, const N: usize, const E: usize>(
             break;
         }
         weigh(&mut values, &scale, &mut jacobian);
-        let Some(correction) = least_squares(&mut jacobian, &mut values) else { break };
+        let Some(step) = least_squares(&mut jacobian, &mut values) else { break };
+        correction = step;
         let mut moved = *x;
         for j in 0..N {
             moved[j] -= correction[j];
@@ -87,7 +96,14 @@ pub fn polish<S: Scalar, const N: usize, const E: usize>(
             break;
         }
     }
-    best
+    if best > STALLED && is_far(x, &correction) { f64::INFINITY } else { best }
+}
+
+/// Whether a step changes an unknown, other than rounding noise of zero, by more than the part [`FAR`].
+#[cold]
+fn is_far<S: Scalar, const N: usize>(x: &[S; N], step: &[S; N]) -> bool {
+    let noise = NOISE * x.iter().map(|value| value.magnitude()).fold(0.0, f64::max);
+    x.iter().zip(step).any(|(value, step)| step.magnitude() > FAR * value.magnitude() + noise)
 }
 
 /// x with the unknowns that may be the rounding noise of zero set to zero.
