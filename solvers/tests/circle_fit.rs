@@ -5,9 +5,9 @@ mod random;
 
 use std::f64::consts::TAU;
 
-use eliminant_solvers::cylinder::circle::fit_circle;
+use eliminant_solvers::cylinder::circle::{fit_circle, fit_circle_in_front};
 use eliminant_solvers::cylinder::rectify::TangentLine;
-use eliminant_solvers::cylinder::{Circle, CircleError, LeastSquares, SectionLine, SectionSolver};
+use eliminant_solvers::cylinder::{Circle, CircleError, LeastSquares, SectionLine, SectionSolver, Sight};
 use nalgebra::{Matrix2, Matrix6, Matrix6x2, Point2, Vector2, Vector6};
 use random::Random;
 
@@ -225,6 +225,46 @@ fn balanced_directions_give_the_global_minimum() {
         reached += usize::from(check_global_minimum(&lines, &circle.centre, &place, &mut random));
     }
     assert!(reached > 990, "the descents reach the minimum in {reached} of 1,000 scenes");
+}
+
+/// Two cameras on either side of a circle, and its silhouettes turned by noise: often a circle behind one of them fits better.
+#[test]
+fn the_circle_in_front_of_the_cameras_is_taken_where_there_is_one() {
+    let mut random = Random::new(6);
+    let (mut behind, mut moved) = (0, 0);
+    for instance in 0..2_000 {
+        let circle = Circle { centre: Point2::new(0.0, 0.0), radius: 1.0 };
+        let start = random.uniform(0.0, TAU);
+        let (mut lines, mut sights) = (Vec::new(), Vec::new());
+        for angle in [start, start + TAU / 2.0 + random.uniform(-0.2, 0.2)] {
+            let camera = Point2::new(angle.cos(), angle.sin()) * random.uniform(10.0, 20.0);
+            let half = (circle.radius / camera.coords.norm()).asin();
+            for side in [half, -half] {
+                let bearing = angle + TAU / 2.0 + side + 0.002 * random.normal();
+                let ray = Vector2::new(bearing.cos(), bearing.sin());
+                let normal = Vector2::new(-ray.y, ray.x);
+                lines.push(TangentLine { normal, offset: -normal.dot(&camera.coords) });
+                sights.push(Sight { camera, ray: Some(ray) });
+            }
+        }
+        let in_front = |circle: &Circle| sights.iter().all(|sight| sight.has_in_front(circle));
+        let best = fit_circle(&lines, 20.0).expect("a circle").circle;
+        let chosen = fit_circle_in_front(&lines, &sights, 20.0).expect("a circle").circle;
+        if in_front(&best) {
+            assert_eq!(chosen, best, "instance {instance}");
+        } else {
+            behind += 1;
+            // Among the stationary circles none that is in front costs less, but for saddle points.
+            let cost = |circle: &Circle| {
+                let square = |line: &TangentLine| circle.radius.powi(2) - line.distance(&circle.centre).powi(2);
+                lines.iter().map(|line| square(line).powi(2)).sum::<f64>()
+            };
+            moved += usize::from(chosen != best);
+            assert!(chosen == best || (in_front(&chosen) && cost(&chosen) >= cost(&best)), "instance {instance}");
+            assert!(chosen.centre.coords.norm() < 5.0 && chosen.radius < 3.0, "instance {instance}: {chosen:?}");
+        }
+    }
+    assert!(behind > 10 && moved == behind, "{behind} {moved}");
 }
 
 #[test]

@@ -113,7 +113,7 @@ fn with_outliers(noise: f64, random: &mut Random) -> (Unit<Vector3<f64>>, Vec<Vi
     let (mut all, mut inliers) = (Vec::new(), Vec::new());
     for plane in cylinders.iter().flat_map(|views| planes(views)) {
         for _ in 0..2 {
-            all.push(ViewingPlane { normal: random_direction(random).into_inner(), centre: plane.centre });
+            all.push(ViewingPlane { normal: random_direction(random).into_inner(), ..plane });
         }
         inliers.push(all.len());
         all.push(plane);
@@ -139,7 +139,7 @@ fn wrong_planes_do_not_matter() {
 #[test]
 fn degenerate_planes() {
     let options = RansacOptions { max_samples: 1000, ..default_direction_options() };
-    let plane = |normal: Vector3<f64>| ViewingPlane { normal, centre: Point3::origin() };
+    let plane = |normal: Vector3<f64>| ViewingPlane { normal, centre: Point3::origin(), forward: Vector3::z() };
     let parallel = vec![plane(Vector3::x()); 5];
     let result = estimate_direction_robustly(&parallel, &options);
     assert!(matches!(result, Err(DirectionError::ParallelPlanes { .. })), "{result:?}");

@@ -17,6 +17,10 @@
 //!
 //! All stationary points are at hand as the method `LeastSquares`, which also weighs
 //! the lines; `fit_circle` takes the best and refuses where it is not the only exact one.
+//!
+//! With few views the best can be a circle that nobody can have seen: from two cameras that stand opposite each other the
+//! lines are nearly parallel in pairs, and a very large circle behind one of the cameras touches all four almost as well as the small
+//! one between them, with noise better. `fit_circle_in_front` takes the best minimum in front of the cameras instead.
 
 use nalgebra::Point2;
 use thiserror::Error;
@@ -24,6 +28,7 @@ use thiserror::Error;
 use super::least_squares::StationaryCircles;
 use super::rectify::TangentLine;
 use super::section::SectionLine;
+use super::sight::Sight;
 
 /// Root mean square distance of the lines from one point, relative to the extent of the scene, below which they count
 /// as meeting there. Far below what marking lines in an image can reach, above what rounding leaves.
@@ -41,7 +46,7 @@ pub struct Circle {
 /// The least squares circle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CircleFit {
-    /// The circle of least cost.
+    /// The circle.
     pub circle: Circle,
     /// Root mean square of `(r^2 - h^2) / (2 r)`, which is the distance `r - h` to first order; world units.
     pub rms: f64,
@@ -81,12 +86,21 @@ pub enum CircleError {
     Solver(#[from] eliminant::SolveError),
 }
 
-/// Constrained least squares circle from at least three tangent lines; `extent` is the size of the scene in world units,
+/// The circle of least cost from at least three tangent lines; `extent` is the size of the scene in world units,
 /// to which the distances of the lines from a common point are compared.
 ///
 /// # Errors
 /// [`CircleError`].
 pub fn fit_circle(lines: &[TangentLine], extent: f64) -> Result<CircleFit, CircleError> {
+    fit_circle_in_front(lines, &[], extent)
+}
+
+/// As [`fit_circle`], but of the local minima the best one that is in front of all cameras, if there is one, and the global minimum
+/// otherwise. A circle that touches all lines exactly is taken wherever it lies.
+///
+/// # Errors
+/// [`CircleError`].
+pub fn fit_circle_in_front(lines: &[TangentLine], sights: &[Sight], extent: f64) -> Result<CircleFit, CircleError> {
     let lines: Vec<_> = lines.iter().map(|&line| SectionLine { line, weight: 1.0, view: 0 }).collect();
     let stationary = StationaryCircles::of(&lines)?;
     if stationary.scale() <= CONCURRENT * extent {
@@ -96,6 +110,7 @@ pub fn fit_circle(lines: &[TangentLine], extent: f64) -> Result<CircleFit, Circl
     if exact > 1 {
         return Err(CircleError::Ambiguous { circles: exact });
     }
-    let (circle, mean_square) = stationary.best().ok_or(CircleError::NoCircle)?;
+    let (circle, mean_square) =
+        stationary.best(|circle| sights.iter().all(|sight| sight.has_in_front(circle))).ok_or(CircleError::NoCircle)?;
     Ok(CircleFit { circle, rms: mean_square.sqrt() / (2.0 * circle.radius), stationary_points: stationary.len() })
 }

@@ -3,7 +3,7 @@
 use super::circle::{Circle, CircleError};
 use super::normalise::Normalisation;
 use super::section::{Section, SectionError, SectionLine, SectionSolver, check_lines, weighted_mean_square};
-use super::stationary::stationary_circles;
+use super::stationary::{Kind, StationaryPoint, stationary_points};
 
 /// Root mean square of `r^2 - h^2`, in units of the normalised lines or of `r^2` where that is larger, below which a circle
 /// fits exactly.
@@ -45,21 +45,22 @@ struct Candidate {
     /// Weighted mean square of `r^2 - h^2`, evaluated on the lines: `d^T G d` cancels to nothing when the fit is good.
     mean_square: f64,
     exact: bool,
+    is_minimum: bool,
 }
 
 impl StationaryCircles {
     pub(super) fn of(lines: &[SectionLine]) -> Result<Self, CircleError> {
         let normalisation = Normalisation::of(lines)?;
         let normalised = normalisation.lines(lines);
-        let candidate = |circle: Circle| {
+        let candidate = |StationaryPoint { circle, kind }| {
             let mean_square = weighted_mean_square(&normalised, |line| {
                 let distance = line.distance(&circle.centre).abs();
                 (circle.radius - distance) * (circle.radius + distance)
             });
             let exact = mean_square.sqrt() <= EXACT_FIT * circle.radius.max(1.0).powi(2);
-            Candidate { circle, mean_square, exact }
+            Candidate { circle, mean_square, exact, is_minimum: kind == Kind::Minimum }
         };
-        let mut candidates: Vec<_> = stationary_circles(&normalised)?.into_iter().map(candidate).collect();
+        let mut candidates: Vec<_> = stationary_points(&normalised)?.into_iter().map(candidate).collect();
         let key = |candidate: &Candidate| if candidate.exact { candidate.circle.radius } else { candidate.mean_square };
         candidates.sort_by(|left, right| right.exact.cmp(&left.exact).then(key(left).total_cmp(&key(right))));
         Ok(Self { normalisation, candidates })
@@ -67,13 +68,19 @@ impl StationaryCircles {
 
     /// Circles and costs in the coordinates of the lines.
     pub(super) fn iter(&self) -> impl Iterator<Item = (Circle, f64)> {
-        let Self { normalisation, candidates } = self;
-        let unit = normalisation.scale.powi(4);
-        candidates.iter().map(move |found| (normalisation.circle(&found.circle), found.mean_square * unit))
+        self.candidates.iter().map(|candidate| self.in_world(candidate))
     }
 
-    pub(super) fn best(&self) -> Option<(Circle, f64)> {
-        self.iter().next()
+    fn in_world(&self, candidate: &Candidate) -> (Circle, f64) {
+        (self.normalisation.circle(&candidate.circle), candidate.mean_square * self.normalisation.scale.powi(4))
+    }
+
+    /// The circle that touches all lines, otherwise the best minimum of those admitted, otherwise the best of all.
+    pub(super) fn best(&self, is_admitted: impl Fn(&Circle) -> bool) -> Option<(Circle, f64)> {
+        let first = self.candidates.first()?;
+        let is_admitted = |&candidate: &&Candidate| candidate.is_minimum && is_admitted(&self.in_world(candidate).0);
+        let best = if first.exact { first } else { self.candidates.iter().find(is_admitted).unwrap_or(first) };
+        Some(self.in_world(best))
     }
 
     pub(super) fn len(&self) -> usize {

@@ -11,9 +11,19 @@
 //!
 //! Its basis is chosen, where the paper leaves it open, with `d6 = 0` in `d_alpha` and `d_beta`: then no circle of finite centre
 //! lies where the coefficient of `d_gamma` is zero.
+//!
+//! A circle much larger than the triangle is a solution near infinity: `a` and `b` grow with its squared radius, their products of
+//! degree two cancel, and with a radius of 10^5 no more than six digits are left in the equations above. The circle is therefore
+//! polished on the lines, where nothing cancels: with the sides on which it touches them given, Newton's method for
+//!
+//! ```text
+//!   n_i^T p + c_i = s_i r,      s_i = sign(n_i^T p + c_i)
+//! ```
+//!
+//! is one linear step. The four circles differ in their sides, which shows one that was found twice.
 
 use eliminant::{Solutions, SolveError};
-use nalgebra::{Matrix6, Matrix6x3, Point2};
+use nalgebra::{Matrix3, Matrix6, Matrix6x3, Point2, RowVector3, Vector3};
 
 use super::circle::{Circle, CircleError};
 use super::normalise::{Normalisation, generic_motion, moved_line};
@@ -25,8 +35,8 @@ const TURNS: [f64; 4] = [1.0, 1.9, 2.5, 0.4];
 
 /// The circles tangent to three lines, in no particular order; two where two of the lines are parallel. Does not allocate.
 ///
-/// A triangle whose circles differ in size by many orders of magnitude has eigenvalues that nearly coincide, and one of its
-/// circles may be missing: [`tangent_circles`](super::closed_form::tangent_circles) is more accurate, and faster.
+/// A triangle whose circles differ in size by many orders of magnitude has eigenvalues that nearly coincide, and some of its
+/// circles may be missing: [`tangent_circles`](super::closed_form::tangent_circles) finds all of them, and is faster.
 ///
 /// # Errors
 /// [`CircleError::Parallel`], [`CircleError::Concurrent`] also where a line is repeated, [`CircleError::OutOfRange`],
@@ -34,21 +44,26 @@ const TURNS: [f64; 4] = [1.0, 1.9, 2.5, 0.4];
 pub fn minimal_circles(lines: &[TangentLine; 3]) -> Result<Solutions<Circle, 4>, CircleError> {
     let normalisation = Normalisation::of(&lines.map(|line| SectionLine { line, weight: 1.0, view: 0 }))?;
     let normalised = lines.map(|line| normalisation.line(&line));
-    let mut best = Solutions::new();
+    let mut found = Solutions::<(Circle, Vector3<f64>), 4>::new();
     let mut failure = None;
     for turn in TURNS {
         match circles_turned(&normalised, turn) {
-            Ok(circles) if circles.len() > best.len() => best = circles,
-            Ok(_) => {}
+            Ok(circles) => {
+                for (circle, sides) in circles.iter().filter_map(|circle| polish(&normalised, circle)) {
+                    if found.iter().all(|(_, others)| *others != sides) {
+                        found.push((circle, sides));
+                    }
+                }
+            }
             Err(error) => failure = Some(error),
         }
-        if best.len() == 4 {
+        if found.len() == 4 {
             break;
         }
     }
     match failure {
-        Some(error) if best.is_empty() => Err(error.into()),
-        _ => Ok(best.into_iter().map(|circle| normalisation.circle(&circle)).collect()),
+        Some(error) if found.is_empty() => Err(error.into()),
+        _ => Ok(found.into_iter().map(|(circle, _)| normalisation.circle(&circle)).collect()),
     }
 }
 
@@ -66,6 +81,16 @@ fn circles_turned(lines: &[TangentLine; 3], turn: f64) -> Result<Solutions<Circl
         (square > 0.0).then(|| Circle { centre: back * Point2::new(-d3, -d5), radius: square.sqrt() })
     };
     Ok(crate::circle_minimal::solve(&d_alpha, &d_beta, &d_gamma)?.into_iter().filter_map(circle).collect())
+}
+
+/// The circle that touches the lines on the sides on which this one lies, and these sides; `None` where there is none.
+fn polish(lines: &[TangentLine; 3], circle: &Circle) -> Option<(Circle, Vector3<f64>)> {
+    let distances = Vector3::from(lines.map(|line| line.distance(&circle.centre)));
+    let sides = distances.map(f64::signum);
+    let row = |index: usize| RowVector3::new(lines[index].normal.x, lines[index].normal.y, -sides[index]);
+    let step = Matrix3::from_rows(&[row(0), row(1), row(2)]).lu().solve(&(distances - sides * circle.radius))?;
+    let polished = Circle { centre: circle.centre - step.xy(), radius: circle.radius - step.z };
+    (polished.radius > 0.0 && step.iter().all(|entry| entry.is_finite())).then_some((polished, sides))
 }
 
 /// Orthonormal basis of the null space of the three rows; the last entry of the first two vectors is zero.

@@ -81,6 +81,8 @@ pub mod scene;
 pub mod section;
 /// CSV files of line segments: end points to fitted lines.
 pub mod segments;
+/// Cameras in the cross-section: which circles are in front of them.
+pub mod sight;
 /// Signed, smooth distance of an image line from a silhouette.
 pub mod silhouette_distance;
 /// Scenes of which the truth is known.
@@ -116,6 +118,7 @@ pub use robust_direction::{RobustDirection, common_direction, default_direction_
 pub use scene::{CylinderLines, LineId, Scene};
 pub use section::{Section, SectionError, SectionLine, SectionShape, SectionSolver};
 pub use segments::{SegmentError, Segments, parse_segments, read_segments};
+pub use sight::Sight;
 pub use silhouette_distance::{DistanceUnit, Metric, MetricError};
 pub use triangulate::{TriangulateError, Triangulation, triangulate, triangulate_along};
 pub use view::{Calibration, Camera, View, ViewError, ViewingPlane};

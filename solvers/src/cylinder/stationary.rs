@@ -42,15 +42,29 @@ const CONVERGED: f64 = 1e-9;
 const SAME_CIRCLE: f64 = 1e-7;
 
 /// A circle at which the cost is stationary.
-struct StationaryPoint {
-    circle: Circle,
-    /// 1 for a minimum or maximum of the cost as a function of the centre, -1 for a saddle point.
-    index: i32,
+pub(super) struct StationaryPoint {
+    pub(super) circle: Circle,
+    pub(super) kind: Kind,
+}
+
+/// What the cost is at a stationary point, as a function of the centre.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub(super) enum Kind {
+    Minimum,
+    Maximum,
+    Saddle,
+}
+
+impl Kind {
+    /// 1 for a minimum or maximum, -1 for a saddle point.
+    fn index(self) -> i32 {
+        if self == Self::Saddle { -1 } else { 1 }
+    }
 }
 
 /// All real circles at which the cost is stationary. Coordinates must be normalised: the lines' distances from the
 /// origin are of order one.
-pub(super) fn stationary_circles(lines: &[SectionLine]) -> Result<Vec<Circle>, SolveError> {
+pub(super) fn stationary_points(lines: &[SectionLine]) -> Result<Vec<StationaryPoint>, SolveError> {
     let mut points: Vec<StationaryPoint> = Vec::new();
     let mut failure = None;
     for turn in TURNS {
@@ -64,13 +78,13 @@ pub(super) fn stationary_circles(lines: &[SectionLine]) -> Result<Vec<Circle>, S
             }
             Err(error) => failure = Some(error),
         }
-        if points.iter().map(|point| point.index).sum::<i32>() == 1 {
+        if points.iter().map(|point| point.kind.index()).sum::<i32>() == 1 {
             break;
         }
     }
     match failure {
         Some(error) if points.is_empty() => Err(error),
-        _ => Ok(points.into_iter().map(|point| point.circle).collect()),
+        _ => Ok(points),
     }
 }
 
@@ -143,10 +157,14 @@ fn polish(lines: &[SectionLine], mut centre: Point2<f64>) -> Option<StationaryPo
         let step = hessian.try_inverse()? * gradient;
         centre -= step;
         if step.norm() <= CONVERGED * centre.coords.norm().max(1.0) {
-            let index = if hessian.determinant() > 0.0 { 1 } else { -1 };
+            let kind = match (hessian.determinant() > 0.0, hessian.trace() > 0.0) {
+                (true, true) => Kind::Minimum,
+                (true, false) => Kind::Maximum,
+                (false, _) => Kind::Saddle,
+            };
             let radius = mean_square(&centre).sqrt();
             return (radius.is_finite() && radius > 0.0)
-                .then_some(StationaryPoint { circle: Circle { centre, radius }, index });
+                .then_some(StationaryPoint { circle: Circle { centre, radius }, kind });
         }
     }
     None

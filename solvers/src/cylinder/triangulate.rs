@@ -3,11 +3,12 @@
 use nalgebra::{Point3, Unit, Vector3};
 use thiserror::Error;
 
-use super::circle::{CircleError, CircleFit, fit_circle};
+use super::circle::{CircleError, CircleFit, fit_circle_in_front};
 use super::cylinder::{Cylinder, LineResidual};
 use super::direction::{Direction, DirectionError, estimate_direction};
 use super::rectify::Rectification;
 use super::scene::LineId;
+use super::sight::Sight;
 use super::view::{View, ViewingPlane};
 
 /// Largest distance between the axes through the camera centres, relative to the distance of the centres from the
@@ -101,7 +102,7 @@ pub(super) fn identified_planes(views: &[View]) -> Vec<(LineId, ViewingPlane)> {
     views.iter().enumerate().flat_map(planes).collect()
 }
 
-/// Constrained least squares cylinder of a direction.
+/// Constrained least squares cylinder of a direction, in front of the cameras if a minimum of the cost is.
 pub(super) fn fit_cylinder(
     planes: &[(LineId, ViewingPlane)],
     direction: &Unit<Vector3<f64>>,
@@ -119,7 +120,9 @@ pub(super) fn fit_cylinder(
     let line = |&(LineId { view, line }, plane): &(LineId, ViewingPlane)| {
         rectification.line(&plane).ok_or(TriangulateError::AcrossAxis { view, line })
     };
-    let fit = fit_circle(&planes.iter().map(line).collect::<Result<Vec<_>, _>>()?, extent)?;
+    let lines = planes.iter().map(line).collect::<Result<Vec<_>, _>>()?;
+    let sights: Vec<_> = planes.iter().map(|(_, plane)| Sight::of(plane, direction, &rectification)).collect();
+    let fit = fit_circle_in_front(&lines, &sights, extent)?;
     Ok((Cylinder::from_circle(&fit.circle, &rectification, *direction), fit))
 }
 

@@ -60,6 +60,8 @@ pub struct ViewingPlane {
     pub normal: Vector3<f64>,
     /// Camera centre `C`, world frame.
     pub centre: Point3<f64>,
+    /// Unit direction in which the camera looks, world frame.
+    pub forward: Vector3<f64>,
 }
 
 /// Why a camera, a calibration or a line is refused.
@@ -381,7 +383,8 @@ impl View {
     /// The viewing planes of the lines, in their order.
     pub fn planes(&self) -> impl Iterator<Item = ViewingPlane> {
         let centre = self.camera.centre();
-        self.lines.iter().map(move |line| ViewingPlane { normal: self.camera.rotation.tr_mul(line), centre })
+        let forward = self.camera.rotation.row(2).transpose();
+        self.lines.iter().map(move |line| ViewingPlane { normal: self.camera.rotation.tr_mul(line), centre, forward })
     }
 }
 

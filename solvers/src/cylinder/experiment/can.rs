@@ -11,7 +11,7 @@ use super::random::instance_seed;
 use crate::cylinder::direction::estimate_direction;
 use crate::cylinder::random::Random;
 use crate::cylinder::rectify::{Rectification, TangentLine};
-use crate::cylinder::{Calibration, Camera, Cylinder, SectionLine, View, ViewError};
+use crate::cylinder::{Calibration, Camera, Cylinder, SectionLine, Sight, View, ViewError};
 
 /// Radius of the can, millimetres.
 pub(super) const RADIUS: f64 = 33.0;
@@ -96,21 +96,29 @@ impl Can {
     }
 }
 
+/// The lines of a cross-section, and how each was seen.
+pub(super) struct CrossSection {
+    pub(super) lines: Vec<SectionLine>,
+    pub(super) sights: Vec<Sight>,
+}
+
 /// The lines of the cross-section along the direction that the views determine; the true axis is the origin and the true radius
 /// the unit. `None` where they determine no direction.
-pub(super) fn cross_section(views: &[View]) -> Option<Vec<SectionLine>> {
+pub(super) fn cross_section(views: &[View]) -> Option<CrossSection> {
     let planes: Vec<_> = views.iter().flat_map(View::planes).collect();
     let direction = estimate_direction(&planes).ok()?;
     let rectification = Rectification::new(&direction.direction, Point3::from(MIDDLE));
-    let mut lines = Vec::with_capacity(planes.len());
+    let mut found = CrossSection { lines: Vec::with_capacity(planes.len()), sights: Vec::with_capacity(planes.len()) };
     for (index, view) in views.iter().enumerate() {
         for plane in view.planes() {
             let line = rectification.line(&plane)?;
             let line = TangentLine { offset: line.offset / RADIUS, ..line };
-            lines.push(SectionLine { line, weight: 1.0, view: index });
+            found.lines.push(SectionLine { line, weight: 1.0, view: index });
+            let sight = Sight::of(&plane, &direction.direction, &rectification);
+            found.sights.push(Sight { camera: sight.camera / RADIUS, ..sight });
         }
     }
-    Some(lines)
+    Some(found)
 }
 
 /// The dual conic of the truth in the coordinates of [`cross_section`].

@@ -93,9 +93,9 @@ fn instance(can: &Can, random: &mut Random) -> Estimates {
     PIXELS.map(|pixels| {
         let view = |&photograph: &usize| can.view(photograph, &[LEFT], &noise, pixels);
         let views: Vec<_> = drawn.iter().filter_map(view).collect();
-        let lines = can::cross_section(&views);
+        let section = can::cross_section(&views);
         METHODS.map(|(_, solver)| {
-            let section = *solver.solve(lines.as_ref()?).ok()?.first()?;
+            let section = *solver.solve(&section.as_ref()?.lines).ok()?.first()?;
             let circle = section.circle();
             Some(Estimate {
                 distance: (section.dual_conic - can::true_dual_conic()).norm(),
