@@ -13,7 +13,7 @@ use crate::statistics::{distance, log10, worst};
 /// Points closer than this are one solution.
 pub const SAME: f64 = 1e-8;
 
-/// max over the equations of |f| / sum of the moduli of its terms.
+/// max over the equations of |f| / sum of the moduli of its terms; 0/0, where all terms vanish, counts as 0.
 pub fn residual(plan: &Plan, coefficients: &[f64], x: &[Complex<f64>]) -> f64 {
     let relative = |terms: &Vec<Term>| {
         let values = terms.iter().map(|term| {
@@ -21,7 +21,7 @@ pub fn residual(plan: &Plan, coefficients: &[f64], x: &[Complex<f64>]) -> f64 {
             powers.fold(Complex::from(coefficients[usize::from(term.coefficient.0)]), |product, power| product * power)
         });
         let (value, scale) = values.fold((Complex::<f64>::ZERO, 0.0), |(sum, scale), v| (sum + v, scale + v.norm()));
-        value.norm() / scale
+        if scale == 0.0 { 0.0 } else { value.norm() / scale }
     };
     worst(plan.equations.iter().map(relative))
 }
