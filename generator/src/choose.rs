@@ -14,6 +14,9 @@
 //! 3. *Choice.* If the accepted one solves every instance it is chosen (*stability* looks on). Otherwise up to [`RIVALS`] others of similar cost are confirmed
 //!    too (*speed*: operations within [`SIMILAR_COST`]; *size*: as many rows; *stability*: all), and the accepted one with the fewest unsolved instances is chosen.
 //!
+//! Large templates are measured on fewer instances: on as many as [`SCREENING_WORK`] and [`CONFIRMING_WORK`] allow, but on [`INCOMPLETE_ONE_IN`] at least
+//! for a confirmation.
+//!
 //! Where none is accepted, the one with the smallest share of unsolved instances is chosen, and the choice says so.
 
 use std::ops::Range;
@@ -41,6 +44,10 @@ pub const SIZE_COST: f64 = 2.5;
 pub const SIMILAR_COST: f64 = 1.1;
 /// Candidates that are confirmed besides the first accepted one.
 pub const RIVALS: usize = 2;
+/// Operations that screening one candidate may take, without the polish; where a solve takes so many that this binds, fewer instances are drawn.
+pub const SCREENING_WORK: usize = 300_000_000;
+/// Operations that confirming one candidate may take, without the polish.
+pub const CONFIRMING_WORK: usize = 10_000_000_000;
 /// Instances that are measured at once; after each block the candidate may be rejected.
 const BLOCK: usize = 100;
 
@@ -229,8 +236,8 @@ impl Board<'_> {
             }
             let at = self.entries.len();
             let stability = (self.known)(at).unwrap_or_default();
-            self.entries.push(Entry { verdict: self.verdict(&stability), stability });
-            self.measure_up_to(at, self.measuring.trials);
+            self.entries.push(Entry { verdict: self.verdict(at, &stability), stability });
+            self.measure_up_to(at, self.trials(at));
         }
         !self.finalists().is_empty()
     }
@@ -265,8 +272,7 @@ impl Board<'_> {
 
     /// Whether it is accepted.
     fn confirm(&mut self, at: usize) -> bool {
-        let confirm = self.measuring.confirm.max(self.measuring.trials);
-        if self.measure_up_to(at, confirm) {
+        if self.measure_up_to(at, self.confirm_trials(at)) {
             self.entries[at].verdict = Verdict::Accepted;
         }
         self.entries[at].verdict == Verdict::Accepted
@@ -300,11 +306,22 @@ impl Board<'_> {
     }
 
     /// Of one that is not confirmed.
-    fn verdict(&self, stability: &Stability) -> Verdict {
-        match is_rejected(stability, self.measuring.confirm.max(self.measuring.trials)) {
+    fn verdict(&self, at: usize, stability: &Stability) -> Verdict {
+        match is_rejected(stability, self.confirm_trials(at)) {
             true => Verdict::Rejected,
             false => Verdict::Screened,
         }
+    }
+
+    /// Instances on which it is screened.
+    fn trials(&self, at: usize) -> usize {
+        self.measuring.trials.min((SCREENING_WORK / self.costs[at].operations.max(1)).max(BLOCK))
+    }
+
+    /// Instances on which it is confirmed.
+    fn confirm_trials(&self, at: usize) -> usize {
+        let affordable = (CONFIRMING_WORK / self.costs[at].operations.max(1)).max(INCOMPLETE_ONE_IN);
+        self.measuring.confirm.min(affordable).max(self.trials(at))
     }
 
     /// Measures on the first `trials` instances in all, until it is rejected or the time is over. Whether it lasted.
@@ -322,7 +339,7 @@ impl Board<'_> {
             }
             let block = (self.measure)(at, from..(from + BLOCK).min(trials));
             self.entries[at].stability.join(block);
-            self.entries[at].verdict = self.verdict(&self.entries[at].stability);
+            self.entries[at].verdict = self.verdict(at, &self.entries[at].stability);
         }
     }
 
@@ -418,6 +435,15 @@ mod tests {
         assert_eq!(decision, Some((1, Accepted)));
         assert!((301..10_000).contains(&trials[0]), "{trials:?}");
         assert_eq!(trials[1], 10_000);
+    }
+
+    #[test]
+    fn large_candidates_are_measured_on_fewer_instances() {
+        let trials =
+            |operations| decide(Speed, &Unmonitored, &[(operations, 9, -15.0, 0), (operations, 9, -15.0, 1)]).1;
+        assert_eq!(trials(1_000_000), [10_000, BLOCK]);
+        assert_eq!(trials(4_000_000), [2500, BLOCK]);
+        assert_eq!(trials(1_000_000_000), [INCOMPLETE_ONE_IN, BLOCK]);
     }
 
     #[test]

@@ -117,7 +117,8 @@ pub fn solve(plan: &Plan, inputs: &[f64]) -> Option<Vec<(Point, f64)>> {
     if complex.iter().any(|x| !x.re.is_finite()) {
         return None;
     }
-    let values = eigenvalues(&complex)?;
+    let schur = SchurForm::new(&complex)?;
+    let values = schur.values();
     let solution = |(value, vector): (Complex<f64>, DVector<Complex<f64>>)| {
         let mut point = unknowns(plan, &c, value, &vector, &(&read * &vector))?;
         let residual = polish(plan, &c, &mut point);
@@ -128,7 +129,7 @@ pub fn solve(plan: &Plan, inputs: &[f64]) -> Option<Vec<(Point, f64)>> {
         (residual <= MAX_RESIDUAL && admissible).then_some((point, residual))
     };
     let mut found = Vec::new();
-    let eigenpairs = values.iter().filter_map(|&value| Some((value, eigenvector(&complex, value)?)));
+    let eigenpairs = values.iter().filter_map(|&value| Some((value, schur.vector(value)?)));
     eigenpairs.filter_map(solution).for_each(|solution| add(&mut found, solution));
     if found.len() < values.len() {
         let eigenpairs = shared_value::eigenpairs(&complex, &read, &plan.extractions, &values);
@@ -152,38 +153,60 @@ fn is_same(a: &Point, b: &Point) -> bool {
     a.iter().zip(b).all(|(x, y)| (x - y).norm() <= floor + SAME * x.norm().max(y.norm()))
 }
 
-/// Eigenvalues by the complex Schur form: the real one of nalgebra gives NaN for blocks that hold two real eigenvalues. Where the iteration
-/// stalls, as it can on spectra that are symmetric about zero, a complex shift breaks the symmetry.
-fn eigenvalues(action: &DMatrix<Complex<f64>>) -> Option<DVector<Complex<f64>>> {
-    let n = action.nrows();
-    let shift = Complex::new(0.3, 0.7) * action.norm();
-    [Complex::ZERO, shift].into_iter().find_map(|shift| {
-        let shifted = action + DMatrix::from_diagonal_element(n, n, shift);
-        let schur = Schur::try_new(shifted, f64::EPSILON, MAX_ITERATIONS)?;
-        Some(schur.unpack().1.diagonal().map(|value| value - shift))
-    })
+/// A matrix as Q T Q*, with T upper triangular.
+struct SchurForm {
+    q: DMatrix<Complex<f64>>,
+    t: DMatrix<Complex<f64>>,
 }
 
-/// Two steps of inverse iteration. The eigenvalue is moved by a few units of rounding, further where the shifted matrix is still singular to
-/// the last bit.
-fn eigenvector(action: &DMatrix<Complex<f64>>, value: Complex<f64>) -> Option<DVector<Complex<f64>>> {
-    let unit = action.norm().max(f64::MIN_POSITIVE) * f64::EPSILON;
-    [1.0, 4.0, 16.0, 64.0].into_iter().find_map(|factor| inverse_iteration(action, value + factor * unit))
-}
-
-fn inverse_iteration(action: &DMatrix<Complex<f64>>, shift: Complex<f64>) -> Option<DVector<Complex<f64>>> {
-    let n = action.nrows();
-    let lu = (action - DMatrix::from_diagonal_element(n, n, shift)).lu();
-    let mut vector = DVector::from_fn(n, |i, _| Complex::new(1.0 / (1.0 + i as f64), 0.0));
-    for _ in 0..2 {
-        vector = lu.solve(&vector)?;
-        let norm = vector.norm();
-        if !(norm.is_finite() && norm > 0.0) {
-            return None;
-        }
-        vector /= Complex::new(norm, 0.0);
+impl SchurForm {
+    /// In complex arithmetic: the real form of nalgebra gives NaN for blocks that hold two real eigenvalues. Where the iteration stalls, as it can
+    /// on spectra that are symmetric about zero, a complex shift breaks the symmetry.
+    fn new(matrix: &DMatrix<Complex<f64>>) -> Option<Self> {
+        let n = matrix.nrows();
+        let shift = Complex::new(0.3, 0.7) * matrix.norm();
+        [Complex::ZERO, shift].into_iter().find_map(|shift| {
+            let shifted = matrix + DMatrix::from_diagonal_element(n, n, shift);
+            let (q, t) = Schur::try_new(shifted, f64::EPSILON, MAX_ITERATIONS)?.unpack();
+            Some(Self { q, t: t - DMatrix::from_diagonal_element(n, n, shift) })
+        })
     }
-    Some(vector)
+
+    fn values(&self) -> DVector<Complex<f64>> {
+        self.t.diagonal()
+    }
+
+    /// Two steps of inverse iteration. The eigenvalue is moved by a few units of rounding, further where the shifted matrix is still singular to
+    /// the last bit.
+    fn vector(&self, value: Complex<f64>) -> Option<DVector<Complex<f64>>> {
+        let unit = self.t.norm().max(f64::MIN_POSITIVE) * f64::EPSILON;
+        let factors = [1.0, 4.0, 16.0, 64.0].into_iter();
+        factors.map(|factor| value + factor * unit).find_map(|shift| self.inverse_iteration(shift))
+    }
+
+    fn inverse_iteration(&self, shift: Complex<f64>) -> Option<DVector<Complex<f64>>> {
+        let n = self.t.nrows();
+        let mut vector = self.q.ad_mul(&DVector::from_fn(n, |i, _| Complex::new(1.0 / (1.0 + i as f64), 0.0)));
+        for _ in 0..2 {
+            for i in (0..n).rev() {
+                let pivot = self.t[(i, i)] - shift;
+                if pivot == Complex::ZERO {
+                    return None;
+                }
+                let solved = vector[i] / pivot;
+                vector[i] = solved;
+                for k in 0..i {
+                    vector[k] -= self.t[(k, i)] * solved;
+                }
+            }
+            let norm = vector.norm();
+            if !(norm.is_finite() && norm > 0.0) {
+                return None;
+            }
+            vector /= Complex::new(norm, 0.0);
+        }
+        Some(&self.q * vector)
+    }
 }
 
 fn unknowns(

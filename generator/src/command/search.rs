@@ -47,10 +47,10 @@ pub(super) struct Arguments {
     /// How often each of the smallest templates is enlarged and reduced anew in a shuffled order
     #[arg(long, value_name = "N", default_value_t = SearchOptions::default().shuffles, value_parser = clap::value_parser!(u64).range(0..=10_000))]
     shuffles: u64,
-    /// Random real instances on which candidates are screened
+    /// Random real instances on which candidates are screened; fewer where templates are very large
     #[arg(long, value_name = "N", default_value_t = 300, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     trials: u64,
-    /// Random real instances on which the chosen one must hold
+    /// Random real instances on which the chosen one must hold; fewer where the template is very large
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..=10_000_000))]
     confirm: u64,
     /// Ends after about this time with the best found so far; results may then differ from run to run

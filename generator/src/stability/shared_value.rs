@@ -3,7 +3,7 @@
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-use super::{eigenvalues, eigenvector};
+use super::SchurForm;
 use crate::plan::{Extraction, KnownMonomial};
 
 /// Eigenvalues this close, relative to their modulus, may be one.
@@ -76,12 +76,13 @@ fn separate(
         combination += &matrix * Complex::from(weight / matrix.norm().max(f64::MIN_POSITIVE));
         weight *= 0.786_151_377_757_423_3;
     }
+    let schur = SchurForm::new(&combination)?;
     let lifted = |&value: &Complex<f64>| {
-        let vector = &basis * eigenvector(&combination, value)?;
+        let vector = &basis * schur.vector(value)?;
         let quotient = vector.dotc(&(action * &vector)) / vector.norm_squared();
         Some((quotient, vector))
     };
-    Some(eigenvalues(&combination)?.iter().filter_map(lifted).collect())
+    Some(schur.values().iter().filter_map(lifted).collect())
 }
 
 /// An orthonormal basis by block inverse iteration.
