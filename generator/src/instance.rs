@@ -100,6 +100,12 @@ fn draw_parameter<A: Draw>(parameter: &DataParameter, f: A, random: &mut Random,
                 draw_unit(f, random, n, inputs);
             }
         }
+        DataAttribute::Rank(rank) => {
+            let [.., rows, columns] = parameter.shape[..] else { return };
+            for _ in 0..count / (rows * columns) {
+                draw_of_rank(f, random, rank, [rows, columns], inputs);
+            }
+        }
     }
 }
 
@@ -146,6 +152,17 @@ fn draw_unit<A: Draw>(f: A, random: &mut Random, n: usize, inputs: &mut Vec<A::V
         }
     }
     inputs.extend((0..n).map(|i| if i == 0 { f.one() } else { f.zero() }));
+}
+
+/// The product of a rows x rank and a rank x columns matrix, both generic.
+fn draw_of_rank<A: Draw>(f: A, random: &mut Random, rank: usize, shape: [usize; 2], inputs: &mut Vec<A::Value>) {
+    let [rows, columns] = shape;
+    let left: Vec<_> = (0..rows * rank).map(|_| f.draw(random)).collect();
+    let right: Vec<_> = (0..rank * columns).map(|_| f.draw(random)).collect();
+    for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
+        let term = |k: usize| f.mul(left[row * rank + k], right[k * columns + column]);
+        inputs.push((0..rank).fold(f.zero(), |sum, k| f.add(sum, term(k))));
+    }
 }
 
 /// The seed of the fingerprint points; any constant does.

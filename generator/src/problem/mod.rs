@@ -40,6 +40,8 @@ pub enum DataAttribute {
     Unit,
     /// `#[integer]`: small integers.
     Integer,
+    /// `#[rank(2)]`: a matrix of that rank, less than the number of its rows and of its columns (or an array of them).
+    Rank(usize),
 }
 
 /// One parameter of the problem function: an array of scalars, flattened row by row.

@@ -180,8 +180,10 @@ fn check_function(function: &ItemFn) -> Vec<Diagnostic> {
     };
     for attribute in function.attrs.iter().filter(known) {
         let diagnostic = Diagnostic::new("unknown attribute of a function", place(attribute));
-        messages
-            .push(diagnostic.hint("`#[symmetric]`, `#[rotation]`, `#[unit]`, `#[integer]` stand before a parameter"));
+        messages.push(
+            diagnostic
+                .hint("`#[symmetric]`, `#[rotation]`, `#[unit]`, `#[integer]`, `#[rank(2)]` stand before a parameter"),
+        );
     }
     messages
 }

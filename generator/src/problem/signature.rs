@@ -1,7 +1,7 @@
 //! Signatures: the data with their shapes and attributes, the unknowns, and the shapes that types stand for.
 
 use proc_macro2::Ident;
-use syn::{Attribute, Expr, ExprLit, FnArg, ItemFn, Lit, Meta, Pat, PatType, ReturnType, Type};
+use syn::{Attribute, Expr, ExprLit, FnArg, ItemFn, Lit, LitInt, Meta, Pat, PatType, ReturnType, Type};
 
 use super::functions::BUILT_IN;
 use super::interpret::Interpreter;
@@ -19,6 +19,7 @@ const PRIMITIVES: [&str; 17] = [
     "char", "str",
 ];
 
+/// The attributes without an argument; `rank` has one.
 const ATTRIBUTES: [(&str, DataAttribute); 4] = [
     ("symmetric", DataAttribute::Symmetric),
     ("rotation", DataAttribute::Rotation),
@@ -235,6 +236,8 @@ impl Interpreter<'_> {
             (DataAttribute::Rotation, _) => Some("a 3x3 matrix, or an array of them"),
             (DataAttribute::Unit, [.., n]) if *n > 1 => None,
             (DataAttribute::Unit, _) => Some("a vector of two or more, or an array of them"),
+            (DataAttribute::Rank(rank), [.., n, m]) if rank < *n.min(m) => None,
+            (DataAttribute::Rank(_), _) => Some("a matrix of more rows and columns than its rank, or an array of them"),
             (DataAttribute::Integer | DataAttribute::Generic, _) => None,
         };
         if let Some(expected) = expected {
@@ -279,17 +282,7 @@ impl Interpreter<'_> {
         let mut found: Option<(DataAttribute, Span)> = None;
         for attribute in parameter.attrs.iter().filter(|attribute| !attribute.path().is_ident("doc")) {
             let span = place(attribute);
-            let name = attribute.path().get_ident().map(ToString::to_string).unwrap_or_default();
-            let known = ATTRIBUTES.iter().find(|(known, _)| *known == name);
-            let Some(&(_, kind)) = known.filter(|_| matches!(attribute.meta, Meta::Path(_))) else {
-                let diagnostic = Diagnostic::new("unknown attribute", place(&attribute.meta))
-                    .label("expected `symmetric`, `rotation`, `unit` or `integer`");
-                let meant = closest(&name, ATTRIBUTES.map(|(known, _)| known));
-                return Err(self.report(match meant {
-                    Some(meant) => diagnostic.hint(format!("did you mean `#[{meant}]`?")),
-                    None => diagnostic,
-                }));
-            };
+            let kind = self.attribute_kind(attribute)?;
             if let Some((_, first)) = found {
                 let diagnostic = Diagnostic::new("a parameter can have one attribute", span);
                 return Err(self.report(diagnostic.label("the second").context(first, "the first")));
@@ -297,5 +290,33 @@ impl Interpreter<'_> {
             found = Some((kind, span));
         }
         Ok(found.unwrap_or((DataAttribute::Generic, 0..0)))
+    }
+
+    fn attribute_kind(&mut self, attribute: &Attribute) -> Outcome<DataAttribute> {
+        let name = attribute.path().get_ident().map(ToString::to_string).unwrap_or_default();
+        if name == "rank" {
+            let argument = match &attribute.meta {
+                Meta::List(list) => list.parse_args::<LitInt>().and_then(|integer| integer.base10_parse()).ok(),
+                _ => None,
+            };
+            return match argument {
+                Some(rank) if rank > 0 => Ok(DataAttribute::Rank(rank)),
+                _ => {
+                    let diagnostic = Diagnostic::new("`rank` needs a positive integer", place(&attribute.meta));
+                    Err(self.report(diagnostic.label("expected such as `rank(2)`")))
+                }
+            };
+        }
+        let known = ATTRIBUTES.iter().find(|(known, _)| *known == name);
+        if let Some(&(_, kind)) = known.filter(|_| matches!(attribute.meta, Meta::Path(_))) {
+            return Ok(kind);
+        }
+        let diagnostic = Diagnostic::new("unknown attribute", place(&attribute.meta))
+            .label("expected `symmetric`, `rotation`, `unit`, `integer` or `rank(..)`");
+        let meant = closest(&name, ATTRIBUTES.map(|(known, _)| known));
+        Err(self.report(match meant {
+            Some(meant) => diagnostic.hint(format!("did you mean `#[{meant}]`?")),
+            None => diagnostic,
+        }))
     }
 }

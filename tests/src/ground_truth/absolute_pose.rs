@@ -6,7 +6,7 @@ use eliminant_generator::instance::Random;
 use nalgebra::{Vector2, Vector3};
 
 use super::cameras::{camera, distorted, image, in_ball, quaternion};
-use super::{KnownInstance, Maker, null_space, projective_error, relative_error, solved, uniform};
+use super::{KnownInstance, Maker, combination, null_space, projective_error, relative_error, solved, uniform};
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![
@@ -40,6 +40,11 @@ pub(super) fn makers() -> Vec<Maker> {
                 let matrix = projective_error(&[s[1], s[2], s[3], 1.0], &[truth[1], truth[2], truth[3], 1.0]);
                 matrix.max(relative_error(&s[..1], &truth[..1]))
             },
+        },
+        Maker {
+            name: "pose_4pt_generalized_scale",
+            make: generalized_camera,
+            error: |data, s, truth| projective_error(&combination(data, &[s, &[1.0]].concat()), truth),
         },
         Maker {
             name: "pose_6pt_rolling_shutter",
@@ -110,6 +115,25 @@ impl RadialPose {
         let weights = from_fn(|c| along(&null_vectors[c]) / last);
         Self { null_vectors, lower, weights, radial }
     }
+}
+
+/// Rays from different centres in the unit ball: seven equations in the rotation, the translation and the scale.
+fn generalized_camera(random: &mut Random) -> KnownInstance {
+    let (rotation, translation) = camera(random);
+    let scale = uniform(random, 0.5, 2.0);
+    let mut rows = Vec::new();
+    for _ in 0..4 {
+        let (x, centre) = (in_ball(random), in_ball(random));
+        let direction = rotation * x + translation - scale * centre;
+        let across = direction.cross(&in_ball(random)).normalize();
+        for normal in [across, direction.cross(&across).normalize()] {
+            let row = (0..9).map(|at| normal[at / 3] * x[at % 3]).chain(normal.data.0[0]);
+            rows.push(row.chain([-normal.dot(&centre)]).collect::<Vec<f64>>());
+        }
+    }
+    rows.pop();
+    let data = null_space(&rows).iter().flat_map(|vector| vector[..9].to_vec()).collect();
+    KnownInstance { data, truths: vec![rotation.transpose().as_slice().to_vec()] }
 }
 
 /// The image of a point in the row in which it is exposed, by the linearised model: q[0] (A + q[0] B)[2] = (A + q[0] B)[0] has the

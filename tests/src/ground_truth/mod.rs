@@ -4,6 +4,7 @@ mod absolute_pose;
 mod benchmarks;
 mod cameras;
 mod circles;
+mod optimal_pose;
 mod points;
 mod relative_pose;
 
@@ -33,8 +34,14 @@ pub struct Maker {
 
 /// One maker for every problem, by name.
 pub fn makers() -> Vec<Maker> {
-    let families =
-        [absolute_pose::makers(), benchmarks::makers(), circles::makers(), points::makers(), relative_pose::makers()];
+    let families = [
+        absolute_pose::makers(),
+        benchmarks::makers(),
+        circles::makers(),
+        optimal_pose::makers(),
+        points::makers(),
+        relative_pose::makers(),
+    ];
     let mut makers: Vec<Maker> = families.into_iter().flatten().collect();
     makers.sort_by_key(|maker| maker.name);
     makers

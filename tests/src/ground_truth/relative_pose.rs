@@ -5,7 +5,7 @@ use std::array::from_fn;
 use eliminant_generator::instance::Random;
 use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
 
-use super::cameras::{distorted, image, in_ball, two_cameras};
+use super::cameras::{distorted, image, in_ball, quaternion, two_cameras};
 use super::{
     KnownInstance, Maker, combination, largest_relative_error, null_space, projective_error, relative_error, uniform,
 };
@@ -16,6 +16,16 @@ pub(super) fn makers() -> Vec<Maker> {
         fundamental.max(relative_error(&s[2..], &truth[9..]))
     };
     vec![
+        Maker {
+            name: "relpose_3pt_angle_zero_screw",
+            make: three_points,
+            error: |_, solution, truth| relative_error(solution, truth),
+        },
+        Maker {
+            name: "relpose_4pt_angle",
+            make: four_points,
+            error: |_, solution, truth| relative_error(solution, truth),
+        },
         Maker {
             name: "relpose_5pt",
             make: five_points,
@@ -68,6 +78,34 @@ fn six_points_one_side(random: &mut Random) -> KnownInstance {
     let (data, mut truth) = epipolar(random, 6, [focal, 1.0]);
     truth.push(1.0 / (focal * focal));
     KnownInstance { data, truths: vec![truth] }
+}
+
+/// Rays in both cameras, then cosine and sine of half the angle; the imaginary part of the rotation's quaternion.
+fn known_angle(rotation: &Matrix3<f64>, first: &[Vector3<f64>], second: &[Vector3<f64>]) -> KnownInstance {
+    let rays = first.iter().chain(second).flat_map(|x| x.normalize().data.0[0]);
+    let [w, x, y, z] = quaternion(rotation);
+    let sine = Vector3::new(x, y, z).norm();
+    KnownInstance { data: rays.chain([w, sine]).collect(), truths: vec![vec![x, y, z]] }
+}
+
+fn four_points(random: &mut Random) -> KnownInstance {
+    let (rotation, translation, points) = two_cameras(random, 4);
+    let second: Vec<Vector3<f64>> = points.iter().map(|x| rotation * x + translation).collect();
+    known_angle(&rotation, &points, &second)
+}
+
+/// The translation of two cameras without its part along the axis of the rotation, where the points stay in front of the second.
+fn three_points(random: &mut Random) -> KnownInstance {
+    loop {
+        let (rotation, translation, points) = two_cameras(random, 3);
+        let [_, x, y, z] = quaternion(&rotation);
+        let axis = Vector3::new(x, y, z).normalize();
+        let translation = translation - axis * axis.dot(&translation);
+        let second: Vec<Vector3<f64>> = points.iter().map(|x| rotation * x + translation).collect();
+        if second.iter().all(|x| x.z > 0.1) {
+            return known_angle(&rotation, &points, &second);
+        }
+    }
 }
 
 /// A polynomial in radial (first index) and the squared focal length (second index).

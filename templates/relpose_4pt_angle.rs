@@ -1,0 +1,51 @@
+/// Relative pose of two calibrated cameras with a known angle of rotation from four point correspondences: 20 solutions.
+///
+/// Li, Heng, Lee, Pollefeys, "A 4-point algorithm for relative pose estimation of a calibrated camera with a known relative rotation
+/// angle", IROS 2013. Published as `relpose_4pt`, with the translation among the unknowns; it is eliminated here as in Martyushev, Li,
+/// "Efficient relative pose estimation for cameras and generalized cameras in case of known relative rotation angle", JMIV 62, 2020.
+///
+/// `first` and `second` hold the rays of the points in either camera, one a row, and `half_angle` the cosine and the sine of half the
+/// angle: the rotation from the first camera to the second is that of the unit quaternion cosine + u i + v j + w k. The ratio of the two depths
+/// of a point follows from any other point. All polynomials are written p + w q, with p and q in u and v only, and stated
+/// with their multiple by w.
+fn relpose_4pt_angle(first: [[f64; 3]; 4], second: [[f64; 3]; 4], #[unit] half_angle: [f64; 2]) -> (u, v, w) {
+    let r = rotation(u, v, half_angle);
+    let square = half_angle[1].pow(2) - u * u - v * v;
+    for left_out in 0..4 {
+        let [i, j, k] = [(left_out + 1) % 4, (left_out + 2) % 4, (left_out + 3) % 4];
+        let by_j = depths(r, first[i], second[i], first[j], second[j]);
+        let by_k = depths(r, first[i], second[i], first[k], second[k]);
+        let [p, q] = product(by_j[0], by_k[1], square) - product(by_j[1], by_k[0], square);
+        p + w * q == 0;
+        w * p + square * q == 0;
+    }
+    w * w == square;
+}
+
+/// The rotation of cosine + u i + v j + w k as \[P, Q\], of value P + w Q.
+fn rotation(u: f64, v: f64, half_angle: [f64; 2]) -> [[[f64; 3]; 3]; 2] {
+    let [cosine, sine] = half_angle;
+    let cosine_of_angle = cosine * cosine - sine * sine;
+    [
+        [
+            [cosine_of_angle + 2 * u * u, 2 * u * v, 2 * cosine * v],
+            [2 * u * v, cosine_of_angle + 2 * v * v, -2 * cosine * u],
+            [-2 * cosine * v, 2 * cosine * u, 1 - 2 * (u * u + v * v)],
+        ],
+        [[0, -2 * cosine, 2 * u], [2 * cosine, 0, 2 * v], [2 * u, 2 * v, 0]],
+    ]
+}
+
+/// The product of p + w q and r + w s, again of that form.
+fn product(a: [f64; 2], b: [f64; 2], square: f64) -> [f64; 2] {
+    [a[0] * b[0] + square * a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
+}
+
+/// The depths of point i in either camera, up to a common factor, by its plane with point j.
+fn depths(rotation: _, first_i: [f64; 3], second_i: [f64; 3], first_j: [f64; 3], second_j: [f64; 3]) -> [[f64; 2]; 2] {
+    let [first_normal, second_normal] = [cross(first_i, first_j), cross(second_i, second_j)];
+    [
+        [dot(second_normal, rotation[0] * first_j), dot(second_normal, rotation[1] * first_j)],
+        [-dot(second_j, rotation[0] * first_normal), -dot(second_j, rotation[1] * first_normal)],
+    ]
+}

@@ -1,0 +1,112 @@
+//! Poses of cameras as stationary points of least-squares costs.
+
+use eliminant_generator::instance::Random;
+use nalgebra::{Matrix3, SMatrix, Vector3};
+
+use super::cameras::{camera, in_ball, quaternion};
+use super::{KnownInstance, Maker, relative_error};
+
+pub(super) fn makers() -> Vec<Maker> {
+    vec![Maker {
+        name: "pose_npt_direct_least_squares",
+        make: |random| {
+            let (cost, rotation) = object_space_cost(random);
+            KnownInstance { data: quartic(&cost)[1..].to_vec(), truths: vec![cayley(&rotation)] }
+        },
+        error: |_, solution, truth| relative_error(solution, truth),
+    }]
+}
+
+/// The Cayley parameters of a rotation, which is not a half turn.
+fn cayley(rotation: &Matrix3<f64>) -> Vec<f64> {
+    let [w, x, y, z] = quaternion(rotation);
+    vec![x / w, y / w, z / w]
+}
+
+/// The entries of a rotation, row by row, on the products (w w, w x, w y, w z, x x, x y, x z, y y, y z, z z) of its quaternion.
+#[rustfmt::skip]
+const ENTRIES: [[f64; 10]; 9] = [
+    [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, -1.0],
+    [0.0, 0.0, 0.0, -2.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0],
+    [0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0],
+    [0.0, 0.0, 0.0, 2.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0],
+    [1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, -1.0],
+    [0.0, -2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0],
+    [0.0, 0.0, -2.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0],
+    [0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0],
+    [1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 1.0],
+];
+
+/// 6 to 12 points of the unit ball.
+fn points(random: &mut Random) -> Vec<Vector3<f64>> {
+    (0..6 + random.below(7)).map(|_| in_ball(random)).collect()
+}
+
+/// The mean squared distance of points from the rays by which a camera sees them, with the best translation, as a quadratic form in the
+/// entries of the rotation, row by row; and the rotation, which costs nothing.
+fn object_space_cost(random: &mut Random) -> (SMatrix<f64, 9, 9>, Matrix3<f64>) {
+    let (rotation, translation) = camera(random);
+    let points = points(random);
+    // The projection across the ray of a point, and the matrix that takes the entries of R to R X.
+    let across = |point: &Vector3<f64>| {
+        let ray = (rotation * point + translation).normalize();
+        Matrix3::identity() - ray * ray.transpose()
+    };
+    let turn = |x: &Vector3<f64>| SMatrix::<f64, 3, 9>::from_fn(|i, j| if j / 3 == i { x[j % 3] } else { 0.0 });
+    let all: Matrix3<f64> = points.iter().map(across).sum();
+    let turned: SMatrix<f64, 3, 9> = points.iter().map(|x| across(x) * turn(x)).sum();
+    let best = -all.try_inverse().expect("the rays are not parallel") * turned;
+    let cost = |x: &Vector3<f64>| {
+        let distance = across(x) * (turn(x) + best);
+        distance.transpose() * distance
+    };
+    (points.iter().map(cost).sum::<SMatrix<f64, 9, 9>>() / points.len() as f64, rotation)
+}
+
+/// Exponents of (x, y, z), by degree, those of one degree in lexicographic order.
+fn exponents(max_degree: usize) -> Vec<[usize; 3]> {
+    let of_degree = |d: usize| (0..=d).rev().flat_map(move |x| (0..=d - x).rev().map(move |y| [x, y, d - x - y]));
+    (0..=max_degree).flat_map(of_degree).collect()
+}
+
+/// The coefficients of a cost in the Cayley parameters, times (1 + x^2 + y^2 + z^2)^2, in the order of [`exponents`].
+fn quartic(cost: &SMatrix<f64, 9, 9>) -> Vec<f64> {
+    let entries = SMatrix::<f64, 9, 10>::from_fn(|i, j| ENTRIES[i][j]);
+    let gram = entries.transpose() * cost * entries;
+    let (quadratics, quartics) = (exponents(2), exponents(4));
+    let mut coefficients = vec![0.0; quartics.len()];
+    for (i, a) in quadratics.iter().enumerate() {
+        for (j, b) in quadratics.iter().enumerate() {
+            let product = [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+            let at = quartics.iter().position(|m| *m == product).expect("of degree four at most");
+            coefficients[at] += gram[(i, j)];
+        }
+    }
+    coefficients
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// x^T M x.
+    fn form(matrix: &[f64], x: &[f64]) -> f64 {
+        let n = x.len();
+        (0..n * n).map(|at| matrix[at] * x[at / n] * x[at % n]).sum()
+    }
+
+    #[test]
+    fn true_poses_cost_nothing() {
+        let mut random = Random::new(6);
+        for _ in 0..1000 {
+            let (cost, rotation) = object_space_cost(&mut random);
+            assert!(form(cost.as_slice(), rotation.transpose().as_slice()).abs() < 1e-12);
+
+            let x = cayley(&rotation);
+            let powers = exponents(4).into_iter().map(|m| (0..3).map(|i| x[i].powi(m[i] as i32)).product::<f64>());
+            let value: f64 = quartic(&cost).iter().zip(powers).map(|(c, m)| c * m).sum();
+            let norm = 1.0 + x.iter().map(|x| x * x).sum::<f64>();
+            assert!(value.abs() < 1e-12 * norm * norm);
+        }
+    }
+}
