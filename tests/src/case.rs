@@ -108,12 +108,6 @@ pub fn cases() -> Vec<Case> {
         case!(relpose_5pt, Relpose5pt, (basis), (x, y, z)),
         case!(relpose_6pt_focal, Relpose6ptFocal, (basis), (x, y, w)),
         case!(relpose_6pt_focal_one_side, Relpose6ptFocalOneSide, (basis), (x, y, w)),
-        case!(
-            relpose_7pt_focal_radial_one_side_eliminated,
-            Relpose7ptFocalRadialOneSideEliminated,
-            (affine),
-            (f_13, f_23, radial)
-        ),
         case!(stitching_3pt_radial_focal, Stitching3ptRadialFocal, (first, second), (radial, w)),
         case!(trilateration, Trilateration, (centres, distances), (x, y, z)),
         case!(two_conics, TwoConics, (p, q), (x, y)),

@@ -95,3 +95,17 @@ fn the_problem_shown_is_good() {
     };
     assert_eq!(code(problem), code(&committed), "README.md shows another problem than the example solves");
 }
+
+/// The catalogue has every problem with its template as it is now; its measurements are only as old as the template.
+#[test]
+fn the_catalogue_has_every_template() {
+    let page = fs::read_to_string(root().join("templates/README.md")).expect("templates/README.md");
+    for case in cases() {
+        let template = case.template().template;
+        let row = page.lines().find(|line| line.contains(&format!("({}.rs)", case.name))).unwrap_or_default();
+        let cells: Vec<&str> = row.split('|').map(str::trim).collect();
+        let (size, basis) = (format!("{}x{}", template.rows(), template.columns()), template.basis.len().to_string());
+        let is_current = cells.contains(&size.as_str()) && cells.contains(&basis.as_str());
+        assert!(is_current, "{}: run `cargo run --release -p eliminant-tests --bin catalogue -- --update`", case.name);
+    }
+}
