@@ -11,6 +11,9 @@ use crate::algebra::{Monomial, Polynomial, PrimeField};
 use crate::instance::Random;
 use crate::monitor::{Monitor, Stage};
 
+/// Exponents of the monomials that are taken in: far from where they overflow.
+const EXPONENTS: std::ops::Range<i8> = -60..60;
+
 /// What a template is improved with.
 #[derive(Clone, Debug)]
 pub struct Improvement<'a> {
@@ -76,7 +79,12 @@ impl Improvement<'_> {
             let shift = template.shifts[random.below(template.shifts.len() as u64) as usize];
             let x = Monomial::unknown(unknowns[random.below(unknowns.len() as u64) as usize]);
             let multiplier = if random.below(2) == 0 { shift.multiplier.times(&x) } else { shift.multiplier.over(&x) };
-            support.extend(monomials_of(self.equations, &Shift { multiplier, ..shift }));
+            // A template may drift by a monomial from round to round; exponents are i8.
+            let in_range = |m: &Monomial| m.exponents().iter().all(|e| EXPONENTS.contains(e));
+            let monomials: Vec<Monomial> = monomials_of(self.equations, &Shift { multiplier, ..shift }).collect();
+            if in_range(&multiplier) && monomials.iter().all(in_range) {
+                support.extend(monomials);
+            }
         }
         shifts_within(self.equations, &support).into_iter().collect()
     }
