@@ -97,9 +97,11 @@ const POLISH_STEPS: usize = 8;
 const STALLED: f64 = 1e-12;
 /// An unknown this small relative to the largest one may be the rounding noise of zero.
 const NOISE: f64 = 1e-12;
-/// A step that would change an unknown by more than this part of it, where the residual is no rounding error, shows that there is no solution
-/// near by.
+/// A step that would change an unknown by more than this part of it, where the residual is no rounding error or stays below [`FLAT`], shows that
+/// there is no solution near by.
 const FAR: f64 = 0.1;
+/// A relative residual below this after a long step shows a direction in which the equations are nearly constant.
+const FLAT: f64 = 1e-6;
 /// Two solutions are the same when every unknown agrees to this relative distance.
 const SAME: f64 = 1e-8;
 /// An unknown this small relative to the largest one may be the rounding noise of zero.
@@ -256,7 +258,7 @@ fn evaluate(terms: &[Term], c: &[f64], x: &Point) -> (Complex<f64>, f64, Point) 
 }
 
 /// Gauss-Newton on all equations while it lowers the relative residual, which is returned. A step that leaves a high residual is tried again
-/// with unknowns at the level of noise set to zero. Infinity where the residual stays high and the last step is large.
+/// with unknowns at the level of noise set to zero. Infinity where the last step is large and the residual high, or small after it, too.
 fn polish(plan: &Plan, c: &[f64], point: &mut Point) -> f64 {
     let evaluate_all = |x: &Point| plan.equations.iter().map(|terms| evaluate(terms, c, x)).collect::<Vec<_>>();
     let worst = |all: &[(Complex<f64>, f64, Point)]| {
@@ -274,6 +276,7 @@ fn polish(plan: &Plan, c: &[f64], point: &mut Point) -> f64 {
     let mut all = evaluate_all(point);
     let mut best = worst(&all);
     let mut last = vec![Complex::ZERO; point.len()];
+    let mut flat = false;
     for _ in 0..POLISH_STEPS {
         let weights: Vec<Complex<f64>> = all.iter().map(weight).collect();
         let jacobian = DMatrix::from_fn(all.len(), point.len(), |e, j| all[e].2[j] * weights[e]);
@@ -290,6 +293,7 @@ fn polish(plan: &Plan, c: &[f64], point: &mut Point) -> f64 {
             next = evaluate_all(&moved);
             residual = worst(&next);
         }
+        flat = best <= STALLED && residual <= FLAT;
         let lower = residual < best;
         if !lower {
             break;
@@ -299,7 +303,11 @@ fn polish(plan: &Plan, c: &[f64], point: &mut Point) -> f64 {
     }
     let noise = NOISE * point.iter().map(|x| x.norm()).fold(0.0, f64::max);
     let is_far = |(x, step): (&Complex<f64>, &Complex<f64>)| step.norm() > FAR * x.norm() + noise;
-    match best > STALLED && point.iter().zip(&last).any(is_far) {
+    let far: Vec<bool> = point.iter().zip(&last).map(is_far).collect();
+    // An unknown that is zero up to noise is free to change by as much.
+    let without = || point.iter().zip(&far).map(|(&x, &far)| if far { Complex::ZERO } else { x }).collect();
+    let is_noise = || worst(&evaluate_all(&without())) <= STALLED;
+    match far.contains(&true) && (best > STALLED || (flat && !is_noise())) {
         true => f64::INFINITY,
         false => best,
     }

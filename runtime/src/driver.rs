@@ -16,7 +16,8 @@ use crate::solutions::Solutions;
 pub const MAX_RESIDUAL: f64 = 1e-10;
 
 /// An eigenvalue whose imaginary part is at most this, relative to its modulus, may belong to a real solution:
-/// rounding splits a pair of close real eigenvalues into a complex one.
+/// rounding splits a pair of close real eigenvalues into a complex one. Where |B| exceeds the number of solutions any
+/// eigenvalue may: those that belong to no solution are often close together, far less precise, and take others along.
 const NEARLY_REAL: f64 = 1e-3;
 
 /// A factor that must not vanish does if its value is at most this, relative to the sum of the moduli of its terms.
@@ -80,12 +81,13 @@ pub fn real_solutions<const B: usize, const N: usize, const K: usize, const MAX:
     let mut found = Solutions::<Candidate<f64, N>, MAX>::new();
     let values = spectrum.eigenvalues()?;
     let mut complete = true;
-    for value in upper_half(values).filter(is_nearly_real) {
+    let may_be_real = |value: &Complex<f64>| B > MAX || is_nearly_real(value);
+    for value in upper_half(values).filter(may_be_real) {
         complete &= add_real(method, &spectrum, value, &mut found);
     }
     if !complete {
         for_each_shared_value(method, action, &spectrum, &values, |source, value| {
-            if is_nearly_real(&value) {
+            if may_be_real(&value) {
                 add_real(method, source, value, &mut found);
             }
         });
@@ -188,9 +190,8 @@ fn nearly_real<const B: usize, const N: usize, const K: usize>(
     value: Complex<f64>,
 ) -> Option<Candidate<f64, N>> {
     let complex = polished(method, source, value)?;
-    let mut unknowns = complex.unknowns.map(|x| x.re);
-    let residual = method.polish(&mut unknowns, POLISH_STEPS);
-    (residual <= complex.residual.max(DOUBLE)).then_some(Candidate { unknowns, residual })
+    let unknowns = complex.unknowns.map(|x| x.re);
+    polish_from(method, unknowns).filter(|real| real.residual <= complex.residual.max(DOUBLE))
 }
 
 #[inline]
@@ -200,7 +201,15 @@ fn polished<S: Scalar, const B: usize, const N: usize, const K: usize>(
     value: S,
 ) -> Option<Candidate<S, N>> {
     let (value, vector) = source.eigenpair(value);
-    let mut unknowns = unknowns(method, value, &vector)?;
+    polish_from(method, unknowns(method, value, &vector)?)
+}
+
+/// The solution that the polish of a point leads to.
+#[inline]
+fn polish_from<S: Scalar, const B: usize, const N: usize, const K: usize>(
+    method: &impl ActionMethod<B, N, K>,
+    mut unknowns: [S; N],
+) -> Option<Candidate<S, N>> {
     let residual = method.polish(&mut unknowns, POLISH_STEPS);
     let good = residual <= MAX_RESIDUAL && unknowns.iter().all(|x| x.is_finite()) && method.is_admissible(&unknowns);
     good.then_some(Candidate { unknowns, residual })

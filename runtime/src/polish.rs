@@ -20,9 +20,13 @@ const STALLED: f64 = 1e-12;
 /// An unknown this small relative to the largest one may be the rounding noise of zero.
 const NOISE: f64 = 1e-12;
 
-/// Where the residual has a cause other than rounding, a step that would change an unknown by more than this part of it shows that
-/// x is near no solution.
+/// A step that changes an unknown by more than this part of it shows that x is near no solution, if the residual has a cause other than rounding
+/// or stays below [`FLAT`].
 const FAR: f64 = 0.1;
+
+/// A relative residual below this after a long step away from a solution: there is no solution but a direction in which the equations are
+/// nearly constant. Away from a double solution the residual grows with the square of the distance.
+const FLAT: f64 = 1e-6;
 
 /// Improves x by at most `steps` Gauss-Newton steps and returns its relative residual,
 ///
@@ -33,8 +37,8 @@ const FAR: f64 = 0.1;
 /// the iteration, as does a residual at rounding level or a rank-deficient Jacobian. Infinity, with x unchanged, when x
 /// or a value at x is not finite.
 ///
-/// Infinity also where the residual is no rounding error and the last step, taken or not, changes an unknown by a tenth: so far out,
-/// where the terms of highest degree alone are nearly zero, the residual is small without a solution near by.
+/// Infinity also where the last step, taken or not, changes an unknown by a tenth and the residual is no rounding error, or stays small however
+/// long the step is: so far out, where the terms of highest degree alone are nearly zero, the residual is small without a solution near by.
 ///
 /// Where every term of an equation holds an unknown that is zero at the solution, noise in that unknown keeps the relative residual high
 /// however small it is. A step that does not lower a high residual is therefore tried again with unknowns at the level of noise set to zero.
@@ -53,6 +57,8 @@ pub fn polish<S: Scalar, const N: usize, const E: usize>(
     let mut jacobian = [[S::ZERO; N]; E];
     let mut best = f64::INFINITY;
     let mut correction = [S::ZERO; N];
+    // Whether the last step leads from a residual that is rounding to one that is small, too.
+    let mut flat = false;
     for step in 0..steps {
         system.evaluate(x, &mut values, &mut scale, &mut jacobian);
         if step == 0 {
@@ -87,6 +93,7 @@ pub fn polish<S: Scalar, const N: usize, const E: usize>(
             system.residual(&moved, &mut values, &mut scale);
             residual = relative_residual(&values, &scale);
         }
+        flat = best <= STALLED && residual <= FLAT;
         if !(residual < best) {
             break;
         }
@@ -96,14 +103,24 @@ pub fn polish<S: Scalar, const N: usize, const E: usize>(
             break;
         }
     }
-    if best > STALLED && is_far(x, &correction) { f64::INFINITY } else { best }
+    let far = far(x, &correction);
+    if !far.contains(&true) {
+        return best;
+    }
+    // An unknown that is zero up to noise is free to change by as much.
+    let without = core::array::from_fn(|j| if far[j] { S::ZERO } else { x[j] });
+    let mut is_noise = || {
+        system.residual(&without, &mut values, &mut scale);
+        relative_residual(&values, &scale) <= STALLED
+    };
+    if best > STALLED || (flat && !is_noise()) { f64::INFINITY } else { best }
 }
 
-/// Whether a step changes an unknown, other than rounding noise of zero, by more than the part [`FAR`].
-#[cold]
-fn is_far<S: Scalar, const N: usize>(x: &[S; N], step: &[S; N]) -> bool {
+/// Which unknowns a step changes by more than the part [`FAR`], other than rounding noise of zero.
+#[inline]
+fn far<S: Scalar, const N: usize>(x: &[S; N], step: &[S; N]) -> [bool; N] {
     let noise = NOISE * x.iter().map(|value| value.magnitude()).fold(0.0, f64::max);
-    x.iter().zip(step).any(|(value, step)| step.magnitude() > FAR * value.magnitude() + noise)
+    core::array::from_fn(|j| step[j].magnitude() > FAR * x[j].magnitude() + noise)
 }
 
 /// x with the unknowns that may be the rounding noise of zero set to zero.

@@ -26,6 +26,17 @@ pub fn residual(plan: &Plan, coefficients: &[f64], x: &[Complex<f64>]) -> f64 {
     worst(plan.equations.iter().map(relative))
 }
 
+/// Operations that solving all instances of one problem may take, without the polish.
+const WORK: u64 = 20_000_000_000;
+/// Instances of even the largest template.
+const FEWEST: u64 = 1_000;
+
+/// How many of the instances that a claim is made for are solved: all where one solve takes at most two million operations and 10,000 are
+/// wanted, fewer for larger templates.
+pub fn affordable(plan: &Plan, wanted: u64) -> u64 {
+    (WORK / plan.operations().total().max(1) as u64).max(FEWEST).min(wanted)
+}
+
 /// Whether no two of the points are the same.
 pub fn are_distinct(points: &[Vec<Complex<f64>>]) -> bool {
     points.iter().enumerate().all(|(i, x)| points[..i].iter().all(|y| distance(x, y) > SAME))

@@ -2,14 +2,20 @@
 
 use eliminant::Complex;
 use eliminant_generator::instance::Random;
-use eliminant_tests::ground_truth::{Circle, Line, gram, makers, minimal_conic, minimal_data, normalised};
+use eliminant_tests::ground_truth::{Circle, FOUND, Line, gram, makers, minimal_conic, minimal_data, normalised};
+use eliminant_tests::measure::affordable;
 use eliminant_tests::statistics::{log10, quantile, same_set, worst};
 use eliminant_tests::{Case, cases};
 use rayon::prelude::*;
 
 const INSTANCES: u64 = 10_000;
-/// A truth counts as found if some real solution is this close.
-const FOUND: f64 = 1e-6;
+/// On how many of 1000 instances all known solutions must be found.
+const RECOVERED: usize = 999;
+/// Problems whose scenes often come close to data for which the basis does not span, or the truth is nearly a double solution, whatever template
+/// is taken.
+const HARD: &[&str] = &[];
+/// The same for those: what hand-written solvers of five- and six-point relative pose reach.
+const RECOVERED_HARD: usize = 980;
 
 fn case(name: &str) -> Case {
     cases().into_iter().find(|case| case.name == name).unwrap_or_else(|| panic!("no case {name}"))
@@ -22,33 +28,27 @@ fn every_problem_has_a_maker() {
     assert_eq!(made, solved);
 }
 
-/// On at least 99.9 % of the instances all known solutions are among the real ones.
 #[test]
 fn known_solutions_are_found() {
     let mut misses = Vec::new();
     for maker in makers() {
         let case = case(maker.name);
-        // Of each instance the error of the truth that is found worst.
-        let mut errors: Vec<f64> = (0..INSTANCES)
+        let instances = affordable(&case.planned().plan, INSTANCES);
+        let mut errors: Vec<f64> = (0..instances)
             .into_par_iter()
-            .map(|k| {
-                let instance = (maker.make)(&mut Random::new(10_000_000 + k));
-                let Ok(found) = (case.solve)(&instance.data) else { return f64::INFINITY };
-                let error_of = |truth: &Vec<f64>| {
-                    let errors = found.iter().map(|s| (maker.error)(&instance.data, s, truth));
-                    errors.fold(f64::INFINITY, f64::min)
-                };
-                worst(instance.truths.iter().map(error_of))
-            })
+            .map(|k| maker.worst_error(&case, &mut Random::new(10_000_000 + k)))
             .collect();
         let found = errors.iter().filter(|&&error| error <= FOUND).count();
         let quantiles = [0.5, 0.9, 0.99, 0.999].map(|q| log10(quantile(&mut errors, q)));
-        println!("{}: {found} of {INSTANCES} found, log10 error {quantiles:.1?}", case.name);
-        if found * 1000 < INSTANCES as usize * 999 {
-            misses.push(format!("{}: {found} of {INSTANCES}", case.name));
+        println!("{}: {found} of {instances} found, log10 error {quantiles:.1?}", case.name);
+        let demanded = if HARD.contains(&case.name) { RECOVERED_HARD } else { RECOVERED };
+        if found * 1000 < instances as usize * demanded {
+            misses.push(format!("{}: {found} of {instances}", case.name));
         }
     }
     assert!(misses.is_empty(), "{misses:?}");
+    let unknown: Vec<&&str> = HARD.iter().filter(|name| cases().iter().all(|case| case.name != **name)).collect();
+    assert!(unknown.is_empty(), "{unknown:?}");
 }
 
 /// Three lines have an incircle and three excircles: all four real, all truly tangent.

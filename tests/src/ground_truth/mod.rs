@@ -12,7 +12,11 @@ pub use circles::{Circle, Line, gram, minimal_conic, minimal_data, normalised};
 use eliminant_generator::instance::Random;
 use nalgebra::DMatrix;
 
+use crate::Case;
 use crate::statistics::worst;
+
+/// A truth counts as found if some real solution is this close.
+pub const FOUND: f64 = 1e-6;
 
 /// Data of a problem with solutions known from the way they were made.
 pub struct KnownInstance {
@@ -30,6 +34,18 @@ pub struct Maker {
     pub make: fn(&mut Random) -> KnownInstance,
     /// The relative error of a solution against a truth: `error(data, solution, truth)`.
     pub error: fn(&[f64], &[f64], &[f64]) -> f64,
+}
+
+impl Maker {
+    /// Draws an instance and solves it: the error of the truth that is found worst, infinite where a solution is missing altogether.
+    pub fn worst_error(&self, case: &Case, random: &mut Random) -> f64 {
+        let instance = (self.make)(random);
+        let Ok(found) = (case.solve)(&instance.data) else { return f64::INFINITY };
+        let error_of = |truth: &Vec<f64>| {
+            found.iter().map(|solution| (self.error)(&instance.data, solution, truth)).fold(f64::INFINITY, f64::min)
+        };
+        worst(instance.truths.iter().map(error_of))
+    }
 }
 
 /// One maker for every problem, by name.
