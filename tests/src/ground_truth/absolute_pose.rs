@@ -1,9 +1,10 @@
 //! Pose of a camera from points of known position.
 
 use std::array::from_fn;
+use std::f64::consts::TAU;
 
 use eliminant_generator::instance::Random;
-use nalgebra::{Vector2, Vector3};
+use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
 
 use super::cameras::{camera, distorted, image, in_ball, quaternion};
 use super::{KnownInstance, Maker, combination, null_space, projective_error, relative_error, solved, uniform};
@@ -45,6 +46,16 @@ pub(super) fn makers() -> Vec<Maker> {
             name: "pose_4pt_generalized_scale",
             make: generalized_camera,
             error: |data, s, truth| projective_error(&combination(data, &[s, &[1.0]].concat()), truth),
+        },
+        Maker {
+            name: "pose_4pt_upright_error_bound",
+            make: errors_at_bounds,
+            error: |_, solution, truth| relative_error(solution, truth),
+        },
+        Maker {
+            name: "pose_5pt_refraction",
+            make: through_water,
+            error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "pose_6pt_rolling_shutter",
@@ -134,6 +145,64 @@ fn generalized_camera(random: &mut Random) -> KnownInstance {
     rows.pop();
     let data = null_space(&rows).iter().flat_map(|vector| vector[..9].to_vec()).collect();
     KnownInstance { data, truths: vec![rotation.transpose().as_slice().to_vec()] }
+}
+
+/// A camera 2 to 6 units from the centre of the unit ball, turned about its first axis, and four points of the ball, each seen with an
+/// error of the length of its bound.
+fn errors_at_bounds(random: &mut Random) -> KnownInstance {
+    let (sine, cosine) = uniform(random, 0.0, TAU).sin_cos();
+    let position =
+        Vector3::new(0.5 * random.symmetric_unit(), 0.5 * random.symmetric_unit(), uniform(random, 2.0, 6.0));
+    let (mut points, mut cones) = (Vec::new(), Vec::new());
+    for _ in 0..4 {
+        let point = in_ball(random);
+        let turned = Vector3::new(point.x, cosine * point.y - sine * point.z, sine * point.y + cosine * point.z);
+        let bound = uniform(random, 0.005, 0.02);
+        let (s, c) = uniform(random, 0.0, TAU).sin_cos();
+        let q = image(&(turned + position), 1.0) + bound * Vector2::new(c, s);
+        points.extend(point.data.0[0]);
+        cones.extend([1.0, -q.x, -q.y, q.norm_squared() - bound * bound]);
+    }
+    let truth = position.iter().copied().chain([cosine, sine]).collect();
+    KnownInstance { data: [points, cones].concat(), truths: vec![truth] }
+}
+
+/// A camera 1 to 3 units above water, Z = 0, that looks down at points up to 3 units deep, by Snell's law. Z points down.
+fn through_water(random: &mut Random) -> KnownInstance {
+    const INDEX: f64 = 1.33;
+    let rotation = Rotation3::new(in_ball(random)).into_inner();
+    let (foot, height) = (Vector2::from_fn(|_, _| random.symmetric_unit()), uniform(random, 1.0, 3.0));
+    let mut draw = || {
+        let surface = Vector2::from_fn(|_, _| 2.0 * random.symmetric_unit());
+        let direction = (surface - foot).push(height).normalize();
+        let sine = direction.xy() / INDEX;
+        let refracted = sine / (1.0 - sine.norm_squared()).sqrt();
+        (surface + uniform(random, 0.5, 3.0) * refracted, direction)
+    };
+    let seen: [(Vector2<f64>, Vector3<f64>); 5] = from_fn(|_| draw());
+    let affine = |rotation: &Matrix3<f64>| {
+        let row = |(point, direction): &(Vector2<f64>, Vector3<f64>)| {
+            let ray = rotation.transpose() * direction;
+            // r2 p v - r1 p w + r1 q - r2 s = 0.
+            let (p, q, s) = (ray, point.y * ray, point.x * ray);
+            let leading = vec![p.x, p.y, p.z, 2.0 * (q.y - s.x), q.x + s.y];
+            (leading, vec![q.x - s.y, -2.0 * (q.y + s.x), 2.0 * q.z, 2.0 * s.z])
+        };
+        let (leading, others): (Vec<_>, Vec<_>) = seen.iter().map(row).unzip();
+        solved(&leading, &others).concat()
+    };
+    // Every axis of the image as the third, up and down: the frame in which the coefficients are smallest.
+    let axes = Matrix3::new(0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0);
+    let over = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, -1.0));
+    let frames = [Matrix3::identity(), axes, axes * axes].into_iter().flat_map(|frame| [frame, over * frame]);
+    let size = |data: &Vec<f64>| data.iter().map(|x| x * x).sum::<f64>();
+    let best = frames
+        .map(|frame| rotation * frame.transpose())
+        .map(|rotation| (affine(&rotation), rotation))
+        .min_by(|(a, _), (b, _)| size(a).total_cmp(&size(b)));
+    let (data, rotation) = best.expect("there are six frames");
+    let [w, x, y, z] = quaternion(&rotation);
+    KnownInstance { data, truths: vec![vec![x / w, y / w, z / w]] }
 }
 
 /// The image of a point in the row in which it is exposed, by the linearised model: q[0] (A + q[0] B)[2] = (A + q[0] B)[0] has the

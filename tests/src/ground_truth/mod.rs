@@ -6,7 +6,9 @@ mod cameras;
 mod circles;
 mod optimal_pose;
 mod points;
+mod ranging;
 mod relative_pose;
+mod triangulation;
 
 pub use circles::{Circle, Line, gram, minimal_conic, minimal_data, normalised};
 use eliminant_generator::instance::Random;
@@ -56,7 +58,9 @@ pub fn makers() -> Vec<Maker> {
         circles::makers(),
         optimal_pose::makers(),
         points::makers(),
+        ranging::makers(),
         relative_pose::makers(),
+        triangulation::makers(),
     ];
     let mut makers: Vec<Maker> = families.into_iter().flatten().collect();
     makers.sort_by_key(|maker| maker.name);

@@ -4,23 +4,44 @@ use eliminant_generator::instance::Random;
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
 use super::cameras::{camera, in_ball, quaternion};
-use super::{KnownInstance, Maker, relative_error};
+use super::{KnownInstance, Maker, projective_error, relative_error};
 
 pub(super) fn makers() -> Vec<Maker> {
-    vec![Maker {
-        name: "pose_npt_direct_least_squares",
-        make: |random| {
-            let (cost, rotation) = object_space_cost(random);
-            KnownInstance { data: quartic(&cost)[1..].to_vec(), truths: vec![cayley(&rotation)] }
+    vec![
+        Maker {
+            name: "pose_npt_direct_least_squares",
+            make: |random| {
+                let (cost, rotation) = object_space_cost(random);
+                KnownInstance { data: quartic(&cost)[1..].to_vec(), truths: vec![cayley(&rotation)] }
+            },
+            error: |_, solution, truth| relative_error(solution, truth),
         },
-        error: |_, solution, truth| relative_error(solution, truth),
-    }]
+        Maker {
+            name: "pose_npt_weak_perspective",
+            make: weak_perspective,
+            error: |_, solution, truth| quaternion_error(solution, truth),
+        },
+    ]
 }
 
 /// The Cayley parameters of a rotation, which is not a half turn.
 fn cayley(rotation: &Matrix3<f64>) -> Vec<f64> {
     let [w, x, y, z] = quaternion(rotation);
     vec![x / w, y / w, z / w]
+}
+
+/// (w, square, y, z) of a rotation times a scale, whose quaternion is root (w, 1, y, z).
+fn ratios(rotation: &Matrix3<f64>, scale: f64) -> [f64; 4] {
+    let [w, x, y, z] = quaternion(rotation);
+    [w / x, scale * x * x, y / x, z / x]
+}
+
+/// The larger error of rotation and scale.
+fn quaternion_error(solution: &[f64], truth: &[f64]) -> f64 {
+    let direction = |s: &[f64]| [s[0], 1.0, s[2], s[3]];
+    let scale = |s: &[f64]| s[1] * direction(s).iter().map(|x| x * x).sum::<f64>();
+    let rotation = projective_error(&direction(solution), &direction(truth));
+    rotation.max(relative_error(&[scale(solution)], &[scale(truth)]))
 }
 
 /// The entries of a rotation, row by row, on the products (w w, w x, w y, w z, x x, x y, x z, y y, y z, z z) of its quaternion.
@@ -83,6 +104,29 @@ fn quartic(cost: &SMatrix<f64, 9, 9>) -> Vec<f64> {
         }
     }
     coefficients
+}
+
+/// Points far away from a camera, in their principal axes: their standard deviations, and their image times whitened points, on average.
+fn weak_perspective(random: &mut Random) -> KnownInstance {
+    let (rotation, translation) = camera(random);
+    let scale = 1.0 / translation.norm();
+    let points = points(random);
+    let n = points.len() as f64;
+    let mean = points.iter().sum::<Vector3<f64>>() / n;
+    let covariance = points.iter().map(|x| (x - mean) * (x - mean).transpose()).sum::<Matrix3<f64>>() / n;
+    let principal = covariance.symmetric_eigen();
+    let mut axes = principal.eigenvectors;
+    if axes.determinant() < 0.0 {
+        axes.column_mut(0).neg_mut();
+    }
+    let spread = principal.eigenvalues.map(f64::sqrt);
+    let image = points.iter().map(|x| {
+        let whitened = (axes.transpose() * (x - mean)).component_div(&spread);
+        scale * (rotation * (x - mean)).xy() * whitened.transpose() / n
+    });
+    let image: SMatrix<f64, 2, 3> = image.sum();
+    let data = spread.iter().copied().chain((0..6).map(|at| image[(at / 3, at % 3)])).collect();
+    KnownInstance { data, truths: vec![ratios(&(rotation * axes), scale).to_vec()] }
 }
 
 #[cfg(test)]

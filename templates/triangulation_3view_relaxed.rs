@@ -1,0 +1,17 @@
+/// Triangulation from three views with two of the three epipolar constraints, all stationary points of the least-squares cost: 31 solutions.
+///
+/// Kukelova, Pajdla, Bujnak, "Fast and stable algebraic solution to L2 three-view triangulation", 3DV 2013. Published as `l2_3view_triang`.
+///
+/// `image` holds the measured image points, one a row. The corrected ones (x1, x2), (x3, x4) and (x5, x6) are the closest to these that
+/// satisfy p1^T `first` p2 = 0 and p2^T `second` p3 = 0, with the multipliers x7 and x8.
+fn triangulation_3view_relaxed(
+    first: [[f64; 3]; 3],
+    second: [[f64; 3]; 3],
+    image: [[f64; 2]; 3],
+) -> (x1, x2, x3, x4, x5, x6, x7, x8) {
+    let corrected = [[x1, x2], [x3, x4], [x5, x6]];
+    let offset = corrected - image;
+    let cost = dot(offset[0], offset[0]) + dot(offset[1], offset[1]) + dot(offset[2], offset[2]);
+    let [p1, p2, p3] = [[x1, x2, 1], [x3, x4, 1], [x5, x6, 1]];
+    gradient(cost + x7 * dot(p1, first * p2) + x8 * dot(p2, second * p3)) == 0;
+}
