@@ -100,6 +100,8 @@ const NOISE: f64 = 1e-12;
 /// A step that would change an unknown by more than this part of it, where the residual is no rounding error or stays below [`FLAT`], shows that
 /// there is no solution near by.
 const FAR: f64 = 0.1;
+/// Unknowns at least this large may be on the way to infinity: they are if half of them gives a residual that is rounding, too.
+const LARGE: f64 = 1e6;
 /// A relative residual below this after a long step shows a direction in which the equations are nearly constant.
 const FLAT: f64 = 1e-6;
 /// Two solutions are the same when every unknown agrees to this relative distance.
@@ -300,6 +302,11 @@ fn polish(plan: &Plan, c: &[f64], point: &mut Point) -> f64 {
         }
         (best, all) = (residual, next);
         *point = moved;
+    }
+    let is_large = |x: &Complex<f64>| x.norm() >= LARGE;
+    let halved = || point.iter().map(|x| if is_large(x) { x * 0.5 } else { *x }).collect();
+    if point.iter().any(is_large) && worst(&evaluate_all(&halved())) <= STALLED {
+        return f64::INFINITY;
     }
     let noise = NOISE * point.iter().map(|x| x.norm()).fold(0.0, f64::max);
     let is_far = |(x, step): (&Complex<f64>, &Complex<f64>)| step.norm() > FAR * x.norm() + noise;

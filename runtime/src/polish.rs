@@ -28,6 +28,10 @@ const FAR: f64 = 0.1;
 /// nearly constant. Away from a double solution the residual grows with the square of the distance.
 const FLAT: f64 = 1e-6;
 
+/// Unknowns at least this large may be on the way to infinity: they are if half of them gives a residual that is rounding, too. (There
+/// steps are rounding errors and show nothing.)
+const LARGE: f64 = 1e6;
+
 /// Improves x by at most `steps` Gauss-Newton steps and returns its relative residual,
 ///
 /// max over equations e of |f_e(x)| / (sum of the moduli of the terms of f_e at x), 0/0 counting as 0.
@@ -103,17 +107,24 @@ pub fn polish<S: Scalar, const N: usize, const E: usize>(
             break;
         }
     }
+    let mut residual_of = |x: &[S; N]| {
+        system.residual(x, &mut values, &mut scale);
+        relative_residual(&values, &scale)
+    };
+    let is_large = |value: &S| value.magnitude() >= LARGE;
+    if x.iter().any(is_large)
+        && residual_of(&x.map(|value| if is_large(&value) { value.scale(0.5) } else { value })) <= STALLED
+    {
+        return f64::INFINITY;
+    }
     let far = far(x, &correction);
     if !far.contains(&true) {
         return best;
     }
     // An unknown that is zero up to noise is free to change by as much.
-    let without = core::array::from_fn(|j| if far[j] { S::ZERO } else { x[j] });
-    let mut is_noise = || {
-        system.residual(&without, &mut values, &mut scale);
-        relative_residual(&values, &scale) <= STALLED
-    };
-    if best > STALLED || (flat && !is_noise()) { f64::INFINITY } else { best }
+    let mut without = *x;
+    without.iter_mut().zip(far).filter(|(_, far)| *far).for_each(|(value, _)| *value = S::ZERO);
+    if best > STALLED || (flat && residual_of(&without) > STALLED) { f64::INFINITY } else { best }
 }
 
 /// Which unknowns a step changes by more than the part [`FAR`], other than rounding noise of zero.
