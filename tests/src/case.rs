@@ -96,6 +96,9 @@ pub fn cases() -> Vec<Case> {
         case!(circle_least_squares, CircleLeastSquares, (gram), (d1, d2, d3, d4, d5, lambda1, lambda2)),
         case!(circle_least_squares_dual, CircleLeastSquaresDual, (gram), (d3, d4, d5)),
         case!(circle_minimal, CircleMinimal, (d_alpha, d_beta, d_gamma), (a, b)),
+        case!(fundamental_8pt_radial, Fundamental8ptRadial, (affine), (radial, f_13, f_23)),
+        case!(fundamental_8pt_radial_one_side, Fundamental8ptRadialOneSide, (affine), (f_32, radial)),
+        case!(fundamental_9pt_two_radials, Fundamental9ptTwoRadials, (affine), (s, f_31, f_32, f_23)),
         case!(katsura_5, Katsura5, (), (t, u, v, x, y, z)),
         case!(pose_35pt_focal, Pose35ptFocal, (points, horizontal, vertical), (x, y)),
         case!(pose_4pt_focal_radial, Pose4ptFocalRadial, (row1, row2, row3), (w, radial, y, z)),
@@ -110,8 +113,17 @@ pub fn cases() -> Vec<Case> {
         case!(relpose_3pt_angle_zero_screw, Relpose3ptAngleZeroScrew, (first, second, half_angle), (u, v, w)),
         case!(relpose_4pt_angle, Relpose4ptAngle, (first, second, half_angle), (u, v, w)),
         case!(relpose_5pt, Relpose5pt, (basis), (x, y, z)),
+        case!(relpose_5pt_generalized_angle, Relpose5ptGeneralizedAngle, (first, second, half_angle), (u, v, w)),
         case!(relpose_6pt_focal, Relpose6ptFocal, (basis), (x, y, w)),
         case!(relpose_6pt_focal_one_side, Relpose6ptFocalOneSide, (basis), (x, y, w)),
+        case!(relpose_6pt_generalized, Relpose6ptGeneralized, (first, second), (x, y, z)),
+        case!(relpose_7pt_focal_radial_one_side, Relpose7ptFocalRadialOneSide, (affine), (w, f_31, f_32, radial)),
+        case!(
+            relpose_7pt_focal_radial_one_side_eliminated,
+            Relpose7ptFocalRadialOneSideEliminated,
+            (affine),
+            (f_13, f_23, radial)
+        ),
         case!(stitching_3pt_radial_focal, Stitching3ptRadialFocal, (first, second), (radial, w)),
         case!(
             triangulation_3view_relaxed,

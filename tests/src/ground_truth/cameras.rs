@@ -51,6 +51,12 @@ pub(super) fn quaternion(rotation: &Matrix3<f64>) -> [f64; 4] {
     [q.w, q.i, q.j, q.k].map(|x| sign * x)
 }
 
+/// The Cayley parameters of a rotation, which is not a half turn.
+pub(super) fn cayley(rotation: &Matrix3<f64>) -> Vec<f64> {
+    let [w, x, y, z] = quaternion(rotation);
+    vec![x / w, y / w, z / w]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

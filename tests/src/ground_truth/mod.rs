@@ -6,6 +6,7 @@ mod cameras;
 mod circles;
 mod optimal_pose;
 mod points;
+mod radial_distortion;
 mod ranging;
 mod relative_pose;
 mod triangulation;
@@ -58,6 +59,7 @@ pub fn makers() -> Vec<Maker> {
         circles::makers(),
         optimal_pose::makers(),
         points::makers(),
+        radial_distortion::makers(),
         ranging::makers(),
         relative_pose::makers(),
         triangulation::makers(),

@@ -3,7 +3,7 @@
 use eliminant_generator::instance::Random;
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
-use super::cameras::{camera, in_ball, quaternion};
+use super::cameras::{camera, cayley, in_ball, quaternion};
 use super::{KnownInstance, Maker, projective_error, relative_error};
 
 pub(super) fn makers() -> Vec<Maker> {
@@ -22,12 +22,6 @@ pub(super) fn makers() -> Vec<Maker> {
             error: |_, solution, truth| quaternion_error(solution, truth),
         },
     ]
-}
-
-/// The Cayley parameters of a rotation, which is not a half turn.
-fn cayley(rotation: &Matrix3<f64>) -> Vec<f64> {
-    let [w, x, y, z] = quaternion(rotation);
-    vec![x / w, y / w, z / w]
 }
 
 /// (w, square, y, z) of a rotation times a scale, whose quaternion is root (w, 1, y, z).

@@ -5,7 +5,7 @@ use std::array::from_fn;
 use eliminant_generator::instance::Random;
 use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
 
-use super::cameras::{distorted, image, in_ball, quaternion, two_cameras};
+use super::cameras::{cayley, distorted, image, in_ball, quaternion, two_cameras};
 use super::{
     KnownInstance, Maker, combination, largest_relative_error, null_space, projective_error, relative_error, uniform,
 };
@@ -27,9 +27,19 @@ pub(super) fn makers() -> Vec<Maker> {
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
+            name: "relpose_5pt_generalized_angle",
+            make: five_points_generalized,
+            error: |_, solution, truth| relative_error(solution, truth),
+        },
+        Maker {
             name: "relpose_5pt",
             make: five_points,
             error: |data, s, truth| projective_error(&combination(data, &[s[0], s[1], s[2], 1.0]), truth),
+        },
+        Maker {
+            name: "relpose_6pt_generalized",
+            make: six_points_generalized,
+            error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker { name: "relpose_6pt_focal", make: six_points, error: focal_error },
         Maker { name: "relpose_6pt_focal_one_side", make: six_points_one_side, error: focal_error },
@@ -86,6 +96,31 @@ fn known_angle(rotation: &Matrix3<f64>, first: &[Vector3<f64>], second: &[Vector
     let [w, x, y, z] = quaternion(rotation);
     let sine = Vector3::new(x, y, z).norm();
     KnownInstance { data: rays.chain([w, sine]).collect(), truths: vec![vec![x, y, z]] }
+}
+
+/// The rays to points from cameras that are up to half a unit from the origins of two systems: a point of each, and its direction; and
+/// the rotation between the systems.
+fn generalized(random: &mut Random, count: usize) -> (Vec<f64>, Matrix3<f64>) {
+    let (rotation, translation, points) = two_cameras(random, count);
+    let second = points.iter().map(|x| rotation * x + translation);
+    let seen: Vec<Vector3<f64>> = points.iter().copied().chain(second).collect();
+    let rays = seen.iter().flat_map(|x| {
+        let camera = 0.5 * in_ball(random);
+        [camera, (x - camera).normalize()].into_iter().flat_map(|v| v.data.0[0])
+    });
+    (rays.collect(), rotation)
+}
+
+fn five_points_generalized(random: &mut Random) -> KnownInstance {
+    let (mut data, rotation) = generalized(random, 5);
+    let [w, x, y, z] = quaternion(&rotation);
+    data.extend([w, Vector3::new(x, y, z).norm()]);
+    KnownInstance { data, truths: vec![vec![x, y, z]] }
+}
+
+fn six_points_generalized(random: &mut Random) -> KnownInstance {
+    let (data, rotation) = generalized(random, 6);
+    KnownInstance { data, truths: vec![cayley(&rotation)] }
 }
 
 fn four_points(random: &mut Random) -> KnownInstance {
