@@ -15,7 +15,9 @@ use crate::float;
 ///
 /// Balancing (Parlett and Reinsch 1969, with 2-norms as James, Langou and Lowery 2014 recommend; no permutation) makes
 /// the norms of row i and column i of D^-1 A D comparable, so that the errors of the eigenvalue iteration are relative
-/// to the small entries, too. The QR iteration and the characteristic polynomial start from H; eigenvectors are found
+/// to the small entries, too. It is kept where it takes much off the norm: elsewhere it gains nothing and can lose all,
+/// because it scales up rows and columns that are rounding errors (Watkins 2006). Where |B| exceeds the number of
+/// solutions there are such. The QR iteration and the characteristic polynomial start from H; eigenvectors are found
 /// on H and taken back through Q and D.
 #[derive(Clone, Debug)]
 pub struct Hessenberg<const N: usize> {
@@ -33,6 +35,8 @@ pub struct Hessenberg<const N: usize> {
 
 /// Sweeps of balancing: each multiplies by powers of two only, so a few suffice and stopping early is harmless.
 const BALANCE_SWEEPS: usize = 16;
+/// Balancing is kept where it reduces the norm by this: so many digits may it gain, at most.
+const WORTHWHILE: f64 = 1e3;
 
 impl<const N: usize> Hessenberg<N> {
     /// Balances and reduces a copy of `matrix`.
@@ -73,9 +77,25 @@ impl<const N: usize> Hessenberg<N> {
         }
     }
 
-    /// matrix := D^-1 matrix D.
+    /// matrix := D^-1 matrix D, unless its norm stays of the same size.
     #[inline]
     fn balance(&mut self) {
+        let (matrix, before) = (self.matrix, self.squares());
+        self.scale_rows_and_columns();
+        if before < WORTHWHILE * WORTHWHILE * self.squares() {
+            self.matrix = matrix;
+            self.balance = [1.0; N];
+        }
+    }
+
+    /// The sum of the squares of all entries.
+    #[inline]
+    fn squares(&self) -> f64 {
+        self.matrix.as_flattened().iter().map(|x| x * x).sum()
+    }
+
+    #[inline]
+    fn scale_rows_and_columns(&mut self) {
         const RADIX: f64 = 2.0;
         for _ in 0..BALANCE_SWEEPS {
             let mut changed = false;

@@ -113,7 +113,8 @@ fn companion_matrices() {
     for (computed, exact) in h.characteristic_polynomial().iter().zip(lower) {
         assert!((computed - exact).abs() < 1e-12 * exact.abs());
     }
-    assert!(worst_residual(&companion(&lower)) < 1e-15);
+    // Its norm is 50 times that of the balanced matrix, too little to balance it.
+    assert!(worst_residual(&companion(&lower)) < 1e-14);
 
     // x^8 - 1: the cyclic permutation, orthogonal; without exceptional shifts the iteration stalls.
     let lower = [-1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
