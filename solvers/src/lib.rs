@@ -18,6 +18,8 @@ eliminant::include_solver!("pose_5pt_refraction");
 eliminant::include_solver!("pose_5tdoa_two_receivers");
 eliminant::include_solver!("pose_6pt_rolling_shutter");
 eliminant::include_solver!("pose_npt_direct_least_squares");
+eliminant::include_solver!("pose_npt_least_squares_cayley");
+eliminant::include_solver!("pose_npt_least_squares_quaternion");
 eliminant::include_solver!("pose_npt_weak_perspective");
 eliminant::include_solver!("relpose_3pt_angle_zero_screw");
 eliminant::include_solver!("relpose_4pt_angle");

@@ -109,6 +109,8 @@ pub fn cases() -> Vec<Case> {
         case!(pose_5tdoa_two_receivers, Pose5tdoaTwoReceivers, (quadric, linear), (u, v, t)),
         case!(pose_6pt_rolling_shutter, Pose6ptRollingShutter, (image, points, position, velocity), (u, v, w, x, y, z)),
         case!(pose_npt_direct_least_squares, PoseNptDirectLeastSquares, (linear, quadratic, cubic, quartic), (x, y, z)),
+        case!(pose_npt_least_squares_cayley, PoseNptLeastSquaresCayley, (cost), (x, y, z)),
+        case!(pose_npt_least_squares_quaternion, PoseNptLeastSquaresQuaternion, (rows), (w, y, z)),
         case!(pose_npt_weak_perspective, PoseNptWeakPerspective, (spread, image), (w, square, y, z)),
         case!(relpose_3pt_angle_zero_screw, Relpose3ptAngleZeroScrew, (first, second, half_angle), (u, v, w)),
         case!(relpose_4pt_angle, Relpose4ptAngle, (first, second, half_angle), (u, v, w)),

@@ -1,9 +1,9 @@
 //! Poses of cameras as stationary points of least-squares costs.
 
 use eliminant_generator::instance::Random;
-use nalgebra::{Matrix3, SMatrix, Vector3};
+use nalgebra::{DMatrix, Matrix3, SMatrix, Vector3};
 
-use super::cameras::{camera, cayley, in_ball, quaternion};
+use super::cameras::{camera, cayley, image, in_ball, quaternion};
 use super::{KnownInstance, Maker, projective_error, relative_error};
 
 pub(super) fn makers() -> Vec<Maker> {
@@ -15,6 +15,19 @@ pub(super) fn makers() -> Vec<Maker> {
                 KnownInstance { data: quartic(&cost)[1..].to_vec(), truths: vec![cayley(&rotation)] }
             },
             error: |_, solution, truth| relative_error(solution, truth),
+        },
+        Maker {
+            name: "pose_npt_least_squares_cayley",
+            make: |random| {
+                let (cost, rotation) = object_space_cost(random);
+                KnownInstance { data: cost.as_slice().to_vec(), truths: vec![cayley(&rotation)] }
+            },
+            error: |_, solution, truth| relative_error(solution, truth),
+        },
+        Maker {
+            name: "pose_npt_least_squares_quaternion",
+            make: relative_depths,
+            error: |_, s, truth| projective_error(&[s[0], 1.0, s[1], s[2]], &[truth[0], 1.0, truth[1], truth[2]]),
         },
         Maker {
             name: "pose_npt_weak_perspective",
@@ -100,6 +113,40 @@ fn quartic(cost: &SMatrix<f64, 9, 9>) -> Vec<f64> {
     coefficients
 }
 
+/// Points and their images. With depths relative to their mean, and P the rotation over the mean depth, the image (u, v) of X satisfies
+/// (u, v) (1 + P3 X) = (P1 X, P2 X) + constants, X relative to the mean of the points.
+fn relative_depths(random: &mut Random) -> KnownInstance {
+    let (rotation, translation) = camera(random);
+    let points = points(random);
+    let n = points.len();
+    let mean = points.iter().sum::<Vector3<f64>>() / n as f64;
+    // On 1 and the entries of P; all u, then all v.
+    let mut rows = DMatrix::from_fn(2 * n, 10, |at, j| {
+        let (i, x) = (at / n, points[at % n] - mean);
+        let q = image(&(rotation * points[at % n] + translation), 1.0)[i];
+        match j.checked_sub(1) {
+            None => q,
+            Some(j) if j / 3 == 2 => q * x[j % 3],
+            Some(j) if j / 3 == i => -x[j % 3],
+            Some(_) => 0.0,
+        }
+    });
+    // The best constants are means.
+    for i in 0..2 {
+        let mut half = rows.rows_mut(i * n, n);
+        let means = half.row_mean();
+        half.row_iter_mut().for_each(|mut row| row -= &means);
+    }
+    let products = DMatrix::from_fn(10, 11, |i, j| match (i, j) {
+        (0, 0) => 1.0,
+        (0, _) | (_, 0) => 0.0,
+        _ => ENTRIES[i - 1][j - 1],
+    });
+    let root = (rows * products / (n as f64).sqrt()).qr().unpack_r();
+    let [w, _, y, z] = ratios(&rotation, 1.0);
+    KnownInstance { data: root.resize_vertically(20, 0.0).transpose().as_slice().to_vec(), truths: vec![vec![w, y, z]] }
+}
+
 /// Points far away from a camera, in their principal axes: their standard deviations, and their image times whitened points, on average.
 fn weak_perspective(random: &mut Random) -> KnownInstance {
     let (rotation, translation) = camera(random);
@@ -125,6 +172,8 @@ fn weak_perspective(random: &mut Random) -> KnownInstance {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::SVector;
+
     use super::*;
 
     /// x^T M x.
@@ -145,6 +194,14 @@ mod tests {
             let value: f64 = quartic(&cost).iter().zip(powers).map(|(c, m)| c * m).sum();
             let norm = 1.0 + x.iter().map(|x| x * x).sum::<f64>();
             assert!(value.abs() < 1e-12 * norm * norm);
+
+            let instance = relative_depths(&mut random);
+            let [w, y, z] = instance.truths[0][..] else { panic!("three unknowns") };
+            let products = [0.0, w * w, w, w * y, w * z, 1.0, y, z, y * y, y * z, z * z];
+            let root = SMatrix::<f64, 20, 11>::from_row_slice(&instance.data);
+            let (constant, slope) = (root.column(0), root * SVector::from(products));
+            let cost = constant - slope * (slope.dot(&constant) / slope.norm_squared());
+            assert!(cost.norm() < 1e-12 * constant.norm(), "{}", cost.norm());
         }
     }
 }
