@@ -68,7 +68,7 @@ pub fn polish<S: Scalar, const N: usize, const E: usize>(
         if step == 0 {
             best = relative_residual(&values, &scale);
         }
-        if best <= ROUNDING || best == f64::INFINITY {
+        if (step == 0 && best <= ROUNDING) || best == f64::INFINITY {
             break;
         }
         weigh(&mut values, &scale, &mut jacobian);
@@ -103,7 +103,8 @@ pub fn polish<S: Scalar, const N: usize, const E: usize>(
         }
         best = residual;
         *x = moved;
-        if best <= ROUNDING {
+        // After a long step the next one tells a badly determined solution, which it leaves in place, from none.
+        if best <= ROUNDING && !far(x, &correction).contains(&true) {
             break;
         }
     }
