@@ -195,6 +195,38 @@ fn far_points_with_a_small_residual_are_no_solutions() {
 }
 
 /// x y - 2 x = 0 and x + y - 1 = 0: at (0, 1) every term of the first equation vanishes, at (-1, 2) none does.
+/// x^2 - y^2 + x + 1 = 0 and x^2 - y^2 + 2 y + 3 = 0 in multiples of a unit: a solution at infinity, along x = y. Far out the residual is rounding.
+#[test]
+fn points_at_infinity_are_no_solutions() {
+    for (unit, distance) in [(1.0, 1e13), (1.0, 1e16), (1e-10, 1e3), (1e10, 1e26)] {
+        let square = unit * unit;
+        let c = [square, unit, 0.0, 1.0, 0.0, -1.0, 3.0 * square, 0.0, 2.0 * unit, 1.0, 0.0, -1.0];
+        let (mut values, mut scale) = ([0.0; 2], [0.0; 2]);
+        CONICS.bind(&c).residual(&[distance; 2], &mut values, &mut scale);
+        assert!(
+            values.iter().zip(&scale).all(|(value, scale)| value.abs() < 1e-12 * scale),
+            "it looks like a solution"
+        );
+        assert_eq!(polish(&mut [distance; 2], &CONICS.bind(&c), 8), f64::INFINITY, "unit {unit}");
+        let mut complex = [Complex::new(distance, 0.0); 2];
+        assert_eq!(polish(&mut complex, &CONICS.bind(&c), 8), f64::INFINITY, "unit {unit}");
+    }
+}
+
+#[test]
+fn large_solutions_are_solutions() {
+    let mut random = Random::new(6);
+    for size in [1e6, 1e9, 1e14] {
+        for _ in 0..100 {
+            let truth = [size * random.symmetric(), -2.0 * size];
+            let c: [f64; 12] = through(&mut random, truth);
+            let mut x = truth.map(|x| x * (1.0 + 1e-9 * random.symmetric()));
+            assert!(polish(&mut x, &CONICS.bind(&c), 8) < 1e-12, "{truth:?}");
+            assert!(x.iter().zip(&truth).all(|(x, truth)| (x - truth).abs() < 1e-6 * size), "{x:?} {truth:?}");
+        }
+    }
+}
+
 #[test]
 fn an_unknown_that_is_zero_at_the_solution_does_not_hide_it() {
     let coefficients = [0.0, -2.0, 0.0, 0.0, 1.0, 0.0, -1.0, 1.0, 1.0, 0.0, 0.0, 0.0];
