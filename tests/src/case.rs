@@ -100,6 +100,12 @@ pub fn cases() -> Vec<Case> {
         case!(fundamental_8pt_radial_one_side, Fundamental8ptRadialOneSide, (affine), (f_32, radial)),
         case!(fundamental_9pt_two_radials, Fundamental9ptTwoRadials, (affine), (s, f_31, f_32, f_23)),
         case!(katsura_5, Katsura5, (), (t, u, v, x, y, z)),
+        case!(
+            platform_forward_kinematics,
+            PlatformForwardKinematics,
+            (sums, differences, shift, excess: f64, square: f64),
+            (a, b, c)
+        ),
         case!(pose_35pt_focal, Pose35ptFocal, (points, horizontal, vertical), (x, y)),
         case!(pose_4pt_focal_radial, Pose4ptFocalRadial, (row1, row2, row3), (w, radial, y, z)),
         case!(pose_4pt_focal_radial_cut, Pose4ptFocalRadialCut, (upper, lower), (radial, x, y, z)),

@@ -5,6 +5,7 @@ mod benchmarks;
 mod cameras;
 mod circles;
 mod optimal_pose;
+mod platforms;
 mod points;
 mod radial_distortion;
 mod ranging;
@@ -58,6 +59,7 @@ pub fn makers() -> Vec<Maker> {
         benchmarks::makers(),
         circles::makers(),
         optimal_pose::makers(),
+        platforms::makers(),
         points::makers(),
         radial_distortion::makers(),
         ranging::makers(),

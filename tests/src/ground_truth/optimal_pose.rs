@@ -53,7 +53,7 @@ fn quaternion_error(solution: &[f64], truth: &[f64]) -> f64 {
 
 /// The entries of a rotation, row by row, on the products (w w, w x, w y, w z, x x, x y, x z, y y, y z, z z) of its quaternion.
 #[rustfmt::skip]
-const ENTRIES: [[f64; 10]; 9] = [
+pub(super) const ENTRIES: [[f64; 10]; 9] = [
     [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, -1.0],
     [0.0, 0.0, 0.0, -2.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0],
     [0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0],
