@@ -125,6 +125,9 @@ pub fn cases() -> Vec<Case> {
         case!(relpose_6pt_focal, Relpose6ptFocal, (basis), (x, y, w)),
         case!(relpose_6pt_focal_one_side, Relpose6ptFocalOneSide, (basis), (x, y, w)),
         case!(relpose_6pt_generalized, Relpose6ptGeneralized, (first, second), (x, y, z)),
+        case!(relpose_6pt_radial, Relpose6ptRadial, (affine, affine_e31), (e_13, e_32, e_23, radial)),
+        case!(relpose_7pt_angle_focal_centre, Relpose7ptAngleFocalCentre, (left, right, half_angle), (x, y, z)),
+        case!(relpose_7pt_focal_radial, Relpose7ptFocalRadial, (affine, affine_f31), (w, f_32, f_13, f_23, radial)),
         case!(relpose_7pt_focal_radial_one_side, Relpose7ptFocalRadialOneSide, (affine), (w, f_31, f_32, radial)),
         case!(
             relpose_7pt_focal_radial_one_side_eliminated,

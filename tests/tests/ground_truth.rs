@@ -18,6 +18,8 @@ const HARD: &[&str] = &[
     "fundamental_8pt_radial",
     "fundamental_8pt_radial_one_side",
     "fundamental_9pt_two_radials",
+    "relpose_6pt_radial",
+    "relpose_7pt_focal_radial",
     "relpose_7pt_focal_radial_one_side",
     "relpose_7pt_focal_radial_one_side_eliminated",
     // Twenty of its 84 eigenvalues belong to no solution.

@@ -18,6 +18,8 @@ use rayon::prelude::*;
 /// The catalogue of problems, measured, beside published templates.
 #[derive(Parser)]
 struct Arguments {
+    /// Only these problems; with `--update` the rows of all others stay as they are.
+    problems: Vec<String>,
     /// The form in which it is printed.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -64,13 +66,21 @@ const WORDS: usize = 2;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments = Arguments::parse();
     let published = published()?;
+    let path = templates_folder().join("README.md");
     let mut rows = Vec::new();
     for case in cases() {
-        eprintln!("{}", case.name);
-        rows.push(row(&case, &published, &arguments));
+        if arguments.problems.is_empty() || arguments.problems.iter().any(|name| name == case.name) {
+            eprintln!("{}", case.name);
+            rows.push(row(&case, &published, &arguments));
+        } else if arguments.update {
+            rows.push(
+                written_row(&fs::read_to_string(&path)?, &case)
+                    .ok_or_else(|| format!("{} is not in the page", case.name))?,
+            );
+        }
     }
     if arguments.update {
-        return write(&templates_folder().join("README.md"), &page(rows, &arguments));
+        return write(&path, &page(rows, &arguments));
     }
     match arguments.format {
         Format::Text => println!("{}", table(rows, presets::NOTHING)),
@@ -110,6 +120,15 @@ fn row(case: &Case, published: &[Published], arguments: &Arguments) -> Vec<Strin
         theirs.p99,
         theirs.failure_rate,
     ]
+}
+
+/// The row of a problem in the page as it was written before.
+fn written_row(page: &str, case: &Case) -> Option<Vec<String>> {
+    let line = page.lines().find(|line| line.contains(&format!("({}.rs)", case.name)))?;
+    let cells: Vec<&str> = line.trim().strip_prefix('|')?.strip_suffix('|')?.split('|').map(str::trim).collect();
+    let mut row: Vec<String> = cells.into_iter().map(str::to_owned).collect();
+    *row.first_mut()? = case.name.to_owned();
+    (row.len() == HEAD.len()).then_some(row)
 }
 
 /// The share of scenes on which all known solutions are found.

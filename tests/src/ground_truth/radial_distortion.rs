@@ -1,7 +1,9 @@
 //! Two cameras with unknown radial distortion, from points in both images.
 
+use std::f64::consts::PI;
+
 use eliminant_generator::instance::Random;
-use nalgebra::{Matrix3, Vector2, Vector3};
+use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
 
 use super::cameras::{distorted, image, two_cameras};
 use super::{KnownInstance, Maker, largest_relative_error, solved, uniform};
@@ -13,6 +15,8 @@ pub(super) fn makers() -> Vec<Maker> {
         maker("fundamental_8pt_radial", fundamental_eight_points),
         maker("fundamental_8pt_radial_one_side", fundamental_eight_points_one_side),
         maker("fundamental_9pt_two_radials", fundamental_nine_points),
+        maker("relpose_6pt_radial", six_points),
+        maker("relpose_7pt_focal_radial", seven_points),
         maker("relpose_7pt_focal_radial_one_side", seven_points_one_side),
         maker("relpose_7pt_focal_radial_one_side_eliminated", seven_points_one_side_eliminated),
     ]
@@ -48,6 +52,29 @@ impl Views {
         let inverse = focal.map(|focal| Matrix3::from_diagonal(&Vector3::new(1.0 / focal, 1.0 / focal, 1.0)));
         let fundamental = inverse[1] * translation.cross_matrix() * rotation * inverse[0];
         Self { fundamental: fundamental / fundamental[(2, 2)], points: points.iter().map(correspondence).collect() }
+    }
+
+    /// The first camera as the second, and the second as the first.
+    fn exchanged(&self) -> Self {
+        let exchange = |&Correspondence { a, b, first, c, d, second }: &Correspondence| Correspondence {
+            a: c,
+            b: d,
+            first: second,
+            c: a,
+            d: b,
+            second: first,
+        };
+        Self { fundamental: self.fundamental.transpose(), points: self.points.iter().map(exchange).collect() }
+    }
+
+    /// The first image turned about its centre.
+    fn turned(&self, angle: f64) -> Self {
+        let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), angle).into_inner();
+        let turn_point = |point: &Correspondence| {
+            let turned = turn * Vector3::new(point.a, point.b, 0.0);
+            Correspondence { a: turned.x, b: turned.y, ..*point }
+        };
+        Self { fundamental: self.fundamental * turn.transpose(), points: self.points.iter().map(turn_point).collect() }
     }
 
     /// leading unknowns = X others, row by row, where every point gives one equation (leading, others) . unknowns = 0.
@@ -111,6 +138,79 @@ fn fundamental_nine_points(random: &mut Random) -> KnownInstance {
     });
     let f = views.fundamental;
     KnownInstance { data, truths: vec![vec![s, f[(2, 0)], f[(2, 1)], f[(1, 2)]]] }
+}
+
+/// Which camera is the first, and how its partner's image is turned, is free, but not every choice determines the unknowns that the points are
+/// solved for well: of 24 choices the one with the smallest data is taken.
+fn with_smallest_data(views: &Views, normal_form: impl Fn(&Views) -> KnownInstance) -> KnownInstance {
+    let mut best: Option<(f64, KnownInstance)> = None;
+    for views in [views, &views.exchanged()] {
+        for step in 0..12 {
+            let instance = normal_form(&views.turned(PI / 12.0 * f64::from(step)).exchanged());
+            let size = instance.data.iter().map(|x| x.abs().ln_1p()).sum();
+            if best.as_ref().is_none_or(|(smallest, _)| size < *smallest) {
+                best = Some((size, instance));
+            }
+        }
+    }
+    best.expect("one of 24").1
+}
+
+/// A problem that states x1^T F x2 = 0 may turn the first image, and choose the unit of the distortion, so that f31 = radial f13 + ...: the views
+/// of which that is true, and the unit. `others` lists the monomials d, d first, a, a second, b, b second and further ones, and the last
+/// of the leading unknowns is f31.
+fn with_unit(views: &Views, equation: impl Fn(&Correspondence) -> (Vec<f64>, Vec<f64>)) -> (Views, f64) {
+    let (leading, others) = equation(&views.points[0]);
+    // The coefficients of radial f13 and radial f23.
+    let f31 = &views.affine(equation)[(leading.len() - 1) * others.len()..];
+    let (x, y) = (f31[3], f31[5]);
+    let unit = x.hypot(y);
+    let mut views = views.turned(-y.atan2(x));
+    for point in &mut views.points {
+        point.first /= unit;
+        point.second /= unit;
+    }
+    (views, unit)
+}
+
+/// Without the coefficients that [`with_unit`] makes 1 and 0.
+fn without_unit(mut data: Vec<f64>, others: usize) -> Vec<f64> {
+    let f31 = data.len() - others;
+    data.remove(f31 + 5);
+    data.remove(f31 + 3);
+    data
+}
+
+fn six_points(random: &mut Random) -> KnownInstance {
+    let radial = radial(random);
+    let equation = |&Correspondence { a, b, first, c, d, second }: &Correspondence| {
+        (
+            vec![a * c, b * c, a * d, b * d, c * first, c],
+            vec![d, d * first, a, a * second, b, b * second, first * second, first + second, 1.0],
+        )
+    };
+    with_smallest_data(&Views::draw(random, 6, [1.0; 2], [radial; 2]), |views| {
+        let (views, unit) = with_unit(views, equation);
+        let e = views.fundamental.transpose();
+        let truth = vec![e[(0, 2)], e[(2, 1)], e[(1, 2)], radial * unit];
+        KnownInstance { data: without_unit(views.affine(equation), 9), truths: vec![truth] }
+    })
+}
+
+fn seven_points(random: &mut Random) -> KnownInstance {
+    let (focal, radial) = (focal(random), radial(random));
+    let equation = |&Correspondence { a, b, first, c, d, second }: &Correspondence| {
+        (
+            vec![a * c, b * c, a * d, b * d, c * first, first * second, c],
+            vec![d, d * first, a, a * second, b, b * second, first + second, 1.0],
+        )
+    };
+    with_smallest_data(&Views::draw(random, 7, [focal; 2], [radial; 2]), |views| {
+        let (views, unit) = with_unit(views, equation);
+        let f = views.fundamental.transpose();
+        let truth = vec![1.0 / (focal * focal), f[(2, 1)], f[(0, 2)], f[(1, 2)], radial * unit];
+        KnownInstance { data: without_unit(views.affine(equation), 8), truths: vec![truth] }
+    })
 }
 
 /// The problem states x1^T F x2 = 0.
