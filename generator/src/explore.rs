@@ -8,7 +8,7 @@ use crate::algebra::Monomial;
 use crate::monitor::Monitor;
 use crate::presolve::Presolve;
 use crate::search::SearchOptions;
-use crate::starts::{Form, Start, actions, basis_limits, grow};
+use crate::starts::{Form, Start, grow};
 use crate::template::grow::Growth;
 use crate::template::improve::Improvement;
 use crate::template::reduce::{DeletionOrder, reduce};
@@ -43,8 +43,15 @@ const ROWS_OF_FULL_IMPROVEMENT: u64 = 50;
 /// What was computed before: different ways to grow often come to the same rows. It saves work and changes no result.
 #[derive(Default)]
 pub(crate) struct Memory {
-    reduced: Remembered<(Presolve, Vec<Shift>, Monomial, usize), Option<EliminationTemplate>>,
-    improved: Remembered<(Presolve, EliminationTemplate, usize), EliminationTemplate>,
+    reduced: Remembered<(FormKey, Vec<Shift>, Monomial, usize), Option<EliminationTemplate>>,
+    improved: Remembered<(FormKey, EliminationTemplate, usize), EliminationTemplate>,
+}
+
+/// What tells forms apart.
+type FormKey = (Presolve, bool);
+
+fn key(form: &Form) -> FormKey {
+    (form.presolve, form.symmetry.is_none())
 }
 
 /// Values of a function by its arguments.
@@ -83,11 +90,11 @@ pub(crate) fn explore(
     let grown = grow(form, growth, solutions, options, monitor);
     let mut explored =
         Explored { templates: Vec::new(), tried: grown.tried, largest: grown.largest, unsolved: grown.unsolved };
-    for max_basis in basis_limits(solutions) {
-        let requirements = Requirements { unknowns: &form.reduced.kept, solutions, max_basis };
+    for max_basis in form.basis_limits(solutions) {
+        let requirements = form.requirements(solutions, max_basis);
         let starts = promising(grown.starts.iter().filter(|start| start.max_basis == max_basis).collect());
         let reduced = |start: &Start| {
-            let key = (form.presolve, start.matrix.shifts.clone(), start.action, max_basis);
+            let key = (key(form), start.matrix.shifts.clone(), start.action, max_basis);
             let compute = || reduce(&start.matrix, &start.action, &requirements, DeletionOrder::HighestFirst, monitor);
             memory.reduced.get(key, compute)
         };
@@ -97,7 +104,7 @@ pub(crate) fn explore(
         templates.truncate(RETURNED);
         let improved = |template: &EliminationTemplate| {
             let compute = || improve(form, template, &requirements, options, monitor);
-            memory.improved.get((form.presolve, template.clone(), max_basis), compute)
+            memory.improved.get((key(form), template.clone(), max_basis), compute)
         };
         let improved: Vec<EliminationTemplate> = templates.iter().take(IMPROVED).map(improved).collect();
         for template in improved.into_iter().chain(templates) {
@@ -134,10 +141,14 @@ fn improve(
     options: &SearchOptions,
     monitor: &dyn Monitor,
 ) -> EliminationTemplate {
+    // Between shifts of one class of monomials.
+    let unknowns = form.reduced.kept.iter().map(|&unknown| Monomial::unknown(unknown));
+    let steps: Vec<Monomial> = if form.symmetry.is_none() { unknowns.collect() } else { form.actions.clone() };
     let improvement = Improvement {
         field: form.instance.field,
         equations: &form.instance.equations,
-        actions: &actions(form),
+        actions: &form.actions,
+        steps: &steps,
         rounds: options.shuffles * ROWS_OF_FULL_IMPROVEMENT / ROWS_OF_FULL_IMPROVEMENT.max(template.rows() as u64),
         seed: options.seed,
     };

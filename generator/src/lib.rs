@@ -21,6 +21,7 @@ pub mod check;
 
 /// Problem to problem with fewer unknowns, and how to recover the others.
 pub mod presolve;
+pub mod symmetry;
 
 pub mod attempt;
 /// How a search tells what it does and is told to end, what it looks for first, which share of the work is its own, and what it tried in vain.

@@ -161,13 +161,28 @@ pub enum KnownMonomial {
     Read(u16),
 }
 
-/// An unknown as the least-squares ratio of monomial values: x = sum conj(m_k) (x m_k) / sum |m_k|^2.
+/// An unknown x from the least-squares ratio of monomial values, s = sum conj(m_k) (s m_k) / sum |m_k|^2 for a monomial s, which is x but where signs
+/// can be changed: then it is x^2, or x times unknowns that are square roots, or their reciprocals.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Extraction {
     /// The unknown.
     pub unknown: usize,
-    /// (m, x m).
+    /// The exponents of s, one per unknown.
+    pub step: Vec<i8>,
+    /// (m, s m).
     pub pairs: Vec<(KnownMonomial, KnownMonomial)>,
+}
+
+impl Extraction {
+    /// Whether the unknown is the square root of the ratio.
+    pub fn is_square(&self) -> bool {
+        self.step.get(self.unknown) == Some(&2)
+    }
+
+    /// The other unknowns in s, with their exponents.
+    pub fn others(&self) -> impl Iterator<Item = (usize, i8)> + '_ {
+        self.step.iter().copied().enumerate().filter(|&(other, e)| e != 0 && other != self.unknown)
+    }
 }
 
 /// A term of a polynomial in the unknowns: coefficient and exponent of each unknown.
@@ -242,8 +257,10 @@ pub struct Plan {
     pub read: Vec<PivotId>,
     /// How real roots are found.
     pub roots: RootMethod,
-    /// How kept unknowns follow from an eigenpair.
+    /// How kept unknowns follow from an eigenpair, those that are square roots first.
     pub extractions: Vec<Extraction>,
+    /// Changes of sign that map solutions to solutions with the same eigenpair: for each, whether it changes an unknown.
+    pub flips: Vec<Vec<bool>>,
     /// How eliminated unknowns follow, in this order.
     pub recoveries: Vec<PlannedRecovery>,
     /// All equations as stated in the problem, for the polish and the residual.
@@ -311,7 +328,15 @@ impl Plan {
                 KnownMonomial::Read(at) => usize::from(at) < self.read.len(),
             });
         let mut known = vec![false; self.unknowns.len()];
-        self.extractions.iter().for_each(|x| known[x.unknown] |= !x.pairs.is_empty());
+        let mut steps_ok = true;
+        for x in &self.extractions {
+            let own = x.step.get(x.unknown);
+            steps_ok &= x.step.len() == known.len() && (x.is_square() || own == Some(&1));
+            steps_ok &= x.others().all(|(other, e)| known[other] && matches!(e, 1 | -1));
+            known[x.unknown] |= !x.pairs.is_empty();
+        }
+        steps_ok &= self.flips.iter().all(|flip| flip.len() == known.len());
+        let enough = self.solutions <= e.basis * (1 + self.flips.len());
         let mut terms_ok = true;
         for recovery in &self.recoveries {
             let reads_known = |t: &Term| t.exponents.iter().zip(&known).all(|(&e, &k)| e == 0 || k);
@@ -332,6 +357,8 @@ impl Plan {
             (right_ok, "a basis entry is out of range"),
             (action_ok, "a row of the action matrix is out of range"),
             (known_ok, "an unknown is read from a monomial that is not known"),
+            (steps_ok, "an unknown is read with one that is not known"),
+            (enough, "the basis is smaller than the number of solutions"),
             (terms_ok, "a term reads something unknown"),
             (known.iter().all(|&k| k), "an unknown is never recovered"),
         ] {

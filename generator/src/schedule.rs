@@ -13,6 +13,7 @@ use crate::plan::{
 use crate::presolve::ReducedProblem;
 use crate::problem::{Problem, Statement};
 use crate::straight_line::straight_line_code;
+use crate::symmetry::{Reading, Symmetry};
 use crate::template::{EliminationTemplate, Shift};
 
 /// Why a template cannot be turned into a plan.
@@ -97,9 +98,10 @@ impl Scheduler<'_> {
         let is_image = |m: &Monomial| template.basis.contains(&m.over(&template.action));
         let extra: Vec<Monomial> = template.reducible.iter().filter(|m| !is_image(m)).copied().collect();
         let read = extra.iter().filter_map(|m| pivots.get(m).copied()).collect();
-        let extraction = |&unknown: &usize| plan_extraction(problem, template, &extra, unknown);
-        let extractions = reduced.kept.iter().map(extraction).collect::<Result<_, _>>()?;
+        let symmetry = Symmetry::of_problem(problem).of_template(&template.action, &template.basis).on(&reduced.kept);
         let width = problem.unknowns.len();
+        let extractions = plan_extractions(problem, template, &extra, &symmetry.readings(&reduced.kept))?;
+        let flips = symmetry.all().iter().map(|flip| (0..width).map(|at| flip.contains(&at)).collect()).collect();
         let recoveries: Vec<_> = reduced
             .recoveries
             .iter()
@@ -125,6 +127,7 @@ impl Scheduler<'_> {
             read,
             roots: self.roots,
             extractions,
+            flips,
             recoveries,
             equations,
             nonzero,
@@ -286,12 +289,36 @@ fn plan_action(
 }
 
 /// All pairs (m, x m) among the basis monomials; where there are none, among basis and image, and then `extra` monomials too.
-fn plan_extraction(
+/// By the first of the ways to read the unknowns that reads all of them.
+fn plan_extractions(
     problem: &Problem,
     template: &EliminationTemplate,
     extra: &[Monomial],
-    unknown: usize,
-) -> Result<Extraction, ScheduleError> {
+    ways: &[Vec<Reading>],
+) -> Result<Vec<Extraction>, ScheduleError> {
+    let width = problem.unknowns.len();
+    let mut missing = None;
+    for readings in ways {
+        let extractions: Result<Vec<Extraction>, usize> =
+            readings.iter().map(|reading| plan_extraction(template, extra, reading, width)).collect();
+        match extractions {
+            Ok(mut extractions) => {
+                extractions.sort_by_key(|x| !x.is_square());
+                return Ok(extractions);
+            }
+            Err(unknown) => missing = missing.or(Some(unknown)),
+        }
+    }
+    Err(ScheduleError::Unreadable(missing.map_or_else(String::new, |unknown| problem.unknowns[unknown].clone())))
+}
+
+/// The unknown where it cannot be read.
+fn plan_extraction(
+    template: &EliminationTemplate,
+    extra: &[Monomial],
+    reading: &Reading,
+    width: usize,
+) -> Result<Extraction, usize> {
     let ids = || (0u16..).map(BasisId);
     let basis: Vec<(Monomial, KnownMonomial)> =
         template.basis.iter().copied().zip(ids().map(KnownMonomial::Basis)).collect();
@@ -299,12 +326,15 @@ fn plan_extraction(
     let image: Vec<_> = basis.iter().copied().chain(images).collect();
     let all: Vec<_> =
         image.iter().copied().chain(extra.iter().copied().zip((0u16..).map(KnownMonomial::Read))).collect();
-    let x = Monomial::unknown(unknown);
-    let pairs = |known: &[(Monomial, KnownMonomial)]| -> Vec<_> {
+    let extraction = |known: &[(Monomial, KnownMonomial)], step: &Monomial| {
         let find = |m: Monomial| known.iter().find(|(n, _)| *n == m).map(|&(_, at)| at);
-        known.iter().filter_map(|&(m, at)| Some((at, find(m.times(&x))?))).collect()
+        let pairs = known.iter().filter_map(|&(m, at)| Some((at, find(m.times(step))?))).collect();
+        Extraction { unknown: reading.unknown, step: step.exponents()[..width].to_vec(), pairs }
     };
-    let found = [&basis, &image, &all].into_iter().map(|known| pairs(known)).find(|pairs| !pairs.is_empty());
-    let unreadable = || ScheduleError::Unreadable(problem.unknowns[unknown].clone());
-    Ok(Extraction { unknown, pairs: found.ok_or_else(unreadable)? })
+    let most_pairs = |known: &[(Monomial, KnownMonomial)]| {
+        let all = reading.steps.iter().map(|step| extraction(known, step)).filter(|x| !x.pairs.is_empty());
+        // Of equals the first.
+        all.rev().max_by_key(|x| x.pairs.len())
+    };
+    [&basis, &image, &all].into_iter().find_map(|known| most_pairs(known)).ok_or(reading.unknown)
 }

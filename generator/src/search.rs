@@ -143,7 +143,8 @@ impl Way<'_> {
             Presolve::Linear => "after presolve, ",
             Presolve::Square => "after presolve and division by a square, ",
         };
-        format!("{presolve}{}", self.growth)
+        let symmetry = if self.form.symmetry.is_none() { "" } else { "up to sign, " };
+        format!("{presolve}{symmetry}{}", self.growth)
     }
 }
 

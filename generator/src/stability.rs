@@ -133,9 +133,16 @@ pub fn solve(plan: &Plan, inputs: &[f64]) -> Option<Vec<(Point, f64)>> {
         (residual <= MAX_RESIDUAL && admissible).then_some((point, residual))
     };
     let mut found = Vec::new();
+    let add = |found: &mut Vec<(Point, f64)>, (point, residual): (Point, f64)| {
+        for flip in &plan.flips {
+            let flipped = point.iter().zip(flip).map(|(&x, &changes)| if changes { -x } else { x }).collect();
+            add(found, (flipped, residual));
+        }
+        add(found, (point, residual));
+    };
     let eigenpairs = values.iter().filter_map(|&value| Some((value, schur.vector(value)?)));
     eigenpairs.filter_map(solution).for_each(|solution| add(&mut found, solution));
-    if found.len() < values.len() {
+    if found.len() < values.len() * (1 + plan.flips.len()) {
         let eigenpairs = shared_value::eigenpairs(&complex, &read, &plan.extractions, &values);
         eigenpairs.into_iter().filter_map(solution).for_each(|solution| add(&mut found, solution));
     }
@@ -232,7 +239,10 @@ fn unknowns(
             numerator += known(m).conj() * known(xm);
             denominator += known(m).norm_sqr();
         }
-        point[extraction.unknown] = numerator / denominator;
+        let ratio: Complex<f64> = numerator / denominator;
+        let root = if extraction.is_square() { ratio.sqrt() } else { ratio };
+        let others = extraction.others().map(|(other, e)| point[other].powi(-i32::from(e)));
+        point[extraction.unknown] = others.fold(root, |product, factor| product * factor);
     }
     for recovery in &plan.recoveries {
         point[recovery.unknown] = evaluate(&recovery.terms, c, &point).0;

@@ -6,6 +6,7 @@ use crate::monitor::{Monitor, Stage};
 use crate::presolve::{Presolve, ReducedProblem, presolve};
 use crate::problem::Problem;
 use crate::search::{SearchError, SearchOptions};
+use crate::symmetry::{Reading, Symmetry};
 use crate::template::grow::{Growth, Shifts, linear_groups};
 use crate::template::reduce::{DeletionOrder, independent_rows};
 use crate::template::shift_matrix::ShiftMatrix;
@@ -27,14 +28,37 @@ pub(crate) struct Start {
 /// A presolved form with an instance to search on and one to check on.
 pub(crate) struct Form {
     pub(crate) presolve: Presolve,
+    /// The sign changes that templates make use of.
+    pub(crate) symmetry: Symmetry,
+    /// The ways to read the unknowns then.
+    pub(crate) readings: Vec<Vec<Reading>>,
+    /// The action monomials to try.
+    pub(crate) actions: Vec<Monomial>,
     pub(crate) reduced: ReducedProblem,
     pub(crate) instance: Instance,
     pub(crate) check: Instance,
 }
 
-/// The different presolved forms of a problem.
+impl Form {
+    /// What templates must satisfy. `solutions` is the number of solutions of the problem.
+    pub(crate) fn requirements(&self, solutions: usize, max_basis: usize) -> Requirements<'_> {
+        Requirements { readings: &self.readings, solutions: solutions.div_ceil(self.symmetry.order()), max_basis }
+    }
+
+    /// The different [`BASIS_PERCENT`] of the number of solutions up to sign, increasing.
+    pub(crate) fn basis_limits(&self, solutions: usize) -> Vec<usize> {
+        let orbits = solutions.div_ceil(self.symmetry.order());
+        let mut limits: Vec<usize> = BASIS_PERCENT.iter().map(|percent| (orbits * percent).div_ceil(100)).collect();
+        limits.dedup();
+        limits
+    }
+}
+
+/// The different presolved forms of a problem. Where signs can be changed there are two of each, since solutions that no sign change moves can be
+/// lost to a template that makes use of it.
 pub(crate) fn forms(problem: &Problem, options: &SearchOptions) -> Result<Vec<Form>, SearchError> {
     let mut forms: Vec<Form> = Vec::new();
+    let of_problem = Symmetry::of_problem(problem);
     for kind in [Presolve::None, Presolve::Constant, Presolve::Linear, Presolve::Square] {
         let reduced = presolve(problem, kind);
         if forms.iter().any(|form| is_same(&form.reduced, &reduced)) {
@@ -42,7 +66,13 @@ pub(crate) fn forms(problem: &Problem, options: &SearchOptions) -> Result<Vec<Fo
         }
         let draw = |field, seed| Instance::draw(&reduced.problem, field, seed).ok_or(SearchError::NoInstance);
         let (instance, check) = (draw(SEARCH_FIELD, options.seed)?, draw(CHECK_FIELD, options.seed.wrapping_add(1))?);
-        forms.push(Form { presolve: kind, reduced, instance, check });
+        let symmetry = of_problem.on(&reduced.kept);
+        let symmetries = [Some(symmetry.clone()).filter(|symmetry| !symmetry.is_none()), Some(Symmetry::NONE)];
+        for symmetry in symmetries.into_iter().flatten() {
+            let (readings, actions) = (symmetry.readings(&reduced.kept), actions(&symmetry, &reduced.kept));
+            let (reduced, instance, check) = (reduced.clone(), instance.clone(), check.clone());
+            forms.push(Form { presolve: kind, symmetry, readings, actions, reduced, instance, check });
+        }
     }
     Ok(forms)
 }
@@ -80,21 +110,18 @@ pub(crate) fn growths(form: &Form) -> Vec<Growth> {
     growths
 }
 
-/// The action monomials to try: each unknown and its reciprocal.
-pub(crate) fn actions(form: &Form) -> Vec<Monomial> {
-    let unknowns = form.reduced.kept.iter().map(|&unknown| Monomial::unknown(unknown));
-    unknowns.flat_map(|x| [x, Monomial::ONE.over(&x)]).collect()
+/// The action monomials to try: each unknown and its reciprocal; products and ratios of two unknowns that change their signs together.
+fn actions(symmetry: &Symmetry, unknowns: &[usize]) -> Vec<Monomial> {
+    let unknowns: Vec<Monomial> = unknowns.iter().map(|&unknown| Monomial::unknown(unknown)).collect();
+    let (keep, change): (Vec<Monomial>, Vec<Monomial>) = unknowns.into_iter().partition(|x| symmetry.keeps(x));
+    let pairs = (0..change.len()).flat_map(|i| (i..change.len()).map(move |j| (i, j)));
+    let of_pairs = pairs.flat_map(|(i, j)| [change[i].times(&change[j]), change[i].over(&change[j])]);
+    let all = keep.iter().copied().chain(of_pairs.filter(|m| *m != Monomial::ONE && symmetry.keeps(m)));
+    all.flat_map(|m| [m, Monomial::ONE.over(&m)]).collect()
 }
 
 /// Largest sizes of B to try, in percent of the number of solutions. A larger B takes fewer rows and a larger eigenvalue problem.
 const BASIS_PERCENT: [usize; 6] = [100, 115, 130, 150, 175, 200];
-
-/// The different [`BASIS_PERCENT`] of a number of solutions, increasing.
-pub(crate) fn basis_limits(solutions: usize) -> Vec<usize> {
-    let mut limits: Vec<usize> = BASIS_PERCENT.iter().map(|percent| (solutions * percent).div_ceil(100)).collect();
-    limits.dedup();
-    limits
-}
 
 /// What growing in one way gave.
 pub(crate) struct Grown {
@@ -121,7 +148,7 @@ pub(crate) fn grow(
 ) -> Grown {
     let equations = &form.instance.equations;
     let kept = &form.reduced.kept;
-    let limits = basis_limits(solutions);
+    let limits = form.basis_limits(solutions);
     let mut grown = Grown { starts: Vec::new(), tried: 0, largest: (0, 0), unsolved: None };
     let mut levels_left = LEVELS_BEYOND_FIRST;
     let mut last_look: usize = 0;
@@ -137,10 +164,12 @@ pub(crate) fn grow(
         grown.tried += 1;
         grown.largest = grown.largest.max((matrix.monomials.len(), matrix.rows.len()));
         let independent = independent_rows(&matrix, DeletionOrder::HighestFirst);
-        for action in actions(form) {
-            let Some(dependencies) = Dependencies::new(&matrix, &action, &independent, kept) else { continue };
+        for &action in &form.actions {
+            let Some(dependencies) = Dependencies::new(&matrix, &action, &independent, &form.readings) else {
+                continue;
+            };
             for &max_basis in &limits {
-                let requirements = Requirements { unknowns: kept, solutions, max_basis };
+                let requirements = form.requirements(solutions, max_basis);
                 let Some(set) = dependencies.best(&matrix, &requirements) else { continue };
                 let needed = dependencies.rows_of(&set);
                 let matrix = matrix.retain_rows(|row| needed.binary_search(&row).is_ok());
@@ -162,11 +191,11 @@ pub(crate) fn grow(
 
 /// What keeps the rows from solving for any action monomial.
 pub(crate) fn obstacle(form: &Form, matrix: &ShiftMatrix, solutions: usize) -> Obstacle {
-    let max_basis = basis_limits(solutions).last().copied().unwrap_or(solutions);
-    let requirements = Requirements { unknowns: &form.reduced.kept, solutions, max_basis };
+    let max_basis = form.basis_limits(solutions).last().copied().unwrap_or(solutions);
+    let requirements = form.requirements(solutions, max_basis);
     let rows = independent_rows(matrix, DeletionOrder::HighestFirst);
-    let of = |action: Monomial| Dependencies::new(matrix, &action, &rows, &form.reduced.kept);
-    let dependencies = actions(form).into_iter().filter_map(of);
+    let of = |action: &Monomial| Dependencies::new(matrix, action, &rows, &form.readings);
+    let dependencies = form.actions.iter().filter_map(of);
     let obstacles = dependencies.map(|dependencies| dependencies.obstacle(matrix, &requirements));
     obstacles.min_by_key(Obstacle::distance).unwrap_or(Obstacle::NothingExpressed)
 }

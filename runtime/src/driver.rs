@@ -11,6 +11,7 @@ use crate::polynomial_roots::real_roots_monic;
 use crate::scalar::Scalar;
 use crate::shared_value::{Combinations, SharedValue};
 use crate::solutions::Solutions;
+use crate::symmetry::{Symmetry, flipped};
 
 /// A solution is kept only if its relative residual is at most this after the polish.
 pub const MAX_RESIDUAL: f64 = 1e-10;
@@ -29,6 +30,9 @@ pub trait ActionMethod<const B: usize, const N: usize, const K: usize> {
     /// For each unknown x the positions of (m, x m) among the known monomials; none where [`ActionMethod::recover`]
     /// gives it.
     const PAIRS: [&'static [(u16, u16)]; N];
+
+    /// How unknowns follow from their pairs where the template tells them up to sign.
+    const SYMMETRY: Option<Symmetry<N>> = None;
 
     /// The values of the known monomials from an eigenpair: linear in the vector; those of the image, value times
     /// vector, and only those depend on the value.
@@ -81,7 +85,8 @@ pub fn real_solutions<const B: usize, const N: usize, const K: usize, const MAX:
     let mut found = Solutions::<Candidate<f64, N>, MAX>::new();
     let values = spectrum.eigenvalues()?;
     let mut complete = true;
-    let may_be_real = |value: &Complex<f64>| B > MAX || is_nearly_real(value);
+    let has_spurious_values = B * (1 + flips(method).len()) > MAX;
+    let may_be_real = |value: &Complex<f64>| has_spurious_values || is_nearly_real(value);
     for value in upper_half(values).filter(may_be_real) {
         complete &= add_real(method, &spectrum, value, &mut found);
     }
@@ -152,18 +157,41 @@ fn add_complex<const B: usize, const N: usize, const K: usize, const MAX: usize>
     value: Complex<f64>,
     found: &mut Solutions<Candidate<Complex<f64>, N>, MAX>,
 ) -> bool {
-    let polish = |x: &mut _, steps| method.polish(x, steps);
     if value.im == 0.0 {
-        polished(method, source, value.re).is_some_and(|real| {
-            let candidate = Candidate { unknowns: real.unknowns.map(Complex::from), residual: real.residual };
-            push_distinct(found, candidate, polish)
-        })
+        let complex =
+            |real: Candidate<f64, N>| Candidate { unknowns: real.unknowns.map(Complex::from), residual: real.residual };
+        let real = polished(method, source, value.re).map(complex);
+        // The square of an unknown may be real and negative. A conjugate then differs by signs only.
+        let candidate = real.or_else(|| (!flips(method).is_empty()).then(|| polished(method, source, value)).flatten());
+        candidate.is_some_and(|candidate| push_all_signs(method, candidate, found))
     } else {
         polished(method, source, value).is_some_and(|candidate| {
             let conjugate = Candidate { unknowns: candidate.unknowns.map(|x| x.conj()), ..candidate };
-            push_distinct(found, candidate, polish) & push_distinct(found, conjugate, polish)
+            push_all_signs(method, candidate, found) & push_all_signs(method, conjugate, found)
         })
     }
+}
+
+/// The sign changes that connect solutions of one eigenpair.
+#[inline]
+fn flips<const B: usize, const N: usize, const K: usize, M: ActionMethod<B, N, K>>(_: &M) -> &'static [[bool; N]] {
+    M::SYMMETRY.map_or(&[], |symmetry| symmetry.flips)
+}
+
+/// Adds a solution with those that differ by signs only; false where none of them is new.
+#[inline]
+fn push_all_signs<S: Scalar, const B: usize, const N: usize, const K: usize, const MAX: usize>(
+    method: &impl ActionMethod<B, N, K>,
+    candidate: Candidate<S, N>,
+    found: &mut Solutions<Candidate<S, N>, MAX>,
+) -> bool {
+    let polish = |x: &mut _, steps| method.polish(x, steps);
+    let mut is_new = push_distinct(found, candidate, polish);
+    for flip in flips(method) {
+        let unknowns = flipped(&candidate.unknowns, flip);
+        is_new |= push_distinct(found, Candidate { unknowns, ..candidate }, polish);
+    }
+    is_new
 }
 
 /// Adds the real solution of a real or nearly real eigenvalue. False where there is none or none that is new, and for a
@@ -177,7 +205,7 @@ fn add_real<const B: usize, const N: usize, const K: usize, const MAX: usize>(
 ) -> bool {
     let is_real = value.im == 0.0;
     let candidate = if is_real { polished(method, source, value.re) } else { nearly_real(method, source, value) };
-    let is_new = candidate.is_some_and(|candidate| push_distinct(found, candidate, |x, steps| method.polish(x, steps)));
+    let is_new = candidate.is_some_and(|candidate| push_all_signs(method, candidate, found));
     is_real && is_new
 }
 

@@ -32,6 +32,12 @@ pub(crate) fn unknowns<S: Scalar, const B: usize, const N: usize, const K: usize
             *unknown = ratio(&known, pairs)?;
         }
     }
+    if let Some(symmetry) = M::SYMMETRY {
+        symmetry.resolve(&mut x);
+        if !x.iter().all(|x| x.is_finite()) {
+            return None;
+        }
+    }
     method.recover(&mut x);
     Some(x)
 }

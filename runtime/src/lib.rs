@@ -7,7 +7,7 @@
 //!    matrix.
 //! 3. [`hessenberg`] and [`eigenvalues`] give its eigenvalues and, for one eigenvalue at a time, the eigenvector;
 //!    [`polynomial_roots`] gives only the real ones, from the characteristic polynomial.
-//! 4. [`extract`] reads unknowns off an eigenvector.
+//! 4. [`extract`] reads unknowns off an eigenvector, by [`symmetry`] where it tells them up to sign.
 //! 5. [`mod@polish`] improves a solution on the original equations, which [`system`] evaluates from static tables.
 //! 6. [`driver`] does 3 to 5 for every eigenvalue; [`distinct`] drops what was found twice. Solutions that share an
 //!    eigenvalue are told apart by `shared_value` on its `invariant_subspace`.
@@ -44,6 +44,7 @@ pub mod program;
 pub mod scalar;
 mod shared_value;
 pub mod solutions;
+pub mod symmetry;
 pub mod system;
 pub mod template;
 
@@ -60,6 +61,7 @@ pub use polynomial_roots::{real_roots, real_roots_monic};
 pub use program::{Operation, Program, Run};
 pub use scalar::Scalar;
 pub use solutions::Solutions;
+pub use symmetry::Symmetry;
 pub use system::{PolynomialSystem, Product, System, Tables, Term};
 pub use template::{Block, Entry, check_coefficients, eliminate_block, eliminate_large_block, fill};
 

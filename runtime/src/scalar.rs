@@ -47,6 +47,8 @@ pub trait Scalar:
     fn scale(self, factor: f64) -> Self;
     /// 1/x, without overflow in between.
     fn reciprocal(self) -> Self;
+    /// The principal square root; NaN for a negative real number.
+    fn sqrt(self) -> Self;
     /// Neither infinite nor NaN.
     fn is_finite(self) -> bool;
 }
@@ -85,6 +87,10 @@ impl Scalar for f64 {
     #[inline]
     fn reciprocal(self) -> f64 {
         1.0 / self
+    }
+    #[inline]
+    fn sqrt(self) -> f64 {
+        float::sqrt(self)
     }
     #[inline]
     fn is_finite(self) -> bool {
@@ -135,6 +141,14 @@ impl Scalar for Complex<f64> {
             let denominator = self.re * quotient + self.im;
             Complex { re: quotient / denominator, im: -1.0 / denominator }
         }
+    }
+    #[inline]
+    fn sqrt(self) -> Self {
+        // The part that is a sum of what has one sign; the other follows from im = 2 re' im'.
+        let large = float::sqrt(0.5 * (self.modulus() + self.re.abs()));
+        let small = if large > 0.0 { 0.5 * self.im.abs() / large } else { 0.0 };
+        let (re, im) = if self.re >= 0.0 { (large, small) } else { (small, large) };
+        Complex { re, im: if self.im < 0.0 { -im } else { im } }
     }
     #[inline]
     fn is_finite(self) -> bool {

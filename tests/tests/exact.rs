@@ -112,7 +112,8 @@ fn the_action_matrix_of_the_plan_equals_normal_forms() {
     for_each_setting(|s| {
         let action = interpret::eliminate(&s.planned.plan, s.field, &s.coefficients).expect("an action matrix").action;
         let basis = &s.template.basis;
-        assert_eq!((action.len(), basis.len() >= s.solutions), (basis.len(), true), "{}", s.name);
+        let signs = 1 + s.planned.plan.flips.len();
+        assert_eq!((action.len(), basis.len() * signs >= s.solutions), (basis.len(), true), "{}", s.name);
         let (n, d) = numerator_and_denominator(&s.template.action);
         let c = common_denominator(basis);
         for (b, row) in basis.iter().zip(&action) {
@@ -146,7 +147,7 @@ fn the_rows_that_unknowns_are_read_from_equal_normal_forms() {
 }
 
 /// What is divided by has no zero in common with the problem (else solutions would be lost), and B spans the quotient ring,
-/// so that every solution gives an eigenvector.
+/// so that every solution gives an eigenvector; or the part of it whose monomials change their signs as those of B do.
 #[test]
 fn no_solution_is_lost_by_the_action_or_the_basis() {
     for_each_setting(|s| {
@@ -171,7 +172,8 @@ fn no_solution_is_lost_by_the_action_or_the_basis() {
             .map(|form| standard.iter().map(|m| form.coefficient(m).copied().unwrap_or(0)).collect())
             .collect();
         let mut matrix = DenseMatrix::from_rows(s.field, standard.len(), &rows);
-        assert_eq!(matrix.reduce_to_echelon().len(), s.solutions, "{}: rank of the basis", s.name);
+        let up_to_sign = s.solutions / (1 + s.planned.plan.flips.len());
+        assert_eq!(matrix.reduce_to_echelon().len(), up_to_sign, "{}: rank of the basis", s.name);
     });
 }
 
@@ -223,7 +225,8 @@ fn the_equations_of_the_plan_are_those_of_the_problem() {
     });
 }
 
-/// Every kept unknown is read from pairs of monomials that do differ by the factor x.
+/// Every kept unknown is read from pairs of monomials that do differ by the factor that the plan says, and that factor decides the unknown up to
+/// the signs that the plan changes.
 #[test]
 fn unknowns_are_ratios_of_known_monomials() {
     for_each_setting(|s| {
@@ -239,8 +242,12 @@ fn unknowns_are_ratios_of_known_monomials() {
         for extraction in &s.planned.plan.extractions {
             assert!(!extraction.pairs.is_empty(), "{}", s.name);
             for (m, xm) in &extraction.pairs {
-                assert_eq!(known(xm), known(m).times(&Monomial::unknown(extraction.unknown)), "{}", s.name);
+                assert_eq!(known(xm), known(m).times(&Monomial::from_exponents(&extraction.step)), "{}", s.name);
             }
+            let is_odd = |step: &[i8], flip: &[bool]| {
+                step.iter().zip(flip).filter(|(e, changes)| **changes && *e % 2 != 0).count() % 2 == 1
+            };
+            assert!(s.planned.plan.flips.iter().all(|flip| !is_odd(&extraction.step, flip)), "{}", s.name);
             read.push(extraction.unknown);
         }
         read.sort_unstable();

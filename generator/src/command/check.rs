@@ -13,6 +13,7 @@ use super::report::{Output, counted, seconds};
 use crate::check::check;
 use crate::presolve::{Presolve, presolve};
 use crate::problem::Problem;
+use crate::symmetry::Symmetry;
 
 /// Read a problem and count its solutions for general data
 #[derive(clap::Args, Debug)]
@@ -36,6 +37,8 @@ struct Report {
     /// Number of scalars in all data.
     data: usize,
     solutions: usize,
+    /// Unknowns that change their signs together from a solution to another.
+    sign_changes: Vec<Vec<String>>,
     presolve: Vec<Form>,
     seconds: f64,
 }
@@ -65,6 +68,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         nonzero: problem.nonzero.len(),
         data: problem.input_count(),
         solutions: algebra.solutions,
+        sign_changes: sign_changes(&problem),
         presolve: forms(&problem),
         seconds: start.elapsed().as_secs_f64(),
     }))
@@ -72,6 +76,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
 
 fn degrees(problem: &Problem) -> Vec<i32> {
     problem.polynomials().map(|p| p.monomials().map(|m| m.degree()).max().unwrap_or(0)).collect()
+}
+
+fn sign_changes(problem: &Problem) -> Vec<Vec<String>> {
+    let names = |flip: Vec<usize>| flip.into_iter().map(|unknown| problem.unknowns[unknown].clone()).collect();
+    Symmetry::of_problem(problem).generators().into_iter().map(names).collect()
 }
 
 /// The ways to presolve that eliminate something.
@@ -117,6 +126,9 @@ impl fmt::Display for Report {
             )?;
         }
         writeln!(f, "solutions  {}", self.solutions)?;
+        for unknowns in &self.sign_changes {
+            writeln!(f, "symmetry   changing the sign of {} gives another solution", unknowns.join(", "))?;
+        }
         writeln!(f, "time       {}", seconds(self.seconds))
     }
 }

@@ -223,6 +223,25 @@ fn known_monomials(plan: &Plan) -> (usize, TokenStream) {
     (length, values)
 }
 
+/// How unknowns follow where a template stands for solutions up to sign; nothing where it does not.
+fn symmetry(plan: &Plan) -> TokenStream {
+    if plan.flips.is_empty() {
+        return quote!();
+    }
+    let unknowns = plan.unknowns.len();
+    let steps = (0..unknowns).map(|unknown| {
+        let found = plan.extractions.iter().find(|x| x.unknown == unknown);
+        let exponents = found.map_or_else(|| vec![0; unknowns], |x| x.step.clone());
+        let exponents = exponents.into_iter().map(Literal::i8_unsuffixed);
+        quote!([#(#exponents),*])
+    });
+    let flips = plan.flips.iter().map(|flip| quote!([#(#flip),*]));
+    quote! {
+        const SYMMETRY: Option<eliminant::Symmetry<#unknowns>> =
+            Some(eliminant::Symmetry { steps: [#(#steps),*], flips: &[#(#flips),*] });
+    }
+}
+
 fn instance(plan: &Plan) -> TokenStream {
     let parameters: Vec<_> = plan.data.iter().map(parameter).collect();
     let arguments: Vec<_> = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name)).collect();
@@ -273,6 +292,7 @@ fn instance(plan: &Plan) -> TokenStream {
         });
         quote!(&[#(#pairs),*])
     });
+    let symmetry = symmetry(plan);
     let recover = match plan.recoveries.is_empty() {
         true => quote!(let _ = x;),
         false => plan.recoveries.iter().map(code::recovery).collect(),
@@ -321,6 +341,7 @@ fn instance(plan: &Plan) -> TokenStream {
 
         impl eliminant::ActionMethod<#basis, #unknowns, #count_known> for Instance {
             const PAIRS: [&'static [(u16, u16)]; #unknowns] = [#(#pairs),*];
+            #symmetry
 
             fn known<S: eliminant::Scalar>(&self, value: S, vector: &[S; #basis]) -> [S; #count_known] {
                 #known

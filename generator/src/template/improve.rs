@@ -23,6 +23,8 @@ pub struct Improvement<'a> {
     pub equations: &'a [Polynomial<u32>],
     /// Action monomials to try besides that of the template.
     pub actions: &'a [Monomial],
+    /// What multipliers of neighbouring shifts differ by, or by its reciprocal.
+    pub steps: &'a [Monomial],
     /// How often.
     pub rounds: u64,
     /// Seed of the choices.
@@ -50,7 +52,7 @@ impl Improvement<'_> {
                 0 => self.actions[random.below(self.actions.len() as u64) as usize],
                 _ => current.action,
             };
-            let shifts = self.surroundings(&current, round % 4, requirements.unknowns, &mut random);
+            let shifts = self.surroundings(&current, round % 4, &mut random);
             let matrix = ShiftMatrix::new(self.field, self.equations, &shifts);
             let order = match random.below(4) {
                 0 => DeletionOrder::HighestFirst,
@@ -66,19 +68,16 @@ impl Improvement<'_> {
     }
 
     /// All shifts within the monomials of the template and of some neighbours of its shifts.
-    fn surroundings(
-        &self,
-        template: &EliminationTemplate,
-        neighbours: u64,
-        unknowns: &[usize],
-        random: &mut Random,
-    ) -> Vec<Shift> {
+    fn surroundings(&self, template: &EliminationTemplate, neighbours: u64, random: &mut Random) -> Vec<Shift> {
         let mut support: HashSet<Monomial> =
             template.shifts.iter().flat_map(|shift| monomials_of(self.equations, shift)).collect();
         for _ in 0..neighbours {
             let shift = template.shifts[random.below(template.shifts.len() as u64) as usize];
-            let x = Monomial::unknown(unknowns[random.below(unknowns.len() as u64) as usize]);
-            let multiplier = if random.below(2) == 0 { shift.multiplier.times(&x) } else { shift.multiplier.over(&x) };
+            let step = self.steps[random.below(self.steps.len() as u64) as usize];
+            let multiplier = match random.below(2) {
+                0 => shift.multiplier.times(&step),
+                _ => shift.multiplier.over(&step),
+            };
             // A template may drift by a monomial from round to round; exponents are i8.
             let in_range = |m: &Monomial| m.exponents().iter().all(|e| EXPONENTS.contains(e));
             let monomials: Vec<Monomial> = monomials_of(self.equations, &Shift { multiplier, ..shift }).collect();
@@ -96,6 +95,7 @@ mod tests {
     use crate::algebra::PRIMES;
     use crate::instance::Draw;
     use crate::monitor::Unmonitored;
+    use crate::symmetry::Symmetry;
     use crate::template::grow::{Growth, Shifts, monomials_up_to};
     use crate::template::verify::verify;
 
@@ -111,11 +111,14 @@ mod tests {
         let actions = [Monomial::unknown(0), Monomial::ONE.over(&Monomial::unknown(0))];
         let shifts = Shifts::new(&equations, &[0, 1], Growth::Degree(vec![1, 1]), 100).nth(1).unwrap();
         let matrix = ShiftMatrix::new(field, &equations, &shifts);
-        let requirements = |max_basis| Requirements { unknowns: &[0, 1], solutions: 4, max_basis };
+        let readings = Symmetry::NONE.readings(&[0, 1]);
+        let requirements = |max_basis| Requirements { readings: &readings, solutions: 4, max_basis };
         let template =
             reduce(&matrix, &actions[0], &requirements(4), DeletionOrder::HighestFirst, &Unmonitored).unwrap();
         assert_eq!((template.rows(), template.basis.len()), (6, 4));
-        let improvement = Improvement { field, equations: &equations, actions: &actions, rounds: 8, seed: 1 };
+        let steps = [0, 1].map(Monomial::unknown);
+        let improvement =
+            Improvement { field, equations: &equations, actions: &actions, steps: &steps, rounds: 8, seed: 1 };
         let improved = improvement.of(template, &requirements(5), &Unmonitored);
         assert_eq!((improved.rows(), improved.basis.len()), (4, 5));
         assert!(verify(&improved, field, &equations).is_ok());

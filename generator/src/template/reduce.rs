@@ -85,7 +85,7 @@ impl Reduction {
     ) -> Option<Self> {
         loop {
             let rows = independent_rows(&matrix, order);
-            let dependencies = Dependencies::new(&matrix, action, &rows, requirements.unknowns)?;
+            let dependencies = Dependencies::new(&matrix, action, &rows, requirements.readings)?;
             let set = dependencies.best(&matrix, requirements)?;
             let needed = dependencies.rows_of(&set);
             if needed.len() == matrix.rows.len() {
@@ -184,6 +184,7 @@ mod tests {
     use crate::algebra::{PRIMES, Polynomial, PrimeField};
     use crate::instance::Draw;
     use crate::monitor::Unmonitored;
+    use crate::symmetry::Symmetry;
     use crate::template::grow::{Growth, Shifts, monomials_up_to};
     use crate::template::verify::verify;
 
@@ -196,7 +197,7 @@ mod tests {
             Polynomial::from_terms(monomials.into_iter().map(|m| (m, field.draw(&mut random))).collect())
         };
         let equations = [conic(), conic()];
-        let requirements = Requirements { unknowns: &[0, 1], solutions: 4, max_basis: 4 };
+        let requirements = Requirements { readings: &Symmetry::NONE.readings(&[0, 1]), solutions: 4, max_basis: 4 };
         let action = Monomial::unknown(0);
         let template = Shifts::new(&equations, &[0, 1], Growth::Degree(vec![1, 1]), 100)
             .find_map(|shifts| {
@@ -222,7 +223,7 @@ mod tests {
         let equations = [with([3, 0], &low), with([0, 1], &low)];
         let shifts = [0, 1].map(|equation| Shift { equation, multiplier: Monomial::ONE });
         let matrix = ShiftMatrix::new(field, &equations, &shifts);
-        let requirements = Requirements { unknowns: &[0, 1], solutions: 3, max_basis: 3 };
+        let requirements = Requirements { readings: &Symmetry::NONE.readings(&[0, 1]), solutions: 3, max_basis: 3 };
         let template =
             reduce(&matrix, &Monomial::unknown(0), &requirements, DeletionOrder::HighestFirst, &Unmonitored).unwrap();
         assert_eq!((template.rows(), template.columns()), (2, 5));
@@ -245,7 +246,8 @@ mod tests {
         let shifts = [0, 1].map(|equation| Shift { equation, multiplier: Monomial::ONE });
         let matrix = ShiftMatrix::new(field, &equations, &shifts);
         let reduced = |unknowns: &[usize]| {
-            let requirements = Requirements { unknowns, solutions: 3, max_basis: 3 };
+            let requirements =
+                Requirements { readings: &Symmetry::NONE.readings(unknowns), solutions: 3, max_basis: 3 };
             reduce(&matrix, &Monomial::unknown(0), &requirements, DeletionOrder::HighestFirst, &Unmonitored)
         };
         assert!(reduced(&[0]).is_some());

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use super::Shift;
 use crate::algebra::{Echelon, Monomial, Polynomial, PrimeField};
+use crate::symmetry::Reading;
 
 /// Rows of `m * f` for a set of shifts, sparse, with their monomials.
 ///
@@ -61,6 +62,11 @@ impl ShiftMatrix {
         }
         let pivots = echelon.pivot_columns().into_iter().map(|at| order[at]);
         pivots.filter(|&column| part[column] == 0).map(|column| self.monomials[column]).collect()
+    }
+
+    /// The columns that are a step away from a column.
+    pub fn steps_from<'a>(&'a self, column: usize, reading: &'a Reading) -> impl Iterator<Item = usize> + 'a {
+        reading.steps.iter().filter_map(move |step| self.column_of.get(&self.monomials[column].times(step)).copied())
     }
 
     /// The same without some rows; columns that become empty go too.

@@ -12,6 +12,7 @@ use super::index_set::IndexSet;
 use super::shift_matrix::ShiftMatrix;
 use super::tableau::Tableau;
 use crate::algebra::Monomial;
+use crate::symmetry::Reading;
 
 pub use obstacle::Obstacle;
 
@@ -29,9 +30,9 @@ pub struct SolvingSet {
 /// What a solving set must satisfy to be of use.
 #[derive(Clone, Debug)]
 pub struct Requirements<'a> {
-    /// Indices of the unknowns that must be readable as ratios of monomials that are in B or expressed in B.
-    pub unknowns: &'a [usize],
-    /// Least size of B: the number of solutions.
+    /// Ways to read the unknowns, as ratios of monomials that are in B or expressed in B; one of them must be possible.
+    pub readings: &'a [Vec<Reading>],
+    /// Least size of B: the number of solutions, up to the signs that no monomial of B tells.
     pub solutions: usize,
     /// Largest size of B.
     pub max_basis: usize,
@@ -71,10 +72,11 @@ pub struct Dependencies {
 }
 
 impl Dependencies {
-    /// For some rows of `matrix`, which must be independent. `None` if no column is permissible. `unknowns` are those that will be read.
-    pub fn new(matrix: &ShiftMatrix, action: &Monomial, rows: &[usize], unknowns: &[usize]) -> Option<Self> {
+    /// For some rows of `matrix`, which must be independent. `None` if no column is permissible. `readings` are the ways in which unknowns
+    /// will be read.
+    pub fn new(matrix: &ShiftMatrix, action: &Monomial, rows: &[usize], readings: &[Vec<Reading>]) -> Option<Self> {
         let dependencies = Self::with_reading(matrix, action, rows, &[])?;
-        match dependencies.columns_to_read(matrix, unknowns) {
+        match dependencies.columns_to_read(matrix, readings) {
             none if none.is_empty() => Some(dependencies),
             reading => Self::with_reading(matrix, action, rows, &reading),
         }
@@ -95,20 +97,19 @@ impl Dependencies {
         dependencies.settle(1).then_some(dependencies)
     }
 
-    /// For each unknown x without two columns m and x m outside the excess: columns of the excess that have such a partner outside it.
-    fn columns_to_read(&self, matrix: &ShiftMatrix, unknowns: &[usize]) -> Vec<usize> {
+    /// For each unknown without two columns outside the excess from which it can be read: columns of the excess that have a partner outside it.
+    fn columns_to_read(&self, matrix: &ShiftMatrix, readings: &[Vec<Reading>]) -> Vec<usize> {
         let is_outside = |column: usize| self.part[column] != Part::Excess;
         let mut columns = Vec::new();
-        for &unknown in unknowns {
-            let x = Monomial::unknown(unknown);
+        for reading in readings.iter().flatten() {
             let pairs: Vec<(usize, usize)> = (0..matrix.monomials.len())
                 .rev()
-                .filter_map(|m| Some((m, *matrix.column_of.get(&matrix.monomials[m].times(&x))?)))
-                .filter(|&(m, xm)| is_outside(m) || is_outside(xm))
+                .flat_map(|m| matrix.steps_from(m, reading).map(move |sm| (m, sm)))
+                .filter(|&(m, sm)| is_outside(m) || is_outside(sm))
                 .collect();
-            if !pairs.iter().any(|&(m, xm)| is_outside(m) && is_outside(xm)) {
+            if !pairs.iter().any(|&(m, sm)| is_outside(m) && is_outside(sm)) {
                 let lowest = pairs.iter().take(COLUMNS_TO_READ);
-                columns.extend(lowest.map(|&(m, xm)| if is_outside(m) { xm } else { m }));
+                columns.extend(lowest.map(|&(m, sm)| if is_outside(m) { sm } else { m }));
             }
         }
         columns
@@ -183,8 +184,9 @@ impl Dependencies {
             if best.as_ref().is_some_and(|best| (best.rows, best.basis.len()) <= (rows, size)) {
                 break;
             }
-            let Some(reducible) = self.readable(matrix, &basis, requirements.unknowns) else { continue };
-            let rows = self.shifts_of(&reducible).len();
+            let ways = requirements.readings.iter().filter_map(|readings| self.readable(matrix, &basis, readings));
+            let with_rows = ways.map(|reducible| (self.shifts_of(&reducible).len(), reducible));
+            let Some((rows, reducible)) = with_rows.min_by_key(|(rows, _)| *rows) else { continue };
             if best.as_ref().is_none_or(|best| (rows, size) < (best.rows, best.basis.len())) {
                 best = Some(SolvingSet { basis, reducible, rows });
             }
@@ -250,27 +252,25 @@ impl Dependencies {
     }
 
     /// The columns to express in a closed B if every unknown can then be read: aB \ B and what else it takes, increasing.
-    fn readable(&self, matrix: &ShiftMatrix, basis: &[usize], unknowns: &[usize]) -> Option<Vec<usize>> {
+    fn readable(&self, matrix: &ShiftMatrix, basis: &[usize], readings: &[Reading]) -> Option<Vec<usize>> {
         let mut reducible = self.image_outside(basis);
-        for &unknown in unknowns {
-            let x = Monomial::unknown(unknown);
-            let times_x = |column: usize| matrix.column_of.get(&matrix.monomials[column].times(&x)).copied();
+        for reading in readings {
             let known =
                 |column: usize| basis.binary_search(&column).is_ok() || reducible.binary_search(&column).is_ok();
-            let ready = basis.iter().chain(&reducible).any(|&m| times_x(m).is_some_and(known));
+            let ready = basis.iter().chain(&reducible).any(|&m| matrix.steps_from(m, reading).any(known));
             if ready {
                 continue;
             }
             // Columns decrease: the last pair is the lowest. One of the two is known.
             let expressed = |column: usize| self.is_expressed(column, basis);
-            let lowest = (0..matrix.monomials.len()).rev().find_map(|m| {
-                let xm = times_x(m)?;
-                match (known(m), known(xm)) {
-                    (true, false) => expressed(xm).then_some(xm),
-                    (false, true) => expressed(m).then_some(m),
-                    _ => None,
-                }
-            })?;
+            let one_of = |m: usize, sm: usize| match (known(m), known(sm)) {
+                (true, false) => expressed(sm).then_some(sm),
+                (false, true) => expressed(m).then_some(m),
+                _ => None,
+            };
+            let lowest = (0..matrix.monomials.len())
+                .rev()
+                .find_map(|m| matrix.steps_from(m, reading).find_map(|sm| one_of(m, sm)))?;
             if let Err(at) = reducible.binary_search(&lowest) {
                 reducible.insert(at, lowest);
             }

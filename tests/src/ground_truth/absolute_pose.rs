@@ -17,6 +17,11 @@ pub(super) fn makers() -> Vec<Maker> {
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
+            name: "pose_3pt_depths",
+            make: three_depths,
+            error: |_, solution, truth| relative_error(solution, truth),
+        },
+        Maker {
             name: "pose_4pt_focal_radial",
             make: |random| {
                 let RadialPose { null_vectors, lower, weights: [w, z, y], radial } = RadialPose::draw(random);
@@ -63,6 +68,17 @@ pub(super) fn makers() -> Vec<Maker> {
             error: |_, solution, truth| relative_error(solution, truth),
         },
     ]
+}
+
+/// Points in the unit ball. The depths, and their negatives: points behind the camera.
+fn three_depths(random: &mut Random) -> KnownInstance {
+    let (rotation, translation) = camera(random);
+    let points: [Vector3<f64>; 3] = from_fn(|_| rotation * in_ball(random) + translation);
+    let pairs = [(1, 2), (0, 2), (0, 1)].map(|(i, j)| (points[i], points[j]));
+    let cosines = pairs.map(|(x, y)| x.dot(&y) / (x.norm() * y.norm()));
+    let squares = pairs.map(|(x, y)| (x - y).norm_squared());
+    let depths = points.map(|x| x.norm());
+    KnownInstance { data: [cosines, squares].concat(), truths: vec![depths.to_vec(), depths.map(|d| -d).to_vec()] }
 }
 
 /// Points in the unit ball, their image coordinates for a focal length of 0.5 to 3; the rotation without its turn about the optical axis.

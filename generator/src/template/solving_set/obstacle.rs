@@ -1,6 +1,7 @@
 //! Why a set of shifts does not solve.
 
 use super::{Dependencies, Requirements};
+use crate::symmetry::Reading;
 use crate::template::shift_matrix::ShiftMatrix;
 
 /// What is missing for a solving set.
@@ -46,16 +47,18 @@ impl Obstacle {
 impl Dependencies {
     /// What keeps the closed set that comes closest from meeting the requirements; of no use where one meets them.
     pub fn obstacle(&self, matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> Obstacle {
-        let Requirements { unknowns, solutions, max_basis: limit } = *requirements;
-        let any = Requirements { unknowns, solutions: 1, max_basis: usize::MAX };
+        let Requirements { readings, solutions, max_basis: limit } = *requirements;
+        let any = Requirements { readings, solutions: 1, max_basis: usize::MAX };
+        let first = readings.first().map_or(&[][..], Vec::as_slice);
         let obstacle = |set: Vec<usize>| match set.len() {
             basis if basis < solutions => Obstacle::TooFew { basis, solutions },
             basis if basis > limit => Obstacle::TooMany { basis, limit },
             basis => {
-                let unreadable = unknowns.iter().find(|&&unknown| self.readable(matrix, &set, &[unknown]).is_none());
+                let is_unreadable =
+                    |reading: &&Reading| self.readable(matrix, &set, std::slice::from_ref(*reading)).is_none();
                 // All are readable one by one: the last one fails for the sake of the others.
-                let unknown = unreadable.or(unknowns.last()).copied().unwrap_or(0);
-                Obstacle::Unreadable { unknown, basis }
+                let unreadable = first.iter().find(is_unreadable).or(first.last());
+                Obstacle::Unreadable { unknown: unreadable.map_or(0, |reading| reading.unknown), basis }
             }
         };
         let obstacles = self.closed_sets(&any).into_iter().map(obstacle);

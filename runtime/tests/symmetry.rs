@@ -1,0 +1,78 @@
+//! Solutions that differ by signs only, on an action matrix made from solutions up to sign.
+
+use eliminant::{ActionMethod, Complex, Scalar, Solutions, Symmetry, complex_solutions, real_solutions};
+use nalgebra::SMatrix;
+
+/// Monomials 1, x^2, x y, y^2.
+const B: usize = 4;
+/// Four times two signs.
+const MAX: usize = 8;
+type Point = [Complex<f64>; 2];
+
+/// Points of the plane up to the sign of both coordinates; action x^2. Its polish improves nothing and gives the distance to the next of them.
+struct UpToSign([Point; B]);
+
+impl UpToSign {
+    fn all(&self) -> Vec<Point> {
+        self.0.iter().flat_map(|point| [*point, point.map(|x| -x)]).collect()
+    }
+
+    fn action_matrix(&self) -> [[f64; B]; B] {
+        let v = SMatrix::<Complex<f64>, B, B>::from_fn(|i, k| {
+            let [x, y] = self.0[k];
+            [Complex::ONE, x * x, x * y, y * y][i]
+        });
+        let scaled = SMatrix::<Complex<f64>, B, B>::from_fn(|i, k| v[(i, k)] * self.0[k][0] * self.0[k][0]);
+        let matrix = v.transpose().lu().solve(&scaled.transpose()).unwrap().transpose();
+        std::array::from_fn(|i| std::array::from_fn(|j| matrix[(i, j)].re))
+    }
+}
+
+impl ActionMethod<B, 2, B> for UpToSign {
+    const PAIRS: [&'static [(u16, u16)]; 2] = [&[(0, 1)], &[(0, 2)]];
+    const SYMMETRY: Option<Symmetry<2>> = Some(Symmetry { steps: [[2, 0], [1, 1]], flips: &[[true, true]] });
+
+    fn known<S: Scalar>(&self, _value: S, vector: &[S; B]) -> [S; B] {
+        *vector
+    }
+
+    fn recover<S: Scalar>(&self, _unknowns: &mut [S; 2]) {}
+
+    fn polish<S: Scalar>(&self, unknowns: &mut [S; 2], _steps: usize) -> f64 {
+        // Up to the sign of imaginary parts, which `Scalar` does not show.
+        let parts = unknowns.map(|x| (x.real(), (x - S::from_f64(x.real())).modulus()));
+        let distance = |point: &Point| {
+            let square = |j: usize| (parts[j].0 - point[j].re).powi(2) + (parts[j].1 - point[j].im.abs()).powi(2);
+            (square(0) + square(1)).sqrt()
+        };
+        self.all().iter().map(distance).fold(f64::INFINITY, f64::min)
+    }
+
+    fn is_admissible<S: Scalar>(&self, _unknowns: &[S; 2]) -> bool {
+        true
+    }
+}
+
+fn c(re: f64, im: f64) -> Complex<f64> {
+    Complex { re, im }
+}
+
+#[test]
+fn every_sign_of_every_solution_is_found() {
+    // Real; imaginary, so that all that the eigenvector holds is real; and conjugates.
+    let real = [c(2.0, 0.0), c(3.0, 0.0)];
+    let imaginary = [c(0.0, 1.0), c(0.0, -2.0)];
+    let complex = [c(1.0, 0.5), c(0.3, 2.0)];
+    let points = UpToSign([real, imaginary, complex, complex.map(|x| x.conj())]);
+    let action = points.action_matrix();
+    let is = |p: &Point, x: &Point| (0..2).all(|j| (p[j] - x[j]).norm() < 1e-9);
+
+    let found: Solutions<Point, MAX> = complex_solutions(&points, &action).unwrap();
+    assert_eq!(found.len(), MAX);
+    assert!(points.all().iter().all(|p| found.iter().any(|x| is(p, x))), "{found:?}");
+
+    let found: Solutions<[f64; 2], MAX> = real_solutions(&points, &action).unwrap();
+    let found: Vec<Point> = found.iter().map(|x| x.map(Complex::from)).collect();
+    assert_eq!(found.len(), 2);
+    assert!([real, real.map(|x| -x)].iter().all(|p| found.iter().any(|x| is(p, x))), "{found:?}");
+}
