@@ -97,6 +97,8 @@ const POLISH_STEPS: usize = 8;
 const STALLED: f64 = 1e-12;
 /// An unknown this small relative to the largest one may be the rounding noise of zero.
 const NOISE: f64 = 1e-12;
+/// A step that shrinks all unknowns to this part may lead to the origin, of which no point nearby has a small relative residual if it is a solution.
+const TOWARDS_ORIGIN: f64 = 1e-2;
 /// A step that would change an unknown by more than this part of it, where the residual is no rounding error or stays below [`FLAT`], shows that
 /// there is no solution near by.
 const FAR: f64 = 0.1;
@@ -300,7 +302,9 @@ fn polish(plan: &Plan, c: &[f64], point: &mut Point) -> f64 {
         let mut next = evaluate_all(&moved);
         let mut residual = worst(&next);
         if best > STALLED && (residual.is_nan() || residual >= best) {
-            let noise = NOISE * moved.iter().map(|x| x.norm()).fold(0.0, f64::max);
+            let largest = |x: &Point| x.iter().map(|x| x.norm()).fold(0.0, f64::max);
+            let size = largest(&moved);
+            let noise = if size <= TOWARDS_ORIGIN * largest(point) { size } else { NOISE * size };
             moved.iter_mut().filter(|x| x.norm() <= noise).for_each(|x| *x = Complex::ZERO);
             next = evaluate_all(&moved);
             residual = worst(&next);

@@ -30,6 +30,8 @@ pub(crate) struct Form {
     pub(crate) presolve: Presolve,
     /// The sign changes that templates make use of.
     pub(crate) symmetry: Symmetry,
+    /// Whether the origin is a solution.
+    pub(crate) origin: bool,
     /// The ways to read the unknowns then.
     pub(crate) readings: Vec<Vec<Reading>>,
     /// The action monomials to try.
@@ -42,7 +44,12 @@ pub(crate) struct Form {
 impl Form {
     /// What templates must satisfy. `solutions` is the number of solutions of the problem.
     pub(crate) fn requirements(&self, solutions: usize, max_basis: usize) -> Requirements<'_> {
-        Requirements { readings: &self.readings, solutions: solutions.div_ceil(self.symmetry.order()), max_basis }
+        Requirements {
+            readings: &self.readings,
+            solutions: solutions.div_ceil(self.symmetry.order()),
+            max_basis,
+            origin: self.origin,
+        }
     }
 
     /// The different [`BASIS_PERCENT`] of the number of solutions up to sign, increasing.
@@ -54,11 +61,13 @@ impl Form {
     }
 }
 
-/// The different presolved forms of a problem. Where signs can be changed there are two of each, since solutions that no sign change moves can be
+/// The different presolved forms of a problem. Where signs can be changed there are two of each, since solutions that no sign change moves are
 /// lost to a template that makes use of it.
 pub(crate) fn forms(problem: &Problem, options: &SearchOptions) -> Result<Vec<Form>, SearchError> {
     let mut forms: Vec<Form> = Vec::new();
-    let of_problem = Symmetry::of_problem(problem);
+    // No change of sign moves the origin, and no unknown can be read where all products are zero.
+    let origin = problem.has_origin();
+    let of_problem = if origin { Symmetry::NONE } else { Symmetry::of_problem(problem) };
     for kind in [Presolve::None, Presolve::Constant, Presolve::Linear, Presolve::Square] {
         let reduced = presolve(problem, kind);
         if forms.iter().any(|form| is_same(&form.reduced, &reduced)) {
@@ -71,7 +80,7 @@ pub(crate) fn forms(problem: &Problem, options: &SearchOptions) -> Result<Vec<Fo
         for symmetry in symmetries.into_iter().flatten() {
             let (readings, actions) = (symmetry.readings(&reduced.kept), actions(&symmetry, &reduced.kept));
             let (reduced, instance, check) = (reduced.clone(), instance.clone(), check.clone());
-            forms.push(Form { presolve: kind, symmetry, readings, actions, reduced, instance, check });
+            forms.push(Form { presolve: kind, symmetry, origin, readings, actions, reduced, instance, check });
         }
     }
     Ok(forms)
@@ -172,7 +181,7 @@ pub(crate) fn grow(
                 let requirements = form.requirements(solutions, max_basis);
                 let Some(set) = dependencies.best(&matrix, &requirements) else { continue };
                 let needed = dependencies.rows_of(&set);
-                let matrix = matrix.retain_rows(|row| needed.binary_search(&row).is_ok());
+                let matrix = matrix.retain_rows(&set.basis, |row| needed.binary_search(&row).is_ok());
                 grown.starts.push(Start { action, matrix, max_basis });
             }
         }

@@ -19,6 +19,8 @@ const STALLED: f64 = 1e-12;
 
 /// An unknown this small relative to the largest one may be the rounding noise of zero.
 const NOISE: f64 = 1e-12;
+/// A step that shrinks all unknowns to this part may lead to the origin, of which no point nearby has a small relative residual if it is a solution.
+const TOWARDS_ORIGIN: f64 = 1e-2;
 
 /// A step that changes an unknown by more than this part of it shows that x is near no solution, if the residual has a cause other than rounding
 /// or stays below [`FLAT`].
@@ -81,7 +83,7 @@ pub fn polish<S: Scalar, const N: usize, const E: usize>(
         system.residual(&moved, &mut values, &mut scale);
         let mut residual = relative_residual(&values, &scale);
         if !(residual < best) && best > STALLED {
-            moved = without_noise(&moved);
+            moved = without_noise(&moved, x);
             system.residual(&moved, &mut values, &mut scale);
             residual = relative_residual(&values, &scale);
         }
@@ -135,11 +137,13 @@ fn far<S: Scalar, const N: usize>(x: &[S; N], step: &[S; N]) -> [bool; N] {
     core::array::from_fn(|j| step[j].magnitude() > FAR * x[j].magnitude() + noise)
 }
 
-/// x with the unknowns that may be the rounding noise of zero set to zero.
+/// x with the unknowns that may be the rounding noise of zero set to zero: all of them where the step from `before` leads towards the origin.
 #[inline]
-fn without_noise<S: Scalar, const N: usize>(x: &[S; N]) -> [S; N] {
-    let largest = x.iter().map(|value| value.magnitude()).fold(0.0, f64::max);
-    x.map(|value| if value.magnitude() <= NOISE * largest { S::ZERO } else { value })
+fn without_noise<S: Scalar, const N: usize>(x: &[S; N], before: &[S; N]) -> [S; N] {
+    let largest = |x: &[S; N]| x.iter().map(|value| value.magnitude()).fold(0.0, f64::max);
+    let size = largest(x);
+    let noise = if size <= TOWARDS_ORIGIN * largest(before) { size } else { NOISE * size };
+    x.map(|value| if value.magnitude() <= noise { S::ZERO } else { value })
 }
 
 /// max |f_e| / scale_e; infinity when something is not finite.

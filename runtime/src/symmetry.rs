@@ -25,7 +25,7 @@ impl<const N: usize> Symmetry<N> {
             for other in (0..N).filter(|&other| other != unknown) {
                 match self.steps[unknown][other] {
                     0 => {}
-                    1 => ratios[unknown] = ratios[unknown] * ratios[other].reciprocal(),
+                    1 => ratios[unknown] *= ratios[other].reciprocal(),
                     _ => ratios[unknown] *= ratios[other],
                 }
             }

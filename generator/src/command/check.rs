@@ -39,6 +39,8 @@ struct Report {
     solutions: usize,
     /// Unknowns that change their signs together from a solution to another.
     sign_changes: Vec<Vec<String>>,
+    /// Whether all equations vanish where all unknowns are 0 and no factor excludes it.
+    origin: bool,
     presolve: Vec<Form>,
     seconds: f64,
 }
@@ -69,6 +71,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         data: problem.input_count(),
         solutions: algebra.solutions,
         sign_changes: sign_changes(&problem),
+        origin: problem.has_origin(),
         presolve: forms(&problem),
         seconds: start.elapsed().as_secs_f64(),
     }))
@@ -126,6 +129,13 @@ impl fmt::Display for Report {
             )?;
         }
         writeln!(f, "solutions  {}", self.solutions)?;
+        if self.origin {
+            let name = self.unknown_names.first().map_or("x", String::as_str);
+            writeln!(
+                f,
+                "origin     all unknowns 0 is a solution and counted; where it is not wanted, add `{name} != 0;`"
+            )?;
+        }
         for unknowns in &self.sign_changes {
             writeln!(f, "symmetry   changing the sign of {} gives another solution", unknowns.join(", "))?;
         }

@@ -150,7 +150,7 @@ impl Report {
             found_templates,
             chosen: choice.chosen,
             candidates,
-            warnings: warnings(choice, cut.as_ref()),
+            warnings: warnings(problem, choice, cut.as_ref()),
             cut,
             file,
             seconds,
@@ -166,7 +166,7 @@ fn point(measured: &Measured) -> [f64; 4] {
     [cost.operations as f64, cost.rows as f64, p99, unsolved]
 }
 
-fn warnings(choice: &Choice, cut: Option<&Cut>) -> Vec<String> {
+fn warnings(problem: &Problem, choice: &Choice, cut: Option<&Cut>) -> Vec<String> {
     let chosen = &choice.measured[choice.chosen];
     let (stability, trials) = (&chosen.stability, counted(chosen.stability.trials, "instance"));
     let mut warnings = Vec::new();
@@ -178,6 +178,11 @@ fn warnings(choice: &Choice, cut: Option<&Cut>) -> Vec<String> {
         ));
     } else if chosen.verdict == Verdict::Screened {
         warnings.push(format!("the chosen template was measured on {trials} only"));
+    }
+    if let (true, Some(x)) = (problem.has_origin(), problem.unknowns.first()) {
+        warnings.push(format!(
+            "all unknowns 0 is one of the solutions; where it is not wanted, `{x} != 0;` gives a smaller template"
+        ));
     }
     warnings.extend(cut.map(Cut::to_string));
     warnings

@@ -12,7 +12,7 @@ mod value;
 
 use std::ops::Range;
 
-use crate::algebra::Polynomial;
+use crate::algebra::{Monomial, Polynomial};
 use crate::expression::{ExpressionGraph, SymbolicPolynomial};
 
 /// A problem file as it was read.
@@ -114,6 +114,12 @@ impl Problem {
     /// The polynomials of the equations.
     pub fn polynomials(&self) -> impl ExactSizeIterator<Item = &Polynomial<crate::expression::ExpressionId>> {
         self.equations.iter().map(|equation| &equation.polynomial)
+    }
+
+    /// Whether all equations, and no factor that must not, vanish where all unknowns are 0.
+    pub fn has_origin(&self) -> bool {
+        let vanishes = |p: &SymbolicPolynomial| !p.monomials().any(|m| m == Monomial::ONE);
+        self.polynomials().all(vanishes) && !self.nonzero.iter().any(|factor| vanishes(&factor.polynomial))
     }
 
     /// A hash (FNV-1a, 64 bit) of what the problem states: names, shapes, equations by value. Comments and the way an

@@ -92,7 +92,7 @@ impl Reduction {
                 let alive = vec![true; needed.len()];
                 return Some(Self { matrix: Rc::new(matrix), alive, dependencies, set });
             }
-            matrix = matrix.retain_rows(|row| needed.binary_search(&row).is_ok());
+            matrix = matrix.retain_rows(&set.basis, |row| needed.binary_search(&row).is_ok());
         }
     }
 
@@ -115,7 +115,7 @@ impl Reduction {
 
     /// The same on a matrix of the rows that are left.
     fn compacted(&self, action: &Monomial, requirements: &Requirements<'_>, order: DeletionOrder) -> Option<Self> {
-        Self::start(self.matrix.retain_rows(|row| self.alive[row]), action, requirements, order)
+        Self::start(self.matrix.retain_rows(&self.set.basis, |row| self.alive[row]), action, requirements, order)
     }
 
     fn delete(&mut self, row: usize) {
@@ -125,7 +125,7 @@ impl Reduction {
 
     /// The template of the solving set; all rows are needed. Excess columns without a pivot cancel.
     fn template(&self, action: &Monomial) -> Option<EliminationTemplate> {
-        let matrix = self.matrix.retain_rows(|row| self.alive[row]);
+        let matrix = self.matrix.retain_rows(&self.set.basis, |row| self.alive[row]);
         let monomials = |columns: &[usize]| -> Vec<Monomial> {
             columns.iter().map(|&column| self.matrix.monomials[column]).collect()
         };
@@ -197,7 +197,8 @@ mod tests {
             Polynomial::from_terms(monomials.into_iter().map(|m| (m, field.draw(&mut random))).collect())
         };
         let equations = [conic(), conic()];
-        let requirements = Requirements { readings: &Symmetry::NONE.readings(&[0, 1]), solutions: 4, max_basis: 4 };
+        let requirements =
+            Requirements { readings: &Symmetry::NONE.readings(&[0, 1]), solutions: 4, max_basis: 4, origin: false };
         let action = Monomial::unknown(0);
         let template = Shifts::new(&equations, &[0, 1], Growth::Degree(vec![1, 1]), 100)
             .find_map(|shifts| {
@@ -223,7 +224,8 @@ mod tests {
         let equations = [with([3, 0], &low), with([0, 1], &low)];
         let shifts = [0, 1].map(|equation| Shift { equation, multiplier: Monomial::ONE });
         let matrix = ShiftMatrix::new(field, &equations, &shifts);
-        let requirements = Requirements { readings: &Symmetry::NONE.readings(&[0, 1]), solutions: 3, max_basis: 3 };
+        let requirements =
+            Requirements { readings: &Symmetry::NONE.readings(&[0, 1]), solutions: 3, max_basis: 3, origin: false };
         let template =
             reduce(&matrix, &Monomial::unknown(0), &requirements, DeletionOrder::HighestFirst, &Unmonitored).unwrap();
         assert_eq!((template.rows(), template.columns()), (2, 5));
@@ -246,8 +248,12 @@ mod tests {
         let shifts = [0, 1].map(|equation| Shift { equation, multiplier: Monomial::ONE });
         let matrix = ShiftMatrix::new(field, &equations, &shifts);
         let reduced = |unknowns: &[usize]| {
-            let requirements =
-                Requirements { readings: &Symmetry::NONE.readings(unknowns), solutions: 3, max_basis: 3 };
+            let requirements = Requirements {
+                readings: &Symmetry::NONE.readings(unknowns),
+                solutions: 3,
+                max_basis: 3,
+                origin: false,
+            };
             reduce(&matrix, &Monomial::unknown(0), &requirements, DeletionOrder::HighestFirst, &Unmonitored)
         };
         assert!(reduced(&[0]).is_some());

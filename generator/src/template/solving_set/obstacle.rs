@@ -47,8 +47,8 @@ impl Obstacle {
 impl Dependencies {
     /// What keeps the closed set that comes closest from meeting the requirements; of no use where one meets them.
     pub fn obstacle(&self, matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> Obstacle {
-        let Requirements { readings, solutions, max_basis: limit } = *requirements;
-        let any = Requirements { readings, solutions: 1, max_basis: usize::MAX };
+        let Requirements { readings, solutions, max_basis: limit, .. } = *requirements;
+        let any = Requirements { solutions: 1, max_basis: usize::MAX, ..requirements.clone() };
         let first = readings.first().map_or(&[][..], Vec::as_slice);
         let obstacle = |set: Vec<usize>| match set.len() {
             basis if basis < solutions => Obstacle::TooFew { basis, solutions },
@@ -61,7 +61,7 @@ impl Dependencies {
                 Obstacle::Unreadable { unknown: unreadable.map_or(0, |reading| reading.unknown), basis }
             }
         };
-        let obstacles = self.closed_sets(&any).into_iter().map(obstacle);
+        let obstacles = self.closed_sets(matrix, &any).into_iter().map(obstacle);
         obstacles.min_by_key(Obstacle::distance).unwrap_or(Obstacle::NothingExpressed)
     }
 }

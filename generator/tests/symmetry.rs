@@ -1,0 +1,102 @@
+//! Templates that make use of changes of sign: as many basis monomials as solutions up to sign, and all solutions found.
+#![cfg(feature = "search")]
+
+use eliminant_generator::check::check;
+use eliminant_generator::monitor::Unmonitored;
+use eliminant_generator::problem::Problem;
+use eliminant_generator::search::{SearchOptions, candidates};
+use eliminant_generator::stability::stability;
+use eliminant_generator::symmetry::Symmetry;
+
+struct Subject {
+    /// Number of sign changes, that of no unknown included.
+    order: usize,
+    solutions: usize,
+    text: &'static str,
+}
+
+const SUBJECTS: [Subject; 5] = [
+    Subject {
+        order: 4,
+        solutions: 4,
+        text: "fn axes(a: [f64; 6]) -> (x, y) { a[0]*x*x + a[1]*y*y == a[2]; a[3]*x*x + a[4]*y*y == a[5]; }",
+    },
+    Subject {
+        order: 2,
+        solutions: 4,
+        text: "fn conics(a: [f64; 6]) -> (x, y) { a[0]*x*x + a[1]*x*y + y*y == a[2]; x*x + a[3]*x*y + a[4]*y*y == a[5]; }",
+    },
+    Subject {
+        order: 2,
+        solutions: 8,
+        // z keeps its sign.
+        text: "fn mixed(a: [f64; 8]) -> (x, y, z) { x*y + a[0]*z + z*z == a[1]; x*x + a[2]*y*y == a[3] + a[4]*z; a[5]*x + a[6]*y*z + a[7]*x*z == 0; }",
+    },
+    Subject {
+        order: 2,
+        solutions: 8,
+        // Presolve eliminates s, whose sign follows.
+        text: "fn linear(a: [f64; 9]) -> (s, x, y, z) { s == a[0]*x + a[1]*y; s*s + a[2]*y*z == a[3]; x*x + a[4]*x*z + y*y == a[5]; z*z + a[6]*x*y + a[7]*s*x == a[8]; }",
+    },
+    Subject {
+        order: 4,
+        solutions: 12,
+        // x and y together, y and z together.
+        text: "fn pairs(a: [f64; 7]) -> (x, y, z) { x*x + a[0]*y*y == a[1]; y*y + a[2]*z*z == a[3]; x*y*z + a[4]*x*x + a[5]*y*y == a[6]; }",
+    },
+];
+
+#[test]
+fn a_basis_of_the_solutions_up_to_sign_finds_all() {
+    for Subject { order, solutions, text } in SUBJECTS {
+        let problem = Problem::parse("subject.rs", text).unwrap_or_else(|errors| panic!("{errors:?}"));
+        let name = &problem.name;
+        assert_eq!(
+            (Symmetry::of_problem(&problem).order(), check(&problem).unwrap().solutions),
+            (order, solutions),
+            "{name}"
+        );
+        let found = candidates(&problem, solutions, &SearchOptions::default(), &Unmonitored).unwrap();
+        let best = &found.candidates[0];
+        assert_eq!((best.plan.flips.len() + 1, best.template.basis.len()), (order, solutions / order), "{name}");
+        let measured = stability(&best.plan, 500, 1, &|| ());
+        assert_eq!(
+            (measured.failures, measured.incomplete),
+            (0, 0),
+            "{name}: {} of {}",
+            measured.found,
+            measured.expected
+        );
+    }
+}
+
+/// The origin is a solution that no change of sign moves, and no row of a template can express 1.
+#[test]
+fn the_origin_is_not_lost() {
+    for (text, count) in [
+        ("fn odd(a: [f64; 4]) -> (x, y) { x*x*x + a[0]*x*y*y == a[1]*y; y*y*y + a[2]*x*x*y == a[3]*x; }", 9),
+        (
+            "fn conics(a: [f64; 5], b: [f64; 5]) -> (x, y) { dot(a, [x*x, x*y, y*y, x, y]) == 0; dot(b, [x*x, x*y, y*y, x, y]) == 0; }",
+            4,
+        ),
+    ] {
+        let problem = Problem::parse("origin.rs", text).unwrap();
+        assert_eq!((problem.has_origin(), check(&problem).unwrap().solutions), (true, count));
+        let found = candidates(&problem, count, &SearchOptions::default(), &Unmonitored).unwrap();
+        let measured = stability(&found.candidates[0].plan, 500, 1, &|| ());
+        assert_eq!(
+            (measured.failures, measured.incomplete),
+            (0, 0),
+            "{}: {} of {}",
+            problem.name,
+            measured.found,
+            measured.expected
+        );
+    }
+    // Excluded, it is in the way of nothing.
+    let text = "fn odd(a: [f64; 4]) -> (x, y) { x*x*x + a[0]*x*y*y == a[1]*y; y*y*y + a[2]*x*x*y == a[3]*x; x != 0; }";
+    let problem = Problem::parse("odd.rs", text).unwrap();
+    assert_eq!((problem.has_origin(), check(&problem).unwrap().solutions), (false, 8));
+    let found = candidates(&problem, 8, &SearchOptions::default(), &Unmonitored).unwrap();
+    assert_eq!(found.candidates[0].template.basis.len(), 4);
+}
