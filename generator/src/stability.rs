@@ -128,8 +128,11 @@ pub fn solve(plan: &Plan, inputs: &[f64]) -> Option<Vec<(Point, f64)>> {
     let solution = |(value, vector): (Complex<f64>, DVector<Complex<f64>>)| {
         let mut point = unknowns(plan, &c, value, &vector, &(&read * &vector))?;
         let residual = polish(plan, &c, &mut point);
+        // A product of unknowns is never small relative to its terms.
+        let noise = NOISE * point.iter().map(|x| x.norm()).fold(0.0, f64::max);
+        let without_noise = point.iter().map(|&x| if x.norm() <= noise { Complex::ZERO } else { x }).collect();
         let admissible = plan.nonzero.iter().all(|factor| {
-            let (value, scale, _) = evaluate(factor, &c, &point);
+            let (value, scale, _) = evaluate(factor, &c, &without_noise);
             value.norm() > VANISHING * scale
         });
         (residual <= MAX_RESIDUAL && admissible).then_some((point, residual))

@@ -6,7 +6,7 @@ use crate::distinct::{Candidate, DOUBLE, push_distinct};
 use crate::error::SolveError;
 use crate::extract::{Eigenpairs, unknowns};
 use crate::hessenberg::Hessenberg;
-use crate::polish::POLISH_STEPS;
+use crate::polish::{POLISH_STEPS, without_noise};
 use crate::polynomial_roots::real_roots_monic;
 use crate::scalar::Scalar;
 use crate::shared_value::{Combinations, SharedValue};
@@ -69,7 +69,7 @@ pub fn complex_solutions<const B: usize, const N: usize, const K: usize, const M
             add_complex(method, source, value, &mut found);
         });
     }
-    Ok(found.iter().map(|candidate| candidate.unknowns).collect())
+    Ok(admissible(method, &found))
 }
 
 /// All real solutions, at most MAX, by the QR iteration.
@@ -97,7 +97,7 @@ pub fn real_solutions<const B: usize, const N: usize, const K: usize, const MAX:
             }
         });
     }
-    Ok(found.iter().map(|candidate| candidate.unknowns).collect())
+    Ok(admissible(method, &found))
 }
 
 /// All real solutions, at most MAX, by the real roots of the characteristic polynomial.
@@ -114,7 +114,16 @@ pub fn real_solutions_by_polynomial<const B: usize, const N: usize, const K: usi
     for value in real_roots_monic(&spectrum.characteristic_polynomial()) {
         add_real(method, &spectrum, value.into(), &mut found);
     }
-    Ok(found.iter().map(|candidate| candidate.unknowns).collect())
+    Ok(admissible(method, &found))
+}
+
+/// What is found at last. Two solutions that were made one may have become one that is excluded.
+#[inline]
+fn admissible<S: Scalar, const B: usize, const N: usize, const K: usize, const MAX: usize>(
+    method: &impl ActionMethod<B, N, K>,
+    found: &Solutions<Candidate<S, N>, MAX>,
+) -> Solutions<[S; N], MAX> {
+    found.iter().map(|candidate| candidate.unknowns).filter(|unknowns| is_admissible(method, unknowns)).collect()
 }
 
 /// Of a conjugate pair one is solved for and the other follows.
@@ -232,6 +241,16 @@ fn polished<S: Scalar, const B: usize, const N: usize, const K: usize>(
     polish_from(method, unknowns(method, value, &vector)?)
 }
 
+/// Whether no factor vanishes. A factor that is an unknown, or a product of some, is never small relative to its terms: it vanishes where the unknown
+/// is no more than rounding noise of zero.
+#[inline]
+fn is_admissible<S: Scalar, const B: usize, const N: usize, const K: usize>(
+    method: &impl ActionMethod<B, N, K>,
+    unknowns: &[S; N],
+) -> bool {
+    method.is_admissible(&without_noise(unknowns, unknowns))
+}
+
 /// The solution that the polish of a point leads to.
 #[inline]
 fn polish_from<S: Scalar, const B: usize, const N: usize, const K: usize>(
@@ -239,6 +258,6 @@ fn polish_from<S: Scalar, const B: usize, const N: usize, const K: usize>(
     mut unknowns: [S; N],
 ) -> Option<Candidate<S, N>> {
     let residual = method.polish(&mut unknowns, POLISH_STEPS);
-    let good = residual <= MAX_RESIDUAL && unknowns.iter().all(|x| x.is_finite()) && method.is_admissible(&unknowns);
+    let good = residual <= MAX_RESIDUAL && unknowns.iter().all(|x| x.is_finite()) && is_admissible(method, &unknowns);
     good.then_some(Candidate { unknowns, residual })
 }

@@ -139,7 +139,7 @@ fn far<S: Scalar, const N: usize>(x: &[S; N], step: &[S; N]) -> [bool; N] {
 
 /// x with the unknowns that may be the rounding noise of zero set to zero: all of them where the step from `before` leads towards the origin.
 #[inline]
-fn without_noise<S: Scalar, const N: usize>(x: &[S; N], before: &[S; N]) -> [S; N] {
+pub(crate) fn without_noise<S: Scalar, const N: usize>(x: &[S; N], before: &[S; N]) -> [S; N] {
     let largest = |x: &[S; N]| x.iter().map(|value| value.magnitude()).fold(0.0, f64::max);
     let size = largest(x);
     let noise = if size <= TOWARDS_ORIGIN * largest(before) { size } else { NOISE * size };
