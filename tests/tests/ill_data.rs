@@ -20,9 +20,10 @@ const HAVE_NO_SCALE: [DataAttribute; 2] = [DataAttribute::Unit, DataAttribute::R
 const WORK: usize = 2_000_000_000;
 
 /// Problems whose equations the unit of their data changes so much that it must be that of the random ones within ten orders of magnitude.
-const HAVE_A_UNIT: [&str; 10] = [
+const HAVE_A_UNIT: [&str; 11] = [
     "fundamental_9pt_two_radials",
     "platform_forward_kinematics",
+    "pose_3pt_depths",
     "pose_4pt_upright_error_bound",
     "pose_5pt_refraction",
     "pose_5tdoa_two_receivers",
