@@ -1,5 +1,6 @@
 //! Runs an interpreted plan on random real instances and measures what it finds.
 
+mod polish;
 mod shared_value;
 
 use std::ops::Range;
@@ -9,7 +10,8 @@ use nalgebra::{Complex, DMatrix, DVector, Schur};
 use crate::arithmetic::Float64;
 use crate::instance::{Random, draw_inputs};
 use crate::interpret::{Eliminated, coefficients, eliminate};
-use crate::plan::{KnownMonomial, Plan, Term};
+use crate::plan::{KnownMonomial, Plan};
+use polish::{evaluate, polish, without_noise};
 
 /// What many instances gave.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -91,21 +93,6 @@ type Point = Vec<Complex<f64>>;
 const MAX_RESIDUAL: f64 = 1e-10;
 /// A factor that must not vanish does if it is below this, relative to its terms.
 const VANISHING: f64 = 1e-8;
-/// Newton steps at most.
-const POLISH_STEPS: usize = 8;
-/// A relative residual above this after a step has a cause other than rounding.
-const STALLED: f64 = 1e-12;
-/// An unknown this small relative to the largest one may be the rounding noise of zero.
-const NOISE: f64 = 1e-12;
-/// A step that shrinks all unknowns to this part may lead to the origin, of which no point nearby has a small relative residual if it is a solution.
-const TOWARDS_ORIGIN: f64 = 1e-2;
-/// A step that would change an unknown by more than this part of it, where the residual is no rounding error or stays below [`FLAT`], shows that
-/// there is no solution near by.
-const FAR: f64 = 0.1;
-/// Unknowns at least this large may be on the way to infinity: they are if half of them gives a residual that is rounding, too.
-const LARGE: f64 = 1e6;
-/// A relative residual below this after a long step shows a direction in which the equations are nearly constant.
-const FLAT: f64 = 1e-6;
 /// Two solutions are the same when every unknown agrees to this relative distance.
 const SAME: f64 = 1e-8;
 /// An unknown this small relative to the largest one may be the rounding noise of zero.
@@ -129,8 +116,7 @@ pub fn solve(plan: &Plan, inputs: &[f64]) -> Option<Vec<(Point, f64)>> {
         let mut point = unknowns(plan, &c, value, &vector, &(&read * &vector))?;
         let residual = polish(plan, &c, &mut point);
         // A product of unknowns is never small relative to its terms.
-        let noise = NOISE * point.iter().map(|x| x.norm()).fold(0.0, f64::max);
-        let without_noise = point.iter().map(|&x| if x.norm() <= noise { Complex::ZERO } else { x }).collect();
+        let without_noise = without_noise(&point, &point);
         let admissible = plan.nonzero.iter().all(|factor| {
             let (value, scale, _) = evaluate(factor, &c, &without_noise);
             value.norm() > VANISHING * scale
@@ -253,86 +239,4 @@ fn unknowns(
         point[recovery.unknown] = evaluate(&recovery.terms, c, &point).0;
     }
     point.iter().all(|x| x.re.is_finite() && x.im.is_finite()).then_some(point)
-}
-
-/// Value, sum of the moduli of the terms, and gradient.
-fn evaluate(terms: &[Term], c: &[f64], x: &Point) -> (Complex<f64>, f64, Point) {
-    let (mut value, mut scale) = (Complex::ZERO, 0.0);
-    let mut gradient = vec![Complex::ZERO; x.len()];
-    for term in terms {
-        let coefficient = Complex::new(c[usize::from(term.coefficient.0)], 0.0);
-        let power = |j: usize, e: u8| x[j].powu(u32::from(e));
-        let factors: Vec<Complex<f64>> = term.exponents.iter().enumerate().map(|(j, &e)| power(j, e)).collect();
-        let product = factors.iter().fold(coefficient, |product, factor| product * factor);
-        value += product;
-        scale += product.norm();
-        for (j, &e) in term.exponents.iter().enumerate().filter(|(_, e)| **e > 0) {
-            let others = (0..x.len()).filter(|&k| k != j).fold(coefficient, |product, k| product * factors[k]);
-            gradient[j] += others * power(j, e - 1) * f64::from(e);
-        }
-    }
-    (value, scale, gradient)
-}
-
-/// Gauss-Newton on all equations while it lowers the relative residual, which is returned. A step that leaves a high residual is tried again
-/// with unknowns at the level of noise set to zero. Infinity where the last step is large and the residual high, or small after it, too.
-fn polish(plan: &Plan, c: &[f64], point: &mut Point) -> f64 {
-    let evaluate_all = |x: &Point| plan.equations.iter().map(|terms| evaluate(terms, c, x)).collect::<Vec<_>>();
-    let worst = |all: &[(Complex<f64>, f64, Point)]| {
-        let relative = |&(value, scale, _): &(Complex<f64>, f64, Point)| match scale > 0.0 {
-            true => value.norm() / scale,
-            false => value.norm(),
-        };
-        // A NaN must not pass for a small residual.
-        all.iter().map(relative).fold(0.0, |worst: f64, r| if worst.is_nan() || r <= worst { worst } else { r })
-    };
-    let weight = |(_, scale, gradient): &(Complex<f64>, f64, Point)| {
-        let size = if *scale > 0.0 { *scale } else { gradient.iter().map(|x| x.norm()).fold(0.0, f64::max) };
-        Complex::new(if size > 0.0 { 1.0 / size } else { 0.0 }, 0.0)
-    };
-    let mut all = evaluate_all(point);
-    let mut best = worst(&all);
-    let mut last = vec![Complex::ZERO; point.len()];
-    let mut flat = false;
-    for _ in 0..POLISH_STEPS {
-        let weights: Vec<Complex<f64>> = all.iter().map(weight).collect();
-        let jacobian = DMatrix::from_fn(all.len(), point.len(), |e, j| all[e].2[j] * weights[e]);
-        let right = DVector::from_fn(all.len(), |e, _| all[e].0 * weights[e]);
-        let qr = jacobian.qr();
-        let Some(step) = qr.r().solve_upper_triangular(&(qr.q().adjoint() * right)) else { break };
-        last = step.iter().copied().collect();
-        let mut moved: Point = point.iter().zip(step.iter()).map(|(x, s)| x - s).collect();
-        let mut next = evaluate_all(&moved);
-        let mut residual = worst(&next);
-        if best > STALLED && (residual.is_nan() || residual >= best) {
-            let largest = |x: &Point| x.iter().map(|x| x.norm()).fold(0.0, f64::max);
-            let size = largest(&moved);
-            let noise = if size <= TOWARDS_ORIGIN * largest(point) { size } else { NOISE * size };
-            moved.iter_mut().filter(|x| x.norm() <= noise).for_each(|x| *x = Complex::ZERO);
-            next = evaluate_all(&moved);
-            residual = worst(&next);
-        }
-        flat = best <= STALLED && residual <= FLAT;
-        let lower = residual < best;
-        if !lower {
-            break;
-        }
-        (best, all) = (residual, next);
-        *point = moved;
-    }
-    let is_large = |x: &Complex<f64>| x.norm() >= LARGE;
-    let halved = || point.iter().map(|x| if is_large(x) { x * 0.5 } else { *x }).collect();
-    if point.iter().any(is_large) && worst(&evaluate_all(&halved())) <= STALLED {
-        return f64::INFINITY;
-    }
-    let noise = NOISE * point.iter().map(|x| x.norm()).fold(0.0, f64::max);
-    let is_far = |(x, step): (&Complex<f64>, &Complex<f64>)| step.norm() > FAR * x.norm() + noise;
-    let far: Vec<bool> = point.iter().zip(&last).map(is_far).collect();
-    // An unknown that is zero up to noise is free to change by as much.
-    let without = || point.iter().zip(&far).map(|(&x, &far)| if far { Complex::ZERO } else { x }).collect();
-    let is_noise = || worst(&evaluate_all(&without())) <= STALLED;
-    match far.contains(&true) && (best > STALLED || (flat && !is_noise())) {
-        true => f64::INFINITY,
-        false => best,
-    }
 }

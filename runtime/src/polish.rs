@@ -116,7 +116,7 @@ pub fn polish<S: Scalar, const N: usize, const E: usize>(
     };
     let is_large = |value: &S| value.magnitude() >= LARGE;
     if x.iter().any(is_large)
-        && residual_of(&x.map(|value| if is_large(&value) { value.scale(0.5) } else { value })) <= STALLED
+        && residual_of(&x.map(|value| if is_large(&value) { value.scale(0.5) } else { value })) <= STALLED.max(best)
     {
         return f64::INFINITY;
     }
