@@ -113,6 +113,13 @@ fn what_was_tried_in_vain_is_told() {
         assert!(message.contains(part), "{part}: {message}");
     }
     assert!(["closed under", "cannot be read"].iter().any(|reason| message.contains(reason)), "{message}");
+    assert!(!message.contains("of its own"), "{message}");
+    // A factor of several terms hides what could be done with an unknown.
+    let problem = TWO_CONICS.trim_end().strip_suffix('}').unwrap();
+    fs::write(folder.join("two_conics.rs"), format!("{problem}    x + y + 1 != 0;\n}}\n")).unwrap();
+    let with_factor = search(&folder, &["--max-columns", "7"]);
+    assert!(stderr(&with_factor).contains("help: rows can be divided by a factor"), "{}", stderr(&with_factor));
+    fs::write(folder.join("two_conics.rs"), TWO_CONICS).unwrap();
     // Shards that find nothing say so, and so does the merge.
     for shard in ["1/2", "2/2"] {
         must_search(&folder, &["--max-columns", "7", "--shard", shard, "--out", &shard.replace('/', "-of-")]);

@@ -1,10 +1,11 @@
 //! What stops the command, each with the file at fault and the way out.
 
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::diagnostic::Diagnostics;
 use crate::generate::GenerateError;
+use crate::problem::{Problem, Statement};
 use crate::search::SearchError;
 
 /// Why the command failed. All of these are the fault of the problem, the template or a file.
@@ -26,8 +27,8 @@ pub(super) enum CommandError {
     #[error("{0}")]
     Problem(#[from] Diagnostics),
     /// No template was found.
-    #[error("error: {}: {error}", path.display())]
-    Search { path: PathBuf, error: SearchError },
+    #[error("error: {}: {error}{hint}", path.display())]
+    Search { path: PathBuf, error: SearchError, hint: &'static str },
     /// A file that `search --shard` wrote is none, or does not belong to the others.
     #[error("error: `{}`: {reason}", path.display())]
     Shard { path: PathBuf, reason: String },
@@ -43,4 +44,18 @@ pub(super) enum CommandError {
     /// No solver can be made although the template is good.
     #[error("error: {}: {error}", problem.display())]
     Generate { problem: PathBuf, error: Box<GenerateError> },
+}
+
+impl CommandError {
+    /// Why the search for a template of `problem` failed.
+    pub(super) fn of_search(path: &Path, problem: &Problem, error: SearchError) -> Self {
+        let is_sum = |factor: &Statement| factor.polynomial.terms().len() > 1;
+        let hint = match problem.nonzero.iter().any(is_sum) {
+            true => {
+                "\nhelp: rows can be divided by a factor that must not vanish where it is an unknown of its own: `w == FACTOR; w != 0;`"
+            }
+            false => "",
+        };
+        Self::Search { path: path.to_owned(), error, hint }
+    }
 }

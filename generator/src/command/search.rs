@@ -126,7 +126,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
             let templates = found.candidates.len();
             conclude(arguments, &problem, &settings, &found, templates, &|_| None, &watch)
         }
-        (None, Err(error)) => Err(CommandError::Search { path: path.clone(), error }),
+        (None, Err(error)) => Err(CommandError::of_search(path, &problem, error)),
     }
 }
 
@@ -148,7 +148,7 @@ fn conclude(
         is_over: watch.end().is_some(),
     };
     let choice = choose(&found.candidates, settings.options.prefer, settings.measuring, known, watch)
-        .ok_or_else(|| CommandError::Search { path: path.clone(), error: nothing() })?;
+        .ok_or_else(|| CommandError::of_search(path, problem, nothing()))?;
     let file = to_file(&choice.measured[choice.chosen], problem, &settings.options);
     // Nothing is written that would not be accepted.
     plan(problem, &file).map_err(|error| CommandError::Generate { problem: path.clone(), error: error.into() })?;
@@ -177,7 +177,7 @@ fn hand_over(
             let ways = attempts.len() + untried;
             (Found { candidates: Vec::new(), ways, untried, unplanned: 0, is_cut: untried > 0 }, attempts)
         }
-        Err(error) => return Err(CommandError::Search { path: arguments.file.clone(), error }),
+        Err(error) => return Err(CommandError::of_search(&arguments.file, problem, error)),
     };
     let screened = screen(&found.candidates, settings.options.prefer, settings.measuring, watch);
     let candidate = |(candidate, stability)| ShardCandidate::new(candidate, stability, problem, settings);

@@ -181,7 +181,7 @@ pub(super) fn merge(path: &Path, problem: &Problem, files: &[PathBuf]) -> Result
     if candidates.is_empty() {
         let max_columns = settings.options.max_columns;
         let error = SearchError::NotFound { max_columns, attempts, untried, is_over: untried > 0 };
-        return Err(CommandError::Search { path: path.to_owned(), error });
+        return Err(CommandError::of_search(path, problem, error));
     }
     let found = Found { candidates, ways, untried, unplanned, is_cut };
     Ok(Merged { settings, found, templates, known })
