@@ -3,7 +3,7 @@ mod support;
 
 use eliminant::{ActionMethod, Complex, Scalar, Solutions, complex_solutions, real_solutions};
 use nalgebra::SMatrix;
-use support::Random;
+use support::{Random, distance_to_next};
 
 const B: usize = 10;
 type Point = [Complex<f64>; 2];
@@ -26,13 +26,7 @@ impl ActionMethod<B, 2, B> for Points {
     fn recover<S: Scalar>(&self, _unknowns: &mut [S; 2]) {}
 
     fn polish<S: Scalar>(&self, unknowns: &mut [S; 2], _steps: usize) -> f64 {
-        // Up to the sign of imaginary parts, which `Scalar` does not show.
-        let parts = unknowns.map(|x| (x.real(), (x - S::from_f64(x.real())).modulus()));
-        let distance = |point: &Point| {
-            let square = |j: usize| (parts[j].0 - point[j].re).powi(2) + (parts[j].1 - point[j].im.abs()).powi(2);
-            (square(0) + square(1)).sqrt()
-        };
-        self.0.iter().map(distance).fold(f64::INFINITY, f64::min)
+        distance_to_next(&self.0, unknowns)
     }
 
     fn is_admissible<S: Scalar>(&self, _unknowns: &[S; 2]) -> bool {

@@ -1,7 +1,9 @@
 //! Solutions that differ by signs only, on an action matrix made from solutions up to sign.
+mod support;
 
 use eliminant::{ActionMethod, Complex, Scalar, Solutions, Symmetry, complex_solutions, real_solutions};
 use nalgebra::SMatrix;
+use support::distance_to_next;
 
 /// Monomials 1, x^2, x y, y^2.
 const B: usize = 4;
@@ -39,13 +41,7 @@ impl ActionMethod<B, 2, B> for UpToSign {
     fn recover<S: Scalar>(&self, _unknowns: &mut [S; 2]) {}
 
     fn polish<S: Scalar>(&self, unknowns: &mut [S; 2], _steps: usize) -> f64 {
-        // Up to the sign of imaginary parts, which `Scalar` does not show.
-        let parts = unknowns.map(|x| (x.real(), (x - S::from_f64(x.real())).modulus()));
-        let distance = |point: &Point| {
-            let square = |j: usize| (parts[j].0 - point[j].re).powi(2) + (parts[j].1 - point[j].im.abs()).powi(2);
-            (square(0) + square(1)).sqrt()
-        };
-        self.all().iter().map(distance).fold(f64::INFINITY, f64::min)
+        distance_to_next(&self.all(), unknowns)
     }
 
     fn is_admissible<S: Scalar>(&self, _unknowns: &[S; 2]) -> bool {

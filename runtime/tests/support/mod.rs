@@ -1,7 +1,8 @@
-//! Seeded random numbers for the counts over many instances.
+//! Seeded random numbers for the counts over many instances, and points that stand for solutions.
 #![allow(missing_docs)]
 #![allow(dead_code)]
 
+use eliminant::{Complex, Scalar};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};
 
@@ -30,4 +31,14 @@ impl Random {
     pub(crate) fn matrix<const N: usize, const M: usize>(&mut self) -> [[f64; M]; N] {
         std::array::from_fn(|_| std::array::from_fn(|_| self.symmetric()))
     }
+}
+
+/// The distance to the next of some points, up to the sign of imaginary parts, which `Scalar` does not show.
+pub(crate) fn distance_to_next<S: Scalar>(points: &[[Complex<f64>; 2]], unknowns: &[S; 2]) -> f64 {
+    let parts = unknowns.map(|x| (x.real(), (x - S::from_f64(x.real())).modulus()));
+    let distance = |point: &[Complex<f64>; 2]| {
+        let square = |j: usize| (parts[j].0 - point[j].re).powi(2) + (parts[j].1 - point[j].im.abs()).powi(2);
+        (square(0) + square(1)).sqrt()
+    };
+    points.iter().map(distance).fold(f64::INFINITY, f64::min)
 }
