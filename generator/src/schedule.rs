@@ -99,6 +99,11 @@ impl Scheduler<'_> {
         let extra: Vec<Monomial> = template.reducible.iter().filter(|m| !is_image(m)).copied().collect();
         let read = extra.iter().filter_map(|m| pivots.get(m).copied()).collect();
         let symmetry = Symmetry::of_problem(problem).of_template(&template.action, &template.basis).on(&reduced.kept);
+        let most = template.basis.len() * symmetry.order();
+        if self.solutions > most {
+            let what = format!("{} solutions, but its basis gives {most} at most", self.solutions);
+            return Err(ScheduleError::Mismatch(what));
+        }
         let width = problem.unknowns.len();
         let extractions = plan_extractions(problem, template, &extra, &symmetry.readings(&reduced.kept))?;
         let flips = symmetry.all().iter().map(|flip| (0..width).map(|at| flip.contains(&at)).collect()).collect();

@@ -2,6 +2,7 @@
 #![cfg(feature = "search")]
 
 use eliminant_generator::check::check;
+use eliminant_generator::generate::plan;
 use eliminant_generator::monitor::Unmonitored;
 use eliminant_generator::problem::Problem;
 use eliminant_generator::search::{SearchOptions, candidates};
@@ -99,4 +100,17 @@ fn the_origin_is_not_lost() {
     assert_eq!((problem.has_origin(), check(&problem).unwrap().solutions), (false, 8));
     let found = candidates(&problem, 8, &SearchOptions::default(), &Unmonitored).unwrap();
     assert_eq!(found.candidates[0].template.basis.len(), 4);
+}
+
+#[test]
+fn a_template_that_claims_more_solutions_than_its_basis_gives_is_refused() {
+    let problem = Problem::parse("axes.rs", SUBJECTS[0].text).unwrap();
+    let options = SearchOptions::default();
+    let found = candidates(&problem, 4, &options, &Unmonitored).unwrap();
+    let mut file = found.candidates[0].to_file(&problem, &options);
+    assert!(plan(&problem, &file).is_ok());
+    file.solutions = 5;
+    let error = plan(&problem, &file).unwrap_err();
+    assert!(error.is_stale_template());
+    assert!(error.to_string().contains("5 solutions, but its basis gives 4 at most"), "{error}");
 }

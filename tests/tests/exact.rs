@@ -252,5 +252,14 @@ fn unknowns_are_ratios_of_known_monomials() {
         }
         read.sort_unstable();
         assert_eq!(read, s.planned.reduced.kept, "{}", s.name);
+        // The factors change with every choice of signs but those of the plan.
+        let kept = &s.planned.reduced.kept;
+        let is_kept_by = |signs: usize, step: &[i8]| {
+            kept.iter().enumerate().filter(|&(at, &unknown)| signs >> at & 1 == 1 && step[unknown] % 2 != 0).count() % 2
+                == 0
+        };
+        let extractions = &s.planned.plan.extractions;
+        let all_kept = |signs: &usize| extractions.iter().all(|extraction| is_kept_by(*signs, &extraction.step));
+        assert_eq!((0..1usize << kept.len()).filter(all_kept).count(), 1 + s.planned.plan.flips.len(), "{}", s.name);
     });
 }

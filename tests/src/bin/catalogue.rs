@@ -67,16 +67,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments = Arguments::parse();
     let published = published()?;
     let path = templates_folder().join("README.md");
+    let written = if arguments.update { fs::read_to_string(&path)? } else { String::new() };
     let mut rows = Vec::new();
     for case in cases() {
         if arguments.problems.is_empty() || arguments.problems.iter().any(|name| name == case.name) {
             eprintln!("{}", case.name);
             rows.push(row(&case, &published, &arguments));
         } else if arguments.update {
-            rows.push(
-                written_row(&fs::read_to_string(&path)?, &case)
-                    .ok_or_else(|| format!("{} is not in the page", case.name))?,
-            );
+            rows.push(written_row(&written, &case).ok_or_else(|| format!("{} is not in the page", case.name))?);
         }
     }
     if arguments.update {
