@@ -1,14 +1,19 @@
 //! From the action matrix to polished solutions: what all emitted solvers do alike.
+//!
+//! On a few instances of a thousand a template is so close to singular, or a solution so close to infinity, that rounding errors of the
+//! elimination or of the eigenvalues lead to no solution, or to another one. Where solutions are missing, both are therefore repeated with
+//! twice the digits.
 
 use num_complex::Complex;
 
 use crate::distinct::{Candidate, DOUBLE, push_distinct};
+use crate::double_double::DoubleDouble;
 use crate::error::SolveError;
 use crate::extract::{Eigenpairs, unknowns};
 use crate::hessenberg::Hessenberg;
 use crate::polish::{POLISH_STEPS, without_noise};
 use crate::polynomial_roots::real_roots_monic;
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 use crate::shared_value::{Combinations, SharedValue};
 use crate::solutions::Solutions;
 use crate::symmetry::{Symmetry, flipped};
@@ -24,7 +29,7 @@ const NEARLY_REAL: f64 = 1e-3;
 /// A factor that must not vanish does if its value is at most this, relative to the sum of the moduli of its terms.
 pub const VANISHING: f64 = 1e-8;
 
-/// What differs between solvers once the action matrix is known: |B| = B basis monomials, N unknowns, K monomials whose
+/// What differs between solvers: |B| = B basis monomials, N unknowns, K monomials whose
 /// values follow from an eigenpair.
 pub trait ActionMethod<const B: usize, const N: usize, const K: usize> {
     /// For each unknown x the positions of (m, x m) among the known monomials; none where [`ActionMethod::recover`]
@@ -33,6 +38,13 @@ pub trait ActionMethod<const B: usize, const N: usize, const K: usize> {
 
     /// How unknowns follow from their pairs where the template tells them up to sign.
     const SYMMETRY: Option<Symmetry<N>> = None;
+
+    /// The action matrix, |B| rows: T with a b = T b at every solution, b being the values of the basis and a that of the action monomial.
+    /// What [`ActionMethod::known`] reads besides is kept.
+    ///
+    /// # Errors
+    /// [`SolveError::Degenerate`] where the template is singular up to rounding.
+    fn action_matrix<R: Real>(&mut self) -> Result<[[R; B]; B], SolveError>;
 
     /// The values of the known monomials from an eigenpair: linear in the vector; those of the image, value times
     /// vector, and only those depend on the value.
@@ -48,16 +60,17 @@ pub trait ActionMethod<const B: usize, const N: usize, const K: usize> {
     fn is_admissible<S: Scalar>(&self, unknowns: &[S; N]) -> bool;
 }
 
-/// All complex solutions, at most MAX.
+/// All complex solutions. MAX is how many there are for general data: where some are missing, all is done once more at twice the precision.
 ///
 /// # Errors
-/// [`SolveError::NonFiniteInput`] for a matrix that is not finite, [`SolveError::NoConvergence`] where the QR iteration reaches its limit.
+/// Those of the action matrix, [`SolveError::NonFiniteInput`] where it is not finite, [`SolveError::NoConvergence`] where the QR iteration
+/// reaches its limit.
 #[inline]
 pub fn complex_solutions<const B: usize, const N: usize, const K: usize, const MAX: usize>(
-    method: &impl ActionMethod<B, N, K>,
-    action: &[[f64; B]; B],
+    method: &mut impl ActionMethod<B, N, K>,
 ) -> Result<Solutions<[Complex<f64>; N], MAX>, SolveError> {
-    let spectrum = Hessenberg::reduce(action)?;
+    let action = method.action_matrix::<f64>()?;
+    let spectrum = Hessenberg::reduce(&action)?;
     let values = spectrum.eigenvalues()?;
     let mut found = Solutions::<Candidate<Complex<f64>, N>, MAX>::new();
     let mut complete = true;
@@ -65,23 +78,29 @@ pub fn complex_solutions<const B: usize, const N: usize, const K: usize, const M
         complete &= add_complex(method, &spectrum, value, &mut found);
     }
     if !complete {
-        for_each_shared_value(method, action, &spectrum, &values, |source, value| {
+        for_each_shared_value(method, &action, &spectrum, &values, |source, value| {
+            add_complex(method, source, value, &mut found);
+        });
+    }
+    if found.len() < MAX {
+        for_each_precise_value(method, |method, source, value| {
             add_complex(method, source, value, &mut found);
         });
     }
     Ok(admissible(method, &found))
 }
 
-/// All real solutions, at most MAX, by the QR iteration.
+/// All real solutions, by the QR iteration. MAX is how many complex ones there are for general data. Solutions that are not real come in pairs:
+/// where the number of those found shows that a real one is missing, all is done once more at twice the precision.
 ///
 /// # Errors
 /// As [`complex_solutions`].
 #[inline]
 pub fn real_solutions<const B: usize, const N: usize, const K: usize, const MAX: usize>(
-    method: &impl ActionMethod<B, N, K>,
-    action: &[[f64; B]; B],
+    method: &mut impl ActionMethod<B, N, K>,
 ) -> Result<Solutions<[f64; N], MAX>, SolveError> {
-    let spectrum = Hessenberg::reduce(action)?;
+    let action = method.action_matrix::<f64>()?;
+    let spectrum = Hessenberg::reduce(&action)?;
     let mut found = Solutions::<Candidate<f64, N>, MAX>::new();
     let values = spectrum.eigenvalues()?;
     let mut complete = true;
@@ -91,7 +110,14 @@ pub fn real_solutions<const B: usize, const N: usize, const K: usize, const MAX:
         complete &= add_real(method, &spectrum, value, &mut found);
     }
     if !complete {
-        for_each_shared_value(method, action, &spectrum, &values, |source, value| {
+        for_each_shared_value(method, &action, &spectrum, &values, |source, value| {
+            if may_be_real(&value) {
+                add_real(method, source, value, &mut found);
+            }
+        });
+    }
+    if !(MAX - found.len()).is_multiple_of(2) {
+        for_each_precise_value(method, |method, source, value| {
             if may_be_real(&value) {
                 add_real(method, source, value, &mut found);
             }
@@ -103,13 +129,13 @@ pub fn real_solutions<const B: usize, const N: usize, const K: usize, const MAX:
 /// All real solutions, at most MAX, by the real roots of the characteristic polynomial.
 ///
 /// # Errors
-/// [`SolveError::NonFiniteInput`] for a matrix that is not finite.
+/// Those of the action matrix, [`SolveError::NonFiniteInput`] where it is not finite.
 #[inline]
 pub fn real_solutions_by_polynomial<const B: usize, const N: usize, const K: usize, const MAX: usize>(
-    method: &impl ActionMethod<B, N, K>,
-    action: &[[f64; B]; B],
+    method: &mut impl ActionMethod<B, N, K>,
 ) -> Result<Solutions<[f64; N], MAX>, SolveError> {
-    let spectrum = Hessenberg::reduce(action)?;
+    let action = method.action_matrix::<f64>()?;
+    let spectrum = Hessenberg::reduce(&action)?;
     let mut found = Solutions::<Candidate<f64, N>, MAX>::new();
     for value in real_roots_monic(&spectrum.characteristic_polynomial()) {
         add_real(method, &spectrum, value.into(), &mut found);
@@ -155,6 +181,22 @@ fn for_each_shared_value<const B: usize, const N: usize, const K: usize>(
                 }
             });
         }
+    }
+}
+
+/// Repeats the elimination and the eigenvalue iteration at twice the precision and calls `solve` for each eigenvalue with im >= 0; for none where
+/// one of the two fails.
+#[cold]
+#[inline(never)]
+fn for_each_precise_value<const B: usize, const N: usize, const K: usize, M: ActionMethod<B, N, K>>(
+    method: &mut M,
+    mut solve: impl FnMut(&M, &Hessenberg<B, DoubleDouble>, Complex<f64>),
+) {
+    let Ok(spectrum) = method.action_matrix::<DoubleDouble>().and_then(|action| Hessenberg::reduce(&action)) else {
+        return;
+    };
+    for value in spectrum.eigenvalues().into_iter().flat_map(upper_half) {
+        solve(method, &spectrum, value);
     }
 }
 

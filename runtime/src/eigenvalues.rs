@@ -7,12 +7,13 @@
 use crate::error::SolveError;
 use crate::float;
 use crate::hessenberg::Hessenberg;
+use crate::scalar::Real;
 use num_complex::Complex;
 
 /// The iteration gives up after this many sweeps per eigenvalue on the average; two or three are usual.
 const SWEEPS_PER_EIGENVALUE: usize = 30;
 
-impl<const N: usize> Hessenberg<N> {
+impl<const N: usize, R: Real> Hessenberg<N, R> {
     /// All eigenvalues of A; complex ones in conjugate pairs, one after the other, positive imaginary part first.
     ///
     /// # Errors
@@ -26,10 +27,10 @@ impl<const N: usize> Hessenberg<N> {
         while high > 0 {
             let low = active_block(&h, high);
             match high - low {
-                1 => values[low] = Complex { re: h[low][low], im: 0.0 },
+                1 => values[low] = h[low][low].to_complex(),
                 2 => {
                     let pair = eigenvalues_2x2(h[low][low], h[low][low + 1], h[low + 1][low], h[low + 1][low + 1]);
-                    [values[low], values[low + 1]] = pair;
+                    [values[low], values[low + 1]] = pair.map(|(re, im)| Complex { re: re.real(), im: im.real() });
                 }
                 _ => {
                     if remaining == 0 {
@@ -52,29 +53,29 @@ impl<const N: usize> Hessenberg<N> {
 /// The first row of the last unreduced diagonal block of the leading `high` rows. A subdiagonal entry counts as zero
 /// when setting it to zero moves the eigenvalues of the 2x2 block around it by less than rounding (Ahues and Tisseur).
 #[inline]
-fn active_block<const N: usize>(h: &[[f64; N]; N], high: usize) -> usize {
+fn active_block<R: Real, const N: usize>(h: &[[R; N]; N], high: usize) -> usize {
     let mut k = high - 1;
     while k > 0 {
-        let subdiagonal = h[k][k - 1].abs();
+        let subdiagonal = h[k][k - 1].modulus();
         if subdiagonal <= f64::MIN_POSITIVE {
             break;
         }
-        let mut size = h[k - 1][k - 1].abs() + h[k][k].abs();
+        let mut size = h[k - 1][k - 1].modulus() + h[k][k].modulus();
         if size == 0.0 {
             if k >= 2 {
-                size += h[k - 1][k - 2].abs();
+                size += h[k - 1][k - 2].modulus();
             }
             if k + 1 < high {
-                size += h[k + 1][k].abs();
+                size += h[k + 1][k].modulus();
             }
         }
-        if subdiagonal <= f64::EPSILON * size {
-            let superdiagonal = h[k - 1][k].abs();
-            let difference = (h[k - 1][k - 1] - h[k][k]).abs();
+        if subdiagonal <= R::EPSILON * size {
+            let superdiagonal = h[k - 1][k].modulus();
+            let difference = (h[k - 1][k - 1] - h[k][k]).modulus();
             let (ab, ba) = ordered(subdiagonal, superdiagonal);
-            let (aa, bb) = ordered(h[k][k].abs(), difference);
+            let (aa, bb) = ordered(h[k][k].modulus(), difference);
             let sum = aa + ab;
-            if ba * (ab / sum) <= f64::MIN_POSITIVE.max(f64::EPSILON * (bb * (aa / sum))) {
+            if ba * (ab / sum) <= f64::MIN_POSITIVE.max(R::EPSILON * (bb * (aa / sum))) {
                 break;
             }
         }
@@ -89,72 +90,71 @@ fn ordered(x: f64, y: f64) -> (f64, f64) {
     if x > y { (x, y) } else { (y, x) }
 }
 
-/// Eigenvalues of [[a, b], [c, d]] without needless cancellation or overflow.
+/// Eigenvalues of [[a, b], [c, d]] without needless cancellation or overflow: real and imaginary parts.
 #[inline]
-fn eigenvalues_2x2(a: f64, b: f64, c: f64, d: f64) -> [Complex<f64>; 2] {
-    let half = 0.5 * (a - d);
-    let (large, small) = ordered(b.abs(), c.abs());
-    let small = small * b.signum() * c.signum();
-    let scale = half.abs().max(large);
-    if scale == 0.0 {
-        return [Complex { re: a, im: 0.0 }, Complex { re: d, im: 0.0 }];
+fn eigenvalues_2x2<R: Real>(a: R, b: R, c: R, d: R) -> [(R, R); 2] {
+    let half = (a - d).scale(0.5);
+    let (large, small) = if b.modulus() > c.modulus() { (b, c) } else { (c, b) };
+    let scale = if half.modulus() > large.modulus() { half } else { large };
+    if scale == R::ZERO {
+        return [(a, R::ZERO), (d, R::ZERO)];
     }
+    let scale = scale.with_sign_of(R::ONE);
     let discriminant = (half / scale) * half + (large / scale) * small;
-    let root = float::sqrt(scale) * float::sqrt(discriminant.abs());
-    if discriminant < 0.0 {
-        let mean = d + half;
-        return [Complex { re: mean, im: root }, Complex { re: mean, im: -root }];
+    if discriminant.real() < 0.0 {
+        let (mean, root) = (d + half, scale.sqrt() * (-discriminant).sqrt());
+        return [(mean, root), (mean, -root)];
     }
     // The eigenvalue further from d, then the other from their product.
-    let shift = half + root.copysign(half);
-    let other = if shift == 0.0 { d } else { d - (large / shift) * small };
-    [Complex { re: d + shift, im: 0.0 }, Complex { re: other, im: 0.0 }]
+    let shift = half + (scale.sqrt() * discriminant.sqrt()).with_sign_of(half);
+    let other = if shift == R::ZERO { d } else { d - (large / shift) * small };
+    [(d + shift, R::ZERO), (other, R::ZERO)]
 }
 
 /// The two shifts of a sweep: the eigenvalues of the trailing 2x2 block, the nearer one twice when they are real; after
 /// ten sweeps without a deflation exceptional ones, because on some matrices (orthogonal ones) the usual shifts stall.
 #[inline]
-fn choose_shifts<const N: usize>(h: &[[f64; N]; N], low: usize, high: usize, stalled: usize) -> [Complex<f64>; 2] {
+fn choose_shifts<R: Real, const N: usize>(h: &[[R; N]; N], low: usize, high: usize, stalled: usize) -> [(R, R); 2] {
     let last = high - 1;
-    let exceptional = |corner: f64, size: f64| {
-        let diagonal = corner + 0.75 * size;
-        eigenvalues_2x2(diagonal, -0.4375 * size, size, diagonal)
+    let exceptional = |corner: R, size: f64| {
+        let diagonal = corner + R::from_f64(0.75 * size);
+        eigenvalues_2x2(diagonal, R::from_f64(-0.4375 * size), R::from_f64(size), diagonal)
     };
     if stalled % 20 == 10 {
-        return exceptional(h[low][low], h[low + 1][low].abs() + h[low + 2][low + 1].abs());
+        return exceptional(h[low][low], h[low + 1][low].modulus() + h[low + 2][low + 1].modulus());
     }
     if stalled.is_multiple_of(20) {
-        return exceptional(h[last][last], h[last][last - 1].abs() + h[last - 1][last - 2].abs());
+        return exceptional(h[last][last], h[last][last - 1].modulus() + h[last - 1][last - 2].modulus());
     }
     let corner = h[last][last];
     let [first, second] = eigenvalues_2x2(h[last - 1][last - 1], h[last - 1][last], h[last][last - 1], corner);
-    if first.im != 0.0 {
+    if first.1 != R::ZERO {
         return [first, second];
     }
-    let nearer = if (first.re - corner).abs() <= (second.re - corner).abs() { first } else { second };
+    let nearer = if (first.0 - corner).modulus() <= (second.0 - corner).modulus() { first } else { second };
     [nearer, nearer]
 }
 
 /// One implicit double-shift QR sweep on the unreduced block low..high of at least three rows.
 #[inline]
-fn sweep<const N: usize>(h: &mut [[f64; N]; N], low: usize, high: usize, shifts: [Complex<f64>; 2]) {
+fn sweep<R: Real, const N: usize>(h: &mut [[R; N]; N], low: usize, high: usize, shifts: [(R, R); 2]) {
     let (start, mut v) = bulge_start(h, low, high, shifts);
     for k in start..high - 1 {
         let three = k + 2 < high;
         if k > start {
-            v = [h[k][k - 1], h[k + 1][k - 1], if three { h[k + 2][k - 1] } else { 0.0 }];
+            v = [h[k][k - 1], h[k + 1][k - 1], if three { h[k + 2][k - 1] } else { R::ZERO }];
         }
         let (beta, tau, v1, v2) = reflection(v);
         if k > start {
             h[k][k - 1] = beta;
-            h[k + 1][k - 1] = 0.0;
+            h[k + 1][k - 1] = R::ZERO;
             if three {
-                h[k + 2][k - 1] = 0.0;
+                h[k + 2][k - 1] = R::ZERO;
             }
         } else if k > low {
-            h[k][k - 1] *= 1.0 - tau;
+            h[k][k - 1] *= R::ONE - tau;
         }
-        if tau == 0.0 {
+        if tau == R::ZERO {
             continue;
         }
         let (t1, t2) = (tau * v1, tau * v2);
@@ -196,31 +196,31 @@ fn sweep<const N: usize>(h: &mut [[f64; N]; N], low: usize, high: usize, shifts:
 
 /// Where the bulge starts, and its first column: that of (H - s1)(H - s2), scaled.
 #[inline]
-fn bulge_start<const N: usize>(
-    h: &[[f64; N]; N],
+fn bulge_start<R: Real, const N: usize>(
+    h: &[[R; N]; N],
     low: usize,
     high: usize,
-    [s1, s2]: [Complex<f64>; 2],
-) -> (usize, [f64; 3]) {
+    [s1, s2]: [(R, R); 2],
+) -> (usize, [R; 3]) {
     let mut m = high - 3;
     loop {
-        let below = h[m + 1][m].abs();
-        let sum = (h[m][m] - s2.re).abs() + s2.im.abs() + below;
+        let below = h[m + 1][m].modulus();
+        let sum = R::from_f64((h[m][m] - s2.0).modulus() + s2.1.modulus() + below);
         let ratio = h[m + 1][m] / sum;
         let mut v = [
-            ratio * h[m][m + 1] + (h[m][m] - s1.re) * ((h[m][m] - s2.re) / sum) - s1.im * (s2.im / sum),
-            ratio * (h[m][m] + h[m + 1][m + 1] - s1.re - s2.re),
+            ratio * h[m][m + 1] + (h[m][m] - s1.0) * ((h[m][m] - s2.0) / sum) - s1.1 * (s2.1 / sum),
+            ratio * (h[m][m] + h[m + 1][m + 1] - s1.0 - s2.0),
             ratio * h[m + 2][m + 1],
         ];
-        let size = v[0].abs() + v[1].abs() + v[2].abs();
+        let size = v[0].modulus() + v[1].modulus() + v[2].modulus();
         if size > 0.0 {
-            v = v.map(|x| x / size);
+            v = v.map(|x| x / R::from_f64(size));
         }
         if m == low {
             return (m, v);
         }
-        let around = h[m - 1][m - 1].abs() + h[m][m].abs() + h[m + 1][m + 1].abs();
-        if h[m][m - 1].abs() * (v[1].abs() + v[2].abs()) <= f64::EPSILON * v[0].abs() * around {
+        let around = h[m - 1][m - 1].modulus() + h[m][m].modulus() + h[m + 1][m + 1].modulus();
+        if h[m][m - 1].modulus() * (v[1].modulus() + v[2].modulus()) <= R::EPSILON * v[0].modulus() * around {
             return (m, v);
         }
         m -= 1;
@@ -229,16 +229,16 @@ fn bulge_start<const N: usize>(
 
 /// The reflection I - tau w w^T, w = (1, w1, w2), that maps v to (beta, 0, 0): beta, tau, w1, w2.
 #[inline]
-fn reflection(v: [f64; 3]) -> (f64, f64, f64, f64) {
-    let size = v[0].abs().max(v[1].abs()).max(v[2].abs());
+fn reflection<R: Real>(v: [R; 3]) -> (R, R, R, R) {
+    let size = v[0].modulus().max(v[1].modulus()).max(v[2].modulus());
     // Squares of numbers of usual size need no scaling, tiny ones do.
     let scale = if size < 1e-140 && size > 0.0 { float::power_of_two(float::exponent(size).max(-1021)) } else { 1.0 };
-    let [x, y, z] = v.map(|entry| entry / scale);
+    let [x, y, z] = v.map(|entry| entry / R::from_f64(scale));
     let tail = y * y + z * z;
-    if tail == 0.0 {
-        return (v[0], 0.0, 0.0, 0.0);
+    if tail == R::ZERO {
+        return (v[0], R::ZERO, R::ZERO, R::ZERO);
     }
-    let beta = -float::sqrt(x * x + tail).copysign(x);
-    let inverse = 1.0 / (x - beta);
-    (beta * scale, (beta - x) / beta, y * inverse, z * inverse)
+    let beta = -(x * x + tail).sqrt().with_sign_of(x);
+    let inverse = (x - beta).reciprocal();
+    (beta.scale(scale), (beta - x) / beta, y * inverse, z * inverse)
 }

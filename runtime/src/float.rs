@@ -1,5 +1,7 @@
 //! The few floating-point functions that `core` lacks.
 
+use crate::scalar::Real;
+
 /// Square root, correctly rounded.
 #[cfg(feature = "std")]
 #[inline]
@@ -43,12 +45,12 @@ pub(crate) fn exponent(x: f64) -> i32 {
 
 /// True when no entry is infinite or NaN. Without early exit, so that it vectorises.
 #[inline]
-pub(crate) fn all_finite<const M: usize>(rows: &[[f64; M]]) -> bool {
+pub(crate) fn all_finite<R: Real, const M: usize>(rows: &[[R; M]]) -> bool {
     // x * 0 is 0 for finite x and NaN otherwise. One sum per column: a single sum could not be vectorised.
     let mut sums = [0.0; M];
     for row in rows {
         for j in 0..M {
-            sums[j] += row[j] * 0.0;
+            sums[j] += row[j].real() * 0.0;
         }
     }
     sums.iter().all(|&sum| sum == 0.0)

@@ -2,6 +2,7 @@
 
 use crate::error::SolveError;
 use crate::float;
+use crate::scalar::{Over, Real};
 
 /// A real N x N matrix A, balanced and reduced by orthogonal similarity:
 ///
@@ -20,17 +21,17 @@ use crate::float;
 /// solutions there are such. The QR iteration and the characteristic polynomial start from H; eigenvectors are found
 /// on H and taken back through Q and D.
 #[derive(Clone, Debug)]
-pub struct Hessenberg<const N: usize> {
+pub struct Hessenberg<const N: usize, R = f64> {
     /// H: zero below the subdiagonal.
-    pub(crate) matrix: [[f64; N]; N],
+    pub(crate) matrix: [[R; N]; N],
     /// The power of two taken out of A, so that its largest entry is near 1 when it was far from it.
     pub(crate) unit: f64,
     /// The diagonal of D.
     balance: [f64; N],
     /// Row k: the reflection I - tau v v^T that cleared column k; v lives in k+1..N, v[k+1] = 1.
-    reflectors: [[f64; N]; N],
+    reflectors: [[R; N]; N],
     /// The tau of each reflection; 0 where the column was clear already.
-    tau: [f64; N],
+    tau: [R; N],
 }
 
 /// Sweeps of balancing: each multiplies by powers of two only, so a few suffice and stopping early is harmless.
@@ -38,17 +39,22 @@ const BALANCE_SWEEPS: usize = 16;
 /// Balancing is kept where it reduces the norm by this: so many digits may it gain, at most.
 const WORTHWHILE: f64 = 1e3;
 
-impl<const N: usize> Hessenberg<N> {
+impl<const N: usize, R: Real> Hessenberg<N, R> {
     /// Balances and reduces a copy of `matrix`.
     ///
     /// # Errors
     /// [`SolveError::NonFiniteInput`] when an entry is infinite or NaN.
-    pub fn reduce(matrix: &[[f64; N]; N]) -> Result<Self, SolveError> {
+    pub fn reduce(matrix: &[[R; N]; N]) -> Result<Self, SolveError> {
         if !float::all_finite(matrix) {
             return Err(SolveError::NonFiniteInput);
         }
-        let mut reduced =
-            Hessenberg { matrix: *matrix, unit: 1.0, balance: [1.0; N], reflectors: [[0.0; N]; N], tau: [0.0; N] };
+        let mut reduced = Hessenberg {
+            matrix: *matrix,
+            unit: 1.0,
+            balance: [1.0; N],
+            reflectors: [[R::ZERO; N]; N],
+            tau: [R::ZERO; N],
+        };
         reduced.normalize();
         reduced.balance();
         for k in 0..N.saturating_sub(2) {
@@ -63,7 +69,7 @@ impl<const N: usize> Hessenberg<N> {
         let mut largest = 0.0_f64;
         for row in &self.matrix {
             for &entry in row {
-                largest = if entry.abs() > largest { entry.abs() } else { largest };
+                largest = if entry.modulus() > largest { entry.modulus() } else { largest };
             }
         }
         if largest == 0.0 || (1e-60..1e60).contains(&largest) {
@@ -73,7 +79,7 @@ impl<const N: usize> Hessenberg<N> {
         self.unit = float::power_of_two(float::exponent(largest).clamp(-1021, 1021));
         let inverse = 1.0 / self.unit;
         for entry in self.matrix.as_flattened_mut() {
-            *entry *= inverse;
+            *entry = entry.scale(inverse);
         }
     }
 
@@ -91,7 +97,7 @@ impl<const N: usize> Hessenberg<N> {
     /// The sum of the squares of all entries.
     #[inline]
     fn squares(&self) -> f64 {
-        self.matrix.as_flattened().iter().map(|x| x * x).sum()
+        self.matrix.as_flattened().iter().map(|x| x.modulus_squared()).sum()
     }
 
     #[inline]
@@ -102,8 +108,8 @@ impl<const N: usize> Hessenberg<N> {
             for i in 0..N {
                 let (mut column, mut row) = (0.0, 0.0);
                 for j in 0..N {
-                    column += self.matrix[j][i] * self.matrix[j][i];
-                    row += self.matrix[i][j] * self.matrix[i][j];
+                    column += self.matrix[j][i].modulus_squared();
+                    row += self.matrix[i][j].modulus_squared();
                 }
                 if !(column > 1e-250 && row > 1e-250) {
                     continue;
@@ -126,10 +132,10 @@ impl<const N: usize> Hessenberg<N> {
                     self.balance[i] *= factor;
                     let inverse = 1.0 / factor;
                     for j in 0..N {
-                        self.matrix[i][j] *= inverse;
+                        self.matrix[i][j] = self.matrix[i][j].scale(inverse);
                     }
                     for j in 0..N {
-                        self.matrix[j][i] *= factor;
+                        self.matrix[j][i] = self.matrix[j][i].scale(factor);
                     }
                 }
             }
@@ -143,28 +149,28 @@ impl<const N: usize> Hessenberg<N> {
     #[inline]
     fn clear_column(&mut self, k: usize) {
         let h = &mut self.matrix;
-        let tail: f64 = (k + 2..N).map(|i| h[i][k] * h[i][k]).sum();
+        let tail = (k + 2..N).map(|i| h[i][k] * h[i][k]).fold(R::ZERO, |sum, square| sum + square);
         // Exactly zero or below 1e-154 of the largest entry, whose square underflowed: dropped.
-        if tail == 0.0 {
+        if tail == R::ZERO {
             for i in k + 2..N {
-                h[i][k] = 0.0;
+                h[i][k] = R::ZERO;
             }
             return;
         }
         let head = h[k + 1][k];
-        let beta = -float::sqrt(head * head + tail).copysign(head);
+        let beta = -(head * head + tail).sqrt().with_sign_of(head);
         let tau = (beta - head) / beta;
-        let inverse = 1.0 / (head - beta);
-        let mut v = [0.0; N];
-        v[k + 1] = 1.0;
+        let inverse = (head - beta).reciprocal();
+        let mut v = [R::ZERO; N];
+        v[k + 1] = R::ONE;
         for i in k + 2..N {
             v[i] = h[i][k] * inverse;
-            h[i][k] = 0.0;
+            h[i][k] = R::ZERO;
         }
         h[k + 1][k] = beta;
 
         // From the left: H -= tau v (v^T H), columns k+1.. only, the others are done.
-        let mut product = [0.0; N];
+        let mut product = [R::ZERO; N];
         for i in k + 1..N {
             for j in k + 1..N {
                 product[j] += v[i] * h[i][j];
@@ -178,7 +184,7 @@ impl<const N: usize> Hessenberg<N> {
         }
         // From the right: H -= tau (H v) v^T.
         for row in h.iter_mut() {
-            let mut dot = 0.0;
+            let mut dot = R::ZERO;
             for j in k + 1..N {
                 dot += row[j] * v[j];
             }
@@ -194,31 +200,33 @@ impl<const N: usize> Hessenberg<N> {
     /// The largest sum of moduli in a row of H.
     #[inline]
     pub(crate) fn norm(&self) -> f64 {
-        self.matrix.iter().map(|row| row.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max)
+        self.matrix.iter().map(|row| row.iter().map(|x| x.modulus()).sum::<f64>()).fold(0.0, f64::max)
     }
 
     /// Takes an eigenvector of H back to one of A: D Q y.
     #[inline]
-    pub(crate) fn transform_back<S: crate::Scalar>(&self, vector: &mut [S; N]) {
+    pub(crate) fn transform_back<S: Over<R>>(&self, vector: &mut [S; N]) {
         for k in (0..N.saturating_sub(2)).rev() {
-            if self.tau[k] == 0.0 {
+            if self.tau[k] == R::ZERO {
                 continue;
             }
             let v = &self.reflectors[k];
             let mut dot = S::ZERO;
             for i in k + 1..N {
-                dot += vector[i].scale(v[i]);
+                dot += vector[i].times(v[i]);
             }
-            let dot = dot.scale(self.tau[k]);
+            let dot = dot.times(self.tau[k]);
             for i in k + 1..N {
-                vector[i] -= dot.scale(v[i]);
+                vector[i] -= dot.times(v[i]);
             }
         }
         for i in 0..N {
             vector[i] = vector[i].scale(self.balance[i]);
         }
     }
+}
 
+impl<const N: usize> Hessenberg<N> {
     /// The coefficients of the characteristic polynomial det(x I - A) = x^N + c\[N-1\] x^(N-1) + .. + c\[0\], by La
     /// Budde's recurrence on H (Wilkinson 1965, chapter 7, section 11; Rehman and Ipsen 2011):
     ///

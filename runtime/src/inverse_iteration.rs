@@ -1,7 +1,7 @@
 //! Eigenvectors for given eigenvalues, by inverse iteration on the Hessenberg form.
 
 use crate::hessenberg::Hessenberg;
-use crate::scalar::Scalar;
+use crate::scalar::{Over, Real, Scalar};
 
 /// Solves with each factorisation: the first finds the direction, the second cleans it. More only when the start was
 /// unlucky.
@@ -27,7 +27,10 @@ pub(crate) struct ShiftedLu<S, const N: usize> {
 
 impl<S: Scalar, const N: usize> ShiftedLu<S, N> {
     #[inline]
-    pub(crate) fn factor(h: &[[f64; N]; N], value: S, smallest: f64) -> Self {
+    pub(crate) fn factor<R: Real>(h: &[[R; N]; N], value: S, smallest: f64) -> Self
+    where
+        S: Over<R>,
+    {
         let mut lu = ShiftedLu {
             upper: [[S::ZERO; N]; N],
             inverse_pivot: [S::ONE; N],
@@ -36,7 +39,7 @@ impl<S: Scalar, const N: usize> ShiftedLu<S, N> {
         };
         for i in 0..N {
             for j in i.saturating_sub(1)..N {
-                lu.upper[i][j] = S::from_f64(h[i][j]);
+                lu.upper[i][j] = S::from_real(h[i][j]);
             }
             lu.upper[i][i] -= value;
         }
@@ -119,12 +122,12 @@ pub(crate) fn normalize<S: Scalar, const N: usize>(x: &mut [S; N]) -> f64 {
     length * largest
 }
 
-impl<const N: usize> Hessenberg<N> {
+impl<const N: usize, R: Real> Hessenberg<N, R> {
     /// What replaces a pivot of H - value I that is smaller: the rounding level of H.
     #[inline]
     pub(crate) fn smallest_pivot(&self) -> f64 {
         let norm = self.norm();
-        if norm > 0.0 { f64::EPSILON * norm } else { f64::EPSILON }
+        if norm > 0.0 { R::EPSILON * norm } else { R::EPSILON }
     }
 
     /// A unit vector v with A v = value * v up to rounding, for an eigenvalue of A: a real vector for a real one.
@@ -133,7 +136,7 @@ impl<const N: usize> Hessenberg<N> {
     /// N epsilon |H|. Vectors of equal or nearly equal eigenvalues may be nearly parallel. The result is not finite
     /// only if `value` is not.
     #[must_use]
-    pub fn eigenvector<S: Scalar>(&self, value: S) -> [S; N] {
+    pub fn eigenvector<S: Over<R>>(&self, value: S) -> [S; N] {
         let value = value.scale(1.0 / self.unit);
         let smallest = self.smallest_pivot();
         let lu = ShiftedLu::factor(&self.matrix, value, smallest);

@@ -29,6 +29,7 @@ extern crate std;
 compile_error!("eliminant needs one of its features `std` (default) and `libm` for square roots");
 
 pub mod distinct;
+mod double_double;
 pub mod driver;
 pub mod eigenvalues;
 pub mod error;
@@ -59,7 +60,7 @@ pub use num_complex::Complex;
 pub use polish::polish;
 pub use polynomial_roots::{real_roots, real_roots_monic};
 pub use program::{Operation, Program, Run};
-pub use scalar::Scalar;
+pub use scalar::{Real, Scalar};
 pub use solutions::Solutions;
 pub use symmetry::Symmetry;
 pub use system::{PolynomialSystem, Product, System, Tables, Term};

@@ -2,6 +2,7 @@
 
 use crate::error::SolveError;
 use crate::float;
+use crate::scalar::Real;
 
 /// Solves `matrix * X = right`: on success `right[..N]` holds X, and `matrix` its LU factors.
 ///
@@ -23,9 +24,9 @@ use crate::float;
 /// [`SolveError::Degenerate`] when the solution overflows, or when `right` has fewer than N rows. `matrix` and `right`
 /// are of no use after an error.
 #[inline]
-pub fn solve_block<const N: usize, const M: usize>(
-    matrix: &mut [[f64; N]; N],
-    right: &mut [[f64; M]],
+pub fn solve_block<R: Real, const N: usize, const M: usize>(
+    matrix: &mut [[R; N]; N],
+    right: &mut [[R; M]],
 ) -> Result<(), SolveError> {
     solve_block_trailing(matrix, right, N)
 }
@@ -37,9 +38,9 @@ pub fn solve_block<const N: usize, const M: usize>(
 /// # Errors
 /// As [`solve_block`].
 #[inline]
-pub fn solve_block_trailing<const N: usize, const M: usize>(
-    matrix: &mut [[f64; N]; N],
-    right: &mut [[f64; M]],
+pub fn solve_block_trailing<R: Real, const N: usize, const M: usize>(
+    matrix: &mut [[R; N]; N],
+    right: &mut [[R; M]],
     needed: usize,
 ) -> Result<(), SolveError> {
     solve_rows(matrix.as_flattened_mut(), &mut [0.0; N], &mut [0.0; N], right, needed)
@@ -50,11 +51,11 @@ pub fn solve_block_trailing<const N: usize, const M: usize>(
 /// # Errors
 /// As [`solve_block`].
 #[inline(never)]
-pub(crate) fn solve_large_block<const M: usize>(
-    matrix: &mut [f64],
+pub(crate) fn solve_large_block<R: Real, const M: usize>(
+    matrix: &mut [R],
     row_scale: &mut [f64],
     smallest: &mut [f64],
-    right: &mut [[f64; M]],
+    right: &mut [[R; M]],
     needed: usize,
 ) -> Result<(), SolveError> {
     solve_rows(matrix, row_scale, smallest, right, needed)
@@ -62,11 +63,11 @@ pub(crate) fn solve_large_block<const M: usize>(
 
 /// The matrix row by row; `row_scale` and `smallest` are working memory, a number for each row.
 #[inline(always)]
-fn solve_rows<const M: usize>(
-    matrix: &mut [f64],
+fn solve_rows<R: Real, const M: usize>(
+    matrix: &mut [R],
     row_scale: &mut [f64],
     smallest: &mut [f64],
-    right: &mut [[f64; M]],
+    right: &mut [[R; M]],
     needed: usize,
 ) -> Result<(), SolveError> {
     let n = row_scale.len();
@@ -89,45 +90,46 @@ fn solve_rows<const M: usize>(
 
 /// Row scales (1 / 1-norm) and, per column, the smallest size that a pivot in equilibrated rows may have.
 #[inline(always)]
-fn equilibrate(matrix: &[f64], row_scale: &mut [f64], smallest: &mut [f64]) -> Result<(), SolveError> {
+fn equilibrate<R: Real>(matrix: &[R], row_scale: &mut [f64], smallest: &mut [f64]) -> Result<(), SolveError> {
     let n = row_scale.len();
     for (row, scale) in matrix.chunks_exact(n.max(1)).zip(row_scale.iter_mut()) {
         let mut partial = [0.0; 4];
         let (quads, rest) = row.as_chunks::<4>();
         for quad in quads {
             for lane in 0..4 {
-                partial[lane] += quad[lane].abs();
+                partial[lane] += quad[lane].modulus();
             }
         }
-        let norm = (partial[0] + partial[1]) + (partial[2] + partial[3]) + rest.iter().map(|x| x.abs()).sum::<f64>();
+        let norm =
+            (partial[0] + partial[1]) + (partial[2] + partial[3]) + rest.iter().map(|x| x.modulus()).sum::<f64>();
         if !norm.is_finite() {
             return Err(SolveError::NonFiniteInput);
         }
         *scale = 1.0 / norm;
         for (largest, entry) in smallest.iter_mut().zip(row) {
-            let size = entry.abs() * *scale;
+            let size = entry.modulus() * *scale;
             *largest = if size > *largest { size } else { *largest };
         }
     }
-    let threshold = n as f64 * f64::EPSILON;
+    let threshold = n as f64 * R::EPSILON;
     smallest.iter_mut().for_each(|size| *size *= threshold);
     Ok(())
 }
 
 /// Forward elimination of matrix and right together, rows physically swapped.
 #[inline(always)]
-fn eliminate<const M: usize>(
-    matrix: &mut [f64],
+fn eliminate<R: Real, const M: usize>(
+    matrix: &mut [R],
     row_scale: &mut [f64],
     smallest: &[f64],
-    right: &mut [[f64; M]],
+    right: &mut [[R; M]],
 ) -> Result<(), SolveError> {
     let n = row_scale.len();
     for k in 0..n {
         let mut pivot = k;
-        let mut size = matrix[k * n + k].abs() * row_scale[k];
+        let mut size = matrix[k * n + k].modulus() * row_scale[k];
         for i in k + 1..n {
-            let candidate = matrix[i * n + k].abs() * row_scale[i];
+            let candidate = matrix[i * n + k].modulus() * row_scale[i];
             if candidate > size {
                 (pivot, size) = (i, candidate);
             }
@@ -145,13 +147,13 @@ fn eliminate<const M: usize>(
         let (above, below) = matrix.split_at_mut((k + 1) * n);
         let (right_above, right_below) = right.split_at_mut(k + 1);
         let (pivot_row, pivot_right) = (&above[k * n..], &right_above[k]);
-        let inverse = 1.0 / pivot_row[k];
+        let inverse = pivot_row[k].reciprocal();
         for (row, right_row) in below.chunks_exact_mut(n).zip(right_below) {
-            if row[k] != 0.0 {
+            if row[k] != R::ZERO {
                 let multiplier = row[k] * inverse;
                 row[k] = multiplier;
                 for (entry, pivot_entry) in row[k + 1..].iter_mut().zip(&pivot_row[k + 1..]) {
-                    *entry -= multiplier * pivot_entry;
+                    *entry -= multiplier * *pivot_entry;
                 }
                 for j in 0..M {
                     right_row[j] -= multiplier * pivot_right[j];
@@ -164,19 +166,19 @@ fn eliminate<const M: usize>(
 
 /// Rows `first..` of U^-1 * right, from the last row up.
 #[inline(always)]
-fn back_substitute<const M: usize>(matrix: &[f64], right: &mut [[f64; M]], first: usize) {
+fn back_substitute<R: Real, const M: usize>(matrix: &[R], right: &mut [[R; M]], first: usize) {
     let n = right.len();
     for k in (first..n).rev() {
         let (above, below) = right.split_at_mut(k + 1);
         let mut row = above[k];
         for (factor, solved) in matrix[k * n + k + 1..(k + 1) * n].iter().zip(below.iter()) {
-            if *factor != 0.0 {
+            if *factor != R::ZERO {
                 for j in 0..M {
-                    row[j] -= factor * solved[j];
+                    row[j] -= *factor * solved[j];
                 }
             }
         }
-        let inverse = 1.0 / matrix[k * n + k];
+        let inverse = matrix[k * n + k].reciprocal();
         for j in 0..M {
             row[j] *= inverse;
         }

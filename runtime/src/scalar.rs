@@ -5,13 +5,13 @@ use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 use num_complex::Complex;
 
-mod sealed {
+pub(crate) mod sealed {
     pub trait Sealed {}
     impl Sealed for f64 {}
     impl Sealed for num_complex::Complex<f64> {}
 }
 
-/// `f64` or `Complex<f64>`.
+/// `f64` or `Complex<f64>`, or such a number of twice the precision.
 pub trait Scalar:
     sealed::Sealed
     + Copy
@@ -33,6 +33,10 @@ pub trait Scalar:
     const ONE: Self;
     /// The real number `x`.
     fn from_f64(x: f64) -> Self;
+    /// The number `x`, or its real part where `Self` is real.
+    fn from_complex(x: Complex<f64>) -> Self;
+    /// As a complex number of usual precision.
+    fn to_complex(self) -> Complex<f64>;
     /// The real part.
     fn real(self) -> f64;
     /// The complex conjugate; of a real number, itself.
@@ -53,12 +57,55 @@ pub trait Scalar:
     fn is_finite(self) -> bool;
 }
 
+/// A real number: `f64`, or one of twice its precision.
+pub trait Real: Scalar {
+    /// The distance from 1 to the next number.
+    const EPSILON: f64;
+    /// |self| with the sign of `other`.
+    fn with_sign_of(self, other: Self) -> Self;
+}
+
+impl Real for f64 {
+    const EPSILON: f64 = f64::EPSILON;
+    #[inline]
+    fn with_sign_of(self, other: f64) -> f64 {
+        self.copysign(other)
+    }
+}
+
+/// A number whose parts are of type `R`: real, or real and imaginary.
+pub trait Over<R>: Scalar {
+    /// The real number `x`.
+    fn from_real(x: R) -> Self;
+    /// Product with a real number.
+    fn times(self, factor: R) -> Self;
+}
+
+impl<S: Scalar> Over<f64> for S {
+    #[inline]
+    fn from_real(x: f64) -> Self {
+        S::from_f64(x)
+    }
+    #[inline]
+    fn times(self, factor: f64) -> Self {
+        self.scale(factor)
+    }
+}
+
 impl Scalar for f64 {
     const ZERO: f64 = 0.0;
     const ONE: f64 = 1.0;
     #[inline]
     fn from_f64(x: f64) -> f64 {
         x
+    }
+    #[inline]
+    fn from_complex(x: Complex<f64>) -> f64 {
+        x.re
+    }
+    #[inline]
+    fn to_complex(self) -> Complex<f64> {
+        self.into()
     }
     #[inline]
     fn real(self) -> f64 {
@@ -104,6 +151,14 @@ impl Scalar for Complex<f64> {
     #[inline]
     fn from_f64(x: f64) -> Self {
         Complex { re: x, im: 0.0 }
+    }
+    #[inline]
+    fn from_complex(x: Complex<f64>) -> Self {
+        x
+    }
+    #[inline]
+    fn to_complex(self) -> Complex<f64> {
+        self
     }
     #[inline]
     fn real(self) -> f64 {

@@ -2,17 +2,18 @@
 
 use crate::error::SolveError;
 use crate::lu::{solve_block_trailing, solve_large_block};
+use crate::scalar::Real;
 
 /// A table entry: row, column, slot of the coefficient.
 pub type Entry = (u16, u16, u16);
 
 /// Writes the coefficients to their places. Entries out of range are ignored; the generator makes none.
 #[inline]
-pub fn fill<const M: usize>(matrix: &mut [[f64; M]], entries: &[Entry], coefficients: &[f64]) {
+pub fn fill<R: Real, const M: usize>(matrix: &mut [[R; M]], entries: &[Entry], coefficients: &[f64]) {
     for &(row, column, slot) in entries {
         let place = matrix.get_mut(usize::from(row)).and_then(|row| row.get_mut(usize::from(column)));
         if let (Some(place), Some(&value)) = (place, coefficients.get(usize::from(slot))) {
-            *place = value;
+            *place = R::from_f64(value);
         }
     }
 }
@@ -40,13 +41,13 @@ pub struct Block {
 /// # Errors
 /// [`SolveError::Degenerate`], as [`crate::solve_block`] or where a value overflows.
 #[inline]
-pub fn eliminate_block<const N: usize, const M: usize>(
+pub fn eliminate_block<R: Real, const N: usize, const M: usize>(
     block: &Block,
-    right: &mut [[f64; M]],
+    right: &mut [[R; M]],
     coefficients: &[f64],
 ) -> Result<(), SolveError> {
     let open = couple(block, right, coefficients)?;
-    let mut matrix = [[0.0; N]; N];
+    let mut matrix = [[R::ZERO; N]; N];
     fill(&mut matrix, block.diagonal, coefficients);
     solve_block_trailing(&mut matrix, open, usize::from(block.needed)).map_err(overflow)
 }
@@ -57,13 +58,13 @@ pub fn eliminate_block<const N: usize, const M: usize>(
 /// # Errors
 /// As [`eliminate_block`].
 #[inline(never)]
-pub fn eliminate_large_block<const N: usize, const M: usize>(
+pub fn eliminate_large_block<R: Real, const N: usize, const M: usize>(
     block: &Block,
-    right: &mut [[f64; M]],
+    right: &mut [[R; M]],
     coefficients: &[f64],
 ) -> Result<(), SolveError> {
     let open = couple(block, right, coefficients)?;
-    let mut matrix = [[0.0; N]; N];
+    let mut matrix = [[R::ZERO; N]; N];
     fill(&mut matrix, block.diagonal, coefficients);
     let (mut row_scale, mut smallest) = ([0.0; N], [0.0; N]);
     let needed = usize::from(block.needed);
@@ -72,11 +73,11 @@ pub fn eliminate_large_block<const N: usize, const M: usize>(
 
 /// Subtracts what the pivots solved before contribute; returns the rows from the block's first on.
 #[inline]
-fn couple<'a, const M: usize>(
+fn couple<'a, R: Real, const M: usize>(
     block: &Block,
-    right: &'a mut [[f64; M]],
+    right: &'a mut [[R; M]],
     coefficients: &[f64],
-) -> Result<&'a mut [[f64; M]], SolveError> {
+) -> Result<&'a mut [[R; M]], SolveError> {
     let Some((solved, open)) = right.split_at_mut_checked(usize::from(block.first)) else {
         return Err(SolveError::Degenerate { column: 0 });
     };
@@ -86,7 +87,7 @@ fn couple<'a, const M: usize>(
         };
         let factor = coefficients.get(usize::from(slot)).copied().unwrap_or(0.0);
         for j in 0..M {
-            row[j] -= factor * pivot[j];
+            row[j] -= pivot[j].scale(factor);
         }
     }
     Ok(open)

@@ -1,6 +1,8 @@
-//! What the driver does with solutions that a problem excludes.
+//! What the driver does with solutions that a problem excludes, and where rounding errors lose some.
 
-use eliminant::{ActionMethod, Complex, Scalar, Solutions, complex_solutions, real_solutions};
+use eliminant::{
+    ActionMethod, Complex, Hessenberg, Real, Scalar, Solutions, SolveError, complex_solutions, real_solutions,
+};
 
 /// Solutions (x, y) with y = 1, 2; basis 1, y, x; action y. Excluded where x = 0.
 struct TwoPoints {
@@ -11,6 +13,11 @@ const B: usize = 2;
 
 impl ActionMethod<B, 2, 3> for TwoPoints {
     const PAIRS: [&'static [(u16, u16)]; 2] = [&[(0, 2)], &[(0, 1)]];
+
+    fn action_matrix<R: Real>(&mut self) -> Result<[[R; B]; B], SolveError> {
+        // 1, y -> y, 3 y - 2.
+        Ok([[0.0, 1.0], [-2.0, 3.0]].map(|row| row.map(R::from_f64)))
+    }
 
     fn known<S: Scalar>(&self, _value: S, vector: &[S; B]) -> [S; 3] {
         // x is linear in 1 and y.
@@ -36,12 +43,83 @@ impl ActionMethod<B, 2, 3> for TwoPoints {
 
 #[test]
 fn noise_of_zero_is_excluded_where_zero_is() {
-    // 1, y -> y, 3 y - 2.
-    let action = [[0.0, 1.0], [-2.0, 3.0]];
     for (x, count) in [([1.0, 3.0], 2), ([1.0, 0.0], 1), ([1.0, 1e-20], 1), ([-1e-17, 1e-20], 0), ([1.0, 1e-6], 2)] {
-        let points = TwoPoints { x };
-        let real: Solutions<[f64; 2], B> = real_solutions(&points, &action).unwrap();
-        let all: Solutions<[Complex<f64>; 2], B> = complex_solutions(&points, &action).unwrap();
+        let mut points = TwoPoints { x };
+        let real: Solutions<[f64; 2], B> = real_solutions(&mut points).unwrap();
+        let all: Solutions<[Complex<f64>; 2], B> = complex_solutions(&mut points).unwrap();
         assert_eq!((real.len(), all.len()), (count, count), "{x:?}: {real:?}");
     }
+}
+
+/// x = 1, .., 16, by the companion matrix of their polynomial: rounding errors of its size move the eigenvalues near 10 by several hundredths
+/// (Wilkinson 1963). Action x; basis 1, x, .., x^15. The polish improves nothing.
+struct Wilkinson {
+    /// How often the action matrix was asked for.
+    calls: usize,
+    /// Solutions that are not above this are excluded.
+    above: f64,
+}
+
+const ROOTS: usize = 16;
+
+impl ActionMethod<ROOTS, 1, ROOTS> for Wilkinson {
+    const PAIRS: [&'static [(u16, u16)]; 1] = [&[(0, 1)]];
+
+    fn action_matrix<R: Real>(&mut self) -> Result<[[R; ROOTS]; ROOTS], SolveError> {
+        self.calls += 1;
+        // (x - 1) .. (x - 16) has integer coefficients below 2^53.
+        let mut lower = [0.0; ROOTS];
+        lower[0] = 1.0;
+        for root in 1..=ROOTS {
+            let before = lower;
+            for k in 0..ROOTS {
+                let shifted = if k > 0 { before[k - 1] } else { 0.0 };
+                lower[k] = shifted - root as f64 * before[k];
+            }
+        }
+        let mut action = [[R::ZERO; ROOTS]; ROOTS];
+        for k in 0..ROOTS - 1 {
+            action[k][k + 1] = R::ONE;
+        }
+        action[ROOTS - 1] = lower.map(|c| R::from_f64(-c));
+        Ok(action)
+    }
+
+    fn known<S: Scalar>(&self, _value: S, vector: &[S; ROOTS]) -> [S; ROOTS] {
+        *vector
+    }
+
+    fn recover<S: Scalar>(&self, _unknowns: &mut [S; 1]) {}
+
+    fn polish<S: Scalar>(&self, [x]: &mut [S; 1], _steps: usize) -> f64 {
+        let nearest = (1..=ROOTS).map(|root| (*x - S::from_f64(root as f64)).modulus()).fold(f64::INFINITY, f64::min);
+        nearest / x.modulus()
+    }
+
+    fn is_admissible<S: Scalar>(&self, [x]: &[S; 1]) -> bool {
+        x.real() > self.above
+    }
+}
+
+#[test]
+fn what_rounding_errors_lose_is_found_at_twice_the_precision() {
+    let once = Hessenberg::reduce(&Wilkinson { calls: 0, above: 0.0 }.action_matrix::<f64>().unwrap()).unwrap();
+    let lost = once.eigenvalues().unwrap().iter().filter(|x| (x.re - x.re.round()).abs() > 1e-6).count();
+    assert!(lost > 4, "the example is too easy: {lost}");
+
+    let mut problem = Wilkinson { calls: 0, above: 0.0 };
+    let all: Solutions<[Complex<f64>; 1], ROOTS> = complex_solutions(&mut problem).unwrap();
+    assert_eq!((all.len(), problem.calls), (ROOTS, 2), "{all:?}");
+
+    // Of real ones 2 is found at first, and an odd number of others cannot all be complex.
+    let mut problem = Wilkinson { calls: 0, above: 1.5 };
+    let real: Solutions<[f64; 1], ROOTS> = real_solutions(&mut problem).unwrap();
+    assert_eq!((real.len(), problem.calls), (ROOTS - 1, 2), "{real:?}");
+}
+
+#[test]
+fn what_is_complete_is_not_done_twice() {
+    let mut problem = Wilkinson { calls: 0, above: 0.0 };
+    let _: Solutions<[Complex<f64>; 1], 0> = complex_solutions(&mut problem).unwrap();
+    assert_eq!(problem.calls, 1);
 }

@@ -180,8 +180,8 @@ fn nearly_singular_but_regular_is_solved() {
 
 #[test]
 fn empty_blocks() {
-    solve_block::<0, 3>(&mut [], &mut []).unwrap();
-    solve_block::<2, 0>(&mut [[0.0, 1.0], [1.0, 0.0]], &mut [[], []]).unwrap();
+    solve_block::<f64, 0, 3>(&mut [], &mut []).unwrap();
+    solve_block::<f64, 2, 0>(&mut [[0.0, 1.0], [1.0, 0.0]], &mut [[], []]).unwrap();
 }
 
 /// The same cases every time.

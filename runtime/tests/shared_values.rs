@@ -1,7 +1,7 @@
 //! Solutions that share a value of the action monomial, on action matrices made from solutions.
 mod support;
 
-use eliminant::{ActionMethod, Complex, Scalar, Solutions, complex_solutions, real_solutions};
+use eliminant::{ActionMethod, Complex, Real, Scalar, Solutions, SolveError, complex_solutions, real_solutions};
 use nalgebra::SMatrix;
 use support::{Random, distance_to_next};
 
@@ -11,13 +11,23 @@ type Point = [Complex<f64>; 2];
 /// x^i y^j for the basis 1, x, y, x^2, x y, y^2, x^3, x^2 y, x y^2, y^3.
 const BASIS: [(i32, i32); B] = [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3)];
 
-/// Ten points of the plane. Its polish improves nothing and gives the distance to the next of them: solutions are as
-/// good as the eigenvectors, and found where those are good to 10 digits.
+/// Ten points of the plane.
 struct Points([Point; B]);
 
-impl ActionMethod<B, 2, B> for Points {
+/// Points with the values that the action has there. Its polish improves nothing and gives the distance to the next of them: solutions are as
+/// good as the eigenvectors, and found where those are good to 10 digits.
+struct Given<'a> {
+    points: &'a Points,
+    values: &'a [Complex<f64>; B],
+}
+
+impl ActionMethod<B, 2, B> for Given<'_> {
     const PAIRS: [&'static [(u16, u16)]; 2] =
         [&[(0, 1), (1, 3), (2, 4), (3, 6), (4, 7), (5, 8)], &[(0, 2), (1, 4), (2, 5), (3, 7), (4, 8), (5, 9)]];
+
+    fn action_matrix<R: Real>(&mut self) -> Result<[[R; B]; B], SolveError> {
+        Ok(action_matrix(&self.points.0, self.values).map(|row| row.map(R::from_f64)))
+    }
 
     fn known<S: Scalar>(&self, _value: S, vector: &[S; B]) -> [S; B] {
         *vector
@@ -26,7 +36,7 @@ impl ActionMethod<B, 2, B> for Points {
     fn recover<S: Scalar>(&self, _unknowns: &mut [S; 2]) {}
 
     fn polish<S: Scalar>(&self, unknowns: &mut [S; 2], _steps: usize) -> f64 {
-        distance_to_next(&self.0, unknowns)
+        distance_to_next(&self.points.0, unknowns)
     }
 
     fn is_admissible<S: Scalar>(&self, _unknowns: &[S; 2]) -> bool {
@@ -66,9 +76,9 @@ fn draw(random: &mut Random, pairs: usize) -> Points {
 
 /// How many of the points with real coordinates `real_solutions` finds, and of all `complex_solutions`; both must find nothing else.
 fn found(points: &Points, values: &[Complex<f64>; B]) -> [usize; 2] {
-    let action = action_matrix(&points.0, values);
-    let real: Solutions<[f64; 2], B> = real_solutions(points, &action).unwrap();
-    let all: Solutions<Point, B> = complex_solutions(points, &action).unwrap();
+    let mut given = Given { points, values };
+    let real: Solutions<[f64; 2], B> = real_solutions(&mut given).unwrap();
+    let all: Solutions<Point, B> = complex_solutions(&mut given).unwrap();
     let is = |p: &Point, x: &Point| (0..2).all(|j| (p[j] - x[j]).modulus() < 1e-9);
     [real.iter().map(|x| x.map(Complex::from)).collect::<Vec<_>>(), all.to_vec()].map(|list| {
         let known: Vec<&Point> = points.0.iter().filter(|p| list.iter().any(|x| is(p, x))).collect();

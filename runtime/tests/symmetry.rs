@@ -1,7 +1,9 @@
 //! Solutions that differ by signs only, on an action matrix made from solutions up to sign.
 mod support;
 
-use eliminant::{ActionMethod, Complex, Scalar, Solutions, Symmetry, complex_solutions, real_solutions};
+use eliminant::{
+    ActionMethod, Complex, Real, Scalar, Solutions, SolveError, Symmetry, complex_solutions, real_solutions,
+};
 use nalgebra::SMatrix;
 use support::distance_to_next;
 
@@ -19,7 +21,7 @@ impl UpToSign {
         self.0.iter().flat_map(|point| [*point, point.map(|x| -x)]).collect()
     }
 
-    fn action_matrix(&self) -> [[f64; B]; B] {
+    fn matrix(&self) -> [[f64; B]; B] {
         let v = SMatrix::<Complex<f64>, B, B>::from_fn(|i, k| {
             let [x, y] = self.0[k];
             [Complex::ONE, x * x, x * y, y * y][i]
@@ -33,6 +35,10 @@ impl UpToSign {
 impl ActionMethod<B, 2, B> for UpToSign {
     const PAIRS: [&'static [(u16, u16)]; 2] = [&[(0, 1)], &[(0, 2)]];
     const SYMMETRY: Option<Symmetry<2>> = Some(Symmetry { steps: [[2, 0], [1, 1]], flips: &[[true, true]] });
+
+    fn action_matrix<R: Real>(&mut self) -> Result<[[R; B]; B], SolveError> {
+        Ok(self.matrix().map(|row| row.map(R::from_f64)))
+    }
 
     fn known<S: Scalar>(&self, _value: S, vector: &[S; B]) -> [S; B] {
         *vector
@@ -59,15 +65,14 @@ fn every_sign_of_every_solution_is_found() {
     let real = [c(2.0, 0.0), c(3.0, 0.0)];
     let imaginary = [c(0.0, 1.0), c(0.0, -2.0)];
     let complex = [c(1.0, 0.5), c(0.3, 2.0)];
-    let points = UpToSign([real, imaginary, complex, complex.map(|x| x.conj())]);
-    let action = points.action_matrix();
+    let mut points = UpToSign([real, imaginary, complex, complex.map(|x| x.conj())]);
     let is = |p: &Point, x: &Point| (0..2).all(|j| (p[j] - x[j]).norm() < 1e-9);
 
-    let found: Solutions<Point, MAX> = complex_solutions(&points, &action).unwrap();
+    let found: Solutions<Point, MAX> = complex_solutions(&mut points).unwrap();
     assert_eq!(found.len(), MAX);
     assert!(points.all().iter().all(|p| found.iter().any(|x| is(p, x))), "{found:?}");
 
-    let found: Solutions<[f64; 2], MAX> = real_solutions(&points, &action).unwrap();
+    let found: Solutions<[f64; 2], MAX> = real_solutions(&mut points).unwrap();
     let found: Vec<Point> = found.iter().map(|x| x.map(Complex::from)).collect();
     assert_eq!(found.len(), 2);
     assert!([real, real.map(|x| -x)].iter().all(|p| found.iter().any(|x| is(p, x))), "{found:?}");

@@ -126,7 +126,6 @@ fn api(plan: &Plan) -> TokenStream {
         RootMethod::Eigenvalues => quote!(real_solutions),
         RootMethod::CharacteristicPolynomial => quote!(real_solutions_by_polynomial),
     };
-    let mutable = if plan.read.is_empty() { quote!() } else { quote!(mut) };
     quote! {
         #(#docs)*
         ///
@@ -135,22 +134,19 @@ fn api(plan: &Plan) -> TokenStream {
         /// # Errors
         /// Data that are not finite or degenerate, see [`eliminant::SolveError`]. No real solution is no error.
         pub fn solve(#(#parameters),*) -> Result<eliminant::Solutions<#name, #solutions>, eliminant::SolveError> {
-            let #mutable instance_ = Instance::new(#(#arguments),*)?;
-            let action_ = instance_.action_matrix()?;
-            let found = eliminant::#roots::<_, _, _, #solutions>(&instance_, &action_)?;
+            let found = eliminant::#roots::<_, _, _, #solutions>(&mut Instance::new(#(#arguments),*)?)?;
             Ok(found.into_iter().map(#name::from_array).collect())
         }
 
-        /// Like [`solve`], with all complex solutions.
+        /// Like [`solve`], with all complex solutions. Where some are missing, all is done once more at twice the precision, which takes
+        /// about twenty times as long; data for which solutions coincide or do not exist are such.
         ///
         /// # Errors
         /// As [`solve`].
         pub fn solve_complex(
             #(#parameters),*
         ) -> Result<eliminant::Solutions<#name<eliminant::Complex<f64>>, #solutions>, eliminant::SolveError> {
-            let #mutable instance_ = Instance::new(#(#arguments),*)?;
-            let action_ = instance_.action_matrix()?;
-            let found = eliminant::complex_solutions::<_, _, _, #solutions>(&instance_, &action_)?;
+            let found = eliminant::complex_solutions::<_, _, _, #solutions>(&mut Instance::new(#(#arguments),*)?)?;
             Ok(found.into_iter().map(#name::from_array).collect())
         }
 
@@ -159,7 +155,7 @@ fn api(plan: &Plan) -> TokenStream {
         /// # Errors
         /// As [`solve`].
         pub fn action_matrix(#(#parameters),*) -> Result<[[f64; #basis]; #basis], eliminant::SolveError> {
-            Instance::new(#(#arguments),*)?.action_matrix()
+            eliminant::ActionMethod::action_matrix(&mut Instance::new(#(#arguments),*)?)
         }
 
         /// The relative residual of a solution: max over the equations of |f| / sum of the moduli of its terms.
@@ -251,12 +247,12 @@ fn instance(plan: &Plan) -> TokenStream {
     let blocks = plan.elimination.blocks.iter().enumerate().map(|(at, block)| {
         let size = block.size;
         let eliminate = if size > LARGE_BLOCK { quote!(eliminate_large_block) } else { quote!(eliminate_block) };
-        quote!(eliminant::#eliminate::<#size, #basis>(&BLOCKS[#at], &mut right, &self.coefficients)?;)
+        quote!(eliminant::#eliminate::<R, #size, #basis>(&BLOCKS[#at], &mut right, &self.coefficients)?;)
     });
     let action = plan.action.iter().enumerate().map(|(at, row)| match row {
         ActionRow::Unit(b) => {
             let column = usize::from(b.0);
-            quote!(action[#at][#column] = 1.0;)
+            quote!(action[#at][#column] = R::ONE;)
         }
         ActionRow::Solved(pivot) => {
             let pivot = usize::from(pivot.0);
@@ -272,17 +268,16 @@ fn instance(plan: &Plan) -> TokenStream {
     let count_read = plan.read.len();
     let read = plan.read.iter().enumerate().map(|(at, pivot)| {
         let pivot = usize::from(pivot.0);
-        quote!(self.read[#at] = right[#pivot].map(|value| -value);)
+        quote!(self.read[#at] = right[#pivot].map(|value| -value.real());)
     });
-    let (read_field, no_read, receiver) = match count_read {
-        0 => (quote!(), quote!(), quote!(&self)),
+    let (read_field, no_read) = match count_read {
+        0 => (quote!(), quote!()),
         _ => (
             quote! {
                 /// Monomials that unknowns are read from, as combinations of the basis; known after the elimination.
                 read: [[f64; #basis]; #count_read],
             },
             quote!(read: [[0.0; #basis]; #count_read],),
-            quote!(&mut self),
         ),
     };
     let pairs = (0..unknowns).map(|unknown| {
@@ -327,21 +322,21 @@ fn instance(plan: &Plan) -> TokenStream {
                 eliminant::check_coefficients(&instance_.coefficients, &[#(#slices),*])?;
                 Ok(instance_)
             }
-
-            fn action_matrix(#receiver) -> Result<[[f64; #basis]; #basis], eliminant::SolveError> {
-                let mut right = [[0.0; #basis]; #rows];
-                eliminant::fill(&mut right, RIGHT, &self.coefficients);
-                #(#blocks)*
-                #(#read)*
-                let mut action = [[0.0; #basis]; #basis];
-                #(#action)*
-                Ok(action)
-            }
         }
 
         impl eliminant::ActionMethod<#basis, #unknowns, #count_known> for Instance {
             const PAIRS: [&'static [(u16, u16)]; #unknowns] = [#(#pairs),*];
             #symmetry
+
+            fn action_matrix<R: eliminant::Real>(&mut self) -> Result<[[R; #basis]; #basis], eliminant::SolveError> {
+                let mut right = [[R::ZERO; #basis]; #rows];
+                eliminant::fill(&mut right, RIGHT, &self.coefficients);
+                #(#blocks)*
+                #(#read)*
+                let mut action = [[R::ZERO; #basis]; #basis];
+                #(#action)*
+                Ok(action)
+            }
 
             fn known<S: eliminant::Scalar>(&self, value: S, vector: &[S; #basis]) -> [S; #count_known] {
                 #known
