@@ -11,7 +11,7 @@ use crate::arithmetic::Float64;
 use crate::instance::{Random, draw_inputs};
 use crate::interpret::{Eliminated, coefficients, eliminate};
 use crate::plan::{KnownMonomial, Plan};
-use polish::{evaluate, polish, without_noise};
+use polish::{Powers, evaluate, highest, polish, without_noise};
 
 /// What many instances gave.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -116,9 +116,9 @@ pub fn solve(plan: &Plan, inputs: &[f64]) -> Option<Vec<(Point, f64)>> {
         let mut point = unknowns(plan, &c, value, &vector, &(&read * &vector))?;
         let residual = polish(plan, &c, &mut point);
         // A product of unknowns is never small relative to its terms.
-        let without_noise = without_noise(&point, &point);
+        let powers = Powers::of(&without_noise(&point, &point), &highest(&plan.nonzero, point.len()));
         let admissible = plan.nonzero.iter().all(|factor| {
-            let (value, scale, _) = evaluate(factor, &c, &without_noise);
+            let (value, scale, _) = evaluate(factor, &c, &powers);
             value.norm() > VANISHING * scale
         });
         (residual <= MAX_RESIDUAL && admissible).then_some((point, residual))
@@ -236,7 +236,8 @@ fn unknowns(
         point[extraction.unknown] = others.fold(root, |product, factor| product * factor);
     }
     for recovery in &plan.recoveries {
-        point[recovery.unknown] = evaluate(&recovery.terms, c, &point).0;
+        let powers = Powers::of(&point, &highest([&recovery.terms], point.len()));
+        point[recovery.unknown] = evaluate(&recovery.terms, c, &powers).0;
     }
     point.iter().all(|x| x.re.is_finite() && x.im.is_finite()).then_some(point)
 }

@@ -29,29 +29,69 @@ const FLAT: f64 = 1e-6;
 /// Value, sum of the moduli of the terms, and gradient of a polynomial.
 type Evaluated = (Complex<f64>, f64, Point);
 
+/// The powers of the unknowns that polynomials hold.
+pub(super) struct Powers(Vec<Vec<Complex<f64>>>);
+
+impl Powers {
+    pub(super) fn of(x: &Point, highest: &[u8]) -> Self {
+        let powers = |(&x, &highest): (&Complex<f64>, &u8)| {
+            std::iter::successors(Some(Complex::ONE), |power| Some(power * x)).take(usize::from(highest) + 1).collect()
+        };
+        Self(x.iter().zip(highest).map(powers).collect())
+    }
+
+    fn get(&self, unknown: usize, exponent: u8) -> Complex<f64> {
+        self.0[unknown][usize::from(exponent)]
+    }
+}
+
+/// The highest power of each unknown in some polynomials.
+pub(super) fn highest<'a>(polynomials: impl IntoIterator<Item = &'a Vec<Term>>, unknowns: usize) -> Vec<u8> {
+    let mut highest = vec![0; unknowns];
+    for term in polynomials.into_iter().flatten() {
+        highest.iter_mut().zip(&term.exponents).for_each(|(highest, &e)| *highest = e.max(*highest));
+    }
+    highest
+}
+
 /// A polynomial at a point; `c` are the coefficients of the plan.
-pub(super) fn evaluate(terms: &[Term], c: &[f64], x: &Point) -> Evaluated {
+pub(super) fn evaluate(terms: &[Term], c: &[f64], powers: &Powers) -> Evaluated {
     let (mut value, mut scale) = (Complex::ZERO, 0.0);
-    let mut gradient = vec![Complex::ZERO; x.len()];
+    let mut gradient = vec![Complex::ZERO; powers.0.len()];
+    // The unknowns of a term, with the product of the coefficient and the powers before.
+    let mut factors: Vec<(usize, u8, Complex<f64>)> = Vec::with_capacity(powers.0.len());
     for term in terms {
-        let coefficient = Complex::new(c[usize::from(term.coefficient.0)], 0.0);
-        let power = |j: usize, e: u8| x[j].powu(u32::from(e));
-        let factors: Vec<Complex<f64>> = term.exponents.iter().enumerate().map(|(j, &e)| power(j, e)).collect();
-        let product = factors.iter().fold(coefficient, |product, factor| product * factor);
-        value += product;
-        scale += product.norm();
+        let mut product = Complex::new(c[usize::from(term.coefficient.0)], 0.0);
+        factors.clear();
         for (j, &e) in term.exponents.iter().enumerate().filter(|(_, e)| **e > 0) {
-            let others = (0..x.len()).filter(|&k| k != j).fold(coefficient, |product, k| product * factors[k]);
-            gradient[j] += others * power(j, e - 1) * f64::from(e);
+            factors.push((j, e, product));
+            product *= powers.get(j, e);
+        }
+        value += product;
+        scale += modulus(product);
+        let mut after = Complex::ONE;
+        for &(j, e, before) in factors.iter().rev() {
+            gradient[j] += before * after * powers.get(j, e - 1) * f64::from(e);
+            after *= powers.get(j, e);
         }
     }
     (value, scale, gradient)
 }
 
+/// |x|, without the care for overflow where none threatens.
+fn modulus(x: Complex<f64>) -> f64 {
+    let square = x.norm_sqr();
+    if square > 1e-280 && square < 1e300 { square.sqrt() } else { x.norm() }
+}
+
 /// Gauss-Newton on all equations while it lowers the relative residual, which is returned. A step that leaves a high residual is tried again
 /// with unknowns at the level of noise set to zero, then shortened. Infinity where the last step is large and the residual high, or small after it, too.
 pub(super) fn polish(plan: &Plan, c: &[f64], point: &mut Point) -> f64 {
-    let evaluate_all = |x: &Point| plan.equations.iter().map(|terms| evaluate(terms, c, x)).collect::<Vec<_>>();
+    let highest = highest(&plan.equations, point.len());
+    let evaluate_all = |x: &Point| {
+        let powers = Powers::of(x, &highest);
+        plan.equations.iter().map(|terms| evaluate(terms, c, &powers)).collect::<Vec<_>>()
+    };
     let mut all = evaluate_all(point);
     let mut best = worst(&all);
     let mut last = vec![Complex::ZERO; point.len()];
