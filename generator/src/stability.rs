@@ -11,7 +11,7 @@ use crate::arithmetic::Float64;
 use crate::instance::{Random, draw_inputs};
 use crate::interpret::{Eliminated, coefficients, eliminate};
 use crate::plan::{KnownMonomial, Plan};
-use polish::{Powers, evaluate, highest, polish, without_noise};
+use polish::{Polynomials, polish, without_noise};
 
 /// What many instances gave.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -112,15 +112,13 @@ pub fn solve(plan: &Plan, inputs: &[f64]) -> Option<Vec<(Point, f64)>> {
     }
     let schur = SchurForm::new(&complex)?;
     let values = schur.values();
+    let (equations, nonzero) = (Polynomials::new(&plan.equations, &c), Polynomials::new(&plan.nonzero, &c));
     let solution = |(value, vector): (Complex<f64>, DVector<Complex<f64>>)| {
         let mut point = unknowns(plan, &c, value, &vector, &(&read * &vector))?;
-        let residual = polish(plan, &c, &mut point);
+        let residual = polish(&equations, &mut point);
         // A product of unknowns is never small relative to its terms.
-        let powers = Powers::of(&without_noise(&point, &point), &highest(&plan.nonzero, point.len()));
-        let admissible = plan.nonzero.iter().all(|factor| {
-            let (value, scale, _) = evaluate(factor, &c, &powers);
-            value.norm() > VANISHING * scale
-        });
+        let factors = nonzero.values(&without_noise(&point, &point));
+        let admissible = factors.iter().all(|(value, scale)| value.norm() > VANISHING * scale);
         (residual <= MAX_RESIDUAL && admissible).then_some((point, residual))
     };
     let mut found = Vec::new();
@@ -236,8 +234,7 @@ fn unknowns(
         point[extraction.unknown] = others.fold(root, |product, factor| product * factor);
     }
     for recovery in &plan.recoveries {
-        let powers = Powers::of(&point, &highest([&recovery.terms], point.len()));
-        point[recovery.unknown] = evaluate(&recovery.terms, c, &powers).0;
+        point[recovery.unknown] = Polynomials::new([&recovery.terms], c).values(&point)[0].0;
     }
     point.iter().all(|x| x.re.is_finite() && x.im.is_finite()).then_some(point)
 }

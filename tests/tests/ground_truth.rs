@@ -22,14 +22,8 @@ const HARD: &[&str] = &[
     "relpose_7pt_focal_radial",
     "relpose_7pt_focal_radial_one_side",
     "relpose_7pt_focal_radial_one_side_eliminated",
-    // Twenty of its 84 eigenvalues belong to no solution.
-    "relpose_6pt_generalized",
-    // The true pose has companions, one for each way in which the errors of some points change sign, that the bounds alone keep apart.
-    "pose_4pt_upright_error_bound",
     // Where the angles at the receivers are alike, their equations are close to dependent in the centre.
     "pose_5tdoa_two_receivers",
-    // Six of its 24 eigenvalues belong to no solution and take others along; 18 rows, at |B| = 18, lose none.
-    "stitching_3pt_radial_focal",
     // Where both halves of the null vector of its five linear equations are nearly as long, `excess` is large and the equations are close to dependent:
     // most of what is missed has an excess above ten.
     "platform_forward_kinematics",

@@ -1,9 +1,11 @@
 //! The polish of the interpreted solver: what the run-time library does, in complex arithmetic. Its `polish` says how and why.
 
+use std::collections::HashMap;
+
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::Point;
-use crate::plan::{Plan, Term};
+use crate::plan::Term;
 
 /// Newton steps at most.
 const STEPS: usize = 24;
@@ -26,82 +28,87 @@ const LARGE: f64 = 1e6;
 /// A relative residual below this after a long step shows a direction in which the equations are nearly constant.
 const FLAT: f64 = 1e-6;
 
-/// Value, sum of the moduli of the terms, and gradient of a polynomial.
-type Evaluated = (Complex<f64>, f64, Point);
+/// Polynomials over a list of their monomials, each of which is evaluated once.
+pub(super) struct Polynomials<'a> {
+    monomials: Vec<&'a [u8]>,
+    /// Of each polynomial (coefficient, position of the monomial).
+    terms: Vec<Vec<(f64, usize)>>,
+}
 
-/// The powers of the unknowns that polynomials hold.
-pub(super) struct Powers(Vec<Vec<Complex<f64>>>);
+/// Value and sum of the moduli of the terms of a polynomial.
+type Value = (Complex<f64>, f64);
 
-impl Powers {
-    pub(super) fn of(x: &Point, highest: &[u8]) -> Self {
-        let powers = |(&x, &highest): (&Complex<f64>, &u8)| {
-            std::iter::successors(Some(Complex::ONE), |power| Some(power * x)).take(usize::from(highest) + 1).collect()
+impl<'a> Polynomials<'a> {
+    /// `c` are the coefficients of the plan.
+    pub(super) fn new(polynomials: impl IntoIterator<Item = &'a Vec<Term>>, c: &[f64]) -> Self {
+        let mut positions: HashMap<&[u8], usize> = HashMap::new();
+        let mut monomials = Vec::new();
+        let mut term = |term: &'a Term| {
+            let position = *positions.entry(&term.exponents).or_insert_with(|| {
+                monomials.push(term.exponents.as_slice());
+                monomials.len() - 1
+            });
+            (c[usize::from(term.coefficient.0)], position)
         };
-        Self(x.iter().zip(highest).map(powers).collect())
+        let terms = polynomials.into_iter().map(|terms| terms.iter().map(&mut term).collect()).collect();
+        Self { monomials, terms }
     }
 
-    fn get(&self, unknown: usize, exponent: u8) -> Complex<f64> {
-        self.0[unknown][usize::from(exponent)]
+    pub(super) fn values(&self, x: &Point) -> Vec<Value> {
+        let value = |monomial: &&[u8]| {
+            let value = product(monomial, x);
+            (value, value.norm())
+        };
+        let values: Vec<(Complex<f64>, f64)> = self.monomials.iter().map(value).collect();
+        let sum = |terms: &Vec<(f64, usize)>| {
+            terms.iter().fold((Complex::ZERO, 0.0), |(sum, scale), &(c, at)| {
+                let (value, size) = values[at];
+                (sum + value * c, scale + size * c.abs())
+            })
+        };
+        self.terms.iter().map(sum).collect()
     }
-}
 
-/// The highest power of each unknown in some polynomials.
-pub(super) fn highest<'a>(polynomials: impl IntoIterator<Item = &'a Vec<Term>>, unknowns: usize) -> Vec<u8> {
-    let mut highest = vec![0; unknowns];
-    for term in polynomials.into_iter().flatten() {
-        highest.iter_mut().zip(&term.exponents).for_each(|(highest, &e)| *highest = e.max(*highest));
-    }
-    highest
-}
-
-/// A polynomial at a point; `c` are the coefficients of the plan.
-pub(super) fn evaluate(terms: &[Term], c: &[f64], powers: &Powers) -> Evaluated {
-    let (mut value, mut scale) = (Complex::ZERO, 0.0);
-    let mut gradient = vec![Complex::ZERO; powers.0.len()];
-    // The unknowns of a term, with the product of the coefficient and the powers before.
-    let mut factors: Vec<(usize, u8, Complex<f64>)> = Vec::with_capacity(powers.0.len());
-    for term in terms {
-        let mut product = Complex::new(c[usize::from(term.coefficient.0)], 0.0);
-        factors.clear();
-        for (j, &e) in term.exponents.iter().enumerate().filter(|(_, e)| **e > 0) {
-            factors.push((j, e, product));
-            product *= powers.get(j, e);
+    /// One row for each polynomial.
+    fn gradients(&self, x: &Point) -> DMatrix<Complex<f64>> {
+        let derivative = |monomial: &[u8], unknown: usize| {
+            let mut lower = monomial.to_vec();
+            lower[unknown] -= 1;
+            product(&lower, x) * f64::from(monomial[unknown])
+        };
+        // Most monomials are free of most unknowns.
+        let of_monomial = |monomial: &&[u8]| -> Vec<(usize, Complex<f64>)> {
+            (0..x.len()).filter(|&j| monomial[j] > 0).map(|j| (j, derivative(monomial, j))).collect()
+        };
+        let derivatives: Vec<_> = self.monomials.iter().map(of_monomial).collect();
+        let mut gradients = DMatrix::zeros(self.terms.len(), x.len());
+        for (e, terms) in self.terms.iter().enumerate() {
+            for &(c, at) in terms {
+                derivatives[at].iter().for_each(|&(j, derivative)| gradients[(e, j)] += derivative * c);
+            }
         }
-        value += product;
-        scale += modulus(product);
-        let mut after = Complex::ONE;
-        for &(j, e, before) in factors.iter().rev() {
-            gradient[j] += before * after * powers.get(j, e - 1) * f64::from(e);
-            after *= powers.get(j, e);
-        }
+        gradients
     }
-    (value, scale, gradient)
 }
 
-/// |x|, without the care for overflow where none threatens.
-fn modulus(x: Complex<f64>) -> f64 {
-    let square = x.norm_sqr();
-    if square > 1e-280 && square < 1e300 { square.sqrt() } else { x.norm() }
+fn product(monomial: &[u8], x: &Point) -> Complex<f64> {
+    let powers = monomial.iter().zip(x).filter(|(e, _)| **e > 0).map(|(&e, x)| x.powu(u32::from(e)));
+    powers.fold(Complex::ONE, |product, power| product * power)
 }
 
 /// Gauss-Newton on all equations while it lowers the relative residual, which is returned. A step that leaves a high residual is tried again
 /// with unknowns at the level of noise set to zero, then shortened. Infinity where the last step is large and the residual high, or small after it, too.
-pub(super) fn polish(plan: &Plan, c: &[f64], point: &mut Point) -> f64 {
-    let highest = highest(&plan.equations, point.len());
-    let evaluate_all = |x: &Point| {
-        let powers = Powers::of(x, &highest);
-        plan.equations.iter().map(|terms| evaluate(terms, c, &powers)).collect::<Vec<_>>()
-    };
-    let mut all = evaluate_all(point);
-    let mut best = worst(&all);
+pub(super) fn polish(equations: &Polynomials<'_>, point: &mut Point) -> f64 {
+    let mut values = equations.values(point);
+    let mut best = worst(&values);
     let mut last = vec![Complex::ZERO; point.len()];
     let mut flat = false;
     for _ in 0..STEPS {
-        let Some(step) = newton_step(&all) else { break };
+        let Some(step) = newton_step(&values, equations.gradients(point)) else { break };
         let shortened = |fraction: f64| point.iter().zip(&step).map(|(x, s)| x - s * fraction).collect::<Point>();
         let tried = |x: Point| {
-            let all = evaluate_all(&x);
-            (worst(&all), x, all)
+            let values = equations.values(&x);
+            (worst(&values), x, values)
         };
         let mut next = tried(shortened(1.0));
         // A NaN is no small residual.
@@ -121,13 +128,13 @@ pub(super) fn polish(plan: &Plan, c: &[f64], point: &mut Point) -> f64 {
         if !is_lower(next.0) {
             break;
         }
-        (best, *point, all) = next;
+        (best, *point, values) = next;
         // After a long step the next one tells a badly determined solution, which it leaves in place, from none.
         if best <= ROUNDING && !far(point, &last).contains(&true) {
             break;
         }
     }
-    let residual_of = |x: Point| worst(&evaluate_all(&x));
+    let residual_of = |x: Point| worst(&equations.values(&x));
     let is_large = |x: &Complex<f64>| x.norm() >= LARGE;
     let halved = || point.iter().map(|x| if is_large(x) { x * 0.5 } else { *x }).collect();
     if point.iter().any(is_large) && residual_of(halved()) <= STALLED.max(best) {
@@ -143,21 +150,20 @@ pub(super) fn polish(plan: &Plan, c: &[f64], point: &mut Point) -> f64 {
 }
 
 /// The largest relative residual; a NaN if there is one.
-fn worst(all: &[Evaluated]) -> f64 {
-    let relative = |&(value, scale, _): &Evaluated| if scale > 0.0 { value.norm() / scale } else { value.norm() };
-    all.iter().map(relative).fold(0.0, |worst: f64, r| if worst.is_nan() || r <= worst { worst } else { r })
+fn worst(values: &[Value]) -> f64 {
+    let relative = |&(value, scale): &Value| if scale > 0.0 { value.norm() / scale } else { value.norm() };
+    values.iter().map(relative).fold(0.0, |worst: f64, r| if worst.is_nan() || r <= worst { worst } else { r })
 }
 
 /// The least-squares step, each equation divided by its scale; where all terms vanish, by the size of its gradient.
-fn newton_step(all: &[Evaluated]) -> Option<Point> {
-    let weight = |(_, scale, gradient): &Evaluated| {
-        let size = if *scale > 0.0 { *scale } else { gradient.iter().map(|x| x.norm()).fold(0.0, f64::max) };
-        Complex::new(if size > 0.0 { 1.0 / size } else { 0.0 }, 0.0)
-    };
-    let weights: Vec<Complex<f64>> = all.iter().map(weight).collect();
-    let unknowns = all.first().map_or(0, |(_, _, gradient)| gradient.len());
-    let jacobian = DMatrix::from_fn(all.len(), unknowns, |e, j| all[e].2[j] * weights[e]);
-    let right = DVector::from_fn(all.len(), |e, _| all[e].0 * weights[e]);
+fn newton_step(values: &[Value], mut jacobian: DMatrix<Complex<f64>>) -> Option<Point> {
+    let mut right = DVector::from_iterator(values.len(), values.iter().map(|&(value, _)| value));
+    for (e, &(_, scale)) in values.iter().enumerate() {
+        let size = if scale > 0.0 { scale } else { jacobian.row(e).iter().map(|x| x.norm()).fold(0.0, f64::max) };
+        let weight = if size > 0.0 { 1.0 / size } else { 0.0 };
+        jacobian.row_mut(e).scale_mut(weight);
+        right[e] *= weight;
+    }
     let qr = jacobian.qr();
     let step = qr.r().solve_upper_triangular(&(qr.q().adjoint() * right))?;
     Some(step.iter().copied().collect())
