@@ -160,7 +160,7 @@ fn default_search(problem: &Problem, shown: &str) -> Result<TemplateFile, String
     );
     let algebra = check(problem).map_err(|messages| messages.render())?;
     let options = SearchOptions::for_a_build();
-    let found = candidates(problem, algebra.solutions, &options, &Unmonitored).map_err(|error: SearchError| {
+    let found = candidates(problem, &algebra, &options, &Unmonitored).map_err(|error: SearchError| {
         format!("{error}\nhelp: search longer than a build should: `eliminant search {shown}`")
     })?;
     let best = found.candidates.first().ok_or_else(|| "the search found no template".to_owned())?;

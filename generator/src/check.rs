@@ -1,10 +1,11 @@
 //! Whether a problem has finitely many solutions for general data, and how many.
 
 use crate::algebra::{
-    GroebnerBasis, GroebnerError, Limits, Monomial, MonomialOrder, PRIMES, Polynomial, PrimeField, saturate,
+    GroebnerBasis, GroebnerError, Limits, Monomial, MonomialOrder, PRIMES, Polynomial, PrimeField, QuotientRing,
+    count_points, saturate,
 };
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::instance::Instance;
+use crate::instance::{Draw, Instance, Random};
 use crate::problem::Problem;
 
 /// What is known of the ideal of a problem with general data.
@@ -12,6 +13,8 @@ use crate::problem::Problem;
 pub struct Algebra {
     /// Number of complex solutions, counted with multiplicity.
     pub solutions: usize,
+    /// Number of different complex solutions. Of more than [`MOST_TOLD_APART`] all are taken to be different.
+    pub different: usize,
     /// Size of the reduced grevlex Gröbner basis.
     pub basis_elements: usize,
 }
@@ -20,6 +23,8 @@ pub struct Algebra {
 const COUNTS: [(u32, u64); 2] = [(PRIMES[0], 1), (PRIMES[1], 2)];
 /// More solutions than this are taken for a mistake in the problem.
 const MAX_SOLUTIONS: usize = 5_000;
+/// Up to so many solutions are told apart: that takes time of the order of their cube.
+pub const MOST_TOLD_APART: usize = 400;
 
 /// Counts the solutions over two primes.
 ///
@@ -30,16 +35,16 @@ pub fn check(problem: &Problem) -> Result<Algebra, Diagnostics> {
     for (prime, seed) in COUNTS {
         counts.push(count(problem, PrimeField::new(prime), seed).map_err(|message| fail(problem, message))?);
     }
-    if counts[0].solutions != counts[1].solutions {
-        let [a, b] = [counts[0].solutions, counts[1].solutions];
-        let [p, q] = [COUNTS[0].0, COUNTS[1].0];
-        let message = Diagnostic::new("the number of solutions is not stable", problem.span.clone())
-            .label(format!("{a} solutions modulo {p}, {b} modulo {q}"))
-            .hint(
-                "data that are drawn from few values (`#[integer]`) may be special in one draw and general in another",
-            )
-            .hint("a constant of the problem may be divisible by one of the primes");
-        return Err(fail(problem, message));
+    let both = |of: fn(&Algebra) -> usize| [of(&counts[0]), of(&counts[1])];
+    for [a, b] in [both(|count| count.solutions), both(|count| count.different)] {
+        if a != b {
+            let [p, q] = [COUNTS[0].0, COUNTS[1].0];
+            let message = Diagnostic::new("the number of solutions is not stable", problem.span.clone())
+                .label(format!("{a} solutions modulo {p}, {b} modulo {q}"))
+                .hint("data that are drawn from few values (`#[integer]`) may be special in one draw and general in another")
+                .hint("a constant of the problem may be divisible by one of the primes");
+            return Err(fail(problem, message));
+        }
     }
     Ok(counts.swap_remove(0))
 }
@@ -89,7 +94,18 @@ fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<Algebra, Dia
         Diagnostic::new(format!("more than {MAX_SOLUTIONS} solutions"), at())
             .hint("no elimination template of use has so many; look for a formulation of lower degree")
     })?;
-    Ok(Algebra { solutions: solutions.len(), basis_elements: basis.elements().len() })
+    let solutions = solutions.len();
+    let different = count_different(&basis, unknowns, seed).unwrap_or(solutions);
+    Ok(Algebra { solutions, different, basis_elements: basis.elements().len() })
+}
+
+/// `None` for more than [`MOST_TOLD_APART`].
+fn count_different(basis: &GroebnerBasis, unknowns: usize, seed: u64) -> Option<usize> {
+    let limits = Limits { max_quotient_dimension: MOST_TOLD_APART, ..Limits::default() };
+    let ring = QuotientRing::new(basis, unknowns, &limits).ok()?;
+    let mut random = Random::new(seed);
+    let form: Vec<u32> = (0..unknowns).map(|_| basis.field().draw(&mut random)).collect();
+    Some(count_points(&ring, &form))
 }
 
 /// The ideal of an instance, saturated by what must not vanish.

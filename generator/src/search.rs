@@ -6,6 +6,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::attempt::{Attempt, Attempts};
+use crate::check::Algebra;
 use crate::explore::{Explored, Memory, explore};
 use crate::monitor::{Monitor, Stage};
 use crate::plan::{Plan, RootMethod};
@@ -160,13 +161,14 @@ fn ways(forms: &[Form]) -> Vec<Way<'_>> {
     ways
 }
 
-/// All templates of a share of the ways to grow. `solutions` is the number of solutions of the problem.
+/// All templates of a share of the ways to grow; `algebra` is what [`crate::check::check`] tells of the problem.
 pub fn candidates(
     problem: &Problem,
-    solutions: usize,
+    algebra: &Algebra,
     options: &SearchOptions,
     monitor: &dyn Monitor,
 ) -> Result<Found, SearchError> {
+    let solutions = algebra.solutions;
     let forms = forms(problem, options)?;
     let ways: Vec<(usize, Way<'_>)> =
         ways(&forms).into_iter().enumerate().filter(|(at, _)| options.share.holds(*at)).collect();
@@ -183,7 +185,7 @@ pub fn candidates(
     work.sort_by_key(|(_, _, template)| (template.rows(), template.basis.len()));
     monitor.say(&format!("planning {} templates", work.len()));
     let plan = |&(at, way, template): &(usize, &Way<'_>, &EliminationTemplate)| {
-        candidate(problem, way, at, template, solutions)
+        candidate(problem, way, at, template, algebra.different)
     };
     let planned = map(&work, plan, &|| monitor.is_over(Stage::Measuring));
     let unplanned = planned.iter().filter(|planned| planned.is_none()).count();
@@ -212,7 +214,7 @@ pub fn in_order(mut candidates: Vec<Candidate>, preference: Preference) -> Vec<C
     candidates
 }
 
-/// `None` if the template does not hold at the other prime, or no unknown can be read.
+/// A solver that finds so many solutions; `None` if the template does not hold at the other prime, or no unknown can be read.
 fn candidate(
     problem: &Problem,
     way: &Way<'_>,

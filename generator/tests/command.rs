@@ -46,6 +46,21 @@ fn from_a_new_problem_to_a_solver() {
 }
 
 #[test]
+fn multiple_solutions_count_once() {
+    let folder = folder("multiple_solutions_count_once");
+    // A triple solution (2, -1) for all data, and a simple one.
+    let text = "/// A conic that osculates another.\nfn osculating(a: f64) -> (x, y) {\n    x * x + y - 3 == 0;\n    a * (8 * x + y * y - 12) == 0;\n}\n";
+    fs::write(folder.join("osculating.rs"), text).unwrap();
+    let checked = eliminant(&folder, &["check", "osculating.rs"]);
+    let expected = "solutions  2 different ones, 4 with multiplicity";
+    assert!(stdout(&checked).contains(expected), "{}{}", stdout(&checked), stderr(&checked));
+    // A template needs a basis for all four, and its solver looks for two.
+    assert_eq!(status(&eliminant(&folder, &["search", "osculating.rs", "--trials", "20"])), 0);
+    let file = fs::read_to_string(folder.join("osculating.template.toml")).unwrap();
+    assert!(file.contains("\nsolutions = 2\n"), "{file}");
+}
+
+#[test]
 fn new_overwrites_nothing_and_takes_good_names_only() {
     let folder = two_conics("new_overwrites_nothing_and_takes_good_names_only");
     let again = eliminant(&folder, &["new", "two_conics"]);

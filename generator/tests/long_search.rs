@@ -160,13 +160,13 @@ impl Monitor for Impatient {
 #[test]
 fn wherever_a_search_ends_what_it_has_found_holds() {
     let problem = Problem::parse("two_conics.rs", TWO_CONICS).unwrap();
-    let solutions = check(&problem).unwrap().solutions;
+    let algebra = check(&problem).unwrap();
     let options = SearchOptions::default();
-    let all = candidates(&problem, solutions, &options, &Unmonitored).unwrap();
+    let all = candidates(&problem, &algebra, &options, &Unmonitored).unwrap();
     assert!(!all.is_cut && all.untried == 0);
     let (mut nothing, mut some) = (0, 0);
     for questions in 0..60 {
-        match candidates(&problem, solutions, &options, &Impatient(0.into(), questions)) {
+        match candidates(&problem, &algebra, &options, &Impatient(0.into(), questions)) {
             Err(SearchError::NotFound { is_over, .. }) => {
                 nothing += 1;
                 assert!(is_over);

@@ -57,7 +57,7 @@ fn a_basis_of_the_solutions_up_to_sign_finds_all() {
             (order, solutions),
             "{name}"
         );
-        let found = candidates(&problem, solutions, &SearchOptions::default(), &Unmonitored).unwrap();
+        let found = candidates(&problem, &check(&problem).unwrap(), &SearchOptions::default(), &Unmonitored).unwrap();
         let best = &found.candidates[0];
         assert_eq!((best.plan.flips.len() + 1, best.template.basis.len()), (order, solutions / order), "{name}");
         let measured = stability(&best.plan, 500, 1, &|| ());
@@ -83,7 +83,7 @@ fn the_origin_is_not_lost() {
     ] {
         let problem = Problem::parse("origin.rs", text).unwrap();
         assert_eq!((problem.has_origin(), check(&problem).unwrap().solutions), (true, count));
-        let found = candidates(&problem, count, &SearchOptions::default(), &Unmonitored).unwrap();
+        let found = candidates(&problem, &check(&problem).unwrap(), &SearchOptions::default(), &Unmonitored).unwrap();
         let measured = stability(&found.candidates[0].plan, 500, 1, &|| ());
         assert_eq!(
             (measured.failures, measured.incomplete),
@@ -98,7 +98,7 @@ fn the_origin_is_not_lost() {
     let text = "fn odd(a: [f64; 4]) -> (x, y) { x*x*x + a[0]*x*y*y == a[1]*y; y*y*y + a[2]*x*x*y == a[3]*x; x != 0; }";
     let problem = Problem::parse("odd.rs", text).unwrap();
     assert_eq!((problem.has_origin(), check(&problem).unwrap().solutions), (false, 8));
-    let found = candidates(&problem, 8, &SearchOptions::default(), &Unmonitored).unwrap();
+    let found = candidates(&problem, &check(&problem).unwrap(), &SearchOptions::default(), &Unmonitored).unwrap();
     assert_eq!(found.candidates[0].template.basis.len(), 4);
 }
 
@@ -106,7 +106,7 @@ fn the_origin_is_not_lost() {
 fn a_template_that_claims_more_solutions_than_its_basis_gives_is_refused() {
     let problem = Problem::parse("axes.rs", SUBJECTS[0].text).unwrap();
     let options = SearchOptions::default();
-    let found = candidates(&problem, 4, &options, &Unmonitored).unwrap();
+    let found = candidates(&problem, &check(&problem).unwrap(), &options, &Unmonitored).unwrap();
     let mut file = found.candidates[0].to_file(&problem, &options);
     assert!(plan(&problem, &file).is_ok());
     file.solutions = 5;

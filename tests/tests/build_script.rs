@@ -223,10 +223,10 @@ fn a_problem_without_template_is_searched() {
     project.run().expect("a small problem");
     let solver = project.solver("meet");
     let problem = Problem::parse("meet.rs", text).expect("a good problem");
-    let solutions = check(&problem).expect("finitely many").solutions;
-    assert_eq!(solutions, 4);
+    let algebra = check(&problem).expect("finitely many");
+    assert_eq!((algebra.solutions, algebra.different), (4, 4));
     let solves = SearchOptions::for_a_build();
-    let found = candidates(&problem, solutions, &solves, &Unmonitored).expect("a template").candidates;
+    let found = candidates(&problem, &algebra, &solves, &Unmonitored).expect("a template").candidates;
     let emitted =
         found.iter().find(|c| generate(&problem, &c.to_file(&problem, &solves)).is_ok_and(|text| text == solver));
     let measured = stability(&emitted.expect("one of the candidates").plan, 1000, 1, &|| ());

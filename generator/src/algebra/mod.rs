@@ -10,6 +10,7 @@ mod monomial;
 mod monomial_table;
 mod order;
 mod pairs;
+mod points;
 mod polynomial;
 mod polynomial_arithmetic;
 mod quotient;
@@ -23,6 +24,7 @@ pub use groebner::{BasisElement, GroebnerBasis, GroebnerError, Limits, groebner_
 pub use matrix::DenseMatrix;
 pub use monomial::{MAX_UNKNOWNS, Monomial};
 pub use order::{MonomialOrder, OrderKey};
+pub use points::count_points;
 pub use polynomial::Polynomial;
 pub use quotient::QuotientRing;
 pub use saturation::saturate;

@@ -37,6 +37,8 @@ struct Report {
     /// Number of scalars in all data.
     data: usize,
     solutions: usize,
+    /// How many of them are different.
+    different: usize,
     /// Unknowns that change their signs together from a solution to another.
     sign_changes: Vec<Vec<String>>,
     /// Whether all equations vanish where all unknowns are 0 and no factor excludes it.
@@ -70,6 +72,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         nonzero: problem.nonzero.len(),
         data: problem.input_count(),
         solutions: algebra.solutions,
+        different: algebra.different,
         sign_changes: sign_changes(&problem),
         origin: problem.has_origin(),
         presolve: forms(&problem),
@@ -128,7 +131,10 @@ impl fmt::Display for Report {
                 list(&form.degrees)
             )?;
         }
-        writeln!(f, "solutions  {}", self.solutions)?;
+        match self.different {
+            different if different == self.solutions => writeln!(f, "solutions  {different}")?,
+            different => writeln!(f, "solutions  {different} different ones, {} with multiplicity", self.solutions)?,
+        }
         if self.origin {
             let name = self.unknown_names.first().map_or("x", String::as_str);
             writeln!(

@@ -118,8 +118,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     }
     let settings = arguments.settings();
     watch.say("counting solutions");
-    let solutions = check(&problem)?.solutions;
-    let found = candidates(&problem, solutions, &settings.options, &watch);
+    let algebra = check(&problem)?;
+    let found = candidates(&problem, &algebra, &settings.options, &watch);
     match (arguments.shard, found) {
         (Some(share), found) => hand_over(arguments, &problem, &settings, share, found, &watch),
         (None, Ok(found)) => {
