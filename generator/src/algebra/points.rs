@@ -71,29 +71,33 @@ fn greatest_common_divisor(field: PrimeField, mut a: Vec<u32>, mut b: Vec<u32>) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::algebra::{Limits, MonomialOrder, PRIMES, groebner_basis};
-    use crate::instance::Instance;
-    use crate::problem::Problem;
+    use crate::algebra::{Limits, Monomial, MonomialOrder, PRIMES, Polynomial, groebner_basis};
+
+    /// A term: coefficient and the exponents of x and y.
+    type Term = (i64, i8, i8);
 
     /// (with multiplicity, different)
-    fn count(equations: &str) -> (usize, usize) {
-        let text = format!("/// Test.\nfn test() -> (x, y) {{ {equations} }}\n");
-        let problem = Problem::parse("test.rs", &text).unwrap();
+    fn count(equations: &[&[Term]]) -> (usize, usize) {
         let field = PrimeField::new(PRIMES[0]);
-        let instance = Instance::draw(&problem, field, 1).unwrap();
+        let term = |&(value, x, y): &Term| (Monomial::from_exponents(&[x, y]), field.from_integer(value));
+        let polynomials: Vec<Polynomial<u32>> =
+            equations.iter().map(|terms| Polynomial::from_terms(terms.iter().map(term).collect())).collect();
         let limits = Limits::default();
-        let basis = groebner_basis(field, &instance.equations, &MonomialOrder::GrevLex, &limits).unwrap();
+        let basis = groebner_basis(field, &polynomials, &MonomialOrder::GrevLex, &limits).unwrap();
         let ring = QuotientRing::new(&basis, 2, &limits).unwrap();
         (ring.dimension(), count_points(&ring, &[12_345, 678_901]))
     }
 
     #[test]
     fn multiple_solutions_count_once() {
-        assert_eq!(count("x * x - 3 * x + 2 == 0; y * y - 5 == 0;"), (4, 4));
-        assert_eq!(count("x * x == 0; y * y - 5 == 0;"), (4, 2));
-        // A point with three tangent directions, none of which a power of one linear form shows by its degree.
-        assert_eq!(count("x * x == 0; x * y == 0; y * y == 0;"), (3, 1));
-        // A triple and a simple one.
-        assert_eq!(count("x * x + y - 3 == 0; 8 * x + y * y - 12 == 0;"), (4, 2));
+        let square_is_5 = [(1, 0, 2), (-5, 0, 0)];
+        assert_eq!(count(&[&[(1, 2, 0), (-3, 1, 0), (2, 0, 0)], &square_is_5]), (4, 4));
+        assert_eq!(count(&[&[(1, 2, 0)], &square_is_5]), (4, 2));
+        // The powers of no linear form span this ring.
+        assert_eq!(count(&[&[(1, 2, 0)], &[(1, 1, 1)], &[(1, 0, 2)]]), (3, 1));
+        // A triple solution and a simple one.
+        assert_eq!(count(&[&[(1, 2, 0), (1, 0, 1), (-3, 0, 0)], &[(8, 1, 0), (1, 0, 2), (-12, 0, 0)]]), (4, 2));
+        // None.
+        assert_eq!(count(&[&[(1, 1, 0)], &[(1, 1, 0), (1, 0, 0)]]), (0, 0));
     }
 }
