@@ -90,8 +90,9 @@ pub fn complex_solutions<const B: usize, const N: usize, const K: usize, const M
     Ok(admissible(method, &found))
 }
 
-/// All real solutions, by the QR iteration. MAX is how many complex ones there are for general data. Solutions that are not real come in pairs:
-/// where the number of those found shows that a real one is missing, all is done once more at twice the precision.
+/// All real solutions, by the QR iteration. MAX is how many complex ones there are for general data: where it shows that some are missing, all
+/// is done once more at twice the precision. Where B exceeds MAX all eigenvalues are tried and solutions counted; else solutions that are not
+/// real come in pairs, and an odd number is missing.
 ///
 /// # Errors
 /// As [`complex_solutions`].
@@ -101,10 +102,13 @@ pub fn real_solutions<const B: usize, const N: usize, const K: usize, const MAX:
 ) -> Result<Solutions<[f64; N], MAX>, SolveError> {
     let action = method.action_matrix::<f64>()?;
     let spectrum = Hessenberg::reduce(&action)?;
-    let mut found = Solutions::<Candidate<f64, N>, MAX>::new();
     let values = spectrum.eigenvalues()?;
-    let mut complete = true;
     let has_spurious_values = B * (1 + flips(method).len()) > MAX;
+    let mut found = RealAndAll {
+        real: Solutions::<Candidate<f64, N>, MAX>::new(),
+        all: has_spurious_values.then(Solutions::<Candidate<Complex<f64>, N>, MAX>::new),
+    };
+    let mut complete = true;
     let may_be_real = |value: &Complex<f64>| has_spurious_values || is_nearly_real(value);
     for value in upper_half(values).filter(may_be_real) {
         complete &= add_real(method, &spectrum, value, &mut found);
@@ -116,14 +120,32 @@ pub fn real_solutions<const B: usize, const N: usize, const K: usize, const MAX:
             }
         });
     }
-    if !(MAX - found.len()).is_multiple_of(2) {
+    if found.lacks_some() {
         for_each_precise_value(method, |method, source, value| {
             if may_be_real(&value) {
                 add_real(method, source, value, &mut found);
             }
         });
     }
-    Ok(admissible(method, &found))
+    Ok(admissible(method, &found.real))
+}
+
+/// What [`real_solutions`] finds.
+struct RealAndAll<const N: usize, const MAX: usize> {
+    real: Solutions<Candidate<f64, N>, MAX>,
+    /// With the complex ones, where all eigenvalues are tried.
+    all: Option<Solutions<Candidate<Complex<f64>, N>, MAX>>,
+}
+
+impl<const N: usize, const MAX: usize> RealAndAll<N, MAX> {
+    /// Whether the number of solutions shows that some are missing.
+    #[inline]
+    fn lacks_some(&self) -> bool {
+        match &self.all {
+            Some(all) => all.len() < MAX,
+            None => !(MAX - self.real.len()).is_multiple_of(2),
+        }
+    }
 }
 
 /// All real solutions, at most MAX, by the real roots of the characteristic polynomial.
@@ -136,11 +158,11 @@ pub fn real_solutions_by_polynomial<const B: usize, const N: usize, const K: usi
 ) -> Result<Solutions<[f64; N], MAX>, SolveError> {
     let action = method.action_matrix::<f64>()?;
     let spectrum = Hessenberg::reduce(&action)?;
-    let mut found = Solutions::<Candidate<f64, N>, MAX>::new();
+    let mut found = RealAndAll { real: Solutions::<Candidate<f64, N>, MAX>::new(), all: None };
     for value in real_roots_monic(&spectrum.characteristic_polynomial()) {
         add_real(method, &spectrum, value.into(), &mut found);
     }
-    Ok(admissible(method, &found))
+    Ok(admissible(method, &found.real))
 }
 
 /// What is found at last. Two solutions that were made one may have become one that is excluded.
@@ -209,18 +231,29 @@ fn add_complex<const B: usize, const N: usize, const K: usize, const MAX: usize>
     found: &mut Solutions<Candidate<Complex<f64>, N>, MAX>,
 ) -> bool {
     if value.im == 0.0 {
-        let complex =
-            |real: Candidate<f64, N>| Candidate { unknowns: real.unknowns.map(Complex::from), residual: real.residual };
-        let real = polished(method, source, value.re).map(complex);
+        let real = polished(method, source, value.re).map(as_complex);
         // The square of an unknown may be real and negative. A conjugate then differs by signs only.
         let candidate = real.or_else(|| (!flips(method).is_empty()).then(|| polished(method, source, value)).flatten());
         candidate.is_some_and(|candidate| push_all_signs(method, candidate, found))
     } else {
-        polished(method, source, value).is_some_and(|candidate| {
-            let conjugate = Candidate { unknowns: candidate.unknowns.map(|x| x.conj()), ..candidate };
-            push_all_signs(method, candidate, found) & push_all_signs(method, conjugate, found)
-        })
+        polished(method, source, value).is_some_and(|candidate| push_both(method, candidate, found))
     }
+}
+
+#[inline]
+fn as_complex<const N: usize>(real: Candidate<f64, N>) -> Candidate<Complex<f64>, N> {
+    Candidate { unknowns: real.unknowns.map(Complex::from), residual: real.residual }
+}
+
+/// Adds a solution and its conjugate; false where one of them is not new.
+#[inline]
+fn push_both<const B: usize, const N: usize, const K: usize, const MAX: usize>(
+    method: &impl ActionMethod<B, N, K>,
+    candidate: Candidate<Complex<f64>, N>,
+    found: &mut Solutions<Candidate<Complex<f64>, N>, MAX>,
+) -> bool {
+    let conjugate = Candidate { unknowns: candidate.unknowns.map(|x| x.conj()), ..candidate };
+    push_all_signs(method, candidate, found) & push_all_signs(method, conjugate, found)
 }
 
 /// The sign changes that connect solutions of one eigenpair.
@@ -252,23 +285,39 @@ fn add_real<const B: usize, const N: usize, const K: usize, const MAX: usize>(
     method: &impl ActionMethod<B, N, K>,
     source: &impl Eigenpairs<B>,
     value: Complex<f64>,
-    found: &mut Solutions<Candidate<f64, N>, MAX>,
+    found: &mut RealAndAll<N, MAX>,
 ) -> bool {
-    let is_real = value.im == 0.0;
-    let candidate = if is_real { polished(method, source, value.re) } else { nearly_real(method, source, value) };
-    let is_new = candidate.is_some_and(|candidate| push_all_signs(method, candidate, found));
-    is_real && is_new
+    if value.im == 0.0 {
+        let candidate = polished(method, source, value.re);
+        match (&mut found.all, candidate) {
+            (Some(all), Some(candidate)) => {
+                push_all_signs(method, as_complex(candidate), all);
+            }
+            (Some(all), None) if !flips(method).is_empty() => {
+                add_complex(method, source, value, all);
+            }
+            _ => {}
+        }
+        return candidate.is_some_and(|candidate| push_all_signs(method, candidate, &mut found.real));
+    }
+    if let Some(candidate) = polished(method, source, value) {
+        if let Some(all) = &mut found.all {
+            push_both(method, candidate, all);
+        }
+        if let Some(real) = nearly_real(method, &candidate) {
+            push_all_signs(method, real, &mut found.real);
+        }
+    }
+    false
 }
 
-/// The real solution that belongs to a complex eigenvalue close to the real axis, if there is one. Halfway between
-/// conjugates is their real part: what shows a double solution in [`push_distinct`] does so here.
+/// The real solution that belongs to a complex one close to it, if there is one. Halfway between conjugates is their real part: what shows a
+/// double solution in [`push_distinct`] does so here.
 #[inline]
 fn nearly_real<const B: usize, const N: usize, const K: usize>(
     method: &impl ActionMethod<B, N, K>,
-    source: &impl Eigenpairs<B>,
-    value: Complex<f64>,
+    complex: &Candidate<Complex<f64>, N>,
 ) -> Option<Candidate<f64, N>> {
-    let complex = polished(method, source, value)?;
     let unknowns = complex.unknowns.map(|x| x.re);
     polish_from(method, unknowns).filter(|real| real.residual <= complex.residual.max(DOUBLE))
 }
