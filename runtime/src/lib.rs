@@ -10,7 +10,8 @@
 //! 4. [`extract`] reads unknowns off an eigenvector, by [`symmetry`] where it tells them up to sign.
 //! 5. [`mod@polish`] improves a solution on the original equations, which [`system`] evaluates from static tables.
 //! 6. [`driver`] does 3 to 5 for every eigenvalue; [`distinct`] drops what was found twice. Solutions that share an
-//!    eigenvalue are told apart by `shared_value` on its `invariant_subspace`.
+//!    eigenvalue are told apart by `shared_value` on its `invariant_subspace`. Where solutions are missing, 2 to 5 are
+//!    done once more with the numbers of `double_double`.
 //! 7. [`solutions`] and [`error`] are what a solver returns.
 //!
 //! Nothing here allocates, panics on data, loops without a bound or knows a problem. All sizes are const generic and
