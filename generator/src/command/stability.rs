@@ -16,7 +16,8 @@ use crate::stability::stability;
 #[derive(clap::Args, Debug)]
 #[command(
     after_help = "Interprets the planned solver in f64 on instances drawn on the variety of the data. The relative residual of a solution is
-max over the equations of |f| / sum of the moduli of its terms.
+max over the equations of |f| / sum of the moduli of its terms. Where solutions are missing the emitted solver makes a second attempt at twice the
+precision; the interpreted one does not.
 
 Example:
   eliminant stability problems/two_circles.rs --trials 10000 --seed 7"
