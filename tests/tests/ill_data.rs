@@ -54,7 +54,7 @@ fn subjects() -> Vec<Subject> {
 impl Subject {
     /// How many of so many cases are tried.
     fn affordable(&self, cases: usize) -> usize {
-        cases.min((WORK / self.operations).max(cases / 50))
+        cases.min((WORK / self.operations).max(cases / 200))
     }
 
     fn inputs(&self) -> usize {
