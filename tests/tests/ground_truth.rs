@@ -15,18 +15,12 @@ const RECOVERED: usize = 999;
 /// is taken.
 const HARD: &[&str] = &[
     // The linear equations of the points are often close to dependent in the unknowns that they are solved for: coefficients of thousands.
-    "fundamental_8pt_radial",
     "fundamental_8pt_radial_one_side",
-    "fundamental_9pt_two_radials",
-    "relpose_6pt_radial",
     "relpose_7pt_focal_radial",
     "relpose_7pt_focal_radial_one_side",
     "relpose_7pt_focal_radial_one_side_eliminated",
     // Where the angles at the receivers are alike, their equations are close to dependent in the centre.
     "pose_5tdoa_two_receivers",
-    // Where both halves of the null vector of its five linear equations are nearly as long, `excess` is large and the equations are close to dependent:
-    // most of what is missed has an excess above ten.
-    "platform_forward_kinematics",
 ];
 /// The same for those: what hand-written solvers of five- and six-point relative pose reach.
 const RECOVERED_HARD: usize = 980;
