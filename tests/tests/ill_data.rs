@@ -17,7 +17,7 @@ const MAX_RESIDUAL: f64 = 1e-10;
 const HAVE_NO_SCALE: [DataAttribute; 2] = [DataAttribute::Unit, DataAttribute::Rotation];
 
 /// Operations that one test may take for one problem, without the polish; large templates see fewer cases.
-const WORK: usize = 1_000_000_000;
+const WORK: usize = 200_000_000;
 
 /// Problems whose equations the unit of their data changes so much that it must be that of the random ones within ten orders of magnitude.
 const HAVE_A_UNIT: [&str; 11] = [
