@@ -241,7 +241,7 @@ pub struct Plan {
     pub data: Vec<DataParameter>,
     /// Names of the unknowns: the fields of the solution.
     pub unknowns: Vec<String>,
-    /// Number of complex solutions of a generic instance.
+    /// Number of different complex solutions of a generic instance.
     pub solutions: usize,
     /// The straight-line code.
     pub code: Vec<Operation>,

@@ -113,8 +113,10 @@ pub fn solve(plan: &Plan, inputs: &[f64]) -> Option<Vec<(Point, f64)>> {
     let schur = SchurForm::new(&complex)?;
     let values = schur.values();
     let (equations, nonzero) = (Polynomials::new(&plan.equations, &c), Polynomials::new(&plan.nonzero, &c));
+    let recoveries: Vec<Polynomials<'_>> =
+        plan.recoveries.iter().map(|recovery| Polynomials::new([&recovery.terms], &c)).collect();
     let solution = |(value, vector): (Complex<f64>, DVector<Complex<f64>>)| {
-        let mut point = unknowns(plan, &c, value, &vector, &(&read * &vector))?;
+        let mut point = unknowns(plan, &recoveries, value, &vector, &(&read * &vector))?;
         let residual = polish(&equations, &mut point);
         // A product of unknowns is never small relative to its terms.
         let factors = nonzero.values(&without_noise(&point, &point));
@@ -211,7 +213,7 @@ impl SchurForm {
 
 fn unknowns(
     plan: &Plan,
-    c: &[f64],
+    recoveries: &[Polynomials<'_>],
     value: Complex<f64>,
     vector: &DVector<Complex<f64>>,
     read: &DVector<Complex<f64>>,
@@ -233,8 +235,8 @@ fn unknowns(
         let others = extraction.others().map(|(other, e)| point[other].powi(-i32::from(e)));
         point[extraction.unknown] = others.fold(root, |product, factor| product * factor);
     }
-    for recovery in &plan.recoveries {
-        point[recovery.unknown] = Polynomials::new([&recovery.terms], c).values(&point)[0].0;
+    for (recovery, polynomial) in plan.recoveries.iter().zip(recoveries) {
+        point[recovery.unknown] = polynomial.values(&point).first()?.0;
     }
     point.iter().all(|x| x.re.is_finite() && x.im.is_finite()).then_some(point)
 }

@@ -7,6 +7,8 @@ use eliminant::{
 /// Solutions (x, y) with y = 1, 2; basis 1, y, x; action y. Excluded where x = 0.
 struct TwoPoints {
     x: [f64; 2],
+    /// How often the action matrix was asked for.
+    calls: usize,
 }
 
 const B: usize = 2;
@@ -15,6 +17,7 @@ impl ActionMethod<B, 2, 3> for TwoPoints {
     const PAIRS: [&'static [(u16, u16)]; 2] = [&[(0, 2)], &[(0, 1)]];
 
     fn action_matrix<R: Real>(&mut self) -> Result<[[R; B]; B], SolveError> {
+        self.calls += 1;
         // 1, y -> y, 3 y - 2.
         Ok([[0.0, 1.0], [-2.0, 3.0]].map(|row| row.map(R::from_f64)))
     }
@@ -44,14 +47,14 @@ impl ActionMethod<B, 2, 3> for TwoPoints {
 #[test]
 fn noise_of_zero_is_excluded_where_zero_is() {
     for (x, count) in [([1.0, 3.0], 2), ([1.0, 0.0], 1), ([1.0, 1e-20], 1), ([-1e-17, 1e-20], 0), ([1.0, 1e-6], 2)] {
-        let mut points = TwoPoints { x };
+        let mut points = TwoPoints { x, calls: 0 };
         let real: Solutions<[f64; 2], B> = real_solutions(&mut points).unwrap();
         let all: Solutions<[Complex<f64>; 2], B> = complex_solutions(&mut points).unwrap();
         assert_eq!((real.len(), all.len()), (count, count), "{x:?}: {real:?}");
     }
 }
 
-/// x = 1, .., 16, by the companion matrix of their polynomial: rounding errors of its size move the eigenvalues near 10 by several hundredths
+/// x = 1, .., 16, by the companion matrix of their polynomial: rounding errors leave ten digits of few of its eigenvalues
 /// (Wilkinson 1963). Action x; basis 1, x, .., x^15. The polish improves nothing.
 struct Wilkinson {
     /// How often the action matrix was asked for.
@@ -117,9 +120,24 @@ fn what_rounding_errors_lose_is_found_at_twice_the_precision() {
     assert_eq!((real.len(), problem.calls), (ROOTS - 1, 2), "{real:?}");
 }
 
+/// Where B exceeds the number of solutions all eigenvalues are tried, and what is missing need not be odd: x = 1 is none, and of the other
+/// fifteen fourteen are lost at first.
+#[test]
+fn solutions_are_counted_where_some_eigenvalues_belong_to_none() {
+    let mut problem = Wilkinson { calls: 0, above: 1.5 };
+    let real: Solutions<[f64; 1], { ROOTS - 1 }> = real_solutions(&mut problem).unwrap();
+    assert_eq!((real.len(), problem.calls), (ROOTS - 1, 2), "{real:?}");
+}
+
 #[test]
 fn what_is_complete_is_not_done_twice() {
-    let mut problem = Wilkinson { calls: 0, above: 0.0 };
-    let _: Solutions<[Complex<f64>; 1], 0> = complex_solutions(&mut problem).unwrap();
-    assert_eq!(problem.calls, 1);
+    let mut points = TwoPoints { x: [1.0, 3.0], calls: 0 };
+    let real: Solutions<[f64; 2], B> = real_solutions(&mut points).unwrap();
+    assert_eq!((real.len(), points.calls), (B, 1));
+    let all: Solutions<[Complex<f64>; 2], B> = complex_solutions(&mut points).unwrap();
+    assert_eq!((all.len(), points.calls), (B, 2));
+    // Of fewer solutions than eigenvalues.
+    let mut points = TwoPoints { x: [1.0, 0.0], calls: 0 };
+    let real: Solutions<[f64; 2], 1> = real_solutions(&mut points).unwrap();
+    assert_eq!((real.len(), points.calls), (1, 1));
 }

@@ -139,7 +139,7 @@ fn api(plan: &Plan) -> TokenStream {
         }
 
         /// Like [`solve`], with all complex solutions. Where some are missing, all is done once more at twice the precision, which takes
-        /// about twenty times as long; data for which solutions coincide or do not exist are such.
+        /// many times as long; data for which solutions coincide or do not exist are such.
         ///
         /// # Errors
         /// As [`solve`].

@@ -71,14 +71,9 @@ impl<'a> Polynomials<'a> {
 
     /// One row for each polynomial.
     fn gradients(&self, x: &Point) -> DMatrix<Complex<f64>> {
-        let derivative = |monomial: &[u8], unknown: usize| {
-            let mut lower = monomial.to_vec();
-            lower[unknown] -= 1;
-            product(&lower, x) * f64::from(monomial[unknown])
-        };
         // Most monomials are free of most unknowns.
         let of_monomial = |monomial: &&[u8]| -> Vec<(usize, Complex<f64>)> {
-            (0..x.len()).filter(|&j| monomial[j] > 0).map(|j| (j, derivative(monomial, j))).collect()
+            (0..x.len()).filter(|&j| monomial[j] > 0).map(|j| (j, derivative(monomial, j, x))).collect()
         };
         let derivatives: Vec<_> = self.monomials.iter().map(of_monomial).collect();
         let mut gradients = DMatrix::zeros(self.terms.len(), x.len());
@@ -94,6 +89,13 @@ impl<'a> Polynomials<'a> {
 fn product(monomial: &[u8], x: &Point) -> Complex<f64> {
     let powers = monomial.iter().zip(x).filter(|(e, _)| **e > 0).map(|(&e, x)| x.powu(u32::from(e)));
     powers.fold(Complex::ONE, |product, power| product * power)
+}
+
+/// By an unknown that the monomial holds.
+fn derivative(monomial: &[u8], unknown: usize, x: &Point) -> Complex<f64> {
+    let exponent = |(j, &e): (usize, &u8)| u32::from(e) - u32::from(j == unknown);
+    let powers = monomial.iter().enumerate().map(exponent).zip(x).filter(|(e, _)| *e > 0).map(|(e, x)| x.powu(e));
+    powers.fold(f64::from(monomial[unknown]).into(), |product, power| product * power)
 }
 
 /// Gauss-Newton on all equations while it lowers the relative residual, which is returned. A step that leaves a high residual is tried again

@@ -16,7 +16,7 @@ pub struct TemplateFile {
     pub problem: String,
     /// [`crate::problem::Problem::fingerprint`] of the problem that the template was found for.
     pub fingerprint: u64,
-    /// Number of complex solutions.
+    /// Number of different complex solutions.
     pub solutions: usize,
     /// The presolved form that the template is for.
     pub presolve: Presolve,
