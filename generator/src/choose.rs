@@ -15,7 +15,7 @@
 //!    too (*speed*: operations within [`SIMILAR_COST`]; *size*: as many rows; *stability*: all), and the accepted one with the fewest unsolved instances is chosen.
 //!
 //! Large templates are measured on fewer instances: on as many as [`SCREENING_WORK`] and [`CONFIRMING_WORK`] allow, but on [`INCOMPLETE_ONE_IN`] at least
-//! for a confirmation.
+//! for a confirmation. A problem without data has one instance.
 //!
 //! Where none is accepted, the one with the smallest share of unsolved instances is chosen, and the choice says so.
 
@@ -160,6 +160,8 @@ fn on_board<R>(
         monitor.say(&format!("measuring template {} ({rows} x {columns}) on {} instances", at + 1, instances.end));
         measure(&candidates[at].plan, instances, measuring.seed, &|| ())
     };
+    let has_data = candidates.iter().any(|candidate| !candidate.plan.data.is_empty());
+    let measuring = if has_data { measuring } else { Measuring { trials: 1, confirm: 1, ..measuring } };
     let entries = Vec::new();
     let mut board = Board { costs: &costs, preference, measuring, known, measure: &measure, monitor, entries };
     let decision = decide(&mut board);

@@ -1,17 +1,19 @@
 //! Runs an interpreted plan on random real instances and measures what it finds.
 
 mod polish;
+mod schur_form;
 mod shared_value;
 
 use std::ops::Range;
 
-use nalgebra::{Complex, DMatrix, DVector, Schur};
+use nalgebra::{Complex, DMatrix, DVector};
 
 use crate::arithmetic::Float64;
 use crate::instance::{Random, draw_inputs};
 use crate::interpret::{Eliminated, coefficients, eliminate};
 use crate::plan::{KnownMonomial, Plan};
 use polish::{Polynomials, polish, without_noise};
+use schur_form::SchurForm;
 
 /// What many instances gave.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -97,20 +99,18 @@ const VANISHING: f64 = 1e-8;
 const SAME: f64 = 1e-8;
 /// An unknown this small relative to the largest one may be the rounding noise of zero.
 const SAME_FLOOR: f64 = 1e-13;
-/// QR iterations at most.
-const MAX_ITERATIONS: usize = 10_000;
 
 /// All complex solutions of one instance with their relative residuals; `None` where a step fails.
 pub fn solve(plan: &Plan, inputs: &[f64]) -> Option<Vec<(Point, f64)>> {
     let c = coefficients(plan, Float64, inputs)?;
     let Eliminated { action, read } = eliminate(plan, Float64, &c)?;
-    let matrix =
-        |rows: &[Vec<f64>]| DMatrix::from_fn(rows.len(), plan.elimination.basis, |i, j| Complex::new(rows[i][j], 0.0));
-    let (complex, read) = (matrix(&action), matrix(&read));
-    if complex.iter().any(|x| !x.re.is_finite()) {
+    let matrix = |rows: &[Vec<f64>]| DMatrix::from_fn(rows.len(), plan.elimination.basis, |i, j| rows[i][j]);
+    let action = matrix(&action);
+    if action.iter().any(|x| !x.is_finite()) {
         return None;
     }
-    let schur = SchurForm::new(&complex)?;
+    let schur = SchurForm::of_real(&action)?;
+    let (complex, read) = (action.map(Complex::from), matrix(&read).map(Complex::from));
     let values = schur.values();
     let (equations, nonzero) = (Polynomials::new(&plan.equations, &c), Polynomials::new(&plan.nonzero, &c));
     let recoveries: Vec<Polynomials<'_>> =
@@ -133,7 +133,7 @@ pub fn solve(plan: &Plan, inputs: &[f64]) -> Option<Vec<(Point, f64)>> {
     };
     let eigenpairs = values.iter().filter_map(|&value| Some((value, schur.vector(value)?)));
     eigenpairs.filter_map(solution).for_each(|solution| add(&mut found, solution));
-    if found.len() < values.len() * (1 + plan.flips.len()) {
+    if found.len() < plan.solutions {
         let eigenpairs = shared_value::eigenpairs(&complex, &read, &plan.extractions, &values);
         eigenpairs.into_iter().filter_map(solution).for_each(|solution| add(&mut found, solution));
     }
@@ -153,62 +153,6 @@ fn add(found: &mut Vec<(Point, f64)>, solution: (Point, f64)) {
 fn is_same(a: &Point, b: &Point) -> bool {
     let floor = SAME_FLOOR * a.iter().chain(b).map(|x| x.norm()).fold(0.0, f64::max);
     a.iter().zip(b).all(|(x, y)| (x - y).norm() <= floor + SAME * x.norm().max(y.norm()))
-}
-
-/// A matrix as Q T Q*, with T upper triangular.
-struct SchurForm {
-    q: DMatrix<Complex<f64>>,
-    t: DMatrix<Complex<f64>>,
-}
-
-impl SchurForm {
-    /// In complex arithmetic: the real form of nalgebra gives NaN for blocks that hold two real eigenvalues. Where the iteration stalls, as it can
-    /// on spectra that are symmetric about zero, a complex shift breaks the symmetry.
-    fn new(matrix: &DMatrix<Complex<f64>>) -> Option<Self> {
-        let n = matrix.nrows();
-        let shift = Complex::new(0.3, 0.7) * matrix.norm();
-        [Complex::ZERO, shift].into_iter().find_map(|shift| {
-            let shifted = matrix + DMatrix::from_diagonal_element(n, n, shift);
-            let (q, t) = Schur::try_new(shifted, f64::EPSILON, MAX_ITERATIONS)?.unpack();
-            Some(Self { q, t: t - DMatrix::from_diagonal_element(n, n, shift) })
-        })
-    }
-
-    fn values(&self) -> DVector<Complex<f64>> {
-        self.t.diagonal()
-    }
-
-    /// Two steps of inverse iteration. The eigenvalue is moved by a few units of rounding, further where the shifted matrix is still singular to
-    /// the last bit.
-    fn vector(&self, value: Complex<f64>) -> Option<DVector<Complex<f64>>> {
-        let unit = self.t.norm().max(f64::MIN_POSITIVE) * f64::EPSILON;
-        let factors = [1.0, 4.0, 16.0, 64.0].into_iter();
-        factors.map(|factor| value + factor * unit).find_map(|shift| self.inverse_iteration(shift))
-    }
-
-    fn inverse_iteration(&self, shift: Complex<f64>) -> Option<DVector<Complex<f64>>> {
-        let n = self.t.nrows();
-        let mut vector = self.q.ad_mul(&DVector::from_fn(n, |i, _| Complex::new(1.0 / (1.0 + i as f64), 0.0)));
-        for _ in 0..2 {
-            for i in (0..n).rev() {
-                let pivot = self.t[(i, i)] - shift;
-                if pivot == Complex::ZERO {
-                    return None;
-                }
-                let solved = vector[i] / pivot;
-                vector[i] = solved;
-                for k in 0..i {
-                    vector[k] -= self.t[(k, i)] * solved;
-                }
-            }
-            let norm = vector.norm();
-            if !(norm.is_finite() && norm > 0.0) {
-                return None;
-            }
-            vector /= Complex::new(norm, 0.0);
-        }
-        Some(&self.q * vector)
-    }
 }
 
 fn unknowns(

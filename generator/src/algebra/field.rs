@@ -71,13 +71,14 @@ impl PrimeField {
     pub fn add_multiple(self, a: &mut [u32], factor: u32, b: &[u32]) {
         let p = self.modulus;
         let ratio = ((u64::from(factor) << 32) / u64::from(p)) as u32;
+        // From -p..p to 0..p.
+        let wrap = |value: i32| value.wrapping_add(p as i32 & (value >> 31));
         for (a, &b) in a.iter_mut().zip(b) {
             let quotient = ((u64::from(ratio) * u64::from(b)) >> 32) as u32;
-            // At most one too small: below 2p < 2^32.
+            // The quotient is at most one too small: the product is below 2p < 2^32.
             let product = factor.wrapping_mul(b).wrapping_sub(quotient.wrapping_mul(p));
-            // min takes the difference where there is one, for it wraps around below zero.
-            let sum = *a + product.min(product.wrapping_sub(p));
-            *a = sum.min(sum.wrapping_sub(p));
+            let product = wrap(product.wrapping_sub(p) as i32);
+            *a = wrap((*a as i32).wrapping_add(product).wrapping_sub(p as i32)) as u32;
         }
     }
 

@@ -20,6 +20,10 @@ impl IndexSet {
         is_new
     }
 
+    pub(super) fn contains(&self, index: usize) -> bool {
+        self.words[index / 64] & 1 << (index % 64) != 0
+    }
+
     /// Takes in all of a set with the same bound.
     pub(super) fn extend(&mut self, other: &Self) {
         self.words.iter_mut().zip(&other.words).for_each(|(a, b)| *a |= b);

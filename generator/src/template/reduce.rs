@@ -98,11 +98,13 @@ impl Reduction {
 
     /// What is left without some rows, and without those that are then of no use; `None` if that does not solve.
     fn without(&self, rows: &[usize], requirements: &Requirements<'_>) -> Option<Self> {
-        let mut rest = self.clone();
-        rows.iter().for_each(|&row| rest.delete(row));
-        if !rest.dependencies.settle(requirements.solutions) {
+        // Most trials end here.
+        if !self.dependencies.solves_without(rows, &self.matrix, requirements) {
             return None;
         }
+        let mut rest = self.clone();
+        rows.iter().for_each(|&row| rest.delete(row));
+        rest.dependencies.settle(requirements.solutions);
         rest.set = rest.dependencies.best(&rest.matrix, requirements)?;
         let needed = rest.dependencies.rows_of(&rest.set);
         for row in 0..rest.alive.len() {

@@ -122,6 +122,20 @@ impl Dependencies {
         self.tableau.delete_shift(row);
     }
 
+    /// Whether there is a solving set without some rows.
+    pub fn solves_without(&self, rows: &[usize], matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> bool {
+        let mut rest =
+            Self { tableau: self.tableau.narrowed(rows), image: self.image.clone(), part: self.part.clone() };
+        rows.iter().for_each(|&row| rest.delete_row(row));
+        if !rest.settle(requirements.solutions) {
+            return false;
+        }
+        let is_readable = |basis: Vec<usize>| {
+            requirements.readings.iter().any(|readings| rest.readable(matrix, &basis, readings).is_some())
+        };
+        rest.closed_sets(matrix, requirements).into_iter().any(is_readable)
+    }
+
     /// Moves columns that have become inexpressible to the excess. False, and of no further use, if fewer than `least` permissible columns are left.
     pub fn settle(&mut self, least: usize) -> bool {
         loop {
@@ -221,7 +235,7 @@ impl Dependencies {
                 None => IndexSet::new(free.len()),
             })
             .collect();
-        let closures: Vec<IndexSet> = (0..free.len()).map(|at| reachable(at, &next)).collect();
+        let closures = closures(next);
         let is_expressed = |column: &&usize| matches!(self.part[**column], Part::Reducible | Part::Permissible);
         let of_rows = self.tableau.pivots().iter().filter(is_expressed).map(|&column| {
             let mut union = IndexSet::new(free.len());
@@ -290,15 +304,16 @@ impl Dependencies {
     }
 }
 
-/// All indices that are reached from one, with itself.
-fn reachable(from: usize, next: &[IndexSet]) -> IndexSet {
-    let mut reached = IndexSet::new(next.len());
-    reached.insert(from);
-    let mut queue = vec![from];
-    while let Some(at) = queue.pop() {
-        queue.extend(next[at].iter().filter(|&other| reached.insert(other)));
+/// For each index all that are reached from it, with itself, where `next` is reached in one step (Warshall).
+fn closures(mut next: Vec<IndexSet>) -> Vec<IndexSet> {
+    (0..next.len()).for_each(|at| {
+        next[at].insert(at);
+    });
+    for over in 0..next.len() {
+        let reached = next[over].clone();
+        next.iter_mut().filter(|set| set.contains(over)).for_each(|set| set.extend(&reached));
     }
-    reached
+    next
 }
 
 /// Shrinks P and R until P = columns that are not excess and whose image is not, R = images of P outside P.

@@ -94,6 +94,28 @@ impl Tableau {
         tableau
     }
 
+    /// The same, with the part of the combinations that belongs to these shifts. The columns decide what is expressed; most of the work of a change is
+    /// in the combinations.
+    pub(super) fn narrowed(&self, shifts: &[usize]) -> Self {
+        let shifts: Vec<usize> = shifts.iter().copied().filter(|&shift| self.place_of_shift[shift].is_some()).collect();
+        let mut data = Vec::with_capacity(self.rows() * (self.columns.len() + shifts.len()));
+        for row in self.data.chunks_exact(self.width().max(1)) {
+            data.extend_from_slice(&row[..self.columns.len()]);
+            data.extend(shifts.iter().filter_map(|&shift| self.place_of_shift[shift]).map(|at| row[at]));
+        }
+        Self {
+            field: self.field,
+            columns: self.columns.clone(),
+            place: self.place.clone(),
+            place_of_shift: inverse(&shifts, self.columns.len(), self.place_of_shift.len()),
+            shifts,
+            data,
+            pivots: self.pivots.clone(),
+            row_of: self.row_of.clone(),
+            ranks: self.ranks.clone(),
+        }
+    }
+
     fn width(&self) -> usize {
         self.columns.len() + self.shifts.len()
     }
