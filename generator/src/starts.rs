@@ -95,7 +95,7 @@ fn is_same(a: &ReducedProblem, b: &ReducedProblem) -> bool {
 }
 
 /// Weights 1 and 2 in all ways for few unknowns, one unknown at a time for more; two degrees where equations are linear in some unknowns; neighbours;
-/// best shift.
+/// best shift, of polynomials and of Laurent polynomials.
 pub(crate) fn growths(form: &Form) -> Vec<Growth> {
     let (kept, all) = (&form.reduced.kept, form.reduced.problem.unknowns.len());
     let mut growths = vec![Growth::Degree(vec![1; all])];
@@ -116,6 +116,7 @@ pub(crate) fn growths(form: &Form) -> Vec<Growth> {
     growths.push(Growth::Neighbours);
     growths.push(Growth::BestShift(0));
     growths.push(Growth::BestShift(1));
+    growths.extend([0, 1].map(Growth::Laurent));
     growths
 }
 
@@ -162,7 +163,9 @@ pub(crate) fn grow(
     let mut levels_left = LEVELS_BEYOND_FIRST;
     let mut last_look: usize = 0;
     for shifts in Shifts::new(equations, kept, growth.clone(), options.max_columns) {
-        if matches!(growth, Growth::BestShift(_)) && shifts.len() < last_look + last_look.div_ceil(ROWS_BETWEEN_LOOKS) {
+        if matches!(growth, Growth::BestShift(_) | Growth::Laurent(_))
+            && shifts.len() < last_look + last_look.div_ceil(ROWS_BETWEEN_LOOKS)
+        {
             continue;
         }
         last_look = shifts.len();

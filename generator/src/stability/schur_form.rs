@@ -2,8 +2,10 @@
 
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
-/// QR iterations for each eigenvalue at most.
+/// QR iterations for each eigenvalue at most, where there is another way to go on.
 const MAX_ITERATIONS: usize = 30;
+/// QR iterations at most in the end.
+const LAST_ITERATIONS: usize = 10_000;
 
 /// A matrix as Q T Q*, with T upper triangular.
 pub(super) struct SchurForm {
@@ -29,9 +31,9 @@ impl SchurForm {
     pub(super) fn new(matrix: &DMatrix<Complex<f64>>) -> Option<Self> {
         let n = matrix.nrows();
         let shift = Complex::new(0.3, 0.7) * matrix.norm();
-        [Complex::ZERO, shift].into_iter().find_map(|shift| {
+        [(Complex::ZERO, MAX_ITERATIONS * n), (shift, LAST_ITERATIONS)].into_iter().find_map(|(shift, iterations)| {
             let shifted = matrix + DMatrix::from_diagonal_element(n, n, shift);
-            let (q, t) = Schur::try_new(shifted, f64::EPSILON, MAX_ITERATIONS * n)?.unpack();
+            let (q, t) = Schur::try_new(shifted, f64::EPSILON, iterations)?.unpack();
             Some(Self { q, t: t - DMatrix::from_diagonal_element(n, n, shift) })
         })
     }

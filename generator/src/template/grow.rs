@@ -1,11 +1,12 @@
 //! Sets of shifts to try, smallest first.
 //!
-//! Four ways to grow, which lead to different templates:
+//! Five ways to grow, which lead to different templates:
 //! - by degree: all multiples up to a weighted degree (total degree, or weights fitted to the Newton polytopes);
 //! - by two degrees: the degree in some unknowns is bounded, the degree in the others grows;
 //! - by neighbours: every accepted multiplier times every unknown;
 //! - by the best single shift: add the shift whose support, with every shift that becomes free in it, leaves the smallest
-//!   excess of columns over rows (Martyushev, Bhayani, Pajdla, arXiv 2307.00320), from the start or after some levels of neighbours.
+//!   excess of columns over rows (Martyushev, Bhayani, Pajdla, arXiv 2307.00320), from the start or after some levels of neighbours;
+//! - the same among Laurent monomials.
 
 use std::collections::{BTreeSet, HashSet};
 
@@ -28,6 +29,9 @@ pub enum Growth {
     Neighbours,
     /// One shift at a time with its closure, after this many levels of neighbours.
     BestShift(i32),
+    /// As [`Growth::BestShift`], among Laurent monomials: multipliers are divided by unknowns, too, and every equation is first multiplied by the unknowns that
+    /// it lacks, which is up to a common monomial the same as division by those that it holds.
+    Laurent(i32),
 }
 
 impl std::fmt::Display for Growth {
@@ -38,6 +42,8 @@ impl std::fmt::Display for Growth {
             Self::Neighbours => write!(f, "neighbours"),
             Self::BestShift(0) => write!(f, "best shift"),
             Self::BestShift(levels) => write!(f, "best shift after {levels} levels of neighbours"),
+            Self::Laurent(0) => write!(f, "best Laurent shift"),
+            Self::Laurent(levels) => write!(f, "best Laurent shift after {levels} levels of neighbours"),
         }
     }
 }
@@ -65,9 +71,16 @@ impl<'a> Shifts<'a> {
         let level = match &growth {
             Growth::Degree(weights) => highest(equations, weights) - 1,
             Growth::Graded { apart, .. } => highest(equations, &outside(unknowns, apart)) - 1,
-            Growth::Neighbours | Growth::BestShift(_) => -1,
+            Growth::Neighbours | Growth::BestShift(_) | Growth::Laurent(_) => -1,
         };
-        let support = equations.iter().flat_map(Polynomial::monomials).collect();
+        let is_laurent = matches!(growth, Growth::Laurent(_));
+        let lacks = |f: &Polynomial<u32>, unknown: usize| f.monomials().all(|m| m.exponent(unknown) == 0);
+        let first = |f: &Polynomial<u32>| {
+            let lacking = unknowns.iter().filter(|&&unknown| is_laurent && lacks(f, unknown));
+            lacking.fold(Monomial::ONE, |product, &unknown| product.times(&Monomial::unknown(unknown)))
+        };
+        let shifts = equations.iter().enumerate().map(|(equation, f)| Shift { equation, multiplier: first(f) });
+        let support = shifts.flat_map(|shift| monomials_of(equations, &shift)).collect();
         Self { equations, unknowns, growth, limit, level, accepted: BTreeSet::new(), support }
     }
 
@@ -99,12 +112,13 @@ impl<'a> Shifts<'a> {
     }
 
     fn neighbours(&self) -> BTreeSet<Shift> {
-        let times = |shift: &Shift, unknown: usize| Shift {
-            multiplier: shift.multiplier.times(&Monomial::unknown(unknown)),
-            ..*shift
+        let unknowns = self.unknowns.iter().map(|&unknown| Monomial::unknown(unknown));
+        let steps: Vec<Monomial> = match self.growth {
+            Growth::Laurent(_) => unknowns.flat_map(|unknown| [unknown, Monomial::ONE.over(&unknown)]).collect(),
+            _ => unknowns.collect(),
         };
-        let all =
-            self.accepted.iter().flat_map(|shift| self.unknowns.iter().map(move |&unknown| times(shift, unknown)));
+        let times = |shift: &Shift, step: &Monomial| Shift { multiplier: shift.multiplier.times(step), ..*shift };
+        let all = self.accepted.iter().flat_map(|shift| steps.iter().map(move |step| times(shift, step)));
         all.filter(|shift| !self.accepted.contains(shift)).collect()
     }
 
@@ -159,8 +173,8 @@ impl Iterator for Shifts<'_> {
             Growth::Graded { apart, beyond } => self.grow_by_two_degrees(&apart, beyond),
             _ if self.level == 0 => self.accepted.extend(shifts_within(self.equations, &self.support)),
             Growth::Neighbours => self.grow_by_neighbours(),
-            Growth::BestShift(after) if self.level <= after => self.grow_by_neighbours(),
-            Growth::BestShift(_) => self.grow_by_best_shift(),
+            Growth::BestShift(after) | Growth::Laurent(after) if self.level <= after => self.grow_by_neighbours(),
+            Growth::BestShift(_) | Growth::Laurent(_) => self.grow_by_best_shift(),
         }
         let grown = self.accepted.len() > before || matches!(self.growth, Growth::Degree(_) | Growth::Graded { .. });
         // Exponents are i8; far below that no template is of use any more.
