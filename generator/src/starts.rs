@@ -116,7 +116,9 @@ pub(crate) fn growths(form: &Form) -> Vec<Growth> {
     growths.push(Growth::Neighbours);
     growths.push(Growth::BestShift(0));
     growths.push(Growth::BestShift(1));
-    growths.extend([0, 1].map(Growth::Laurent));
+    if !form.origin {
+        growths.extend([0, 1].map(Growth::Laurent));
+    }
     growths
 }
 

@@ -103,6 +103,17 @@ impl Monomial {
         Self { exponents }
     }
 
+    /// The greatest common divisor.
+    #[inline]
+    #[must_use]
+    pub fn gcd(&self, other: &Self) -> Self {
+        let mut exponents = [0; MAX_UNKNOWNS];
+        for i in 0..MAX_UNKNOWNS {
+            exponents[i] = self.exponents[i].min(other.exponents[i]);
+        }
+        Self { exponents }
+    }
+
     /// Whether no exponent is negative.
     pub fn is_polynomial(&self) -> bool {
         self.exponents.iter().fold(true, |all, &e| all & (e >= 0))

@@ -22,7 +22,7 @@ pub mod solving_set;
 pub mod tableau;
 pub mod verify;
 
-use crate::algebra::Monomial;
+use crate::algebra::{Monomial, Polynomial};
 
 /// The polynomial `multiplier * equation`: one row of a template.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -57,5 +57,23 @@ impl EliminationTemplate {
     /// Number of columns.
     pub fn columns(&self) -> usize {
         self.excess.len() + self.reducible.len() + self.basis.len()
+    }
+
+    /// The same times a monomial, such that the least exponent of each unknown in the rows and columns is 0. `equations` are those that are shifted.
+    ///
+    /// Templates that differ by a monomial are the same, but at solutions where that vanishes.
+    #[must_use]
+    pub fn in_lowest_terms<C>(mut self, equations: &[Polynomial<C>]) -> Self {
+        let of_rows = |shift: &Shift| {
+            let multiplier = shift.multiplier;
+            equations[shift.equation].monomials().map(move |m| m.times(&multiplier))
+        };
+        let columns = [&self.excess, &self.reducible, &self.basis].into_iter().flatten().copied();
+        let least = self.shifts.iter().flat_map(of_rows).chain(columns).reduce(|a, b| a.gcd(&b));
+        let least = least.unwrap_or(Monomial::ONE);
+        let columns = [&mut self.excess, &mut self.reducible, &mut self.basis].into_iter().flatten();
+        let multipliers = self.shifts.iter_mut().map(|shift| &mut shift.multiplier);
+        columns.chain(multipliers).for_each(|monomial| *monomial = monomial.over(&least));
+        self
     }
 }
