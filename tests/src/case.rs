@@ -137,6 +137,7 @@ pub fn cases() -> Vec<Case> {
             (f_13, f_23, radial)
         ),
         case!(stitching_3pt_radial_focal, Stitching3ptRadialFocal, (first, second), (radial, w)),
+        case!(triangulation_3view, Triangulation3view, (first, second, third), (x, y, z)),
         case!(
             triangulation_3view_relaxed,
             Triangulation3viewRelaxed,

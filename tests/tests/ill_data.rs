@@ -20,7 +20,7 @@ const HAVE_NO_SCALE: [DataAttribute; 2] = [DataAttribute::Unit, DataAttribute::R
 const WORK: usize = 200_000_000;
 
 /// Problems whose equations the unit of their data changes so much that it must be that of the random ones within ten orders of magnitude.
-const HAVE_A_UNIT: [&str; 11] = [
+const HAVE_A_UNIT: [&str; 12] = [
     "fundamental_9pt_two_radials",
     "platform_forward_kinematics",
     "pose_3pt_depths",
@@ -31,6 +31,7 @@ const HAVE_A_UNIT: [&str; 11] = [
     "relpose_7pt_focal_radial",
     "relpose_7pt_focal_radial_one_side",
     "relpose_7pt_focal_radial_one_side_eliminated",
+    "triangulation_3view",
     "triangulation_3view_relaxed",
 ];
 

@@ -290,6 +290,27 @@ mod tests {
     }
 
     #[test]
+    fn laurent_shifts_grow_in_both_directions() {
+        // x + 1, which lacks y, and x y + y^2 + 1.
+        let polynomial = |terms: &[[i8; 2]]| {
+            Polynomial::from_terms(terms.iter().map(|exponents| (Monomial::from_exponents(exponents), 1)).collect())
+        };
+        let equations = [polynomial(&[[1, 0], [0, 0]]), polynomial(&[[1, 1], [0, 2], [0, 0]])];
+        let shift =
+            |equation, multiplier: [i8; 2]| Shift { equation, multiplier: Monomial::from_exponents(&multiplier) };
+        let mut sets = Shifts::new(&equations, &[0, 1], Growth::Laurent(1), 100);
+        // y times the first has x y and y, which is new; nothing else fits.
+        assert_eq!(sets.next(), Some(vec![shift(0, [0, 1]), shift(1, [0, 0])]));
+        let next = sets.next().unwrap();
+        let around = [[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]];
+        assert_eq!(next.len(), 10);
+        for [x, y] in around {
+            assert!(next.contains(&shift(0, [x, y + 1])) && next.contains(&shift(1, [x, y])), "{x} {y}");
+        }
+        assert!(sets.next().unwrap().len() > 10);
+    }
+
+    #[test]
     fn counts_monomials_by_weighted_degree() {
         assert_eq!(monomials_up_to(&[0, 1], &[1, 1], 3).len(), 10);
         // 1, x, x^2, x^3, y, x y with y of weight 2.

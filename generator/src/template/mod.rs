@@ -77,3 +77,30 @@ impl EliminationTemplate {
         self
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lowest_terms_are_the_same_for_all_multiples() {
+        let monomial = |x, y| Monomial::from_exponents(&[x, y]);
+        // x^2 + y + 1 = 0 times y and x y, with action x.
+        let equations = [Polynomial::from_terms(vec![(monomial(2, 0), 1), (monomial(0, 1), 1), (Monomial::ONE, 1)])];
+        let times = |factor: Monomial| {
+            let all = |list: &[Monomial]| list.iter().map(|m| m.times(&factor)).collect::<Vec<Monomial>>();
+            let shift = |m: Monomial| Shift { equation: 0, multiplier: m.times(&factor) };
+            EliminationTemplate {
+                shifts: vec![shift(monomial(0, 1)), shift(monomial(1, 1))],
+                action: monomial(1, 0),
+                excess: all(&[monomial(3, 1)]),
+                reducible: all(&[monomial(2, 1)]),
+                basis: all(&[monomial(1, 2), monomial(1, 1), monomial(0, 2), monomial(0, 1)]),
+            }
+        };
+        let lowest = times(monomial(0, -1));
+        for factor in [monomial(0, 0), monomial(3, 2), monomial(-2, -5), monomial(0, -1)] {
+            assert_eq!(times(factor).in_lowest_terms(&equations), lowest);
+        }
+    }
+}

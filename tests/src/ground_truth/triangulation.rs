@@ -3,26 +3,98 @@
 use std::array::from_fn;
 
 use eliminant_generator::instance::Random;
-use nalgebra::{Matrix3, SMatrix, SVector, Vector2, Vector3};
+use nalgebra::{Matrix2, Matrix3, Matrix4, RowVector4, SMatrix, SVector, Vector2, Vector3, Vector4};
 
 use super::cameras::{camera, image, in_ball};
-use super::{KnownInstance, Maker, relative_error};
+use super::{KnownInstance, Maker, null_space, relative_error};
 
 pub(super) fn makers() -> Vec<Maker> {
-    vec![Maker {
-        name: "triangulation_3view_relaxed",
-        make: three_views,
-        error: |_, solution, truth| relative_error(&solution[..6], truth),
-    }]
+    vec![
+        Maker {
+            name: "triangulation_3view",
+            make: three_depths,
+            error: |_, solution, truth| relative_error(solution, truth),
+        },
+        Maker {
+            name: "triangulation_3view_relaxed",
+            make: three_views,
+            error: |_, solution, truth| relative_error(&solution[..6], truth),
+        },
+    ]
 }
 
-/// A point of the unit ball in three cameras, seen with an error of up to 0.003; the image points that satisfy two epipolar
-/// constraints and are closest to what is seen.
-fn three_views(random: &mut Random) -> KnownInstance {
-    let cameras: [(Matrix3<f64>, Vector3<f64>); 3] = from_fn(|_| camera(random));
+type Camera = (Matrix3<f64>, Vector3<f64>);
+
+/// Three cameras, a point of the unit ball, and where they see it with an error of up to 0.003.
+fn seen_point(random: &mut Random) -> ([Camera; 3], Vector3<f64>, [Vector2<f64>; 3]) {
+    let cameras: [Camera; 3] = from_fn(|_| camera(random));
     let point = in_ball(random);
     let exact = cameras.map(|(rotation, translation)| image(&(rotation * point + translation), 1.0));
-    let seen = exact.map(|q| q + 0.003 * Vector2::from_fn(|_, _| random.symmetric_unit()));
+    (cameras, point, exact.map(|q| q + 0.003 * Vector2::from_fn(|_, _| random.symmetric_unit())))
+}
+
+/// The point whose images are closest to what is seen, in coordinates in which two depths relative to the third are x and y.
+fn three_depths(random: &mut Random) -> KnownInstance {
+    let (cameras, start, seen) = seen_point(random);
+    let depth = |k: usize| {
+        let (rotation, translation): &Camera = &cameras[k];
+        RowVector4::from_fn(|_, j| if j == 3 { translation.z } else { rotation[(2, j)] })
+    };
+    // Residual times depth.
+    let offset = |k: usize| {
+        let (rotation, translation): &Camera = &cameras[k];
+        SMatrix::<f64, 2, 4>::from_fn(|i, j| if j == 3 { translation[i] } else { rotation[(i, j)] })
+            - seen[k] * depth(k)
+    };
+    let depths: [RowVector4<f64>; 3] = from_fn(depth);
+    let offsets: [SMatrix<f64, 2, 4>; 3] = from_fn(offset);
+    // The point at depth zero in all views, and images turned so that their second axis does not see it.
+    let rows: Vec<Vec<f64>> = depths.iter().map(|row| row.iter().copied().collect()).collect();
+    let axis = Vector4::from_row_slice(&null_space(&rows)[0]);
+    let scales = offsets.map(|offset| (offset * axis).norm());
+    let turned: [SMatrix<f64, 2, 4>; 3] = from_fn(|k| {
+        let along = (offsets[k] * axis).normalize();
+        Matrix2::new(along.x, along.y, -along.y, along.x) * offsets[k]
+    });
+    let frame = Matrix4::from_rows(&[
+        depths[0] * (scales[2] / scales[0]),
+        depths[1] * (scales[2] / scales[1]),
+        turned[2].row(0).into_owned(),
+        depths[2],
+    ]);
+    let inverse = frame.try_inverse().expect("the cameras are not aligned");
+    let form = |k: usize, i: usize| {
+        let row = turned[k].row(i) * inverse * (scales[2] / scales[k]);
+        [row[0], row[1], row[3]]
+    };
+    let data = [(0, 0), (0, 1), (1, 0), (1, 1), (2, 1)].into_iter().flat_map(|(k, i)| form(k, i)).collect();
+    let best = frame * nearest(&depths, &offsets, start).push(1.0);
+    KnownInstance { data, truths: vec![(best.xyz() / best.w).as_slice().to_vec()] }
+}
+
+/// The stationary point of the squared residuals next to `start`, by the method of Gauss and Newton, which converges fast where they are small.
+fn nearest(depths: &[RowVector4<f64>; 3], offsets: &[SMatrix<f64, 2, 4>; 3], start: Vector3<f64>) -> Vector3<f64> {
+    let mut point = start;
+    for _ in 0..20 {
+        let x = point.push(1.0);
+        let mut slope = SMatrix::<f64, 6, 3>::zeros();
+        let mut residuals = SVector::<f64, 6>::zeros();
+        for (k, (depth, offset)) in depths.iter().zip(offsets).enumerate() {
+            let (z, residual) = ((depth * x).x, offset * x / (depth * x).x);
+            residuals.fixed_rows_mut::<2>(2 * k).copy_from(&residual);
+            let rows = (offset - residual * depth).fixed_columns::<3>(0) / z;
+            slope.fixed_rows_mut::<2>(2 * k).copy_from(&rows);
+        }
+        let normal = slope.transpose() * slope;
+        point -= normal.lu().solve(&(slope.transpose() * residuals)).expect("the rays are not parallel");
+    }
+    point
+}
+
+/// The image points that satisfy two epipolar constraints and are closest to what three cameras see.
+fn three_views(random: &mut Random) -> KnownInstance {
+    let (cameras, point, seen) = seen_point(random);
+    let exact = cameras.map(|(rotation, translation)| image(&(rotation * point + translation), 1.0));
     // p^T [t]x R p' = 0 with the rotation and the translation from the second camera of a pair to the first.
     let essential = |(r1, t1): (Matrix3<f64>, Vector3<f64>), (r2, t2): (Matrix3<f64>, Vector3<f64>)| {
         let rotation = r1 * r2.transpose();
