@@ -117,7 +117,7 @@ impl Scheduler<'_> {
         if coefficients.used.len() > usize::from(u16::MAX) {
             return Err(ScheduleError::TooLarge("coefficients"));
         }
-        let (code, values, form) = straight_line_code(graph, &coefficients.used);
+        let (code, values, form) = straight_line_code(graph, &coefficients.used, elimination.rows);
         let plan = Plan {
             name: problem.name.clone(),
             docs: problem.docs.clone(),

@@ -188,6 +188,10 @@ impl Real for DoubleDouble {
     /// 2^-104.
     const EPSILON: f64 = f64::EPSILON * f64::EPSILON;
     #[inline]
+    fn of<const C: usize>(_: &[f64; C], compute: impl FnOnce() -> [Self; C]) -> [Self; C] {
+        compute()
+    }
+    #[inline]
     fn with_sign_of(self, other: Self) -> Self {
         if self.high.is_sign_negative() == other.high.is_sign_negative() { self } else { -self }
     }
@@ -198,6 +202,17 @@ impl Real for DoubleDouble {
 pub(crate) struct DoubleComplex {
     re: DoubleDouble,
     im: DoubleDouble,
+}
+
+impl Over<DoubleDouble> for DoubleDouble {
+    #[inline]
+    fn from_real(x: DoubleDouble) -> Self {
+        x
+    }
+    #[inline]
+    fn times(self, factor: DoubleDouble) -> Self {
+        self * factor
+    }
 }
 
 impl Over<DoubleDouble> for DoubleComplex {

@@ -1,5 +1,7 @@
 //! Coefficients of large problems: arithmetic on the data as a table instead of statements.
 
+use crate::scalar::Real;
+
 /// What every step of a [`Run`] does with its operands a and b.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Operation {
@@ -46,21 +48,22 @@ pub struct Program {
 }
 
 impl Program {
-    /// The coefficients, C of them. V counts all constants, data and steps.
-    #[inline]
+    /// The coefficients, C of them, in the precision of `R`. V counts all constants, data and steps; so many numbers are on the stack meanwhile.
+    #[inline(never)]
     #[must_use]
-    pub fn evaluate<const V: usize, const C: usize>(&self, data: &[&[f64]]) -> [f64; C] {
-        let (mut values, mut coefficients) = ([0.0; V], [0.0; C]);
+    pub fn evaluate<R: Real, const V: usize, const C: usize>(&self, data: &[&[f64]]) -> [R; C] {
+        let (mut values, mut coefficients) = ([R::ZERO; V], [R::ZERO; C]);
         self.run(data, &mut values, &mut coefficients);
         coefficients
     }
 
     /// What would be out of range is left out or NaN; the generator's tables fit.
     #[inline(never)]
-    fn run(&self, data: &[&[f64]], values: &mut [f64], coefficients: &mut [f64]) {
+    fn run<R: Real>(&self, data: &[&[f64]], values: &mut [R], coefficients: &mut [R]) {
+        let nan = R::from_f64(f64::NAN);
         let mut written = 0;
         for given in core::iter::once(&self.constants).chain(data) {
-            values[written..].iter_mut().zip(*given).for_each(|(place, &value)| *place = value);
+            values[written..].iter_mut().zip(*given).for_each(|(place, &value)| *place = R::from_f64(value));
             written = (written + given.len()).min(values.len());
         }
         let mut operands = self.operands;
@@ -69,7 +72,7 @@ impl Program {
             operands = rest;
             let (known, open) = values.split_at_mut(written);
             let steps = open.iter_mut().zip(of_run);
-            let at = |position: u32| known.get(position as usize).copied().unwrap_or(f64::NAN);
+            let at = |position: u32| known.get(position as usize).copied().unwrap_or(nan);
             match run.operation {
                 Operation::Add => steps.for_each(|(result, &(a, b))| *result = at(a) + at(b)),
                 Operation::Subtract => steps.for_each(|(result, &(a, b))| *result = at(a) - at(b)),
@@ -80,9 +83,18 @@ impl Program {
             written = (written + of_run.len()).min(values.len());
         }
         for (coefficient, &position) in coefficients.iter_mut().zip(self.results) {
-            *coefficient = values.get(position as usize).copied().unwrap_or(f64::NAN);
+            *coefficient = values.get(position as usize).copied().unwrap_or(nan);
         }
     }
+}
+
+/// All data in one array, one parameter after another; what would be too much is left out.
+#[inline]
+#[must_use]
+pub fn joined<const I: usize>(data: &[&[f64]]) -> [f64; I] {
+    let mut joined = [0.0; I];
+    joined.iter_mut().zip(data.iter().copied().flatten()).for_each(|(place, &value)| *place = value);
+    joined
 }
 
 #[cfg(test)]
@@ -105,7 +117,7 @@ mod tests {
     #[test]
     fn steps_are_executed_in_order() {
         for [a, b, c] in [[1.0, 2.0, 3.0], [-0.5, 1e200, 7.0], [0.1, 0.2, 0.0]] {
-            let [first, second, third] = PROGRAM.evaluate::<10, 3>(&[&[a, b], &[c]]);
+            let [first, second, third] = PROGRAM.evaluate::<f64, 10, 3>(&[&[a, b], &[c]]);
             assert_eq!(first.to_bits(), (-((3.0 * a - a * b) / c + 3.0)).to_bits());
             assert_eq!((second, third), (a * b, 3.0));
         }
@@ -113,7 +125,7 @@ mod tests {
 
     #[test]
     fn what_is_out_of_range_is_not_a_number() {
-        assert!(PROGRAM.evaluate::<5, 3>(&[&[1.0, 2.0], &[3.0]])[0].is_nan());
-        assert!(Program { results: &[99], ..PROGRAM }.evaluate::<10, 1>(&[&[1.0, 2.0], &[3.0]])[0].is_nan());
+        assert!(PROGRAM.evaluate::<f64, 5, 3>(&[&[1.0, 2.0], &[3.0]])[0].is_nan());
+        assert!(Program { results: &[99], ..PROGRAM }.evaluate::<f64, 10, 1>(&[&[1.0, 2.0], &[3.0]])[0].is_nan());
     }
 }

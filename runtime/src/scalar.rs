@@ -58,15 +58,21 @@ pub trait Scalar:
 }
 
 /// A real number: `f64`, or one of twice its precision.
-pub trait Real: Scalar {
+pub trait Real: Scalar + Over<Self> {
     /// The distance from 1 to the next number.
     const EPSILON: f64;
+    /// Numbers of this precision: those known in `f64`, or else computed anew.
+    fn of<const C: usize>(known: &[f64; C], compute: impl FnOnce() -> [Self; C]) -> [Self; C];
     /// |self| with the sign of `other`.
     fn with_sign_of(self, other: Self) -> Self;
 }
 
 impl Real for f64 {
     const EPSILON: f64 = f64::EPSILON;
+    #[inline]
+    fn of<const C: usize>(known: &[f64; C], _: impl FnOnce() -> [f64; C]) -> [f64; C] {
+        *known
+    }
     #[inline]
     fn with_sign_of(self, other: f64) -> f64 {
         self.copysign(other)

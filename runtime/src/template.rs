@@ -2,18 +2,18 @@
 
 use crate::error::SolveError;
 use crate::lu::{solve_block_trailing, solve_large_block};
-use crate::scalar::Real;
+use crate::scalar::{Over, Real};
 
 /// A table entry: row, column, slot of the coefficient.
 pub type Entry = (u16, u16, u16);
 
 /// Writes the coefficients to their places. Entries out of range are ignored; the generator makes none.
 #[inline]
-pub fn fill<R: Real, const M: usize>(matrix: &mut [[R; M]], entries: &[Entry], coefficients: &[f64]) {
+pub fn fill<R: Real + Over<C>, C: Copy, const M: usize>(matrix: &mut [[R; M]], entries: &[Entry], coefficients: &[C]) {
     for &(row, column, slot) in entries {
         let place = matrix.get_mut(usize::from(row)).and_then(|row| row.get_mut(usize::from(column)));
         if let (Some(place), Some(&value)) = (place, coefficients.get(usize::from(slot))) {
-            *place = R::from_f64(value);
+            *place = R::from_real(value);
         }
     }
 }
@@ -41,10 +41,10 @@ pub struct Block {
 /// # Errors
 /// [`SolveError::Degenerate`], as [`crate::solve_block`] or where a value overflows.
 #[inline]
-pub fn eliminate_block<R: Real, const N: usize, const M: usize>(
+pub fn eliminate_block<R: Real + Over<C>, C: Copy, const N: usize, const M: usize>(
     block: &Block,
     right: &mut [[R; M]],
-    coefficients: &[f64],
+    coefficients: &[C],
 ) -> Result<(), SolveError> {
     let open = couple(block, right, coefficients)?;
     let mut matrix = [[R::ZERO; N]; N];
@@ -58,10 +58,10 @@ pub fn eliminate_block<R: Real, const N: usize, const M: usize>(
 /// # Errors
 /// As [`eliminate_block`].
 #[inline(never)]
-pub fn eliminate_large_block<R: Real, const N: usize, const M: usize>(
+pub fn eliminate_large_block<R: Real + Over<C>, C: Copy, const N: usize, const M: usize>(
     block: &Block,
     right: &mut [[R; M]],
-    coefficients: &[f64],
+    coefficients: &[C],
 ) -> Result<(), SolveError> {
     let open = couple(block, right, coefficients)?;
     let mut matrix = [[R::ZERO; N]; N];
@@ -73,10 +73,10 @@ pub fn eliminate_large_block<R: Real, const N: usize, const M: usize>(
 
 /// Subtracts what the pivots solved before contribute; returns the rows from the block's first on.
 #[inline]
-fn couple<'a, R: Real, const M: usize>(
+fn couple<'a, R: Real + Over<C>, C: Copy, const M: usize>(
     block: &Block,
     right: &'a mut [[R; M]],
-    coefficients: &[f64],
+    coefficients: &[C],
 ) -> Result<&'a mut [[R; M]], SolveError> {
     let Some((solved, open)) = right.split_at_mut_checked(usize::from(block.first)) else {
         return Err(SolveError::Degenerate { column: 0 });
@@ -85,9 +85,9 @@ fn couple<'a, R: Real, const M: usize>(
         let (Some(row), Some(pivot)) = (open.get_mut(usize::from(row)), solved.get(usize::from(pivot))) else {
             continue;
         };
-        let factor = coefficients.get(usize::from(slot)).copied().unwrap_or(0.0);
+        let Some(&factor) = coefficients.get(usize::from(slot)) else { continue };
         for j in 0..M {
-            row[j] -= pivot[j].scale(factor);
+            row[j] -= pivot[j].times(factor);
         }
     }
     Ok(open)

@@ -2,6 +2,7 @@
 
 pub mod cylinder;
 
+eliminant::include_solver!("calibration_6_receivers_4_senders");
 eliminant::include_solver!("circle_least_squares");
 eliminant::include_solver!("circle_least_squares_dual");
 eliminant::include_solver!("circle_minimal");

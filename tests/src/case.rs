@@ -93,6 +93,7 @@ macro_rules! case {
 /// All emitted solvers. A test checks that none of `templates/` is missing.
 pub fn cases() -> Vec<Case> {
     vec![
+        case!(calibration_6_receivers_4_senders, Calibration6Receivers4Senders, (linear), (v, w, x, y, z)),
         case!(circle_least_squares, CircleLeastSquares, (gram), (d1, d2, d3, d4, d5, lambda1, lambda2)),
         case!(circle_least_squares_dual, CircleLeastSquaresDual, (gram), (d3, d4, d5)),
         case!(circle_minimal, CircleMinimal, (d_alpha, d_beta, d_gamma), (a, b)),

@@ -238,16 +238,39 @@ fn symmetry(plan: &Plan) -> TokenStream {
     }
 }
 
+/// A field for the data, how the coefficients are computed from `given_` when an instance is made, and how an elimination in the precision R gets them:
+/// tables can be executed at twice the precision, too.
+fn coefficients_of_instance(plan: &Plan) -> (TokenStream, TokenStream, TokenStream) {
+    if plan.form == CodeForm::Statements {
+        let arguments = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name));
+        let coefficients = quote!(coefficients: self::coefficients(#(#arguments),*),);
+        return (quote!(), coefficients, quote!(let coefficients = &self.coefficients;));
+    }
+    let inputs: usize = plan.data.iter().map(DataParameter::len).sum();
+    let field = quote! {
+        /// All data, one parameter after another.
+        data: [f64; #inputs],
+    };
+    let coefficients = quote! {
+        coefficients: self::coefficients(&eliminant::joined(&given_)),
+        data: eliminant::joined(&given_),
+    };
+    (field, coefficients, quote!(let coefficients = &R::of(&self.coefficients, || self::coefficients(&self.data));))
+}
+
 fn instance(plan: &Plan) -> TokenStream {
     let parameters: Vec<_> = plan.data.iter().map(parameter).collect();
-    let arguments: Vec<_> = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name)).collect();
     let slices = plan.data.iter().map(as_slice);
     let count = plan.coefficients.len();
     let (rows, basis, unknowns) = (plan.elimination.rows, plan.elimination.basis, plan.unknowns.len());
+    let precision = match plan.form {
+        CodeForm::Statements => quote!(f64),
+        CodeForm::Table => quote!(R),
+    };
     let blocks = plan.elimination.blocks.iter().enumerate().map(|(at, block)| {
         let size = block.size;
         let eliminate = if size > LARGE_BLOCK { quote!(eliminate_large_block) } else { quote!(eliminate_block) };
-        quote!(eliminant::#eliminate::<R, #size, #basis>(&BLOCKS[#at], &mut right, &self.coefficients)?;)
+        quote!(eliminant::#eliminate::<R, #precision, #size, #basis>(&BLOCKS[#at], &mut right, coefficients)?;)
     });
     let action = plan.action.iter().enumerate().map(|(at, row)| match row {
         ActionRow::Unit(b) => {
@@ -288,6 +311,8 @@ fn instance(plan: &Plan) -> TokenStream {
         quote!(&[#(#pairs),*])
     });
     let symmetry = symmetry(plan);
+    let count_given = plan.data.len();
+    let (data_field, coefficients, refined) = coefficients_of_instance(plan);
     let recover = match plan.recoveries.is_empty() {
         true => quote!(let _ = x;),
         false => plan.recoveries.iter().map(code::recovery).collect(),
@@ -313,13 +338,15 @@ fn instance(plan: &Plan) -> TokenStream {
         /// The coefficients of all equations for given data.
         struct Instance {
             coefficients: [f64; #count],
+            #data_field
             #read_field
         }
 
         impl Instance {
             fn new(#(#parameters),*) -> Result<Self, eliminant::SolveError> {
-                let instance_ = Self { coefficients: self::coefficients(#(#arguments),*), #no_read };
-                eliminant::check_coefficients(&instance_.coefficients, &[#(#slices),*])?;
+                let given_: [&[f64]; #count_given] = [#(#slices),*];
+                let instance_ = Self { #coefficients #no_read };
+                eliminant::check_coefficients(&instance_.coefficients, &given_)?;
                 Ok(instance_)
             }
         }
@@ -330,7 +357,8 @@ fn instance(plan: &Plan) -> TokenStream {
 
             fn action_matrix<R: eliminant::Real>(&mut self) -> Result<[[R; #basis]; #basis], eliminant::SolveError> {
                 let mut right = [[R::ZERO; #basis]; #rows];
-                eliminant::fill(&mut right, RIGHT, &self.coefficients);
+                #refined
+                eliminant::fill::<R, #precision, #basis>(&mut right, RIGHT, coefficients);
                 #(#blocks)*
                 #(#read)*
                 let mut action = [[R::ZERO; #basis]; #basis];

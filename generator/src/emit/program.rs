@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::{as_slice, code, parameter};
+use super::code;
 use crate::plan::{Operation, Plan, ValueId};
 use crate::problem::DataParameter;
 
@@ -28,12 +28,11 @@ pub(super) fn table(plan: &Plan) -> TokenStream {
         quote!(eliminant::Run { operation: eliminant::Operation::#operation, steps: #steps })
     });
     let results = plan.coefficients.iter().map(|&id| position(id));
-    let (parameters, slices) = (plan.data.iter().map(parameter), plan.data.iter().map(as_slice));
     let (values, length) = (constants.len() + inputs + steps, plan.coefficients.len());
     quote! {
         /// The coefficients that the tables refer to.
-        fn coefficients(#(#parameters),*) -> [f64; #length] {
-            PROGRAM.evaluate::<#values, #length>(&[#(#slices),*])
+        fn coefficients<R: eliminant::Real>(data: &[f64; #inputs]) -> [R; #length] {
+            PROGRAM.evaluate::<R, #values, #length>(&[data])
         }
 
         /// From the data to the coefficients.

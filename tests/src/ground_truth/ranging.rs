@@ -1,17 +1,62 @@
-//! Positions of receivers from what they measure of senders.
+//! Positions of receivers, and of senders, from what receivers measure of senders.
+
+use std::array::from_fn;
 
 use eliminant_generator::instance::Random;
-use nalgebra::{RowSVector, SMatrix, Vector3};
+use nalgebra::{Matrix3, RowSVector, SMatrix, Vector3};
 
 use super::cameras::in_ball;
 use super::{KnownInstance, Maker, null_space, relative_error};
 
 pub(super) fn makers() -> Vec<Maker> {
-    vec![Maker {
-        name: "pose_5tdoa_two_receivers",
-        make: two_receivers,
-        error: |_, solution, truth| relative_error(solution, truth),
-    }]
+    vec![
+        Maker {
+            name: "calibration_6_receivers_4_senders",
+            make: six_receivers,
+            error: |_, solution, truth| relative_error(solution, truth),
+        },
+        Maker {
+            name: "pose_5tdoa_two_receivers",
+            make: two_receivers,
+            error: |_, solution, truth| relative_error(solution, truth),
+        },
+    ]
+}
+
+/// Senders and receivers in the unit ball. Which sender is the first and which the last is free, but not every choice determines what the receivers
+/// are solved for well: the one with the smallest data is taken.
+fn six_receivers(random: &mut Random) -> KnownInstance {
+    let senders: [Vector3<f64>; 4] = from_fn(|_| in_ball(random));
+    let receivers: [Vector3<f64>; 6] = from_fn(|_| in_ball(random));
+    let orders = (0..4).flat_map(|first| (1..4).map(move |last| (first, last)));
+    let choices = orders.map(|(first, last)| {
+        let mut senders = senders;
+        senders.swap(0, first);
+        senders.swap(3, last);
+        ranges(&senders, &receivers)
+    });
+    let size = |instance: &KnownInstance| instance.data.iter().map(|x| x.abs().ln_1p()).sum::<f64>();
+    choices.min_by(|a, b| size(a).total_cmp(&size(b))).expect("one of 12")
+}
+
+/// 4 r = c K c + 2 c g + a for every receiver, solved for k11, k22, g and a.
+fn ranges(senders: &[Vector3<f64>; 4], receivers: &[Vector3<f64>; 6]) -> KnownInstance {
+    let [origin, senders @ ..] = senders;
+    let senders = senders.map(|sender| sender - origin);
+    let (mut left, mut right) = (SMatrix::<f64, 6, 6>::zeros(), SMatrix::<f64, 6, 5>::zeros());
+    for (k, receiver) in receivers.iter().enumerate() {
+        let receiver = receiver - origin;
+        let square = receiver.norm_squared();
+        let [c1, c2, c3] = senders.map(|sender| square - (receiver - sender).norm_squared());
+        left.set_row(k, &RowSVector::from([c1 * c1, c2 * c2, 2.0 * c1, 2.0 * c2, 2.0 * c3, 1.0]));
+        let mixed = [-2.0 * c1 * c2, -2.0 * c1 * c3, -2.0 * c2 * c3, -c3 * c3, 4.0 * square];
+        right.set_row(k, &RowSVector::from(mixed));
+    }
+    let linear = left.lu().solve(&right).expect("the receivers are in general position");
+    let gram = Matrix3::from_fn(|i, j| senders[i].dot(&senders[j]));
+    let k = gram.try_inverse().expect("the senders are in general position");
+    let truth = vec![k[(0, 1)], k[(0, 2)], k[(1, 2)], k[(2, 2)], k.determinant()];
+    KnownInstance { data: linear.transpose().iter().copied().collect(), truths: vec![truth] }
 }
 
 /// Senders and receivers in the unit ball: the cosines c of the angles at the receivers, and from them, with t = n C, the coefficients of
