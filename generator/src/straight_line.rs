@@ -6,8 +6,8 @@ use crate::plan::{CodeForm, Operation, ValueId};
 /// Code of more steps than this becomes a table. A step takes 0.7 ns in a table and 0.3 ns as a statement, but the time to compile grows with
 /// the square of the number of statements: 3,700 take 2.5 s, 10,900 take 45 s.
 const MOST_STATEMENTS: usize = 4096;
-/// The code for a template of more rows than this becomes a table, too: elimination takes a thousand times as long, and a table can be executed at twice
-/// the precision.
+/// The code for a template of more rows than this becomes a table, too: beside its elimination the time does not matter, and a table can be executed
+/// at twice the precision.
 const MOST_ROWS: usize = 128;
 
 /// The code that computes `used`, the value of each, and the form to emit it in. `rows` are those of the template.

@@ -100,6 +100,8 @@ pub fn joined<const I: usize>(data: &[&[f64]]) -> [f64; I] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::double_double::DoubleDouble;
+    use crate::scalar::Scalar;
 
     const PROGRAM: Program = Program {
         constants: &[3.0],
@@ -121,6 +123,16 @@ mod tests {
             assert_eq!(first.to_bits(), (-((3.0 * a - a * b) / c + 3.0)).to_bits());
             assert_eq!((second, third), (a * b, 3.0));
         }
+    }
+
+    #[test]
+    fn twice_the_precision_holds_what_cancels() {
+        // 3 a - a b = 1 - 2^-60, which is 1 where the products are rounded.
+        let (a, b, c) = (1.0 + 2f64.powi(-30), 2.0 + 2f64.powi(-30), 1.0);
+        let [precise, ..] = PROGRAM.evaluate::<DoubleDouble, 10, 3>(&[&[a, b], &[c]]);
+        let [rounded, ..] = PROGRAM.evaluate::<f64, 10, 3>(&[&[a, b], &[c]]);
+        assert_eq!((precise + DoubleDouble::from_f64(4.0)).real(), 2f64.powi(-60));
+        assert_eq!(rounded + 4.0, 0.0);
     }
 
     #[test]
