@@ -65,7 +65,10 @@ pub use scalar::{Real, Scalar};
 pub use solutions::Solutions;
 pub use symmetry::Symmetry;
 pub use system::{PolynomialSystem, Product, System, Tables, Term};
-pub use template::{Block, Entry, check_coefficients, eliminate_block, eliminate_large_block, fill};
+pub use template::{
+    ActionRow, Block, Entry, action_matrix, check_coefficients, eliminate_block, eliminate_large_block, fill,
+    solved_rows,
+};
 
 /// Includes the solver of that name, which the build script wrote: the emitted file holds `pub mod NAME { .. }`.
 ///

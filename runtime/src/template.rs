@@ -2,7 +2,7 @@
 
 use crate::error::SolveError;
 use crate::lu::{solve_block_trailing, solve_large_block};
-use crate::scalar::{Over, Real};
+use crate::scalar::{Over, Real, Scalar};
 
 /// A table entry: row, column, slot of the coefficient.
 pub type Entry = (u16, u16, u16);
@@ -98,6 +98,58 @@ fn overflow(error: SolveError) -> SolveError {
     match error {
         SolveError::NonFiniteInput => SolveError::Degenerate { column: 0 },
         error => error,
+    }
+}
+
+/// Where a row of the action matrix comes from.
+#[derive(Clone, Copy, Debug)]
+pub enum ActionRow {
+    /// The product is the basis monomial at this position.
+    Unit(u16),
+    /// It is this pivot: minus its solved row.
+    Solved(u16),
+}
+
+/// The action matrix of a solved template, B rows. What is out of range leaves a row of zeros; the generator's tables fit.
+#[inline]
+#[must_use]
+pub fn action_matrix<R: Real, const B: usize>(rows: &[ActionRow; B], right: &[[R; B]]) -> [[R; B]; B] {
+    let mut action = [[R::ZERO; B]; B];
+    for (row, source) in action.iter_mut().zip(rows) {
+        match source {
+            ActionRow::Unit(column) => {
+                if let Some(entry) = row.get_mut(usize::from(*column)) {
+                    *entry = R::ONE;
+                }
+            }
+            ActionRow::Solved(pivot) => negate_into(row, right, *pivot, |value| value),
+        }
+    }
+    action
+}
+
+/// Minus the solved rows of these pivots.
+#[inline]
+#[must_use]
+pub fn solved_rows<R: Real, const B: usize, const K: usize>(pivots: &[u16; K], right: &[[R; B]]) -> [[f64; B]; K] {
+    let mut rows = [[0.0; B]; K];
+    for (row, pivot) in rows.iter_mut().zip(pivots) {
+        negate_into(row, right, *pivot, R::real);
+    }
+    rows
+}
+
+#[inline]
+fn negate_into<R: Real, S: Scalar, const B: usize>(
+    row: &mut [S; B],
+    right: &[[R; B]],
+    pivot: u16,
+    convert: impl Fn(R) -> S,
+) {
+    if let Some(solved) = right.get(usize::from(pivot)) {
+        for j in 0..B {
+            row[j] = -convert(solved[j]);
+        }
     }
 }
 

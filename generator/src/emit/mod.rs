@@ -7,7 +7,7 @@ mod tables;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::plan::{ActionRow, CodeForm, KnownMonomial, Plan, RootMethod};
+use crate::plan::{CodeForm, KnownMonomial, Plan, RootMethod};
 use crate::problem::DataParameter;
 
 /// Blocks of more rows are eliminated by code that is not compiled for their size: it is as fast.
@@ -272,16 +272,6 @@ fn instance(plan: &Plan) -> TokenStream {
         let eliminate = if size > LARGE_BLOCK { quote!(eliminate_large_block) } else { quote!(eliminate_block) };
         quote!(eliminant::#eliminate::<R, #precision, #size, #basis>(&BLOCKS[#at], &mut right, coefficients)?;)
     });
-    let action = plan.action.iter().enumerate().map(|(at, row)| match row {
-        ActionRow::Unit(b) => {
-            let column = usize::from(b.0);
-            quote!(action[#at][#column] = R::ONE;)
-        }
-        ActionRow::Solved(pivot) => {
-            let pivot = usize::from(pivot.0);
-            quote!(action[#at] = right[#pivot].map(|value| -value);)
-        }
-    });
     let (count_known, known) = known_monomials(plan);
     let position = |monomial: KnownMonomial| match monomial {
         KnownMonomial::Basis(b) => usize::from(b.0),
@@ -289,18 +279,15 @@ fn instance(plan: &Plan) -> TokenStream {
         KnownMonomial::Read(at) => basis * (1 + usize::from(uses_image(plan))) + usize::from(at),
     };
     let count_read = plan.read.len();
-    let read = plan.read.iter().enumerate().map(|(at, pivot)| {
-        let pivot = usize::from(pivot.0);
-        quote!(self.read[#at] = right[#pivot].map(|value| -value.real());)
-    });
-    let (read_field, no_read) = match count_read {
-        0 => (quote!(), quote!()),
+    let (read_field, no_read, read) = match count_read {
+        0 => (quote!(), quote!(), quote!()),
         _ => (
             quote! {
                 /// Monomials that unknowns are read from, as combinations of the basis; known after the elimination.
                 read: [[f64; #basis]; #count_read],
             },
             quote!(read: [[0.0; #basis]; #count_read],),
+            quote!(self.read = eliminant::solved_rows(&READ, &right);),
         ),
     };
     let pairs = (0..unknowns).map(|unknown| {
@@ -360,10 +347,8 @@ fn instance(plan: &Plan) -> TokenStream {
                 #refined
                 eliminant::fill::<R, #precision, #basis>(&mut right, RIGHT, coefficients);
                 #(#blocks)*
-                #(#read)*
-                let mut action = [[R::ZERO; #basis]; #basis];
-                #(#action)*
-                Ok(action)
+                #read
+                Ok(eliminant::action_matrix(&ACTION, &right))
             }
 
             fn known<S: eliminant::Scalar>(&self, value: S, vector: &[S; #basis]) -> [S; #count_known] {

@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use crate::plan::{Entry, Plan, Term};
+use crate::plan::{ActionRow, Entry, Plan, Term};
 
 pub(super) fn tables(plan: &Plan) -> TokenStream {
     let right = entries(&plan.elimination.right);
@@ -13,6 +13,25 @@ pub(super) fn tables(plan: &Plan) -> TokenStream {
         quote!(eliminant::Block { first: #first, needed: #needed, diagonal: &[#diagonal], coupling: &[#coupling] })
     });
     let count = plan.elimination.blocks.len();
+    let action = plan.action.iter().map(|row| match row {
+        ActionRow::Unit(b) => {
+            let column = Literal::u16_unsuffixed(b.0);
+            quote!(eliminant::ActionRow::Unit(#column))
+        }
+        ActionRow::Solved(pivot) => {
+            let pivot = Literal::u16_unsuffixed(pivot.0);
+            quote!(eliminant::ActionRow::Solved(#pivot))
+        }
+    });
+    let (basis, count_read) = (plan.elimination.basis, plan.read.len());
+    let read = plan.read.iter().map(|pivot| Literal::u16_unsuffixed(pivot.0));
+    let read = match count_read {
+        0 => quote!(),
+        _ => quote! {
+            /// The pivots that unknowns are read from besides.
+            const READ: [u16; #count_read] = [#(#read),*];
+        },
+    };
     let equations = system(plan, &plan.equations, quote!(EQUATIONS), " The equations of the problem.");
     let nonzero = match plan.nonzero.is_empty() {
         true => quote!(),
@@ -25,6 +44,10 @@ pub(super) fn tables(plan: &Plan) -> TokenStream {
         /// The diagonal blocks of the template, in order of solution.
         static BLOCKS: [eliminant::Block; #count] = [#(#blocks),*];
 
+        /// Where the rows of the action matrix come from.
+        const ACTION: [eliminant::ActionRow; #basis] = [#(#action),*];
+
+        #read
         #equations
         #nonzero
     }
