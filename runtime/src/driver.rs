@@ -11,7 +11,7 @@ use crate::double_double::DoubleDouble;
 use crate::error::SolveError;
 use crate::extract::{Eigenpairs, unknowns};
 use crate::hessenberg::Hessenberg;
-use crate::polish::{POLISH_STEPS, without_noise};
+use crate::polish::{POLISH_STEPS, without_uncertain};
 use crate::polynomial_roots::real_roots_monic;
 use crate::scalar::{Real, Scalar};
 use crate::shared_value::{Combinations, SharedValue};
@@ -171,7 +171,7 @@ fn admissible<S: Scalar, const B: usize, const N: usize, const K: usize, const M
     method: &impl ActionMethod<B, N, K>,
     found: &Solutions<Candidate<S, N>, MAX>,
 ) -> Solutions<[S; N], MAX> {
-    found.iter().map(|candidate| candidate.unknowns).filter(|unknowns| is_admissible(method, unknowns)).collect()
+    found.iter().filter(|candidate| is_admissible(method, candidate)).map(|candidate| candidate.unknowns).collect()
 }
 
 /// Of a conjugate pair one is solved for and the other follows.
@@ -333,13 +333,13 @@ fn polished<S: Scalar, const B: usize, const N: usize, const K: usize>(
 }
 
 /// Whether no factor vanishes. A factor that is an unknown, or a product of some, is never small relative to its terms: it vanishes where the unknown
-/// is no more than rounding noise of zero.
+/// cannot be told from zero.
 #[inline]
 fn is_admissible<S: Scalar, const B: usize, const N: usize, const K: usize>(
     method: &impl ActionMethod<B, N, K>,
-    unknowns: &[S; N],
+    candidate: &Candidate<S, N>,
 ) -> bool {
-    method.is_admissible(&without_noise(unknowns, unknowns))
+    method.is_admissible(&without_uncertain(&candidate.unknowns, candidate.residual))
 }
 
 /// The solution that the polish of a point leads to.
@@ -349,6 +349,7 @@ fn polish_from<S: Scalar, const B: usize, const N: usize, const K: usize>(
     mut unknowns: [S; N],
 ) -> Option<Candidate<S, N>> {
     let residual = method.polish(&mut unknowns, POLISH_STEPS);
-    let good = residual <= MAX_RESIDUAL && unknowns.iter().all(|x| x.is_finite()) && is_admissible(method, &unknowns);
-    good.then_some(Candidate { unknowns, residual })
+    let candidate = Candidate { unknowns, residual };
+    let good = residual <= MAX_RESIDUAL && unknowns.iter().all(|x| x.is_finite()) && is_admissible(method, &candidate);
+    good.then_some(candidate)
 }

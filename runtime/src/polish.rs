@@ -19,6 +19,9 @@ const STALLED: f64 = 1e-12;
 
 /// An unknown this small relative to the largest one may be the rounding noise of zero.
 const NOISE: f64 = 1e-12;
+/// No unknown is known to less than this times the relative residual, relative to the largest one, where the polish converges slowly: towards solutions that
+/// are not isolated, such as those at which an unknown vanishes that should not.
+const UNCERTAIN: f64 = 1e3;
 /// A step that shrinks all unknowns to this part may lead to the origin, of which no point nearby has a small relative residual if it is a solution.
 const TOWARDS_ORIGIN: f64 = 1e-2;
 
@@ -133,17 +136,34 @@ pub fn polish<S: Scalar, const N: usize, const E: usize>(
 /// Which unknowns a step changes by more than the part [`FAR`], other than rounding noise of zero.
 #[inline]
 fn far<S: Scalar, const N: usize>(x: &[S; N], step: &[S; N]) -> [bool; N] {
-    let noise = NOISE * x.iter().map(|value| value.magnitude()).fold(0.0, f64::max);
+    let noise = NOISE * largest(x);
     core::array::from_fn(|j| step[j].magnitude() > FAR * x[j].magnitude() + noise)
 }
 
 /// x with the unknowns that may be the rounding noise of zero set to zero: all of them where the step from `before` leads towards the origin.
 #[inline]
-pub(crate) fn without_noise<S: Scalar, const N: usize>(x: &[S; N], before: &[S; N]) -> [S; N] {
-    let largest = |x: &[S; N]| x.iter().map(|value| value.magnitude()).fold(0.0, f64::max);
-    let size = largest(x);
-    let noise = if size <= TOWARDS_ORIGIN * largest(before) { size } else { NOISE * size };
-    x.map(|value| if value.magnitude() <= noise { S::ZERO } else { value })
+fn without_noise<S: Scalar, const N: usize>(x: &[S; N], before: &[S; N]) -> [S; N] {
+    match largest(x) <= TOWARDS_ORIGIN * largest(before) {
+        true => [S::ZERO; N],
+        false => without_small(x, NOISE),
+    }
+}
+
+/// A polished x of this relative residual, with the unknowns that cannot be told from zero set to zero.
+#[inline]
+pub(crate) fn without_uncertain<S: Scalar, const N: usize>(x: &[S; N], residual: f64) -> [S; N] {
+    without_small(x, NOISE.max(UNCERTAIN * residual))
+}
+
+#[inline]
+fn without_small<S: Scalar, const N: usize>(x: &[S; N], level: f64) -> [S; N] {
+    let smallest = level * largest(x);
+    x.map(|value| if value.magnitude() <= smallest { S::ZERO } else { value })
+}
+
+#[inline]
+fn largest<S: Scalar, const N: usize>(x: &[S; N]) -> f64 {
+    x.iter().map(|value| value.magnitude()).fold(0.0, f64::max)
 }
 
 /// max |f_e| / scale_e; infinity when something is not finite.
