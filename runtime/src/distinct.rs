@@ -39,7 +39,7 @@ impl<S: Scalar, const N: usize> Candidate<S, N> {
     }
 
     /// Whether both may be the same double solution.
-    fn close(&self, other: &Self) -> bool {
+    pub(crate) fn close(&self, other: &Self) -> bool {
         self.agrees(other, CLOSE, CLOSE_FLOOR)
     }
 
@@ -55,7 +55,7 @@ impl<S: Scalar, const N: usize> Candidate<S, N> {
 }
 
 /// Adds `candidate` unless its solution is there already; true when it was new and there was room. Of two that are the
-/// same the one with the smaller residual stays.
+/// same the one with the smaller residual stays. Where there is no room one of all must be spurious: the one with the largest residual goes.
 ///
 /// A double solution is found twice, to about half of the digits, and the two may be further apart than
 /// [`TOLERANCE`]. They are taken for one where the residual halfway between them is at most [`DOUBLE`] or no larger than
@@ -71,7 +71,24 @@ pub fn push_distinct<S: Scalar, const N: usize, const MAX: usize>(
             return false;
         }
     }
-    found.push(candidate)
+    found.push(candidate) || replace_worst(found, candidate)
+}
+
+/// Puts `candidate` in place of the solution with the largest residual; false where its own is not smaller.
+#[cold]
+#[inline(never)]
+fn replace_worst<S: Scalar, const N: usize, const MAX: usize>(
+    found: &mut Solutions<Candidate<S, N>, MAX>,
+    candidate: Candidate<S, N>,
+) -> bool {
+    let worst = found.iter_mut().max_by(|x, y| x.residual.total_cmp(&y.residual));
+    match worst.filter(|worst| candidate.residual < worst.residual) {
+        Some(worst) => {
+            *worst = candidate;
+            true
+        }
+        None => false,
+    }
 }
 
 /// Makes one of two close solutions; false where they are two.

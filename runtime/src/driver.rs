@@ -39,6 +39,10 @@ pub trait ActionMethod<const B: usize, const N: usize, const K: usize> {
     /// How unknowns follow from their pairs where the template tells them up to sign.
     const SYMMETRY: Option<Symmetry<N>> = None;
 
+    /// Whether [`ActionMethod::action_matrix`] computes the coefficients in its own precision, too. A template that is singular to `f64` is then eliminated
+    /// at twice the precision; degenerate data are singular to both.
+    const HAS_PRECISE_COEFFICIENTS: bool = false;
+
     /// The action matrix, |B| rows: T with a b = T b at every solution, b being the values of the basis and a that of the action monomial.
     /// What [`ActionMethod::known`] reads besides is kept.
     ///
@@ -69,25 +73,35 @@ pub trait ActionMethod<const B: usize, const N: usize, const K: usize> {
 pub fn complex_solutions<const B: usize, const N: usize, const K: usize, const MAX: usize>(
     method: &mut impl ActionMethod<B, N, K>,
 ) -> Result<Solutions<[Complex<f64>; N], MAX>, SolveError> {
+    let mut found = Solutions::<Candidate<Complex<f64>, N>, MAX>::new();
+    let first = add_all_complex(method, &mut found);
+    if found.len() < MAX {
+        for_each_precise_value(method, first, |method, source, value| {
+            add_complex(method, source, value, &mut found);
+        })?;
+    }
+    Ok(admissible(method, &found))
+}
+
+/// What of [`complex_solutions`] the usual precision finds.
+#[inline]
+fn add_all_complex<const B: usize, const N: usize, const K: usize, const MAX: usize>(
+    method: &mut impl ActionMethod<B, N, K>,
+    found: &mut Solutions<Candidate<Complex<f64>, N>, MAX>,
+) -> Result<(), SolveError> {
     let action = method.action_matrix::<f64>()?;
     let spectrum = Hessenberg::reduce(&action)?;
     let values = spectrum.eigenvalues()?;
-    let mut found = Solutions::<Candidate<Complex<f64>, N>, MAX>::new();
     let mut complete = true;
     for value in upper_half(values) {
-        complete &= add_complex(method, &spectrum, value, &mut found);
+        complete &= add_complex(method, &spectrum, value, found);
     }
     if !complete {
         for_each_shared_value(method, &action, &spectrum, &values, |source, value| {
-            add_complex(method, source, value, &mut found);
+            add_complex(method, source, value, found);
         });
     }
-    if found.len() < MAX {
-        for_each_precise_value(method, |method, source, value| {
-            add_complex(method, source, value, &mut found);
-        });
-    }
-    Ok(admissible(method, &found))
+    Ok(())
 }
 
 /// All real solutions, by the QR iteration. MAX is how many complex ones there are for general data: where it shows that some are missing, all
@@ -100,34 +114,46 @@ pub fn complex_solutions<const B: usize, const N: usize, const K: usize, const M
 pub fn real_solutions<const B: usize, const N: usize, const K: usize, const MAX: usize>(
     method: &mut impl ActionMethod<B, N, K>,
 ) -> Result<Solutions<[f64; N], MAX>, SolveError> {
-    let action = method.action_matrix::<f64>()?;
-    let spectrum = Hessenberg::reduce(&action)?;
-    let values = spectrum.eigenvalues()?;
     let has_spurious_values = B * (1 + flips(method).len()) > MAX;
     let mut found = RealAndAll {
         real: Solutions::<Candidate<f64, N>, MAX>::new(),
         all: has_spurious_values.then(Solutions::<Candidate<Complex<f64>, N>, MAX>::new),
     };
-    let mut complete = true;
     let may_be_real = |value: &Complex<f64>| has_spurious_values || is_nearly_real(value);
-    for value in upper_half(values).filter(may_be_real) {
-        complete &= add_real(method, &spectrum, value, &mut found);
+    let first = add_all_real(method, may_be_real, &mut found);
+    if found.lacks_some() || first.is_err() {
+        for_each_precise_value(method, first, |method, source, value| {
+            if may_be_real(&value) {
+                add_real(method, source, value, &mut found);
+            }
+        })?;
+    }
+    found.drop_spurious();
+    Ok(admissible(method, &found.real))
+}
+
+/// What of [`real_solutions`] the usual precision finds.
+#[inline]
+fn add_all_real<const B: usize, const N: usize, const K: usize, const MAX: usize>(
+    method: &mut impl ActionMethod<B, N, K>,
+    may_be_real: impl Fn(&Complex<f64>) -> bool,
+    found: &mut RealAndAll<N, MAX>,
+) -> Result<(), SolveError> {
+    let action = method.action_matrix::<f64>()?;
+    let spectrum = Hessenberg::reduce(&action)?;
+    let values = spectrum.eigenvalues()?;
+    let mut complete = true;
+    for value in upper_half(values).filter(&may_be_real) {
+        complete &= add_real(method, &spectrum, value, found);
     }
     if !complete {
         for_each_shared_value(method, &action, &spectrum, &values, |source, value| {
             if may_be_real(&value) {
-                add_real(method, source, value, &mut found);
+                add_real(method, source, value, found);
             }
         });
     }
-    if found.lacks_some() {
-        for_each_precise_value(method, |method, source, value| {
-            if may_be_real(&value) {
-                add_real(method, source, value, &mut found);
-            }
-        });
-    }
-    Ok(admissible(method, &found.real))
+    Ok(())
 }
 
 /// What [`real_solutions`] finds.
@@ -144,6 +170,15 @@ impl<const N: usize, const MAX: usize> RealAndAll<N, MAX> {
         match &self.all {
             Some(all) => all.len() < MAX,
             None => !(MAX - self.real.len()).is_multiple_of(2),
+        }
+    }
+
+    /// Where all solutions are known, drops what is none of them.
+    #[inline]
+    fn drop_spurious(&mut self) {
+        if let Some(all) = self.all.as_ref().filter(|all| all.len() == MAX) {
+            let is_known = |real: &&Candidate<f64, N>| all.iter().any(|known| known.close(&as_complex(**real)));
+            self.real = self.real.iter().filter(is_known).copied().collect();
         }
     }
 }
@@ -208,18 +243,27 @@ fn for_each_shared_value<const B: usize, const N: usize, const K: usize>(
 
 /// Repeats the elimination and the eigenvalue iteration at twice the precision and calls `solve` for each eigenvalue with im >= 0; for none where
 /// one of the two fails.
+///
+/// # Errors
+/// That of the `first` attempt, where this one fails, too, or the coefficients are no more precise.
 #[cold]
 #[inline(never)]
 fn for_each_precise_value<const B: usize, const N: usize, const K: usize, M: ActionMethod<B, N, K>>(
     method: &mut M,
+    first: Result<(), SolveError>,
     mut solve: impl FnMut(&M, &Hessenberg<B, DoubleDouble>, Complex<f64>),
-) {
+) -> Result<(), SolveError> {
+    if first.is_err() && !M::HAS_PRECISE_COEFFICIENTS {
+        return first;
+    }
     let Ok(spectrum) = method.action_matrix::<DoubleDouble>().and_then(|action| Hessenberg::reduce(&action)) else {
-        return;
+        return first;
     };
-    for value in spectrum.eigenvalues().into_iter().flat_map(upper_half) {
+    let Ok(values) = spectrum.eigenvalues() else { return first };
+    for value in upper_half(values) {
         solve(method, &spectrum, value);
     }
+    Ok(())
 }
 
 /// Adds the solution of a real eigenvalue, or that of a complex one and its conjugate; false where none of them is new.

@@ -56,7 +56,9 @@ fn noise_of_zero_is_excluded_where_zero_is() {
 
 /// x = 1, .., 16, by the companion matrix of their polynomial: rounding errors leave ten digits of few of its eigenvalues
 /// (Wilkinson 1963). Action x; basis 1, x, .., x^15. The polish improves nothing.
-struct Wilkinson {
+struct Wilkinson<const PRECISE: bool = false> {
+    /// Whether `f64` does not suffice for the action matrix.
+    singular: bool,
     /// How often the action matrix was asked for.
     calls: usize,
     /// Solutions that are not above this are excluded.
@@ -65,11 +67,15 @@ struct Wilkinson {
 
 const ROOTS: usize = 16;
 
-impl ActionMethod<ROOTS, 1, ROOTS> for Wilkinson {
+impl<const PRECISE: bool> ActionMethod<ROOTS, 1, ROOTS> for Wilkinson<PRECISE> {
     const PAIRS: [&'static [(u16, u16)]; 1] = [&[(0, 1)]];
+    const HAS_PRECISE_COEFFICIENTS: bool = PRECISE;
 
     fn action_matrix<R: Real>(&mut self) -> Result<[[R; ROOTS]; ROOTS], SolveError> {
         self.calls += 1;
+        if self.singular && R::EPSILON == f64::EPSILON {
+            return Err(SolveError::Degenerate { column: 3 });
+        }
         // (x - 1) .. (x - 16) has integer coefficients below 2^53.
         let mut lower = [0.0; ROOTS];
         lower[0] = 1.0;
@@ -106,25 +112,42 @@ impl ActionMethod<ROOTS, 1, ROOTS> for Wilkinson {
 
 #[test]
 fn what_rounding_errors_lose_is_found_at_twice_the_precision() {
-    let once = Hessenberg::reduce(&Wilkinson { calls: 0, above: 0.0 }.action_matrix::<f64>().unwrap()).unwrap();
+    let once = Hessenberg::reduce(
+        &Wilkinson::<false> { singular: false, calls: 0, above: 0.0 }.action_matrix::<f64>().unwrap(),
+    )
+    .unwrap();
     let lost = once.eigenvalues().unwrap().iter().filter(|x| (x.re - x.re.round()).abs() > 1e-6).count();
     assert!(lost > 4, "the example is too easy: {lost}");
 
-    let mut problem = Wilkinson { calls: 0, above: 0.0 };
+    let mut problem = Wilkinson::<false> { singular: false, calls: 0, above: 0.0 };
     let all: Solutions<[Complex<f64>; 1], ROOTS> = complex_solutions(&mut problem).unwrap();
     assert_eq!((all.len(), problem.calls), (ROOTS, 2), "{all:?}");
 
     // Of real ones 2 is found at first, and an odd number of others cannot all be complex.
-    let mut problem = Wilkinson { calls: 0, above: 1.5 };
+    let mut problem = Wilkinson::<false> { singular: false, calls: 0, above: 1.5 };
     let real: Solutions<[f64; 1], ROOTS> = real_solutions(&mut problem).unwrap();
     assert_eq!((real.len(), problem.calls), (ROOTS - 1, 2), "{real:?}");
+}
+
+#[test]
+fn what_is_singular_to_rounding_is_solved_with_precise_coefficients_only() {
+    let degenerate = SolveError::Degenerate { column: 3 };
+    let mut rounded = Wilkinson::<false> { singular: true, calls: 0, above: 0.0 };
+    assert_eq!(complex_solutions::<_, _, _, ROOTS>(&mut rounded), Err(degenerate));
+    assert_eq!(real_solutions::<_, _, _, ROOTS>(&mut rounded), Err(degenerate));
+    assert_eq!(rounded.calls, 2);
+
+    let mut precise = Wilkinson::<true> { singular: true, calls: 0, above: 0.0 };
+    let all: Solutions<[Complex<f64>; 1], ROOTS> = complex_solutions(&mut precise).unwrap();
+    let real: Solutions<[f64; 1], ROOTS> = real_solutions(&mut precise).unwrap();
+    assert_eq!((all.len(), real.len(), precise.calls), (ROOTS, ROOTS, 4));
 }
 
 /// Where B exceeds the number of solutions all eigenvalues are tried, and what is missing need not be odd: x = 1 is none, and of the other
 /// fifteen fourteen are lost at first.
 #[test]
 fn solutions_are_counted_where_some_eigenvalues_belong_to_none() {
-    let mut problem = Wilkinson { calls: 0, above: 1.5 };
+    let mut problem = Wilkinson::<false> { singular: false, calls: 0, above: 1.5 };
     let real: Solutions<[f64; 1], { ROOTS - 1 }> = real_solutions(&mut problem).unwrap();
     assert_eq!((real.len(), problem.calls), (ROOTS - 1, 2), "{real:?}");
 }

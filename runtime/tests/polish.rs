@@ -305,8 +305,12 @@ fn duplicates_keep_the_better_one() {
     // Noise instead of zero.
     assert!(push(1e-17, 1.0, 1e-15).0);
     assert!(!push(-3e-16, 1.0, 1e-16).0);
+    // There is no room: one of the worst goes.
+    let (new, all) = push(5.0, 5.0, 1e-15);
+    assert!(!new && all.len() == 3, "not better");
     let (new, all) = push(5.0, 5.0, 0.0);
-    assert!(!new && all.len() == 3, "full");
+    assert!(new && all.len() == 3 && all.contains(&candidate(5.0, 5.0, 0.0)), "{all:?}");
+    assert!(all.contains(&candidate(-3e-16, 1.0, 1e-16)), "{all:?}");
 }
 
 /// x^2 = e and y = 1: two solutions, or one for e = 0.

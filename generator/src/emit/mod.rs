@@ -263,9 +263,14 @@ fn instance(plan: &Plan) -> TokenStream {
     let slices = plan.data.iter().map(as_slice);
     let count = plan.coefficients.len();
     let (rows, basis, unknowns) = (plan.elimination.rows, plan.elimination.basis, plan.unknowns.len());
-    let precision = match plan.form {
-        CodeForm::Statements => quote!(f64),
-        CodeForm::Table => quote!(R),
+    let (precision, precise) = match plan.form {
+        CodeForm::Statements => (quote!(f64), quote!()),
+        CodeForm::Table => (
+            quote!(R),
+            quote!(
+                const HAS_PRECISE_COEFFICIENTS: bool = true;
+            ),
+        ),
     };
     let blocks = plan.elimination.blocks.iter().enumerate().map(|(at, block)| {
         let size = block.size;
@@ -341,6 +346,7 @@ fn instance(plan: &Plan) -> TokenStream {
         impl eliminant::ActionMethod<#basis, #unknowns, #count_known> for Instance {
             const PAIRS: [&'static [(u16, u16)]; #unknowns] = [#(#pairs),*];
             #symmetry
+            #precise
 
             fn action_matrix<R: eliminant::Real>(&mut self) -> Result<[[R; #basis]; #basis], eliminant::SolveError> {
                 let mut right = [[R::ZERO; #basis]; #rows];
