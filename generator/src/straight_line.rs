@@ -7,8 +7,8 @@ use crate::plan::{CodeForm, Operation, ValueId};
 /// the square of the number of statements: 3,700 take 2.5 s, 10,900 take 45 s.
 const MOST_STATEMENTS: usize = 4096;
 /// The code for a template of more rows than this becomes a table, too: beside its elimination the time does not matter, and a table can be executed
-/// at twice the precision.
-const MOST_ROWS: usize = 128;
+/// at twice the precision. That is what finds the solutions of instances close to degenerate ones.
+const MOST_ROWS: usize = 40;
 
 /// The code that computes `used`, the value of each, and the form to emit it in. `rows` are those of the template.
 pub(crate) fn straight_line_code(

@@ -152,6 +152,17 @@ fn search_prefers_what_it_is_told() {
 }
 
 #[test]
+fn a_problem_without_data_is_measured_on_its_one_instance() {
+    let folder = folder("a_problem_without_data_is_measured_on_its_one_instance");
+    fs::write(folder.join("plain.rs"), "fn plain() -> (x, y) { x * x + 2 * y == 7; y * y - x * y == 3; }").unwrap();
+    let report = json(&folder, &["search", "plain.rs"]);
+    let candidates = report["candidates"].as_array().unwrap();
+    let chosen = &candidates[report["chosen"].as_u64().unwrap() as usize];
+    assert_eq!((&chosen["verdict"], &chosen["trials"]), (&"accepted".into(), &1.into()), "{report}");
+    assert!(candidates.iter().all(|candidate| candidate["trials"] == 1), "{report}");
+}
+
+#[test]
 fn a_template_that_is_not_confirmed_comes_with_a_warning() {
     let folder = folder("a_template_that_is_not_confirmed_comes_with_a_warning");
     // Data are drawn from (-1, 1): where the leading coefficient is tiny a solution runs away.

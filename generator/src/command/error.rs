@@ -28,7 +28,7 @@ pub(super) enum CommandError {
     Problem(#[from] Diagnostics),
     /// No template was found.
     #[error("error: {}: {error}{hint}", path.display())]
-    Search { path: PathBuf, error: SearchError, hint: &'static str },
+    Search { path: PathBuf, error: SearchError, hint: String },
     /// A file that `search --shard` wrote is none, or does not belong to the others.
     #[error("error: `{}`: {reason}", path.display())]
     Shard { path: PathBuf, reason: String },
@@ -49,13 +49,16 @@ pub(super) enum CommandError {
 impl CommandError {
     /// Why the search for a template of `problem` failed.
     pub(super) fn of_search(path: &Path, problem: &Problem, error: SearchError) -> Self {
+        let mut hint = String::new();
         let is_sum = |factor: &Statement| factor.polynomial.terms().len() > 1;
-        let hint = match problem.nonzero.iter().any(is_sum) {
-            true => {
-                "\nhelp: rows can be divided by a factor that must not vanish where it is an unknown of its own: `w == FACTOR; w != 0;`"
-            }
-            false => "",
-        };
+        if problem.nonzero.iter().any(is_sum) {
+            hint += "\nhelp: rows can be divided by a factor that must not vanish where it is an unknown of its own: `w == FACTOR; w != 0;`";
+        }
+        if let (true, Some(x)) = (problem.has_origin(), problem.unknowns.first()) {
+            hint += &format!(
+                "\nhelp: all unknowns 0 is one of the solutions; where it is not wanted, exclude it: `{x} != 0;`"
+            );
+        }
         Self::Search { path: path.to_owned(), error, hint }
     }
 }
