@@ -2,7 +2,7 @@
 //!
 //! On a few instances of a thousand a template is so close to singular, or a solution so close to infinity, that rounding errors of the
 //! elimination or of the eigenvalues lead to no solution, or to another one. Where solutions are missing, both are therefore repeated with
-//! twice the digits.
+//! twice the digits; where the elimination itself fails, by solvers whose coefficients can have as many.
 
 use num_complex::Complex;
 
