@@ -40,7 +40,7 @@ pub trait ActionMethod<const B: usize, const N: usize, const K: usize> {
     const SYMMETRY: Option<Symmetry<N>> = None;
 
     /// Whether [`ActionMethod::action_matrix`] computes the coefficients in its own precision, too. A template that is singular to `f64` is then eliminated
-    /// at twice the precision; degenerate data are singular to both.
+    /// at twice the precision: exactly degenerate data are singular to both, and of data that are so up to rounding the solutions as they are result.
     const HAS_PRECISE_COEFFICIENTS: bool = false;
 
     /// The action matrix, |B| rows: T with a b = T b at every solution, b being the values of the basis and a that of the action monomial.
@@ -68,7 +68,7 @@ pub trait ActionMethod<const B: usize, const N: usize, const K: usize> {
 ///
 /// # Errors
 /// Those of the action matrix, [`SolveError::NonFiniteInput`] where it is not finite, [`SolveError::NoConvergence`] where the QR iteration
-/// reaches its limit.
+/// reaches its limit; with [`ActionMethod::HAS_PRECISE_COEFFICIENTS`] only where it is so at twice the precision, too.
 #[inline]
 pub fn complex_solutions<const B: usize, const N: usize, const K: usize, const MAX: usize>(
     method: &mut impl ActionMethod<B, N, K>,
