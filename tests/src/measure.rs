@@ -26,15 +26,22 @@ pub fn residual(plan: &Plan, coefficients: &[f64], x: &[Complex<f64>]) -> f64 {
     worst(plan.equations.iter().map(relative))
 }
 
-/// Operations that solving all instances of one problem may take, without the polish.
-const WORK: u64 = 20_000_000_000;
+/// Operations that solving all instances of one problem may take, without the polish, where they are measured.
+pub const WORK_OF_MEASURING: u64 = 20_000_000_000;
+/// The same where they are tested: two cores run all tests in less than ten minutes.
+pub const WORK_OF_TESTING: u64 = 4_000_000_000;
 /// Instances of even the largest template.
-const FEWEST: u64 = 1_000;
+const FEWEST: u64 = 500;
+/// Problems with at most so many solutions are solved on all instances whatever that takes.
+const FEW_SOLUTIONS: usize = 30;
 
-/// How many of the instances that a claim is made for are solved: all where one solve takes at most two million operations and 10,000 are
-/// wanted, fewer for larger templates.
-pub fn affordable(plan: &Plan, wanted: u64) -> u64 {
-    (WORK / plan.operations().total().max(1) as u64).max(FEWEST).min(wanted)
+/// How many of the instances that a claim is made for are solved: all of a problem with at most 30 solutions, as many of the others as `work`
+/// operations allow.
+pub fn affordable(plan: &Plan, wanted: u64, work: u64) -> u64 {
+    match plan.solutions {
+        ..=FEW_SOLUTIONS => wanted,
+        _ => (work / plan.operations().total().max(1) as u64).max(FEWEST).min(wanted),
+    }
 }
 
 /// Whether no two of the points are the same.

@@ -3,7 +3,7 @@
 use eliminant::Complex;
 use eliminant_generator::instance::Random;
 use eliminant_tests::ground_truth::{Circle, FOUND, Line, gram, makers, minimal_conic, minimal_data, normalised};
-use eliminant_tests::measure::affordable;
+use eliminant_tests::measure::{WORK_OF_TESTING, affordable};
 use eliminant_tests::statistics::{log10, quantile, same_set, worst};
 use eliminant_tests::{Case, cases};
 use rayon::prelude::*;
@@ -41,7 +41,7 @@ fn known_solutions_are_found() {
     let mut misses = Vec::new();
     for maker in makers() {
         let case = case(maker.name);
-        let instances = affordable(&case.planned().plan, INSTANCES);
+        let instances = affordable(&case.planned().plan, INSTANCES, WORK_OF_TESTING);
         let mut errors: Vec<f64> = (0..instances)
             .into_par_iter()
             .map(|k| maker.worst_error(&case, &mut Random::new(10_000_000 + k)))

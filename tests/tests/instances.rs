@@ -5,7 +5,7 @@ use eliminant_generator::arithmetic::Float64;
 use eliminant_generator::instance::{Random, draw_inputs};
 use eliminant_generator::interpret;
 use eliminant_generator::plan::Plan;
-use eliminant_tests::measure::{SAME, affordable, are_distinct, residual};
+use eliminant_tests::measure::{SAME, WORK_OF_TESTING, affordable, are_distinct, residual};
 use eliminant_tests::statistics::{complex, log10, quantile, same_set};
 use eliminant_tests::{Case, cases};
 use rayon::prelude::*;
@@ -61,7 +61,7 @@ fn every_solution_is_found_and_precise() {
     let mut faults = Vec::new();
     for case in cases() {
         let plan = case.planned().plan;
-        let instances = affordable(&plan, INSTANCES);
+        let instances = affordable(&plan, INSTANCES, WORK_OF_TESTING);
         let outcomes: Vec<Outcome> =
             (0..instances).into_par_iter().map(|k| outcome(&case, &plan, 50_000_000 + k)).collect();
         for (claim, holds) in [

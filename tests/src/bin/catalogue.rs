@@ -9,7 +9,7 @@ use clap::{Parser, ValueEnum};
 use comfy_table::{CellAlignment, Table, presets};
 use eliminant_generator::instance::Random;
 use eliminant_tests::ground_truth::{FOUND, Maker, makers};
-use eliminant_tests::measure::{affordable, measure};
+use eliminant_tests::measure::{WORK_OF_MEASURING, affordable, measure};
 use eliminant_tests::published::{Published, published, published_name};
 use eliminant_tests::statistics::quantile;
 use eliminant_tests::{Case, cases, templates_folder};
@@ -95,7 +95,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
 fn row(case: &Case, published: &[Published], arguments: &Arguments) -> Vec<String> {
     let (template, plan) = (case.template().template, case.planned().plan);
-    let instances = affordable(&plan, arguments.instances);
+    let instances = affordable(&plan, arguments.instances, WORK_OF_MEASURING);
     let mut measured = measure(case, &plan, instances, arguments.seed);
     let name = published_name(case).unwrap_or_default();
     let theirs = published.iter().find(|p| p.name == name).cloned().unwrap_or_default();
