@@ -20,6 +20,8 @@ pub trait Arithmetic: Copy {
     fn div(self, a: Self::Value, b: Self::Value) -> Option<Self::Value>;
     /// How good a pivot the value is: 0 for zero, larger is better. |a| over the reals, 0 or 1 over Z_p.
     fn pivot_size(self, a: Self::Value) -> f64;
+    /// The relative rounding error of one operation: 0 where there is none.
+    fn rounding(self) -> f64;
 
     /// 0.
     fn zero(self) -> Self::Value;
@@ -53,6 +55,9 @@ impl Arithmetic for PrimeField {
     fn pivot_size(self, a: u32) -> f64 {
         f64::from(u8::from(a != 0))
     }
+    fn rounding(self) -> f64 {
+        0.0
+    }
     fn zero(self) -> u32 {
         0
     }
@@ -85,6 +90,9 @@ impl Arithmetic for Float64 {
     }
     fn pivot_size(self, a: f64) -> f64 {
         a.abs()
+    }
+    fn rounding(self) -> f64 {
+        f64::EPSILON
     }
     fn zero(self) -> f64 {
         0.0

@@ -8,11 +8,11 @@
 //! 1. *Screening.* [`SCREENED`] candidates are measured on [`Measuring::trials`] instances. A candidate is *rejected* if an instance fails, or if so many
 //!    lack a solution that one in [`INCOMPLETE_ONE_IN`] would explain it with a probability below [`SIGNIFICANCE`]. It is *precise* if
 //!    the 99 % quantile of its log10 relative residual is at most [`GOOD_RESIDUAL`], or at most 1 above the best of those that are not rejected.
-//! 2. *Confirmation.* Those that are precise and not rejected are measured on [`Measuring::confirm`] instances, in the order of the preference (for *stability*:
-//!    fewest unsolved instances, then smallest 99 % quantile, then smallest median), each only until it is rejected. The first that lasts and lacks a solution
+//! 2. *Confirmation.* Those that are precise and not rejected are measured on [`Measuring::confirm`] instances, in the order of the preference (for *speed*
+//!    second attempts count as [`SECOND_ATTEMPT`] solves; for *stability*: fewest unsolved instances, then smallest 99 % quantile, then smallest median), each only until it is rejected. The first that lasts and lacks a solution
 //!    on at most one instance in [`INCOMPLETE_ONE_IN`] is *accepted*. Where none is, further candidates are screened, up to [`SCREENED_AT_MOST`].
 //! 3. *Choice.* If the accepted one solves every instance it is chosen (*stability* looks on). Otherwise up to [`RIVALS`] others of similar cost are confirmed
-//!    too (*speed*: operations within [`SIMILAR_COST`]; *size*: as many rows; *stability*: all), and the accepted one with the fewest unsolved instances is chosen.
+//!    too (*speed*: operations, with those of second attempts, within [`SIMILAR_COST`]; *size*: as many rows; *stability*: all), and the accepted one with the fewest unsolved instances is chosen.
 //!
 //! Large templates are measured on fewer instances: on as many as [`SCREENING_WORK`] and [`CONFIRMING_WORK`] allow, but on [`INCOMPLETE_ONE_IN`] at least
 //! for a confirmation. A problem without data has one instance.
@@ -42,6 +42,8 @@ pub const STABILITY_COST: f64 = 2.0;
 pub const SIZE_COST: f64 = 2.5;
 /// Candidates whose operations differ by no more than this factor cost the same for the choice.
 pub const SIMILAR_COST: f64 = 1.1;
+/// Operations of a second attempt, at twice the precision, as a factor of those of the first.
+pub const SECOND_ATTEMPT: f64 = 15.0;
 /// Candidates that are confirmed besides the first accepted one.
 pub const RIVALS: usize = 2;
 /// Operations that screening one candidate may take, without the polish; where a solve takes so many that this binds, fewer instances are drawn.
@@ -266,8 +268,10 @@ impl Board<'_> {
         let precise = |at: &usize| self.p99(*at) <= GOOD_RESIDUAL.max(best + 1.0);
         let open = |at: &usize| self.entries[*at].verdict == Verdict::Screened;
         let mut finalists: Vec<usize> = (0..self.entries.len()).filter(open).filter(precise).collect();
-        if self.preference == Preference::Stability {
-            finalists.sort_by(|&a, &b| self.by_stability(a, b));
+        match self.preference {
+            Preference::Speed => finalists.sort_by(|&a, &b| self.by_expected_operations(a, b)),
+            Preference::Stability => finalists.sort_by(|&a, &b| self.by_stability(a, b)),
+            Preference::Size => {}
         }
         finalists
     }
@@ -293,16 +297,16 @@ impl Board<'_> {
         }
         let order = |a: &usize, b: &usize| match self.preference {
             Preference::Stability => self.by_stability(*a, *b),
-            Preference::Speed | Preference::Size => (self.unsolved(*a), a).cmp(&(self.unsolved(*b), b)),
+            Preference::Speed => self.unsolved(*a).cmp(&self.unsolved(*b)).then(self.by_expected_operations(*a, *b)),
+            Preference::Size => (self.unsolved(*a), a).cmp(&(self.unsolved(*b), b)),
         };
         accepted.into_iter().min_by(order).unwrap_or(first)
     }
 
     fn is_similar(&self, a: usize, b: usize) -> bool {
-        let (a, b) = (&self.costs[a], &self.costs[b]);
         match self.preference {
-            Preference::Speed => b.operations as f64 <= SIMILAR_COST * a.operations as f64,
-            Preference::Size => b.rows == a.rows,
+            Preference::Speed => self.expected_operations(b) <= SIMILAR_COST * self.expected_operations(a),
+            Preference::Size => self.costs[b].rows == self.costs[a].rows,
             Preference::Stability => true,
         }
     }
@@ -360,6 +364,15 @@ impl Board<'_> {
         self.unsolved(a).cmp(&self.unsolved(b)).then(by_quantile(0.99)).then(by_quantile(0.5)).then(a.cmp(&b))
     }
 
+    /// Operations of a solve on the average, second attempts included.
+    fn expected_operations(&self, at: usize) -> f64 {
+        expected_operations(self.costs[at].operations, &self.entries[at].stability)
+    }
+
+    fn by_expected_operations(&self, a: usize, b: usize) -> std::cmp::Ordering {
+        self.expected_operations(a).total_cmp(&self.expected_operations(b)).then(a.cmp(&b))
+    }
+
     fn p99(&self, at: usize) -> f64 {
         self.entries[at].stability.quantile(0.99).unwrap_or(f64::INFINITY)
     }
@@ -367,6 +380,12 @@ impl Board<'_> {
     fn unsolved(&self, at: usize) -> usize {
         self.entries[at].stability.incomplete + self.entries[at].stability.failures
     }
+}
+
+/// Operations of a solve on the average, where one without second attempts takes `operations`.
+pub fn expected_operations(operations: usize, stability: &Stability) -> f64 {
+    let Stability { trials, repeated, .. } = *stability;
+    operations as f64 * (1.0 + SECOND_ATTEMPT * repeated as f64 / trials.max(1) as f64)
 }
 
 /// A failure, more incomplete instances than `confirm` instances may have, or more than chance explains.
@@ -404,12 +423,19 @@ mod tests {
 
     /// Which of them is chosen, with the verdict, and the trials of each.
     fn decide(preference: Preference, monitor: &dyn Monitor, made: &[Made]) -> (Option<(usize, Verdict)>, Vec<usize>) {
+        decide_by(preference, monitor, made, &|at, instances| measure_made(made, at, instances))
+    }
+
+    fn decide_by(
+        preference: Preference,
+        monitor: &dyn Monitor,
+        made: &[Made],
+        measure: &dyn Fn(usize, Range<usize>) -> Stability,
+    ) -> (Option<(usize, Verdict)>, Vec<usize>) {
         let costs: Vec<Cost> = made.iter().map(|&(operations, rows, ..)| Cost { operations, rows, basis: 1 }).collect();
         let measuring = Measuring { trials: 300, confirm: 10_000, seed: 1 };
-        let measure = |at, instances| measure_made(made, at, instances);
         let (entries, known) = (Vec::new(), |_| None);
-        let mut board =
-            Board { costs: &costs, preference, measuring, known: &known, measure: &measure, monitor, entries };
+        let mut board = Board { costs: &costs, preference, measuring, known: &known, measure, monitor, entries };
         let chosen = board.accept().or_else(|| board.least_bad());
         let trials = board.entries.iter().map(|entry| entry.stability.trials).collect();
         (chosen.map(|at| (at, board.entries[at].verdict)), trials)
@@ -470,6 +496,21 @@ mod tests {
         assert_eq!(chosen(Speed, &made(111, 20)), Some((0, Accepted)));
         assert_eq!(chosen(Size, &made(900, 9)), Some((1, Accepted)));
         assert_eq!(chosen(Size, &made(105, 10)), Some((0, Accepted)));
+    }
+
+    #[test]
+    fn second_attempts_cost_operations() {
+        let made = [(100, 9, -15.0, 0), (130, 9, -15.0, 0), (170, 9, -15.0, 0)];
+        let chosen_where = |repeated: [usize; 3]| {
+            let measure = |at: usize, instances: Range<usize>| {
+                let repeated = instances.len() * repeated[at] / 100;
+                Stability { repeated, ..measure_made(&made, at, instances) }
+            };
+            decide_by(Speed, &Unmonitored, &made, &measure).0
+        };
+        assert_eq!(chosen_where([1, 0, 0]), Some((0, Accepted)));
+        assert_eq!(chosen_where([3, 0, 0]), Some((1, Accepted)));
+        assert_eq!(chosen_where([5, 3, 0]), Some((2, Accepted)));
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Executes a [`crate::plan::Plan`] in any field, step by step as the emitted code does: exactly over Z_p, and in `f64`.
+//! Executes a [`crate::plan::Plan`] in any field, step by step as the emitted code does: exactly over Z_p, in `f64`, and at twice its precision.
 
 use crate::arithmetic::Arithmetic;
 use crate::plan::{ActionRow, Block, CoefficientId, Elimination, Operation, PivotId, Plan, Term, ValueId};
@@ -98,7 +98,7 @@ fn solve_block<A: Arithmetic>(
     let mut row_scale: Vec<f64> = norms.iter().map(|norm| 1.0 / norm).collect();
     let scaled = |matrix: &[Vec<A::Value>], scale: &[f64], i: usize, k: usize| f.pivot_size(matrix[i][k]) * scale[i];
     let largest = |k: usize| (0..n).map(|i| scaled(&matrix, &row_scale, i, k)).fold(0.0, f64::max);
-    let threshold = n as f64 * f64::EPSILON;
+    let threshold = n as f64 * f.rounding();
     let smallest: Vec<f64> = (0..n).map(|k| largest(k) * threshold).collect();
     for k in 0..n {
         let mut pivot = k;

@@ -1,8 +1,10 @@
 //! Runs an interpreted plan on random real instances and measures what it finds.
 
 mod polish;
+mod precise;
 mod schur_form;
 mod shared_value;
+mod twice;
 
 use std::ops::Range;
 
@@ -11,9 +13,12 @@ use nalgebra::{Complex, DMatrix, DVector};
 use crate::arithmetic::Float64;
 use crate::instance::{Random, draw_inputs};
 use crate::interpret::{Eliminated, coefficients, eliminate};
-use crate::plan::{KnownMonomial, Plan};
+use crate::plan::{CodeForm, KnownMonomial, Plan};
 use polish::{Polynomials, polish, without_noise};
+use precise::{Hessenberg, round};
+use qd::Quad;
 use schur_form::SchurForm;
+use twice::{Twice, rounded};
 
 /// What many instances gave.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -30,6 +35,8 @@ pub struct Stability {
     pub incomplete: usize,
     /// Instances on which the elimination or the eigenvalue iteration failed.
     pub failures: usize,
+    /// Instances on which the first attempt failed or lacked a solution. What the second one found is in the others.
+    pub repeated: usize,
 }
 
 impl Stability {
@@ -46,12 +53,14 @@ impl Stability {
         self.expected += other.expected;
         self.incomplete += other.incomplete;
         self.failures += other.failures;
+        self.repeated += other.repeated;
         self.residuals_log10.extend(other.residuals_log10);
         self.residuals_log10.sort_by(f64::total_cmp);
     }
 
-    fn add(&mut self, expected: usize, residuals: Option<Vec<f64>>) {
+    fn add(&mut self, expected: usize, (residuals, is_repeated): (Option<Vec<f64>>, bool)) {
         self.trials += 1;
+        self.repeated += usize::from(is_repeated);
         self.expected += expected;
         match residuals {
             None => self.failures += 1,
@@ -73,14 +82,14 @@ pub fn stability(plan: &Plan, trials: usize, seed: u64, each: &(dyn Fn() + Sync)
 /// Solves instances drawn on the data's variety; instance k depends on (seed, k) only. `each` is called after each.
 pub fn measure(plan: &Plan, instances: Range<usize>, seed: u64, each: &(dyn Fn() + Sync)) -> Stability {
     use rayon::prelude::*;
-    let results: Vec<Option<Vec<f64>>> = instances
+    let results: Vec<(Option<Vec<f64>>, bool)> = instances
         .into_par_iter()
         .map(|k| {
             let mut random = Random::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(k as u64));
             let inputs = draw_inputs(&plan.data, Float64, &mut random);
-            let found = solve(plan, &inputs);
+            let (found, is_repeated) = attempts(plan, &inputs);
             each();
-            found.map(|solutions| solutions.into_iter().map(|(_, residual)| residual).collect())
+            (found.map(|solutions| solutions.into_iter().map(|(_, residual)| residual).collect()), is_repeated)
         })
         .collect();
     let mut stability = Stability::default();
@@ -102,43 +111,112 @@ const SAME_FLOOR: f64 = 1e-13;
 
 /// All complex solutions of one instance with their relative residuals; `None` where a step fails.
 pub fn solve(plan: &Plan, inputs: &[f64]) -> Option<Vec<(Point, f64)>> {
-    let c = coefficients(plan, Float64, inputs)?;
-    let Eliminated { action, read } = eliminate(plan, Float64, &c)?;
-    let matrix = |rows: &[Vec<f64>]| DMatrix::from_fn(rows.len(), plan.elimination.basis, |i, j| rows[i][j]);
-    let action = matrix(&action);
-    if action.iter().any(|x| !x.is_finite()) {
-        return None;
-    }
-    let schur = SchurForm::of_real(&action)?;
-    let (complex, read) = (action.map(Complex::from), matrix(&read).map(Complex::from));
-    let values = schur.values();
-    let (equations, nonzero) = (Polynomials::new(&plan.equations, &c), Polynomials::new(&plan.nonzero, &c));
-    let recoveries: Vec<Polynomials<'_>> =
-        plan.recoveries.iter().map(|recovery| Polynomials::new([&recovery.terms], &c)).collect();
-    let solution = |(value, vector): (Complex<f64>, DVector<Complex<f64>>)| {
-        let mut point = unknowns(plan, &recoveries, value, &vector, &(&read * &vector))?;
-        let residual = polish(&equations, &mut point);
-        // A product of unknowns is never small relative to its terms.
-        let factors = nonzero.values(&without_noise(&point, &point));
-        let admissible = factors.iter().all(|(value, scale)| value.norm() > VANISHING * scale);
-        (residual <= MAX_RESIDUAL && admissible).then_some((point, residual))
-    };
+    attempts(plan, inputs).0
+}
+
+/// What [`solve`] returns, and whether it took a second attempt, as in emitted code: with an elimination at twice the precision, and so the coefficients
+/// where they come from a table, and the eigenvalues where those in `f64` do not do.
+fn attempts(plan: &Plan, inputs: &[f64]) -> (Option<Vec<(Point, f64)>>, bool) {
+    let Some(c) = coefficients(plan, Float64, inputs) else { return (None, false) };
+    let instance = Instance::new(plan, &c);
     let mut found = Vec::new();
-    let add = |found: &mut Vec<(Point, f64)>, (point, residual): (Point, f64)| {
-        for flip in &plan.flips {
+    let first = eliminate(plan, Float64, &c).and_then(|eliminated| instance.add_all(&eliminated, &mut found));
+    let has_precise_coefficients = plan.form == CodeForm::Table;
+    if found.len() >= plan.solutions || (first.is_none() && !has_precise_coefficients) {
+        found.truncate(plan.solutions);
+        return (first.map(|()| found), false);
+    }
+    let lifted = |values: &[f64]| values.iter().map(|&value| value.into()).collect::<Vec<_>>();
+    let c = if has_precise_coefficients { coefficients(plan, Twice, &lifted(inputs)) } else { Some(lifted(&c)) };
+    let second = c.and_then(|c| eliminate(plan, Twice, &c)).and_then(|e| instance.add_all_precisely(e, &mut found));
+    found.truncate(plan.solutions);
+    (first.or(second).map(|()| found), true)
+}
+
+/// The equations of a plan with the coefficients of one instance.
+struct Instance<'a> {
+    plan: &'a Plan,
+    equations: Polynomials<'a>,
+    nonzero: Polynomials<'a>,
+    recoveries: Vec<Polynomials<'a>>,
+}
+
+impl<'a> Instance<'a> {
+    fn new(plan: &'a Plan, c: &[f64]) -> Self {
+        let recoveries = plan.recoveries.iter().map(|recovery| Polynomials::new([&recovery.terms], c)).collect();
+        let (equations, nonzero) = (Polynomials::new(&plan.equations, c), Polynomials::new(&plan.nonzero, c));
+        Self { plan, equations, nonzero, recoveries }
+    }
+
+    /// Adds the solutions of all eigenpairs; `None` where there are none to be had.
+    fn add_all(&self, eliminated: &Eliminated<f64>, found: &mut Vec<(Point, f64)>) -> Option<()> {
+        let columns = self.plan.elimination.basis;
+        let action = matrix(&eliminated.action, columns);
+        if action.iter().any(|x| !x.is_finite()) {
+            return None;
+        }
+        let schur = SchurForm::of_real(&action)?;
+        let (complex, read) = (action.map(Complex::from), matrix(&eliminated.read, columns).map(Complex::from));
+        let values = schur.values();
+        for value in values.iter() {
+            let Some(vector) = schur.vector(*value) else { continue };
+            self.add(*value, &vector, &read, found);
+        }
+        if found.len() < self.plan.solutions {
+            for (value, vector) in shared_value::eigenpairs(&complex, &read, &self.plan.extractions, &values) {
+                self.add(value, &vector, &read, found);
+            }
+        }
+        Some(())
+    }
+
+    /// The same from what is known to twice the precision.
+    fn add_all_precisely(&self, eliminated: Eliminated<Quad>, found: &mut Vec<(Point, f64)>) -> Option<()> {
+        let in_f64 = |rows: &[Vec<Quad>]| -> Vec<Vec<f64>> {
+            rows.iter().map(|row| row.iter().map(|&x| rounded(x)).collect()).collect()
+        };
+        let usual = Eliminated { action: in_f64(&eliminated.action), read: in_f64(&eliminated.read) };
+        let first = self.add_all(&usual, found);
+        if found.len() >= self.plan.solutions {
+            return first;
+        }
+        let hessenberg = Hessenberg::of(eliminated.action);
+        let Some(values) = hessenberg.eigenvalues() else { return first };
+        let read = matrix(&usual.read, self.plan.elimination.basis).map(Complex::from);
+        for value in values {
+            if let Some(vector) = hessenberg.vector(value) {
+                self.add(round(value), &vector, &read, found);
+            }
+        }
+        Some(())
+    }
+
+    /// Adds the solution of an eigenpair, if it gives one, with those that differ by signs only.
+    fn add(
+        &self,
+        value: Complex<f64>,
+        vector: &DVector<Complex<f64>>,
+        read: &DMatrix<Complex<f64>>,
+        found: &mut Vec<(Point, f64)>,
+    ) {
+        let Some(mut point) = unknowns(self.plan, &self.recoveries, value, vector, &(read * vector)) else { return };
+        let residual = polish(&self.equations, &mut point);
+        // A product of unknowns is never small relative to its terms.
+        let factors = self.nonzero.values(&without_noise(&point, &point));
+        let is_admissible = factors.iter().all(|(value, scale)| value.norm() > VANISHING * scale);
+        if residual > MAX_RESIDUAL || !is_admissible {
+            return;
+        }
+        for flip in &self.plan.flips {
             let flipped = point.iter().zip(flip).map(|(&x, &changes)| if changes { -x } else { x }).collect();
             add(found, (flipped, residual));
         }
         add(found, (point, residual));
-    };
-    let eigenpairs = values.iter().filter_map(|&value| Some((value, schur.vector(value)?)));
-    eigenpairs.filter_map(solution).for_each(|solution| add(&mut found, solution));
-    if found.len() < plan.solutions {
-        let eigenpairs = shared_value::eigenpairs(&complex, &read, &plan.extractions, &values);
-        eigenpairs.into_iter().filter_map(solution).for_each(|solution| add(&mut found, solution));
     }
-    found.truncate(plan.solutions);
-    Some(found)
+}
+
+fn matrix(rows: &[Vec<f64>], columns: usize) -> DMatrix<f64> {
+    DMatrix::from_fn(rows.len(), columns, |i, j| rows[i][j])
 }
 
 /// Of two that are the same the one with the smaller residual stays.

@@ -102,6 +102,7 @@ struct Measurement {
     expected: usize,
     incomplete: usize,
     failures: usize,
+    repeated: usize,
     residuals_log10: Vec<f64>,
 }
 
@@ -113,8 +114,8 @@ impl ShardCandidate {
         settings: &Settings,
     ) -> Self {
         let measurement = |stability: Stability| {
-            let Stability { residuals_log10, trials, found, expected, incomplete, failures } = stability;
-            Measurement { trials, found, expected, incomplete, failures, residuals_log10 }
+            let Stability { residuals_log10, trials, found, expected, incomplete, failures, repeated } = stability;
+            Measurement { trials, found, expected, incomplete, failures, repeated, residuals_log10 }
         };
         Self {
             way: candidate.way,
@@ -129,8 +130,8 @@ impl ShardCandidate {
         let plan = plan(problem, &file).map_err(|error| error.to_string())?.plan;
         let (way, growth, presolve, template) = (self.way, self.growth, file.presolve, file.template);
         let stability = |measurement: Measurement| {
-            let Measurement { trials, found, expected, incomplete, failures, residuals_log10 } = measurement;
-            Stability { residuals_log10, trials, found, expected, incomplete, failures }
+            let Measurement { trials, found, expected, incomplete, failures, repeated, residuals_log10 } = measurement;
+            Stability { residuals_log10, trials, found, expected, incomplete, failures, repeated }
         };
         Ok((Candidate { presolve, way, growth, template, plan }, self.measured.map(stability)))
     }

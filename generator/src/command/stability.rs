@@ -15,9 +15,9 @@ use crate::stability::stability;
 /// Measure a template on random real instances
 #[derive(clap::Args, Debug)]
 #[command(
-    after_help = "Interprets the planned solver in f64 on instances drawn on the variety of the data. The relative residual of a solution is
-max over the equations of |f| / sum of the moduli of its terms. Where solutions are missing the emitted solver makes a second attempt at twice the
-precision; the interpreted one does not.
+    after_help = "Interprets the planned solver on instances drawn on the variety of the data. The relative residual of a solution is
+max over the equations of |f| / sum of the moduli of its terms. Where solutions are missing a second attempt is made at twice the precision, as in
+emitted code.
 
 Example:
   eliminant stability problems/two_circles.rs --trials 10000 --seed 7"
@@ -46,6 +46,8 @@ struct Report {
     /// Complex solutions found over all instances.
     found: usize,
     expected: usize,
+    /// Instances that took a second attempt.
+    repeated: usize,
     /// Instances that lack a solution.
     incomplete: usize,
     /// Instances on which a step failed.
@@ -81,6 +83,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         },
         found: measured.found,
         expected: measured.expected,
+        repeated: measured.repeated,
         incomplete: measured.incomplete,
         failures: measured.failures,
         seconds: start.elapsed().as_secs_f64(),
@@ -101,6 +104,7 @@ impl fmt::Display for Report {
         }
         let percent = 100.0 * self.found as f64 / self.expected.max(1) as f64;
         writeln!(f, "found       {} of {} solutions ({percent:.3} %)", self.found, self.expected)?;
+        writeln!(f, "repeated    {} instances took a second attempt", self.repeated)?;
         writeln!(f, "incomplete  {} instances lack a solution", self.incomplete)?;
         writeln!(f, "failed      {} instances", self.failures)?;
         let each = 1e6 * self.seconds / self.trials.max(1) as f64;
