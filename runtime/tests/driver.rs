@@ -164,3 +164,44 @@ fn what_is_complete_is_not_done_twice() {
     let real: Solutions<[f64; 2], 1> = real_solutions(&mut points).unwrap();
     assert_eq!((real.len(), points.calls), (1, 1));
 }
+
+/// Solutions x = 2 + i, 2 - i; action x; basis 1, x, x^2, with 1 as a third eigenvalue near which the residual is small but not rounding.
+struct Spurious;
+
+impl ActionMethod<3, 1, 3> for Spurious {
+    const PAIRS: [&'static [(u16, u16)]; 1] = [&[(0, 1)]];
+
+    fn action_matrix<R: Real>(&mut self) -> Result<[[R; 3]; 3], SolveError> {
+        // x^3 = 5 x^2 - 9 x + 5.
+        Ok([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [5.0, -9.0, 5.0]].map(|row| row.map(R::from_f64)))
+    }
+
+    fn known<S: Scalar>(&self, _value: S, vector: &[S; 3]) -> [S; 3] {
+        *vector
+    }
+
+    fn recover<S: Scalar>(&self, _unknowns: &mut [S; 1]) {}
+
+    fn polish<S: Scalar>(&self, [x]: &mut [S; 1], _steps: usize) -> f64 {
+        let x = x.to_complex();
+        match (x.re - 1.0).hypot(x.im) < 1e-8 {
+            true => 1e-11,
+            false => (x.re - 2.0).hypot(x.im.abs() - 1.0),
+        }
+    }
+
+    fn is_admissible<S: Scalar>(&self, _unknowns: &[S; 1]) -> bool {
+        true
+    }
+}
+
+#[test]
+fn of_too_many_solutions_that_with_the_largest_residual_is_none() {
+    let all: Solutions<[Complex<f64>; 1], 2> = complex_solutions(&mut Spurious).unwrap();
+    assert!(all.len() == 2 && all.iter().all(|[x]| x.im != 0.0), "{all:?}");
+    // Found as a real one before the others show that it is none.
+    let real: Solutions<[f64; 1], 2> = real_solutions(&mut Spurious).unwrap();
+    assert!(real.is_empty(), "{real:?}");
+    let real: Solutions<[f64; 1], 3> = real_solutions(&mut Spurious).unwrap();
+    assert_eq!(real.len(), 1, "{real:?}");
+}
