@@ -10,7 +10,8 @@
 //!    the 99 % quantile of its log10 relative residual is at most [`GOOD_RESIDUAL`], or at most 1 above the best of those that are not rejected.
 //! 2. *Confirmation.* Those that are precise and not rejected are measured on [`Measuring::confirm`] instances, in the order of the preference (for *speed*
 //!    second attempts count as [`SECOND_ATTEMPT`] solves; for *stability*: fewest unsolved instances, then smallest 99 % quantile, then smallest median), each only until it is rejected. The first that lasts and lacks a solution
-//!    on at most one instance in [`INCOMPLETE_ONE_IN`] is *accepted*. Where none is, further candidates are screened, up to [`SCREENED_AT_MOST`].
+//!    on at most one instance in [`INCOMPLETE_ONE_IN`] is *accepted*. Where none is, further candidates are screened, up to [`SCREENED_AT_MOST`] and until
+//!    all measurements together take [`MEASURING_WORK`].
 //! 3. *Choice.* If the accepted one solves every instance it is chosen (*stability* looks on). Otherwise up to [`RIVALS`] others of similar cost are confirmed
 //!    too (*speed*: operations, with those of second attempts, within [`SIMILAR_COST`]; *size*: as many rows; *stability*: all), and the accepted one with the fewest unsolved instances is chosen.
 //!
@@ -50,6 +51,9 @@ pub const RIVALS: usize = 2;
 pub const SCREENING_WORK: usize = 300_000_000;
 /// Operations that confirming one candidate may take, without the polish.
 pub const CONFIRMING_WORK: usize = 10_000_000_000;
+/// Operations after which no further candidate is confirmed and no more than [`SCREENED`] are screened, second attempts included: so much take a few that are
+/// rejected late.
+pub const MEASURING_WORK: f64 = 3e10;
 /// Instances that are measured at once; after each block the candidate may be rejected.
 const BLOCK: usize = 100;
 
@@ -221,7 +225,7 @@ impl Board<'_> {
                 if self.confirm(first) {
                     return Some(self.best_rival(first));
                 }
-                if self.is_over() {
+                if self.is_over() || self.is_exhausted() {
                     return None;
                 }
             }
@@ -235,7 +239,9 @@ impl Board<'_> {
         while self.entries.len() < self.costs.len().min(SCREENED_AT_MOST) {
             let enough = self.entries.len() >= before + SCREENED && !self.finalists().is_empty();
             // The first one is measured in any case, so that there is something to choose.
-            if enough || !self.is_affordable(self.entries.len()) || (!self.entries.is_empty() && self.is_over()) {
+            let more = self.entries.len() >= SCREENED && self.is_exhausted();
+            if enough || more || !self.is_affordable(self.entries.len()) || (!self.entries.is_empty() && self.is_over())
+            {
                 break;
             }
             let at = self.entries.len();
@@ -259,6 +265,12 @@ impl Board<'_> {
 
     fn is_over(&self) -> bool {
         self.monitor.is_over(Stage::Measuring)
+    }
+
+    /// Whether the measurements so far took all the work that they may take.
+    fn is_exhausted(&self) -> bool {
+        let work = |at: usize| self.entries[at].stability.trials as f64 * self.expected_operations(at);
+        (0..self.entries.len()).map(work).sum::<f64>() >= MEASURING_WORK
     }
 
     /// Precise ones that are neither rejected nor accepted, in the order in which they are confirmed.
@@ -472,6 +484,17 @@ mod tests {
         assert_eq!(trials(1_000_000), [10_000, BLOCK]);
         assert_eq!(trials(4_000_000), [2500, BLOCK]);
         assert_eq!(trials(1_000_000_000), [INCOMPLETE_ONE_IN, BLOCK]);
+    }
+
+    #[test]
+    fn few_large_candidates_are_confirmed() {
+        // One in 400 lacks a solution, which rejects at about 1,600 instances.
+        let made: Vec<Made> = (0..SCREENED_AT_MOST).map(|k| (10_000_000 + k, 9, -15.0, 400)).collect();
+        let (decision, trials) = decide(Speed, &Unmonitored, &made);
+        assert!(matches!(decision, Some((_, Rejected | Screened))));
+        assert_eq!(trials.len(), SCREENED);
+        let confirmed = trials.iter().filter(|&&trials| trials > 300).count();
+        assert!((2..5).contains(&confirmed), "{trials:?}");
     }
 
     #[test]
