@@ -13,6 +13,7 @@ eliminant::include_solver!("katsura_5");
 eliminant::include_solver!("platform_forward_kinematics");
 eliminant::include_solver!("pose_35pt_focal");
 eliminant::include_solver!("pose_3pt_depths");
+eliminant::include_solver!("pose_3pt_upright_error_bound");
 eliminant::include_solver!("pose_4pt_focal_radial");
 eliminant::include_solver!("pose_4pt_focal_radial_cut");
 eliminant::include_solver!("pose_4pt_generalized_scale");

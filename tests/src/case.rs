@@ -109,6 +109,7 @@ pub fn cases() -> Vec<Case> {
         ),
         case!(pose_35pt_focal, Pose35ptFocal, (points, horizontal, vertical), (x, y)),
         case!(pose_3pt_depths, Pose3ptDepths, (cosines, squares), (a, b, c)),
+        case!(pose_3pt_upright_error_bound, Pose3ptUprightErrorBound, (points, cones), (u, v, w, y, z)),
         case!(pose_4pt_focal_radial, Pose4ptFocalRadial, (row1, row2, row3), (w, radial, y, z)),
         case!(pose_4pt_focal_radial_cut, Pose4ptFocalRadialCut, (upper, lower), (radial, x, y, z)),
         case!(pose_4pt_generalized_scale, Pose4ptGeneralizedScale, (basis), (v, w, x, y, z)),

@@ -22,6 +22,11 @@ pub(super) fn makers() -> Vec<Maker> {
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
+            name: "pose_3pt_upright_error_bound",
+            make: three_stationary_errors,
+            error: |_, solution, truth| relative_error(solution, truth),
+        },
+        Maker {
             name: "pose_4pt_focal_radial",
             make: |random| {
                 let RadialPose { null_vectors, lower, weights: [w, z, y], radial } = RadialPose::draw(random);
@@ -54,7 +59,7 @@ pub(super) fn makers() -> Vec<Maker> {
         },
         Maker {
             name: "pose_4pt_upright_error_bound",
-            make: errors_at_bounds,
+            make: four_errors_at_bounds,
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
@@ -163,24 +168,82 @@ fn generalized_camera(random: &mut Random) -> KnownInstance {
     KnownInstance { data, truths: vec![rotation.transpose().as_slice().to_vec()] }
 }
 
-/// A camera 2 to 6 units from the centre of the unit ball, turned about its first axis, and four points of the ball, each seen with an
+/// A camera 2 to 6 units from the centre of the unit ball, turned about its first axis, and points of the ball, each seen with an
 /// error of the length of its bound.
-fn errors_at_bounds(random: &mut Random) -> KnownInstance {
-    let (sine, cosine) = uniform(random, 0.0, TAU).sin_cos();
-    let position =
-        Vector3::new(0.5 * random.symmetric_unit(), 0.5 * random.symmetric_unit(), uniform(random, 2.0, 6.0));
-    let (mut points, mut cones) = (Vec::new(), Vec::new());
-    for _ in 0..4 {
-        let point = in_ball(random);
-        let turned = Vector3::new(point.x, cosine * point.y - sine * point.z, sine * point.y + cosine * point.z);
-        let bound = uniform(random, 0.005, 0.02);
-        let (s, c) = uniform(random, 0.0, TAU).sin_cos();
-        let q = image(&(turned + position), 1.0) + bound * Vector2::new(c, s);
-        points.extend(point.data.0[0]);
-        cones.extend([1.0, -q.x, -q.y, q.norm_squared() - bound * bound]);
+struct ErrorsAtBounds {
+    cosine: f64,
+    sine: f64,
+    position: Vector3<f64>,
+    points: Vec<f64>,
+    cones: Vec<f64>,
+}
+
+impl ErrorsAtBounds {
+    fn draw(random: &mut Random) -> Self {
+        let (sine, cosine) = uniform(random, 0.0, TAU).sin_cos();
+        let position =
+            Vector3::new(0.5 * random.symmetric_unit(), 0.5 * random.symmetric_unit(), uniform(random, 2.0, 6.0));
+        Self { cosine, sine, position, points: Vec::new(), cones: Vec::new() }
     }
-    let truth = position.iter().copied().chain([cosine, sine]).collect();
-    KnownInstance { data: [points, cones].concat(), truths: vec![truth] }
+
+    /// Adds a point. `towards` gives the direction of its error from the point and its image.
+    fn see(&mut self, random: &mut Random, towards: impl Fn(&Vector3<f64>, &Vector2<f64>) -> Vector2<f64>) {
+        let (point, bound) = (in_ball(random), uniform(random, 0.005, 0.02));
+        let image = image(&(self.turned(&point) + self.position), 1.0);
+        let q = image + bound * towards(&point, &image);
+        self.points.extend(point.data.0[0]);
+        self.cones.extend([1.0, -q.x, -q.y, q.norm_squared() - bound * bound]);
+    }
+
+    fn see_anywhere(&mut self, random: &mut Random) {
+        let (s, c) = uniform(random, 0.0, TAU).sin_cos();
+        self.see(random, |_, _| Vector2::new(c, s));
+    }
+
+    fn turned(&self, p: &Vector3<f64>) -> Vector3<f64> {
+        Vector3::new(p.x, self.cosine * p.y - self.sine * p.z, self.sine * p.y + self.cosine * p.z)
+    }
+
+    fn known(self) -> KnownInstance {
+        let truth = self.position.iter().copied().chain([self.cosine, self.sine]).collect();
+        KnownInstance { data: [self.points, self.cones].concat(), truths: vec![truth] }
+    }
+}
+
+fn four_errors_at_bounds(random: &mut Random) -> KnownInstance {
+    let mut seen = ErrorsAtBounds::draw(random);
+    (0..4).for_each(|_| seen.see_anywhere(random));
+    seen.known()
+}
+
+/// The third error has the direction in which the derivatives are dependent. With X and Y the point's image and (c, s) the direction from there to
+/// what is seen, the gradient of the point's cone by Y and Z is in proportion to (-s, c X + s Y).
+fn three_stationary_errors(random: &mut Random) -> KnownInstance {
+    let mut seen = ErrorsAtBounds::draw(random);
+    (0..2).for_each(|_| seen.see_anywhere(random));
+    let rows: Vec<Vector3<f64>> = (0..2)
+        .map(|k| {
+            let point = Vector3::from_column_slice(&seen.points[3 * k..][..3]);
+            let (x, cone) = (seen.turned(&point) + seen.position, &seen.cones[4 * k..][..4]);
+            let (to_y, to_z) = (cone[0] * x.y + cone[2] * x.z, cone[1] * x.x + cone[2] * x.y + cone[3] * x.z);
+            to_y * by_y(&point) + to_z * by_z(&point)
+        })
+        .collect();
+    let normal = rows[0].cross(&rows[1]);
+    seen.see(random, |point, image| {
+        let (of_y, of_z) = (normal.dot(&by_y(point)), normal.dot(&by_z(point)));
+        Vector2::new(of_y - image.y * of_z, image.x * of_z).normalize()
+    });
+    seen.known()
+}
+
+/// The derivatives of a point's Y and Z in the camera by the shift along Z, the cosine and the sine.
+fn by_y(point: &Vector3<f64>) -> Vector3<f64> {
+    Vector3::new(0.0, point.y, -point.z)
+}
+
+fn by_z(point: &Vector3<f64>) -> Vector3<f64> {
+    Vector3::new(1.0, point.z, point.y)
 }
 
 /// A camera 1 to 3 units above water, Z = 0, that looks down at points up to 3 units deep, by Snell's law. Z points down.
