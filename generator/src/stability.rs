@@ -204,7 +204,9 @@ impl<'a> Instance<'a> {
         // A product of unknowns is never small relative to its terms.
         let factors = self.nonzero.values(&without_noise(&point, &point));
         let is_admissible = factors.iter().all(|(value, scale)| value.norm() > VANISHING * scale);
-        if residual > MAX_RESIDUAL || !is_admissible {
+        // A NaN is no small residual.
+        let is_solution = residual <= MAX_RESIDUAL && is_admissible;
+        if !is_solution {
             return;
         }
         for flip in &self.plan.flips {
