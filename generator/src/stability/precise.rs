@@ -101,7 +101,7 @@ impl Hessenberg {
                 return None;
             }
             let inverse = Quad::from(1.0 / largest);
-            vector.iter_mut().for_each(|x| *x = *x * inverse);
+            vector.iter_mut().for_each(|x| *x *= inverse);
         }
         for (k, (pivot, multipliers)) in self.steps.iter().enumerate().rev() {
             for (i, &multiplier) in (k + 2..n).zip(multipliers) {
@@ -181,7 +181,8 @@ fn solve(mut h: Vec<Vec<Precise>>, right: &mut [Precise], least: f64) {
             let multiplier = h[k + 1][k] / h[k][k];
             let (above, below) = h.split_at_mut(k + 1);
             above[k][k..].iter().zip(&mut below[0][k..]).for_each(|(&x, y)| *y -= multiplier * x);
-            right[k + 1] = right[k + 1] - multiplier * right[k];
+            let above = right[k];
+            right[k + 1] -= multiplier * above;
         }
     }
     for k in (0..n).rev() {
