@@ -13,6 +13,7 @@ use crate::extract::{Eigenpairs, unknowns};
 use crate::hessenberg::Hessenberg;
 use crate::polish::{POLISH_STEPS, without_uncertain};
 use crate::polynomial_roots::real_roots_monic;
+use crate::precise_spectrum::{PreciseSpectrum, with_precise_spectrum};
 use crate::scalar::{Real, Scalar};
 use crate::shared_value::{Combinations, SharedValue};
 use crate::solutions::Solutions;
@@ -251,19 +252,18 @@ fn for_each_shared_value<const B: usize, const N: usize, const K: usize>(
 fn for_each_precise_value<const B: usize, const N: usize, const K: usize, M: ActionMethod<B, N, K>>(
     method: &mut M,
     first: Result<(), SolveError>,
-    mut solve: impl FnMut(&M, &Hessenberg<B, DoubleDouble>, Complex<f64>),
+    mut solve: impl FnMut(&M, &PreciseSpectrum<'_>, Complex<f64>),
 ) -> Result<(), SolveError> {
     if first.is_err() && !M::HAS_PRECISE_COEFFICIENTS {
         return first;
     }
-    let Ok(spectrum) = method.action_matrix::<DoubleDouble>().and_then(|action| Hessenberg::reduce(&action)) else {
-        return first;
+    let Ok(action) = method.action_matrix::<DoubleDouble>() else { return first };
+    let solve_all = &mut |spectrum: &PreciseSpectrum<'_>| {
+        for value in upper_half(spectrum.eigenvalues.iter().copied()) {
+            solve(method, spectrum, value);
+        }
     };
-    let Ok(values) = spectrum.eigenvalues() else { return first };
-    for value in upper_half(values) {
-        solve(method, &spectrum, value);
-    }
-    Ok(())
+    with_precise_spectrum(action.as_flattened(), B, solve_all).or(first)
 }
 
 /// Adds the solution of a real eigenvalue, or that of a complex one and its conjugate; false where none of them is new.

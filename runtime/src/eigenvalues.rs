@@ -6,24 +6,24 @@
 
 use crate::error::SolveError;
 use crate::float;
-use crate::hessenberg::Hessenberg;
+use crate::hessenberg::{Hessenberg, Order};
 use crate::scalar::Real;
 use num_complex::Complex;
 
 /// The iteration gives up after this many sweeps per eigenvalue on the average; two or three are usual.
 const SWEEPS_PER_EIGENVALUE: usize = 30;
 
-impl<const N: usize, R: Real> Hessenberg<N, R> {
-    /// All eigenvalues of A; complex ones in conjugate pairs, one after the other, positive imaginary part first.
+impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
+    /// All eigenvalues of A, and zeros beyond its order; complex ones in conjugate pairs, one after the other, positive imaginary part first.
     ///
     /// # Errors
     /// [`SolveError::NoConvergence`] after 30 max(N, 10) sweeps.
     pub fn eigenvalues(&self) -> Result<[Complex<f64>; N], SolveError> {
         let mut h = self.matrix;
         let mut values = [Complex { re: 0.0, im: 0.0 }; N];
-        let mut remaining = SWEEPS_PER_EIGENVALUE * N.max(10);
+        let mut high = self.order.of(N);
+        let mut remaining = SWEEPS_PER_EIGENVALUE * high.max(10);
         let mut stalled = 0;
-        let mut high = N;
         while high > 0 {
             let low = active_block(&h, high);
             match high - low {

@@ -1,6 +1,5 @@
 //! Unknowns from an eigenvector.
 
-use crate::double_double::{DoubleComplex, DoubleDouble};
 use crate::driver::ActionMethod;
 use crate::hessenberg::Hessenberg;
 use crate::scalar::Scalar;
@@ -16,14 +15,6 @@ impl<const B: usize> Eigenpairs<B> for Hessenberg<B> {
     #[inline]
     fn eigenpair<S: Scalar>(&self, value: S) -> (S, [S; B]) {
         (value, self.eigenvector(value))
-    }
-}
-
-/// Listed under the eigenvalues, too. What is read off a vector needs no more than the usual precision.
-impl<const B: usize> Eigenpairs<B> for Hessenberg<B, DoubleDouble> {
-    fn eigenpair<S: Scalar>(&self, value: S) -> (S, [S; B]) {
-        let vector = self.eigenvector(DoubleComplex::from_complex(value.to_complex()));
-        (value, vector.map(|entry| S::from_complex(entry.to_complex())))
     }
 }
 

@@ -21,7 +21,9 @@ use crate::scalar::{Over, Real};
 /// solutions there are such. The QR iteration and the characteristic polynomial start from H; eigenvectors are found
 /// on H and taken back through Q and D.
 #[derive(Clone, Debug)]
-pub struct Hessenberg<const N: usize, R = f64> {
+pub struct Hessenberg<const N: usize, R = f64, O = Full> {
+    /// How many of the N rows and columns are in use.
+    pub(crate) order: O,
     /// H: zero below the subdiagonal.
     pub(crate) matrix: [[R; N]; N],
     /// The power of two taken out of A, so that its largest entry is near 1 when it was far from it.
@@ -34,21 +36,58 @@ pub struct Hessenberg<const N: usize, R = f64> {
     tau: [R; N],
 }
 
+/// How many rows and columns of an array are in use.
+pub trait Order: Copy {
+    /// Their number, at most `capacity`.
+    fn of(self, capacity: usize) -> usize;
+}
+
+/// All of them: loops have bounds that the compiler knows.
+#[derive(Clone, Copy, Debug)]
+pub struct Full;
+
+impl Order for Full {
+    #[inline]
+    fn of(self, capacity: usize) -> usize {
+        capacity
+    }
+}
+
+/// The leading ones: the code serves all orders up to the capacity. The other entries are zero.
+impl Order for usize {
+    #[inline]
+    fn of(self, capacity: usize) -> usize {
+        self.min(capacity)
+    }
+}
+
 /// Sweeps of balancing: each multiplies by powers of two only, so a few suffice and stopping early is harmless.
 const BALANCE_SWEEPS: usize = 16;
 /// Balancing is kept where it reduces the norm by this: so many digits may it gain, at most.
 const WORTHWHILE: f64 = 1e3;
 
-impl<const N: usize, R: Real> Hessenberg<N, R> {
+impl<const N: usize> Hessenberg<N> {
     /// Balances and reduces a copy of `matrix`.
     ///
     /// # Errors
     /// [`SolveError::NonFiniteInput`] when an entry is infinite or NaN.
-    pub fn reduce(matrix: &[[R; N]; N]) -> Result<Self, SolveError> {
+    #[inline]
+    pub fn reduce(matrix: &[[f64; N]; N]) -> Result<Self, SolveError> {
+        Hessenberg::reduce_leading(matrix, Full)
+    }
+}
+
+impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
+    /// Balances and reduces a copy of the leading rows and columns of `matrix`, whose other entries are zero.
+    ///
+    /// # Errors
+    /// [`SolveError::NonFiniteInput`] when an entry is infinite or NaN.
+    pub(crate) fn reduce_leading(matrix: &[[R; N]; N], order: O) -> Result<Self, SolveError> {
         if !float::all_finite(matrix) {
             return Err(SolveError::NonFiniteInput);
         }
         let mut reduced = Hessenberg {
+            order,
             matrix: *matrix,
             unit: 1.0,
             balance: [1.0; N],
@@ -57,7 +96,7 @@ impl<const N: usize, R: Real> Hessenberg<N, R> {
         };
         reduced.normalize();
         reduced.balance();
-        for k in 0..N.saturating_sub(2) {
+        for k in 0..order.of(N).saturating_sub(2) {
             reduced.clear_column(k);
         }
         Ok(reduced)
@@ -103,11 +142,12 @@ impl<const N: usize, R: Real> Hessenberg<N, R> {
     #[inline]
     fn scale_rows_and_columns(&mut self) {
         const RADIX: f64 = 2.0;
+        let n = self.order.of(N);
         for _ in 0..BALANCE_SWEEPS {
             let mut changed = false;
-            for i in 0..N {
+            for i in 0..n {
                 let (mut column, mut row) = (0.0, 0.0);
-                for j in 0..N {
+                for j in 0..n {
                     column += self.matrix[j][i].modulus_squared();
                     row += self.matrix[i][j].modulus_squared();
                 }
@@ -131,10 +171,10 @@ impl<const N: usize, R: Real> Hessenberg<N, R> {
                     changed = true;
                     self.balance[i] *= factor;
                     let inverse = 1.0 / factor;
-                    for j in 0..N {
+                    for j in 0..n {
                         self.matrix[i][j] = self.matrix[i][j].scale(inverse);
                     }
-                    for j in 0..N {
+                    for j in 0..n {
                         self.matrix[j][i] = self.matrix[j][i].scale(factor);
                     }
                 }
@@ -148,11 +188,12 @@ impl<const N: usize, R: Real> Hessenberg<N, R> {
     /// Clears column k below the subdiagonal by a Householder reflection from both sides.
     #[inline]
     fn clear_column(&mut self, k: usize) {
+        let n = self.order.of(N);
         let h = &mut self.matrix;
-        let tail = (k + 2..N).map(|i| h[i][k] * h[i][k]).fold(R::ZERO, |sum, square| sum + square);
+        let tail = (k + 2..n).map(|i| h[i][k] * h[i][k]).fold(R::ZERO, |sum, square| sum + square);
         // Exactly zero or below 1e-154 of the largest entry, whose square underflowed: dropped.
         if tail == R::ZERO {
-            for i in k + 2..N {
+            for i in k + 2..n {
                 h[i][k] = R::ZERO;
             }
             return;
@@ -163,7 +204,7 @@ impl<const N: usize, R: Real> Hessenberg<N, R> {
         let inverse = (head - beta).reciprocal();
         let mut v = [R::ZERO; N];
         v[k + 1] = R::ONE;
-        for i in k + 2..N {
+        for i in k + 2..n {
             v[i] = h[i][k] * inverse;
             h[i][k] = R::ZERO;
         }
@@ -171,25 +212,25 @@ impl<const N: usize, R: Real> Hessenberg<N, R> {
 
         // From the left: H -= tau v (v^T H), columns k+1.. only, the others are done.
         let mut product = [R::ZERO; N];
-        for i in k + 1..N {
-            for j in k + 1..N {
+        for i in k + 1..n {
+            for j in k + 1..n {
                 product[j] += v[i] * h[i][j];
             }
         }
-        for i in k + 1..N {
+        for i in k + 1..n {
             let factor = tau * v[i];
-            for j in k + 1..N {
+            for j in k + 1..n {
                 h[i][j] -= factor * product[j];
             }
         }
         // From the right: H -= tau (H v) v^T.
-        for row in h.iter_mut() {
+        for row in &mut h[..n] {
             let mut dot = R::ZERO;
-            for j in k + 1..N {
+            for j in k + 1..n {
                 dot += row[j] * v[j];
             }
             dot *= tau;
-            for j in k + 1..N {
+            for j in k + 1..n {
                 row[j] -= dot * v[j];
             }
         }
@@ -206,21 +247,22 @@ impl<const N: usize, R: Real> Hessenberg<N, R> {
     /// Takes an eigenvector of H back to one of A: D Q y.
     #[inline]
     pub(crate) fn transform_back<S: Over<R>>(&self, vector: &mut [S; N]) {
-        for k in (0..N.saturating_sub(2)).rev() {
+        let n = self.order.of(N);
+        for k in (0..n.saturating_sub(2)).rev() {
             if self.tau[k] == R::ZERO {
                 continue;
             }
             let v = &self.reflectors[k];
             let mut dot = S::ZERO;
-            for i in k + 1..N {
+            for i in k + 1..n {
                 dot += vector[i].times(v[i]);
             }
             let dot = dot.times(self.tau[k]);
-            for i in k + 1..N {
+            for i in k + 1..n {
                 vector[i] -= dot.times(v[i]);
             }
         }
-        for i in 0..N {
+        for i in 0..n {
             vector[i] = vector[i].scale(self.balance[i]);
         }
     }

@@ -51,7 +51,7 @@ impl<const N: usize> Hessenberg<N> {
     /// above.
     pub(crate) fn invariant_subspace(&self, cluster: &Cluster) -> [[f64; N]; N] {
         let shift = cluster.centre + Complex { re: 0.0, im: cluster.shift };
-        let lu = ShiftedLu::factor(&self.matrix, shift, self.smallest_pivot());
+        let lu = ShiftedLu::factor(self, shift);
         let mut basis = [[0.0; N]; N];
         let vectors = &mut basis[..cluster.dimension.min(N)];
         let mut state = 1_u64;

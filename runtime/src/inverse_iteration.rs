@@ -1,6 +1,6 @@
 //! Eigenvectors for given eigenvalues, by inverse iteration on the Hessenberg form.
 
-use crate::hessenberg::Hessenberg;
+use crate::hessenberg::{Full, Hessenberg, Order};
 use crate::scalar::{Over, Real, Scalar};
 
 /// Solves with each factorisation: the first finds the direction, the second cleans it. More only when the start was
@@ -18,33 +18,40 @@ const LARGE: f64 = 1e120;
 ///       [     u u ]     inverse_pivot[i] = 1 / U[i][i], where pivots at rounding level are replaced by it
 ///       [       u ]
 /// ```
-pub(crate) struct ShiftedLu<S, const N: usize> {
+pub(crate) struct ShiftedLu<S, const N: usize, O = Full> {
+    order: O,
     upper: [[S; N]; N],
     inverse_pivot: [S; N],
     multiplier: [S; N],
     swapped: [bool; N],
+    /// What replaces a pivot that is smaller.
+    smallest: f64,
 }
 
-impl<S: Scalar, const N: usize> ShiftedLu<S, N> {
+impl<S: Scalar, const N: usize, O: Order> ShiftedLu<S, N, O> {
     #[inline]
-    pub(crate) fn factor<R: Real>(h: &[[R; N]; N], value: S, smallest: f64) -> Self
+    pub(crate) fn factor<R: Real>(form: &Hessenberg<N, R, O>, value: S) -> Self
     where
         S: Over<R>,
     {
+        let (order, h, smallest) = (form.order, &form.matrix, form.smallest_pivot());
+        let n = order.of(N);
         let mut lu = ShiftedLu {
+            order,
             upper: [[S::ZERO; N]; N],
             inverse_pivot: [S::ONE; N],
             multiplier: [S::ZERO; N],
             swapped: [false; N],
+            smallest,
         };
-        for i in 0..N {
-            for j in i.saturating_sub(1)..N {
+        for i in 0..n {
+            for j in i.saturating_sub(1)..n {
                 lu.upper[i][j] = S::from_real(h[i][j]);
             }
             lu.upper[i][i] -= value;
         }
-        for i in 0..N {
-            if i + 1 < N {
+        for i in 0..n {
+            if i + 1 < n {
                 let (above, below) = lu.upper.split_at_mut(i + 1);
                 let (row, next) = (&mut above[i], &mut below[0]);
                 if next[i].magnitude() > row[i].magnitude() {
@@ -54,7 +61,7 @@ impl<S: Scalar, const N: usize> ShiftedLu<S, N> {
                 lu.inverse_pivot[i] = guarded_reciprocal(row[i], smallest);
                 let multiplier = next[i] * lu.inverse_pivot[i];
                 lu.multiplier[i] = multiplier;
-                for j in i + 1..N {
+                for j in i + 1..n {
                     next[j] -= multiplier * row[j];
                 }
             } else {
@@ -67,7 +74,7 @@ impl<S: Scalar, const N: usize> ShiftedLu<S, N> {
     /// x := L^-1 P x.
     #[inline]
     pub(crate) fn forward(&self, x: &mut [S; N]) {
-        for i in 0..N.saturating_sub(1) {
+        for i in 0..self.order.of(N).saturating_sub(1) {
             if self.swapped[i] {
                 x.swap(i, i + 1);
             }
@@ -79,10 +86,11 @@ impl<S: Scalar, const N: usize> ShiftedLu<S, N> {
     /// x := U^-1 x up to a factor, normalised to length 1. Returns how much longer than x it was.
     #[inline]
     pub(crate) fn backward(&self, x: &mut [S; N]) -> f64 {
+        let n = self.order.of(N);
         let mut factor = 1.0;
-        for i in (0..N).rev() {
+        for i in (0..n).rev() {
             let mut sum = x[i];
-            for j in i + 1..N {
+            for j in i + 1..n {
                 sum -= self.upper[i][j] * x[j];
             }
             x[i] = sum * self.inverse_pivot[i];
@@ -122,10 +130,10 @@ pub(crate) fn normalize<S: Scalar, const N: usize>(x: &mut [S; N]) -> f64 {
     length * largest
 }
 
-impl<const N: usize, R: Real> Hessenberg<N, R> {
+impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
     /// What replaces a pivot of H - value I that is smaller: the rounding level of H.
     #[inline]
-    pub(crate) fn smallest_pivot(&self) -> f64 {
+    fn smallest_pivot(&self) -> f64 {
         let norm = self.norm();
         if norm > 0.0 { R::EPSILON * norm } else { R::EPSILON }
     }
@@ -137,13 +145,13 @@ impl<const N: usize, R: Real> Hessenberg<N, R> {
     /// only if `value` is not.
     #[must_use]
     pub fn eigenvector<S: Over<R>>(&self, value: S) -> [S; N] {
-        let value = value.scale(1.0 / self.unit);
-        let smallest = self.smallest_pivot();
-        let lu = ShiftedLu::factor(&self.matrix, value, smallest);
+        let n = self.order.of(N);
+        let lu = ShiftedLu::factor(self, value.scale(1.0 / self.unit));
         // A solve that multiplies the length by this leaves a residual of 10 N epsilon |H|.
-        let enough = 1.0 / (10.0 * N as f64 * smallest);
+        let enough = 1.0 / (10.0 * n as f64 * lu.smallest);
 
-        let mut x = [S::ONE; N];
+        let mut x = [S::ZERO; N];
+        x[..n].fill(S::ONE);
         // The first right-hand side is L times a vector of ones, which spares its forward half.
         normalize(&mut x);
         let mut best = (x, 0.0);
@@ -162,7 +170,7 @@ impl<const N: usize, R: Real> Hessenberg<N, R> {
                     break;
                 }
                 // The start was nearly orthogonal to the left eigenvector: leave it along an axis.
-                x[(N - 1 + solve) % N] += S::ONE;
+                x[(n - 1 + solve) % n.max(1)] += S::ONE;
             }
         }
         let (mut x, _) = best;

@@ -42,6 +42,7 @@ mod inverse_iteration;
 pub mod lu;
 pub mod polish;
 pub mod polynomial_roots;
+mod precise_spectrum;
 pub mod program;
 pub mod scalar;
 mod shared_value;

@@ -1,0 +1,77 @@
+//! Eigenpairs at twice the precision, for the second attempt of all solvers.
+//!
+//! What runs rarely should be small: the code is compiled for a few sizes of arrays and not for each |B|.
+
+use num_complex::Complex;
+
+use crate::double_double::{DoubleComplex, DoubleDouble};
+use crate::error::SolveError;
+use crate::extract::Eigenpairs;
+use crate::hessenberg::Hessenberg;
+use crate::scalar::Scalar;
+
+/// The spectrum of a matrix; its eigenvectors in the usual precision, which is enough for what is read off them.
+pub(crate) struct PreciseSpectrum<'a> {
+    pub(crate) eigenvalues: &'a [Complex<f64>],
+    eigenvectors: &'a dyn Eigenvectors,
+}
+
+trait Eigenvectors {
+    /// Writes the eigenvector of an eigenvalue.
+    fn eigenvector(&self, value: Complex<f64>, vector: &mut [Complex<f64>]);
+}
+
+impl<const C: usize> Eigenvectors for Hessenberg<C, DoubleDouble, usize> {
+    fn eigenvector(&self, value: Complex<f64>, vector: &mut [Complex<f64>]) {
+        let precise = self.eigenvector(DoubleComplex::from_complex(value));
+        for (entry, known) in vector.iter_mut().zip(precise) {
+            *entry = known.to_complex();
+        }
+    }
+}
+
+/// Listed under the eigenvalues.
+impl<const B: usize> Eigenpairs<B> for PreciseSpectrum<'_> {
+    fn eigenpair<S: Scalar>(&self, value: S) -> (S, [S; B]) {
+        let mut vector = [Complex::ZERO; B];
+        self.eigenvectors.eigenvector(value.to_complex(), &mut vector);
+        (value, vector.map(S::from_complex))
+    }
+}
+
+/// Calls `with` for the spectrum of a square matrix of `order` rows.
+///
+/// # Errors
+/// As [`Hessenberg::reduce`] and [`Hessenberg::eigenvalues`]; [`SolveError::NoConvergence`] beyond 256 rows, for which no memory is set aside.
+pub(crate) fn with_precise_spectrum(
+    matrix: &[DoubleDouble],
+    order: usize,
+    with: &mut dyn FnMut(&PreciseSpectrum<'_>),
+) -> Result<(), SolveError> {
+    match order {
+        0..=16 => at_capacity::<16>(matrix, order, with),
+        17..=32 => at_capacity::<32>(matrix, order, with),
+        33..=64 => at_capacity::<64>(matrix, order, with),
+        65..=96 => at_capacity::<96>(matrix, order, with),
+        97..=128 => at_capacity::<128>(matrix, order, with),
+        129..=256 => at_capacity::<256>(matrix, order, with),
+        _ => Err(SolveError::NoConvergence),
+    }
+}
+
+/// A function of its own, so that only what is called takes its memory from the stack.
+#[inline(never)]
+fn at_capacity<const C: usize>(
+    matrix: &[DoubleDouble],
+    order: usize,
+    with: &mut dyn FnMut(&PreciseSpectrum<'_>),
+) -> Result<(), SolveError> {
+    let mut leading = [[DoubleDouble::ZERO; C]; C];
+    for (row, known) in leading.iter_mut().zip(matrix.chunks_exact(order.max(1))) {
+        row[..order].copy_from_slice(known);
+    }
+    let form = Hessenberg::reduce_leading(&leading, order)?;
+    let eigenvalues = form.eigenvalues()?;
+    with(&PreciseSpectrum { eigenvalues: &eigenvalues[..order], eigenvectors: &form });
+    Ok(())
+}
