@@ -104,7 +104,10 @@ fn merge<S: Scalar, const N: usize>(
         *known = better;
         return true;
     }
-    let mut halfway = core::array::from_fn(|j| (known.unknowns[j] + candidate.unknowns[j]).scale(0.5));
+    let mut halfway = known.unknowns;
+    for j in 0..N {
+        halfway[j] = (halfway[j] + candidate.unknowns[j]).scale(0.5);
+    }
     let double = polish(&mut halfway, 0) <= DOUBLE.max(known.residual).max(candidate.residual);
     if double {
         let residual = polish(&mut halfway, POLISH_STEPS);

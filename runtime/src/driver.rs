@@ -14,7 +14,7 @@ use crate::hessenberg::Hessenberg;
 use crate::polish::{POLISH_STEPS, without_uncertain};
 use crate::polynomial_roots::real_roots_monic;
 use crate::precise_spectrum::{PreciseSpectrum, with_precise_spectrum};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Real, Scalar, mapped};
 use crate::shared_value::{Combinations, SharedValue};
 use crate::solutions::Solutions;
 use crate::symmetry::{Symmetry, flipped};
@@ -286,7 +286,7 @@ fn add_complex<const B: usize, const N: usize, const K: usize, const MAX: usize>
 
 #[inline]
 fn as_complex<const N: usize>(real: Candidate<f64, N>) -> Candidate<Complex<f64>, N> {
-    Candidate { unknowns: real.unknowns.map(Complex::from), residual: real.residual }
+    Candidate { unknowns: mapped(&real.unknowns, Complex::from), residual: real.residual }
 }
 
 /// Adds a solution and its conjugate; false where one of them is not new.
@@ -296,7 +296,7 @@ fn push_both<const B: usize, const N: usize, const K: usize, const MAX: usize>(
     candidate: Candidate<Complex<f64>, N>,
     found: &mut Solutions<Candidate<Complex<f64>, N>, MAX>,
 ) -> bool {
-    let conjugate = Candidate { unknowns: candidate.unknowns.map(|x| x.conj()), ..candidate };
+    let conjugate = Candidate { unknowns: mapped(&candidate.unknowns, Scalar::conj), ..candidate };
     push_all_signs(method, candidate, found) & push_all_signs(method, conjugate, found)
 }
 
@@ -362,7 +362,7 @@ fn nearly_real<const B: usize, const N: usize, const K: usize>(
     method: &impl ActionMethod<B, N, K>,
     complex: &Candidate<Complex<f64>, N>,
 ) -> Option<Candidate<f64, N>> {
-    let unknowns = complex.unknowns.map(|x| x.re);
+    let unknowns = mapped(&complex.unknowns, Scalar::real);
     polish_from(method, unknowns).filter(|real| real.residual <= complex.residual.max(DOUBLE))
 }
 

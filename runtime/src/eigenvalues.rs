@@ -7,7 +7,7 @@
 use crate::error::SolveError;
 use crate::float;
 use crate::hessenberg::{Hessenberg, Order};
-use crate::scalar::Real;
+use crate::scalar::{Real, mapped};
 use num_complex::Complex;
 
 /// The iteration gives up after this many sweeps per eigenvalue on the average; two or three are usual.
@@ -214,7 +214,7 @@ fn bulge_start<R: Real, const N: usize>(
         ];
         let size = v[0].modulus() + v[1].modulus() + v[2].modulus();
         if size > 0.0 {
-            v = v.map(|x| x / R::from_f64(size));
+            v = mapped(&v, |x| x / R::from_f64(size));
         }
         if m == low {
             return (m, v);
@@ -233,7 +233,7 @@ fn reflection<R: Real>(v: [R; 3]) -> (R, R, R, R) {
     let size = v[0].modulus().max(v[1].modulus()).max(v[2].modulus());
     // Squares of numbers of usual size need no scaling, tiny ones do.
     let scale = if size < 1e-140 && size > 0.0 { float::power_of_two(float::exponent(size).max(-1021)) } else { 1.0 };
-    let [x, y, z] = v.map(|entry| entry / R::from_f64(scale));
+    let [x, y, z] = mapped(&v, |entry| entry / R::from_f64(scale));
     let tail = y * y + z * z;
     if tail == R::ZERO {
         return (v[0], R::ZERO, R::ZERO, R::ZERO);

@@ -2,7 +2,7 @@
 
 use crate::hessenberg::Hessenberg;
 use crate::inverse_iteration::{ShiftedLu, normalize};
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, mapped};
 use arrayvec::ArrayVec;
 use num_complex::Complex;
 
@@ -36,7 +36,7 @@ pub(crate) struct Cluster {
 impl<const N: usize> Hessenberg<N> {
     /// The clusters among all eigenvalues of A.
     pub(crate) fn clusters(&self, values: &[Complex<f64>; N]) -> ArrayVec<Cluster, N> {
-        let values = values.map(|value| value.scale(1.0 / self.unit));
+        let values = mapped(values, |value| value.scale(1.0 / self.unit));
         let mut clusters = ArrayVec::new_const();
         find_clusters(&values, self.norm(), &mut [0; N], &mut |cluster| {
             let _ = clusters.try_push(cluster);
@@ -63,10 +63,10 @@ impl<const N: usize> Hessenberg<N> {
         orthonormalize(vectors);
         for _ in 0..ROUNDS {
             for vector in vectors.iter_mut() {
-                let mut solution = vector.map(Complex::from_f64);
+                let mut solution = mapped(vector, Complex::from_f64);
                 lu.forward(&mut solution);
                 lu.backward(&mut solution);
-                *vector = solution.map(|entry| entry.im);
+                *vector = mapped(&solution, |entry| entry.im);
             }
             orthonormalize(vectors);
         }

@@ -1,7 +1,7 @@
 //! Gauss-Newton steps on the original equations.
 
 use crate::float;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, mapped};
 use crate::system::System;
 
 /// Steps at most; nearly always one or two lower the residual and the next one stops.
@@ -119,7 +119,7 @@ pub fn polish<S: Scalar, const N: usize, const E: usize>(
     };
     let is_large = |value: &S| value.magnitude() >= LARGE;
     if x.iter().any(is_large)
-        && residual_of(&x.map(|value| if is_large(&value) { value.scale(0.5) } else { value })) <= STALLED.max(best)
+        && residual_of(&mapped(x, |value| if is_large(&value) { value.scale(0.5) } else { value })) <= STALLED.max(best)
     {
         return f64::INFINITY;
     }
@@ -158,7 +158,7 @@ pub(crate) fn without_uncertain<S: Scalar, const N: usize>(x: &[S; N], residual:
 #[inline]
 fn without_small<S: Scalar, const N: usize>(x: &[S; N], level: f64) -> [S; N] {
     let smallest = level * largest(x);
-    x.map(|value| if value.magnitude() <= smallest { S::ZERO } else { value })
+    mapped(x, |value| if value.magnitude() <= smallest { S::ZERO } else { value })
 }
 
 #[inline]
@@ -193,7 +193,7 @@ fn weigh<S: Scalar, const N: usize, const E: usize>(values: &mut [S; E], scale: 
         };
         let weight = if size > 0.0 { 1.0 / size } else { 0.0 };
         values[e] = values[e].scale(weight);
-        jacobian[e] = jacobian[e].map(|entry| entry.scale(weight));
+        jacobian[e] = mapped(&jacobian[e], |entry| entry.scale(weight));
     }
 }
 

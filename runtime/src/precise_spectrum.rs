@@ -8,7 +8,7 @@ use crate::double_double::{DoubleComplex, DoubleDouble};
 use crate::error::SolveError;
 use crate::extract::Eigenpairs;
 use crate::hessenberg::Hessenberg;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, mapped};
 
 /// The spectrum of a matrix; its eigenvectors in the usual precision, which is enough for what is read off them.
 pub(crate) struct PreciseSpectrum<'a> {
@@ -35,7 +35,7 @@ impl<const B: usize> Eigenpairs<B> for PreciseSpectrum<'_> {
     fn eigenpair<S: Scalar>(&self, value: S) -> (S, [S; B]) {
         let mut vector = [Complex::ZERO; B];
         self.eigenvectors.eigenvector(value.to_complex(), &mut vector);
-        (value, vector.map(S::from_complex))
+        (value, mapped(&vector, S::from_complex))
     }
 }
 

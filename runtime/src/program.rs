@@ -34,7 +34,7 @@ pub struct Run {
 ///   results    the positions in values of the coefficients
 /// ```
 ///
-/// Statements run in half the time, but the time to compile them grows with the square of their number.
+/// Statements run in half the time, but the time to compile them grows faster than their number.
 #[derive(Clone, Copy, Debug)]
 pub struct Program {
     /// Numbers that do not depend on the data.

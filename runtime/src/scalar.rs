@@ -79,6 +79,16 @@ impl Real for f64 {
     }
 }
 
+/// `x.map(f)`. What the standard library makes of it is several times as much code, for each closure and N.
+#[inline]
+pub(crate) fn mapped<A: Copy, S: Scalar, const N: usize>(x: &[A; N], f: impl Fn(A) -> S) -> [S; N] {
+    let mut mapped = [S::ZERO; N];
+    for j in 0..N {
+        mapped[j] = f(x[j]);
+    }
+    mapped
+}
+
 /// A number whose parts are of type `R`: real, or real and imaginary.
 pub trait Over<R>: Scalar {
     /// The real number `x`.

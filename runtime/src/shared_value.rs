@@ -21,7 +21,7 @@ use crate::extract::Eigenpairs;
 use crate::float;
 use crate::hessenberg::Hessenberg;
 use crate::invariant_subspace::Cluster;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, mapped};
 
 /// An unknown takes part only where V_m has no singular value below about the square root of this, relative to the
 /// largest: otherwise rounding errors would make up its A_x.
@@ -67,15 +67,15 @@ impl<'a, const B: usize> SharedValue<'a, B> {
         let (basis, dimension) = (spectrum.invariant_subspace(cluster), cluster.dimension.min(B));
         // Known monomials are linear in the vector, those of the image also in the action's value, which here is the
         // matrix: K0 V + K1 T V, where K(value, v) = K0 v + value K1 v.
-        let known: [[f64; K]; B] = core::array::from_fn(|k| {
-            let image = action.map(|row| (0..B).map(|i| row[i] * basis[k][i]).sum());
+        let mut known = [[0.0; K]; B];
+        for (values, vector) in known.iter_mut().zip(&basis) {
+            let image = mapped(action, |row| (0..B).map(|i| row[i] * vector[i]).sum());
             let (without, with) = (method.known(0.0, &image), method.known(1.0, &image));
-            let mut values = method.known(0.0, &basis[k]);
+            *values = method.known(0.0, vector);
             for i in 0..K {
                 values[i] += with[i] - without[i];
             }
-            values
-        });
+        }
         let (mut sum, mut total, mut incomplete) = ([[0.0; B]; B], 0.0, false);
         let mut weight = 1.0;
         for pairs in M::PAIRS.iter().filter(|pairs| !pairs.is_empty()) {

@@ -1,6 +1,6 @@
 //! Evaluation of the original equations from static tables, so that emitted code is data, not arithmetic.
 
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, mapped};
 
 /// E equations in N unknowns, with their derivatives.
 pub trait System<S: Scalar, const N: usize, const E: usize> {
@@ -131,7 +131,7 @@ impl<S: Scalar, const N: usize, const E: usize, const K: usize, const C: usize> 
         for k in 1..K {
             let Product { parent, unknown } = self.tables.chain[k];
             let (parent, unknown) = (usize::from(parent), usize::from(unknown));
-            gradients[k] = gradients[parent].map(|derivative| derivative * x[unknown]);
+            gradients[k] = mapped(&gradients[parent], |derivative| derivative * x[unknown]);
             gradients[k][unknown] += values[parent];
         }
         *residual = [S::ZERO; E];

@@ -29,6 +29,7 @@ eliminant::include_solver!("relpose_3pt_angle_zero_screw");
 eliminant::include_solver!("relpose_4pt_angle");
 eliminant::include_solver!("relpose_5pt");
 eliminant::include_solver!("relpose_5pt_generalized_angle");
+eliminant::include_solver!("relpose_5pt_semi_generalized_focal");
 eliminant::include_solver!("relpose_6pt_focal");
 eliminant::include_solver!("relpose_6pt_focal_one_side");
 eliminant::include_solver!("relpose_6pt_generalized");

@@ -125,6 +125,12 @@ pub fn cases() -> Vec<Case> {
         case!(relpose_4pt_angle, Relpose4ptAngle, (first, second, half_angle), (u, v, w)),
         case!(relpose_5pt, Relpose5pt, (basis), (x, y, z)),
         case!(relpose_5pt_generalized_angle, Relpose5ptGeneralizedAngle, (first, second, half_angle), (u, v, w)),
+        case!(
+            relpose_5pt_semi_generalized_focal,
+            Relpose5ptSemiGeneralizedFocal,
+            (images, directions, centres),
+            (x, y, c, s, depth)
+        ),
         case!(relpose_6pt_focal, Relpose6ptFocal, (basis), (x, y, w)),
         case!(relpose_6pt_focal_one_side, Relpose6ptFocalOneSide, (basis), (x, y, w)),
         case!(relpose_6pt_generalized, Relpose6ptGeneralized, (first, second), (x, y, z)),

@@ -20,7 +20,7 @@ const HAVE_NO_SCALE: [DataAttribute; 2] = [DataAttribute::Unit, DataAttribute::R
 const WORK: usize = 200_000_000;
 
 /// Problems whose equations the unit of their data changes so much that it must be that of the random ones within ten orders of magnitude.
-const HAVE_A_UNIT: [&str; 14] = [
+const HAVE_A_UNIT: [&str; 15] = [
     "calibration_6_receivers_4_senders",
     "fundamental_9pt_two_radials",
     "platform_forward_kinematics",
@@ -29,6 +29,7 @@ const HAVE_A_UNIT: [&str; 14] = [
     "pose_4pt_upright_error_bound",
     "pose_5pt_refraction",
     "pose_5tdoa_two_receivers",
+    "relpose_5pt_semi_generalized_focal",
     "relpose_6pt_radial",
     "relpose_7pt_focal_radial",
     "relpose_7pt_focal_radial_one_side",

@@ -1,5 +1,7 @@
 //! Prints straight-line code.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -8,56 +10,103 @@ use crate::plan::{Operation, Plan, PlannedRecovery, ValueId};
 use crate::problem::DataParameter;
 use crate::rational::Rational;
 
-/// The function from the data to the coefficients, with a statement for each step. Intermediate values stand in one array: as thousands of variables of their own, each
-/// with its debug information, they overflow the stack of the compiler.
+/// Operations that a statement holds at most.
+const MOST_OPERATIONS: usize = 64;
+
+/// The function from the data to the coefficients. What is read once is part of the expression that reads it, in the same order of operations;
+/// what is read more often is kept in one array: each type that the compiler must find costs time, and thousands of variables, each with its debug
+/// information, overflow its stack.
 pub(super) fn statements(plan: &Plan) -> TokenStream {
     let parameters = plan.data.iter().map(parameter);
-    let inputs: Vec<TokenStream> = plan.data.iter().flat_map(elements).collect();
+    let reads = reads(plan);
+    let (inputs, locals) = inputs(plan, &reads);
     let values = format_ident!("{}", name_of_values(plan));
-    let mut slots = Vec::with_capacity(plan.code.len());
-    let mut count = 0usize;
-    for operation in &plan.code {
-        slots.push(count);
-        count += usize::from(operation.is_step());
-    }
-    let slot = |at: usize| {
-        let index = Literal::usize_unsuffixed(slots[at]);
-        quote!(#values[#index])
-    };
-    let operand = |id: &ValueId| match plan.code[id.0 as usize] {
-        Operation::Constant(value) => constant(value),
-        Operation::Input(input) => inputs[input as usize].clone(),
-        _ => slot(id.0 as usize),
-    };
-    let steps = plan.code.iter().enumerate().filter_map(|(at, operation)| {
-        let value = match operation {
-            Operation::Constant(_) | Operation::Input(_) => return None,
-            Operation::Add(a, b) => binary(operand(a), quote!(+), operand(b)),
-            Operation::Subtract(a, b) => binary(operand(a), quote!(-), operand(b)),
-            Operation::Multiply(a, b) => binary(operand(a), quote!(*), operand(b)),
-            Operation::Divide(a, b) => binary(operand(a), quote!(/), operand(b)),
-            Operation::Negate(a) => {
-                let a = operand(a);
-                quote!(-#a)
-            }
+    let mut statements: Vec<TokenStream> = Vec::new();
+    let mut printed: Vec<Expression> = Vec::with_capacity(plan.code.len());
+    for (operation, &reads) in plan.code.iter().zip(&reads) {
+        let operand = |id: ValueId| &printed[id.0 as usize];
+        let expression = match *operation {
+            Operation::Constant(value) => Expression::atom(constant(value)),
+            Operation::Input(input) => Expression::atom(inputs[input as usize].clone()),
+            Operation::Add(a, b) => Expression::binary(operand(a), quote!(+), SUM, operand(b)),
+            Operation::Subtract(a, b) => Expression::binary(operand(a), quote!(-), SUM, operand(b)),
+            Operation::Multiply(a, b) => Expression::binary(operand(a), quote!(*), PRODUCT, operand(b)),
+            Operation::Divide(a, b) => Expression::binary(operand(a), quote!(/), PRODUCT, operand(b)),
+            Operation::Negate(a) => Expression::negated(operand(a)),
         };
-        let target = slot(at);
-        Some(quote!(#target = #value;))
-    });
+        let is_part = !operation.is_step() || (reads <= 1 && expression.operations < MOST_OPERATIONS);
+        printed.push(if is_part {
+            expression
+        } else {
+            let slot = Literal::usize_unsuffixed(statements.len());
+            let value = expression.tokens;
+            statements.push(quote!(#values[#slot] = #value;));
+            Expression::atom(quote!(#values[#slot]))
+        });
+    }
+    let count = statements.len();
     let declaration = match count {
         0 => quote!(),
         _ => quote!(let mut #values = [0.0; #count];),
     };
-    let results = plan.coefficients.iter().map(operand);
+    let results = plan.coefficients.iter().map(|id| &printed[id.0 as usize].tokens);
     let length = plan.coefficients.len();
     quote! {
         /// The coefficients that the tables refer to.
         fn coefficients(#(#parameters),*) -> [f64; #length] {
+            #(#locals)*
             #declaration
-            #(#steps)*
+            #(#statements)*
             [#(#results),*]
         }
     }
+}
+
+/// How tightly operators bind.
+const SUM: u8 = 0;
+const PRODUCT: u8 = 1;
+const SIGN: u8 = 2;
+const ATOM: u8 = 3;
+
+/// Part of a statement.
+struct Expression {
+    tokens: TokenStream,
+    /// How tightly its last operator binds.
+    precedence: u8,
+    operations: usize,
+}
+
+impl Expression {
+    fn atom(tokens: TokenStream) -> Self {
+        Self { tokens, precedence: ATOM, operations: 0 }
+    }
+
+    /// Left operands bind as tightly without parentheses, right ones do not.
+    fn binary(a: &Self, operator: TokenStream, precedence: u8, b: &Self) -> Self {
+        let (left, right) = (a.at_least(precedence), b.at_least(precedence + 1));
+        Self { tokens: quote!(#left #operator #right), precedence, operations: a.operations + b.operations + 1 }
+    }
+
+    fn negated(a: &Self) -> Self {
+        let operand = a.at_least(SIGN);
+        Self { tokens: quote!(-#operand), precedence: SIGN, operations: a.operations + 1 }
+    }
+
+    /// In parentheses where it binds less tightly.
+    fn at_least(&self, precedence: u8) -> TokenStream {
+        let tokens = &self.tokens;
+        if self.precedence < precedence { quote!((#tokens)) } else { tokens.clone() }
+    }
+}
+
+/// How often each value of the code is read.
+fn reads(plan: &Plan) -> Vec<usize> {
+    let mut reads = vec![0; plan.code.len()];
+    let operands = plan.code.iter().flat_map(|operation| operation.operands().into_iter().flatten());
+    for id in operands.chain(plan.coefficients.iter().copied()) {
+        reads[id.0 as usize] += 1;
+    }
+    reads
 }
 
 /// A name for the intermediate values that no parameter has.
@@ -69,24 +118,65 @@ fn name_of_values(plan: &Plan) -> String {
     name
 }
 
-fn binary(a: TokenStream, operator: TokenStream, b: TokenStream) -> TokenStream {
-    quote!(#a #operator #b)
+/// What stands for each scalar of the data, in flat order, and declarations of those that are read: `let gram_0_2 = gram[0][2];`.
+fn inputs(plan: &Plan, reads: &[usize]) -> (Vec<TokenStream>, Vec<TokenStream>) {
+    let mut separator = "_".to_owned();
+    let names = loop {
+        let names: Vec<String> = plan.data.iter().flat_map(|parameter| names(parameter, &separator)).collect();
+        let scalars = plan.data.iter().filter(|parameter| parameter.shape.is_empty()).count();
+        let taken = plan.data.iter().filter(|parameter| names.contains(&parameter.name)).count();
+        let different: BTreeSet<&String> = names.iter().collect();
+        if different.len() == names.len() && taken == scalars {
+            break names;
+        }
+        separator.push('_');
+    };
+    let is_read = |input: usize| {
+        let is_input = |operation: &Operation| matches!(operation, Operation::Input(at) if *at as usize == input);
+        plan.code.iter().zip(reads).any(|(operation, &reads)| reads > 0 && is_input(operation))
+    };
+    let idents: Vec<_> = names.iter().map(|name| format_ident!("{name}")).collect();
+    let elements = plan.data.iter().filter(|parameter| !parameter.shape.is_empty()).flat_map(|parameter| {
+        let elements = elements(parameter).into_iter().enumerate();
+        elements.map(|(at, element)| (parameter.first_input + at, element))
+    });
+    let locals = elements.filter(|(input, _)| is_read(*input)).map(|(input, element)| {
+        let local = &idents[input];
+        quote!(let #local = #element;)
+    });
+    (idents.iter().map(|ident| quote!(#ident)).collect(), locals.collect())
+}
+
+/// `gram_0_2` for every scalar of a parameter, in flat order.
+fn names(parameter: &DataParameter, separator: &str) -> Vec<String> {
+    let name = |indices: Vec<usize>| {
+        indices.iter().fold(parameter.name.clone(), |name, index| format!("{name}{separator}{index}"))
+    };
+    indices(parameter).map(name).collect()
 }
 
 /// `gram[0][2]` for every scalar of a parameter, in flat order.
 fn elements(parameter: &DataParameter) -> Vec<TokenStream> {
     let name = format_ident!("{}", parameter.name);
-    let element = |flat: usize| {
+    let element = |indices: Vec<usize>| {
+        let indices = indices.into_iter().map(Literal::usize_unsuffixed);
+        quote!(#name #([#indices])*)
+    };
+    indices(parameter).map(element).collect()
+}
+
+/// The indices of every scalar of a parameter, in flat order.
+fn indices(parameter: &DataParameter) -> impl Iterator<Item = Vec<usize>> {
+    (0..parameter.len()).map(|flat| {
         let mut rest = flat;
         let mut indices = Vec::new();
         for &length in parameter.shape.iter().rev() {
             indices.push(rest % length);
             rest /= length;
         }
-        let indices = indices.iter().rev().map(|&index| Literal::usize_unsuffixed(index));
-        quote!(#name #([#indices])*)
-    };
-    (0..parameter.len()).map(element).collect()
+        indices.reverse();
+        indices
+    })
 }
 
 /// A constant in parentheses where it is not a plain positive number; fractions are divided as the interpreter does.

@@ -3,9 +3,9 @@
 use std::array::from_fn;
 
 use eliminant_generator::instance::Random;
-use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
+use nalgebra::{Matrix2, Matrix3, Rotation3, Vector2, Vector3};
 
-use super::cameras::{cayley, distorted, image, in_ball, quaternion, two_cameras};
+use super::cameras::{camera, cayley, distorted, image, in_ball, quaternion, two_cameras};
 use super::{
     KnownInstance, Maker, combination, largest_relative_error, null_space, projective_error, relative_error, uniform,
 };
@@ -35,6 +35,11 @@ pub(super) fn makers() -> Vec<Maker> {
             name: "relpose_5pt",
             make: five_points,
             error: |data, s, truth| projective_error(&combination(data, &[s[0], s[1], s[2], 1.0]), truth),
+        },
+        Maker {
+            name: "relpose_5pt_semi_generalized_focal",
+            make: five_points_and_a_known_one,
+            error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "relpose_6pt_generalized",
@@ -126,6 +131,33 @@ fn five_points_generalized(random: &mut Random) -> KnownInstance {
 fn six_points_generalized(random: &mut Random) -> KnownInstance {
     let (data, rotation) = generalized(random, 6);
     KnownInstance { data, truths: vec![cayley(&rotation)] }
+}
+
+/// A camera of focal length 0.5 to 3, whose image is turned and scaled so that one of six points is seen at (1, 0), and the rays from other cameras,
+/// 2 to 6 units from that point, to the other five.
+fn five_points_and_a_known_one(random: &mut Random) -> KnownInstance {
+    let (rotation, translation) = camera(random);
+    let (focal, origin) = (uniform(random, 0.5, 3.0), in_ball(random));
+    let in_camera = rotation * origin + translation;
+    let seen = image(&in_camera, focal);
+    let turn = seen.norm_squared().recip() * Matrix2::new(seen.x, seen.y, -seen.y, seen.x);
+    let (mut images, mut directions, mut centres) = (Vec::new(), Vec::new(), Vec::new());
+    for _ in 0..5 {
+        let point = in_ball(random);
+        let centre = in_ball(random).normalize() * uniform(random, 2.0, 6.0);
+        images.extend((turn * image(&(rotation * point + translation), focal)).data.0[0]);
+        directions.extend((point - origin - centre).normalize().data.0[0]);
+        centres.extend(centre.data.0[0]);
+    }
+    // The turn of the image is one of the camera about its axis.
+    let about_axis = Rotation3::from_axis_angle(&Vector3::z_axis(), -seen.y.atan2(seen.x));
+    let [w, x, y, z] = quaternion(&(about_axis.into_inner() * rotation));
+    // (w, x, y, z) = (cos, 0, 0, sin) (p, q, r, 0), angles halved.
+    let (p, [cos, sin]) = (w.hypot(z), [w, z].map(|part| part / w.hypot(z)));
+    let [q, r] = [cos * x + sin * y, cos * y - sin * x];
+    let scaled_focal = focal / seen.norm();
+    let truth = vec![q / p, r / p, scaled_focal * (cos * cos - sin * sin), scaled_focal * 2.0 * cos * sin, in_camera.z];
+    KnownInstance { data: [images, directions, centres].concat(), truths: vec![truth] }
 }
 
 /// The fundamental matrix, of norm 1, of two cameras with focal length 0.7 to 2 and principal point in \[-0.2, 0.2\]^2, by its singular value
