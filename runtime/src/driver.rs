@@ -4,6 +4,7 @@
 //! elimination or of the eigenvalues lead to no solution, or to another one. Where solutions are missing, both are therefore repeated with
 //! twice the digits; where the elimination itself fails, by solvers whose coefficients can have as many.
 
+use arrayvec::ArrayVec;
 use num_complex::Complex;
 
 use crate::distinct::{Candidate, DOUBLE, push_distinct};
@@ -26,6 +27,10 @@ pub const MAX_RESIDUAL: f64 = 1e-10;
 /// rounding splits a pair of close real eigenvalues into a complex one. Where |B| exceeds the number of solutions any
 /// eigenvalue may: those that belong to no solution are often close together, far less precise, and take others along.
 const NEARLY_REAL: f64 = 1e-3;
+
+/// Where |B| exceeds the number of solutions and all are found, an eigenpair whose unknowns have a larger relative residual before the polish is taken
+/// for one that belongs to none. Those of solutions are near rounding, and the polish would take long to show that there is none.
+const NO_SOLUTION: f64 = 1e-6;
 
 /// A factor that must not vanish does if its value is at most this, relative to the sum of the moduli of its terms.
 pub const VANISHING: f64 = 1e-8;
@@ -94,8 +99,12 @@ fn add_all_complex<const B: usize, const N: usize, const K: usize, const MAX: us
     let spectrum = Hessenberg::reduce(&action)?;
     let values = spectrum.eigenvalues()?;
     let mut complete = true;
-    for value in upper_half(values) {
-        complete &= add_complex(method, &spectrum, value, found);
+    let guesses: ArrayVec<_, B> = upper_half(values).map(|value| Guess::new(&spectrum, value)).collect();
+    for (residual, guess) in in_order(method, &guesses, has_spurious_values(method, MAX)) {
+        if found.len() == MAX && residual > NO_SOLUTION {
+            return Ok(());
+        }
+        complete &= add_complex(method, guess, guess.value, found);
     }
     if !complete {
         for_each_shared_value(method, &action, &spectrum, &values, |source, value| {
@@ -115,16 +124,15 @@ fn add_all_complex<const B: usize, const N: usize, const K: usize, const MAX: us
 pub fn real_solutions<const B: usize, const N: usize, const K: usize, const MAX: usize>(
     method: &mut impl ActionMethod<B, N, K>,
 ) -> Result<Solutions<[f64; N], MAX>, SolveError> {
-    let has_spurious_values = B * (1 + flips(method).len()) > MAX;
+    let has_spurious_values = has_spurious_values(method, MAX);
     let mut found = RealAndAll {
         real: Solutions::<Candidate<f64, N>, MAX>::new(),
         all: has_spurious_values.then(Solutions::<Candidate<Complex<f64>, N>, MAX>::new),
     };
-    let may_be_real = |value: &Complex<f64>| has_spurious_values || is_nearly_real(value);
-    let first = add_all_real(method, may_be_real, &mut found);
+    let first = add_all_real(method, &mut found);
     if found.lacks_some() || first.is_err() {
         for_each_precise_value(method, first, |method, source, value| {
-            if may_be_real(&value) {
+            if found.may_be_real(&value) {
                 add_real(method, source, value, &mut found);
             }
         })?;
@@ -137,24 +145,96 @@ pub fn real_solutions<const B: usize, const N: usize, const K: usize, const MAX:
 #[inline]
 fn add_all_real<const B: usize, const N: usize, const K: usize, const MAX: usize>(
     method: &mut impl ActionMethod<B, N, K>,
-    may_be_real: impl Fn(&Complex<f64>) -> bool,
     found: &mut RealAndAll<N, MAX>,
 ) -> Result<(), SolveError> {
     let action = method.action_matrix::<f64>()?;
     let spectrum = Hessenberg::reduce(&action)?;
     let values = spectrum.eigenvalues()?;
     let mut complete = true;
-    for value in upper_half(values).filter(&may_be_real) {
-        complete &= add_real(method, &spectrum, value, found);
+    let may_be_real = upper_half(values).filter(|value| found.may_be_real(value));
+    let guesses: ArrayVec<_, B> = may_be_real.map(|value| Guess::new(&spectrum, value)).collect();
+    for (residual, guess) in in_order(method, &guesses, found.all.is_some()) {
+        if found.all.as_ref().is_some_and(|all| all.len() == MAX) && residual > NO_SOLUTION {
+            return Ok(());
+        }
+        complete &= add_real(method, guess, guess.value, found);
     }
     if !complete {
         for_each_shared_value(method, &action, &spectrum, &values, |source, value| {
-            if may_be_real(&value) {
+            if found.may_be_real(&value) {
                 add_real(method, source, value, found);
             }
         });
     }
     Ok(())
+}
+
+/// Whether some eigenvalues belong to no solution.
+#[inline]
+fn has_spurious_values<const B: usize, const N: usize, const K: usize>(
+    method: &impl ActionMethod<B, N, K>,
+    solutions: usize,
+) -> bool {
+    B * (1 + flips(method).len()) > solutions
+}
+
+/// An eigenvalue and its eigenvector, from which a solution may be read.
+struct Guess<const B: usize> {
+    value: Complex<f64>,
+    /// Real for a real eigenvalue.
+    vector: [Complex<f64>; B],
+}
+
+impl<const B: usize> Guess<B> {
+    #[inline]
+    fn new(spectrum: &Hessenberg<B>, value: Complex<f64>) -> Self {
+        let vector = match value.im == 0.0 {
+            true => mapped(&spectrum.eigenvector(value.re), Complex::from),
+            false => spectrum.eigenvector(value),
+        };
+        Self { value, vector }
+    }
+
+    /// The relative residual before the polish.
+    #[inline]
+    fn residual<S: Scalar, const N: usize, const K: usize>(&self, method: &impl ActionMethod<B, N, K>) -> f64 {
+        let (value, vector) = self.eigenpair(S::from_complex(self.value));
+        unknowns(method, value, &vector).map_or(f64::INFINITY, |mut unknowns| method.polish(&mut unknowns, 0))
+    }
+}
+
+impl<const B: usize> Eigenpairs<B> for Guess<B> {
+    #[inline]
+    fn eigenpair<S: Scalar>(&self, value: S) -> (S, [S; B]) {
+        (value, mapped(&self.vector, S::from_complex))
+    }
+}
+
+/// The guesses with their residuals, in the order in which they are tried: where some belong to no solution, those that do come first. Elsewhere residuals
+/// are not needed, and zero.
+#[inline]
+fn in_order<'a, const B: usize, const N: usize, const K: usize>(
+    method: &impl ActionMethod<B, N, K>,
+    guesses: &'a [Guess<B>],
+    has_spurious_values: bool,
+) -> impl Iterator<Item = (f64, &'a Guess<B>)> {
+    let mut order: ArrayVec<(f64, usize), B> = (0..guesses.len()).map(|at| (0.0, at)).collect();
+    if has_spurious_values {
+        for ((residual, _), guess) in order.iter_mut().zip(guesses) {
+            *residual = match guess.value.im == 0.0 {
+                true => guess.residual::<f64, N, K>(method),
+                false => guess.residual::<Complex<f64>, N, K>(method),
+            };
+        }
+        sort(&mut order);
+    }
+    order.into_iter().map(|(residual, at)| (residual, &guesses[at]))
+}
+
+/// A function of its own: compiled once for all solvers.
+#[inline(never)]
+fn sort(order: &mut [(f64, usize)]) {
+    order.sort_unstable_by(|(a, _), (b, _)| a.total_cmp(b));
 }
 
 /// What [`real_solutions`] finds.
@@ -165,6 +245,12 @@ struct RealAndAll<const N: usize, const MAX: usize> {
 }
 
 impl<const N: usize, const MAX: usize> RealAndAll<N, MAX> {
+    /// Whether an eigenvalue may belong to a real solution.
+    #[inline]
+    fn may_be_real(&self, value: &Complex<f64>) -> bool {
+        self.all.is_some() || is_nearly_real(value)
+    }
+
     /// Whether the number of solutions shows that some are missing.
     #[inline]
     fn lacks_some(&self) -> bool {
@@ -196,7 +282,8 @@ pub fn real_solutions_by_polynomial<const B: usize, const N: usize, const K: usi
     let spectrum = Hessenberg::reduce(&action)?;
     let mut found = RealAndAll { real: Solutions::<Candidate<f64, N>, MAX>::new(), all: None };
     for value in real_roots_monic(&spectrum.characteristic_polynomial()) {
-        add_real(method, &spectrum, value.into(), &mut found);
+        let guess = Guess::new(&spectrum, value.into());
+        add_real(method, &guess, guess.value, &mut found);
     }
     Ok(admissible(method, &found.real))
 }
@@ -296,8 +383,12 @@ fn push_both<const B: usize, const N: usize, const K: usize, const MAX: usize>(
     candidate: Candidate<Complex<f64>, N>,
     found: &mut Solutions<Candidate<Complex<f64>, N>, MAX>,
 ) -> bool {
-    let conjugate = Candidate { unknowns: mapped(&candidate.unknowns, Scalar::conj), ..candidate };
-    push_all_signs(method, candidate, found) & push_all_signs(method, conjugate, found)
+    push_all_signs(method, candidate, found) & push_all_signs(method, conjugate(&candidate), found)
+}
+
+#[inline]
+fn conjugate<const N: usize>(candidate: &Candidate<Complex<f64>, N>) -> Candidate<Complex<f64>, N> {
+    Candidate { unknowns: mapped(&candidate.unknowns, Scalar::conj), ..*candidate }
 }
 
 /// The sign changes that connect solutions of one eigenpair.
@@ -355,13 +446,16 @@ fn add_real<const B: usize, const N: usize, const K: usize, const MAX: usize>(
     false
 }
 
-/// The real solution that belongs to a complex one close to it, if there is one. Halfway between conjugates is their real part: what shows a
+/// The real solution that belongs to a complex one close to its conjugate, if there is one. Halfway between the two is their real part: what shows a
 /// double solution in [`push_distinct`] does so here.
 #[inline]
 fn nearly_real<const B: usize, const N: usize, const K: usize>(
     method: &impl ActionMethod<B, N, K>,
     complex: &Candidate<Complex<f64>, N>,
 ) -> Option<Candidate<f64, N>> {
+    if !complex.close(&conjugate(complex)) {
+        return None;
+    }
     let unknowns = mapped(&complex.unknowns, Scalar::real);
     polish_from(method, unknowns).filter(|real| real.residual <= complex.residual.max(DOUBLE))
 }

@@ -1,21 +1,12 @@
 //! Unknowns from an eigenvector.
 
 use crate::driver::ActionMethod;
-use crate::hessenberg::Hessenberg;
 use crate::scalar::Scalar;
 
 /// Where eigenvectors of the action matrix come from.
 pub(crate) trait Eigenpairs<const B: usize> {
     /// The eigenpair that is listed under `value`: the value of the action monomial, and an eigenvector.
     fn eigenpair<S: Scalar>(&self, value: S) -> (S, [S; B]);
-}
-
-/// Listed under the eigenvalues.
-impl<const B: usize> Eigenpairs<B> for Hessenberg<B> {
-    #[inline]
-    fn eigenpair<S: Scalar>(&self, value: S) -> (S, [S; B]) {
-        (value, self.eigenvector(value))
-    }
 }
 
 /// The unknowns from an eigenpair; None where they cannot be read.
