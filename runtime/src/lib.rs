@@ -11,7 +11,7 @@
 //! 5. [`mod@polish`] improves a solution on the original equations, which [`system`] evaluates from static tables.
 //! 6. [`driver`] does 3 to 5 for every eigenvalue; [`distinct`] drops what was found twice. Solutions that share an
 //!    eigenvalue are told apart by `shared_value` on its `invariant_subspace`. Where solutions are missing, 2 to 5 are
-//!    done once more with the numbers of `double_double`.
+//!    done once more with the numbers of `double_double`, on a `precise_spectrum`.
 //! 7. [`solutions`] and [`error`] are what a solver returns.
 //!
 //! Nothing here allocates, panics on data, loops without a bound or knows a problem. All sizes are const generic and
