@@ -1,5 +1,7 @@
 //! What the driver does with solutions that a problem excludes, and where rounding errors lose some.
 
+use std::cell::Cell;
+
 use eliminant::{
     ActionMethod, Complex, Hessenberg, Real, Scalar, Solutions, SolveError, complex_solutions, real_solutions,
 };
@@ -165,8 +167,19 @@ fn what_is_complete_is_not_done_twice() {
     assert_eq!((real.len(), points.calls), (1, 1));
 }
 
-/// Solutions x = 2 + i, 2 - i; action x; basis 1, x, x^2, with 1 as a third eigenvalue near which the residual is small but not rounding.
-struct Spurious;
+/// Solutions x = 2 + i, 2 - i; action x; basis 1, x, x^2, with 1 as a third eigenvalue.
+struct Spurious {
+    /// At 1, before the polish and after it.
+    residual: f64,
+    /// How often 1 was polished.
+    polished: Cell<usize>,
+}
+
+impl Spurious {
+    fn new(residual: f64) -> Self {
+        Self { residual, polished: Cell::new(0) }
+    }
+}
 
 impl ActionMethod<3, 1, 3> for Spurious {
     const PAIRS: [&'static [(u16, u16)]; 1] = [&[(0, 1)]];
@@ -182,10 +195,13 @@ impl ActionMethod<3, 1, 3> for Spurious {
 
     fn recover<S: Scalar>(&self, _unknowns: &mut [S; 1]) {}
 
-    fn polish<S: Scalar>(&self, [x]: &mut [S; 1], _steps: usize) -> f64 {
+    fn polish<S: Scalar>(&self, [x]: &mut [S; 1], steps: usize) -> f64 {
         let x = x.to_complex();
         match (x.re - 1.0).hypot(x.im) < 1e-8 {
-            true => 1e-11,
+            true => {
+                self.polished.update(|count| count + usize::from(steps > 0));
+                self.residual
+            }
             false => (x.re - 2.0).hypot(x.im.abs() - 1.0),
         }
     }
@@ -197,11 +213,24 @@ impl ActionMethod<3, 1, 3> for Spurious {
 
 #[test]
 fn of_too_many_solutions_that_with_the_largest_residual_is_none() {
-    let all: Solutions<[Complex<f64>; 1], 2> = complex_solutions(&mut Spurious).unwrap();
+    let spurious = &mut Spurious::new(1e-11);
+    let all: Solutions<[Complex<f64>; 1], 2> = complex_solutions(spurious).unwrap();
     assert!(all.len() == 2 && all.iter().all(|[x]| x.im != 0.0), "{all:?}");
-    // Found as a real one before the others show that it is none.
-    let real: Solutions<[f64; 1], 2> = real_solutions(&mut Spurious).unwrap();
+    let real: Solutions<[f64; 1], 2> = real_solutions(spurious).unwrap();
     assert!(real.is_empty(), "{real:?}");
-    let real: Solutions<[f64; 1], 3> = real_solutions(&mut Spurious).unwrap();
+    let real: Solutions<[f64; 1], 3> = real_solutions(spurious).unwrap();
     assert_eq!(real.len(), 1, "{real:?}");
+}
+
+#[test]
+fn what_belongs_to_no_solution_is_not_polished_once_all_are_found() {
+    let polished = |residual, solve: fn(&mut Spurious) -> usize| {
+        let mut spurious = Spurious::new(residual);
+        let found = solve(&mut spurious);
+        (found, spurious.polished.get() > 0)
+    };
+    let complex = |spurious: &mut Spurious| complex_solutions::<3, 1, 3, 2>(spurious).unwrap().len();
+    let real = |spurious: &mut Spurious| real_solutions::<3, 1, 3, 2>(spurious).unwrap().len();
+    assert_eq!([polished(1e-2, complex), polished(1e-2, real)], [(2, false), (0, false)]);
+    assert_eq!([polished(1e-8, complex), polished(1e-8, real)], [(2, true), (0, true)]);
 }

@@ -237,6 +237,20 @@ fn a_problem_without_template_is_searched() {
     assert_eq!(project.modified("meet"), modified);
 }
 
+/// Names in the emitted code are none of the problem's.
+#[test]
+fn names_of_data_are_not_taken() {
+    let project = Project::new();
+    let text = "fn clash(c: [f64; 2], c_0: f64, v: f64) -> (x, y) {\n    \
+        c_0 * v * x * x + y * y == c[0];\n    x * y + c_0 * v * y == c[1];\n}\n";
+    project.write("clash.rs", text);
+    project.run().expect("a small problem");
+    let solver = project.solver("clash");
+    for declaration in ["let c_at_0 = c[0];", "let c_at_1 = c[1];", "let mut v_ = [0.0;"] {
+        assert!(solver.contains(declaration), "{declaration} in\n{solver}");
+    }
+}
+
 #[test]
 fn all_broken_problems_are_reported_and_good_ones_written() {
     let project = Project::with(&CONICS);

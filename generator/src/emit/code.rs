@@ -129,7 +129,7 @@ fn inputs(plan: &Plan, reads: &[usize]) -> (Vec<TokenStream>, Vec<TokenStream>) 
         if different.len() == names.len() && taken == scalars {
             break names;
         }
-        separator.push('_');
+        separator.push_str("at_");
     };
     let is_read = |input: usize| {
         let is_input = |operation: &Operation| matches!(operation, Operation::Input(at) if *at as usize == input);
