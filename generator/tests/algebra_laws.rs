@@ -103,6 +103,14 @@ proptest! {
     #![proptest_config(config(256))]
 
     #[test]
+    fn monomials_are_multiplied_exponent_by_exponent(a in any::<[i8; 16]>(), b in any::<[i8; 16]>()) {
+        let [x, y] = [a, b].map(|exponents| Monomial::from_exponents(&exponents));
+        let each = |of: fn(i8, i8) -> i8| std::array::from_fn::<i8, 16, _>(|i| of(a[i], b[i]));
+        prop_assert_eq!(x.times(&y), Monomial::from_exponents(&each(i8::wrapping_add)));
+        prop_assert_eq!(x.over(&y), Monomial::from_exponents(&each(i8::wrapping_sub)));
+    }
+
+    #[test]
     fn field_laws(a in element(), b in element(), c in element(), wide in any::<u64>(), which in 0..PRIMES.len()) {
         let f = PrimeField::new(PRIMES[which]);
         let [a, b, c] = [a, b, c].map(|x| f.reduce(u64::from(x)));

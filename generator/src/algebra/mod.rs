@@ -22,7 +22,7 @@ pub use fglm::change_order;
 pub use field::{PRIMES, PrimeField};
 pub use groebner::{BasisElement, GroebnerBasis, GroebnerError, Limits, groebner_basis};
 pub use matrix::DenseMatrix;
-pub use monomial::{MAX_UNKNOWNS, Monomial};
+pub use monomial::{MAX_UNKNOWNS, Monomial, MonomialMap, MonomialSet};
 pub use order::{MonomialOrder, OrderKey};
 pub use points::count_points;
 pub use polynomial::Polynomial;

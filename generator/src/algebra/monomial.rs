@@ -1,6 +1,8 @@
 //! Monomials with integer exponents.
 
+use std::collections::{HashMap, HashSet};
 use std::fmt;
+use std::hash::{BuildHasherDefault, Hash, Hasher};
 
 /// The largest number of unknowns of a problem.
 pub const MAX_UNKNOWNS: usize = 16;
@@ -8,9 +10,49 @@ pub const MAX_UNKNOWNS: usize = 16;
 /// x_0^e_0 ... x_15^e_15. Exponents may be negative (Laurent monomials); the algebra of ideals uses non-negative ones.
 ///
 /// `Ord` is the graded reverse lexicographic order with x_0 > x_1 > ...: it is the canonical order of terms everywhere.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Monomial {
     exponents: [i8; MAX_UNKNOWNS],
+}
+
+/// The sign bit of each byte.
+const SIGNS: u128 = 0x8080_8080_8080_8080_8080_8080_8080_8080;
+
+/// A set of monomials that is asked often.
+pub type MonomialSet = HashSet<Monomial, BuildHasherDefault<MonomialHasher>>;
+/// What belongs to monomials and is asked for often.
+pub type MonomialMap<V> = HashMap<Monomial, V, BuildHasherDefault<MonomialHasher>>;
+
+impl Hash for Monomial {
+    #[inline]
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        state.write_u128(self.packed());
+    }
+}
+
+/// Mixes all exponents by one multiplication: most of the time to grow sets of shifts goes into looking up monomials.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct MonomialHasher(u64);
+
+impl Hasher for MonomialHasher {
+    #[inline]
+    fn write_u128(&mut self, exponents: u128) {
+        // The fractional digits of pi, odd: exponents are small numbers, and often half of them zero.
+        const MIX: [u64; 2] = [0x243f_6a88_85a3_08d3, 0x1319_8a2e_0370_7345];
+        let (low, high) = (exponents as u64 ^ self.0 ^ MIX[0], (exponents >> 64) as u64 ^ MIX[1]);
+        let product = u128::from(low) * u128::from(high);
+        self.0 = product as u64 ^ (product >> 64) as u64;
+    }
+
+    #[inline]
+    fn write(&mut self, bytes: &[u8]) {
+        bytes.iter().for_each(|&byte| self.write_u128(u128::from(byte)));
+    }
+
+    #[inline]
+    fn finish(&self) -> u64 {
+        self.0
+    }
 }
 
 impl Monomial {
@@ -67,20 +109,34 @@ impl Monomial {
     #[inline]
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
-        let mut exponents = [0; MAX_UNKNOWNS];
-        for i in 0..MAX_UNKNOWNS {
-            exponents[i] = self.exponents[i].wrapping_add(other.exponents[i]);
-        }
-        Self { exponents }
+        let (a, b) = (self.packed(), other.packed());
+        // All bytes at once: without their signs they cannot overflow into the next one.
+        Self::unpacked(((a & !SIGNS) + (b & !SIGNS)) ^ ((a ^ b) & SIGNS))
     }
 
     /// The quotient as a Laurent monomial. Exponents wrap as in [`Monomial::times`].
     #[inline]
     #[must_use]
     pub fn over(&self, other: &Self) -> Self {
-        let mut exponents = [0; MAX_UNKNOWNS];
+        let (a, b) = (self.packed(), other.packed());
+        Self::unpacked(((a | SIGNS) - (b & !SIGNS)) ^ ((a ^ !b) & SIGNS))
+    }
+
+    /// All exponents as the bytes of one number.
+    #[inline]
+    fn packed(&self) -> u128 {
+        let mut bytes = [0; MAX_UNKNOWNS];
         for i in 0..MAX_UNKNOWNS {
-            exponents[i] = self.exponents[i].wrapping_sub(other.exponents[i]);
+            bytes[i] = self.exponents[i].cast_unsigned();
+        }
+        u128::from_le_bytes(bytes)
+    }
+
+    #[inline]
+    fn unpacked(packed: u128) -> Self {
+        let (mut exponents, bytes) = ([0; MAX_UNKNOWNS], packed.to_le_bytes());
+        for i in 0..MAX_UNKNOWNS {
+            exponents[i] = bytes[i].cast_signed();
         }
         Self { exponents }
     }

@@ -8,10 +8,10 @@
 //!   excess of columns over rows (Martyushev, Bhayani, Pajdla, arXiv 2307.00320), from the start or after some levels of neighbours;
 //! - the same among Laurent monomials.
 
-use std::collections::{BTreeSet, HashSet};
+use std::collections::BTreeSet;
 
 use super::Shift;
-use crate::algebra::{MAX_UNKNOWNS, Monomial, Polynomial};
+use crate::algebra::{MAX_UNKNOWNS, Monomial, MonomialSet, Polynomial};
 
 /// A way to grow sets of shifts.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -62,7 +62,7 @@ pub struct Shifts<'a> {
     limit: usize,
     level: i32,
     accepted: BTreeSet<Shift>,
-    support: HashSet<Monomial>,
+    support: MonomialSet,
 }
 
 impl<'a> Shifts<'a> {
@@ -191,7 +191,7 @@ pub fn monomials_of<'a>(equations: &'a [Polynomial<u32>], shift: &Shift) -> impl
 }
 
 /// All shifts whose monomials lie in `support`.
-pub fn shifts_within(equations: &[Polynomial<u32>], support: &HashSet<Monomial>) -> BTreeSet<Shift> {
+pub fn shifts_within(equations: &[Polynomial<u32>], support: &MonomialSet) -> BTreeSet<Shift> {
     let mut shifts = BTreeSet::new();
     for (equation, f) in equations.iter().enumerate() {
         let Some(first) = f.monomials().next() else { continue };

@@ -1,13 +1,11 @@
 //! Makes a template smaller by going back and forth: some rows more, then as few as possible in another order.
 
-use std::collections::HashSet;
-
 use super::grow::{monomials_of, shifts_within};
 use super::reduce::{DeletionOrder, reduce};
 use super::shift_matrix::ShiftMatrix;
 use super::solving_set::Requirements;
 use super::{EliminationTemplate, Shift};
-use crate::algebra::{Monomial, Polynomial, PrimeField};
+use crate::algebra::{Monomial, MonomialSet, Polynomial, PrimeField};
 use crate::instance::Random;
 use crate::monitor::{Monitor, Stage};
 
@@ -69,7 +67,7 @@ impl Improvement<'_> {
 
     /// All shifts within the monomials of the template and of some neighbours of its shifts.
     fn surroundings(&self, template: &EliminationTemplate, neighbours: u64, random: &mut Random) -> Vec<Shift> {
-        let mut support: HashSet<Monomial> =
+        let mut support: MonomialSet =
             template.shifts.iter().flat_map(|shift| monomials_of(self.equations, shift)).collect();
         for _ in 0..neighbours {
             let shift = template.shifts[random.below(template.shifts.len() as u64) as usize];

@@ -1,9 +1,7 @@
 //! The coefficient matrix of a set of shifts over Z_p.
 
-use std::collections::HashMap;
-
 use super::Shift;
-use crate::algebra::{Echelon, Monomial, Polynomial, PrimeField};
+use crate::algebra::{Echelon, Monomial, MonomialMap, Polynomial, PrimeField};
 use crate::symmetry::Reading;
 
 /// Rows of `m * f` for a set of shifts, sparse, with their monomials and with 1, which no row may hold: where all equations vanish at the origin
@@ -23,7 +21,7 @@ pub struct ShiftMatrix {
     /// The columns, decreasing.
     pub monomials: Vec<Monomial>,
     /// Position of each monomial among the columns.
-    pub column_of: HashMap<Monomial, usize>,
+    pub column_of: MonomialMap<usize>,
     /// Nonzero entries (column, value) of each row.
     pub rows: Vec<Vec<(usize, u32)>>,
 }
@@ -36,7 +34,7 @@ impl ShiftMatrix {
         monomials.push(Monomial::ONE);
         monomials.sort_unstable_by(|a, b| b.cmp(a));
         monomials.dedup();
-        let column_of: HashMap<Monomial, usize> = monomials.iter().enumerate().map(|(i, &m)| (m, i)).collect();
+        let column_of: MonomialMap<usize> = monomials.iter().enumerate().map(|(i, &m)| (m, i)).collect();
         let row = |s: &Shift| {
             let terms = equations[s.equation].terms().iter();
             terms.map(|&(m, c)| (column_of[&m.times(&s.multiplier)], c)).collect()
