@@ -115,8 +115,8 @@ fn add_all_complex<const B: usize, const N: usize, const K: usize, const MAX: us
 }
 
 /// All real solutions, by the QR iteration. MAX is how many complex ones there are for general data: where it shows that some are missing, all
-/// is done once more at twice the precision. Where B exceeds MAX all eigenvalues are tried and solutions counted; else solutions that are not
-/// real come in pairs, and an odd number is missing.
+/// is done once more at twice the precision. Where B exceeds MAX complex eigenvalues are tried, too, until all solutions are counted; else
+/// solutions that are not real come in pairs, and an odd number is missing.
 ///
 /// # Errors
 /// As [`complex_solutions`].
@@ -240,7 +240,7 @@ fn sort(order: &mut [(f64, usize)]) {
 /// What [`real_solutions`] finds.
 struct RealAndAll<const N: usize, const MAX: usize> {
     real: Solutions<Candidate<f64, N>, MAX>,
-    /// With the complex ones, where all eigenvalues are tried.
+    /// With the complex ones, where they are counted.
     all: Option<Solutions<Candidate<Complex<f64>, N>, MAX>>,
 }
 

@@ -39,7 +39,7 @@ impl<const B: usize> Eigenpairs<B> for PreciseSpectrum<'_> {
     }
 }
 
-/// Calls `with` for the spectrum of a square matrix of `order` rows.
+/// Calls `with` for the spectrum of a square matrix of `order` rows. Its stack is that of the next larger of these sizes.
 ///
 /// # Errors
 /// As [`Hessenberg::reduce`] and [`Hessenberg::eigenvalues`]; [`SolveError::NoConvergence`] beyond 256 rows, for which no memory is set aside.
@@ -54,7 +54,9 @@ pub(crate) fn with_precise_spectrum(
         33..=64 => at_capacity::<64>(matrix, order, with),
         65..=96 => at_capacity::<96>(matrix, order, with),
         97..=128 => at_capacity::<128>(matrix, order, with),
-        129..=256 => at_capacity::<256>(matrix, order, with),
+        129..=160 => at_capacity::<160>(matrix, order, with),
+        161..=192 => at_capacity::<192>(matrix, order, with),
+        193..=256 => at_capacity::<256>(matrix, order, with),
         _ => Err(SolveError::NoConvergence),
     }
 }
@@ -74,4 +76,44 @@ fn at_capacity<const C: usize>(
     let eigenvalues = form.eigenvalues()?;
     with(&PreciseSpectrum { eigenvalues: &eigenvalues[..order], eigenvectors: &form });
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The companion matrix of x^n - 2: eigenvalues of modulus 2^(1/n), eigenvectors 1, x, x^2, ..
+    fn companion(n: usize, matrix: &mut [DoubleDouble]) {
+        matrix.fill(DoubleDouble::ZERO);
+        (0..n - 1).for_each(|i| matrix[i * n + i + 1] = DoubleDouble::ONE);
+        matrix[(n - 1) * n] = DoubleDouble::from_f64(2.0);
+    }
+
+    #[test]
+    fn every_order_has_its_eigenpairs() {
+        const LARGEST: usize = 129;
+        let mut memory = [DoubleDouble::ZERO; LARGEST * LARGEST];
+        for n in [2, 15, 16, 17, 33, 65, 96, 97, 128, LARGEST] {
+            let matrix = &mut memory[..n * n];
+            companion(n, matrix);
+            let mut found = 0;
+            with_precise_spectrum(matrix, n, &mut |spectrum| {
+                for &value in spectrum.eigenvalues {
+                    assert!((value.powi(n as i32) - 2.0).norm() < 1e-12, "{n}: {value}");
+                    let mut vector = [Complex::ZERO; LARGEST];
+                    spectrum.eigenvectors.eigenvector(value, &mut vector);
+                    for i in 1..n {
+                        assert!(
+                            (vector[i] - vector[i - 1] * value).norm() < 1e-13,
+                            "{n}: entry {i} of that of {value}"
+                        );
+                    }
+                    found += 1;
+                }
+            })
+            .unwrap();
+            assert_eq!(found, n);
+        }
+        assert_eq!(with_precise_spectrum(&[], 257, &mut |_| ()), Err(SolveError::NoConvergence));
+    }
 }
