@@ -71,6 +71,7 @@ impl Candidate {
             ("generator".to_owned(), env!("CARGO_PKG_VERSION").to_owned()),
             ("prefer".to_owned(), options.prefer.to_string()),
             ("growth".to_owned(), self.growth.clone()),
+            ("max_columns".to_owned(), options.max_columns.to_string()),
             ("shuffles".to_owned(), options.shuffles.to_string()),
             ("seed".to_owned(), options.seed.to_string()),
             ("prime".to_owned(), SEARCH_FIELD.modulus().to_string()),
