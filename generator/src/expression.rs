@@ -9,6 +9,7 @@ use std::collections::HashMap;
 
 use crate::algebra::{Monomial, PRIMES, Polynomial, PrimeField};
 use crate::arithmetic::Arithmetic;
+use crate::product_sum::{Product, ProductSum};
 use crate::rational::Rational;
 
 /// A node of an [`ExpressionGraph`].
@@ -39,6 +40,13 @@ pub enum Expression {
     Divide(ExpressionId, ExpressionId),
     /// -a
     Negate(ExpressionId),
+    /// A coefficient of one of the sums of products of polynomials ([`ExpressionGraph::product_sums`]).
+    Coefficient {
+        /// Which sum.
+        sum: u32,
+        /// Which of its coefficients.
+        at: u32,
+    },
 }
 
 type Fingerprint = [u32; 2];
@@ -53,6 +61,7 @@ pub type SymbolicPolynomial = Polynomial<ExpressionId>;
 #[derive(Clone, Debug)]
 pub struct ExpressionGraph {
     nodes: Vec<Expression>,
+    product_sums: Vec<ProductSum<ExpressionId>>,
     fingerprints: Vec<Fingerprint>,
     by_fingerprint: HashMap<Fingerprint, ExpressionId>,
 }
@@ -61,7 +70,12 @@ impl ExpressionGraph {
     /// The graph of the constants 0 and 1 and the inputs. `points[k]` are the values of all inputs at the k-th
     /// fingerprint point, see [`crate::instance::fingerprint_points`].
     pub fn new(points: &[Vec<u32>; 2]) -> Self {
-        let mut graph = Self { nodes: Vec::new(), fingerprints: Vec::new(), by_fingerprint: HashMap::new() };
+        let mut graph = Self {
+            nodes: Vec::new(),
+            product_sums: Vec::new(),
+            fingerprints: Vec::new(),
+            by_fingerprint: HashMap::new(),
+        };
         graph.push(Expression::Constant(Rational::ZERO), [0, 0]);
         graph.push(Expression::Constant(Rational::ONE), [1, 1]);
         for (input, (&a, &b)) in (0u32..).zip(points[0].iter().zip(&points[1])) {
@@ -84,6 +98,11 @@ impl ExpressionGraph {
     /// All nodes, operands before their users.
     pub fn nodes(&self) -> &[Expression] {
         &self.nodes
+    }
+
+    /// Sums of products of polynomials, by their coefficients. All operands of a sum have smaller ids than its coefficients.
+    pub fn product_sums(&self) -> &[ProductSum<ExpressionId>] {
+        &self.product_sums
     }
 
     /// What a node is.
@@ -213,6 +232,7 @@ impl ExpressionGraph {
     /// The values of all nodes for the given values of the inputs; `None` where a divisor is zero there.
     pub fn evaluate<A: Arithmetic>(&self, arithmetic: A, inputs: &[A::Value]) -> Option<Vec<A::Value>> {
         let mut values: Vec<A::Value> = Vec::with_capacity(self.nodes.len());
+        let mut sums: Vec<Vec<A::Value>> = vec![Vec::new(); self.product_sums.len()];
         for node in &self.nodes {
             let at = |id: &ExpressionId| values[id.index()];
             let value = match node {
@@ -223,6 +243,13 @@ impl ExpressionGraph {
                 Expression::Multiply(a, b) => arithmetic.mul(at(a), at(b)),
                 Expression::Divide(a, b) => arithmetic.div(at(a), at(b))?,
                 Expression::Negate(a) => arithmetic.neg(at(a)),
+                Expression::Coefficient { sum, at: coefficient } => {
+                    let known = &mut sums[*sum as usize];
+                    if known.is_empty() {
+                        *known = self.product_sums[*sum as usize].evaluate(arithmetic, |id| at(&id));
+                    }
+                    known[*coefficient as usize]
+                }
             };
             values.push(value);
         }
@@ -306,6 +333,55 @@ impl ExpressionGraph {
             }
         }
         Some(self.sum_terms(terms))
+    }
+
+    /// The sum of products p q, or of -p q where the flag says so, as one [`ProductSum`]: for factors of many terms. `None` where an exponent overflows.
+    pub fn polynomial_product_sum(
+        &mut self,
+        products: &[(bool, &SymbolicPolynomial, &SymbolicPolynomial)],
+    ) -> Option<SymbolicPolynomial> {
+        let mut monomials_of = Vec::with_capacity(products.len());
+        for (_, p, q) in products {
+            let pairs = p.terms().iter().flat_map(|(m, _)| q.terms().iter().map(move |(n, _)| m.checked_mul(n)));
+            monomials_of.push(pairs.collect::<Option<Vec<Monomial>>>()?);
+        }
+        let mut monomials = monomials_of.concat();
+        monomials.sort_unstable_by_key(|&monomial| std::cmp::Reverse(monomial));
+        monomials.dedup();
+        let place = |monomial: &Monomial| monomials.partition_point(|other| other > monomial);
+        let coefficients = |p: &SymbolicPolynomial| p.terms().iter().map(|&(_, c)| c).collect();
+        let product =
+            |(&(negative, p, q), pairs): (&(bool, &SymbolicPolynomial, &SymbolicPolynomial), &Vec<Monomial>)| {
+                let to = pairs.iter().map(|monomial| place(monomial) as u32).collect();
+                Product { negative, left: coefficients(p), right: coefficients(q), to }
+            };
+        let products = products.iter().zip(&monomials_of).map(product).collect();
+        let sum = ProductSum { products, length: monomials.len() };
+        let sums = self.push_sum(sum);
+        let terms = monomials.into_iter().zip(sums).filter(|&(_, c)| !self.is_zero(c));
+        Some(Polynomial::from_terms(terms.collect()))
+    }
+
+    /// The coefficients of a new sum; those that depend on constants only are constants.
+    fn push_sum(&mut self, sum: ProductSum<ExpressionId>) -> Vec<ExpressionId> {
+        let is_constant = |id: ExpressionId| self.as_constant(id).is_some();
+        let mut depends = vec![false; sum.length];
+        for (to, a, b) in sum.products.iter().flat_map(Product::pairs) {
+            depends[to] |= !(is_constant(a) && is_constant(b));
+        }
+        let [first, second] =
+            [0, 1].map(|k| sum.evaluate(FINGERPRINT_FIELDS[k], |id| self.fingerprints[id.index()][k]));
+        let own = self.product_sums.len() as u32;
+        let coefficients = (0..sum.length).map(|at| match depends[at] {
+            true => self.push(Expression::Coefficient { sum: own, at: at as u32 }, [first[at], second[at]]),
+            false => sum.terms(at).fold(Self::ZERO, |total, (negative, a, b)| {
+                let term = self.mul(a, b);
+                if negative { self.sub(total, term) } else { self.add(total, term) }
+            }),
+        });
+        let coefficients = coefficients.collect();
+        self.product_sums.push(sum);
+        coefficients
     }
 
     /// dp / dx for the unknown with index `unknown`.

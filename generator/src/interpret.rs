@@ -1,27 +1,14 @@
 //! Executes a [`crate::plan::Plan`] in any field, step by step as the emitted code does: exactly over Z_p, in `f64`, and at twice its precision.
 
 use crate::arithmetic::Arithmetic;
-use crate::plan::{ActionRow, Block, CoefficientId, Elimination, Operation, PivotId, Plan, Term, ValueId};
+use crate::plan::{ActionRow, Block, CoefficientId, Elimination, PivotId, Plan, Term};
 
 /// The values of all coefficients; `None` where a divisor is zero, or an input or a coefficient is not finite.
 pub fn coefficients<A: Arithmetic>(plan: &Plan, f: A, inputs: &[A::Value]) -> Option<Vec<A::Value>> {
     if !all_finite(f, inputs) {
         return None;
     }
-    let mut values: Vec<A::Value> = Vec::with_capacity(plan.code.len());
-    for operation in &plan.code {
-        let at = |id: &ValueId| values[id.0 as usize];
-        let value = match operation {
-            Operation::Constant(value) => f.constant(*value)?,
-            Operation::Input(input) => *inputs.get(*input as usize)?,
-            Operation::Add(a, b) => f.add(at(a), at(b)),
-            Operation::Subtract(a, b) => f.sub(at(a), at(b)),
-            Operation::Multiply(a, b) => f.mul(at(a), at(b)),
-            Operation::Divide(a, b) => f.div(at(a), at(b))?,
-            Operation::Negate(a) => f.neg(at(a)),
-        };
-        values.push(value);
-    }
+    let values = plan.code.evaluate(f, inputs)?;
     let coefficients: Vec<A::Value> = plan.coefficients.iter().map(|id| values[id.0 as usize]).collect();
     all_finite(f, &coefficients).then_some(coefficients)
 }

@@ -12,6 +12,7 @@ pub mod problem;
 
 pub mod diagnostic;
 pub mod expression;
+pub mod product_sum;
 
 /// Problem to instance over Z_p: same support, data on their variety.
 pub mod instance;
@@ -39,8 +40,9 @@ mod starts;
 pub mod template;
 
 mod block_triangular;
-mod constant_rows;
 /// Template to plan: no algebra left, every value written before it is read.
+pub mod code;
+mod constant_rows;
 pub mod plan;
 pub mod schedule;
 mod straight_line;

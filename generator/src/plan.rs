@@ -8,12 +8,8 @@
 //!
 //! Every decision is taken here; [`crate::emit`] prints and [`crate::interpret`] executes, and the two must agree.
 
+use crate::code::{Code, ValueId};
 use crate::problem::DataParameter;
-use crate::rational::Rational;
-
-/// Position of a value in [`Plan::code`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct ValueId(pub u32);
 
 /// Position in the array of coefficients that the tables refer to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -26,64 +22,6 @@ pub struct PivotId(pub u16);
 /// Position in the basis B.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct BasisId(pub u16);
-
-/// One step of the straight-line code; its result is the value with the step's own position.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Operation {
-    /// A constant.
-    Constant(Rational),
-    /// A scalar of the flattened data.
-    Input(u32),
-    /// a + b
-    Add(ValueId, ValueId),
-    /// a - b
-    Subtract(ValueId, ValueId),
-    /// a * b
-    Multiply(ValueId, ValueId),
-    /// a / b
-    Divide(ValueId, ValueId),
-    /// -a
-    Negate(ValueId),
-}
-
-impl Operation {
-    /// Whether something is computed: neither a constant nor a scalar of the data.
-    pub fn is_step(self) -> bool {
-        !matches!(self, Self::Constant(_) | Self::Input(_))
-    }
-
-    /// The values that it reads.
-    pub fn operands(self) -> [Option<ValueId>; 2] {
-        match self {
-            Self::Constant(_) | Self::Input(_) => [None, None],
-            Self::Negate(a) => [Some(a), None],
-            Self::Add(a, b) | Self::Subtract(a, b) | Self::Multiply(a, b) | Self::Divide(a, b) => [Some(a), Some(b)],
-        }
-    }
-
-    /// The same on other values.
-    #[must_use]
-    pub fn with_operands(self, to: impl Fn(ValueId) -> ValueId) -> Self {
-        match self {
-            Self::Constant(_) | Self::Input(_) => self,
-            Self::Add(a, b) => Self::Add(to(a), to(b)),
-            Self::Subtract(a, b) => Self::Subtract(to(a), to(b)),
-            Self::Multiply(a, b) => Self::Multiply(to(a), to(b)),
-            Self::Divide(a, b) => Self::Divide(to(a), to(b)),
-            Self::Negate(a) => Self::Negate(to(a)),
-        }
-    }
-}
-
-/// How straight-line code is emitted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CodeForm {
-    /// A statement for each step.
-    Statements,
-    /// A table that the run-time library executes. The constants come first, then the inputs; a run of steps of the same operation is read
-    /// by later runs only.
-    Table,
-}
 
 /// An entry of a table that is filled from the coefficients.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -243,10 +181,8 @@ pub struct Plan {
     pub unknowns: Vec<String>,
     /// Number of different complex solutions of a generic instance.
     pub solutions: usize,
-    /// The straight-line code.
-    pub code: Vec<Operation>,
-    /// How it is emitted.
-    pub form: CodeForm,
+    /// From the data to the coefficients.
+    pub code: Code,
     /// The value of each coefficient.
     pub coefficients: Vec<ValueId>,
     /// The elimination.
@@ -272,7 +208,7 @@ pub struct Plan {
 impl Plan {
     /// Operations of one solve.
     pub fn operations(&self) -> OperationCount {
-        let coefficients = self.code.iter().filter(|operation| operation.is_step()).count();
+        let coefficients = self.code.steps();
         let width = self.elimination.basis;
         let elimination = self.elimination.blocks.iter().map(|block| {
             let n = block.size;
@@ -286,12 +222,7 @@ impl Plan {
 
     /// Checks that every table stays in range and that every value and pivot is written before it is read.
     pub fn check(&self) -> Result<(), PlanError> {
-        let written = |at: usize, id: &ValueId| (id.0 as usize) < at;
-        let inputs = self.data.iter().map(DataParameter::len).sum::<usize>();
-        let code_ok = self.code.iter().enumerate().all(|(at, op)| match op {
-            Operation::Input(input) => (*input as usize) < inputs,
-            _ => op.operands().iter().flatten().all(|id| written(at, id)),
-        });
+        let code_ok = self.code.is_ordered(self.data.iter().map(DataParameter::len).sum());
         let coefficient_ok = |id: CoefficientId| usize::from(id.0) < self.coefficients.len();
         let e = &self.elimination;
         let mut next = 0;
@@ -347,7 +278,7 @@ impl Plan {
             self.equations.iter().chain(&self.nonzero).chain(self.recoveries.iter().map(|r| &r.terms)).flatten();
         terms_ok &=
             all_terms.clone().all(|t| coefficient_ok(t.coefficient) && t.exponents.len() == self.unknowns.len());
-        let values_ok = self.coefficients.iter().all(|id| (id.0 as usize) < self.code.len());
+        let values_ok = self.coefficients.iter().all(|id| (id.0 as usize) < self.code.operations.len());
         for (ok, what) in [
             (code_ok, "a value is read before it is written"),
             (values_ok, "a coefficient has no value"),

@@ -117,7 +117,7 @@ impl Scheduler<'_> {
         if coefficients.used.len() > usize::from(u16::MAX) {
             return Err(ScheduleError::TooLarge("coefficients"));
         }
-        let (code, values, form) = straight_line_code(graph, &coefficients.used, elimination.rows);
+        let (code, values) = straight_line_code(graph, &coefficients.used, elimination.rows);
         let plan = Plan {
             name: problem.name.clone(),
             docs: problem.docs.clone(),
@@ -125,7 +125,6 @@ impl Scheduler<'_> {
             unknowns: problem.unknowns.clone(),
             solutions: self.solutions,
             code,
-            form,
             coefficients: values,
             elimination,
             action,

@@ -11,9 +11,10 @@ use std::ops::Range;
 use nalgebra::{Complex, DMatrix, DVector};
 
 use crate::arithmetic::Float64;
+use crate::code::CodeForm;
 use crate::instance::{Random, draw_inputs};
 use crate::interpret::{Eliminated, coefficients, eliminate};
-use crate::plan::{CodeForm, KnownMonomial, Plan};
+use crate::plan::{KnownMonomial, Plan};
 use polish::{Polynomials, polish, without_noise};
 use precise::{Hessenberg, round};
 use qd::Quad;
@@ -121,7 +122,7 @@ fn attempts(plan: &Plan, inputs: &[f64]) -> (Option<Vec<(Point, f64)>>, bool) {
     let instance = Instance::new(plan, &c);
     let mut found = Vec::new();
     let first = eliminate(plan, Float64, &c).and_then(|eliminated| instance.add_all(&eliminated, &mut found));
-    let has_precise_coefficients = plan.form == CodeForm::Table;
+    let has_precise_coefficients = plan.code.form == CodeForm::Table;
     if found.len() >= plan.solutions || (first.is_none() && !has_precise_coefficients) {
         found.truncate(plan.solutions);
         return (first.map(|()| found), false);

@@ -1,7 +1,7 @@
 //! From the graph of coefficient expressions to straight-line code.
 
+use crate::code::{Code, CodeForm, Operation, ValueId};
 use crate::expression::{Expression, ExpressionGraph, ExpressionId};
-use crate::plan::{CodeForm, Operation, ValueId};
 
 /// Code of more steps than this becomes a table. A step takes 0.7 ns in a table and 0.3 ns as a statement, but the time to compile statements grows
 /// faster than their number: solvers of 3,700, 13,400 and 17,100 steps take 3.4 s, 11 s and 47 s, and 4 s with a table.
@@ -10,36 +10,26 @@ const MOST_STATEMENTS: usize = 4096;
 /// at twice the precision. That is what finds the solutions of instances close to degenerate ones.
 const MOST_ROWS: usize = 40;
 
-/// The code that computes `used`, the value of each, and the form to emit it in. `rows` are those of the template.
-pub(crate) fn straight_line_code(
-    graph: &ExpressionGraph,
-    used: &[ExpressionId],
-    rows: usize,
-) -> (Vec<Operation>, Vec<ValueId>, CodeForm) {
-    let (code, values) = in_order_of_the_graph(graph, used);
-    let steps = code.iter().filter(|operation| operation.is_step()).count();
-    if steps <= MOST_STATEMENTS && rows <= MOST_ROWS {
-        return (code, values, CodeForm::Statements);
+/// The code that computes `used`, and the value of each. `rows` are those of the template.
+pub(crate) fn straight_line_code(graph: &ExpressionGraph, used: &[ExpressionId], rows: usize) -> (Code, Vec<ValueId>) {
+    let (mut code, values) = in_order_of_the_graph(graph, used);
+    if code.steps() <= MOST_STATEMENTS && rows <= MOST_ROWS {
+        code.form = CodeForm::Statements;
+        return (code, values);
     }
-    let (code, values) = in_runs(&code, &values);
-    (code, values, CodeForm::Table)
+    in_runs(&code, &values)
 }
 
-/// The nodes that `used` depends on, in order, and the position of each used one.
-fn in_order_of_the_graph(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Vec<Operation>, Vec<ValueId>) {
-    let mut needed = vec![false; graph.nodes().len()];
-    used.iter().for_each(|id| needed[id.index()] = true);
-    for at in (0..needed.len()).rev() {
-        if needed[at] {
-            operands(graph.nodes()[at]).into_iter().flatten().for_each(|id| needed[id.index()] = true);
-        }
-    }
+/// The nodes that `used` depends on, in order, and the position of each used one. A sum of products is there as a whole.
+fn in_order_of_the_graph(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Code, Vec<ValueId>) {
+    let needed = needed(graph, used);
     let mut position = vec![ValueId(0); needed.len()];
-    let mut code = Vec::new();
+    let mut first_of_sum: Vec<Option<u32>> = vec![None; graph.product_sums().len()];
+    let mut code = Code { operations: Vec::new(), product_sums: Vec::new(), form: CodeForm::Table };
     for (at, node) in graph.nodes().iter().enumerate().filter(|&(at, _)| needed[at]) {
-        position[at] = ValueId(code.len() as u32);
+        let next = code.operations.len() as u32;
         let to = |id: ExpressionId| position[id.index()];
-        code.push(match *node {
+        let operation = match *node {
             Expression::Constant(value) => Operation::Constant(value),
             Expression::Input(input) => Operation::Input(input),
             Expression::Add(a, b) => Operation::Add(to(a), to(b)),
@@ -47,37 +37,78 @@ fn in_order_of_the_graph(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Vec
             Expression::Multiply(a, b) => Operation::Multiply(to(a), to(b)),
             Expression::Divide(a, b) => Operation::Divide(to(a), to(b)),
             Expression::Negate(a) => Operation::Negate(to(a)),
-        });
+            Expression::Coefficient { sum, at: coefficient } => {
+                let first = *first_of_sum[sum as usize].get_or_insert_with(|| {
+                    let (own, of_sum) = (code.product_sums.len() as u32, graph.product_sums()[sum as usize].map(to));
+                    let coefficients = 0..of_sum.length as u32;
+                    code.operations.extend(coefficients.map(|at| Operation::Coefficient { sum: own, at }));
+                    code.product_sums.push(of_sum);
+                    next
+                });
+                position[at] = ValueId(first + coefficient);
+                continue;
+            }
+        };
+        position[at] = ValueId(next);
+        code.operations.push(operation);
     }
     (code, used.iter().map(|id| position[id.index()]).collect())
 }
 
-fn operands(node: Expression) -> [Option<ExpressionId>; 2] {
-    match node {
-        Expression::Constant(_) | Expression::Input(_) => [None, None],
-        Expression::Negate(a) => [Some(a), None],
-        Expression::Add(a, b) | Expression::Subtract(a, b) | Expression::Multiply(a, b) | Expression::Divide(a, b) => {
-            [Some(a), Some(b)]
+/// Which nodes `used` depends on.
+fn needed(graph: &ExpressionGraph, used: &[ExpressionId]) -> Vec<bool> {
+    let mut needed = vec![false; graph.nodes().len()];
+    used.iter().for_each(|id| needed[id.index()] = true);
+    for at in (0..needed.len()).rev() {
+        if !needed[at] {
+            continue;
+        }
+        let mut need = |id: ExpressionId| needed[id.index()] = true;
+        match graph.nodes()[at] {
+            Expression::Constant(_) | Expression::Input(_) => {}
+            Expression::Negate(a) => need(a),
+            Expression::Add(a, b)
+            | Expression::Subtract(a, b)
+            | Expression::Multiply(a, b)
+            | Expression::Divide(a, b) => [a, b].into_iter().for_each(need),
+            Expression::Coefficient { sum, .. } => graph.product_sums()[sum as usize].operands().for_each(need),
         }
     }
+    needed
 }
 
 /// The same code in another order: constants, inputs, then steps by the longest chain of steps that leads to them, those of the same
 /// operation together. So the steps of a run do not depend on each other.
-fn in_runs(code: &[Operation], values: &[ValueId]) -> (Vec<Operation>, Vec<ValueId>) {
-    let mut chain = vec![0_u32; code.len()];
-    for (at, operation) in code.iter().enumerate() {
-        let longest = operation.operands().into_iter().flatten().map(|id| chain[id.0 as usize]).max();
-        chain[at] = longest.map_or(0, |longest| longest + 1);
+fn in_runs(code: &Code, values: &[ValueId]) -> (Code, Vec<ValueId>) {
+    let operations = &code.operations;
+    let mut chain = vec![0_u32; operations.len()];
+    for (at, &operation) in operations.iter().enumerate() {
+        chain[at] = match operation {
+            Operation::Coefficient { at: 1.., .. } => chain[at - 1],
+            _ => code.operands(operation).map(|id| chain[id.0 as usize] + 1).max().unwrap_or(0),
+        };
     }
-    let mut order: Vec<usize> = (0..code.len()).collect();
-    order.sort_by_key(|&at| (chain[at], kind(code[at])));
-    let mut position = vec![ValueId(0); code.len()];
+    let mut order: Vec<usize> = (0..operations.len()).collect();
+    order.sort_by_key(|&at| (chain[at], kind(operations[at])));
+    let mut position = vec![ValueId(0); operations.len()];
     for (new, &old) in (0..).zip(&order) {
         position[old] = ValueId(new);
     }
     let to = |id: ValueId| position[id.0 as usize];
-    (order.iter().map(|&old| code[old].with_operands(to)).collect(), values.iter().map(|&id| to(id)).collect())
+    let moved = |&old: &usize| match operations[old] {
+        Operation::Add(a, b) => Operation::Add(to(a), to(b)),
+        Operation::Subtract(a, b) => Operation::Subtract(to(a), to(b)),
+        Operation::Multiply(a, b) => Operation::Multiply(to(a), to(b)),
+        Operation::Divide(a, b) => Operation::Divide(to(a), to(b)),
+        Operation::Negate(a) => Operation::Negate(to(a)),
+        other => other,
+    };
+    let ordered = Code {
+        operations: order.iter().map(moved).collect(),
+        product_sums: code.product_sums.iter().map(|sum| sum.map(to)).collect(),
+        form: code.form,
+    };
+    (ordered, values.iter().map(|&id| to(id)).collect())
 }
 
 /// The order of operations within a level.
@@ -90,6 +121,7 @@ fn kind(operation: Operation) -> u8 {
         Operation::Multiply(..) => 4,
         Operation::Divide(..) => 5,
         Operation::Negate(_) => 6,
+        Operation::Coefficient { .. } => 7,
     }
 }
 
@@ -97,56 +129,52 @@ fn kind(operation: Operation) -> u8 {
 mod tests {
     use super::*;
     use crate::algebra::{PRIMES, PrimeField};
-    use crate::arithmetic::Arithmetic;
     use crate::instance::Random;
+    use crate::product_sum::{Product, ProductSum};
     use crate::rational::Rational;
 
-    fn random_code(random: &mut Random) -> Vec<Operation> {
-        let mut code = vec![Operation::Input(1), Operation::Constant(Rational::integer(3)), Operation::Input(0)];
-        while code.len() < 200 {
-            let mut id = || ValueId(random.below(code.len() as u64) as u32);
-            let (a, b) = (id(), id());
-            code.push(match random.below(5) {
+    fn random_code(random: &mut Random) -> Code {
+        let operations = vec![Operation::Input(1), Operation::Constant(Rational::integer(3)), Operation::Input(0)];
+        let mut code = Code { operations, product_sums: Vec::new(), form: CodeForm::Table };
+        while code.operations.len() < 200 {
+            let count = code.operations.len() as u64;
+            let mut id = || ValueId(random.below(count) as u32);
+            let (a, b, c) = (id(), id(), id());
+            let operation = match random.below(6) {
                 0 => Operation::Add(a, b),
                 1 => Operation::Subtract(a, b),
                 2 => Operation::Negate(a),
+                3 => {
+                    let product = |negative, to| Product { negative, left: vec![a, b], right: vec![b, c], to };
+                    let products = vec![product(false, vec![0, 2, 2, 1]), product(true, vec![1, 0, 2, 1])];
+                    code.product_sums.push(ProductSum { products, length: 3 });
+                    let sum = code.product_sums.len() as u32 - 1;
+                    code.operations.extend((0..2).map(|at| Operation::Coefficient { sum, at }));
+                    Operation::Coefficient { sum, at: 2 }
+                }
                 _ => Operation::Multiply(a, b),
-            });
+            };
+            code.operations.push(operation);
         }
         code
     }
 
-    fn values(code: &[Operation], inputs: [u32; 2]) -> Vec<u32> {
-        let f = PrimeField::new(PRIMES[0]);
-        let mut values: Vec<u32> = Vec::new();
-        for operation in code {
-            let at = |id: ValueId| values[id.0 as usize];
-            let value = match *operation {
-                Operation::Constant(value) => f.constant(value).unwrap(),
-                Operation::Input(input) => inputs[input as usize],
-                Operation::Add(a, b) => f.add(at(a), at(b)),
-                Operation::Subtract(a, b) => f.sub(at(a), at(b)),
-                Operation::Multiply(a, b) => f.mul(at(a), at(b)),
-                Operation::Divide(..) => unreachable!("no divisions are drawn"),
-                Operation::Negate(a) => f.neg(at(a)),
-            };
-            values.push(value);
-        }
-        values
-    }
-
     #[test]
     fn the_order_of_runs_changes_no_value() {
+        let f = PrimeField::new(PRIMES[0]);
         for seed in 0..50 {
             let mut random = Random::new(seed);
             let code = random_code(&mut random);
             let inputs = [random.below(1 << 30) as u32, random.below(1 << 30) as u32];
-            let all: Vec<ValueId> = (0..code.len() as u32).map(ValueId).collect();
+            let all: Vec<ValueId> = (0..code.operations.len() as u32).map(ValueId).collect();
             let (ordered, moved) = in_runs(&code, &all);
-            let (before, after) = (values(&code, inputs), values(&ordered, inputs));
+            assert!(code.is_ordered(2) && ordered.is_ordered(2), "seed {seed}");
+            let [before, after] = [&code, &ordered].map(|code| code.evaluate(f, &inputs).unwrap());
             let found: Vec<u32> = moved.iter().map(|id| after[id.0 as usize]).collect();
             assert_eq!(found, before, "seed {seed}");
-            assert!(ordered[0] == code[1] && ordered[1..3].iter().all(|op| matches!(op, Operation::Input(_))));
+            let [constant, inputs @ ..] = &ordered.operations[..3] else { unreachable!() };
+            assert_eq!(*constant, code.operations[1]);
+            assert!(inputs.iter().all(|operation| matches!(operation, Operation::Input(_))));
         }
     }
 }

@@ -61,7 +61,7 @@ pub use lu::{solve_block, solve_block_trailing};
 pub use num_complex::Complex;
 pub use polish::polish;
 pub use polynomial_roots::{real_roots, real_roots_monic};
-pub use program::{Operation, Program, Run, joined};
+pub use program::{Operation, PolynomialProduct, ProductSum, ProductSums, Program, Run, joined};
 pub use scalar::{Real, Scalar};
 pub use solutions::Solutions;
 pub use symmetry::Symmetry;

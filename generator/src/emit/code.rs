@@ -6,7 +6,8 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::parameter;
-use crate::plan::{Operation, Plan, PlannedRecovery, ValueId};
+use crate::code::{Operation, ValueId};
+use crate::plan::{Plan, PlannedRecovery};
 use crate::problem::DataParameter;
 use crate::rational::Rational;
 
@@ -22,8 +23,8 @@ pub(super) fn statements(plan: &Plan) -> TokenStream {
     let (inputs, locals) = inputs(plan, &reads);
     let values = format_ident!("{}", name_of_values(plan));
     let mut statements: Vec<TokenStream> = Vec::new();
-    let mut printed: Vec<Expression> = Vec::with_capacity(plan.code.len());
-    for (operation, &reads) in plan.code.iter().zip(&reads) {
+    let mut printed: Vec<Expression> = Vec::with_capacity(plan.code.operations.len());
+    for (operation, &reads) in plan.code.operations.iter().zip(&reads) {
         let operand = |id: ValueId| &printed[id.0 as usize];
         let expression = match *operation {
             Operation::Constant(value) => Expression::atom(constant(value)),
@@ -33,8 +34,19 @@ pub(super) fn statements(plan: &Plan) -> TokenStream {
             Operation::Multiply(a, b) => Expression::binary(operand(a), quote!(*), PRODUCT, operand(b)),
             Operation::Divide(a, b) => Expression::binary(operand(a), quote!(/), PRODUCT, operand(b)),
             Operation::Negate(a) => Expression::negated(operand(a)),
+            Operation::Coefficient { sum, at } => {
+                let terms = plan.code.product_sums[sum as usize].terms(at as usize);
+                Expression::sum(terms.map(|(negative, a, b)| {
+                    let product = Expression::binary(operand(a), quote!(*), PRODUCT, operand(b));
+                    (negative, product)
+                }))
+            }
         };
-        let is_part = !operation.is_step() || (reads <= 1 && expression.operations < MOST_OPERATIONS);
+        let is_part = match reads {
+            0 => true,
+            1 => expression.operations < MOST_OPERATIONS,
+            _ => !operation.is_step(),
+        };
         printed.push(if is_part {
             expression
         } else {
@@ -92,6 +104,19 @@ impl Expression {
         Self { tokens: quote!(-#operand), precedence: SIGN, operations: a.operations + 1 }
     }
 
+    /// The first term is taken as it is, the others are added one after another.
+    fn sum(mut terms: impl Iterator<Item = (bool, Self)>) -> Self {
+        let first = match terms.next() {
+            None => Self::atom(quote!(0.0)),
+            Some((false, term)) => term,
+            Some((true, term)) => Self::negated(&term),
+        };
+        terms.fold(first, |sum, (negative, term)| {
+            let operator = if negative { quote!(-) } else { quote!(+) };
+            Self::binary(&sum, operator, SUM, &term)
+        })
+    }
+
     /// In parentheses where it binds less tightly.
     fn at_least(&self, precedence: u8) -> TokenStream {
         let tokens = &self.tokens;
@@ -99,12 +124,22 @@ impl Expression {
     }
 }
 
-/// How often each value of the code is read.
+/// How often each value of the code is read by what is printed. What nothing reads are coefficients of sums that no equation has.
 fn reads(plan: &Plan) -> Vec<usize> {
-    let mut reads = vec![0; plan.code.len()];
-    let operands = plan.code.iter().flat_map(|operation| operation.operands().into_iter().flatten());
-    for id in operands.chain(plan.coefficients.iter().copied()) {
-        reads[id.0 as usize] += 1;
+    let mut reads = vec![0; plan.code.operations.len()];
+    plan.coefficients.iter().for_each(|id| reads[id.0 as usize] += 1);
+    for position in (0..reads.len()).rev() {
+        if reads[position] == 0 {
+            continue;
+        }
+        let operation = plan.code.operations[position];
+        match operation {
+            Operation::Coefficient { sum, at } => {
+                let terms = plan.code.product_sums[sum as usize].terms(at as usize);
+                terms.flat_map(|(_, a, b)| [a, b]).for_each(|id| reads[id.0 as usize] += 1);
+            }
+            _ => plan.code.operands(operation).for_each(|id| reads[id.0 as usize] += 1),
+        }
     }
     reads
 }
@@ -133,7 +168,7 @@ fn inputs(plan: &Plan, reads: &[usize]) -> (Vec<TokenStream>, Vec<TokenStream>) 
     };
     let is_read = |input: usize| {
         let is_input = |operation: &Operation| matches!(operation, Operation::Input(at) if *at as usize == input);
-        plan.code.iter().zip(reads).any(|(operation, &reads)| reads > 0 && is_input(operation))
+        plan.code.operations.iter().zip(reads).any(|(operation, &reads)| reads > 0 && is_input(operation))
     };
     let idents: Vec<_> = names.iter().map(|name| format_ident!("{name}")).collect();
     let elements = plan.data.iter().filter(|parameter| !parameter.shape.is_empty()).flat_map(|parameter| {

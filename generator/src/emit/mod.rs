@@ -7,7 +7,8 @@ mod tables;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::plan::{CodeForm, KnownMonomial, Plan, RootMethod};
+use crate::code::CodeForm;
+use crate::plan::{KnownMonomial, Plan, RootMethod};
 use crate::problem::DataParameter;
 
 /// Blocks of more rows are eliminated by code that is not compiled for their size: it is as fast.
@@ -47,7 +48,7 @@ fn module(plan: &Plan, provenance: &Provenance) -> TokenStream {
     let solution = solution_struct(plan);
     let api = api(plan);
     let instance = instance(plan);
-    let coefficients = match plan.form {
+    let coefficients = match plan.code.form {
         CodeForm::Statements => code::statements(plan),
         CodeForm::Table => program::table(plan),
     };
@@ -241,7 +242,7 @@ fn symmetry(plan: &Plan) -> TokenStream {
 /// A field for the data, how the coefficients are computed from `given_` when an instance is made, and how an elimination in the precision R gets them:
 /// tables can be executed at twice the precision, too.
 fn coefficients_of_instance(plan: &Plan) -> (TokenStream, TokenStream, TokenStream) {
-    if plan.form == CodeForm::Statements {
+    if plan.code.form == CodeForm::Statements {
         let arguments = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name));
         let coefficients = quote!(coefficients: self::coefficients(#(#arguments),*),);
         return (quote!(), coefficients, quote!(let coefficients = &self.coefficients;));
@@ -263,7 +264,7 @@ fn instance(plan: &Plan) -> TokenStream {
     let slices = plan.data.iter().map(as_slice);
     let count = plan.coefficients.len();
     let (rows, basis, unknowns) = (plan.elimination.rows, plan.elimination.basis, plan.unknowns.len());
-    let (precision, precise) = match plan.form {
+    let (precision, precise) = match plan.code.form {
         CodeForm::Statements => (quote!(f64), quote!()),
         CodeForm::Table => (
             quote!(R),

@@ -1,32 +1,37 @@
 //! Prints straight-line code as a table.
 
+use std::collections::BTreeMap;
+
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
 
 use super::code;
-use crate::plan::{Operation, Plan, ValueId};
+use crate::code::{Code, Operation, ValueId};
+use crate::plan::Plan;
 use crate::problem::DataParameter;
 
 /// The function from the data to the coefficients, and the table that it executes.
 ///
 /// The run-time library keeps all data behind the constants, also those that no step reads.
 pub(super) fn table(plan: &Plan) -> TokenStream {
-    let steps = plan.code.iter().filter(|operation| operation.is_step()).count();
-    let constants: Vec<TokenStream> = plan.code.iter().filter_map(as_constant).collect();
+    let code = &plan.code;
+    let steps = code.operations.iter().filter(|operation| operation.is_step()).count();
+    let constants: Vec<TokenStream> = code.operations.iter().filter_map(as_constant).collect();
     let inputs: usize = plan.data.iter().map(DataParameter::len).sum();
     let positions = positions(plan, constants.len(), inputs);
     let position = |id: ValueId| Literal::usize_unsuffixed(positions[id.0 as usize]);
-    let operands = plan.code.iter().filter_map(|operation| {
-        let (a, b) = match operation.operands() {
-            [Some(a), b] => (position(a), position(b.unwrap_or(a))),
-            _ => return None,
-        };
+    let scalar = |operation: &&Operation| !matches!(operation, Operation::Coefficient { .. });
+    let operands = code.operations.iter().filter(scalar).filter_map(|&operation| {
+        let mut operands = code.operands(operation);
+        let a = operands.next()?;
+        let (a, b) = (position(a), position(operands.next().unwrap_or(a)));
         Some(quote!((#a, #b)))
     });
-    let runs = runs(&plan.code).into_iter().map(|(operation, steps)| {
+    let runs = runs(code).into_iter().map(|(operation, steps)| {
         let (operation, steps) = (format_ident!("{operation}"), Literal::usize_unsuffixed(steps));
         quote!(eliminant::Run { operation: eliminant::Operation::#operation, steps: #steps })
     });
+    let product_sums = product_sums(code, &positions);
     let results = plan.coefficients.iter().map(|&id| position(id));
     let (values, length) = (constants.len() + inputs + steps, plan.coefficients.len());
     quote! {
@@ -40,8 +45,56 @@ pub(super) fn table(plan: &Plan) -> TokenStream {
             constants: &[#(#constants),*],
             runs: &[#(#runs),*],
             operands: &[#(#operands),*],
+            product_sums: #product_sums,
             results: &[#(#results),*],
         };
+    }
+}
+
+/// The sums of products in the order of the code. Equal lists of factors, and of places, are printed once.
+fn product_sums(code: &Code, positions: &[usize]) -> TokenStream {
+    let (mut factors, mut places) = (Lists::default(), Lists::default());
+    let (mut sums, mut products) = (Vec::new(), Vec::new());
+    for operation in &code.operations {
+        let Operation::Coefficient { sum, at: 0 } = *operation else { continue };
+        let of_sum = &code.product_sums[sum as usize];
+        for product in &of_sum.products {
+            let mut factor = |ids: &[ValueId]| factors.number(ids.iter().map(|id| positions[id.0 as usize]).collect());
+            let (left, right) = (factor(&product.left), factor(&product.right));
+            let places = places.number(product.to.iter().map(|&to| to as usize).collect());
+            let negative = product.negative;
+            products
+                .push(quote!(eliminant::PolynomialProduct { negative: #negative, left: #left, right: #right, places: #places }));
+        }
+        let (count, length) = (of_sum.products.len(), of_sum.length);
+        let [count, length] = [count, length].map(Literal::usize_unsuffixed);
+        sums.push(quote!(eliminant::ProductSum { products: #count, length: #length }));
+    }
+    quote!(eliminant::ProductSums { sums: &[#(#sums),*], products: &[#(#products),*], factors: #factors, places: #places })
+}
+
+/// Different lists of numbers, each printed once.
+#[derive(Default)]
+struct Lists {
+    numbers: BTreeMap<Vec<usize>, usize>,
+}
+
+impl Lists {
+    fn number(&mut self, list: Vec<usize>) -> Literal {
+        let next = self.numbers.len();
+        Literal::usize_unsuffixed(*self.numbers.entry(list).or_insert(next))
+    }
+}
+
+impl ToTokens for Lists {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        let mut lists: Vec<(&usize, &Vec<usize>)> = self.numbers.iter().map(|(list, number)| (number, list)).collect();
+        lists.sort_unstable();
+        let lists = lists.into_iter().map(|(_, list)| {
+            let list = list.iter().copied().map(Literal::usize_unsuffixed);
+            quote!(&[#(#list),*])
+        });
+        tokens.extend(quote!(&[#(#lists),*]));
     }
 }
 
@@ -64,16 +117,16 @@ fn positions(plan: &Plan, constants: usize, inputs: usize) -> Vec<usize> {
         Operation::Input(input) => constants + *input as usize,
         _ => take(&mut next_step),
     };
-    plan.code.iter().map(position).collect()
+    plan.code.operations.iter().map(position).collect()
 }
 
-/// Names of operations and numbers of consecutive steps; no step reads a result of its own run.
-fn runs(code: &[Operation]) -> Vec<(&'static str, usize)> {
+/// Names of operations and numbers of consecutive steps, a sum of products being one; no step reads a result of its own run.
+fn runs(code: &Code) -> Vec<(&'static str, usize)> {
     let mut runs: Vec<(&str, usize)> = Vec::new();
     let mut start = 0;
-    for (at, operation) in code.iter().enumerate() {
-        let Some(name) = name(*operation) else { continue };
-        let independent = operation.operands().iter().flatten().all(|id| (id.0 as usize) < start);
+    for (at, &operation) in code.operations.iter().enumerate() {
+        let Some(name) = name(operation) else { continue };
+        let independent = code.operands(operation).all(|id| (id.0 as usize) < start);
         match runs.last_mut() {
             Some((last, steps)) if *last == name && independent => *steps += 1,
             _ => {
@@ -88,11 +141,13 @@ fn runs(code: &[Operation]) -> Vec<(&'static str, usize)> {
 /// The variant of the run-time library's `Operation` that a step is.
 fn name(operation: Operation) -> Option<&'static str> {
     Some(match operation {
-        Operation::Constant(_) | Operation::Input(_) => return None,
+        // The others of a sum of products are computed with its first.
+        Operation::Constant(_) | Operation::Input(_) | Operation::Coefficient { at: 1.., .. } => return None,
         Operation::Add(..) => "Add",
         Operation::Subtract(..) => "Subtract",
         Operation::Multiply(..) => "Multiply",
         Operation::Divide(..) => "Divide",
         Operation::Negate(_) => "Negate",
+        Operation::Coefficient { at: 0, .. } => "ProductSum",
     })
 }

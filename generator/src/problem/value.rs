@@ -14,6 +14,10 @@ pub(super) const MAX_DEGREE: i32 = 32;
 /// Largest number of term operations of one problem file: seconds, not hours.
 const MAX_WORK: usize = 5_000_000;
 
+/// Products of polynomials with so many products of coefficients that depend on data stay one operation. Fewer are cheaper as
+/// scalar operations, because equal ones are shared.
+const LONG_PRODUCT: usize = 100;
+
 /// An array of polynomials in the unknowns; a scalar has no dimensions.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Value {
@@ -213,10 +217,45 @@ impl Algebra {
     }
 
     fn multiply_polynomials(&mut self, p: &SymbolicPolynomial, q: &SymbolicPolynomial) -> Checked<SymbolicPolynomial> {
-        self.charge(1 + p.terms().len() * q.terms().len())?;
-        let degree = p.degree() + q.degree();
-        let product = if degree > MAX_DEGREE { None } else { self.graph.polynomial_mul(p, q) };
-        product.ok_or_else(|| fault(format!("the degree is {degree}, at most {MAX_DEGREE} is allowed")))
+        self.sum_of_products(&[(false, p, q)])
+    }
+
+    /// The sum of the products p q, or of -p q where the flag says so.
+    fn sum_of_products(
+        &mut self,
+        products: &[(bool, &SymbolicPolynomial, &SymbolicPolynomial)],
+    ) -> Checked<SymbolicPolynomial> {
+        let mut is_long = false;
+        for (_, p, q) in products {
+            self.charge(1 + p.terms().len() * q.terms().len())?;
+            let degree = p.degree() + q.degree();
+            if degree > MAX_DEGREE {
+                return Err(fault(format!("the degree is {degree}, at most {MAX_DEGREE} is allowed")));
+            }
+            is_long |= self.terms_with_data(p) * self.terms_with_data(q) >= LONG_PRODUCT;
+        }
+        let sum = match is_long {
+            true => self.graph.polynomial_product_sum(products),
+            false => self.expanded_sum_of_products(products)?,
+        };
+        sum.ok_or_else(|| fault("an exponent is too large"))
+    }
+
+    fn expanded_sum_of_products(
+        &mut self,
+        products: &[(bool, &SymbolicPolynomial, &SymbolicPolynomial)],
+    ) -> Checked<Option<SymbolicPolynomial>> {
+        let mut sum = Polynomial::ZERO;
+        for &(negative, p, q) in products {
+            let Some(product) = self.graph.polynomial_mul(p, q) else { return Ok(None) };
+            let signed = if negative { self.graph.polynomial_neg(&product) } else { product };
+            sum = self.add_polynomials(&sum, &signed)?;
+        }
+        Ok(Some(sum))
+    }
+
+    fn terms_with_data(&self, p: &SymbolicPolynomial) -> usize {
+        p.terms().iter().filter(|(_, c)| self.graph.as_constant(*c).is_none()).count()
     }
 
     /// -a
@@ -272,28 +311,17 @@ impl Algebra {
         let mut elements = Vec::with_capacity(rows * columns);
         for i in 0..rows {
             for j in 0..columns {
-                let pairs = (0..inner).map(|k| (&a.elements[i * inner + k], &b.elements[k * columns + j]));
-                elements.push(self.sum_of_products(pairs)?);
+                let products = (0..inner).map(|k| (false, &a.elements[i * inner + k], &b.elements[k * columns + j]));
+                elements.push(self.sum_of_products(&products.collect::<Vec<_>>())?);
             }
         }
         Ok(Value::array(shape, elements))
     }
 
-    fn sum_of_products<'p>(
-        &mut self,
-        pairs: impl Iterator<Item = (&'p SymbolicPolynomial, &'p SymbolicPolynomial)>,
-    ) -> Checked<SymbolicPolynomial> {
-        let mut sum = Polynomial::ZERO;
-        for (p, q) in pairs {
-            let product = self.multiply_polynomials(p, q)?;
-            sum = self.add_polynomials(&sum, &product)?;
-        }
-        Ok(sum)
-    }
-
     /// Sum of the products of corresponding elements of two vectors.
     pub(super) fn dot(&mut self, a: &Value, b: &Value) -> Checked<SymbolicPolynomial> {
-        self.sum_of_products(a.elements.iter().zip(&b.elements))
+        let products = a.elements.iter().zip(&b.elements).map(|(p, q)| (false, p, q));
+        self.sum_of_products(&products.collect::<Vec<_>>())
     }
 
     /// a^n
@@ -315,19 +343,14 @@ impl Algebra {
         for row in 0..n {
             let mut next = Vec::new();
             for columns in (0u32..1 << n).filter(|set| set.count_ones() as usize == row + 1) {
-                let mut minor = Polynomial::ZERO;
-                for column in (0..n).filter(|&column| columns >> column & 1 == 1) {
+                let own = (0..n).filter(|&column| columns >> column & 1 == 1).filter_map(|column| {
                     let rest = columns & !(1 << column);
-                    let Ok(at) = minors.binary_search_by_key(&rest, |&(set, _)| set) else { continue };
-                    let product = self.multiply_polynomials(&matrix[row * n + column], &minors[at].1)?;
+                    let at = minors.binary_search_by_key(&rest, |&(set, _)| set).ok()?;
                     // The sign of the entry is that of row + its position among the columns.
                     let position = (columns & ((1 << column) - 1)).count_ones() as usize;
-                    let signed = match (row + position) % 2 {
-                        0 => product,
-                        _ => self.graph.polynomial_neg(&product),
-                    };
-                    minor = self.add_polynomials(&minor, &signed)?;
-                }
+                    Some(((row + position) % 2 == 1, &matrix[row * n + column], &minors[at].1))
+                });
+                let minor = self.sum_of_products(&own.collect::<Vec<_>>())?;
                 next.push((columns, minor));
             }
             minors = next;
