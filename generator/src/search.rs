@@ -28,6 +28,8 @@ pub struct SearchOptions {
     pub seed: u64,
     /// No template has more columns before it is reduced.
     pub max_columns: usize,
+    /// No template has a larger basis, where a smaller one can hold all solutions.
+    pub max_basis: Option<usize>,
     /// How often each of the smallest templates is enlarged and reduced anew in a shuffled order.
     pub shuffles: u64,
     /// What is looked for first.
@@ -45,7 +47,14 @@ impl SearchOptions {
 
 impl Default for SearchOptions {
     fn default() -> Self {
-        Self { seed: 1, max_columns: 600, shuffles: 12, prefer: Preference::default(), share: Share::ALL }
+        Self {
+            seed: 1,
+            max_columns: 600,
+            max_basis: None,
+            shuffles: 12,
+            prefer: Preference::default(),
+            share: Share::ALL,
+        }
     }
 }
 
@@ -76,6 +85,7 @@ impl Candidate {
             ("seed".to_owned(), options.seed.to_string()),
             ("prime".to_owned(), SEARCH_FIELD.modulus().to_string()),
         ];
+        provenance.extend(options.max_basis.map(|most| ("max_basis".to_owned(), most.to_string())));
         provenance.push(("operations".to_owned(), self.plan.operations().total().to_string()));
         TemplateFile {
             problem: problem.name.clone(),

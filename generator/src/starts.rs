@@ -39,6 +39,8 @@ pub(crate) struct Form {
     pub(crate) reduced: ReducedProblem,
     pub(crate) instance: Instance,
     pub(crate) check: Instance,
+    /// No larger basis is wanted, unless the solutions need it.
+    max_basis: Option<usize>,
 }
 
 impl Form {
@@ -52,10 +54,14 @@ impl Form {
         }
     }
 
-    /// The different [`BASIS_PERCENT`] of the number of solutions up to sign, increasing.
+    /// The different [`BASIS_PERCENT`] of the number of solutions up to sign, increasing, up to the largest that is wanted.
     pub(crate) fn basis_limits(&self, solutions: usize) -> Vec<usize> {
         let orbits = solutions.div_ceil(self.symmetry.order());
         let mut limits: Vec<usize> = BASIS_PERCENT.iter().map(|percent| (orbits * percent).div_ceil(100)).collect();
+        if let Some(most) = self.max_basis {
+            limits.retain(|&limit| limit < most);
+            limits.push(most.max(orbits));
+        }
         limits.dedup();
         limits
     }
@@ -80,7 +86,18 @@ pub(crate) fn forms(problem: &Problem, options: &SearchOptions) -> Result<Vec<Fo
         for symmetry in symmetries.into_iter().flatten() {
             let (readings, actions) = (symmetry.readings(&reduced.kept), actions(&symmetry, &reduced.kept));
             let (reduced, instance, check) = (reduced.clone(), instance.clone(), check.clone());
-            forms.push(Form { presolve: kind, symmetry, origin, readings, actions, reduced, instance, check });
+            let max_basis = options.max_basis;
+            forms.push(Form {
+                presolve: kind,
+                symmetry,
+                origin,
+                readings,
+                actions,
+                reduced,
+                instance,
+                check,
+                max_basis,
+            });
         }
     }
     Ok(forms)

@@ -178,6 +178,20 @@ fn a_template_that_is_not_confirmed_comes_with_a_warning() {
 }
 
 #[test]
+fn the_basis_can_be_bounded() {
+    let folder = two_conics("the_basis_can_be_bounded");
+    let basis = |options: &[&str]| {
+        let report = json(&folder, &[&["search", "two_conics.rs", "--prefer", "size"][..], options].concat());
+        let file = fs::read_to_string(folder.join("two_conics.template.toml")).unwrap();
+        (report["basis"].as_u64().unwrap(), file.contains("max_basis = "))
+    };
+    assert_eq!(basis(&[]), (5, false));
+    assert_eq!(basis(&["--max-basis", "4"]), (4, true));
+    // There are four solutions.
+    assert_eq!(basis(&["--max-basis", "3"]), (4, true));
+}
+
+#[test]
 fn a_failing_search_leaves_the_old_template() {
     let folder = two_conics("a_failing_search_leaves_the_old_template");
     let template = folder.join("two_conics.template.toml");

@@ -144,6 +144,7 @@ pub fn cases() -> Vec<Case> {
             (affine),
             (f_13, f_23, radial)
         ),
+        case!(relpose_7pt_generalized_scale, Relpose7ptGeneralizedScale, (first, second), (x, y, z)),
         case!(stitching_3pt_radial_focal, Stitching3ptRadialFocal, (first, second), (radial, w)),
         case!(triangulation_3view, Triangulation3view, (first, second, third), (x, y, z)),
         case!(

@@ -44,6 +44,9 @@ pub(super) struct Arguments {
     /// No template has more columns before it is reduced
     #[arg(long, value_name = "N", default_value_t = SearchOptions::default().max_columns as u64, value_parser = clap::value_parser!(u64).range(2..=20_000))]
     max_columns: u64,
+    /// No template has a larger basis, which is the size of the eigenvalue problem, where a smaller one can hold all solutions
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=20_000))]
+    max_basis: Option<u64>,
     /// How often each of the smallest templates is enlarged and reduced anew in a shuffled order
     #[arg(long, value_name = "N", default_value_t = SearchOptions::default().shuffles, value_parser = clap::value_parser!(u64).range(0..=10_000))]
     shuffles: u64,
@@ -64,7 +67,7 @@ pub(super) struct Arguments {
         long,
         value_name = "FILES",
         num_args = 1..,
-        conflicts_with_all = ["prefer", "seed", "max_columns", "shuffles", "trials", "confirm", "shard"]
+        conflicts_with_all = ["prefer", "seed", "max_columns", "max_basis", "shuffles", "trials", "confirm", "shard"]
     )]
     merge: Vec<PathBuf>,
     /// Where the result goes instead of NAME.template.toml beside the problem
@@ -85,25 +88,23 @@ pub(super) struct Settings {
 }
 
 impl Settings {
-    pub(super) fn new(
-        prefer: Preference,
-        seed: u64,
-        max_columns: usize,
-        shuffles: u64,
-        share: Share,
-        trials: usize,
-        confirm: usize,
-    ) -> Self {
-        let options = SearchOptions { seed, max_columns, shuffles, prefer, share };
+    pub(super) fn new(options: SearchOptions, trials: usize, confirm: usize) -> Self {
+        let seed = options.seed;
         Self { options, measuring: Measuring { trials, confirm, seed } }
     }
 }
 
 impl Arguments {
     fn settings(&self) -> Settings {
-        let (trials, confirm) = (self.trials as usize, self.confirm as usize);
-        let share = self.shard.unwrap_or(Share::ALL);
-        Settings::new(self.prefer, self.seed, self.max_columns as usize, self.shuffles, share, trials, confirm)
+        let options = SearchOptions {
+            seed: self.seed,
+            max_columns: self.max_columns as usize,
+            max_basis: self.max_basis.map(|most| most as usize),
+            shuffles: self.shuffles,
+            prefer: self.prefer,
+            share: self.shard.unwrap_or(Share::ALL),
+        };
+        Settings::new(options, self.trials as usize, self.confirm as usize)
     }
 }
 

@@ -12,7 +12,7 @@ use crate::attempt::Attempt;
 use crate::generate::plan;
 use crate::preference::Preference;
 use crate::problem::Problem;
-use crate::search::{Candidate, Found, SearchError, in_order};
+use crate::search::{Candidate, Found, SearchError, SearchOptions, in_order};
 use crate::share::Share;
 use crate::stability::Stability;
 use crate::template::file::TemplateFile;
@@ -56,6 +56,7 @@ pub(super) struct Common {
     prefer: Preference,
     seed: u64,
     max_columns: usize,
+    max_basis: Option<usize>,
     shuffles: u64,
     trials: usize,
     confirm: usize,
@@ -71,6 +72,7 @@ impl Common {
             prefer: options.prefer,
             seed: options.seed,
             max_columns: options.max_columns,
+            max_basis: options.max_basis,
             shuffles: options.shuffles,
             trials: measuring.trials,
             confirm: measuring.confirm,
@@ -78,7 +80,15 @@ impl Common {
     }
 
     fn settings(&self) -> Settings {
-        Settings::new(self.prefer, self.seed, self.max_columns, self.shuffles, Share::ALL, self.trials, self.confirm)
+        let options = SearchOptions {
+            seed: self.seed,
+            max_columns: self.max_columns,
+            max_basis: self.max_basis,
+            shuffles: self.shuffles,
+            prefer: self.prefer,
+            share: Share::ALL,
+        };
+        Settings::new(options, self.trials, self.confirm)
     }
 }
 

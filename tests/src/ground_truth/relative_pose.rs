@@ -47,6 +47,11 @@ pub(super) fn makers() -> Vec<Maker> {
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
+            name: "relpose_7pt_generalized_scale",
+            make: seven_points_generalized,
+            error: |_, solution, truth| relative_error(solution, truth),
+        },
+        Maker {
             name: "relpose_7pt_angle_focal_centre",
             make: calibration_by_angle,
             error: |_, solution, truth| relative_error(solution, truth),
@@ -130,6 +135,15 @@ fn five_points_generalized(random: &mut Random) -> KnownInstance {
 
 fn six_points_generalized(random: &mut Random) -> KnownInstance {
     let (data, rotation) = generalized(random, 6);
+    KnownInstance { data, truths: vec![cayley(&rotation)] }
+}
+
+/// The second system measures in a unit of 0.5 to 2 times that of the first.
+fn seven_points_generalized(random: &mut Random) -> KnownInstance {
+    let (mut data, rotation) = generalized(random, 7);
+    let scale = uniform(random, 0.5, 2.0);
+    let (_, second) = data.split_at_mut(7 * 6);
+    second.chunks_mut(6).flat_map(|ray| &mut ray[..3]).for_each(|coordinate| *coordinate /= scale);
     KnownInstance { data, truths: vec![cayley(&rotation)] }
 }
 
