@@ -57,6 +57,9 @@ pub(crate) const FINGERPRINT_FIELDS: [PrimeField; 2] = [PrimeField::new(PRIMES[4
 /// A polynomial whose coefficients are nodes of a graph.
 pub type SymbolicPolynomial = Polynomial<ExpressionId>;
 
+/// A product of two polynomials, and whether it is subtracted.
+pub type SignedProduct<'p> = (bool, &'p SymbolicPolynomial, &'p SymbolicPolynomial);
+
 /// Expressions in the data, each value once. Nodes are in topological order.
 #[derive(Clone, Debug)]
 pub struct ExpressionGraph {
@@ -335,11 +338,8 @@ impl ExpressionGraph {
         Some(self.sum_terms(terms))
     }
 
-    /// The sum of products p q, or of -p q where the flag says so, as one [`ProductSum`]: for factors of many terms. `None` where an exponent overflows.
-    pub fn polynomial_product_sum(
-        &mut self,
-        products: &[(bool, &SymbolicPolynomial, &SymbolicPolynomial)],
-    ) -> Option<SymbolicPolynomial> {
+    /// p q ± p' q' ± .. as one [`ProductSum`]: for factors of many terms. `None` where an exponent overflows.
+    pub fn polynomial_product_sum(&mut self, products: &[SignedProduct<'_>]) -> Option<SymbolicPolynomial> {
         let mut monomials_of = Vec::with_capacity(products.len());
         for (_, p, q) in products {
             let pairs = p.terms().iter().flat_map(|(m, _)| q.terms().iter().map(move |(n, _)| m.checked_mul(n)));
@@ -350,11 +350,10 @@ impl ExpressionGraph {
         monomials.dedup();
         let place = |monomial: &Monomial| monomials.partition_point(|other| other > monomial);
         let coefficients = |p: &SymbolicPolynomial| p.terms().iter().map(|&(_, c)| c).collect();
-        let product =
-            |(&(negative, p, q), pairs): (&(bool, &SymbolicPolynomial, &SymbolicPolynomial), &Vec<Monomial>)| {
-                let to = pairs.iter().map(|monomial| place(monomial) as u32).collect();
-                Product { negative, left: coefficients(p), right: coefficients(q), to }
-            };
+        let product = |(&(negative, p, q), pairs): (&SignedProduct<'_>, &Vec<Monomial>)| {
+            let to = pairs.iter().map(|monomial| place(monomial) as u32).collect();
+            Product { negative, left: coefficients(p), right: coefficients(q), to }
+        };
         let products = products.iter().zip(&monomials_of).map(product).collect();
         let sum = ProductSum { products, length: monomials.len() };
         let sums = self.push_sum(sum);
@@ -410,5 +409,62 @@ impl ExpressionGraph {
         }
         sums.retain(|&(_, c)| !self.is_zero(c));
         Polynomial::from_terms(sums)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::instance::Random;
+
+    const INPUTS: usize = 12;
+
+    fn graph() -> ExpressionGraph {
+        let mut random = Random::new(7);
+        let point = |random: &mut Random| (0..INPUTS).map(|_| random.below(1 << 30) as u32).collect();
+        ExpressionGraph::new(&[point(&mut random), point(&mut random)])
+    }
+
+    /// Some coefficients are constants, some are 0.
+    fn random_polynomial(graph: &mut ExpressionGraph, random: &mut Random) -> SymbolicPolynomial {
+        let [x, y] = [0, 1].map(Monomial::unknown);
+        let mut p = Polynomial::ZERO;
+        for monomial in [Monomial::ONE, x, y, x.times(&x), x.times(&y)] {
+            let coefficient = match random.below(3) {
+                0 => graph.constant(Rational::integer(random.below(5) as i64 - 2)),
+                _ => graph.input(random.below(INPUTS as u64) as usize),
+            };
+            let term = graph.term(coefficient, monomial);
+            p = graph.polynomial_add(&p, &term);
+        }
+        p
+    }
+
+    fn expanded(graph: &mut ExpressionGraph, products: &[SignedProduct<'_>]) -> SymbolicPolynomial {
+        products.iter().fold(Polynomial::ZERO, |sum, &(negative, p, q)| {
+            let product = graph.polynomial_mul(p, q).unwrap();
+            if negative { graph.polynomial_sub(&sum, &product) } else { graph.polynomial_add(&sum, &product) }
+        })
+    }
+
+    #[test]
+    fn sums_of_products_are_what_they_expand_to() {
+        let field = PrimeField::new(PRIMES[0]);
+        let mut random = Random::new(1);
+        for _ in 0..50 {
+            let mut graph = graph();
+            let [p, q, r, s] = [0; 4].map(|_| random_polynomial(&mut graph, &mut random));
+            let products = [(true, &p, &q), (false, &r, &s), (random.below(2) == 0, &p, &s)];
+            let mut other = graph.clone();
+            let (sum, expanded) = (graph.polynomial_product_sum(&products).unwrap(), expanded(&mut other, &products));
+            let inputs: Vec<u32> = (0..INPUTS).map(|_| random.below(1 << 30) as u32).collect();
+            let value = |graph: &ExpressionGraph, p: &SymbolicPolynomial| {
+                let values = graph.evaluate(field, &inputs).unwrap();
+                p.terms().iter().map(|&(m, c)| (m, graph.as_constant(c), values[c.index()])).collect::<Vec<_>>()
+            };
+            assert_eq!(value(&graph, &sum), value(&other, &expanded));
+            // What is there already is taken.
+            assert_eq!(other.polynomial_product_sum(&products).unwrap(), expanded);
+        }
     }
 }

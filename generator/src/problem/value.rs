@@ -2,7 +2,7 @@
 
 use crate::algebra::{Monomial, Polynomial};
 use crate::diagnostic::Diagnostic;
-use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
+use crate::expression::{ExpressionGraph, ExpressionId, SignedProduct, SymbolicPolynomial};
 use crate::rational::Rational;
 
 /// Largest number of elements of one array.
@@ -220,11 +220,8 @@ impl Algebra {
         self.sum_of_products(&[(false, p, q)])
     }
 
-    /// The sum of the products p q, or of -p q where the flag says so.
-    fn sum_of_products(
-        &mut self,
-        products: &[(bool, &SymbolicPolynomial, &SymbolicPolynomial)],
-    ) -> Checked<SymbolicPolynomial> {
+    /// p q ± p' q' ± ..
+    fn sum_of_products(&mut self, products: &[SignedProduct<'_>]) -> Checked<SymbolicPolynomial> {
         let mut is_long = false;
         for (_, p, q) in products {
             self.charge(1 + p.terms().len() * q.terms().len())?;
@@ -241,10 +238,7 @@ impl Algebra {
         sum.ok_or_else(|| fault("an exponent is too large"))
     }
 
-    fn expanded_sum_of_products(
-        &mut self,
-        products: &[(bool, &SymbolicPolynomial, &SymbolicPolynomial)],
-    ) -> Checked<Option<SymbolicPolynomial>> {
+    fn expanded_sum_of_products(&mut self, products: &[SignedProduct<'_>]) -> Checked<Option<SymbolicPolynomial>> {
         let mut sum = Polynomial::ZERO;
         for &(negative, p, q) in products {
             let Some(product) = self.graph.polynomial_mul(p, q) else { return Ok(None) };
