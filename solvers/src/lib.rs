@@ -10,6 +10,7 @@ eliminant::include_solver!("fundamental_8pt_radial");
 eliminant::include_solver!("fundamental_8pt_radial_one_side");
 eliminant::include_solver!("fundamental_9pt_two_radials");
 eliminant::include_solver!("katsura_5");
+eliminant::include_solver!("orbit_5_lines_of_sight");
 eliminant::include_solver!("platform_forward_kinematics");
 eliminant::include_solver!("pose_35pt_focal");
 eliminant::include_solver!("pose_3pt_depths");

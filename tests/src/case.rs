@@ -101,6 +101,7 @@ pub fn cases() -> Vec<Case> {
         case!(fundamental_8pt_radial_one_side, Fundamental8ptRadialOneSide, (affine), (f_32, radial)),
         case!(fundamental_9pt_two_radials, Fundamental9ptTwoRadials, (affine), (s, f_31, f_32, f_23)),
         case!(katsura_5, Katsura5, (), (t, u, v, x, y, z)),
+        case!(orbit_5_lines_of_sight, Orbit5LinesOfSight, (sights), (a, b, p, q, r, square)),
         case!(
             platform_forward_kinematics,
             PlatformForwardKinematics,

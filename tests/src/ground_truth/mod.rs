@@ -5,6 +5,7 @@ mod benchmarks;
 mod cameras;
 mod circles;
 mod optimal_pose;
+mod orbits;
 mod platforms;
 mod points;
 mod radial_distortion;
@@ -59,6 +60,7 @@ pub fn makers() -> Vec<Maker> {
         benchmarks::makers(),
         circles::makers(),
         optimal_pose::makers(),
+        orbits::makers(),
         platforms::makers(),
         points::makers(),
         radial_distortion::makers(),
