@@ -30,8 +30,8 @@ pub fn residual(plan: &Plan, coefficients: &[f64], x: &[Complex<f64>]) -> f64 {
 pub const WORK_OF_MEASURING: u64 = 20_000_000_000;
 /// The same where they are tested: two cores run all tests in less than ten minutes.
 pub const WORK_OF_TESTING: u64 = 4_000_000_000;
-/// Instances of even the largest template.
-const FEWEST: u64 = 500;
+/// A solve that takes more operations counts as so many: even the largest templates are solved on some hundred instances.
+const MOST_OF_ONE_SOLVE: u64 = 40_000_000;
 /// Problems with at most so many solutions are solved on all instances whatever that takes.
 const FEW_SOLUTIONS: usize = 30;
 
@@ -40,7 +40,7 @@ const FEW_SOLUTIONS: usize = 30;
 pub fn affordable(plan: &Plan, wanted: u64, work: u64) -> u64 {
     match plan.solutions {
         ..=FEW_SOLUTIONS => wanted,
-        _ => (work / plan.operations().total().max(1) as u64).max(FEWEST).min(wanted),
+        _ => wanted.min(work / (plan.operations().total() as u64).clamp(1, MOST_OF_ONE_SOLVE)),
     }
 }
 

@@ -20,9 +20,10 @@ const HAVE_NO_SCALE: [DataAttribute; 2] = [DataAttribute::Unit, DataAttribute::R
 const WORK: usize = 200_000_000;
 
 /// Problems whose equations the unit of their data changes so much that it must be that of the random ones within ten orders of magnitude.
-const HAVE_A_UNIT: [&str; 15] = [
+const HAVE_A_UNIT: [&str; 16] = [
     "calibration_6_receivers_4_senders",
     "fundamental_9pt_two_radials",
+    "orbit_5_lines_of_sight",
     "platform_forward_kinematics",
     "pose_3pt_depths",
     "pose_3pt_upright_error_bound",
@@ -63,7 +64,7 @@ impl Subject {
 
     /// Of so many cases that are like their neighbours, one in how many is tried.
     fn stride(&self, cases: usize) -> usize {
-        cases.div_ceil((50 * WORK / self.operations).max(1))
+        cases.div_ceil((10 * WORK / self.operations).max(1))
     }
 
     fn inputs(&self) -> usize {
