@@ -70,7 +70,7 @@ fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<Algebra, Dia
             .label(format!("{} equations in {unknowns} unknowns", problem.equations.len()))
             .hint("an equation contradicts the others, or every solution is excluded by a `!= 0` statement")
             .hint(
-                "if the data satisfy a condition, state it: `#[symmetric]`, `#[rotation]`, `#[unit]`, `#[integer]`, `#[rank(2)]`",
+                "if the data satisfy a condition, state it: `#[symmetric]`, `#[rotation]`, `#[unit]`, `#[plucker]`, `#[integer]`, `#[rank(2)]`",
             ));
     };
     if dimension > 0 {

@@ -100,6 +100,11 @@ fn draw_parameter<A: Draw>(parameter: &DataParameter, f: A, random: &mut Random,
                 draw_unit(f, random, n, inputs);
             }
         }
+        DataAttribute::Plucker => {
+            for _ in 0..count / 6 {
+                inputs.extend(draw_line(f, random));
+            }
+        }
         DataAttribute::Rank(rank) => {
             let [.., rows, columns] = parameter.shape[..] else { return };
             for _ in 0..count / (rows * columns) {
@@ -152,6 +157,13 @@ fn draw_unit<A: Draw>(f: A, random: &mut Random, n: usize, inputs: &mut Vec<A::V
         }
     }
     inputs.extend((0..n).map(|i| if i == 0 { f.one() } else { f.zero() }));
+}
+
+/// Direction d and moment p x d of the line through the point p.
+fn draw_line<A: Draw>(f: A, random: &mut Random) -> [A::Value; 6] {
+    let [p, d]: [[A::Value; 3]; 2] = [0; 2].map(|_| [0; 3].map(|_| f.draw(random)));
+    let moment = |i: usize, j: usize| f.sub(f.mul(p[i], d[j]), f.mul(p[j], d[i]));
+    [d[0], d[1], d[2], moment(1, 2), moment(2, 0), moment(0, 1)]
 }
 
 /// The product of a rows x rank and a rank x columns matrix, both generic.

@@ -268,11 +268,12 @@ fn attributes_make_relations_hold_identically() {
             #[unit] u: [f64; 4],
             #[symmetric] s: [[f64; 2]; 2],
             #[rank(2)] f: [[[f64; 4]; 3]; 2],
+            #[plucker] l: [[[f64; 3]; 2]; 2],
         ) -> (x, y) {
             let [first, second] = r;
             let g = f[1] * f[0].t();
             [x, y] * (first * first.t() - identity(3))[0][0] + [x, y] * dot(u, u) == s * [1, 2];
-            x * det(second) * (s[0][1] - s[1][0] + 1) - y + det(g) != 0;
+            x * det(second) * (s[0][1] - s[1][0] + 1) - y + det(g) + dot(l[1][0], l[1][1]) != 0;
         }",
     );
     let (x, y) = (sample.unknown("x"), sample.unknown("y"));

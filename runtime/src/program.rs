@@ -102,7 +102,7 @@ impl ProductSums {
 /// Straight-line arithmetic from the data to the coefficients.
 ///
 /// ```text
-///   values   [ constants | data, one parameter after another | result of step 0, of step 1, .. ]
+///   values   [ constants | data, one parameter after another | result of step 0, of step 1, .. ]  (a sum of products has several)
 ///   operands   the positions in values of the operands of each step, all before its own run's results
 ///   results    the positions in values of the coefficients
 /// ```

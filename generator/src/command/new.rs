@@ -77,7 +77,7 @@ fn starter(name: &str) -> String {
 /// `p` and `q` hold the coefficients of x^2, x y, y^2, x, y, 1.
 ///
 /// Data that satisfy a condition say so: `#[symmetric] m: [[f64; 3]; 3]`, `#[rotation] r: [[f64; 3]; 3]`,
-/// `#[unit] u: [f64; 3]`, `#[integer] n: f64`, `#[rank(2)] f: [[f64; 3]; 3]`.
+/// `#[unit] u: [f64; 3]`, `#[plucker] l: [[f64; 3]; 2]`, `#[integer] n: f64`, `#[rank(2)] f: [[f64; 3]; 3]`.
 fn {name}(p: [f64; 6], q: [f64; 6]) -> (x, y) {{
     // `let` names an intermediate value: here an array of six polynomials. Powers are `x * x` or `x.pow(2)`.
     let monomials = [x.pow(2), x * y, y.pow(2), x, y, 1];

@@ -38,6 +38,8 @@ pub enum DataAttribute {
     Rotation,
     /// `#[unit]`: a vector of length 1 (or an array of them).
     Unit,
+    /// `#[plucker]`: direction and moment of a line, orthogonal vectors of length 3 (or an array of such pairs).
+    Plucker,
     /// `#[integer]`: small integers.
     Integer,
     /// `#[rank(2)]`: a matrix of that rank, less than the number of its rows and of its columns (or an array of them).

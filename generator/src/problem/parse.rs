@@ -182,7 +182,7 @@ fn check_function(function: &ItemFn) -> Vec<Diagnostic> {
         let diagnostic = Diagnostic::new("unknown attribute of a function", place(attribute));
         messages.push(
             diagnostic
-                .hint("`#[symmetric]`, `#[rotation]`, `#[unit]`, `#[integer]`, `#[rank(2)]` stand before a parameter"),
+                .hint("`#[symmetric]`, `#[rotation]`, `#[unit]`, `#[plucker]`, `#[integer]`, `#[rank(2)]` stand before a parameter"),
         );
     }
     messages

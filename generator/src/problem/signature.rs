@@ -20,10 +20,11 @@ const PRIMITIVES: [&str; 17] = [
 ];
 
 /// The attributes without an argument; `rank` has one.
-const ATTRIBUTES: [(&str, DataAttribute); 4] = [
+const ATTRIBUTES: [(&str, DataAttribute); 5] = [
     ("symmetric", DataAttribute::Symmetric),
     ("rotation", DataAttribute::Rotation),
     ("unit", DataAttribute::Unit),
+    ("plucker", DataAttribute::Plucker),
     ("integer", DataAttribute::Integer),
 ];
 
@@ -236,6 +237,8 @@ impl Interpreter<'_> {
             (DataAttribute::Rotation, _) => Some("a 3x3 matrix, or an array of them"),
             (DataAttribute::Unit, [.., n]) if *n > 1 => None,
             (DataAttribute::Unit, _) => Some("a vector of two or more, or an array of them"),
+            (DataAttribute::Plucker, [.., 2, 3]) => None,
+            (DataAttribute::Plucker, _) => Some("two vectors of length 3, or an array of such pairs"),
             (DataAttribute::Rank(rank), [.., n, m]) if rank < *n.min(m) => None,
             (DataAttribute::Rank(_), _) => Some("a matrix of more rows and columns than its rank, or an array of them"),
             (DataAttribute::Integer | DataAttribute::Generic, _) => None,
@@ -312,7 +315,7 @@ impl Interpreter<'_> {
             return Ok(kind);
         }
         let diagnostic = Diagnostic::new("unknown attribute", place(&attribute.meta))
-            .label("expected `symmetric`, `rotation`, `unit`, `integer` or `rank(..)`");
+            .label("expected `symmetric`, `rotation`, `unit`, `plucker`, `integer` or `rank(..)`");
         let meant = closest(&name, ATTRIBUTES.map(|(known, _)| known));
         Err(self.report(match meant {
             Some(meant) => diagnostic.hint(format!("did you mean `#[{meant}]`?")),

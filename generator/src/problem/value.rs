@@ -243,7 +243,7 @@ impl Algebra {
         for &(negative, p, q) in products {
             let Some(product) = self.graph.polynomial_mul(p, q) else { return Ok(None) };
             let signed = if negative { self.graph.polynomial_neg(&product) } else { product };
-            sum = self.add_polynomials(&sum, &signed)?;
+            sum = if sum.is_zero() { signed } else { self.add_polynomials(&sum, &signed)? };
         }
         Ok(Some(sum))
     }
