@@ -15,6 +15,8 @@ pub struct Algebra {
     pub solutions: usize,
     /// Number of different complex solutions. Of more than [`MOST_TOLD_APART`] all are taken to be different.
     pub different: usize,
+    /// How often the origin, all unknowns 0, is counted among the solutions. It is known without computing anything.
+    pub at_origin: usize,
     /// Size of the reduced grevlex Gröbner basis.
     pub basis_elements: usize,
 }
@@ -36,7 +38,7 @@ pub fn check(problem: &Problem) -> Result<Algebra, Diagnostics> {
         counts.push(count(problem, PrimeField::new(prime), seed).map_err(|message| fail(problem, message))?);
     }
     let both = |of: fn(&Algebra) -> usize| [of(&counts[0]), of(&counts[1])];
-    for [a, b] in [both(|count| count.solutions), both(|count| count.different)] {
+    for [a, b] in [both(|count| count.solutions), both(|count| count.different), both(|count| count.at_origin)] {
         if a != b {
             let [p, q] = [COUNTS[0].0, COUNTS[1].0];
             let message = Diagnostic::new("the number of solutions is not stable", problem.span.clone())
@@ -61,10 +63,11 @@ fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<Algebra, Dia
             .hint("data that are drawn from few values (`#[integer]`) may cancel; state the coefficient as a constant instead")
     })?;
     let unknowns = problem.unknowns.len();
-    let basis = ideal(&instance, unknowns).map_err(|error| {
+    let too_large = |error: GroebnerError| {
         Diagnostic::new(format!("the algebra of the problem is too large: {error}"), at())
             .hint("fewer unknowns or lower degrees help: eliminate what can be eliminated by hand, or divide a common factor out")
-    })?;
+    };
+    let basis = ideal(&instance, unknowns).map_err(too_large)?;
     let Some(dimension) = basis.dimension(unknowns) else {
         return Err(Diagnostic::new("the equations have no common solution for general data", at())
             .label(format!("{} equations in {unknowns} unknowns", problem.equations.len()))
@@ -96,7 +99,26 @@ fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<Algebra, Dia
     })?;
     let solutions = solutions.len();
     let different = count_different(&basis, unknowns, seed).unwrap_or(solutions);
-    Ok(Algebra { solutions, different, basis_elements: basis.elements().len() })
+    let at_origin = match problem.has_origin() {
+        true => solutions - count_elsewhere(&instance, unknowns, seed).map_err(too_large)?,
+        false => 0,
+    };
+    if at_origin == solutions {
+        return Err(Diagnostic::new("all unknowns 0 is the only solution for general data", at())
+            .label("every term of every equation holds an unknown")
+            .hint("unknowns that can be scaled together need an equation that fixes the scale, such as `x == 1;`"));
+    }
+    Ok(Algebra { solutions, different, at_origin, basis_elements: basis.elements().len() })
+}
+
+/// The number of solutions with their multiplicity but that at the origin: those at which a random linear form does not vanish.
+fn count_elsewhere(instance: &Instance, unknowns: usize, seed: u64) -> Result<usize, GroebnerError> {
+    let mut random = Random::new(seed);
+    let form = (0..unknowns).map(|x| (Monomial::unknown(x), instance.field.draw(&mut random)));
+    let mut elsewhere = instance.clone();
+    elsewhere.nonzero.push(Polynomial::collect(instance.field, form));
+    let basis = ideal(&elsewhere, unknowns)?;
+    Ok(basis.quotient_basis(unknowns, MAX_SOLUTIONS).map_or(0, |basis| basis.len()))
 }
 
 /// `None` for more than [`MOST_TOLD_APART`].

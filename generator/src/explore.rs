@@ -108,11 +108,7 @@ pub(crate) fn explore(
         };
         let improved: Vec<EliminationTemplate> = templates.iter().take(IMPROVED).map(improved).collect();
         for template in improved.into_iter().chain(templates) {
-            // Where the origin is a solution 1 stays in the basis.
-            let template = match form.origin {
-                true => template,
-                false => template.in_lowest_terms(&form.instance.equations),
-            };
+            let template = template.in_lowest_terms(&form.instance.equations);
             if !explored.templates.contains(&template) {
                 explored.templates.push(template);
             }

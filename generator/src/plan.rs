@@ -181,6 +181,8 @@ pub struct Plan {
     pub unknowns: Vec<String>,
     /// Number of different complex solutions of a generic instance.
     pub solutions: usize,
+    /// Whether the origin is one of them. It is known, and no template need give it.
+    pub has_origin: bool,
     /// From the data to the coefficients.
     pub code: Code,
     /// The value of each coefficient.
@@ -267,7 +269,7 @@ impl Plan {
             known[x.unknown] |= !x.pairs.is_empty();
         }
         steps_ok &= self.flips.iter().all(|flip| flip.len() == known.len());
-        let enough = self.solutions <= e.basis * (1 + self.flips.len());
+        let enough = self.solutions <= e.basis * (1 + self.flips.len()) + usize::from(self.has_origin);
         let mut terms_ok = true;
         for recovery in &self.recoveries {
             let reads_known = |t: &Term| t.exponents.iter().zip(&known).all(|(&e, &k)| e == 0 || k);

@@ -179,11 +179,12 @@ pub fn candidates(
     options: &SearchOptions,
     monitor: &dyn Monitor,
 ) -> Result<Found, SearchError> {
-    let solutions = algebra.solutions;
+    // The origin takes no row.
+    let solutions = algebra.solutions - algebra.at_origin;
     let forms = forms(problem, options)?;
     let ways: Vec<(usize, Way<'_>)> =
         ways(&forms).into_iter().enumerate().filter(|(at, _)| options.share.holds(*at)).collect();
-    monitor.say(&format!("{solutions} solutions; growing shifts in {} ways", ways.len()));
+    monitor.say(&format!("{} solutions; growing shifts in {} ways", algebra.solutions, ways.len()));
     let is_over = || monitor.is_over(Stage::Searching);
     let memory = Memory::default();
     let explored =

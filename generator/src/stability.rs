@@ -120,7 +120,8 @@ pub fn solve(plan: &Plan, inputs: &[f64]) -> Option<Vec<(Point, f64)>> {
 fn attempts(plan: &Plan, inputs: &[f64]) -> (Option<Vec<(Point, f64)>>, bool) {
     let Some(c) = coefficients(plan, Float64, inputs) else { return (None, false) };
     let instance = Instance::new(plan, &c);
-    let mut found = Vec::new();
+    let origin = plan.has_origin.then(|| (vec![Complex::ZERO; plan.unknowns.len()], 0.0));
+    let mut found = Vec::from_iter(origin);
     let first = eliminate(plan, Float64, &c).and_then(|eliminated| instance.add_all(&eliminated, &mut found));
     let has_precise_coefficients = plan.code.form == CodeForm::Table;
     if found.len() >= plan.solutions || (first.is_none() && !has_precise_coefficients) {
@@ -203,7 +204,7 @@ impl<'a> Instance<'a> {
         let Some(mut point) = unknowns(self.plan, &self.recoveries, value, vector, &(read * vector)) else { return };
         let residual = polish(&self.equations, &mut point);
         // A product of unknowns is never small relative to its terms.
-        let factors = self.nonzero.values(&without_noise(&point, &point));
+        let factors = self.nonzero.values(&without_noise(&point));
         let is_admissible = factors.iter().all(|(value, scale)| value.norm() > VANISHING * scale);
         // A NaN is no small residual.
         let is_solution = residual <= MAX_RESIDUAL && is_admissible;

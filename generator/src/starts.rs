@@ -30,8 +30,6 @@ pub(crate) struct Form {
     pub(crate) presolve: Presolve,
     /// The sign changes that templates make use of.
     pub(crate) symmetry: Symmetry,
-    /// Whether the origin is a solution.
-    pub(crate) origin: bool,
     /// The ways to read the unknowns then.
     pub(crate) readings: Vec<Vec<Reading>>,
     /// The action monomials to try.
@@ -44,14 +42,9 @@ pub(crate) struct Form {
 }
 
 impl Form {
-    /// What templates must satisfy. `solutions` is the number of solutions of the problem.
+    /// What templates must satisfy. `solutions` is the number of solutions of the problem that are to be computed.
     pub(crate) fn requirements(&self, solutions: usize, max_basis: usize) -> Requirements<'_> {
-        Requirements {
-            readings: &self.readings,
-            solutions: solutions.div_ceil(self.symmetry.order()),
-            max_basis,
-            origin: self.origin,
-        }
+        Requirements { readings: &self.readings, solutions: solutions.div_ceil(self.symmetry.order()), max_basis }
     }
 
     /// The different [`BASIS_PERCENT`] of the number of solutions up to sign, increasing, up to the largest that is wanted.
@@ -71,9 +64,7 @@ impl Form {
 /// lost to a template that makes use of it.
 pub(crate) fn forms(problem: &Problem, options: &SearchOptions) -> Result<Vec<Form>, SearchError> {
     let mut forms: Vec<Form> = Vec::new();
-    // No change of sign moves the origin, and no unknown can be read where all products are zero.
-    let origin = problem.has_origin();
-    let of_problem = if origin { Symmetry::NONE } else { Symmetry::of_problem(problem) };
+    let of_problem = Symmetry::of_problem(problem);
     for kind in [Presolve::None, Presolve::Constant, Presolve::Linear, Presolve::Square] {
         let reduced = presolve(problem, kind);
         if forms.iter().any(|form| is_same(&form.reduced, &reduced)) {
@@ -87,17 +78,7 @@ pub(crate) fn forms(problem: &Problem, options: &SearchOptions) -> Result<Vec<Fo
             let (readings, actions) = (symmetry.readings(&reduced.kept), actions(&symmetry, &reduced.kept));
             let (reduced, instance, check) = (reduced.clone(), instance.clone(), check.clone());
             let max_basis = options.max_basis;
-            forms.push(Form {
-                presolve: kind,
-                symmetry,
-                origin,
-                readings,
-                actions,
-                reduced,
-                instance,
-                check,
-                max_basis,
-            });
+            forms.push(Form { presolve: kind, symmetry, readings, actions, reduced, instance, check, max_basis });
         }
     }
     Ok(forms)
@@ -133,9 +114,7 @@ pub(crate) fn growths(form: &Form) -> Vec<Growth> {
     growths.push(Growth::Neighbours);
     growths.push(Growth::BestShift(0));
     growths.push(Growth::BestShift(1));
-    if !form.origin {
-        growths.extend([0, 1].map(Growth::Laurent));
-    }
+    growths.extend([0, 1].map(Growth::Laurent));
     growths
 }
 

@@ -42,6 +42,9 @@ pub trait ActionMethod<const B: usize, const N: usize, const K: usize> {
     /// gives it.
     const PAIRS: [&'static [(u16, u16)]; N];
 
+    /// Whether all unknowns 0 is a solution, whatever the data. It is known, and the eigenpairs need not give it.
+    const HAS_ORIGIN: bool = false;
+
     /// How unknowns follow from their pairs where the template tells them up to sign.
     const SYMMETRY: Option<Symmetry<N>> = None;
 
@@ -79,7 +82,7 @@ pub trait ActionMethod<const B: usize, const N: usize, const K: usize> {
 pub fn complex_solutions<const B: usize, const N: usize, const K: usize, const MAX: usize>(
     method: &mut impl ActionMethod<B, N, K>,
 ) -> Result<Solutions<[Complex<f64>; N], MAX>, SolveError> {
-    let mut found = Solutions::<Candidate<Complex<f64>, N>, MAX>::new();
+    let mut found = known_beforehand(method);
     let first = add_all_complex(method, &mut found);
     if found.len() < MAX {
         for_each_precise_value(method, first, |method, source, value| {
@@ -125,10 +128,8 @@ pub fn real_solutions<const B: usize, const N: usize, const K: usize, const MAX:
     method: &mut impl ActionMethod<B, N, K>,
 ) -> Result<Solutions<[f64; N], MAX>, SolveError> {
     let has_spurious_values = has_spurious_values(method, MAX);
-    let mut found = RealAndAll {
-        real: Solutions::<Candidate<f64, N>, MAX>::new(),
-        all: has_spurious_values.then(Solutions::<Candidate<Complex<f64>, N>, MAX>::new),
-    };
+    let mut found =
+        RealAndAll { real: known_beforehand(method), all: has_spurious_values.then(|| known_beforehand(method)) };
     let first = add_all_real(method, &mut found);
     if found.lacks_some() || first.is_err() {
         for_each_precise_value(method, first, |method, source, value| {
@@ -169,13 +170,28 @@ fn add_all_real<const B: usize, const N: usize, const K: usize, const MAX: usize
     Ok(())
 }
 
-/// Whether some eigenvalues belong to no solution.
+/// Whether some eigenvalues belong to no solution, or to one that is known beforehand.
 #[inline]
-fn has_spurious_values<const B: usize, const N: usize, const K: usize>(
-    method: &impl ActionMethod<B, N, K>,
+fn has_spurious_values<const B: usize, const N: usize, const K: usize, M: ActionMethod<B, N, K>>(
+    method: &M,
     solutions: usize,
 ) -> bool {
-    B * (1 + flips(method).len()) > solutions
+    B * (1 + flips(method).len()) + usize::from(M::HAS_ORIGIN) > solutions
+}
+
+/// The origin, where it is a solution.
+#[inline]
+fn known_beforehand<
+    S: Scalar,
+    const B: usize,
+    const N: usize,
+    const K: usize,
+    const MAX: usize,
+    M: ActionMethod<B, N, K>,
+>(
+    _: &M,
+) -> Solutions<Candidate<S, N>, MAX> {
+    M::HAS_ORIGIN.then_some(Candidate { unknowns: [S::ZERO; N], residual: 0.0 }).into_iter().collect()
 }
 
 /// An eigenvalue and its eigenvector, from which a solution may be read.
@@ -280,7 +296,7 @@ pub fn real_solutions_by_polynomial<const B: usize, const N: usize, const K: usi
 ) -> Result<Solutions<[f64; N], MAX>, SolveError> {
     let action = method.action_matrix::<f64>()?;
     let spectrum = Hessenberg::reduce(&action)?;
-    let mut found = RealAndAll { real: Solutions::<Candidate<f64, N>, MAX>::new(), all: None };
+    let mut found = RealAndAll::<N, MAX> { real: known_beforehand(method), all: None };
     for value in real_roots_monic(&spectrum.characteristic_polynomial()) {
         let guess = Guess::new(&spectrum, value.into());
         add_real(method, &guess, guess.value, &mut found);

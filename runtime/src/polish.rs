@@ -22,8 +22,6 @@ const NOISE: f64 = 1e-12;
 /// No unknown is known to less than this times the relative residual, relative to the largest one, where the polish converges slowly: towards solutions that
 /// are not isolated, such as those at which an unknown vanishes that should not.
 const UNCERTAIN: f64 = 1e3;
-/// A step that shrinks all unknowns to this part may lead to the origin, of which no point nearby has a small relative residual if it is a solution.
-const TOWARDS_ORIGIN: f64 = 1e-2;
 
 /// A step that changes an unknown by more than this part of it shows that x is near no solution, if the residual has a cause other than rounding
 /// or stays below [`FLAT`].
@@ -86,7 +84,7 @@ pub fn polish<S: Scalar, const N: usize, const E: usize>(
         system.residual(&moved, &mut values, &mut scale);
         let mut residual = relative_residual(&values, &scale);
         if !(residual < best) && best > STALLED {
-            moved = without_noise(&moved, x);
+            moved = without_small(&moved, NOISE);
             system.residual(&moved, &mut values, &mut scale);
             residual = relative_residual(&values, &scale);
         }
@@ -140,21 +138,13 @@ fn far<S: Scalar, const N: usize>(x: &[S; N], step: &[S; N]) -> [bool; N] {
     core::array::from_fn(|j| step[j].magnitude() > FAR * x[j].magnitude() + noise)
 }
 
-/// x with the unknowns that may be the rounding noise of zero set to zero: all of them where the step from `before` leads towards the origin.
-#[inline]
-fn without_noise<S: Scalar, const N: usize>(x: &[S; N], before: &[S; N]) -> [S; N] {
-    match largest(x) <= TOWARDS_ORIGIN * largest(before) {
-        true => [S::ZERO; N],
-        false => without_small(x, NOISE),
-    }
-}
-
 /// A polished x of this relative residual, with the unknowns that cannot be told from zero set to zero.
 #[inline]
 pub(crate) fn without_uncertain<S: Scalar, const N: usize>(x: &[S; N], residual: f64) -> [S; N] {
     without_small(x, NOISE.max(UNCERTAIN * residual))
 }
 
+/// x with the unknowns that are at most this small relative to the largest one set to zero.
 #[inline]
 fn without_small<S: Scalar, const N: usize>(x: &[S; N], level: f64) -> [S; N] {
     let smallest = level * largest(x);

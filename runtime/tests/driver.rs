@@ -4,6 +4,7 @@ use std::cell::Cell;
 
 use eliminant::{
     ActionMethod, Complex, Hessenberg, Real, Scalar, Solutions, SolveError, complex_solutions, real_solutions,
+    real_solutions_by_polynomial,
 };
 
 /// Solutions (x, y) with y = 1, 2; basis 1, y, x; action y. Excluded where x = 0.
@@ -233,4 +234,46 @@ fn what_belongs_to_no_solution_is_not_polished_once_all_are_found() {
     let real = |spurious: &mut Spurious| real_solutions::<3, 1, 3, 2>(spurious).unwrap().len();
     assert_eq!([polished(1e-2, complex), polished(1e-2, real)], [(2, false), (0, false)]);
     assert_eq!([polished(1e-8, complex), polished(1e-8, real)], [(2, true), (0, true)]);
+}
+
+/// Solutions x = 0, 1 and 2; action x; basis x, x^2. The origin is known to be one.
+struct ThroughOrigin;
+
+impl ActionMethod<B, 1, B> for ThroughOrigin {
+    const PAIRS: [&'static [(u16, u16)]; 1] = [&[(0, 1)]];
+    const HAS_ORIGIN: bool = true;
+
+    fn action_matrix<R: Real>(&mut self) -> Result<[[R; B]; B], SolveError> {
+        // x^3 = 3 x^2 - 2 x.
+        Ok([[0.0, 1.0], [-2.0, 3.0]].map(|row| row.map(R::from_f64)))
+    }
+
+    fn known<S: Scalar>(&self, _value: S, vector: &[S; B]) -> [S; B] {
+        *vector
+    }
+
+    fn recover<S: Scalar>(&self, _unknowns: &mut [S; 1]) {}
+
+    fn polish<S: Scalar>(&self, [x]: &mut [S; 1], _steps: usize) -> f64 {
+        [0.0, 1.0, 2.0].map(|root| (*x - S::from_f64(root)).modulus()).into_iter().fold(f64::INFINITY, f64::min)
+    }
+
+    fn is_admissible<S: Scalar>(&self, _unknowns: &[S; 1]) -> bool {
+        true
+    }
+}
+
+#[test]
+fn the_origin_is_returned_without_an_eigenpair() {
+    let is_all = |found: &mut dyn Iterator<Item = f64>| {
+        let mut found: Vec<f64> = found.collect();
+        found.sort_by(f64::total_cmp);
+        found.len() == 3 && found.iter().zip([0.0, 1.0, 2.0]).all(|(x, root)| (x - root).abs() < 1e-14)
+    };
+    let all = complex_solutions::<_, _, _, 3>(&mut ThroughOrigin).unwrap();
+    assert!(is_all(&mut all.iter().map(|[x]| x.re)), "{all:?}");
+    for solve in [real_solutions, real_solutions_by_polynomial] {
+        let real: Solutions<[f64; 1], 3> = solve(&mut ThroughOrigin).unwrap();
+        assert!(is_all(&mut real.iter().map(|[x]| *x)), "{real:?}");
+    }
 }

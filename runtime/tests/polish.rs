@@ -240,25 +240,6 @@ fn an_unknown_that_is_zero_at_the_solution_does_not_hide_it() {
     }
 }
 
-/// No point near the origin has a small relative residual, however near.
-#[test]
-fn the_origin_is_reached_where_it_is_a_solution() {
-    let mut random = Random::new(24);
-    for size in [1e-4, 1e-8, 1e-12, 1e-16] {
-        for _ in 0..500 {
-            let coefficients: [f64; 12] = through(&mut random, [0.0, 0.0]);
-            assert_eq!((coefficients[0], coefficients[6]), (0.0, 0.0));
-            // Else another solution is near.
-            if (coefficients[1] * coefficients[8] - coefficients[2] * coefficients[7]).abs() < 0.1 {
-                continue;
-            }
-            let mut x = [0; 2].map(|_| size * random.symmetric());
-            let residual = polish(&mut x, &CONICS.bind(&coefficients), 8);
-            assert_eq!((x, residual), ([0.0; 2], 0.0), "{size:e}: {coefficients:?}");
-        }
-    }
-}
-
 #[test]
 fn ratios_of_monomial_values() {
     // v = (1, x, y, x y, x^2) times a common factor.

@@ -41,6 +41,7 @@ eliminant::include_solver!("relpose_7pt_focal_radial_one_side");
 eliminant::include_solver!("relpose_7pt_focal_radial_one_side_eliminated");
 eliminant::include_solver!("relpose_7pt_generalized_scale");
 eliminant::include_solver!("stitching_3pt_radial_focal");
+eliminant::include_solver!("tensor_eigenvectors");
 eliminant::include_solver!("triangulation_3view");
 eliminant::include_solver!("triangulation_3view_relaxed");
 eliminant::include_solver!("trilateration");

@@ -147,6 +147,7 @@ pub fn cases() -> Vec<Case> {
         ),
         case!(relpose_7pt_generalized_scale, Relpose7ptGeneralizedScale, (first, second), (x, y, z)),
         case!(stitching_3pt_radial_focal, Stitching3ptRadialFocal, (first, second), (radial, w)),
+        case!(tensor_eigenvectors, TensorEigenvectors, (a), (x, y, z)),
         case!(triangulation_3view, Triangulation3view, (first, second, third), (x, y, z)),
         case!(
             triangulation_3view_relaxed,

@@ -54,11 +54,6 @@ impl CommandError {
         if problem.nonzero.iter().any(is_sum) {
             hint += "\nhelp: rows can be divided by a factor that must not vanish where it is an unknown of its own: `w == FACTOR; w != 0;`";
         }
-        if let (true, Some(x)) = (problem.has_origin(), problem.unknowns.first()) {
-            hint += &format!(
-                "\nhelp: all unknowns 0 is one of the solutions; where it is not wanted, exclude it: `{x} != 0;`"
-            );
-        }
         Self::Search { path: path.to_owned(), error, hint }
     }
 }

@@ -183,7 +183,7 @@ fn warnings(problem: &Problem, choice: &Choice, cut: Option<&Cut>) -> Vec<String
     }
     if let (true, Some(x)) = (problem.has_origin(), problem.unknowns.first()) {
         warnings.push(format!(
-            "all unknowns 0 is one of the solutions; where it is not wanted, `{x} != 0;` gives a smaller template"
+            "all unknowns 0 is one of the solutions, and is returned with the others; where it is not wanted, exclude it: `{x} != 0;`"
         ));
     }
     warnings.extend(cut.map(Cut::to_string));

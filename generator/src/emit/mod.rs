@@ -220,6 +220,16 @@ fn known_monomials(plan: &Plan) -> (usize, TokenStream) {
     (length, values)
 }
 
+/// That all unknowns 0 is a solution, where it is one.
+fn origin(plan: &Plan) -> TokenStream {
+    match plan.has_origin {
+        true => quote!(
+            const HAS_ORIGIN: bool = true;
+        ),
+        false => quote!(),
+    }
+}
+
 /// How unknowns follow where a template stands for solutions up to sign; nothing where it does not.
 fn symmetry(plan: &Plan) -> TokenStream {
     if plan.flips.is_empty() {
@@ -303,7 +313,7 @@ fn instance(plan: &Plan) -> TokenStream {
         });
         quote!(&[#(#pairs),*])
     });
-    let symmetry = symmetry(plan);
+    let (origin, symmetry) = (origin(plan), symmetry(plan));
     let count_given = plan.data.len();
     let (data_field, coefficients, refined) = coefficients_of_instance(plan);
     let recover = match plan.recoveries.is_empty() {
@@ -346,6 +356,7 @@ fn instance(plan: &Plan) -> TokenStream {
 
         impl eliminant::ActionMethod<#basis, #unknowns, #count_known> for Instance {
             const PAIRS: [&'static [(u16, u16)]; #unknowns] = [#(#pairs),*];
+            #origin
             #symmetry
             #precise
 

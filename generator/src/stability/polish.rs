@@ -18,8 +18,6 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 const STALLED: f64 = 1e-12;
 /// An unknown this small relative to the largest one may be the rounding noise of zero.
 const NOISE: f64 = 1e-12;
-/// A step that shrinks all unknowns to this part may lead to the origin, of which no point nearby has a small relative residual if it is a solution.
-const TOWARDS_ORIGIN: f64 = 1e-2;
 /// A step that would change an unknown by more than this part of it, where the residual is no rounding error or stays below [`FLAT`], shows that
 /// there is no solution near by.
 const FAR: f64 = 0.1;
@@ -116,7 +114,7 @@ pub(super) fn polish(equations: &Polynomials<'_>, point: &mut Point) -> f64 {
         // A NaN is no small residual.
         let is_lower = |residual: f64| residual < best;
         if best > STALLED && !is_lower(next.0) {
-            next = tried(without_noise(&next.1, point));
+            next = tried(without_noise(&next.1));
             let fractions = (1..=SHORTER_STEPS as i32).map(|k| SHORTER.powi(k));
             for fraction in fractions {
                 if is_lower(next.0) {
@@ -177,10 +175,9 @@ fn far(point: &Point, step: &Point) -> Vec<bool> {
     point.iter().zip(step).map(|(x, step)| step.norm() > FAR * x.norm() + noise).collect()
 }
 
-/// The unknowns that may be the rounding noise of zero set to zero: all of them where the step from `before` leads towards the origin.
-pub(super) fn without_noise(point: &Point, before: &Point) -> Point {
-    let size = largest(point);
-    let noise = if size <= TOWARDS_ORIGIN * largest(before) { size } else { NOISE * size };
+/// The unknowns that may be the rounding noise of zero set to zero.
+pub(super) fn without_noise(point: &Point) -> Point {
+    let noise = NOISE * largest(point);
     point.iter().map(|&x| if x.norm() <= noise { Complex::ZERO } else { x }).collect()
 }
 

@@ -4,8 +4,7 @@ use super::Shift;
 use crate::algebra::{Echelon, Monomial, MonomialMap, Polynomial, PrimeField};
 use crate::symmetry::Reading;
 
-/// Rows of `m * f` for a set of shifts, sparse, with their monomials and with 1, which no row may hold: where all equations vanish at the origin
-/// only a basis with 1 tells that solution from others.
+/// Rows of `m * f` for a set of shifts, sparse, with their monomials.
 ///
 /// ```text
 ///              monomials[0]  monomials[1]  ...      (decreasing)
@@ -31,7 +30,6 @@ impl ShiftMatrix {
     pub fn new(field: PrimeField, equations: &[Polynomial<u32>], shifts: &[Shift]) -> Self {
         let mut monomials: Vec<Monomial> =
             shifts.iter().flat_map(|s| equations[s.equation].monomials().map(|m| m.times(&s.multiplier))).collect();
-        monomials.push(Monomial::ONE);
         monomials.sort_unstable_by(|a, b| b.cmp(a));
         monomials.dedup();
         let column_of: MonomialMap<usize> = monomials.iter().enumerate().map(|(i, &m)| (m, i)).collect();
@@ -69,11 +67,11 @@ impl ShiftMatrix {
         reading.steps.iter().filter_map(move |step| self.column_of.get(&self.monomials[column].times(step)).copied())
     }
 
-    /// The same without some rows. Columns that become empty go too, but that of 1 and those of `basis`: b of B may be in no row when a b is in B.
+    /// The same without some rows. Columns that become empty go too, but those of `basis`: b of B may be in no row when a b is in B.
     #[must_use]
     pub fn retain_rows(&self, basis: &[usize], keep: impl Fn(usize) -> bool) -> Self {
         let kept: Vec<usize> = (0..self.rows.len()).filter(|&row| keep(row)).collect();
-        let mut used: Vec<bool> = self.monomials.iter().map(|m| *m == Monomial::ONE).collect();
+        let mut used = vec![false; self.monomials.len()];
         basis.iter().for_each(|&column| used[column] = true);
         for &row in &kept {
             for &(column, _) in &self.rows[row] {

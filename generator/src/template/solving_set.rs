@@ -36,8 +36,6 @@ pub struct Requirements<'a> {
     pub solutions: usize,
     /// Largest size of B.
     pub max_basis: usize,
-    /// Whether 1 must be in B: no other monomial tells the origin from what is no solution.
-    pub origin: bool,
 }
 
 /// So many of the lowest columns are kept for each unknown that may need one.
@@ -133,7 +131,7 @@ impl Dependencies {
         let is_readable = |basis: Vec<usize>| {
             requirements.readings.iter().any(|readings| rest.readable(matrix, &basis, readings).is_some())
         };
-        rest.closed_sets(matrix, requirements).into_iter().any(is_readable)
+        rest.closed_sets(requirements).into_iter().any(is_readable)
     }
 
     /// Moves columns that have become inexpressible to the excess. False, and of no further use, if fewer than `least` permissible columns are left.
@@ -189,7 +187,7 @@ impl Dependencies {
     /// The solving set with the fewest rows among those that meet the requirements, and among these the smallest; `None` if there is none.
     pub fn best(&self, matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> Option<SolvingSet> {
         let mut closed: Vec<(usize, usize, Vec<usize>)> = self
-            .closed_sets(matrix, requirements)
+            .closed_sets(requirements)
             .into_iter()
             .map(|basis| (self.shifts_of(&self.image_outside(&basis)).len(), basis.len(), basis))
             .collect();
@@ -211,8 +209,8 @@ impl Dependencies {
     }
 
     /// Sets of free columns that are closed under the action and of a size in the required range: the closure of each free column, and
-    /// of the columns that each single row depends on; all with the closure of 1 where it is required.
-    fn closed_sets(&self, matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> BTreeSet<Vec<usize>> {
+    /// of the columns that each single row depends on.
+    fn closed_sets(&self, requirements: &Requirements<'_>) -> BTreeSet<Vec<usize>> {
         let free: Vec<usize> = (0..self.part.len()).filter(|&column| self.is_free(column)).collect();
         let mut index_of = vec![usize::MAX; self.part.len()];
         free.iter().enumerate().for_each(|(at, &column)| index_of[column] = at);
@@ -242,16 +240,7 @@ impl Dependencies {
             dependence(column).iter().for_each(|at| union.extend(&closures[at]));
             union
         });
-        let mut sets: BTreeSet<IndexSet> = closures.iter().cloned().chain(of_rows).collect();
-        if requirements.origin {
-            let one = matrix.column_of.get(&Monomial::ONE).and_then(|column| free.binary_search(column).ok());
-            let Some(with) = one.map(|at| &closures[at]) else { return BTreeSet::new() };
-            let joined = |mut set: IndexSet| {
-                set.extend(with);
-                set
-            };
-            sets = sets.into_iter().map(joined).collect();
-        }
+        let sets: BTreeSet<IndexSet> = closures.iter().cloned().chain(of_rows).collect();
         let sizes = requirements.solutions..=requirements.max_basis;
         let columns = |set: IndexSet| set.iter().map(|at| free[at]).collect();
         sets.into_iter().filter(|set| sizes.contains(&set.len())).map(columns).collect()

@@ -1,13 +1,19 @@
-//! Points on conics and at known distances.
+//! Points on conics, at known distances, and fixed by a quadratic map.
 
 use eliminant_generator::instance::Random;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::cameras::in_ball;
-use super::{KnownInstance, Maker, null_space, relative_error};
+use super::{KnownInstance, Maker, null_space, relative_error, uniform};
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![
+        Maker {
+            name: "tensor_eigenvectors",
+            make: orthogonal_tensor,
+            // One of them is zero.
+            error: |_, solution, truth| distance(solution, truth) / (1.0 + distance(truth, &[0.0; 3])),
+        },
         Maker {
             name: "trilateration",
             make: distances_to_points,
@@ -27,6 +33,21 @@ fn conics_through_points(random: &mut Random) -> KnownInstance {
     let rows: Vec<Vec<f64>> =
         points.iter().map(|p| vec![p[0] * p[0], p[0] * p[1], p[1] * p[1], p[0], p[1], 1.0]).collect();
     KnownInstance { data: null_space(&rows).concat(), truths: points }
+}
+
+fn distance(a: &[f64], b: &[f64]) -> f64 {
+    (Vector3::from_column_slice(a) - Vector3::from_column_slice(b)).norm()
+}
+
+/// The sum of s v x v x v over three orthonormal v with weights s: x is the sum of v / s over any of them, or none.
+fn orthogonal_tensor(random: &mut Random) -> KnownInstance {
+    let vectors = Matrix3::from_fn(|_, _| random.symmetric_unit()).qr().q();
+    let parts = [0, 1, 2].map(|k| (vectors.column(k).into_owned(), uniform(random, 0.5, 1.5)));
+    let entry = |i: usize, j: usize, k: usize| parts.iter().map(|(v, s)| s * v[i] * v[j] * v[k]).sum::<f64>();
+    let data = (0..27).map(|at| entry(at / 9, at / 3 % 3, at % 3)).collect();
+    let of = |subset: usize| (0..3).filter(|k| subset >> k & 1 == 1).map(|k| parts[k].0 / parts[k].1);
+    let truths = (0..8).map(|subset| of(subset).sum::<Vector3<f64>>().as_slice().to_vec()).collect();
+    KnownInstance { data, truths }
 }
 
 /// Distances of a point of the unit ball from three others of it: the point and its mirror image.

@@ -61,7 +61,7 @@ impl Dependencies {
                 Obstacle::Unreadable { unknown: unreadable.map_or(0, |reading| reading.unknown), basis }
             }
         };
-        let obstacles = self.closed_sets(matrix, &any).into_iter().map(obstacle);
+        let obstacles = self.closed_sets(&any).into_iter().map(obstacle);
         obstacles.min_by_key(Obstacle::distance).unwrap_or(Obstacle::NothingExpressed)
     }
 }
