@@ -1,11 +1,13 @@
-//! Eliminates unknowns that some equation gives explicitly.
+//! Combines equations, and eliminates unknowns that some equation gives explicitly.
 //!
 //! An equation `c x + rest = 0`, where x occurs in no other term and c depends on the data only, gives `x = -rest / c`. The
 //! unknown is substituted away in all other equations and recovered after the solve. Substitution can also hurt (degrees grow, coefficients swell): a
 //! search judges all of [`crate::presolve::Presolve`] side by side.
 
+mod combine;
 mod square;
 
+use combine::combine;
 use square::divide_by_square;
 
 use crate::algebra::Monomial;
@@ -24,6 +26,45 @@ pub enum Presolve {
     /// As [`Presolve::Linear`]; then all other equations are divided by one that gives the square of an unknown, which keeps the unknown
     /// and takes the equation away.
     Square,
+    /// As [`Presolve::Constant`], after constant multiples of equations were subtracted from others with the same highest term.
+    Combined,
+    /// As [`Presolve::Linear`], after the same.
+    CombinedLinear,
+    /// As [`Presolve::Square`], after the same.
+    CombinedSquare,
+}
+
+impl Presolve {
+    /// All with their names, in the order in which a search tries them.
+    pub const ALL: [(&'static str, Self); 7] = [
+        ("none", Self::None),
+        ("constant", Self::Constant),
+        ("linear", Self::Linear),
+        ("square", Self::Square),
+        ("combined", Self::Combined),
+        ("combined_linear", Self::CombinedLinear),
+        ("combined_square", Self::CombinedSquare),
+    ];
+
+    /// Its name in template files and reports.
+    pub fn name(self) -> &'static str {
+        Self::ALL.into_iter().find(|(_, presolve)| *presolve == self).map_or("", |(name, _)| name)
+    }
+
+    /// Whether equations are combined first.
+    fn combines(self) -> bool {
+        matches!(self, Self::Combined | Self::CombinedLinear | Self::CombinedSquare)
+    }
+
+    /// Whether other equations are divided by one that gives a square.
+    fn divides(self) -> bool {
+        matches!(self, Self::Square | Self::CombinedSquare)
+    }
+
+    /// Whether an unknown is eliminated only where its coefficient is a constant.
+    fn is_constant(self) -> bool {
+        matches!(self, Self::Constant | Self::Combined)
+    }
 }
 
 /// `unknown = value`, where `value` holds unknowns that are kept or recovered earlier.
@@ -56,6 +97,9 @@ pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
         kept: (0..problem.unknowns.len()).collect(),
         recoveries: Vec::new(),
     };
+    if presolve.combines() {
+        combine(&mut reduced.problem);
+    }
     while reduced.kept.len() > 1 {
         let mut candidates = candidates(&reduced, presolve);
         candidates.sort_by_key(|candidate| candidate.preference);
@@ -65,7 +109,7 @@ pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
     }
     // Recovery runs backwards: what was eliminated last depends on kept unknowns only.
     reduced.recoveries.reverse();
-    if presolve == Presolve::Square {
+    if presolve.divides() {
         divide_by_square(&mut reduced);
     }
     reduced
@@ -91,7 +135,7 @@ fn candidates(reduced: &ReducedProblem, presolve: Presolve) -> Vec<Candidate> {
             let mut with_x = polynomial.terms().iter().filter(|(m, _)| m.exponent(unknown) != 0);
             let (Some(&(monomial, coefficient)), None) = (with_x.next(), with_x.next()) else { continue };
             let depends_on_data = graph.as_constant(coefficient).is_none();
-            if monomial == x && !(depends_on_data && presolve == Presolve::Constant) {
+            if monomial == x && !(depends_on_data && presolve.is_constant()) {
                 let preference = (depends_on_data, polynomial.terms().len(), equation, unknown);
                 found.push(Candidate { equation, unknown, coefficient, preference });
             }

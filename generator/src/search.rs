@@ -154,6 +154,9 @@ impl Way<'_> {
             Presolve::Constant => "after presolve with constant coefficients, ",
             Presolve::Linear => "after presolve, ",
             Presolve::Square => "after presolve and division by a square, ",
+            Presolve::Combined => "equations combined, after presolve with constant coefficients, ",
+            Presolve::CombinedLinear => "equations combined, after presolve, ",
+            Presolve::CombinedSquare => "equations combined, after presolve and division by a square, ",
         };
         let symmetry = if self.form.symmetry.is_none() { "" } else { "up to sign, " };
         format!("{presolve}{symmetry}{}", self.growth)

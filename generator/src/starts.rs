@@ -65,7 +65,7 @@ impl Form {
 pub(crate) fn forms(problem: &Problem, options: &SearchOptions) -> Result<Vec<Form>, SearchError> {
     let mut forms: Vec<Form> = Vec::new();
     let of_problem = Symmetry::of_problem(problem);
-    for kind in [Presolve::None, Presolve::Constant, Presolve::Linear, Presolve::Square] {
+    for (_, kind) in Presolve::ALL {
         let reduced = presolve(problem, kind);
         if forms.iter().any(|form| is_same(&form.reduced, &reduced)) {
             continue;

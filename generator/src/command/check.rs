@@ -89,19 +89,21 @@ fn sign_changes(problem: &Problem) -> Vec<Vec<String>> {
     Symmetry::of_problem(problem).generators().into_iter().map(names).collect()
 }
 
-/// The ways to presolve that eliminate something.
+/// The ways to presolve that eliminate an unknown or lower a degree.
 fn forms(problem: &Problem) -> Vec<Form> {
     let mut forms: Vec<Form> = Vec::new();
-    for (kind, how) in [("constant", Presolve::Constant), ("linear", Presolve::Linear)] {
+    for how in [Presolve::Constant, Presolve::Linear, Presolve::Combined, Presolve::CombinedLinear] {
         let reduced = presolve(problem, how);
         let names = |indices: &[usize]| indices.iter().map(|&at| problem.unknowns[at].clone()).collect::<Vec<_>>();
         let form = Form {
-            kind,
+            kind: how.name(),
             eliminated: names(&reduced.recoveries.iter().map(|recovery| recovery.unknown).collect::<Vec<_>>()),
             kept: names(&reduced.kept),
             degrees: degrees(&reduced.problem),
         };
-        if !form.eliminated.is_empty() && forms.iter().all(|known| known.kept != form.kept) {
+        let is_known = |known: &Form| known.kept == form.kept && known.degrees == form.degrees;
+        let changes = !form.eliminated.is_empty() || form.degrees != degrees(problem);
+        if changes && !forms.iter().any(is_known) {
             forms.push(form);
         }
     }
@@ -121,15 +123,12 @@ impl fmt::Display for Report {
         if self.presolve.is_empty() {
             writeln!(f, "presolve   no unknown can be eliminated beforehand")?;
         }
-        for form in &self.presolve {
-            writeln!(
-                f,
-                "presolve   {}: eliminates {}; leaves {} in equations of degree {}",
-                form.kind,
-                form.eliminated.join(", "),
-                form.kept.join(", "),
-                list(&form.degrees)
-            )?;
+        for Form { kind, eliminated, kept, degrees } in &self.presolve {
+            write!(f, "presolve   {kind}: ")?;
+            if !eliminated.is_empty() {
+                write!(f, "eliminates {}; ", eliminated.join(", "))?;
+            }
+            writeln!(f, "leaves {} in equations of degree {}", kept.join(", "), list(degrees))?;
         }
         match self.different {
             different if different == self.solutions => writeln!(f, "solutions  {different}")?,

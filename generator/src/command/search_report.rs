@@ -10,7 +10,6 @@ use super::watch::End;
 use crate::choose::{Choice, INCOMPLETE_ONE_IN, Measured, Verdict, expected_operations};
 use crate::pareto::front;
 use crate::preference::{Cost, Preference};
-use crate::presolve::Presolve;
 use crate::problem::Problem;
 use crate::search::Found;
 
@@ -198,12 +197,7 @@ impl Row {
             columns: candidate.template.columns(),
             basis: candidate.template.basis.len(),
             action: candidate.template.action.display(&problem.unknowns).to_string(),
-            presolve: match candidate.presolve {
-                Presolve::None => "none",
-                Presolve::Constant => "constant",
-                Presolve::Linear => "linear",
-                Presolve::Square => "square",
-            },
+            presolve: candidate.presolve.name(),
             growth: candidate.growth.to_string(),
             operations: candidate.plan.operations().total(),
             trials: stability.trials,

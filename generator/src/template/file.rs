@@ -94,12 +94,6 @@ struct RawShifts {
     multipliers: Vec<String>,
 }
 
-const PRESOLVES: [(&str, Presolve); 4] = [
-    ("none", Presolve::None),
-    ("constant", Presolve::Constant),
-    ("linear", Presolve::Linear),
-    ("square", Presolve::Square),
-];
 const ROOTS: [(&str, RootMethod); 2] =
     [("eigenvalues", RootMethod::Eigenvalues), ("characteristic_polynomial", RootMethod::CharacteristicPolynomial)];
 
@@ -136,7 +130,7 @@ impl TemplateFile {
             problem: raw.problem,
             fingerprint,
             solutions: raw.solutions,
-            presolve: choose("presolve", &raw.presolve, &PRESOLVES)?,
+            presolve: choose("presolve", &raw.presolve, &Presolve::ALL)?,
             roots: choose("roots", &raw.roots, &ROOTS)?,
             template,
             provenance: raw
@@ -165,7 +159,7 @@ impl TemplateFile {
         line(format!("problem = {:?}", self.problem));
         line(format!("fingerprint = \"{:016x}\"", self.fingerprint));
         line(format!("solutions = {}", self.solutions));
-        line(format!("presolve = {:?}", name_of(self.presolve, &PRESOLVES)));
+        line(format!("presolve = {:?}", self.presolve.name()));
         line(format!("roots = {:?}", name_of(self.roots, &ROOTS)));
         line(format!("rows = {}", t.rows()));
         line(format!("columns = {}", t.columns()));
