@@ -11,6 +11,7 @@
 use std::collections::BTreeSet;
 
 use super::Shift;
+use super::best_shift::{Accepted, Neighbours};
 use crate::algebra::{MAX_UNKNOWNS, Monomial, MonomialSet, Polynomial};
 
 /// A way to grow sets of shifts.
@@ -48,21 +49,18 @@ impl std::fmt::Display for Growth {
     }
 }
 
-/// What a shift with its closure is judged by, smaller is better: columns minus rows, rows, multiplier, equation.
-type Score = (i64, usize, Monomial, usize);
-
 /// Sets of shifts, each a superset of the one before, until `limit` columns would be exceeded.
 #[derive(Clone, Debug)]
 pub struct Shifts<'a> {
-    equations: &'a [Polynomial<u32>],
+    accepted: Accepted<'a>,
     /// Indices of the unknowns that occur.
     unknowns: &'a [usize],
     growth: Growth,
     /// Upper bound on the number of columns.
     limit: usize,
     level: i32,
-    accepted: BTreeSet<Shift>,
-    support: MonomialSet,
+    /// Once shifts are added one at a time.
+    neighbours: Option<Neighbours>,
 }
 
 impl<'a> Shifts<'a> {
@@ -81,14 +79,15 @@ impl<'a> Shifts<'a> {
         };
         let shifts = equations.iter().enumerate().map(|(equation, f)| Shift { equation, multiplier: first(f) });
         let support = shifts.flat_map(|shift| monomials_of(equations, &shift)).collect();
-        Self { equations, unknowns, growth, limit, level, accepted: BTreeSet::new(), support }
+        let accepted = Accepted { equations, shifts: BTreeSet::new(), support };
+        Self { accepted, unknowns, growth, limit, level, neighbours: None }
     }
 
     fn grow_by_degree(&mut self, weights: &[i32]) {
-        for (equation, f) in self.equations.iter().enumerate() {
+        for (equation, f) in self.accepted.equations.iter().enumerate() {
             let room = self.level - weighted_degree(f, weights);
             for multiplier in monomials_up_to(self.unknowns, weights, room) {
-                self.accept(Shift { equation, multiplier });
+                self.accepted.accept(Shift { equation, multiplier });
             }
         }
     }
@@ -96,69 +95,38 @@ impl<'a> Shifts<'a> {
     fn grow_by_two_degrees(&mut self, apart: &[usize], beyond: i32) {
         let (inside, outside) = (inside(apart), outside(self.unknowns, apart));
         let rest: Vec<usize> = self.unknowns.iter().copied().filter(|unknown| !apart.contains(unknown)).collect();
-        let most = highest(self.equations, &inside) + beyond;
-        for (equation, f) in self.equations.iter().enumerate() {
+        let most = highest(self.accepted.equations, &inside) + beyond;
+        for (equation, f) in self.accepted.equations.iter().enumerate() {
             let few = monomials_up_to(apart, &inside, most - weighted_degree(f, &inside));
             let many = monomials_up_to(&rest, &outside, self.level - weighted_degree(f, &outside));
             for multiplier in few.iter().flat_map(|a| many.iter().map(|b| a.times(b))) {
-                self.accept(Shift { equation, multiplier });
+                self.accepted.accept(Shift { equation, multiplier });
             }
         }
     }
 
-    fn accept(&mut self, shift: Shift) {
-        self.support.extend(monomials_of(self.equations, &shift));
-        self.accepted.insert(shift);
-    }
-
-    fn neighbours(&self) -> BTreeSet<Shift> {
+    /// What multipliers of neighbours differ by.
+    fn steps(&self) -> Vec<Monomial> {
         let unknowns = self.unknowns.iter().map(|&unknown| Monomial::unknown(unknown));
-        let steps: Vec<Monomial> = match self.growth {
+        match self.growth {
             Growth::Laurent(_) => unknowns.flat_map(|unknown| [unknown, Monomial::ONE.over(&unknown)]).collect(),
             _ => unknowns.collect(),
-        };
-        let times = |shift: &Shift, step: &Monomial| Shift { multiplier: shift.multiplier.times(step), ..*shift };
-        let all = self.accepted.iter().flat_map(|shift| steps.iter().map(move |step| times(shift, step)));
-        all.filter(|shift| !self.accepted.contains(shift)).collect()
-    }
-
-    /// Shifts that are not accepted, whose monomials lie in the support or among `new`, and at least one of them among `new`.
-    fn freed_by(&self, new: &[Monomial]) -> BTreeSet<Shift> {
-        let mut freed = BTreeSet::new();
-        let is_there = |m: Monomial| self.support.contains(&m) || new.contains(&m);
-        for (equation, f) in self.equations.iter().enumerate() {
-            for (n, term) in new.iter().flat_map(|n| f.monomials().map(move |term| (n, term))) {
-                let shift = Shift { equation, multiplier: n.over(&term) };
-                if monomials_of(self.equations, &shift).all(is_there) && !self.accepted.contains(&shift) {
-                    freed.insert(shift);
-                }
-            }
-        }
-        freed
-    }
-
-    fn grow_by_best_shift(&mut self) {
-        let mut best: Option<(Score, BTreeSet<Shift>)> = None;
-        for candidate in self.neighbours() {
-            let new: Vec<Monomial> =
-                monomials_of(self.equations, &candidate).filter(|m| !self.support.contains(m)).collect();
-            let mut freed = self.freed_by(&new);
-            freed.insert(candidate);
-            let (columns, rows) = (self.support.len() + new.len(), self.accepted.len() + freed.len());
-            let score = (columns as i64 - rows as i64, rows, candidate.multiplier, candidate.equation);
-            if best.as_ref().is_none_or(|(least, _)| score < *least) {
-                best = Some((score, freed));
-            }
-        }
-        for shift in best.map(|(_, freed)| freed).unwrap_or_default() {
-            self.accept(shift);
         }
     }
 
     fn grow_by_neighbours(&mut self) {
-        for shift in self.neighbours() {
-            self.accept(shift);
+        let steps = self.steps();
+        let times = |shift: &Shift, step: &Monomial| Shift { multiplier: shift.multiplier.times(step), ..*shift };
+        let around = self.accepted.shifts.iter().flat_map(|shift| steps.iter().map(|step| times(shift, step)));
+        for shift in around.collect::<BTreeSet<Shift>>() {
+            self.accepted.accept(shift);
         }
+    }
+
+    fn grow_by_best_shift(&mut self) {
+        let steps = self.steps();
+        let neighbours = self.neighbours.get_or_insert_with(|| Neighbours::new(&self.accepted, steps));
+        neighbours.accept_best(&mut self.accepted);
     }
 }
 
@@ -166,21 +134,26 @@ impl Iterator for Shifts<'_> {
     type Item = Vec<Shift>;
 
     fn next(&mut self) -> Option<Vec<Shift>> {
-        let before = self.accepted.len();
+        let before = self.accepted.shifts.len();
         self.level += 1;
         match self.growth.clone() {
             Growth::Degree(weights) => self.grow_by_degree(&weights),
             Growth::Graded { apart, beyond } => self.grow_by_two_degrees(&apart, beyond),
-            _ if self.level == 0 => self.accepted.extend(shifts_within(self.equations, &self.support)),
+            _ if self.level == 0 => {
+                let within = shifts_within(self.accepted.equations, &self.accepted.support);
+                self.accepted.shifts.extend(within);
+            }
             Growth::Neighbours => self.grow_by_neighbours(),
             Growth::BestShift(after) | Growth::Laurent(after) if self.level <= after => self.grow_by_neighbours(),
             Growth::BestShift(_) | Growth::Laurent(_) => self.grow_by_best_shift(),
         }
-        let grown = self.accepted.len() > before || matches!(self.growth, Growth::Degree(_) | Growth::Graded { .. });
+        let grown =
+            self.accepted.shifts.len() > before || matches!(self.growth, Growth::Degree(_) | Growth::Graded { .. });
+        let Accepted { shifts, support, .. } = &self.accepted;
         // Exponents are i8; far below that no template is of use any more.
         let in_range =
-            self.support.iter().all(|m| m.exponents().iter().all(|&e| (-60..60).contains(&e))) && self.level < 1000;
-        (grown && in_range && self.support.len() <= self.limit).then(|| self.accepted.iter().copied().collect())
+            support.iter().all(|m| m.exponents().iter().all(|&e| (-60..60).contains(&e))) && self.level < 1000;
+        (grown && in_range && support.len() <= self.limit).then(|| shifts.iter().copied().collect())
     }
 }
 

@@ -12,6 +12,7 @@
 //! After elimination every monomial of E and R is a combination of B: (E; R) = -M_ER^-1 M_B B. With the unit rows for those a b
 //! that are in B already this is the matrix of multiplication by the action monomial a: T B = a B at every solution.
 
+mod best_shift;
 pub mod file;
 pub mod grow;
 pub mod improve;
