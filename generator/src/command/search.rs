@@ -9,7 +9,7 @@ use super::report::{Output, one_decimal};
 use super::search_report::{Cut, Report, ShardReport};
 use super::shard::{Common, ShardCandidate, ShardFile, merge};
 use super::watch::{End, Watch};
-use crate::check::check;
+use crate::check::{Algebra, check};
 use crate::choose::{Measured, Measuring, choose, screen};
 use crate::generate::plan;
 use crate::monitor::Monitor;
@@ -19,6 +19,9 @@ use crate::search::{Candidate, Found, SearchError, SearchOptions, candidates};
 use crate::share::Share;
 use crate::stability::Stability;
 use crate::template::file::TemplateFile;
+
+/// The limit on the number of columns of a second try.
+const MORE_COLUMNS: usize = 1500;
 
 /// Search an elimination template and write it beside the problem
 #[derive(clap::Args, Debug)]
@@ -41,9 +44,9 @@ pub(super) struct Arguments {
     /// Seed of the random instances and of the shuffled orders of deletion
     #[arg(long, default_value_t = SearchOptions::default().seed)]
     seed: u64,
-    /// No template has more columns before it is reduced
-    #[arg(long, value_name = "N", default_value_t = SearchOptions::default().max_columns as u64, value_parser = clap::value_parser!(u64).range(2..=20_000))]
-    max_columns: u64,
+    /// No template has more columns before it is reduced [default: 600, and then 1500 where nothing is found and the search is not shared]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(2..=20_000))]
+    max_columns: Option<u64>,
     /// No template has a larger basis, which is the size of the eigenvalue problem, where a smaller one can hold all solutions
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=20_000))]
     max_basis: Option<u64>,
@@ -95,10 +98,19 @@ impl Settings {
 }
 
 impl Arguments {
+    /// How many columns are tried, one limit after the other until something is found.
+    fn limits(&self) -> Vec<usize> {
+        match (self.max_columns, self.shard) {
+            (Some(limit), _) => vec![limit as usize],
+            (None, Some(_)) => vec![SearchOptions::default().max_columns],
+            (None, None) => vec![SearchOptions::default().max_columns, MORE_COLUMNS],
+        }
+    }
+
     fn settings(&self) -> Settings {
         let options = SearchOptions {
             seed: self.seed,
-            max_columns: self.max_columns as usize,
+            max_columns: SearchOptions::default().max_columns,
             max_basis: self.max_basis.map(|most| most as usize),
             shuffles: self.shuffles,
             prefer: self.prefer,
@@ -117,10 +129,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         let known = |candidate: &Candidate| merged.known(candidate);
         return conclude(arguments, &problem, &merged.settings, &merged.found, merged.templates, &known, &watch);
     }
-    let settings = arguments.settings();
+    let mut settings = arguments.settings();
     watch.say("counting solutions");
     let algebra = check(&problem)?;
-    let found = candidates(&problem, &algebra, &settings.options, &watch);
+    let found = first_found(&problem, &algebra, &mut settings.options, &arguments.limits(), &watch);
     match (arguments.shard, found) {
         (Some(share), found) => hand_over(arguments, &problem, &settings, share, found, &watch),
         (None, Ok(found)) => {
@@ -129,6 +141,28 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         }
         (None, Err(error)) => Err(CommandError::of_search(path, &problem, error)),
     }
+}
+
+/// What is found within the first of some limits on the number of columns that suffices; `options` hold it afterwards.
+fn first_found(
+    problem: &Problem,
+    algebra: &Algebra,
+    options: &mut SearchOptions,
+    limits: &[usize],
+    monitor: &dyn Monitor,
+) -> Result<Found, SearchError> {
+    let mut result = Err(SearchError::NoInstance);
+    for &limit in limits {
+        if let Err(SearchError::NotFound { max_columns, .. }) = &result {
+            monitor.say(&format!("nothing within {max_columns} columns; trying {limit}"));
+        }
+        options.max_columns = limit;
+        result = candidates(problem, algebra, options, monitor);
+        if !matches!(result, Err(SearchError::NotFound { is_over: false, .. })) {
+            break;
+        }
+    }
+    result
 }
 
 /// Measures, chooses and writes.
@@ -211,4 +245,28 @@ fn to_file(chosen: &Measured, problem: &Problem, options: &SearchOptions) -> Tem
         ("complex_solutions".to_owned(), format!("{found} of {expected} found; {incomplete} instances incomplete")),
     ]);
     file
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::monitor::Unmonitored;
+
+    #[test]
+    fn a_larger_limit_is_tried_where_a_smaller_one_does_not_do() {
+        let text = "fn conics(a: [f64; 6], b: [f64; 6]) -> (x, y) {
+            for c in [a, b] { dot(c, [x * x, x * y, y * y, x, y, 1]) == 0; }
+        }";
+        let problem = Problem::parse("conics.rs", text).unwrap();
+        let algebra = check(&problem).unwrap();
+        let within = |limits: &[usize]| {
+            let mut options = SearchOptions::default();
+            let found = first_found(&problem, &algebra, &mut options, limits, &Unmonitored);
+            (found.map(|found| found.candidates[0].template.rows()).map_err(|error| error.to_string()), options)
+        };
+        let (found, options) = within(&[7, 20, 30]);
+        assert_eq!((found.as_ref().copied(), options.max_columns), (Ok(6), 20));
+        assert_eq!((found, options), within(&[20]));
+        assert!(within(&[6, 7]).0.unwrap_err().contains("within 7 columns"));
+    }
 }
