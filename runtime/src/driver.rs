@@ -11,7 +11,7 @@ use crate::distinct::{Candidate, DOUBLE, push_distinct};
 use crate::double_double::DoubleDouble;
 use crate::error::SolveError;
 use crate::extract::{Eigenpairs, unknowns};
-use crate::hessenberg::Hessenberg;
+use crate::hessenberg::{Full, Hessenberg};
 use crate::polish::{POLISH_STEPS, without_uncertain};
 use crate::polynomial_roots::real_roots_monic;
 use crate::precise_spectrum::{PreciseSpectrum, with_precise_spectrum};
@@ -92,29 +92,42 @@ pub fn complex_solutions<const B: usize, const N: usize, const K: usize, const M
     Ok(admissible(method, &found))
 }
 
-/// What of [`complex_solutions`] the usual precision finds.
-#[inline]
+/// What of [`complex_solutions`] the usual precision finds. A function of its own, so that its memory is free for the second attempt.
+#[inline(never)]
 fn add_all_complex<const B: usize, const N: usize, const K: usize, const MAX: usize>(
     method: &mut impl ActionMethod<B, N, K>,
     found: &mut Solutions<Candidate<Complex<f64>, N>, MAX>,
 ) -> Result<(), SolveError> {
     let action = method.action_matrix::<f64>()?;
-    let spectrum = Hessenberg::reduce(&action)?;
+    let mut spectrum = Hessenberg::zero(Full);
+    spectrum.matrix = action;
+    spectrum.reduce_in_place()?;
     let values = spectrum.eigenvalues()?;
-    let mut complete = true;
-    let guesses: ArrayVec<_, B> = upper_half(values).map(|value| Guess::new(&spectrum, value)).collect();
-    for (residual, guess) in in_order(method, &guesses, has_spurious_values(method, MAX)) {
-        if found.len() == MAX && residual > NO_SOLUTION {
-            return Ok(());
-        }
-        complete &= add_complex(method, guess, guess.value, found);
-    }
-    if !complete {
+    if !add_separate_complex(method, &spectrum, &values, found) {
         for_each_shared_value(method, &action, &spectrum, &values, |source, value| {
             add_complex(method, source, value, found);
         });
     }
     Ok(())
+}
+
+/// The solutions of separate eigenpairs; false where two of them gave one. A function of its own, so that its memory is free afterwards.
+#[inline(never)]
+fn add_separate_complex<const B: usize, const N: usize, const K: usize, const MAX: usize>(
+    method: &impl ActionMethod<B, N, K>,
+    spectrum: &Hessenberg<B>,
+    values: &[Complex<f64>; B],
+    found: &mut Solutions<Candidate<Complex<f64>, N>, MAX>,
+) -> bool {
+    let mut complete = true;
+    let guesses: ArrayVec<_, B> = upper_half(*values).map(|value| Guess::new(spectrum, value)).collect();
+    for (residual, guess) in in_order(method, &guesses, has_spurious_values(method, MAX)) {
+        if found.len() == MAX && residual > NO_SOLUTION {
+            return true;
+        }
+        complete &= add_complex(method, guess, guess.value, found);
+    }
+    complete
 }
 
 /// All real solutions, by the QR iteration. MAX is how many complex ones there are for general data: where it shows that some are missing, all
@@ -142,25 +155,18 @@ pub fn real_solutions<const B: usize, const N: usize, const K: usize, const MAX:
     Ok(admissible(method, &found.real))
 }
 
-/// What of [`real_solutions`] the usual precision finds.
-#[inline]
+/// What of [`real_solutions`] the usual precision finds. A function of its own, so that its memory is free for the second attempt.
+#[inline(never)]
 fn add_all_real<const B: usize, const N: usize, const K: usize, const MAX: usize>(
     method: &mut impl ActionMethod<B, N, K>,
     found: &mut RealAndAll<N, MAX>,
 ) -> Result<(), SolveError> {
     let action = method.action_matrix::<f64>()?;
-    let spectrum = Hessenberg::reduce(&action)?;
+    let mut spectrum = Hessenberg::zero(Full);
+    spectrum.matrix = action;
+    spectrum.reduce_in_place()?;
     let values = spectrum.eigenvalues()?;
-    let mut complete = true;
-    let may_be_real = upper_half(values).filter(|value| found.may_be_real(value));
-    let guesses: ArrayVec<_, B> = may_be_real.map(|value| Guess::new(&spectrum, value)).collect();
-    for (residual, guess) in in_order(method, &guesses, found.all.is_some()) {
-        if found.all.as_ref().is_some_and(|all| all.len() == MAX) && residual > NO_SOLUTION {
-            return Ok(());
-        }
-        complete &= add_real(method, guess, guess.value, found);
-    }
-    if !complete {
+    if !add_separate_real(method, &spectrum, &values, found) {
         for_each_shared_value(method, &action, &spectrum, &values, |source, value| {
             if found.may_be_real(&value) {
                 add_real(method, source, value, found);
@@ -168,6 +174,26 @@ fn add_all_real<const B: usize, const N: usize, const K: usize, const MAX: usize
         });
     }
     Ok(())
+}
+
+/// As [`add_separate_complex`].
+#[inline(never)]
+fn add_separate_real<const B: usize, const N: usize, const K: usize, const MAX: usize>(
+    method: &impl ActionMethod<B, N, K>,
+    spectrum: &Hessenberg<B>,
+    values: &[Complex<f64>; B],
+    found: &mut RealAndAll<N, MAX>,
+) -> bool {
+    let mut complete = true;
+    let may_be_real = upper_half(*values).filter(|value| found.may_be_real(value));
+    let guesses: ArrayVec<_, B> = may_be_real.map(|value| Guess::new(spectrum, value)).collect();
+    for (residual, guess) in in_order(method, &guesses, found.all.is_some()) {
+        if found.all.as_ref().is_some_and(|all| all.len() == MAX) && residual > NO_SOLUTION {
+            return true;
+        }
+        complete &= add_real(method, guess, guess.value, found);
+    }
+    complete
 }
 
 /// Whether some eigenvalues belong to no solution, or to one that is known beforehand.
@@ -334,8 +360,11 @@ fn for_each_shared_value<const B: usize, const N: usize, const K: usize>(
     values: &[Complex<f64>; B],
     mut solve: impl FnMut(&Combinations<'_, B>, Complex<f64>),
 ) {
+    let mut basis = [[0.0; B]; B];
+    let mut combination = Hessenberg::zero(Full);
+    let mut shared = SharedValue::new(action, &mut basis, &mut combination);
     for cluster in spectrum.clusters(values) {
-        if let Ok(shared) = SharedValue::new(method, action, spectrum, &cluster) {
+        if shared.find(method, spectrum, &cluster).is_ok() {
             shared.for_each(|source, value| {
                 if value.im >= 0.0 {
                     solve(source, value);
@@ -360,7 +389,9 @@ fn for_each_precise_value<const B: usize, const N: usize, const K: usize, M: Act
     if first.is_err() && !M::HAS_PRECISE_COEFFICIENTS {
         return first;
     }
-    let Ok(action) = method.action_matrix::<DoubleDouble>() else { return first };
+    // Not moved out of its result, which would take its size from the stack twice.
+    let action = method.action_matrix::<DoubleDouble>();
+    let Ok(action) = &action else { return first };
     let solve_all = &mut |spectrum: &PreciseSpectrum<'_>| {
         for value in upper_half(spectrum.eigenvalues.iter().copied()) {
             solve(method, spectrum, value);

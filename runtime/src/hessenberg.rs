@@ -73,33 +73,50 @@ impl<const N: usize> Hessenberg<N> {
     /// [`SolveError::NonFiniteInput`] when an entry is infinite or NaN.
     #[inline]
     pub fn reduce(matrix: &[[f64; N]; N]) -> Result<Self, SolveError> {
-        Hessenberg::reduce_leading(matrix, Full)
+        let mut reduced = Hessenberg::zero(Full);
+        reduced.matrix = *matrix;
+        reduced.reduce_in_place()?;
+        Ok(reduced)
+    }
+
+    /// Makes the matrix zero again.
+    pub(crate) fn clear(&mut self) {
+        self.matrix.as_flattened_mut().fill(0.0);
+        self.unit = 1.0;
+        self.balance.fill(1.0);
+        self.reflectors.as_flattened_mut().fill(0.0);
+        self.tau.fill(0.0);
     }
 }
 
 impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
-    /// Balances and reduces a copy of the leading rows and columns of `matrix`, whose other entries are zero.
-    ///
-    /// # Errors
-    /// [`SolveError::NonFiniteInput`] when an entry is infinite or NaN.
-    pub(crate) fn reduce_leading(matrix: &[[R; N]; N], order: O) -> Result<Self, SolveError> {
-        if !float::all_finite(matrix) {
-            return Err(SolveError::NonFiniteInput);
-        }
-        let mut reduced = Hessenberg {
+    /// A zero matrix. A large one is filled in where it stands, and then reduced, to take its place on the stack once.
+    #[inline]
+    pub(crate) fn zero(order: O) -> Self {
+        Hessenberg {
             order,
-            matrix: *matrix,
+            matrix: [[R::ZERO; N]; N],
             unit: 1.0,
             balance: [1.0; N],
             reflectors: [[R::ZERO; N]; N],
             tau: [R::ZERO; N],
-        };
-        reduced.normalize();
-        reduced.balance();
-        for k in 0..order.of(N).saturating_sub(2) {
-            reduced.clear_column(k);
         }
-        Ok(reduced)
+    }
+
+    /// Balances and reduces the matrix, which was filled in. Entries that are not in use are zero.
+    ///
+    /// # Errors
+    /// [`SolveError::NonFiniteInput`] when an entry is infinite or NaN.
+    pub(crate) fn reduce_in_place(&mut self) -> Result<(), SolveError> {
+        if !float::all_finite(&self.matrix) {
+            return Err(SolveError::NonFiniteInput);
+        }
+        self.normalize();
+        self.balance();
+        for k in 0..self.order.of(N).saturating_sub(2) {
+            self.clear_column(k);
+        }
+        Ok(())
     }
 
     /// Takes out a power of two where squares of entries could overflow, or vanish although they matter.
@@ -125,10 +142,16 @@ impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
     /// matrix := D^-1 matrix D, unless its norm stays of the same size.
     #[inline]
     fn balance(&mut self) {
-        let (matrix, before) = (self.matrix, self.squares());
+        let before = self.squares();
         self.scale_rows_and_columns();
         if before < WORTHWHILE * WORTHWHILE * self.squares() {
-            self.matrix = matrix;
+            // Back again: powers of two round nothing.
+            let inverse = self.balance.map(|factor| 1.0 / factor);
+            for (row, factor) in self.matrix.iter_mut().zip(&self.balance) {
+                for (entry, inverse) in row.iter_mut().zip(&inverse) {
+                    *entry = entry.scale(factor * inverse);
+                }
+            }
             self.balance = [1.0; N];
         }
     }

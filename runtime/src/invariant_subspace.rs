@@ -44,15 +44,16 @@ impl<const N: usize> Hessenberg<N> {
         clusters
     }
 
-    /// An orthonormal basis of the real invariant subspace of A that belongs to a cluster: the first `dimension` rows.
+    /// Writes an orthonormal basis of the real invariant subspace of A that belongs to a cluster to the first `dimension` rows of `basis`.
     ///
     /// Block inverse iteration (Golub and Van Loan 2013, section 7.6) with the real operator Im (H - s I)^-1, which has
     /// the eigenvectors of H and, for eigenvalues x near the shift s or its conjugate, eigenvalues near 1 / |x - s| or
     /// above.
-    pub(crate) fn invariant_subspace(&self, cluster: &Cluster) -> [[f64; N]; N] {
+    #[inline(never)]
+    pub(crate) fn invariant_subspace(&self, cluster: &Cluster, basis: &mut [[f64; N]; N]) {
         let shift = cluster.centre + Complex { re: 0.0, im: cluster.shift };
-        let lu = ShiftedLu::factor(self, shift);
-        let mut basis = [[0.0; N]; N];
+        let mut lu = ShiftedLu::new(self.order);
+        lu.factor(self, shift);
         let vectors = &mut basis[..cluster.dimension.min(N)];
         let mut state = 1_u64;
         for entry in vectors.as_flattened_mut() {
@@ -72,7 +73,6 @@ impl<const N: usize> Hessenberg<N> {
         }
         vectors.iter_mut().for_each(|vector| self.transform_back(vector));
         orthonormalize(vectors);
-        basis
     }
 }
 

@@ -29,46 +29,51 @@ pub(crate) struct ShiftedLu<S, const N: usize, O = Full> {
 }
 
 impl<S: Scalar, const N: usize, O: Order> ShiftedLu<S, N, O> {
+    /// Memory for a factorisation. A large one takes its place on the stack once.
     #[inline]
-    pub(crate) fn factor<R: Real>(form: &Hessenberg<N, R, O>, value: S) -> Self
-    where
-        S: Over<R>,
-    {
-        let (order, h, smallest) = (form.order, &form.matrix, form.smallest_pivot());
-        let n = order.of(N);
-        let mut lu = ShiftedLu {
+    pub(crate) fn new(order: O) -> Self {
+        ShiftedLu {
             order,
             upper: [[S::ZERO; N]; N],
             inverse_pivot: [S::ONE; N],
             multiplier: [S::ZERO; N],
             swapped: [false; N],
-            smallest,
-        };
+            smallest: 0.0,
+        }
+    }
+
+    /// Factors H - value I, of the order that this was made for.
+    #[inline]
+    pub(crate) fn factor<R: Real>(&mut self, form: &Hessenberg<N, R, O>, value: S)
+    where
+        S: Over<R>,
+    {
+        self.smallest = form.smallest_pivot();
+        let (h, n, smallest) = (&form.matrix, self.order.of(N), self.smallest);
         for i in 0..n {
             for j in i.saturating_sub(1)..n {
-                lu.upper[i][j] = S::from_real(h[i][j]);
+                self.upper[i][j] = S::from_real(h[i][j]);
             }
-            lu.upper[i][i] -= value;
+            self.upper[i][i] -= value;
         }
         for i in 0..n {
             if i + 1 < n {
-                let (above, below) = lu.upper.split_at_mut(i + 1);
+                let (above, below) = self.upper.split_at_mut(i + 1);
                 let (row, next) = (&mut above[i], &mut below[0]);
                 if next[i].magnitude() > row[i].magnitude() {
                     core::mem::swap(row, next);
-                    lu.swapped[i] = true;
+                    self.swapped[i] = true;
                 }
-                lu.inverse_pivot[i] = guarded_reciprocal(row[i], smallest);
-                let multiplier = next[i] * lu.inverse_pivot[i];
-                lu.multiplier[i] = multiplier;
+                self.inverse_pivot[i] = guarded_reciprocal(row[i], smallest);
+                let multiplier = next[i] * self.inverse_pivot[i];
+                self.multiplier[i] = multiplier;
                 for j in i + 1..n {
                     next[j] -= multiplier * row[j];
                 }
             } else {
-                lu.inverse_pivot[i] = guarded_reciprocal(lu.upper[i][i], smallest);
+                self.inverse_pivot[i] = guarded_reciprocal(self.upper[i][i], smallest);
             }
         }
-        lu
     }
 
     /// x := L^-1 P x.
@@ -146,7 +151,8 @@ impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
     #[must_use]
     pub fn eigenvector<S: Over<R>>(&self, value: S) -> [S; N] {
         let n = self.order.of(N);
-        let lu = ShiftedLu::factor(self, value.scale(1.0 / self.unit));
+        let mut lu = ShiftedLu::new(self.order);
+        lu.factor(self, value.scale(1.0 / self.unit));
         // A solve that multiplies the length by this leaves a residual of 10 N epsilon |H|.
         let enough = 1.0 / (10.0 * n as f64 * lu.smallest);
 

@@ -68,11 +68,11 @@ fn at_capacity<const C: usize>(
     order: usize,
     with: &mut dyn FnMut(&PreciseSpectrum<'_>),
 ) -> Result<(), SolveError> {
-    let mut leading = [[DoubleDouble::ZERO; C]; C];
-    for (row, known) in leading.iter_mut().zip(matrix.chunks_exact(order.max(1))) {
+    let mut form = Hessenberg::<C, DoubleDouble, usize>::zero(order);
+    for (row, known) in form.matrix.iter_mut().zip(matrix.chunks_exact(order.max(1))) {
         row[..order].copy_from_slice(known);
     }
-    let form = Hessenberg::reduce_leading(&leading, order)?;
+    form.reduce_in_place()?;
     let eigenvalues = form.eigenvalues()?;
     with(&PreciseSpectrum { eigenvalues: &eigenvalues[..order], eigenvectors: &form });
     Ok(())

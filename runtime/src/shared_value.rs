@@ -47,28 +47,53 @@ const PROBES: [Complex<f64>; 12] = [
 pub(crate) struct SharedValue<'a, const B: usize> {
     action: &'a [[f64; B]; B],
     /// V, transposed; `dimension` rows.
-    basis: [[f64; B]; B],
+    basis: &'a mut [[f64; B]; B],
     dimension: usize,
     /// A combination of the A_x in the leading rows and columns; behind it a diagonal matrix with no eigenvalue of it.
-    combination: Hessenberg<B>,
+    combination: &'a mut Hessenberg<B>,
     /// Whether some A_x is not determined.
     incomplete: bool,
 }
 
 impl<'a, const B: usize> SharedValue<'a, B> {
+    /// None yet; `basis` and `combination` are memory for one after the other.
+    #[inline]
+    pub(crate) fn new(
+        action: &'a [[f64; B]; B],
+        basis: &'a mut [[f64; B]; B],
+        combination: &'a mut Hessenberg<B>,
+    ) -> Self {
+        SharedValue { action, basis, dimension: 0, combination, incomplete: false }
+    }
+
+    /// Finds what the solutions of a cluster are combinations of.
+    ///
     /// # Errors
     /// As [`Hessenberg::reduce`], where values overflow.
-    pub(crate) fn new<const N: usize, const K: usize, M: ActionMethod<B, N, K>>(
+    #[inline(never)]
+    pub(crate) fn find<const N: usize, const K: usize, M: ActionMethod<B, N, K>>(
+        &mut self,
         method: &M,
-        action: &'a [[f64; B]; B],
         spectrum: &Hessenberg<B>,
         cluster: &Cluster,
-    ) -> Result<Self, SolveError> {
-        let (basis, dimension) = (spectrum.invariant_subspace(cluster), cluster.dimension.min(B));
+    ) -> Result<(), SolveError> {
+        spectrum.invariant_subspace(cluster, self.basis);
+        self.dimension = cluster.dimension.min(B);
+        self.combine(method)
+    }
+
+    /// Combines the A_x.
+    #[inline(never)]
+    fn combine<const N: usize, const K: usize, M: ActionMethod<B, N, K>>(
+        &mut self,
+        method: &M,
+    ) -> Result<(), SolveError> {
+        let Self { action, basis, dimension, .. } = &*self;
+        let dimension = *dimension;
         // Known monomials are linear in the vector, those of the image also in the action's value, which here is the
         // matrix: K0 V + K1 T V, where K(value, v) = K0 v + value K1 v.
         let mut known = [[0.0; K]; B];
-        for (values, vector) in known.iter_mut().zip(&basis) {
+        for (values, vector) in known.iter_mut().zip(basis.iter()) {
             let image = mapped(action, |row| (0..B).map(|i| row[i] * vector[i]).sum());
             let (without, with) = (method.known(0.0, &image), method.known(1.0, &image));
             *values = method.known(0.0, vector);
@@ -76,13 +101,15 @@ impl<'a, const B: usize> SharedValue<'a, B> {
                 values[i] += with[i] - without[i];
             }
         }
-        let (mut sum, mut total, mut incomplete) = ([[0.0; B]; B], 0.0, false);
+        self.combination.clear();
+        self.incomplete = false;
+        let (sum, mut total) = (&mut self.combination.matrix, 0.0);
         let mut weight = 1.0;
         for pairs in M::PAIRS.iter().filter(|pairs| !pairs.is_empty()) {
             let (mut gram, mut matrix) = ([[0.0; B]; B], [[0.0; B]; B]);
             let values = Values { known: known.as_flattened(), width: K };
             if !values.multiplication(dimension, pairs, gram.as_flattened_mut(), matrix.as_flattened_mut(), B) {
-                incomplete = true;
+                self.incomplete = true;
                 continue;
             }
             let norm = float::sqrt(matrix.as_flattened().iter().map(|entry| entry * entry).sum());
@@ -98,8 +125,7 @@ impl<'a, const B: usize> SharedValue<'a, B> {
         for k in dimension..B {
             sum[k][k] = 2.0 * total;
         }
-        let combination = Hessenberg::reduce(&sum)?;
-        Ok(SharedValue { action, basis, dimension, combination, incomplete })
+        self.combination.reduce_in_place()
     }
 
     /// Calls `solve` for the eigenpairs of all solutions, as a source and what it lists them under.

@@ -272,6 +272,11 @@ fn problems_that_cannot_be_solved_are_refused() {
             "infinitely many",
         ),
         ("none", "fn none(a: f64) -> (x) {\n    a * x == 1;\n    a * x == 2;\n}\n", "no common solution"),
+        (
+            "cones",
+            "fn cones(a: f64) -> (x, y) {\n    x * x == a * y * y;\n    x * x == 2 * x * y;\n}\n",
+            "only solution",
+        ),
     ] {
         let project = Project::new();
         project.write(&format!("{name}.rs"), text);

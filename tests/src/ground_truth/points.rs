@@ -45,9 +45,11 @@ fn orthogonal_tensor(random: &mut Random) -> KnownInstance {
     let parts = [0, 1, 2].map(|k| (vectors.column(k).into_owned(), uniform(random, 0.5, 1.5)));
     let entry = |i: usize, j: usize, k: usize| parts.iter().map(|(v, s)| s * v[i] * v[j] * v[k]).sum::<f64>();
     let data = (0..27).map(|at| entry(at / 9, at / 3 % 3, at % 3)).collect();
-    let of = |subset: usize| (0..3).filter(|k| subset >> k & 1 == 1).map(|k| parts[k].0 / parts[k].1);
-    let truths = (0..8).map(|subset| of(subset).sum::<Vector3<f64>>().as_slice().to_vec()).collect();
-    KnownInstance { data, truths }
+    let truths = (0..8).map(|subset| {
+        let chosen = parts.iter().enumerate().filter(|(k, _)| subset >> k & 1 == 1);
+        chosen.map(|(_, (v, s))| v / *s).sum::<Vector3<f64>>().as_slice().to_vec()
+    });
+    KnownInstance { data, truths: truths.collect() }
 }
 
 /// Distances of a point of the unit ball from three others of it: the point and its mirror image.
