@@ -11,7 +11,7 @@ use crate::problem::Problem;
 /// highest term the shortest is subtracted from all others.
 pub(super) fn combine(problem: &mut Problem) {
     let mut monomials: Vec<Monomial> = problem.polynomials().flat_map(|p| p.monomials()).collect();
-    monomials.sort_by(|a, b| rank(b).cmp(&rank(a)));
+    monomials.sort_by_key(|m| std::cmp::Reverse(rank(m)));
     monomials.dedup();
     for monomial in monomials.into_iter().take_while(|m| m.degree() > 1) {
         let graph = &mut problem.graph;
