@@ -100,7 +100,7 @@ fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<Algebra, Dia
     let solutions = solutions.len();
     let different = count_different(&basis, unknowns, seed).unwrap_or(solutions);
     let at_origin = match problem.has_origin() {
-        true => solutions - count_elsewhere(&instance, unknowns, seed).map_err(too_large)?,
+        true => solutions.saturating_sub(count_elsewhere(&instance, unknowns, seed).map_err(too_large)?),
         false => 0,
     };
     if at_origin == solutions {

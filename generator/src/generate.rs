@@ -128,6 +128,9 @@ fn provenance(problem: &Problem, file: &TemplateFile, plan: &Plan) -> Provenance
         format!("- action monomial: {}", show(&t.action)),
         format!("- basis: {}", list(&t.basis)),
     ];
+    if plan.has_origin {
+        lines.push("- all unknowns 0 is a solution, whatever the data, and is returned without an eigenvalue".into());
+    }
     if !plan.recoveries.is_empty() {
         let names: Vec<_> = plan.recoveries.iter().map(|r| format!("`{}`", problem.unknowns[r.unknown])).collect();
         lines.push(format!("- eliminated beforehand and recovered afterwards: {}", names.join(", ")));

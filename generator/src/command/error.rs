@@ -50,6 +50,9 @@ impl CommandError {
     /// Why the search for a template of `problem` failed.
     pub(super) fn of_search(path: &Path, problem: &Problem, error: SearchError) -> Self {
         let mut hint = String::new();
+        if let SearchError::NotFound { max_columns, is_over: false, .. } = &error {
+            hint += &format!("\nhelp: `--max-columns {}` looks further, and takes longer", 3 * max_columns);
+        }
         let is_sum = |factor: &Statement| factor.polynomial.terms().len() > 1;
         if problem.nonzero.iter().any(is_sum) {
             hint += "\nhelp: rows can be divided by a factor that must not vanish where it is an unknown of its own: `w == FACTOR; w != 0;`";

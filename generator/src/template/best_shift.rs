@@ -15,6 +15,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::Shift;
+use super::grow::monomials_of;
 use crate::algebra::{Monomial, MonomialMap, MonomialSet, Polynomial};
 
 /// Shifts and their monomials.
@@ -26,23 +27,16 @@ pub(super) struct Accepted<'a> {
 }
 
 impl Accepted<'_> {
-    /// The monomials of a shift.
-    fn monomials_of(&self, shift: &Shift) -> impl Iterator<Item = Monomial> + '_ {
-        let multiplier = shift.multiplier;
-        self.equations[shift.equation].monomials().map(move |m| m.times(&multiplier))
-    }
-
     /// Adds a shift with its monomials.
     pub(super) fn accept(&mut self, shift: Shift) {
-        let multiplier = shift.multiplier;
-        self.support.extend(self.equations[shift.equation].monomials().map(|m| m.times(&multiplier)));
+        self.support.extend(monomials_of(self.equations, &shift));
         self.shifts.insert(shift);
     }
 
     /// The monomials of a shift that are not there, in the order of its terms; `None` for more than `most`.
     fn brought_by(&self, shift: &Shift, most: usize) -> Option<Vec<Monomial>> {
         let mut brought = Vec::new();
-        for monomial in self.monomials_of(shift) {
+        for monomial in monomials_of(self.equations, shift) {
             if !self.support.contains(&monomial) {
                 if brought.len() == most {
                     return None;
@@ -65,7 +59,7 @@ impl Accepted<'_> {
         new.iter().flat_map(move |&monomial| self.shifts_with(monomial).map(move |shift| (monomial, shift))).filter_map(
             move |(monomial, shift)| {
                 let mut is_first = true;
-                for m in self.monomials_of(&shift) {
+                for m in monomials_of(self.equations, &shift) {
                     // It is met once for each new monomial, and taken for the first.
                     if is_first && m == monomial {
                         is_first = false;
@@ -180,8 +174,8 @@ mod tests {
             accepted.shifts.iter().flat_map(around).filter(|shift| !accepted.shifts.contains(shift)).collect();
         let with_closure = |candidate: Shift| {
             let mut support = accepted.support.clone();
-            support.extend(accepted.monomials_of(&candidate));
-            let is_free = |shift: &Shift| accepted.monomials_of(shift).all(|m| support.contains(&m));
+            support.extend(monomials_of(accepted.equations, &candidate));
+            let is_free = |shift: &Shift| monomials_of(accepted.equations, shift).all(|m| support.contains(&m));
             let new = accepted.brought_by(&candidate, usize::MAX).unwrap();
             let mut freed: BTreeSet<Shift> =
                 new.iter().flat_map(|&m| accepted.shifts_with(m)).filter(is_free).collect();
