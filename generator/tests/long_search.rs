@@ -113,6 +113,7 @@ fn what_was_tried_in_vain_is_told() {
         assert!(message.contains(part), "{part}: {message}");
     }
     assert!(["closed under", "cannot be read"].iter().any(|reason| message.contains(reason)), "{message}");
+    assert!(message.contains("help: `--max-columns 21` looks further"), "{message}");
     assert!(!message.contains("of its own"), "{message}");
     // A factor of several terms hides what could be done with an unknown.
     let problem = TWO_CONICS.trim_end().strip_suffix('}').unwrap();

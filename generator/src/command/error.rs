@@ -3,6 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
+use super::search::MOST_COLUMNS;
 use crate::diagnostic::Diagnostics;
 use crate::generate::GenerateError;
 use crate::problem::{Problem, Statement};
@@ -50,8 +51,9 @@ impl CommandError {
     /// Why the search for a template of `problem` failed.
     pub(super) fn of_search(path: &Path, problem: &Problem, error: SearchError) -> Self {
         let mut hint = String::new();
-        if let SearchError::NotFound { max_columns, is_over: false, .. } = &error {
-            hint += &format!("\nhelp: `--max-columns {}` looks further, and takes longer", 3 * max_columns);
+        if let SearchError::NotFound { max_columns: limit @ ..MOST_COLUMNS, is_over: false, .. } = error {
+            let more = (3 * limit).min(MOST_COLUMNS);
+            hint += &format!("\nhelp: `--max-columns {more}` looks further, and takes longer");
         }
         let is_sum = |factor: &Statement| factor.polynomial.terms().len() > 1;
         if problem.nonzero.iter().any(is_sum) {

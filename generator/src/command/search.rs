@@ -22,6 +22,8 @@ use crate::template::file::TemplateFile;
 
 /// The limit on the number of columns of a second try.
 const MORE_COLUMNS: usize = 1500;
+/// The largest limit that can be asked for.
+pub(super) const MOST_COLUMNS: usize = 20_000;
 
 /// Search an elimination template and write it beside the problem
 #[derive(clap::Args, Debug)]
@@ -45,7 +47,7 @@ pub(super) struct Arguments {
     #[arg(long, default_value_t = SearchOptions::default().seed)]
     seed: u64,
     /// No template has more columns before it is reduced [default: 600, and then 1500 where nothing is found and the search is not shared]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(2..=20_000))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(2..=MOST_COLUMNS as u64))]
     max_columns: Option<u64>,
     /// No template has a larger basis, which is the size of the eigenvalue problem, where a smaller one can hold all solutions
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=20_000))]
