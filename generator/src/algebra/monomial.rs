@@ -88,7 +88,12 @@ impl Monomial {
     /// Sum of the exponents.
     #[inline]
     pub fn degree(&self) -> i32 {
-        self.exponents.iter().map(|&e| i32::from(e)).sum()
+        // A plain loop: build scripts run unoptimised, and there this is called more often than anything else.
+        let mut degree = 0;
+        for exponent in self.exponents {
+            degree += i32::from(exponent);
+        }
+        degree
     }
 
     /// Sum of weight times exponent.

@@ -3,9 +3,10 @@
 use std::collections::BTreeMap;
 
 use proc_macro2::{Literal, TokenStream};
-use quote::{ToTokens, format_ident, quote};
+use quote::{format_ident, quote};
 
 use super::code;
+use super::listing::Listings;
 use crate::code::{Code, Operation, ValueId};
 use crate::plan::Plan;
 use crate::problem::DataParameter;
@@ -13,26 +14,26 @@ use crate::problem::DataParameter;
 /// The function from the data to the coefficients, and the table that it executes.
 ///
 /// The run-time library keeps all data behind the constants, also those that no step reads.
-pub(super) fn table(plan: &Plan) -> TokenStream {
+pub(super) fn table(plan: &Plan, listings: &mut Listings) -> TokenStream {
     let code = &plan.code;
     let steps = code.operations.iter().filter(|operation| operation.is_step()).count();
     let constants: Vec<TokenStream> = code.operations.iter().filter_map(as_constant).collect();
     let inputs: usize = plan.data.iter().map(DataParameter::len).sum();
     let positions = positions(plan, constants.len(), inputs);
-    let position = |id: ValueId| Literal::usize_unsuffixed(positions[id.0 as usize]);
+    let position = |id: ValueId| positions[id.0 as usize];
     let scalar = |operation: &&Operation| !matches!(operation, Operation::Coefficient { .. });
-    let operands = code.operations.iter().filter(scalar).filter_map(|&operation| {
+    let operands = listings.add(code.operations.iter().filter(scalar).filter_map(|&operation| {
         let mut operands = code.operands(operation);
         let a = operands.next()?;
         let (a, b) = (position(a), position(operands.next().unwrap_or(a)));
-        Some(quote!((#a, #b)))
-    });
+        Some(format!("({a}, {b})"))
+    }));
     let runs = runs(code).into_iter().map(|(operation, steps)| {
         let (operation, steps) = (format_ident!("{operation}"), Literal::usize_unsuffixed(steps));
         quote!(eliminant::Run { operation: eliminant::Operation::#operation, steps: #steps })
     });
-    let product_sums = product_sums(code, &positions);
-    let results = plan.coefficients.iter().map(|&id| position(id));
+    let product_sums = product_sums(code, &positions, listings);
+    let results = listings.add(plan.coefficients.iter().map(|&id| position(id).to_string()));
     let (values, length) = (constants.len() + inputs + steps, plan.coefficients.len());
     quote! {
         /// The coefficients that the tables refer to.
@@ -44,15 +45,15 @@ pub(super) fn table(plan: &Plan) -> TokenStream {
         static PROGRAM: eliminant::Program = eliminant::Program {
             constants: &[#(#constants),*],
             runs: &[#(#runs),*],
-            operands: &[#(#operands),*],
+            operands: &[#operands],
             product_sums: #product_sums,
-            results: &[#(#results),*],
+            results: &[#results],
         };
     }
 }
 
 /// The sums of products in the order of the code. Equal lists of factors, and of places, are printed once.
-fn product_sums(code: &Code, positions: &[usize]) -> TokenStream {
+fn product_sums(code: &Code, positions: &[usize], listings: &mut Listings) -> TokenStream {
     let (mut factors, mut places) = (Lists::default(), Lists::default());
     let (mut sums, mut products) = (Vec::new(), Vec::new());
     for operation in &code.operations {
@@ -63,14 +64,21 @@ fn product_sums(code: &Code, positions: &[usize]) -> TokenStream {
             let (left, right) = (factor(&product.left), factor(&product.right));
             let places = places.number(product.to.iter().map(|&to| to as usize).collect());
             let negative = product.negative;
-            products
-                .push(quote!(eliminant::PolynomialProduct { negative: #negative, left: #left, right: #right, places: #places }));
+            products.push(format!(
+                "eliminant::PolynomialProduct {{ negative: {negative}, left: {left}, right: {right}, places: {places} }}"
+            ));
         }
         let (count, length) = (of_sum.products.len(), of_sum.length);
-        let [count, length] = [count, length].map(Literal::usize_unsuffixed);
-        sums.push(quote!(eliminant::ProductSum { products: #count, length: #length }));
+        sums.push(format!("eliminant::ProductSum {{ products: {count}, length: {length} }}"));
     }
-    quote!(eliminant::ProductSums { sums: &[#(#sums),*], products: &[#(#products),*], factors: #factors, places: #places })
+    let (factors, places) = (listings.add(factors.printed()), listings.add(places.printed()));
+    let (sums, products) = (listings.add(sums.into_iter()), listings.add(products.into_iter()));
+    quote!(eliminant::ProductSums {
+        sums: &[#sums],
+        products: &[#products],
+        factors: &[#factors],
+        places: &[#places],
+    })
 }
 
 /// Different lists of numbers, each printed once.
@@ -80,21 +88,16 @@ struct Lists {
 }
 
 impl Lists {
-    fn number(&mut self, list: Vec<usize>) -> Literal {
+    fn number(&mut self, list: Vec<usize>) -> usize {
         let next = self.numbers.len();
-        Literal::usize_unsuffixed(*self.numbers.entry(list).or_insert(next))
+        *self.numbers.entry(list).or_insert(next)
     }
-}
 
-impl ToTokens for Lists {
-    fn to_tokens(&self, tokens: &mut TokenStream) {
-        let mut lists: Vec<(&usize, &Vec<usize>)> = self.numbers.iter().map(|(list, number)| (number, list)).collect();
+    fn printed(self) -> impl Iterator<Item = String> {
+        let mut lists: Vec<(usize, Vec<usize>)> =
+            self.numbers.into_iter().map(|(list, number)| (number, list)).collect();
         lists.sort_unstable();
-        let lists = lists.into_iter().map(|(_, list)| {
-            let list = list.iter().copied().map(Literal::usize_unsuffixed);
-            quote!(&[#(#list),*])
-        });
-        tokens.extend(quote!(&[#(#lists),*]));
+        lists.into_iter().map(|(_, list)| format!("&{list:?}"))
     }
 }
 

@@ -1,28 +1,24 @@
 //! Prints the tables of the elimination and of the equations.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
+use super::listing::Listings;
 use crate::plan::{ActionRow, Entry, Plan, Term};
 
-pub(super) fn tables(plan: &Plan) -> TokenStream {
-    let right = entries(&plan.elimination.right);
+pub(super) fn tables(plan: &Plan, listings: &mut Listings) -> TokenStream {
+    let right = entries(&plan.elimination.right, listings);
     let blocks = plan.elimination.blocks.iter().map(|block| {
         let (first, needed) = (Literal::usize_unsuffixed(block.first), Literal::usize_unsuffixed(block.needed));
-        let (diagonal, coupling) = (entries(&block.diagonal), entries(&block.coupling));
+        let (diagonal, coupling) = (entries(&block.diagonal, listings), entries(&block.coupling, listings));
         quote!(eliminant::Block { first: #first, needed: #needed, diagonal: &[#diagonal], coupling: &[#coupling] })
     });
+    let blocks: Vec<TokenStream> = blocks.collect();
     let count = plan.elimination.blocks.len();
-    let action = plan.action.iter().map(|row| match row {
-        ActionRow::Unit(b) => {
-            let column = Literal::u16_unsuffixed(b.0);
-            quote!(eliminant::ActionRow::Unit(#column))
-        }
-        ActionRow::Solved(pivot) => {
-            let pivot = Literal::u16_unsuffixed(pivot.0);
-            quote!(eliminant::ActionRow::Solved(#pivot))
-        }
-    });
+    let action = listings.add(plan.action.iter().map(|row| match row {
+        ActionRow::Unit(b) => format!("eliminant::ActionRow::Unit({})", b.0),
+        ActionRow::Solved(pivot) => format!("eliminant::ActionRow::Solved({})", pivot.0),
+    }));
     let (basis, count_read) = (plan.elimination.basis, plan.read.len());
     let read = plan.read.iter().map(|pivot| Literal::u16_unsuffixed(pivot.0));
     let read = match count_read {
@@ -32,10 +28,10 @@ pub(super) fn tables(plan: &Plan) -> TokenStream {
             const READ: [u16; #count_read] = [#(#read),*];
         },
     };
-    let equations = system(plan, &plan.equations, quote!(EQUATIONS), " The equations of the problem.");
+    let equations = system(plan, &plan.equations, quote!(EQUATIONS), " The equations of the problem.", listings);
     let nonzero = match plan.nonzero.is_empty() {
         true => quote!(),
-        false => system(plan, &plan.nonzero, quote!(NONZERO), " What must not vanish."),
+        false => system(plan, &plan.nonzero, quote!(NONZERO), " What must not vanish.", listings),
     };
     quote! {
         /// Entries of the template in the basis columns.
@@ -45,7 +41,7 @@ pub(super) fn tables(plan: &Plan) -> TokenStream {
         static BLOCKS: [eliminant::Block; #count] = [#(#blocks),*];
 
         /// Where the rows of the action matrix come from.
-        const ACTION: [eliminant::ActionRow; #basis] = [#(#action),*];
+        const ACTION: [eliminant::ActionRow; #basis] = [#action];
 
         #read
         #equations
@@ -53,37 +49,39 @@ pub(super) fn tables(plan: &Plan) -> TokenStream {
     }
 }
 
-fn entries(entries: &[Entry]) -> TokenStream {
-    let entries = entries.iter().map(|entry| {
-        let [row, column, slot] = [entry.row, entry.column, entry.coefficient.0].map(Literal::u16_unsuffixed);
-        quote!((#row, #column, #slot))
-    });
-    quote!(#(#entries),*)
+fn entries(entries: &[Entry], listings: &mut Listings) -> Ident {
+    listings.add(entries.iter().map(|entry| format!("({}, {}, {})", entry.row, entry.column, entry.coefficient.0)))
 }
 
 /// Polynomials as tables over a chain of monomials, each an earlier one times an unknown.
-fn system(plan: &Plan, polynomials: &[Vec<Term>], name: TokenStream, doc: &str) -> TokenStream {
+fn system(
+    plan: &Plan,
+    polynomials: &[Vec<Term>],
+    name: TokenStream,
+    doc: &str,
+    listings: &mut Listings,
+) -> TokenStream {
     let chain = Chain::of(polynomials, plan.unknowns.len());
-    let products = chain.products.iter().map(|&(parent, unknown)| {
-        let (parent, unknown) = (Literal::usize_unsuffixed(parent), Literal::usize_unsuffixed(unknown));
-        quote!(eliminant::Product { parent: #parent, unknown: #unknown })
+    let products = listings.add(
+        chain
+            .products
+            .iter()
+            .map(|(parent, unknown)| format!("eliminant::Product {{ parent: {parent}, unknown: {unknown} }}")),
+    );
+    let terms = listings.add(polynomials.iter().flatten().map(|term| {
+        let (coefficient, monomial) = (term.coefficient.0, chain.position(&term.exponents));
+        format!("eliminant::Term {{ coefficient: {coefficient}, monomial: {monomial} }}")
+    }));
+    let ends = polynomials.iter().scan(0, |end, polynomial| {
+        *end += polynomial.len();
+        Some(Literal::usize_unsuffixed(*end))
     });
-    let mut ends = Vec::new();
-    let mut terms = Vec::new();
-    for polynomial in polynomials {
-        for term in polynomial {
-            let monomial = Literal::usize_unsuffixed(chain.position(&term.exponents));
-            let coefficient = Literal::u16_unsuffixed(term.coefficient.0);
-            terms.push(quote!(eliminant::Term { coefficient: #coefficient, monomial: #monomial }));
-        }
-        ends.push(Literal::usize_unsuffixed(terms.len()));
-    }
     let (unknowns, count) = (plan.unknowns.len(), polynomials.len());
     let (monomials, coefficients) = (chain.products.len(), plan.coefficients.len());
     quote! {
         #[doc = #doc]
         const #name: eliminant::Tables<#unknowns, #count, #monomials, #coefficients> =
-            eliminant::Tables::new(&[#(#products),*], &[#(#ends),*], &[#(#terms),*]);
+            eliminant::Tables::new(&[#products], &[#(#ends),*], &[#terms]);
     }
 }
 
