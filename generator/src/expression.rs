@@ -7,7 +7,7 @@
 
 use std::collections::HashMap;
 
-use crate::algebra::{Monomial, PRIMES, Polynomial, PrimeField};
+use crate::algebra::{Monomial, MonomialMap, MonomialSet, PRIMES, Polynomial, PrimeField};
 use crate::arithmetic::Arithmetic;
 use crate::product_sum::{Product, ProductSum};
 use crate::rational::Rational;
@@ -345,13 +345,13 @@ impl ExpressionGraph {
             let pairs = p.terms().iter().flat_map(|(m, _)| q.terms().iter().map(move |(n, _)| m.checked_mul(n)));
             monomials_of.push(pairs.collect::<Option<Vec<Monomial>>>()?);
         }
-        let mut monomials = monomials_of.concat();
-        monomials.sort_unstable_by_key(|&monomial| std::cmp::Reverse(monomial));
-        monomials.dedup();
-        let place = |monomial: &Monomial| monomials.partition_point(|other| other > monomial);
+        let different: MonomialSet = monomials_of.iter().flatten().copied().collect();
+        let mut monomials: Vec<Monomial> = different.into_iter().collect();
+        monomials.sort_by_cached_key(|monomial| std::cmp::Reverse(monomial.rank()));
+        let places: MonomialMap<u32> = (0..).zip(&monomials).map(|(place, &monomial)| (monomial, place)).collect();
         let coefficients = |p: &SymbolicPolynomial| p.terms().iter().map(|&(_, c)| c).collect();
         let product = |(&(negative, p, q), pairs): (&SignedProduct<'_>, &Vec<Monomial>)| {
-            let to = pairs.iter().map(|monomial| place(monomial) as u32).collect();
+            let to = pairs.iter().map(|monomial| places[monomial]).collect();
             Product { negative, left: coefficients(p), right: coefficients(q), to }
         };
         let products = products.iter().zip(&monomials_of).map(product).collect();
@@ -399,7 +399,7 @@ impl ExpressionGraph {
     /// Collects equal monomials and drops coefficients that are zero for all data.
     fn sum_terms(&mut self, mut terms: Vec<(Monomial, ExpressionId)>) -> SymbolicPolynomial {
         // Stable: equal monomials stay in order, so that the sums are built the same way every time.
-        terms.sort_by_key(|&(monomial, _)| std::cmp::Reverse(monomial));
+        terms.sort_by_cached_key(|(monomial, _)| std::cmp::Reverse(monomial.rank()));
         let mut sums: Vec<(Monomial, ExpressionId)> = Vec::with_capacity(terms.len());
         for (monomial, coefficient) in terms {
             match sums.last_mut() {

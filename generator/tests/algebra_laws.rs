@@ -103,6 +103,22 @@ proptest! {
     #![proptest_config(config(256))]
 
     #[test]
+    fn monomials_are_in_graded_reverse_lexicographic_order(
+        a in prop::array::uniform16(-2..=2i8),
+        b in prop::array::uniform16(-2..=2i8),
+        end in 0usize..=16,
+    ) {
+        // Often they agree in the last exponents.
+        let b = std::array::from_fn(|i| if i < end { b[i] } else { a[i] });
+        let [x, y] = [a, b].map(|exponents: [i8; 16]| Monomial::from_exponents(&exponents));
+        let last = (0..16).rev().map(|i| b[i].cmp(&a[i])).find(|order| order.is_ne());
+        let sum = |exponents: &[i8; 16]| exponents.iter().map(|&e| i32::from(e)).sum::<i32>();
+        let order = sum(&a).cmp(&sum(&b)).then(last.unwrap_or(std::cmp::Ordering::Equal));
+        prop_assert_eq!(x.cmp(&y), order);
+        prop_assert_eq!(x.rank().cmp(&y.rank()), order);
+    }
+
+    #[test]
     fn monomials_are_multiplied_exponent_by_exponent(a in any::<[i8; 16]>(), b in any::<[i8; 16]>()) {
         let [x, y] = [a, b].map(|exponents| Monomial::from_exponents(&exponents));
         let each = |of: fn(i8, i8) -> i8| std::array::from_fn::<i8, 16, _>(|i| of(a[i], b[i]));

@@ -127,7 +127,12 @@ impl Monomial {
         Self::unpacked(((a | SIGNS) - (b & !SIGNS)) ^ ((a ^ !b) & SIGNS))
     }
 
-    /// All exponents as the bytes of one number.
+    /// What [`Ord`] compares, for sorting many.
+    pub fn rank(&self) -> (i32, u128) {
+        (self.degree(), !(self.packed() ^ SIGNS))
+    }
+
+    /// All exponents as the bytes of one number, the last one the highest.
     #[inline]
     fn packed(&self) -> u128 {
         let mut bytes = [0; MAX_UNKNOWNS];
@@ -187,15 +192,10 @@ impl Monomial {
 }
 
 impl Ord for Monomial {
+    #[inline]
     fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.degree().cmp(&other.degree()).then_with(|| {
-            for i in (0..MAX_UNKNOWNS).rev() {
-                if self.exponents[i] != other.exponents[i] {
-                    return other.exponents[i].cmp(&self.exponents[i]);
-                }
-            }
-            std::cmp::Ordering::Equal
-        })
+        let backwards = || (other.packed() ^ SIGNS).cmp(&(self.packed() ^ SIGNS));
+        self.degree().cmp(&other.degree()).then_with(backwards)
     }
 }
 
