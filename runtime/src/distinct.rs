@@ -1,6 +1,6 @@
 //! Drops solutions that were found more than once.
 
-use crate::polish::POLISH_STEPS;
+use crate::polish::{POLISH_STEPS, largest};
 use crate::scalar::Scalar;
 use crate::solutions::Solutions;
 
@@ -45,12 +45,11 @@ impl<S: Scalar, const N: usize> Candidate<S, N> {
 
     #[inline]
     fn agrees(&self, other: &Self, tolerance: f64, floor: f64) -> bool {
-        let largest = |x: &[S; N]| x.iter().map(|value| value.magnitude()).fold(0.0, f64::max);
         let floor = floor * largest(&self.unknowns).max(largest(&other.unknowns));
-        self.unknowns
-            .iter()
-            .zip(&other.unknowns)
-            .all(|(&x, &y)| (x - y).magnitude() <= floor + tolerance * x.magnitude().max(y.magnitude()))
+        (0..N).all(|j| {
+            let (x, y) = (self.unknowns[j], other.unknowns[j]);
+            (x - y).magnitude() <= floor + tolerance * x.magnitude().max(y.magnitude())
+        })
     }
 }
 
@@ -66,28 +65,43 @@ pub fn push_distinct<S: Scalar, const N: usize, const MAX: usize>(
     candidate: Candidate<S, N>,
     polish: impl Fn(&mut [S; N], usize) -> f64,
 ) -> bool {
-    for known in found.iter_mut() {
-        if known.close(&candidate) && merge(known, candidate, &polish) {
-            return false;
+    !is_among(found, &candidate, &polish) && (found.push(candidate) || replace_worst(found, candidate))
+}
+
+/// What a list is compared with takes a slice of it and a reference to the polish: compiled once for all lengths and problems.
+type Polish<'a, S, const N: usize> = &'a dyn Fn(&mut [S; N], usize) -> f64;
+
+/// Whether a candidate is one of the solutions, which are improved by it.
+#[inline(never)]
+fn is_among<S: Scalar, const N: usize>(
+    found: &mut [Candidate<S, N>],
+    candidate: &Candidate<S, N>,
+    polish: Polish<'_, S, N>,
+) -> bool {
+    for known in found {
+        if known.close(candidate) && merge(known, candidate, polish) {
+            return true;
         }
     }
-    found.push(candidate) || replace_worst(found, candidate)
+    false
 }
 
 /// Puts `candidate` in place of the solution with the largest residual; false where its own is not smaller.
 #[cold]
 #[inline(never)]
-fn replace_worst<S: Scalar, const N: usize, const MAX: usize>(
-    found: &mut Solutions<Candidate<S, N>, MAX>,
-    candidate: Candidate<S, N>,
-) -> bool {
-    let worst = found.iter_mut().max_by(|x, y| x.residual.total_cmp(&y.residual));
-    match worst.filter(|worst| candidate.residual < worst.residual) {
-        Some(worst) => {
+fn replace_worst<S: Scalar, const N: usize>(found: &mut [Candidate<S, N>], candidate: Candidate<S, N>) -> bool {
+    let mut worst: Option<&mut Candidate<S, N>> = None;
+    for known in found {
+        if worst.as_ref().is_none_or(|worst| worst.residual <= known.residual) {
+            worst = Some(known);
+        }
+    }
+    match worst {
+        Some(worst) if candidate.residual < worst.residual => {
             *worst = candidate;
             true
         }
-        None => false,
+        _ => false,
     }
 }
 
@@ -96,11 +110,11 @@ fn replace_worst<S: Scalar, const N: usize, const MAX: usize>(
 #[inline(never)]
 fn merge<S: Scalar, const N: usize>(
     known: &mut Candidate<S, N>,
-    candidate: Candidate<S, N>,
-    polish: impl Fn(&mut [S; N], usize) -> f64,
+    candidate: &Candidate<S, N>,
+    polish: Polish<'_, S, N>,
 ) -> bool {
-    let better = if candidate.residual < known.residual { candidate } else { *known };
-    if known.same(&candidate) {
+    let better = if candidate.residual < known.residual { *candidate } else { *known };
+    if known.same(candidate) {
         *known = better;
         return true;
     }

@@ -1,12 +1,16 @@
 //! Unknowns from an eigenvector.
 
+use num_complex::Complex;
+
 use crate::driver::ActionMethod;
 use crate::scalar::Scalar;
 
-/// Where eigenvectors of the action matrix come from.
+/// Where eigenvectors of the action matrix come from: for what is listed under `value` the value of the action monomial, and an eigenvector.
 pub(crate) trait Eigenpairs<const B: usize> {
-    /// The eigenpair that is listed under `value`: the value of the action monomial, and an eigenvector.
-    fn eigenpair<S: Scalar>(&self, value: S) -> (S, [S; B]);
+    /// That of a real value.
+    fn real(&self, value: f64) -> (f64, [f64; B]);
+    /// That of any value.
+    fn complex(&self, value: Complex<f64>) -> (Complex<f64>, [Complex<f64>; B]);
 }
 
 /// The unknowns from an eigenpair; None where they cannot be read.

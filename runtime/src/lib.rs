@@ -29,6 +29,7 @@ extern crate std;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("eliminant needs one of its features `std` (default) and `libm` for square roots");
 
+mod candidates;
 pub mod distinct;
 mod double_double;
 pub mod driver;

@@ -52,7 +52,7 @@ const LARGE: f64 = 1e6;
 #[inline]
 pub fn polish<S: Scalar, const N: usize, const E: usize>(
     x: &mut [S; N],
-    system: &impl System<S, N, E>,
+    system: &dyn System<S, N, E>,
     steps: usize,
 ) -> f64 {
     let mut values = [S::ZERO; E];
@@ -151,8 +151,9 @@ fn without_small<S: Scalar, const N: usize>(x: &[S; N], level: f64) -> [S; N] {
     mapped(x, |value| if value.magnitude() <= smallest { S::ZERO } else { value })
 }
 
+/// The magnitude of the largest unknown.
 #[inline]
-fn largest<S: Scalar, const N: usize>(x: &[S; N]) -> f64 {
+pub(crate) fn largest<S: Scalar, const N: usize>(x: &[S; N]) -> f64 {
     x.iter().map(|value| value.magnitude()).fold(0.0, f64::max)
 }
 

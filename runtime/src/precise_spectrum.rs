@@ -32,10 +32,15 @@ impl<const C: usize> Eigenvectors for Hessenberg<C, DoubleDouble, usize> {
 
 /// Listed under the eigenvalues.
 impl<const B: usize> Eigenpairs<B> for PreciseSpectrum<'_> {
-    fn eigenpair<S: Scalar>(&self, value: S) -> (S, [S; B]) {
+    fn real(&self, value: f64) -> (f64, [f64; B]) {
+        let (_, vector) = self.complex(value.into());
+        (value, mapped(&vector, |entry: Complex<f64>| entry.re))
+    }
+
+    fn complex(&self, value: Complex<f64>) -> (Complex<f64>, [Complex<f64>; B]) {
         let mut vector = [Complex::ZERO; B];
-        self.eigenvectors.eigenvector(value.to_complex(), &mut vector);
-        (value, mapped(&vector, S::from_complex))
+        self.eigenvectors.eigenvector(value, &mut vector);
+        (value, vector)
     }
 }
 

@@ -132,27 +132,42 @@ impl<'a, const B: usize> SharedValue<'a, B> {
     ///
     /// Where the known monomials do not determine the A_x of all unknowns, also for some other combinations of the
     /// solutions, from which the polish may find them.
-    pub(crate) fn for_each(&self, mut solve: impl FnMut(&Combinations<'_, B>, Complex<f64>)) {
-        let separated = Combinations { shared: self, separated: true };
-        // Eigenvalues of diagonal blocks come in the order of the blocks.
-        for value in self.combination.eigenvalues().into_iter().flatten().take(self.dimension) {
-            solve(&separated, value);
+    #[inline(never)]
+    pub(crate) fn for_each(&self, solve: &mut dyn FnMut(&dyn Eigenpairs<B>, Complex<f64>)) {
+        if let Ok(values) = self.combination.eigenvalues() {
+            let separated = Combinations { shared: self, separated: true };
+            // Eigenvalues of diagonal blocks come in the order of the blocks.
+            for &value in &values[..self.dimension] {
+                solve(&separated, value);
+            }
         }
-        let probes = Combinations { shared: self, separated: false };
-        for value in PROBES.into_iter().filter(|_| self.incomplete) {
-            solve(&probes, value);
+        if self.incomplete {
+            let probes = Combinations { shared: self, separated: false };
+            for value in PROBES {
+                solve(&probes, value);
+            }
         }
     }
 }
 
 /// Combinations V u of the solutions with a shared value: for an eigenvalue of the combined A_x its eigenvector u, or
 /// u = 1, w, w^2, ..
-pub(crate) struct Combinations<'a, const B: usize> {
+struct Combinations<'a, const B: usize> {
     shared: &'a SharedValue<'a, B>,
     separated: bool,
 }
 
 impl<const B: usize> Eigenpairs<B> for Combinations<'_, B> {
+    fn real(&self, value: f64) -> (f64, [f64; B]) {
+        self.eigenpair(value)
+    }
+
+    fn complex(&self, value: Complex<f64>) -> (Complex<f64>, [Complex<f64>; B]) {
+        self.eigenpair(value)
+    }
+}
+
+impl<const B: usize> Combinations<'_, B> {
     fn eigenpair<S: Scalar>(&self, value: S) -> (S, [S; B]) {
         let SharedValue { action, basis, dimension, combination, .. } = self.shared;
         let u = if self.separated {

@@ -22,6 +22,20 @@ impl<T, const MAX: usize> Solutions<T, MAX> {
     pub fn push(&mut self, solution: T) -> bool {
         self.0.try_push(solution).is_ok()
     }
+
+    /// The images of all solutions, in their order.
+    #[inline]
+    #[must_use]
+    pub fn map<U>(&self, f: impl Fn(T) -> U) -> Solutions<U, MAX>
+    where
+        T: Copy,
+    {
+        let mut images = Solutions::new();
+        for &solution in self {
+            images.push(f(solution));
+        }
+        images
+    }
 }
 
 impl<T, const MAX: usize> Default for Solutions<T, MAX> {

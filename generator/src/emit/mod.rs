@@ -140,7 +140,7 @@ fn api(plan: &Plan) -> TokenStream {
         /// Data that are not finite or degenerate, see [`eliminant::SolveError`]. No real solution is no error.
         pub fn solve(#(#parameters),*) -> Result<eliminant::Solutions<#name, #solutions>, eliminant::SolveError> {
             let found = eliminant::#roots::<_, _, _, #solutions>(&mut Instance::new(#(#arguments),*)?)?;
-            Ok(found.into_iter().map(#name::from_array).collect())
+            Ok(found.map(#name::from_array))
         }
 
         /// Like [`solve`], with all complex solutions. Where some are missing, all is done once more at twice the precision, which takes
@@ -152,7 +152,7 @@ fn api(plan: &Plan) -> TokenStream {
             #(#parameters),*
         ) -> Result<eliminant::Solutions<#name<eliminant::Complex<f64>>, #solutions>, eliminant::SolveError> {
             let found = eliminant::complex_solutions::<_, _, _, #solutions>(&mut Instance::new(#(#arguments),*)?)?;
-            Ok(found.into_iter().map(#name::from_array).collect())
+            Ok(found.map(#name::from_array))
         }
 
         /// The matrix of multiplication by the action monomial on the basis, as the elimination gives it.
