@@ -52,7 +52,7 @@ impl Presolve {
     }
 
     /// Whether equations are combined first.
-    fn combines(self) -> bool {
+    pub(crate) fn combines(self) -> bool {
         matches!(self, Self::Combined | Self::CombinedLinear | Self::CombinedSquare)
     }
 

@@ -149,17 +149,15 @@ struct Way<'a> {
 
 impl Way<'_> {
     fn describe(&self) -> String {
+        let combined = if self.form.presolve.combines() { "equations combined, " } else { "" };
         let presolve = match self.form.presolve {
             Presolve::None => "",
-            Presolve::Constant => "after presolve with constant coefficients, ",
-            Presolve::Linear => "after presolve, ",
-            Presolve::Square => "after presolve and division by a square, ",
-            Presolve::Combined => "equations combined, after presolve with constant coefficients, ",
-            Presolve::CombinedLinear => "equations combined, after presolve, ",
-            Presolve::CombinedSquare => "equations combined, after presolve and division by a square, ",
+            Presolve::Constant | Presolve::Combined => "after presolve with constant coefficients, ",
+            Presolve::Linear | Presolve::CombinedLinear => "after presolve, ",
+            Presolve::Square | Presolve::CombinedSquare => "after presolve and division by a square, ",
         };
         let symmetry = if self.form.symmetry.is_none() { "" } else { "up to sign, " };
-        format!("{presolve}{symmetry}{}", self.growth)
+        format!("{combined}{presolve}{symmetry}{}", self.growth)
     }
 }
 

@@ -46,6 +46,22 @@ fn from_a_new_problem_to_a_solver() {
 }
 
 #[test]
+fn the_origin_takes_no_eigenvalue() {
+    let folder = searched("the_origin_takes_no_eigenvalue");
+    let text = "/// Conics through the origin.\nfn through_origin(p: [f64; 5], q: [f64; 5]) -> (x, y) {\n    \
+                dot(p, [x * x, x * y, y * y, x, y]) == 0;\n    dot(q, [x * x, x * y, y * y, x, y]) == 0;\n}\n";
+    fs::write(folder.join("through_origin.rs"), text).unwrap();
+    let searched = eliminant(&folder, &["search", "through_origin.rs", "--trials", "20"]);
+    assert!(stdout(&searched).contains("all unknowns 0 is one of the solutions"), "{}", stdout(&searched));
+    let emitted = |problem: &str| stdout(&eliminant(&folder, &["emit", problem]));
+    let said = ["- all unknowns 0 is a solution", "const HAS_ORIGIN: bool = true;"];
+    let source = emitted("through_origin.rs");
+    assert!(said.iter().all(|text| source.contains(text)) && source.contains("Solutions<ThroughOrigin, 4"), "{source}");
+    let source = emitted("two_conics.rs");
+    assert!(!said.iter().any(|text| source.contains(text)), "{source}");
+}
+
+#[test]
 fn multiple_solutions_count_once() {
     let folder = folder("multiple_solutions_count_once");
     // A triple solution (2, -1) for all data, and a simple one.

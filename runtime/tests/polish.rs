@@ -267,6 +267,7 @@ fn solutions_behave_like_a_slice_and_never_overflow() {
     assert_eq!((&solutions).into_iter().sum::<u32>(), 15);
     assert_eq!(solutions.clone().into_iter().collect::<Vec<_>>(), [7, 8]);
     assert_eq!((0..10).collect::<Solutions<u32, 3>>().to_vec(), [0, 1, 2]);
+    assert_eq!(solutions.map(|solution| solution > 7).to_vec(), [false, true]);
     assert_eq!(format!("{solutions:?}"), "Solutions([7, 8])");
 }
 

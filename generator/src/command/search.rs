@@ -153,18 +153,15 @@ fn first_found(
     limits: &[usize],
     monitor: &dyn Monitor,
 ) -> Result<Found, SearchError> {
-    let mut result = Err(SearchError::NoInstance);
-    for &limit in limits {
-        if let Err(SearchError::NotFound { max_columns, .. }) = &result {
-            monitor.say(&format!("nothing within {max_columns} columns; trying {limit}"));
+    options.max_columns = limits.first().copied().unwrap_or(options.max_columns);
+    let found = candidates(problem, algebra, options, monitor);
+    match (&found, limits) {
+        (Err(SearchError::NotFound { max_columns, is_over: false, .. }), [_, wider @ ..]) if !wider.is_empty() => {
+            monitor.say(&format!("nothing within {max_columns} columns; trying {}", wider[0]));
+            first_found(problem, algebra, options, wider, monitor)
         }
-        options.max_columns = limit;
-        result = candidates(problem, algebra, options, monitor);
-        if !matches!(result, Err(SearchError::NotFound { is_over: false, .. })) {
-            break;
-        }
+        _ => found,
     }
-    result
 }
 
 /// Measures, chooses and writes.
