@@ -34,6 +34,8 @@ pub struct Hessenberg<const N: usize, R = f64, O = Full> {
     reflectors: [[R; N]; N],
     /// The tau of each reflection; 0 where the column was clear already.
     tau: [R; N],
+    /// The largest sum of moduli in a row of H.
+    pub(crate) norm: f64,
 }
 
 /// How many rows and columns of an array are in use.
@@ -58,6 +60,31 @@ impl Order for usize {
     #[inline]
     fn of(self, capacity: usize) -> usize {
         self.min(capacity)
+    }
+}
+
+/// So many sums of products are computed side by side.
+const ROWS_AT_ONCE: usize = 4;
+
+/// row -= tau (row v) v^T for some rows.
+#[inline]
+fn reflect<R: Real, const N: usize, const M: usize>(
+    rows: &mut [[R; N]; M],
+    columns: core::ops::Range<usize>,
+    v: &[R; N],
+    tau: R,
+) {
+    let mut dots = [R::ZERO; M];
+    for j in columns.clone() {
+        for i in 0..M {
+            dots[i] += rows[i][j] * v[j];
+        }
+    }
+    for i in 0..M {
+        let dot = dots[i] * tau;
+        for j in columns.clone() {
+            rows[i][j] -= dot * v[j];
+        }
     }
 }
 
@@ -86,6 +113,7 @@ impl<const N: usize> Hessenberg<N> {
         self.balance.fill(1.0);
         self.reflectors.as_flattened_mut().fill(0.0);
         self.tau.fill(0.0);
+        self.norm = 0.0;
     }
 }
 
@@ -100,6 +128,7 @@ impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
             balance: [1.0; N],
             reflectors: [[R::ZERO; N]; N],
             tau: [R::ZERO; N],
+            norm: 0.0,
         }
     }
 
@@ -116,6 +145,8 @@ impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
         for k in 0..self.order.of(N).saturating_sub(2) {
             self.clear_column(k);
         }
+        let size = |row: &[R; N]| row.iter().map(|x| x.modulus()).sum::<f64>();
+        self.norm = self.matrix.iter().map(size).fold(0.0, f64::max);
         Ok(())
     }
 
@@ -246,25 +277,16 @@ impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
                 h[i][j] -= factor * product[j];
             }
         }
-        // From the right: H -= tau (H v) v^T.
-        for row in &mut h[..n] {
-            let mut dot = R::ZERO;
-            for j in k + 1..n {
-                dot += row[j] * v[j];
-            }
-            dot *= tau;
-            for j in k + 1..n {
-                row[j] -= dot * v[j];
-            }
+        // From the right: H -= tau (H v) v^T. Each sum waits for its last addition: several rows at once.
+        let (groups, rest) = h[..n].as_chunks_mut::<ROWS_AT_ONCE>();
+        for rows in groups {
+            reflect(rows, k + 1..n, &v, tau);
+        }
+        for row in rest {
+            reflect(core::array::from_mut(row), k + 1..n, &v, tau);
         }
         self.reflectors[k] = v;
         self.tau[k] = tau;
-    }
-
-    /// The largest sum of moduli in a row of H.
-    #[inline]
-    pub(crate) fn norm(&self) -> f64 {
-        self.matrix.iter().map(|row| row.iter().map(|x| x.modulus()).sum::<f64>()).fold(0.0, f64::max)
     }
 
     /// Takes an eigenvector of H back to one of A: D Q y.

@@ -38,7 +38,7 @@ impl<const N: usize> Hessenberg<N> {
     pub(crate) fn clusters(&self, values: &[Complex<f64>; N]) -> ArrayVec<Cluster, N> {
         let values = mapped(values, |value| value.scale(1.0 / self.unit));
         let mut clusters = ArrayVec::new_const();
-        find_clusters(&values, self.norm(), &mut [0; N], &mut |cluster| {
+        find_clusters(&values, self.norm, &mut [0; N], &mut |cluster| {
             let _ = clusters.try_push(cluster);
         });
         clusters

@@ -139,7 +139,7 @@ impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
     /// What replaces a pivot of H - value I that is smaller: the rounding level of H.
     #[inline]
     fn smallest_pivot(&self) -> f64 {
-        let norm = self.norm();
+        let norm = self.norm;
         if norm > 0.0 { R::EPSILON * norm } else { R::EPSILON }
     }
 
