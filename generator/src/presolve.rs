@@ -8,7 +8,7 @@ mod combine;
 mod square;
 
 use combine::combine;
-use square::divide_by_square;
+use square::divide_by_squares;
 
 use crate::algebra::Monomial;
 use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
@@ -23,8 +23,8 @@ pub enum Presolve {
     Constant,
     /// Wherever the coefficient depends on data only.
     Linear,
-    /// As [`Presolve::Linear`]; then all other equations are divided by one that gives the square of an unknown, which keeps the unknown
-    /// and takes the equation away.
+    /// As [`Presolve::Linear`]; then all other equations are divided by those that give the square of an unknown, which keeps the unknowns
+    /// and takes these equations away.
     Square,
     /// As [`Presolve::Constant`], after constant multiples of equations were subtracted from others with the same highest term.
     Combined,
@@ -56,7 +56,7 @@ impl Presolve {
         matches!(self, Self::Combined | Self::CombinedLinear | Self::CombinedSquare)
     }
 
-    /// Whether other equations are divided by one that gives a square.
+    /// Whether other equations are divided by those that give squares.
     fn divides(self) -> bool {
         matches!(self, Self::Square | Self::CombinedSquare)
     }
@@ -110,7 +110,7 @@ pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
     // Recovery runs backwards: what was eliminated last depends on kept unknowns only.
     reduced.recoveries.reverse();
     if presolve.divides() {
-        divide_by_square(&mut reduced);
+        divide_by_squares(&mut reduced);
     }
     reduced
 }

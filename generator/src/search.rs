@@ -154,7 +154,7 @@ impl Way<'_> {
             Presolve::None => "",
             Presolve::Constant | Presolve::Combined => "after presolve with constant coefficients, ",
             Presolve::Linear | Presolve::CombinedLinear => "after presolve, ",
-            Presolve::Square | Presolve::CombinedSquare => "after presolve and division by a square, ",
+            Presolve::Square | Presolve::CombinedSquare => "after presolve and division by squares, ",
         };
         let symmetry = if self.form.symmetry.is_none() { "" } else { "up to sign, " };
         format!("{combined}{presolve}{symmetry}{}", self.growth)

@@ -1,4 +1,4 @@
-//! Divides by an equation that gives the square of an unknown, such as that of a unit vector or quaternion.
+//! Divides by equations that give the square of an unknown, such as that of a unit vector or quaternion, or of a sine and a cosine.
 //!
 //! With `c x^2 + rest = 0`, where x is nowhere else in it and c is a constant, every polynomial has a remainder E + x O with E and O free of x.
 //! An equation f and its multiple x f leave
@@ -10,26 +10,39 @@
 //!
 //! Both are in the ideal, and their multiples by the other unknowns give, modulo the equation, all multiples of f: the equation itself needs no rows any more,
 //! which is what an offline Schur complement of its multiples achieves too (Martyushev, Bhayani, Pajdla, arXiv 2307.00320).
+//!
+//! Several such equations, as of the sines and cosines of several angles, divide one after another.
 
 use super::{MAX_TERMS, ReducedProblem};
 use crate::algebra::{MAX_UNKNOWNS, Monomial};
 use crate::expression::{ExpressionGraph, SymbolicPolynomial};
 use crate::problem::Problem;
 
-/// Replaces the other equations by their remainders and those of their multiples; no change where no equation gives a square, or one would grow too long.
-pub(super) fn divide_by_square(reduced: &mut ReducedProblem) {
-    if let Some((equation, unknown)) = square(reduced)
+/// No further division where there are more equations: each makes up to twice as many.
+const MOST_EQUATIONS: usize = 60;
+
+/// Replaces the other equations by their remainders and those of their multiples, for one divisor after another; no change where no equation gives a square,
+/// or one would grow too long.
+pub(super) fn divide_by_squares(reduced: &mut ReducedProblem) {
+    let mut divided_by = Vec::new();
+    while reduced.problem.equations.len() <= MOST_EQUATIONS
+        && let Some((equation, unknown)) = square(reduced, &divided_by)
         && let Some(problem) = divided(reduced, equation, unknown)
     {
         reduced.problem = problem;
+        divided_by.push(unknown);
     }
 }
 
-/// The shortest equation with an unknown whose square alone it holds.
-fn square(reduced: &ReducedProblem) -> Option<(usize, usize)> {
+/// The shortest equation with an unknown whose square alone it holds, and none that was divided by before.
+fn square(reduced: &ReducedProblem, divided_by: &[usize]) -> Option<(usize, usize)> {
     let graph = &reduced.problem.graph;
     let mut found = Vec::new();
     for (equation, polynomial) in reduced.problem.polynomials().enumerate() {
+        let holds = |unknown: usize| polynomial.monomials().any(|m| m.exponent(unknown) != 0);
+        if divided_by.iter().any(|&unknown| holds(unknown)) {
+            continue;
+        }
         for &unknown in &reduced.kept {
             let x = Monomial::unknown(unknown);
             let mut with_x = polynomial.terms().iter().filter(|(m, _)| m.exponent(unknown) != 0);
@@ -114,11 +127,18 @@ mod tests {
 
     const FIELD: PrimeField = PrimeField::new(PRIMES[0]);
 
-    fn value(polynomial: &Polynomial<u32>, point: [u32; 2]) -> u32 {
+    fn value(polynomial: &Polynomial<u32>, point: &[u32]) -> u32 {
         polynomial.terms().iter().fold(0, |sum, (m, c)| {
-            let power = |at: usize| FIELD.pow(point[at], m.exponent(at) as u32);
-            FIELD.add(sum, FIELD.mul(*c, FIELD.mul(power(0), power(1))))
+            let powers = point.iter().enumerate().map(|(at, &x)| FIELD.pow(x, m.exponent(at) as u32));
+            FIELD.add(sum, FIELD.mul(*c, powers.fold(1, |product, power| FIELD.mul(product, power))))
         })
+    }
+
+    /// A point of the unit circle.
+    fn on_circle(t: u32) -> [u32; 2] {
+        let square = FIELD.mul(t, t);
+        let inverse = FIELD.inverse(FIELD.add(1, square)).unwrap();
+        [FIELD.mul(FIELD.add(t, t), inverse), FIELD.mul(FIELD.sub(1, square), inverse)]
     }
 
     #[test]
@@ -133,14 +153,35 @@ mod tests {
         assert_eq!(after.equations.len(), 2);
         assert!(after.equations.iter().flat_map(Polynomial::monomials).all(|m| m.exponent(0) <= 1));
         for t in 2..10 {
-            // A point of the circle.
-            let square = FIELD.mul(t, t);
-            let inverse = FIELD.inverse(FIELD.add(1, square)).unwrap();
-            let x = FIELD.mul(FIELD.add(t, t), inverse);
-            let point = [x, FIELD.mul(FIELD.sub(1, square), inverse)];
-            assert_eq!(value(&before.equations[1], point), 0);
-            let f = value(&before.equations[0], point);
-            assert_eq!([0, 1].map(|at| value(&after.equations[at], point)), [f, FIELD.mul(x, f)]);
+            let point = on_circle(t);
+            assert_eq!(value(&before.equations[1], &point), 0);
+            let f = value(&before.equations[0], &point);
+            assert_eq!([0, 1].map(|at| value(&after.equations[at], &point)), [f, FIELD.mul(point[0], f)]);
+        }
+    }
+
+    #[test]
+    fn several_divisors_divide_one_after_another() {
+        let text = "/// Two angles.\nfn angles(a: [[f64; 5]; 2]) -> (c, s, d, t) {\n    for i in 0..2 {\n        \
+                    dot(a[i], [c * c * d, s * t, c, d, 1]) == 0;\n    }\n    c * c + s * s == 1;\n    d * d + t * t == 1;\n}\n";
+        let problem = Problem::parse("angles.rs", text).unwrap();
+        let reduced = presolve(&problem, Presolve::Square);
+        assert_eq!(reduced.kept, [0, 1, 2, 3]);
+        let draw = |problem: &Problem| Instance::draw(problem, FIELD, 1).unwrap();
+        let (before, after) = (draw(&problem), draw(&reduced.problem));
+        assert_eq!(after.equations.len(), 8);
+        assert!(
+            after.equations.iter().flat_map(Polynomial::monomials).all(|m| m.exponent(0) <= 1 && m.exponent(2) <= 1)
+        );
+        for t in 2..10 {
+            let point = [on_circle(t), on_circle(t + 17)].concat();
+            let multiples = |f: u32| {
+                let [c, d] = [point[0], point[2]];
+                [f, FIELD.mul(d, f), FIELD.mul(c, f), FIELD.mul(d, FIELD.mul(c, f))]
+            };
+            let expected = [0, 1].map(|at| multiples(value(&before.equations[at], &point)));
+            let values: Vec<u32> = after.equations.iter().map(|equation| value(equation, &point)).collect();
+            assert_eq!(values, expected.as_flattened());
         }
     }
 }
