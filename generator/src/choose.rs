@@ -9,7 +9,7 @@
 //!    lack a solution that one in [`INCOMPLETE_ONE_IN`] would explain it with a probability below [`SIGNIFICANCE`]. It is *precise* if
 //!    the 99 % quantile of its log10 relative residual is at most [`GOOD_RESIDUAL`], or at most 1 above the best of those that are not rejected.
 //! 2. *Confirmation.* Those that are precise and not rejected are measured on [`Measuring::confirm`] instances, in the order of the preference (for *speed*
-//!    second attempts count as [`SECOND_ATTEMPT`] solves; for *stability*: fewest unsolved instances, then smallest 99 % quantile, then smallest median), each only until it is rejected. The first that lasts and lacks a solution
+//!    second attempts count as [`SECOND_ATTEMPT`] solves, and of those that cost at most [`EQUAL_COST`] times the least the one with fewest rows comes first; for *stability*: fewest unsolved instances, then smallest 99 % quantile, then smallest median), each only until it is rejected. The first that lasts and lacks a solution
 //!    on at most one instance in [`INCOMPLETE_ONE_IN`] is *accepted*. Where none is, further candidates are screened, up to [`SCREENED_AT_MOST`] and until
 //!    all measurements together take [`MEASURING_WORK`].
 //! 3. *Choice.* If the accepted one solves every instance it is chosen (*stability* looks on, and *speed* where second attempts turn out to make it dearer than another). Otherwise up to [`RIVALS`] others of similar cost are confirmed
@@ -46,6 +46,8 @@ pub const STABILITY_COST: f64 = 2.0;
 pub const SIZE_COST: f64 = 2.5;
 /// Candidates whose operations differ by no more than this factor cost the same for the choice.
 pub const SIMILAR_COST: f64 = 1.1;
+/// Candidates within this factor of the fewest operations are as fast, as far as the estimate tells: fewer rows take less memory and less code.
+pub const EQUAL_COST: f64 = 1.05;
 /// Operations of a second attempt, at twice the precision, as a factor of those of the first.
 pub const SECOND_ATTEMPT: f64 = 15.0;
 /// Candidates that are confirmed besides the first accepted one.
@@ -284,7 +286,7 @@ impl Board<'_> {
         let open = |at: &usize| self.entries[*at].verdict == Verdict::Screened;
         let mut finalists: Vec<usize> = (0..self.entries.len()).filter(open).filter(precise).collect();
         match self.preference {
-            Preference::Speed => finalists.sort_by(|&a, &b| self.by_expected_operations(a, b)),
+            Preference::Speed => self.sort_by_speed(&mut finalists),
             Preference::Stability => finalists.sort_by(|&a, &b| self.by_stability(a, b)),
             Preference::Size => {}
         }
@@ -310,17 +312,19 @@ impl Board<'_> {
                 }
             }
         }
-        let order = |a: &usize, b: &usize| match self.preference {
-            Preference::Stability => self.by_stability(*a, *b),
-            Preference::Speed => self.unsolved(*a).cmp(&self.unsolved(*b)).then(self.by_expected_operations(*a, *b)),
-            Preference::Size => (self.unsolved(*a), a).cmp(&(self.unsolved(*b), b)),
-        };
-        accepted.into_iter().min_by(order).unwrap_or(first)
+        let least = accepted.iter().map(|&at| self.unsolved(at)).min();
+        accepted.retain(|&at| self.preference == Preference::Stability || Some(self.unsolved(at)) == least);
+        match self.preference {
+            Preference::Stability => accepted.sort_by(|&a, &b| self.by_stability(a, b)),
+            Preference::Speed => self.sort_by_speed(&mut accepted),
+            Preference::Size => accepted.sort_unstable(),
+        }
+        accepted.first().copied().unwrap_or(first)
     }
 
     /// Whether more instances than were screened show that another one costs less, second attempts included.
     fn is_dearer_than_screened(&self, at: usize) -> bool {
-        let is_cheaper = |&other: &usize| self.expected_operations(other) < self.expected_operations(at);
+        let is_cheaper = |&other: &usize| EQUAL_COST * self.expected_operations(other) < self.expected_operations(at);
         self.preference == Preference::Speed && self.finalists().iter().any(is_cheaper)
     }
 
@@ -390,8 +394,12 @@ impl Board<'_> {
         expected_operations(self.costs[at].operations, &self.entries[at].stability)
     }
 
-    fn by_expected_operations(&self, a: usize, b: usize) -> std::cmp::Ordering {
-        self.expected_operations(a).total_cmp(&self.expected_operations(b)).then(a.cmp(&b))
+    /// Sorts by expected operations; those that cost as much as the cheapest come first, in the order of their rows.
+    fn sort_by_speed(&self, candidates: &mut [usize]) {
+        let expected = |at: usize| self.expected_operations(at);
+        let least = candidates.iter().map(|&at| expected(at)).fold(f64::INFINITY, f64::min);
+        let rows = |at: usize| if expected(at) <= EQUAL_COST * least { self.costs[at].rows } else { usize::MAX };
+        candidates.sort_by(|&a, &b| rows(a).cmp(&rows(b)).then(expected(a).total_cmp(&expected(b))).then(a.cmp(&b)));
     }
 
     fn p99(&self, at: usize) -> f64 {
