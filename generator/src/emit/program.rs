@@ -30,19 +30,19 @@ pub(super) fn table(plan: &Plan, listings: &mut Listings) -> TokenStream {
     }));
     let runs = runs(code).into_iter().map(|(operation, steps)| {
         let (operation, steps) = (format_ident!("{operation}"), Literal::usize_unsuffixed(steps));
-        quote!(eliminant::Run { operation: eliminant::Operation::#operation, steps: #steps })
+        quote!(emitted::Run { operation: emitted::Operation::#operation, steps: #steps })
     });
     let product_sums = product_sums(code, &positions, listings);
     let results = listings.add(plan.coefficients.iter().map(|&id| position(id).to_string()));
     let (values, length) = (constants.len() + inputs + steps, plan.coefficients.len());
     quote! {
         /// The coefficients that the tables refer to.
-        fn coefficients<R: eliminant::Real>(data: &[f64; #inputs]) -> [R; #length] {
+        fn coefficients<R: emitted::Real>(data: &[f64; #inputs]) -> [R; #length] {
             PROGRAM.evaluate::<R, #values, #length>(&[data])
         }
 
         /// From the data to the coefficients.
-        static PROGRAM: eliminant::Program = eliminant::Program {
+        static PROGRAM: emitted::Program<'static> = emitted::Program {
             constants: &[#(#constants),*],
             runs: &[#(#runs),*],
             operands: &[#operands],
@@ -65,15 +65,15 @@ fn product_sums(code: &Code, positions: &[usize], listings: &mut Listings) -> To
             let places = places.number(product.to.iter().map(|&to| to as usize).collect());
             let negative = product.negative;
             products.push(format!(
-                "eliminant::PolynomialProduct {{ negative: {negative}, left: {left}, right: {right}, places: {places} }}"
+                "emitted::PolynomialProduct {{ negative: {negative}, left: {left}, right: {right}, places: {places} }}"
             ));
         }
         let (count, length) = (of_sum.products.len(), of_sum.length);
-        sums.push(format!("eliminant::ProductSum {{ products: {count}, length: {length} }}"));
+        sums.push(format!("emitted::ProductSum {{ products: {count}, length: {length} }}"));
     }
     let (factors, places) = (listings.add(factors.printed()), listings.add(places.printed()));
     let (sums, products) = (listings.add(sums.into_iter()), listings.add(products.into_iter()));
-    quote!(eliminant::ProductSums {
+    quote!(emitted::ProductSums {
         sums: &[#sums],
         products: &[#products],
         factors: &[#factors],

@@ -8,16 +8,19 @@ use crate::plan::{ActionRow, Entry, Plan, Term};
 
 pub(super) fn tables(plan: &Plan, listings: &mut Listings) -> TokenStream {
     let right = entries(&plan.elimination.right, listings);
-    let blocks = plan.elimination.blocks.iter().map(|block| {
+    let blocks = plan.elimination.blocks.iter().enumerate().map(|(number, block)| {
+        let number = Literal::usize_unsuffixed(number);
         let (first, needed) = (Literal::usize_unsuffixed(block.first), Literal::usize_unsuffixed(block.needed));
         let (diagonal, coupling) = (entries(&block.diagonal, listings), entries(&block.coupling, listings));
-        quote!(eliminant::Block { first: #first, needed: #needed, diagonal: &[#diagonal], coupling: &[#coupling] })
+        quote!(emitted::Block {
+            number: #number, first: #first, needed: #needed, diagonal: &[#diagonal], coupling: &[#coupling]
+        })
     });
     let blocks: Vec<TokenStream> = blocks.collect();
     let count = plan.elimination.blocks.len();
     let action = listings.add(plan.action.iter().map(|row| match row {
-        ActionRow::Unit(b) => format!("eliminant::ActionRow::Unit({})", b.0),
-        ActionRow::Solved(pivot) => format!("eliminant::ActionRow::Solved({})", pivot.0),
+        ActionRow::Unit(b) => format!("emitted::ActionRow::Unit({})", b.0),
+        ActionRow::Solved(pivot) => format!("emitted::ActionRow::Solved({})", pivot.0),
     }));
     let (basis, count_read) = (plan.elimination.basis, plan.read.len());
     let read = plan.read.iter().map(|pivot| Literal::u16_unsuffixed(pivot.0));
@@ -35,13 +38,13 @@ pub(super) fn tables(plan: &Plan, listings: &mut Listings) -> TokenStream {
     };
     quote! {
         /// Entries of the template in the basis columns.
-        const RIGHT: &[eliminant::Entry] = &[#right];
+        const RIGHT: &[emitted::Entry] = &[#right];
 
         /// The diagonal blocks of the template, in order of solution.
-        static BLOCKS: [eliminant::Block; #count] = [#(#blocks),*];
+        static BLOCKS: [emitted::Block<'static>; #count] = [#(#blocks),*];
 
         /// Where the rows of the action matrix come from.
-        const ACTION: [eliminant::ActionRow; #basis] = [#action];
+        const ACTION: [emitted::ActionRow; #basis] = [#action];
 
         #read
         #equations
@@ -66,22 +69,23 @@ fn system(
         chain
             .products
             .iter()
-            .map(|(parent, unknown)| format!("eliminant::Product {{ parent: {parent}, unknown: {unknown} }}")),
+            .map(|(parent, unknown)| format!("emitted::Product {{ parent: {parent}, unknown: {unknown} }}")),
     );
     let terms = listings.add(polynomials.iter().flatten().map(|term| {
         let (coefficient, monomial) = (term.coefficient.0, chain.position(&term.exponents));
-        format!("eliminant::Term {{ coefficient: {coefficient}, monomial: {monomial} }}")
+        format!("emitted::Term {{ coefficient: {coefficient}, monomial: {monomial} }}")
     }));
     let ends = polynomials.iter().scan(0, |end, polynomial| {
         *end += polynomial.len();
         Some(Literal::usize_unsuffixed(*end))
     });
-    let (unknowns, count) = (plan.unknowns.len(), polynomials.len());
-    let (monomials, coefficients) = (chain.products.len(), plan.coefficients.len());
+    let [unknowns, count, monomials, coefficients] =
+        [plan.unknowns.len(), polynomials.len(), chain.products.len(), plan.coefficients.len()]
+            .map(Literal::usize_unsuffixed);
     quote! {
         #[doc = #doc]
-        const #name: eliminant::Tables<#unknowns, #count, #monomials, #coefficients> =
-            eliminant::Tables::new(&[#products], &[#(#ends),*], &[#terms]);
+        const #name: emitted::FixedTables<#unknowns, #count, #monomials> =
+            emitted::Tables::new::<#coefficients>(&[#products], &[#(#ends),*], &[#terms]);
     }
 }
 

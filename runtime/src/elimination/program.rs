@@ -1,6 +1,6 @@
 //! Coefficients of large problems: arithmetic on the data as a table instead of statements.
 
-use crate::scalar::Real;
+use crate::number::Real;
 
 /// What every step of a [`Run`] does with its operands a and b.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,15 +30,15 @@ pub struct Run {
 
 /// Sums of products of polynomials, in the order of execution.
 #[derive(Clone, Copy, Debug)]
-pub struct ProductSums {
+pub struct ProductSums<'a> {
     /// The sums.
-    pub sums: &'static [ProductSum],
+    pub sums: &'a [ProductSum],
     /// The products of all of them, one sum after another.
-    pub products: &'static [PolynomialProduct],
+    pub products: &'a [PolynomialProduct],
     /// Polynomials: the positions in values of their coefficients.
-    pub factors: &'static [&'static [u32]],
+    pub factors: &'a [&'a [u32]],
     /// For each coefficient of a left factor, the coefficients of the sum that its products with those of the right factor are added to.
-    pub places: &'static [&'static [u32]],
+    pub places: &'a [&'a [u32]],
 }
 
 /// One of [`ProductSums`].
@@ -63,7 +63,7 @@ pub struct PolynomialProduct {
     pub places: u32,
 }
 
-impl ProductSums {
+impl<'a> ProductSums<'a> {
     /// Computes the next sums, leaving those behind them. `known` are the values before this run, `open` takes its results; how many there are.
     fn run<R: Real>(&mut self, steps: u32, known: &[R], open: &mut [R]) -> usize {
         let mut written = 0;
@@ -84,7 +84,7 @@ impl ProductSums {
 
     /// Adds a product to `sum`. `known` are the values before this run.
     fn add<R: Real>(&self, product: &PolynomialProduct, known: &[R], sum: &mut [R]) {
-        let list = |lists: &'static [&'static [u32]], at: u32| lists.get(at as usize).copied().unwrap_or(&[]);
+        let list = |lists: &'a [&'a [u32]], at: u32| lists.get(at as usize).copied().unwrap_or(&[]);
         let (left, right) = (list(self.factors, product.left), list(self.factors, product.right));
         let at = |position: u32| known.get(position as usize).copied().unwrap_or(R::from_f64(f64::NAN));
         let places = list(self.places, product.places).chunks_exact(right.len().max(1));
@@ -109,20 +109,20 @@ impl ProductSums {
 ///
 /// Statements run in half the time, but the time to compile them grows faster than their number.
 #[derive(Clone, Copy, Debug)]
-pub struct Program {
+pub struct Program<'a> {
     /// Numbers that do not depend on the data.
-    pub constants: &'static [f64],
+    pub constants: &'a [f64],
     /// The steps, grouped.
-    pub runs: &'static [Run],
+    pub runs: &'a [Run],
     /// (a, b) of each step; a twice for [`Operation::Negate`].
-    pub operands: &'static [(u32, u32)],
+    pub operands: &'a [(u32, u32)],
     /// What the runs of [`Operation::ProductSum`] execute, one after another.
-    pub product_sums: ProductSums,
+    pub product_sums: ProductSums<'a>,
     /// Where the coefficients are.
-    pub results: &'static [u32],
+    pub results: &'a [u32],
 }
 
-impl Program {
+impl Program<'_> {
     /// The coefficients, C of them, in the precision of `R`. V counts all constants, data and steps; so many numbers are on the stack meanwhile.
     #[inline(never)]
     #[must_use]
@@ -132,9 +132,10 @@ impl Program {
         coefficients
     }
 
+    /// The coefficients on slices: `values` has an entry for each constant, datum and step, and is overwritten.
     /// What would be out of range is left out or NaN; the generator's tables fit.
     #[inline(never)]
-    fn run<R: Real>(&self, data: &[&[f64]], values: &mut [R], coefficients: &mut [R]) {
+    pub fn run<R: Real>(&self, data: &[&[f64]], values: &mut [R], coefficients: &mut [R]) {
         let nan = R::from_f64(f64::NAN);
         let mut written = 0;
         for given in core::iter::once(&self.constants).chain(data) {
@@ -177,10 +178,10 @@ pub fn joined<const I: usize>(data: &[&[f64]]) -> [f64; I] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::double_double::DoubleDouble;
-    use crate::scalar::Scalar;
+    use crate::number::Scalar;
+    use crate::number::double_double::DoubleDouble;
 
-    const PROGRAM: Program = Program {
+    const PROGRAM: Program<'static> = Program {
         constants: &[3.0],
         runs: &[
             Run { operation: Operation::Multiply, steps: 2 },
@@ -219,7 +220,7 @@ mod tests {
         assert!(Program { results: &[99], ..PROGRAM }.evaluate::<f64, 10, 1>(&[&[1.0, 2.0], &[3.0]])[0].is_nan());
     }
     // (3 + a x) (b + c x) - (a + b x) (a + b x), and a square after it
-    const WITH_SUMS: Program = Program {
+    const WITH_SUMS: Program<'static> = Program {
         constants: &[3.0],
         runs: &[
             Run { operation: Operation::ProductSum, steps: 2 },

@@ -1,9 +1,10 @@
 //! Clusters of nearly equal eigenvalues and the invariant subspaces that belong to them.
 
-use crate::hessenberg::Hessenberg;
-use crate::inverse_iteration::{ShiftedLu, normalize};
-use crate::scalar::{Scalar, mapped};
-use arrayvec::ArrayVec;
+use crate::number::Scalar;
+use crate::number::scalar::mapped;
+use crate::size::{List, Size, Square, Vector};
+use crate::spectrum::hessenberg::Hessenberg;
+use crate::spectrum::inverse_iteration::{ShiftedLu, normalize};
 use num_complex::Complex;
 
 /// Eigenvalues this close, relative to their modulus, belong together: nearer than this, rounding takes five or more
@@ -33,13 +34,14 @@ pub(crate) struct Cluster {
     pub(crate) dimension: usize,
 }
 
-impl<const N: usize> Hessenberg<N> {
+impl<Z: Size> Hessenberg<Z> {
     /// The clusters among all eigenvalues of A.
-    pub(crate) fn clusters(&self, values: &[Complex<f64>; N]) -> ArrayVec<Cluster, N> {
-        let values = mapped(values, |value| value.scale(1.0 / self.unit));
-        let mut clusters = ArrayVec::new_const();
-        find_clusters(&values, self.norm, &mut [0; N], &mut |cluster| {
-            let _ = clusters.try_push(cluster);
+    pub(crate) fn clusters(&self, values: &Z::Vector<Complex<f64>>) -> Z::List<Cluster> {
+        let values = mapped(self.size, values, |value: Complex<f64>| value.scale(1.0 / self.unit));
+        let mut clusters = self.size.list();
+        // There are at most half as many clusters as eigenvalues: the list has room.
+        find_clusters(values.as_ref(), self.norm, self.size.filled(0).as_mut(), &mut |cluster| {
+            clusters.push(cluster);
         });
         clusters
     }
@@ -50,13 +52,13 @@ impl<const N: usize> Hessenberg<N> {
     /// the eigenvectors of H and, for eigenvalues x near the shift s or its conjugate, eigenvalues near 1 / |x - s| or
     /// above.
     #[inline(never)]
-    pub(crate) fn invariant_subspace(&self, cluster: &Cluster, basis: &mut [[f64; N]; N]) {
+    pub(crate) fn invariant_subspace(&self, cluster: &Cluster, basis: &mut Square<Z, f64>) {
         let shift = cluster.centre + Complex { re: 0.0, im: cluster.shift };
-        let mut lu = ShiftedLu::new(self.order);
+        let mut lu = ShiftedLu::new(self.size);
         lu.factor(self, shift);
-        let vectors = &mut basis[..cluster.dimension.min(N)];
+        let vectors = &mut basis.as_mut()[..cluster.dimension.min(self.size.get())];
         let mut state = 1_u64;
-        for entry in vectors.as_flattened_mut() {
+        for entry in vectors.iter_mut().flat_map(|vector| vector.as_mut()) {
             // Knuth's multiplicative congruential generator: any start without structure will do.
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             *entry = (state >> 40) as f64 * 2.0 / (1_u64 << 24) as f64 - 1.0;
@@ -64,10 +66,10 @@ impl<const N: usize> Hessenberg<N> {
         orthonormalize(vectors);
         for _ in 0..ROUNDS {
             for vector in vectors.iter_mut() {
-                let mut solution = mapped(vector, Complex::from_f64);
+                let mut solution = mapped(self.size, vector, <Complex<f64> as Scalar>::from_f64);
                 lu.forward(&mut solution);
                 lu.backward(&mut solution);
-                *vector = mapped(&solution, |entry| entry.im);
+                *vector = mapped(self.size, &solution, |entry: Complex<f64>| entry.im);
             }
             orthonormalize(vectors);
         }
@@ -117,16 +119,16 @@ fn find_clusters(values: &[Complex<f64>], norm: f64, first: &mut [usize], found:
 }
 
 /// Gram-Schmidt, every vector twice: one that depends on those before it becomes some vector orthogonal to them.
-fn orthonormalize<const N: usize>(vectors: &mut [[f64; N]]) {
+fn orthonormalize<V: Vector<f64>>(vectors: &mut [V]) {
     for k in 0..vectors.len() {
         let (done, rest) = vectors.split_at_mut(k);
-        let vector = &mut rest[0];
+        let vector = rest[0].as_mut();
         normalize(vector);
         for _ in 0..2 {
             for other in done.iter() {
-                let dot: f64 = (0..N).map(|i| other[i] * vector[i]).sum();
-                for i in 0..N {
-                    vector[i] -= dot * other[i];
+                let dot: f64 = other.as_ref().iter().zip(&*vector).map(|(a, b)| a * b).sum();
+                for (entry, known) in vector.iter_mut().zip(other.as_ref()) {
+                    *entry -= dot * known;
                 }
             }
             normalize(vector);

@@ -1,7 +1,5 @@
 //! The few floating-point functions that `core` lacks.
 
-use crate::scalar::Real;
-
 /// Square root, correctly rounded.
 #[cfg(feature = "std")]
 #[inline]
@@ -41,17 +39,4 @@ pub(crate) fn power_of_two(exponent: i32) -> f64 {
 #[inline]
 pub(crate) fn exponent(x: f64) -> i32 {
     ((x.to_bits() >> 52) & 0x7ff) as i32 - 1023
-}
-
-/// True when no entry is infinite or NaN. Without early exit, so that it vectorises.
-#[inline]
-pub(crate) fn all_finite<R: Real, const M: usize>(rows: &[[R; M]]) -> bool {
-    // x * 0 is 0 for finite x and NaN otherwise. One sum per column: a single sum could not be vectorised.
-    let mut sums = [0.0; M];
-    for row in rows {
-        for j in 0..M {
-            sums[j] += row[j].real() * 0.0;
-        }
-    }
-    sums.iter().all(|&sum| sum == 0.0)
 }

@@ -1,8 +1,10 @@
 //! Reduction of a real matrix to Hessenberg form.
 
+use crate::elimination::lu::all_finite;
 use crate::error::SolveError;
-use crate::float;
-use crate::scalar::{Over, Real};
+use crate::number::scalar::mapped;
+use crate::number::{Over, Real, float};
+use crate::size::{Fixed, Size, Square, Vector, filled_matrix};
 
 /// A real N x N matrix A, balanced and reduced by orthogonal similarity:
 ///
@@ -20,60 +22,29 @@ use crate::scalar::{Over, Real};
 /// because it scales up rows and columns that are rounding errors (Watkins 2006). Where |B| exceeds the number of
 /// solutions there are such. The QR iteration and the characteristic polynomial start from H; eigenvectors are found
 /// on H and taken back through Q and D.
-#[derive(Clone, Debug)]
-pub struct Hessenberg<const N: usize, R = f64, O = Full> {
-    /// How many of the N rows and columns are in use.
-    pub(crate) order: O,
+pub struct Hessenberg<Z: Size, R: Clone = f64> {
+    /// How many rows and columns are in use.
+    pub(crate) size: Z,
     /// H: zero below the subdiagonal.
-    pub(crate) matrix: [[R; N]; N],
+    pub(crate) matrix: Square<Z, R>,
     /// The power of two taken out of A, so that its largest entry is near 1 when it was far from it.
     pub(crate) unit: f64,
     /// The diagonal of D.
-    balance: [f64; N],
+    balance: Z::Vector<f64>,
     /// Row k: the reflection I - tau v v^T that cleared column k; v lives in k+1..N, v[k+1] = 1.
-    reflectors: [[R; N]; N],
+    reflectors: Square<Z, R>,
     /// The tau of each reflection; 0 where the column was clear already.
-    tau: [R; N],
+    tau: Z::Vector<R>,
     /// The largest sum of moduli in a row of H.
     pub(crate) norm: f64,
 }
 
-/// How many rows and columns of an array are in use.
-pub trait Order: Copy {
-    /// Their number, at most `capacity`.
-    fn of(self, capacity: usize) -> usize;
-}
-
-/// All of them: loops have bounds that the compiler knows.
-#[derive(Clone, Copy, Debug)]
-pub struct Full;
-
-impl Order for Full {
-    #[inline]
-    fn of(self, capacity: usize) -> usize {
-        capacity
-    }
-}
-
-/// The leading ones: the code serves all orders up to the capacity. The other entries are zero.
-impl Order for usize {
-    #[inline]
-    fn of(self, capacity: usize) -> usize {
-        self.min(capacity)
-    }
-}
-
-/// So many sums of products are computed side by side.
+/// How many rows are reflected side by side. Each sum waits for its last addition; four do not wait for each other.
 const ROWS_AT_ONCE: usize = 4;
 
 /// row -= tau (row v) v^T for some rows.
 #[inline]
-fn reflect<R: Real, const N: usize, const M: usize>(
-    rows: &mut [[R; N]; M],
-    columns: core::ops::Range<usize>,
-    v: &[R; N],
-    tau: R,
-) {
+fn reflect<R: Real, V: Vector<R>, const M: usize>(rows: &mut [V; M], columns: core::ops::Range<usize>, v: &V, tau: R) {
     let mut dots = [R::ZERO; M];
     for j in columns.clone() {
         for i in 0..M {
@@ -90,63 +61,63 @@ fn reflect<R: Real, const N: usize, const M: usize>(
 
 /// Sweeps of balancing: each multiplies by powers of two only, so a few suffice and stopping early is harmless.
 const BALANCE_SWEEPS: usize = 16;
-/// Balancing is kept where it reduces the norm by this: so many digits may it gain, at most.
+/// Balancing is kept only if it lowers the norm a thousandfold.
 const WORTHWHILE: f64 = 1e3;
 
-impl<const N: usize> Hessenberg<N> {
+impl<const N: usize> Hessenberg<Fixed<N>> {
     /// Balances and reduces a copy of `matrix`.
     ///
     /// # Errors
-    /// [`SolveError::NonFiniteInput`] when an entry is infinite or NaN.
+    /// [`SolveError::Overflow`] if an entry is infinite or NaN.
     #[inline]
     pub fn reduce(matrix: &[[f64; N]; N]) -> Result<Self, SolveError> {
-        let mut reduced = Hessenberg::zero(Full);
+        let mut reduced = Hessenberg::zero(Fixed);
         reduced.matrix = *matrix;
         reduced.reduce_in_place()?;
         Ok(reduced)
     }
+}
+
+impl<Z: Size, R: Real> Hessenberg<Z, R> {
+    /// A zero matrix. A large one is filled in where it stands, and then reduced, to take its place on the stack once.
+    #[inline]
+    pub(crate) fn zero(size: Z) -> Self {
+        Hessenberg {
+            size,
+            matrix: filled_matrix(size, size, R::ZERO),
+            unit: 1.0,
+            balance: size.filled(1.0),
+            reflectors: filled_matrix(size, size, R::ZERO),
+            tau: size.filled(R::ZERO),
+            norm: 0.0,
+        }
+    }
 
     /// Makes the matrix zero again.
     pub(crate) fn clear(&mut self) {
-        self.matrix.as_flattened_mut().fill(0.0);
+        self.matrix.as_mut().iter_mut().for_each(|row| row.as_mut().fill(R::ZERO));
         self.unit = 1.0;
-        self.balance.fill(1.0);
-        self.reflectors.as_flattened_mut().fill(0.0);
-        self.tau.fill(0.0);
+        self.balance.as_mut().fill(1.0);
+        self.reflectors.as_mut().iter_mut().for_each(|row| row.as_mut().fill(R::ZERO));
+        self.tau.as_mut().fill(R::ZERO);
         self.norm = 0.0;
-    }
-}
-
-impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
-    /// A zero matrix. A large one is filled in where it stands, and then reduced, to take its place on the stack once.
-    #[inline]
-    pub(crate) fn zero(order: O) -> Self {
-        Hessenberg {
-            order,
-            matrix: [[R::ZERO; N]; N],
-            unit: 1.0,
-            balance: [1.0; N],
-            reflectors: [[R::ZERO; N]; N],
-            tau: [R::ZERO; N],
-            norm: 0.0,
-        }
     }
 
     /// Balances and reduces the matrix, which was filled in. Entries that are not in use are zero.
     ///
     /// # Errors
-    /// [`SolveError::NonFiniteInput`] when an entry is infinite or NaN.
+    /// [`SolveError::Overflow`] if an entry is infinite or NaN.
     pub(crate) fn reduce_in_place(&mut self) -> Result<(), SolveError> {
-        if !float::all_finite(&self.matrix) {
-            return Err(SolveError::NonFiniteInput);
+        if !all_finite(self.matrix.as_ref()) {
+            return Err(SolveError::Overflow);
         }
         self.normalize();
         self.balance();
-        for k in 0..self.order.of(N).saturating_sub(2) {
+        for k in 0..self.size.get().saturating_sub(2) {
             self.clear_column(k);
         }
-        let size = |row: &[R; N]| row.iter().map(|x| x.modulus()).sum::<f64>();
-        self.norm = self.matrix.iter().map(size).fold(0.0, f64::max);
+        let size = |row: &Z::Vector<R>| row.as_ref().iter().map(|x| x.modulus()).sum::<f64>();
+        self.norm = self.matrix.as_ref().iter().map(size).fold(0.0, f64::max);
         Ok(())
     }
 
@@ -154,8 +125,8 @@ impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
     #[inline]
     fn normalize(&mut self) {
         let mut largest = 0.0_f64;
-        for row in &self.matrix {
-            for &entry in row {
+        for row in self.matrix.as_ref() {
+            for &entry in row.as_ref() {
                 largest = if entry.modulus() > largest { entry.modulus() } else { largest };
             }
         }
@@ -165,8 +136,8 @@ impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
         // Clamped for subnormal entries: the inverse must be a normal number, too.
         self.unit = float::power_of_two(float::exponent(largest).clamp(-1021, 1021));
         let inverse = 1.0 / self.unit;
-        for entry in self.matrix.as_flattened_mut() {
-            *entry = entry.scale(inverse);
+        for row in self.matrix.as_mut() {
+            row.as_mut().iter_mut().for_each(|entry| *entry = entry.scale(inverse));
         }
     }
 
@@ -177,26 +148,26 @@ impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
         self.scale_rows_and_columns();
         if before < WORTHWHILE * WORTHWHILE * self.squares() {
             // Back again: powers of two round nothing.
-            let inverse = self.balance.map(|factor| 1.0 / factor);
-            for (row, factor) in self.matrix.iter_mut().zip(&self.balance) {
-                for (entry, inverse) in row.iter_mut().zip(&inverse) {
+            let inverse = mapped(self.size, &self.balance, |factor: f64| 1.0 / factor);
+            for (row, factor) in self.matrix.as_mut().iter_mut().zip(self.balance.as_ref()) {
+                for (entry, inverse) in row.as_mut().iter_mut().zip(inverse.as_ref()) {
                     *entry = entry.scale(factor * inverse);
                 }
             }
-            self.balance = [1.0; N];
+            self.balance.as_mut().fill(1.0);
         }
     }
 
     /// The sum of the squares of all entries.
     #[inline]
     fn squares(&self) -> f64 {
-        self.matrix.as_flattened().iter().map(|x| x.modulus_squared()).sum()
+        self.matrix.as_ref().iter().flat_map(|row| row.as_ref()).map(|x| x.modulus_squared()).sum()
     }
 
     #[inline]
     fn scale_rows_and_columns(&mut self) {
         const RADIX: f64 = 2.0;
-        let n = self.order.of(N);
+        let n = self.size.get();
         for _ in 0..BALANCE_SWEEPS {
             let mut changed = false;
             for i in 0..n {
@@ -242,7 +213,7 @@ impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
     /// Clears column k below the subdiagonal by a Householder reflection from both sides.
     #[inline]
     fn clear_column(&mut self, k: usize) {
-        let n = self.order.of(N);
+        let n = self.size.get();
         let h = &mut self.matrix;
         let tail = (k + 2..n).map(|i| h[i][k] * h[i][k]).fold(R::ZERO, |sum, square| sum + square);
         // Exactly zero or below 1e-154 of the largest entry, whose square underflowed: dropped.
@@ -256,7 +227,7 @@ impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
         let beta = -(head * head + tail).sqrt().with_sign_of(head);
         let tau = (beta - head) / beta;
         let inverse = (head - beta).reciprocal();
-        let mut v = [R::ZERO; N];
+        let mut v = self.size.filled(R::ZERO);
         v[k + 1] = R::ONE;
         for i in k + 2..n {
             v[i] = h[i][k] * inverse;
@@ -265,7 +236,7 @@ impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
         h[k + 1][k] = beta;
 
         // From the left: H -= tau v (v^T H), columns k+1.. only, the others are done.
-        let mut product = [R::ZERO; N];
+        let mut product = self.size.filled(R::ZERO);
         for i in k + 1..n {
             for j in k + 1..n {
                 product[j] += v[i] * h[i][j];
@@ -277,8 +248,8 @@ impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
                 h[i][j] -= factor * product[j];
             }
         }
-        // From the right: H -= tau (H v) v^T. Each sum waits for its last addition: several rows at once.
-        let (groups, rest) = h[..n].as_chunks_mut::<ROWS_AT_ONCE>();
+        // From the right: H -= tau (H v) v^T.
+        let (groups, rest) = h.as_mut()[..n].as_chunks_mut::<ROWS_AT_ONCE>();
         for rows in groups {
             reflect(rows, k + 1..n, &v, tau);
         }
@@ -291,8 +262,8 @@ impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
 
     /// Takes an eigenvector of H back to one of A: D Q y.
     #[inline]
-    pub(crate) fn transform_back<S: Over<R>>(&self, vector: &mut [S; N]) {
-        let n = self.order.of(N);
+    pub(crate) fn transform_back<S: Over<R>>(&self, vector: &mut Z::Vector<S>) {
+        let n = self.size.get();
         for k in (0..n.saturating_sub(2)).rev() {
             if self.tau[k] == R::ZERO {
                 continue;
@@ -313,25 +284,26 @@ impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
     }
 }
 
-impl<const N: usize> Hessenberg<N> {
+impl<Z: Size> Hessenberg<Z> {
     /// The coefficients of the characteristic polynomial det(x I - A) = x^N + c\[N-1\] x^(N-1) + .. + c\[0\], by La
     /// Budde's recurrence on H (Wilkinson 1965, chapter 7, section 11; Rehman and Ipsen 2011):
     ///
     /// p_i = (x - h_ii) p_(i-1) - sum over m of h_(i-m,i) b_i .. b_(i-m+1) p_(i-m-1),  b_i = h_(i,i-1).
     ///
-    /// For N up to about 10, to find real eigenvalues alone by [`real_roots_monic`](crate::real_roots_monic); the
+    /// For N up to about 10, to find real eigenvalues alone by [`real_roots_monic`](crate::spectrum::polynomial_roots::real_roots_monic); the
     /// coefficients lose digits as N grows. They overflow to infinity when A is very large.
     #[must_use]
-    pub fn characteristic_polynomial(&self) -> [f64; N] {
+    pub fn characteristic_polynomial(&self) -> Z::Vector<f64> {
+        let n = self.size.get();
         let h = &self.matrix;
         // partial[i]: the characteristic polynomial of the leading i x i block, monic, coefficients below i.
-        let mut partial = [[0.0; N]; N];
-        let mut next = [0.0; N];
-        for i in 0..N {
-            let previous = partial[i];
-            next = [0.0; N];
+        let mut partial = filled_matrix(self.size, self.size, 0.0);
+        let mut next = self.size.filled(0.0);
+        for i in 0..n {
+            let previous = partial[i].clone();
+            next.as_mut().fill(0.0);
             // x * p_(i-1): the leading coefficient of p_(i-1) is an implicit 1 at degree i.
-            next[1..=i].copy_from_slice(&previous[..i]);
+            next.as_mut()[1..=i].copy_from_slice(&previous.as_ref()[..i]);
             for j in 0..i {
                 next[j] -= h[i][i] * previous[j];
             }
@@ -345,13 +317,13 @@ impl<const N: usize> Hessenberg<N> {
                 }
                 next[start] -= factor;
             }
-            if i + 1 < N {
-                partial[i + 1] = next;
+            if i + 1 < n {
+                partial[i + 1] = next.clone();
             }
         }
         if self.unit != 1.0 {
             let mut power = 1.0;
-            for coefficient in next.iter_mut().rev() {
+            for coefficient in next.as_mut().iter_mut().rev() {
                 power *= self.unit;
                 *coefficient *= power;
             }

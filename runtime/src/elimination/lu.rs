@@ -1,8 +1,34 @@
 //! Elimination of one diagonal block of an elimination template.
 
-use crate::error::SolveError;
-use crate::float;
-use crate::scalar::Real;
+use crate::number::Real;
+use crate::size::Vector;
+
+/// Why a block has no solution.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BlockError {
+    /// An entry is infinite or NaN.
+    NonFinite,
+    /// No candidate for a pivot is above rounding.
+    Singular {
+        /// The column in which the rank was lost, counted from zero.
+        column: usize,
+    },
+    /// The solution is not finite.
+    Overflow,
+    /// The slices do not have the lengths that belong together.
+    Shape,
+}
+
+/// A square matrix, row by row, and the working memory of its elimination.
+#[derive(Debug)]
+pub struct BlockMemory<'a, R> {
+    /// N^2 entries.
+    pub matrix: &'a mut [R],
+    /// N entries: 1 / 1-norm of each row.
+    pub row_scale: &'a mut [f64],
+    /// N entries, zero before: the smallest size that a pivot of each column may have.
+    pub smallest: &'a mut [f64],
+}
 
 /// Solves `matrix * X = right`: on success `right[..N]` holds X, and `matrix` its LU factors.
 ///
@@ -17,17 +43,17 @@ use crate::scalar::Real;
 /// skipped: templates are sparse.
 ///
 /// # Errors
-/// [`SolveError::NonFiniteInput`] when an entry is infinite or NaN. [`SolveError::Degenerate`] when all candidates
+/// [`BlockError::NonFinite`] if an entry is infinite or NaN. [`BlockError::Singular`] if all candidates
 /// for a pivot are below N * epsilon times the largest entry that their column had before elimination (in equilibrated
 /// rows): what is left of the column is then rounding noise. Noise can also exceed that: of exactly singular matrices
-/// of 25 rows that lack one dimension about one in eight passes, with a solution above 1e8. Also
-/// [`SolveError::Degenerate`] when the solution overflows, or when `right` has fewer than N rows. `matrix` and `right`
-/// are of no use after an error.
+/// of 25 rows that lack one dimension about one in eight passes, with a solution above 1e8.
+/// [`BlockError::Overflow`] if the solution overflows, [`BlockError::Shape`] if `right` has fewer than N rows.
+/// `matrix` and `right` are of no use after an error.
 #[inline]
-pub fn solve_block<R: Real, const N: usize, const M: usize>(
+pub fn solve_block<R: Real, V: Vector<R>, const N: usize>(
     matrix: &mut [[R; N]; N],
-    right: &mut [[R; M]],
-) -> Result<(), SolveError> {
+    right: &mut [V],
+) -> Result<(), BlockError> {
     solve_block_trailing(matrix, right, N)
 }
 
@@ -38,59 +64,74 @@ pub fn solve_block<R: Real, const N: usize, const M: usize>(
 /// # Errors
 /// As [`solve_block`].
 #[inline]
-pub fn solve_block_trailing<R: Real, const N: usize, const M: usize>(
+pub fn solve_block_trailing<R: Real, V: Vector<R>, const N: usize>(
     matrix: &mut [[R; N]; N],
-    right: &mut [[R; M]],
+    right: &mut [V],
     needed: usize,
-) -> Result<(), SolveError> {
-    solve_rows(matrix.as_flattened_mut(), &mut [0.0; N], &mut [0.0; N], right, needed)
+) -> Result<(), BlockError> {
+    let (row_scale, smallest) = (&mut [0.0; N], &mut [0.0; N]);
+    solve_rows(BlockMemory { matrix: matrix.as_flattened_mut(), row_scale, smallest }, right, needed)
 }
 
-/// [`solve_block_trailing`] compiled once for all N: what large blocks gain from a known N is not worth their code.
+/// [`solve_block_trailing`] with a size that is known at run time. Compiled once for all N: large blocks gain
+/// little from a known N.
 ///
 /// # Errors
 /// As [`solve_block`].
 #[inline(never)]
-pub(crate) fn solve_large_block<R: Real, const M: usize>(
-    matrix: &mut [R],
-    row_scale: &mut [f64],
-    smallest: &mut [f64],
-    right: &mut [[R; M]],
+pub fn solve_large_block<R: Real, V: Vector<R>>(
+    memory: BlockMemory<'_, R>,
+    right: &mut [V],
     needed: usize,
-) -> Result<(), SolveError> {
-    solve_rows(matrix, row_scale, smallest, right, needed)
+) -> Result<(), BlockError> {
+    solve_rows(memory, right, needed)
 }
 
-/// The matrix row by row; `row_scale` and `smallest` are working memory, a number for each row.
 #[inline(always)]
-fn solve_rows<R: Real, const M: usize>(
-    matrix: &mut [R],
-    row_scale: &mut [f64],
-    smallest: &mut [f64],
-    right: &mut [[R; M]],
+fn solve_rows<R: Real, V: Vector<R>>(
+    memory: BlockMemory<'_, R>,
+    right: &mut [V],
     needed: usize,
-) -> Result<(), SolveError> {
+) -> Result<(), BlockError> {
+    let BlockMemory { matrix, row_scale, smallest } = memory;
     let n = row_scale.len();
     let Some(right) = right.get_mut(..n).filter(|_| matrix.len() == n * n && smallest.len() == n) else {
-        return Err(SolveError::Degenerate { column: 0 });
+        return Err(BlockError::Shape);
     };
-    if !float::all_finite(right) {
-        return Err(SolveError::NonFiniteInput);
+    if !all_finite(right) {
+        return Err(BlockError::NonFinite);
     }
     equilibrate(matrix, row_scale, smallest)?;
     eliminate(matrix, row_scale, smallest, right)?;
     let first = n.saturating_sub(needed);
     back_substitute(matrix, right, first);
-    if float::all_finite(&right[first..]) {
-        Ok(())
-    } else {
-        Err(SolveError::Degenerate { column: n.saturating_sub(1) })
+    if all_finite(&right[first..]) { Ok(()) } else { Err(BlockError::Overflow) }
+}
+
+/// True if no entry is infinite or NaN. There is no early exit, so that the loop vectorises.
+#[inline]
+pub(crate) fn all_finite<R: Real, V: Vector<R>>(rows: &[V]) -> bool {
+    /// Independent sums: a single one could not be vectorised.
+    const LANES: usize = 8;
+    // x * 0 is 0 for finite x and NaN otherwise.
+    let mut sums = [0.0; LANES];
+    for row in rows {
+        let (groups, rest) = row.as_ref().as_chunks::<LANES>();
+        for group in groups {
+            for lane in 0..LANES {
+                sums[lane] += group[lane].real() * 0.0;
+            }
+        }
+        for (sum, entry) in sums.iter_mut().zip(rest) {
+            *sum += entry.real() * 0.0;
+        }
     }
+    sums.iter().all(|&sum| sum == 0.0)
 }
 
 /// Row scales (1 / 1-norm) and, per column, the smallest size that a pivot in equilibrated rows may have.
 #[inline(always)]
-fn equilibrate<R: Real>(matrix: &[R], row_scale: &mut [f64], smallest: &mut [f64]) -> Result<(), SolveError> {
+fn equilibrate<R: Real>(matrix: &[R], row_scale: &mut [f64], smallest: &mut [f64]) -> Result<(), BlockError> {
     let n = row_scale.len();
     for (row, scale) in matrix.chunks_exact(n.max(1)).zip(row_scale.iter_mut()) {
         let mut partial = [0.0; 4];
@@ -103,7 +144,7 @@ fn equilibrate<R: Real>(matrix: &[R], row_scale: &mut [f64], smallest: &mut [f64
         let norm =
             (partial[0] + partial[1]) + (partial[2] + partial[3]) + rest.iter().map(|x| x.modulus()).sum::<f64>();
         if !norm.is_finite() {
-            return Err(SolveError::NonFiniteInput);
+            return Err(BlockError::NonFinite);
         }
         *scale = 1.0 / norm;
         for (largest, entry) in smallest.iter_mut().zip(row) {
@@ -118,12 +159,12 @@ fn equilibrate<R: Real>(matrix: &[R], row_scale: &mut [f64], smallest: &mut [f64
 
 /// Forward elimination of matrix and right together, rows physically swapped.
 #[inline(always)]
-fn eliminate<R: Real, const M: usize>(
+fn eliminate<R: Real, V: Vector<R>>(
     matrix: &mut [R],
     row_scale: &mut [f64],
     smallest: &[f64],
-    right: &mut [[R; M]],
-) -> Result<(), SolveError> {
+    right: &mut [V],
+) -> Result<(), BlockError> {
     let n = row_scale.len();
     for k in 0..n {
         let mut pivot = k;
@@ -136,7 +177,7 @@ fn eliminate<R: Real, const M: usize>(
         }
         // Also false for NaN, which a row without entries leaves behind.
         if !(size > smallest[k]) {
-            return Err(SolveError::Degenerate { column: k });
+            return Err(BlockError::Singular { column: k });
         }
         if pivot != k {
             let (above, below) = matrix.split_at_mut(pivot * n);
@@ -155,8 +196,8 @@ fn eliminate<R: Real, const M: usize>(
                 for (entry, pivot_entry) in row[k + 1..].iter_mut().zip(&pivot_row[k + 1..]) {
                     *entry -= multiplier * *pivot_entry;
                 }
-                for j in 0..M {
-                    right_row[j] -= multiplier * pivot_right[j];
+                for (entry, pivot_entry) in right_row.as_mut().iter_mut().zip(pivot_right.as_ref()) {
+                    *entry -= multiplier * *pivot_entry;
                 }
             }
         }
@@ -166,22 +207,20 @@ fn eliminate<R: Real, const M: usize>(
 
 /// Rows `first..` of U^-1 * right, from the last row up.
 #[inline(always)]
-fn back_substitute<R: Real, const M: usize>(matrix: &[R], right: &mut [[R; M]], first: usize) {
+fn back_substitute<R: Real, V: Vector<R>>(matrix: &[R], right: &mut [V], first: usize) {
     let n = right.len();
     for k in (first..n).rev() {
         let (above, below) = right.split_at_mut(k + 1);
-        let mut row = above[k];
+        let mut row = above[k].clone();
         for (factor, solved) in matrix[k * n + k + 1..(k + 1) * n].iter().zip(below.iter()) {
             if *factor != R::ZERO {
-                for j in 0..M {
-                    row[j] -= *factor * solved[j];
+                for (entry, known) in row.as_mut().iter_mut().zip(solved.as_ref()) {
+                    *entry -= *factor * *known;
                 }
             }
         }
         let inverse = matrix[k * n + k].reciprocal();
-        for j in 0..M {
-            row[j] *= inverse;
-        }
+        row.as_mut().iter_mut().for_each(|entry| *entry *= inverse);
         above[k] = row;
     }
 }

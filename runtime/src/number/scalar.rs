@@ -1,6 +1,7 @@
 //! Real and complex numbers under one trait, for code that serves `solve` and `solve_complex` alike.
 
-use crate::float;
+use super::float;
+use crate::size::Size;
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 use num_complex::Complex;
@@ -62,7 +63,7 @@ pub trait Real: Scalar + Over<Self> {
     /// The distance from 1 to the next number.
     const EPSILON: f64;
     /// Numbers of this precision: those known in `f64`, or else computed anew.
-    fn of<const C: usize>(known: &[f64; C], compute: impl FnOnce() -> [Self; C]) -> [Self; C];
+    fn of<Z: Size>(known: &Z::Vector<f64>, compute: impl FnOnce() -> Z::Vector<Self>) -> Z::Vector<Self>;
     /// |self| with the sign of `other`.
     fn with_sign_of(self, other: Self) -> Self;
 }
@@ -70,8 +71,8 @@ pub trait Real: Scalar + Over<Self> {
 impl Real for f64 {
     const EPSILON: f64 = f64::EPSILON;
     #[inline]
-    fn of<const C: usize>(known: &[f64; C], _: impl FnOnce() -> [f64; C]) -> [f64; C] {
-        *known
+    fn of<Z: Size>(known: &Z::Vector<f64>, _: impl FnOnce() -> Z::Vector<f64>) -> Z::Vector<f64> {
+        known.clone()
     }
     #[inline]
     fn with_sign_of(self, other: f64) -> f64 {
@@ -79,12 +80,14 @@ impl Real for f64 {
     }
 }
 
-/// `x.map(f)`. What the standard library makes of it is several times as much code, for each closure and N.
+/// The vector of f(x) for every entry x.
+///
+/// What the standard library's `map` makes of it is several times as much code, for each closure and size.
 #[inline]
-pub(crate) fn mapped<A: Copy, S: Scalar, const N: usize>(x: &[A; N], f: impl Fn(A) -> S) -> [S; N] {
-    let mut mapped = [S::ZERO; N];
-    for j in 0..N {
-        mapped[j] = f(x[j]);
+pub(crate) fn mapped<Z: Size, A: Copy, S: Scalar>(size: Z, x: &Z::Vector<A>, f: impl Fn(A) -> S) -> Z::Vector<S> {
+    let mut mapped = size.filled(S::ZERO);
+    for (image, &entry) in mapped.as_mut().iter_mut().zip(x.as_ref()) {
+        *image = f(entry);
     }
     mapped
 }

@@ -3,8 +3,9 @@
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 use num_complex::Complex;
 
-use crate::float;
-use crate::scalar::{Over, Real, Scalar, sealed};
+use super::float;
+use super::scalar::{Over, Real, Scalar, sealed};
+use crate::size::Size;
 
 /// The sum of two `f64`, the second at most half a unit in the last place of the first: about 31 digits.
 ///
@@ -188,7 +189,7 @@ impl Real for DoubleDouble {
     /// 2^-104.
     const EPSILON: f64 = f64::EPSILON * f64::EPSILON;
     #[inline]
-    fn of<const C: usize>(_: &[f64; C], compute: impl FnOnce() -> [Self; C]) -> [Self; C] {
+    fn of<Z: Size>(_: &Z::Vector<f64>, compute: impl FnOnce() -> Z::Vector<Self>) -> Z::Vector<Self> {
         compute()
     }
     #[inline]

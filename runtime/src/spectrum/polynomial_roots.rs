@@ -7,7 +7,8 @@
 //! nothing overflows and small and large roots have the same relative accuracy; and a critical point where the
 //! polynomial vanishes to rounding counts as a root, so that double roots are not lost.
 
-use crate::float;
+use crate::number::float;
+use crate::size::{Fixed, List, Size};
 use arrayvec::ArrayVec;
 
 /// Newton falls back to bisection, so about 60 steps end at neighbouring numbers unless the root is tiny; at this many
@@ -32,36 +33,51 @@ const VANISHING: i32 = 52;
 #[must_use]
 pub fn real_roots<const D1: usize>(coefficients: &[f64; D1]) -> ArrayVec<f64, D1> {
     match coefficients.split_last() {
-        Some((&leading, _)) => Polynomial { lower: *coefficients, leading, degree: D1 - 1 }.real_roots(),
+        Some((&leading, _)) => Polynomial { size: Fixed, lower: *coefficients, leading, degree: D1 - 1 }.real_roots(),
         None => ArrayVec::new_const(),
     }
 }
 
 /// The real roots of the monic polynomial c\[0\] + c\[1\] x + .. + c\[D-1\] x^(D-1) + x^D, ascending; for the rest see
-/// [`real_roots`]. [`Hessenberg::characteristic_polynomial`](crate::Hessenberg::characteristic_polynomial) gives such
+/// [`real_roots`]. [`Hessenberg::characteristic_polynomial`](crate::spectrum::hessenberg::Hessenberg::characteristic_polynomial) gives such
 /// coefficients.
 #[must_use]
-pub fn real_roots_monic<const D: usize>(lower: &[f64; D]) -> ArrayVec<f64, D> {
-    Polynomial { lower: *lower, leading: 1.0, degree: D }.real_roots()
+pub fn real_roots_monic<Z: Size>(size: Z, lower: &Z::Vector<f64>) -> Z::List<f64> {
+    Polynomial { size, lower: lower.clone(), leading: 1.0, degree: size.get() }.real_roots()
 }
 
 /// lower\[0\] + .. + lower\[degree-1\] x^(degree-1) + leading x^degree; what lies in `lower` from `degree` on is not
 /// read.
 ///
 /// The leading coefficient is stored apart because arrays of CAPACITY + 1 are beyond stable const generics.
-#[derive(Clone, Copy)]
-struct Polynomial<const CAPACITY: usize> {
-    lower: [f64; CAPACITY],
+struct Polynomial<Z: Size> {
+    size: Z,
+    lower: Z::Vector<f64>,
     leading: f64,
     degree: usize,
 }
 
-impl<const CAPACITY: usize> Polynomial<CAPACITY> {
-    const ZERO: Self = Polynomial { lower: [0.0; CAPACITY], leading: 0.0, degree: 0 };
+impl<Z: Size> Clone for Polynomial<Z> {
+    #[inline]
+    fn clone(&self) -> Self {
+        Self { lower: self.lower.clone(), ..*self }
+    }
+}
 
-    fn real_roots(mut self) -> ArrayVec<f64, CAPACITY> {
-        let mut roots = ArrayVec::new_const();
-        if !(self.leading.is_finite() && self.lower[..self.degree].iter().all(|c| c.is_finite())) {
+impl<Z: Size> Polynomial<Z> {
+    fn zero(size: Z) -> Self {
+        Polynomial { size, lower: size.filled(0.0), leading: 0.0, degree: 0 }
+    }
+
+    /// The coefficients below the leading one.
+    #[inline]
+    fn below(&self) -> &[f64] {
+        &self.lower.as_ref()[..self.degree]
+    }
+
+    fn real_roots(mut self) -> Z::List<f64> {
+        let mut roots = self.size.list();
+        if !(self.leading.is_finite() && self.below().iter().all(|c| c.is_finite())) {
             return roots;
         }
         self.drop_vanishing_leading();
@@ -81,12 +97,12 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
                 let shift = self.scale_variable();
                 let ends = [self.value(-1.0).0, self.value(1.0).0];
                 let inner = self.roots_in_unit_interval(ends);
-                for root in inner.roots {
+                for &root in inner.roots.iter() {
                     push(&mut roots, scaled(root, shift));
                 }
                 let reversed_ends = [if self.degree.is_multiple_of(2) { ends[0] } else { -ends[0] }, ends[1]];
                 let outer = self.reversed().roots_in_unit_interval(reversed_ends);
-                for root in outer.roots {
+                for &root in outer.roots.iter() {
                     push(&mut roots, scaled(1.0 / root, shift));
                 }
                 for (end, side) in [(-1.0, 0), (1.0, 1)] {
@@ -121,7 +137,7 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
     fn vanishes_above(&self, m: usize) -> bool {
         let exponent = |k: usize| float::exponent(if k == self.degree { self.leading } else { self.lower[k] });
         let middle = exponent(m);
-        if self.lower[m] == 0.0 || self.lower[..m].iter().all(|&c| c == 0.0) {
+        if self.lower[m] == 0.0 || self.lower.as_ref()[..m].iter().all(|&c| c == 0.0) {
             return false;
         }
         (m + 1..=self.degree).all(|j| {
@@ -135,8 +151,8 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
 
     /// Divides by the largest power of x; false when the constant term is not zero.
     fn divide_by_power_of_x(&mut self) -> bool {
-        let power = self.lower[..self.degree].iter().take_while(|&&c| c == 0.0).count();
-        self.lower.copy_within(power..self.degree, 0);
+        let power = self.below().iter().take_while(|&&c| c == 0.0).count();
+        self.lower.as_mut().copy_within(power..self.degree, 0);
         self.degree -= power;
         power > 0
     }
@@ -147,12 +163,12 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
         let degree = self.degree as i32;
         let shift = (float::exponent(self.lower[0]) - float::exponent(self.leading)).div_euclid(degree);
         let mut largest = float::exponent(self.leading) + degree * shift;
-        for (c, k) in self.lower[..self.degree].iter().zip(0..) {
+        for (c, k) in self.below().iter().zip(0..) {
             if *c != 0.0 {
                 largest = largest.max(float::exponent(*c) + k * shift);
             }
         }
-        for (c, k) in self.lower[..self.degree].iter_mut().zip(0..) {
+        for (c, k) in self.lower.as_mut()[..self.degree].iter_mut().zip(0..) {
             *c = scaled(*c, k * shift - largest);
         }
         self.leading = scaled(self.leading, degree * shift - largest);
@@ -161,18 +177,18 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
 
     /// y^degree p(1/y).
     fn reversed(&self) -> Self {
-        let mut reversed = *self;
+        let mut reversed = self.clone();
         reversed.leading = self.lower[0];
         reversed.lower[0] = self.leading;
         if self.degree > 1 {
-            reversed.lower[1..self.degree].reverse();
+            reversed.lower.as_mut()[1..self.degree].reverse();
         }
         reversed
     }
 
     /// A constant multiple of the derivative, of the size of p.
     fn derivative(&self) -> Self {
-        let mut derivative = Self::ZERO;
+        let mut derivative = Self::zero(self.size);
         let inverse = 1.0 / self.degree as f64;
         for k in 1..self.degree {
             derivative.lower[k - 1] = self.lower[k] * (k as f64 * inverse);
@@ -186,7 +202,7 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
     #[inline]
     fn value(&self, x: f64) -> (f64, f64) {
         let (mut value, mut slope) = (self.leading, 0.0);
-        for &c in self.lower[..self.degree].iter().rev() {
+        for &c in self.below().iter().rev() {
             slope = slope * x + value;
             value = value * x + c;
         }
@@ -197,21 +213,21 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
     #[inline]
     fn rounding(&self, x: f64) -> f64 {
         let x = x.abs();
-        let sum = self.lower[..self.degree].iter().rev().fold(self.leading.abs(), |sum, c| sum * x + c.abs());
+        let sum = self.below().iter().rev().fold(self.leading.abs(), |sum, c| sum * x + c.abs());
         sum * (self.degree as f64 * f64::EPSILON)
     }
 
     /// The roots between -1 and 1, for a degree of at least 3. `ends` are p(-1) and p(1): given, so that p and its
     /// reverse agree about their signs and no root falls between the two or is found by both.
-    fn roots_in_unit_interval(&self, ends: [f64; 2]) -> UnitInterval<CAPACITY> {
+    fn roots_in_unit_interval(&self, ends: [f64; 2]) -> UnitInterval<Z> {
         // derivatives[k] is the k-th one, down to the quadratic.
-        let mut derivatives = [Self::ZERO; CAPACITY];
-        derivatives[0] = *self;
+        let mut derivatives = self.size.filled(Self::zero(self.size));
+        derivatives[0] = self.clone();
         let quadratic = self.degree - 2;
         for k in 1..=quadratic {
             derivatives[k] = derivatives[k - 1].derivative();
         }
-        let mut critical = ArrayVec::new_const();
+        let mut critical = self.size.list();
         let bottom = &derivatives[quadratic];
         for root in quadratic_roots(bottom.leading, bottom.lower[1], bottom.lower[0]) {
             if root.abs() < 1.0 {
@@ -219,7 +235,7 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
             }
         }
         critical.sort_unstable_by(f64::total_cmp);
-        for polynomial in derivatives[1..quadratic].iter().rev() {
+        for polynomial in derivatives.as_ref()[1..quadratic].iter().rev() {
             let ends = [polynomial.value(-1.0).0, polynomial.value(1.0).0];
             critical = polynomial.roots_between(&critical, ends, CRITICAL_TOLERANCE).roots;
         }
@@ -228,8 +244,8 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
 
     /// The roots in the intervals into which `critical` (ascending) divides (-1, 1).
     #[inline]
-    fn roots_between(&self, critical: &[f64], ends: [f64; 2], tolerance: f64) -> UnitInterval<CAPACITY> {
-        let mut result = UnitInterval { roots: ArrayVec::new_const(), at_end: [false; 2] };
+    fn roots_between(&self, critical: &[f64], ends: [f64; 2], tolerance: f64) -> UnitInterval<Z> {
+        let mut result = UnitInterval { roots: self.size.list(), at_end: [false; 2] };
         let (mut left, mut left_value, mut crossed) = (-1.0, ends[0], true);
         for (k, right) in critical.iter().copied().chain([1.0]).enumerate() {
             let right_value = if k < critical.len() { self.value(right).0 } else { ends[1] };
@@ -289,9 +305,9 @@ impl<const CAPACITY: usize> Polynomial<CAPACITY> {
 }
 
 /// What [`Polynomial::roots_between`] finds.
-struct UnitInterval<const CAPACITY: usize> {
+struct UnitInterval<Z: Size> {
     /// Ascending.
-    roots: ArrayVec<f64, CAPACITY>,
+    roots: Z::List<f64>,
     /// Whether p changes sign in the first and in the last interval, next to -1 and to 1.
     at_end: [bool; 2],
 }
@@ -305,9 +321,9 @@ fn scaled(x: f64, exponent: i32) -> f64 {
 
 /// Appends a root; not one that overflowed, and none beyond the capacity, which rounding could only fill with copies.
 #[inline]
-fn push<const CAPACITY: usize>(roots: &mut ArrayVec<f64, CAPACITY>, root: f64) {
+fn push(roots: &mut impl List<f64>, root: f64) {
     if root.is_finite() {
-        let _ = roots.try_push(root);
+        roots.push(root);
     }
 }
 

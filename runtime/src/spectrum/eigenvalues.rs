@@ -5,32 +5,34 @@
 //! active diagonal block; eigenvectors come one at a time from inverse iteration.
 
 use crate::error::SolveError;
-use crate::float;
-use crate::hessenberg::{Hessenberg, Order};
-use crate::scalar::{Real, mapped};
+use crate::number::{Real, float};
+use crate::size::{Size, Square};
+use crate::spectrum::hessenberg::Hessenberg;
 use num_complex::Complex;
 
 /// The iteration gives up after this many sweeps per eigenvalue on the average; two or three are usual.
 const SWEEPS_PER_EIGENVALUE: usize = 30;
 
-impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
+impl<Z: Size, R: Real> Hessenberg<Z, R> {
     /// All eigenvalues of A, and zeros beyond its order; complex ones in conjugate pairs, one after the other, positive imaginary part first.
     ///
     /// # Errors
     /// [`SolveError::NoConvergence`] after 30 max(N, 10) sweeps.
-    pub fn eigenvalues(&self) -> Result<[Complex<f64>; N], SolveError> {
-        let mut h = self.matrix;
-        let mut values = [Complex { re: 0.0, im: 0.0 }; N];
-        let mut high = self.order.of(N);
+    pub fn eigenvalues(&self) -> Result<Z::Vector<Complex<f64>>, SolveError> {
+        let mut h = self.matrix.clone();
+        let mut values = self.size.filled(Complex { re: 0.0, im: 0.0 });
+        let mut high = self.size.get();
         let mut remaining = SWEEPS_PER_EIGENVALUE * high.max(10);
         let mut stalled = 0;
         while high > 0 {
-            let low = active_block(&h, high);
+            let low = active_block::<Z, R>(&h, high);
             match high - low {
                 1 => values[low] = h[low][low].to_complex(),
                 2 => {
                     let pair = eigenvalues_2x2(h[low][low], h[low][low + 1], h[low + 1][low], h[low + 1][low + 1]);
-                    [values[low], values[low + 1]] = pair.map(|(re, im)| Complex { re: re.real(), im: im.real() });
+                    for (k, (re, im)) in pair.into_iter().enumerate() {
+                        values[low + k] = Complex { re: re.real(), im: im.real() };
+                    }
                 }
                 _ => {
                     if remaining == 0 {
@@ -38,22 +40,25 @@ impl<const N: usize, R: Real, O: Order> Hessenberg<N, R, O> {
                     }
                     remaining -= 1;
                     stalled += 1;
-                    let shifts = choose_shifts(&h, low, high, stalled);
-                    sweep(&mut h, low, high, shifts);
+                    let shifts = choose_shifts::<Z, R>(&h, low, high, stalled);
+                    sweep::<Z, R>(&mut h, low, high, shifts);
                     continue;
                 }
             }
             high = low;
             stalled = 0;
         }
-        Ok(values.map(|value| Complex { re: value.re * self.unit, im: value.im * self.unit }))
+        for value in values.as_mut() {
+            *value = Complex { re: value.re * self.unit, im: value.im * self.unit };
+        }
+        Ok(values)
     }
 }
 
 /// The first row of the last unreduced diagonal block of the leading `high` rows. A subdiagonal entry counts as zero
 /// when setting it to zero moves the eigenvalues of the 2x2 block around it by less than rounding (Ahues and Tisseur).
 #[inline]
-fn active_block<R: Real, const N: usize>(h: &[[R; N]; N], high: usize) -> usize {
+fn active_block<Z: Size, R: Real>(h: &Square<Z, R>, high: usize) -> usize {
     let mut k = high - 1;
     while k > 0 {
         let subdiagonal = h[k][k - 1].modulus();
@@ -114,7 +119,7 @@ fn eigenvalues_2x2<R: Real>(a: R, b: R, c: R, d: R) -> [(R, R); 2] {
 /// The two shifts of a sweep: the eigenvalues of the trailing 2x2 block, the nearer one twice when they are real; after
 /// ten sweeps without a deflation exceptional ones, because on some matrices (orthogonal ones) the usual shifts stall.
 #[inline]
-fn choose_shifts<R: Real, const N: usize>(h: &[[R; N]; N], low: usize, high: usize, stalled: usize) -> [(R, R); 2] {
+fn choose_shifts<Z: Size, R: Real>(h: &Square<Z, R>, low: usize, high: usize, stalled: usize) -> [(R, R); 2] {
     let last = high - 1;
     let exceptional = |corner: R, size: f64| {
         let diagonal = corner + R::from_f64(0.75 * size);
@@ -137,8 +142,8 @@ fn choose_shifts<R: Real, const N: usize>(h: &[[R; N]; N], low: usize, high: usi
 
 /// One implicit double-shift QR sweep on the unreduced block low..high of at least three rows.
 #[inline]
-fn sweep<R: Real, const N: usize>(h: &mut [[R; N]; N], low: usize, high: usize, shifts: [(R, R); 2]) {
-    let (start, mut v) = bulge_start(h, low, high, shifts);
+fn sweep<Z: Size, R: Real>(h: &mut Square<Z, R>, low: usize, high: usize, shifts: [(R, R); 2]) {
+    let (start, mut v) = bulge_start::<Z, R>(h, low, high, shifts);
     for k in start..high - 1 {
         let three = k + 2 < high;
         if k > start {
@@ -159,7 +164,7 @@ fn sweep<R: Real, const N: usize>(h: &mut [[R; N]; N], low: usize, high: usize, 
         }
         let (t1, t2) = (tau * v1, tau * v2);
         if three {
-            let [row0, row1, row2] = match h[k..].first_chunk_mut::<3>() {
+            let [row0, row1, row2] = match h.as_mut()[k..].first_chunk_mut::<3>() {
                 Some(rows) => rows,
                 None => return,
             };
@@ -169,14 +174,14 @@ fn sweep<R: Real, const N: usize>(h: &mut [[R; N]; N], low: usize, high: usize, 
                 row1[j] -= sum * t1;
                 row2[j] -= sum * t2;
             }
-            for row in &mut h[low..high.min(k + 4)] {
+            for row in &mut h.as_mut()[low..high.min(k + 4)] {
                 let sum = row[k] + v1 * row[k + 1] + v2 * row[k + 2];
                 row[k] -= sum * tau;
                 row[k + 1] -= sum * t1;
                 row[k + 2] -= sum * t2;
             }
         } else {
-            let [row0, row1] = match h[k..].first_chunk_mut::<2>() {
+            let [row0, row1] = match h.as_mut()[k..].first_chunk_mut::<2>() {
                 Some(rows) => rows,
                 None => return,
             };
@@ -185,7 +190,7 @@ fn sweep<R: Real, const N: usize>(h: &mut [[R; N]; N], low: usize, high: usize, 
                 row0[j] -= sum * tau;
                 row1[j] -= sum * t1;
             }
-            for row in &mut h[low..high] {
+            for row in &mut h.as_mut()[low..high] {
                 let sum = row[k] + v1 * row[k + 1];
                 row[k] -= sum * tau;
                 row[k + 1] -= sum * t1;
@@ -196,12 +201,7 @@ fn sweep<R: Real, const N: usize>(h: &mut [[R; N]; N], low: usize, high: usize, 
 
 /// Where the bulge starts, and its first column: that of (H - s1)(H - s2), scaled.
 #[inline]
-fn bulge_start<R: Real, const N: usize>(
-    h: &[[R; N]; N],
-    low: usize,
-    high: usize,
-    [s1, s2]: [(R, R); 2],
-) -> (usize, [R; 3]) {
+fn bulge_start<Z: Size, R: Real>(h: &Square<Z, R>, low: usize, high: usize, [s1, s2]: [(R, R); 2]) -> (usize, [R; 3]) {
     let mut m = high - 3;
     loop {
         let below = h[m + 1][m].modulus();
@@ -214,7 +214,7 @@ fn bulge_start<R: Real, const N: usize>(
         ];
         let size = v[0].modulus() + v[1].modulus() + v[2].modulus();
         if size > 0.0 {
-            v = mapped(&v, |x| x / R::from_f64(size));
+            v = v.map(|x| x / R::from_f64(size));
         }
         if m == low {
             return (m, v);
@@ -233,7 +233,7 @@ fn reflection<R: Real>(v: [R; 3]) -> (R, R, R, R) {
     let size = v[0].modulus().max(v[1].modulus()).max(v[2].modulus());
     // Squares of numbers of usual size need no scaling, tiny ones do.
     let scale = if size < 1e-140 && size > 0.0 { float::power_of_two(float::exponent(size).max(-1021)) } else { 1.0 };
-    let [x, y, z] = mapped(&v, |entry| entry / R::from_f64(scale));
+    let [x, y, z] = v.map(|entry| entry / R::from_f64(scale));
     let tail = y * y + z * z;
     if tail == R::ZERO {
         return (v[0], R::ZERO, R::ZERO, R::ZERO);
