@@ -3,6 +3,8 @@
 #![allow(dead_code)]
 
 pub(crate) mod conics;
+#[cfg(feature = "alloc")]
+pub(crate) mod two_conics;
 
 use eliminant::{Complex, Scalar};
 use rand_xoshiro::Xoshiro256PlusPlus;
