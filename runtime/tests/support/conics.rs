@@ -1,5 +1,6 @@
 //! Conics in the plane, six coefficients each, as table-driven systems.
 
+use eliminant::Complex;
 use eliminant::emitted::{Fixed, FixedTables, Product, Term};
 
 use super::Random;
@@ -38,6 +39,17 @@ pub(crate) fn through<const C: usize>(random: &mut Random, [x, y]: [f64; 2]) -> 
     let mut c: [f64; C] = std::array::from_fn(|_| random.symmetric());
     for conic in c.chunks_mut(6) {
         conic[0] = -(conic[1] * x + conic[2] * y + conic[3] * x * x + conic[4] * x * y + conic[5] * y * y);
+    }
+    c
+}
+
+/// Conics through a complex point and its conjugate: constant and linear coefficient in x follow from the others.
+pub(crate) fn through_complex<const C: usize>(random: &mut Random, [x, y]: [Complex<f64>; 2]) -> [f64; C] {
+    let mut c: [f64; C] = std::array::from_fn(|_| random.symmetric());
+    for conic in c.chunks_mut(6) {
+        let rest = y * conic[2] + x * x * conic[3] + x * y * conic[4] + y * y * conic[5];
+        conic[1] = -rest.im / x.im;
+        conic[0] = -rest.re - conic[1] * x.re;
     }
     c
 }
