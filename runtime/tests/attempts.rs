@@ -1,0 +1,294 @@
+//! Which eigenpairs the driver polishes, in which form, and what it counts as missing.
+
+use std::any::TypeId;
+use std::cell::RefCell;
+
+use eliminant::emitted::{
+    Fixed, MAX_RESIDUAL, Real, SignChanges, Sizes, SizesOf, SolverInstance, complex_solutions, real_solutions,
+};
+use eliminant::{Complex, Scalar, SolveError};
+
+/// A call of the polish: the value of the unknown, and whether the unknown was complex.
+type Call = (Complex<f64>, bool);
+
+/// One unknown x with B eigenvalues t, by the companion matrix; basis 1, t, .., t^(B-1). The unknown is t, or a root of
+/// t. MAX solutions are known.
+struct Listed<const B: usize, const MAX: usize> {
+    /// All t. Those that are not real come with their conjugates.
+    eigenvalues: [Complex<f64>; B],
+    /// The residual of x, whether complex, after at most so many steps.
+    residual: Box<dyn Fn(Complex<f64>, bool, usize) -> f64>,
+    /// Whether x^2 = t.
+    is_square: bool,
+    has_origin: bool,
+    /// Whether `f64` does not suffice for the action matrix.
+    is_singular: bool,
+    /// How often the action matrix was computed.
+    attempts: usize,
+    polished: RefCell<Vec<Call>>,
+    evaluated: RefCell<Vec<Call>>,
+}
+
+impl<const B: usize, const MAX: usize> Listed<B, MAX> {
+    fn new(eigenvalues: [Complex<f64>; B], residual: impl Fn(Complex<f64>, bool, usize) -> f64 + 'static) -> Self {
+        Self {
+            eigenvalues,
+            residual: Box::new(residual),
+            is_square: false,
+            has_origin: false,
+            is_singular: false,
+            attempts: 0,
+            polished: RefCell::default(),
+            evaluated: RefCell::default(),
+        }
+    }
+
+    /// The real solutions, and what was polished.
+    fn real(&mut self) -> (Vec<f64>, Vec<Call>) {
+        let found = real_solutions(self).unwrap().iter().map(|[x]| *x).collect();
+        (found, self.polished.take())
+    }
+
+    /// All solutions, and what was polished.
+    fn complex(&mut self) -> (Vec<Complex<f64>>, Vec<Call>) {
+        let found = complex_solutions(self).unwrap().iter().map(|[x]| *x).collect();
+        (found, self.polished.take())
+    }
+}
+
+impl<const B: usize, const MAX: usize> SolverInstance for Listed<B, MAX> {
+    type Basis = Fixed<B>;
+    type Unknowns = Fixed<1>;
+    type Values = Fixed<B>;
+    type Solutions = Fixed<MAX>;
+
+    fn sizes(&self) -> SizesOf<Self> {
+        Sizes::FIXED
+    }
+
+    fn ratios(&self, _unknown: usize) -> &[(u16, u16)] {
+        &[(0, 1)]
+    }
+
+    fn has_origin(&self) -> bool {
+        self.has_origin
+    }
+
+    fn sign_changes(&self) -> Option<SignChanges<'_>> {
+        self.is_square.then_some(SignChanges { steps: &[&[2]], flips: &[&[true]] })
+    }
+
+    fn has_precise_coefficients(&self) -> bool {
+        self.is_singular
+    }
+
+    fn action_matrix<R: Real>(&mut self) -> Result<[[R; B]; B], SolveError> {
+        self.attempts += 1;
+        if self.is_singular && R::EPSILON == f64::EPSILON {
+            return Err(SolveError::Degenerate { block: 0 });
+        }
+        // The product of all x - t, lowest coefficient first, without the leading 1.
+        let mut lower = [Complex::ZERO; B];
+        for (degree, t) in self.eigenvalues.iter().enumerate() {
+            let before = lower;
+            for k in 0..=degree {
+                let shifted = if k > 0 { before[k - 1] } else { Complex::ZERO };
+                let leading = if k == degree { Complex::ONE } else { before[k] };
+                lower[k] = shifted - t * leading;
+            }
+        }
+        let mut action = [[R::ZERO; B]; B];
+        (0..B - 1).for_each(|k| action[k][k + 1] = R::ONE);
+        action[B - 1] = lower.map(|c| R::from_f64(-c.re));
+        Ok(action)
+    }
+
+    fn monomial_values<S: Scalar>(&self, _value: S, vector: &[S; B]) -> [S; B] {
+        *vector
+    }
+
+    fn recover<S: Scalar>(&self, _unknowns: &mut [S; 1]) {}
+
+    fn polish<S: Scalar>(&self, [x]: &mut [S; 1], steps: usize) -> f64 {
+        let call = (x.to_complex(), TypeId::of::<S>() != TypeId::of::<f64>());
+        if steps > 0 {
+            self.polished.borrow_mut().push(call)
+        } else {
+            self.evaluated.borrow_mut().push(call)
+        }
+        (self.residual)(call.0, call.1, steps)
+    }
+
+    fn is_admissible<S: Scalar>(&self, _unknowns: &[S; 1]) -> bool {
+        true
+    }
+}
+
+fn c(re: f64, im: f64) -> Complex<f64> {
+    Complex { re, im }
+}
+
+/// Whether lists agree up to their order and rounding.
+fn agree<T: Copy>(found: &[T], expected: &[T], distance: impl Fn(T, T) -> f64) -> bool {
+    let close = |x: T, list: &[T]| list.iter().filter(|y| distance(x, **y) < 1e-9).count() == 1;
+    found.len() == expected.len() && expected.iter().all(|&x| close(x, found))
+}
+
+fn are_calls(found: &[Call], expected: &[Call]) -> bool {
+    agree(found, expected, |x, y| if x.1 == y.1 { (x.0 - y.0).norm() } else { f64::INFINITY })
+}
+
+fn are_points(found: &[Complex<f64>], expected: &[Complex<f64>]) -> bool {
+    agree(found, expected, |x, y| (x - y).norm())
+}
+
+fn are_numbers(found: &[f64], expected: &[f64]) -> bool {
+    agree(found, expected, |x, y| (x - y).abs())
+}
+
+/// One polish per real eigenvalue and per conjugate pair; real solves leave the pairs alone.
+#[test]
+fn each_eigenpair_is_polished_once() {
+    for is_singular in [false, true] {
+        let mut three = Listed::<3, 3>::new([c(1.0, 0.0), c(2.0, 1.0), c(2.0, -1.0)], |_, _, _| 0.0);
+        three.is_singular = is_singular;
+        let (found, polished) = three.complex();
+        assert!(are_points(&found, &three.eigenvalues), "{found:?}");
+        assert!(are_calls(&polished, &[(c(1.0, 0.0), false), (c(2.0, 1.0), true)]), "{polished:?}");
+        let (found, polished) = three.real();
+        assert!(are_numbers(&found, &[1.0]), "{found:?}");
+        assert!(are_calls(&polished, &[(c(1.0, 0.0), false)]), "{polished:?}");
+        assert_eq!(three.attempts, if is_singular { 4 } else { 2 });
+        assert!(three.evaluated.borrow().is_empty(), "no order is needed");
+    }
+}
+
+/// A real eigenvalue that belongs to no solution is polished as a real one only.
+#[test]
+fn an_eigenpair_without_solution_is_polished_once() {
+    let spurious = |x: Complex<f64>, _: bool, steps: usize| match x.re < 3.0 {
+        true => 0.0,
+        false if steps > 0 => 1.0,
+        false => 1e-7,
+    };
+    let mut three = Listed::<3, 2>::new([c(1.0, 0.0), c(2.0, 0.0), c(4.0, 0.0)], spurious);
+    let expected = [(c(1.0, 0.0), false), (c(2.0, 0.0), false), (c(4.0, 0.0), false)];
+    let (found, polished) = three.complex();
+    assert!(found.len() == 2 && are_calls(&polished, &expected), "{polished:?}");
+    let (found, polished) = three.real();
+    assert!(found.len() == 2 && are_calls(&polished, &expected), "{polished:?}");
+}
+
+/// The origin is known, so one of two eigenvalues is spurious. Its residual before the polish shows it.
+#[test]
+fn the_origin_makes_an_eigenvalue_spurious() {
+    let mut two = Listed::<2, 2>::new([c(1.0, 0.0), c(5.0, 0.0)], |x, _, _| if x.re < 3.0 { 0.0 } else { 1.0 });
+    two.has_origin = true;
+    let (found, polished) = two.complex();
+    assert!(are_points(&found, &[c(0.0, 0.0), c(1.0, 0.0)]), "{found:?}");
+    assert!(are_calls(&polished, &[(c(1.0, 0.0), false)]), "{polished:?}");
+    let (found, polished) = two.real();
+    assert!(are_numbers(&found, &[0.0, 1.0]), "{found:?}");
+    assert!(are_calls(&polished, &[(c(1.0, 0.0), false)]), "{polished:?}");
+}
+
+/// x^2 = 4, 9 and -1 have six solutions, of which two are imaginary. A fourth eigenvalue is spurious, although the four
+/// eigenpairs are fewer than the solutions.
+#[test]
+fn solutions_that_differ_by_signs_are_counted() {
+    let residual = |x: Complex<f64>, _: bool, _: usize| if x.re.abs() < 9.0 { 0.0 } else { 1.0 };
+    let mut squares = Listed::<4, 6>::new([c(4.0, 0.0), c(9.0, 0.0), c(-1.0, 0.0), c(100.0, 0.0)], residual);
+    squares.is_square = true;
+    let (found, polished) = squares.complex();
+    let expected = [c(2.0, 0.0), c(-2.0, 0.0), c(3.0, 0.0), c(-3.0, 0.0), c(0.0, 1.0), c(0.0, -1.0)];
+    assert!(are_points(&found, &expected), "{found:?}");
+    let expected = [2.0, 3.0, 10.0].map(|x| (c(x, 0.0), false));
+    let expected = [&expected[..], &[(c(10.0, 0.0), true), (c(0.0, 1.0), true)]].concat();
+    assert!(are_calls(&polished, &expected), "{polished:?}");
+    let (found, _) = squares.real();
+    assert!(are_numbers(&found, &[2.0, -2.0, 3.0, -3.0]), "{found:?}");
+    assert_eq!(squares.attempts, 2, "nothing is missing");
+    assert!(!squares.evaluated.borrow().is_empty(), "the order matters");
+}
+
+/// While solutions are missing, an eigenpair is polished whatever its residual before.
+#[test]
+fn a_solution_is_found_from_a_large_residual() {
+    let far = |x: Complex<f64>, _: bool, steps: usize| match (x.re < 3.0, steps) {
+        (false, _) => 1.0,
+        (true, 0) => 1e-3 * x.re,
+        (true, _) => 0.0,
+    };
+    let mut three = Listed::<3, 2>::new([c(1.0, 0.0), c(2.0, 0.0), c(4.0, 0.0)], far);
+    let (found, polished) = three.complex();
+    assert!(are_points(&found, &[c(1.0, 0.0), c(2.0, 0.0)]), "{found:?}");
+    assert!(are_calls(&polished, &[(c(1.0, 0.0), false), (c(2.0, 0.0), false)]), "{polished:?}");
+    let (found, polished) = three.real();
+    assert!(are_numbers(&found, &[1.0, 2.0]), "{found:?}");
+    assert!(are_calls(&polished, &[(c(1.0, 0.0), false), (c(2.0, 0.0), false)]), "{polished:?}");
+    assert_eq!(three.attempts, 2);
+}
+
+/// Once all solutions are found, an eigenpair is polished if its residual before is at most 1e-6.
+#[test]
+fn a_residual_of_a_millionth_may_belong_to_a_solution() {
+    fn polished(residual: impl Fn(Complex<f64>, bool, usize) -> f64 + 'static) -> usize {
+        Listed::<2, 1>::new([c(1.0, 0.0), c(5.0, 0.0)], residual).complex().1.len()
+    }
+    assert_eq!(
+        polished(|x, _, steps| if x.re < 3.0 {
+            0.0
+        } else if steps == 0 {
+            1e-6
+        } else {
+            1.0
+        }),
+        2
+    );
+    assert_eq!(
+        polished(|x, _, steps| if x.re < 3.0 {
+            0.0
+        } else if steps == 0 {
+            1e-6_f64.next_up()
+        } else {
+            1.0
+        }),
+        1
+    );
+}
+
+#[test]
+fn a_residual_up_to_the_limit_is_a_solution() {
+    let count = |residual| Listed::<2, 2>::new([c(2.0, 0.0), c(3.0, 0.0)], move |_, _, _| residual).complex().0.len();
+    assert_eq!([MAX_RESIDUAL, MAX_RESIDUAL.next_up(), f64::NAN].map(count), [2, 0, 0]);
+}
+
+/// The eigenvalues re + im i and its conjugate: which real solutions they give.
+fn of_pair(re: f64, im: f64, residual: fn(bool) -> f64) -> (Vec<f64>, Vec<Call>) {
+    let near =
+        move |x: Complex<f64>, is_complex: bool, _| if (x.re - re).abs() < 1e-3 { residual(is_complex) } else { 1.0 };
+    Listed::<2, 2>::new([c(re, im), c(re, -im)], near).real()
+}
+
+/// An eigenvalue is tried for a real solution if its imaginary part is at most a thousandth of the real one.
+#[test]
+fn nearly_real_eigenvalues_are_tried_for_real_solutions() {
+    for re in [0.1, 1.0, 10.0, -0.1, -1.0, -10.0] {
+        let is_tried = |part: f64| !of_pair(re, part * f64::abs(re), |_| 1.0).1.is_empty();
+        assert!(is_tried(0.9e-3) && !is_tried(1.1e-3) && !is_tried(0.5), "{re}");
+    }
+}
+
+/// The real part of a complex solution close to its conjugate is a solution if its residual is at most 1e-12, or not
+/// larger than that of the complex one.
+#[test]
+fn a_complex_solution_close_to_its_conjugate_may_be_a_real_one() {
+    let found = |im: f64, residual| of_pair(2.0, im, residual).0;
+    let close = 0.8e-3;
+    assert!(are_numbers(&found(close, |_| 1e-15), &[2.0]));
+    assert!(found(1.2e-3, |_| 1e-15).is_empty(), "not close");
+    assert_eq!(found(close, |is_complex| if is_complex { 1e-15 } else { 1e-12 }).len(), 1);
+    assert_eq!(found(close, |is_complex| if is_complex { 1e-15 } else { 1.25e-12 }).len(), 0);
+    assert_eq!(found(close, |_| 2e-11).len(), 1);
+    assert_eq!(found(close, |is_complex| if is_complex { 2e-11 } else { 2.5e-11 }).len(), 0);
+}
