@@ -169,6 +169,30 @@ fn rank_loss_is_reported() {
 }
 
 #[test]
+fn a_column_of_zeros_is_a_rank_loss_of_its_own() {
+    assert_eq!(
+        solve_block(&mut [[1.0, 0.0], [2.0, 0.0]], &mut [[1.0], [1.0]]),
+        Err(BlockError::Singular { column: 1 })
+    );
+    assert_eq!(
+        solve_block(&mut [[0.0, 1.0], [0.0, 2.0]], &mut [[1.0], [1.0]]),
+        Err(BlockError::Singular { column: 0 })
+    );
+    assert_eq!(
+        solve_block(&mut [[1.0, 2.0], [0.0, 0.0]], &mut [[1.0], [1.0]]),
+        Err(BlockError::Singular { column: 1 })
+    );
+}
+
+#[test]
+fn of_equally_good_pivots_the_first_stays() {
+    let mut matrix = [[1.0, 1.0], [1.0, -1.0]];
+    let mut right = [[3.0], [5.0]];
+    solve_block(&mut matrix, &mut right).unwrap();
+    assert_eq!((matrix, right), ([[1.0, 1.0], [1.0, -2.0]], [[4.0], [-1.0]]));
+}
+
+#[test]
 fn slices_whose_lengths_do_not_belong_together_are_refused() {
     assert_eq!(solve_block(&mut [[1.0, 2.0], [3.0, 4.0]], &mut [[1.0]]), Err(BlockError::Shape));
     for (entries, rows, columns) in [(4, 2, 2), (3, 2, 2), (5, 2, 2), (4, 1, 2), (4, 2, 1), (4, 3, 2), (4, 2, 3)] {

@@ -39,6 +39,22 @@ fn evaluation_is_that_of_the_written_out_polynomial() {
     }
 }
 
+/// A polynomial exceeds a level if its modulus is larger than that part of the sum of the moduli of its terms.
+#[test]
+fn levels_are_relative_to_the_terms() {
+    const LINE: FixedTables<1, 1, 2> =
+        FixedTables::new::<2>(&[product(0, 0), product(0, 0)], &[2], &[term(0, 0), term(1, 1)]);
+    // 4 x - 1: half of the terms cancel at 3/4; all at 1/4.
+    let system = LINE.bind(&[-1.0, 4.0]);
+    assert!(system.exceeds(&[0.75], 0.49) && !system.exceeds(&[0.75], 0.5) && !system.exceeds(&[0.75], 0.51));
+    assert!(!system.exceeds(&[0.25], 1e-15) && system.exceeds(&[0.26], 1e-3));
+    assert!(system.exceeds(&[Complex::new(0.25, 1.0)], 0.7), "4 i of 1 and 1 + 4 i");
+    // All of several must.
+    let circles = [-1.0, 0.0, 0.0, 1.0, 0.0, 1.0, -4.0, 0.0, 0.0, 1.0, 0.0, 1.0];
+    assert!(TWO.bind(&circles).exceeds(&[3.0, 0.0], 0.3) && !TWO.bind(&circles).exceeds(&[2.0, 0.0], 1e-8));
+    assert!(!TWO.bind(&circles).exceeds(&[0.0, 1.0], 1e-8) && !TWO.bind(&circles).exceeds(&[f64::NAN, 1.0], 1e-8));
+}
+
 #[test]
 fn polish_converges_quadratically_to_the_true_solution() {
     let mut random = Random::new(2);

@@ -208,3 +208,133 @@ pub fn check_coefficients(coefficients: &[f64], data: &[&[f64]]) -> Result<(), S
         false => Err(SolveError::Overflow),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Scalar;
+    use crate::number::double_double::DoubleDouble;
+    use crate::size::Fixed;
+
+    /// Pivots x0, x1 | x2, x3 and basis b:
+    ///
+    /// ```text
+    ///   2 x0 + x1             = b0            3 x2 + x3 - 4 x0      = 5 b1
+    ///     x0 - x1             = b1              x2        - 6 x1    = b0
+    /// ```
+    const COEFFICIENTS: [f64; 7] = [1.0, 2.0, -1.0, 3.0, -4.0, -6.0, 5.0];
+    const FIRST: Block<'static> = Block {
+        number: 0,
+        first: 0,
+        needed: 2,
+        diagonal: &[(0, 0, 1), (0, 1, 0), (1, 0, 0), (1, 1, 2)],
+        coupling: &[],
+    };
+    const SECOND: Block<'static> = Block {
+        number: 1,
+        first: 2,
+        needed: 2,
+        diagonal: &[(0, 0, 3), (0, 1, 0), (1, 0, 0)],
+        coupling: &[(0, 0, 4), (1, 1, 5)],
+    };
+    const RIGHT: [Entry; 4] = [(0, 0, 0), (1, 1, 0), (2, 1, 6), (3, 0, 0)];
+    /// The solution: x0 = (b0 + b1) / 3, x1 = (b0 - 2 b1) / 3, x2 = b0 + 6 x1, x3 = 5 b1 + 4 x0 - 3 x2.
+    const SOLUTION: [[f64; 2]; 4] =
+        [[1.0 / 3.0, 1.0 / 3.0], [1.0 / 3.0, -2.0 / 3.0], [3.0, -4.0], [-23.0 / 3.0, 55.0 / 3.0]];
+
+    /// Solves a block one way or another.
+    type Eliminate<R> = fn(&Block<'_>, &mut [[R; 2]], &[f64]) -> Result<(), SolveError>;
+
+    /// The three ways for a block of two rows.
+    fn ways<R: Real>() -> [Eliminate<R>; 3] {
+        [
+            |block, right, coefficients| block.eliminate::<R, f64, _, 2>(right, coefficients),
+            |block, right, coefficients| block.eliminate_large::<R, f64, _, 2>(right, coefficients),
+            |block, right, coefficients| {
+                let (matrix, row_scale, smallest) = (&mut [R::ZERO; 4], &mut [0.0; 2], &mut [0.0; 2]);
+                let memory = BlockMemory { matrix, row_scale, smallest };
+                block.eliminate_in::<R, f64, _>(memory, right, coefficients)
+            },
+        ]
+    }
+
+    fn solve<R: Real>(eliminate: Eliminate<R>, coefficients: &[f64]) -> Result<[[R; 2]; 4], SolveError> {
+        let mut right = [[R::ZERO; 2]; 4];
+        fill::<R, f64, _>(&mut right, &RIGHT, coefficients);
+        eliminate(&FIRST, &mut right, coefficients)?;
+        eliminate(&SECOND, &mut right, coefficients)?;
+        Ok(right)
+    }
+
+    #[test]
+    fn blocks_are_solved_one_after_another() {
+        for eliminate in ways::<f64>() {
+            let right = solve(eliminate, &COEFFICIENTS).unwrap();
+            let errors = right.iter().flatten().zip(SOLUTION.iter().flatten()).map(|(x, y)| (x - y).abs());
+            assert!(errors.fold(0.0, f64::max) < 1e-14, "{right:?}");
+        }
+        for eliminate in ways::<DoubleDouble>() {
+            let right = solve(eliminate, &COEFFICIENTS).unwrap();
+            assert!((right[3][1].times(DoubleDouble::from_f64(3.0)) - DoubleDouble::from_f64(55.0)).modulus() < 1e-29);
+        }
+    }
+
+    #[test]
+    fn errors_name_the_block_and_what_happened() {
+        let with = |slot: usize, value: f64| {
+            let mut coefficients = COEFFICIENTS;
+            coefficients[slot] = value;
+            coefficients
+        };
+        for eliminate in ways::<f64>() {
+            // 2 x0 + x1 and x0 + x1 / 2; x2 and x3 only together.
+            let singular = |number| Err(SolveError::Degenerate { block: number });
+            assert_eq!(solve(eliminate, &with(2, 0.5)), singular(0));
+            let number = Block { number: 7, diagonal: &[(0, 0, 1), (1, 0, 1)], ..SECOND };
+            assert_eq!(eliminate(&number, &mut [[1.0; 2]; 4], &COEFFICIENTS), Err(SolveError::Degenerate { block: 7 }));
+            assert_eq!(solve(eliminate, &with(4, f64::INFINITY)), Err(SolveError::Overflow));
+            assert_eq!(solve(eliminate, &with(3, f64::NAN)), Err(SolveError::Overflow));
+            assert_eq!(solve(eliminate, &with(5, f64::MAX)), Err(SolveError::Overflow));
+            assert_eq!(eliminate(&SECOND, &mut [[0.0; 2]; 3], &COEFFICIENTS), Err(SolveError::TooLarge));
+            assert_eq!(eliminate(&SECOND, &mut [[0.0; 2]; 1], &COEFFICIENTS), Err(SolveError::TooLarge));
+        }
+    }
+
+    #[test]
+    fn entries_out_of_range_are_ignored() {
+        let mut matrix = [[0.0; 2]; 2];
+        fill(&mut matrix, &[(0, 1, 1), (2, 0, 1), (0, 2, 1), (1, 1, 9), (1, 0, 0)], &[7.0, 8.0]);
+        assert_eq!(matrix, [[0.0, 8.0], [7.0, 0.0]]);
+        for eliminate in ways::<f64>() {
+            let block = Block { coupling: &[(0, 0, 4), (1, 1, 5), (5, 0, 4), (0, 5, 4), (0, 0, 99)], ..SECOND };
+            let mut right = [[0.0; 2]; 4];
+            fill::<f64, f64, _>(&mut right, &RIGHT, &COEFFICIENTS);
+            eliminate(&FIRST, &mut right, &COEFFICIENTS).unwrap();
+            eliminate(&block, &mut right, &COEFFICIENTS).unwrap();
+            assert_eq!(Ok(right), solve(eliminate, &COEFFICIENTS));
+        }
+    }
+
+    #[test]
+    fn rows_of_the_action_matrix_are_units_or_minus_solved_rows() {
+        let right = [[1.0, -2.0, 3.0], [4.0, 5.0, 6.0]];
+        let rows = [ActionRow::Solved(1), ActionRow::Unit(1), ActionRow::Solved(0)];
+        let action = action_matrix(Fixed::<3>, &rows, &right);
+        assert_eq!(action, [[-4.0, -5.0, -6.0], [0.0, 1.0, 0.0], [-1.0, 2.0, -3.0]]);
+        let outside = action_matrix(Fixed::<3>, &[ActionRow::Solved(2), ActionRow::Unit(3)], &right);
+        assert_eq!(outside, [[0.0; 3]; 3]);
+        let precise = right.map(|row| row.map(DoubleDouble::from_f64));
+        let read = solved_rows((Fixed::<3>, Fixed::<3>), &[1, 2, 0], &precise);
+        assert_eq!(read, [[-4.0, -5.0, -6.0], [0.0; 3], [-1.0, 2.0, -3.0]]);
+    }
+
+    #[test]
+    fn data_and_coefficients_must_be_finite() {
+        assert_eq!(check_coefficients(&[1.0, 2.0], &[&[3.0], &[], &[4.0, 5.0]]), Ok(()));
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert_eq!(check_coefficients(&[1.0], &[&[3.0], &[4.0, bad]]), Err(SolveError::NonFiniteInput));
+            assert_eq!(check_coefficients(&[bad], &[&[bad], &[4.0]]), Err(SolveError::NonFiniteInput));
+            assert_eq!(check_coefficients(&[1.0, bad], &[&[3.0]]), Err(SolveError::Overflow));
+        }
+    }
+}

@@ -363,6 +363,52 @@ mod tests {
     }
 
     #[test]
+    fn every_part_of_a_sum_counts() {
+        let tiny = 2f64.powi(-60);
+        for (a, b, exact) in [
+            (number(1.0, tiny), number(1.0, -tiny), number(2.0, 0.0)),
+            (number(1.0, tiny), number(-1.0, tiny), number(2.0 * tiny, 0.0)),
+            (number(1e20, 0.0), number(1.0, tiny), number(1e20, 1.0)),
+            (number(1.0, tiny), number(tiny, 2f64.powi(-100)), number(1.0, 2.0 * tiny + 2f64.powi(-100))),
+        ] {
+            assert!(difference(a + b, exact) <= DoubleDouble::EPSILON, "{a:?} + {b:?}: {:?}", a + b);
+        }
+    }
+
+    #[test]
+    fn quotients_have_all_digits() {
+        for divisor in [3.0, -7.0, 0.1, 1e10] {
+            for dividend in [1.0, -2.0, 1e-5] {
+                let (a, b) = (number(dividend, dividend * 1e-17), number(divisor, divisor * 3e-17));
+                let rest = a / b * b - a;
+                assert!(rest.modulus() <= 2.0 * DoubleDouble::EPSILON * a.modulus(), "{a:?} / {b:?}: {rest:?}");
+            }
+        }
+        assert_eq!(number(6.0, 0.0) / number(-3.0, 0.0), number(-2.0, 0.0));
+    }
+
+    #[test]
+    fn sizes_are_those_of_the_first_parts() {
+        let (x, z) = (number(-3.0, 1e-17), DoubleComplex { re: number(-3.0, 1e-17), im: number(4.0, -1e-17) });
+        assert_eq!([x.modulus(), x.magnitude(), x.modulus_squared(), x.real()], [3.0, 3.0, 9.0, -3.0]);
+        assert_eq!([z.modulus(), z.magnitude(), z.modulus_squared(), z.real()], [5.0, 7.0, 25.0, -3.0]);
+        assert_eq!(z.conj(), DoubleComplex { re: z.re, im: -z.im });
+        assert_eq!(z.times(number(2.0, 0.0)), z + z);
+        assert_eq!((z.scale(2.0), x.times(number(2.0, 0.0))), (z + z, x + x));
+        assert_eq!([x.with_sign_of(DoubleDouble::ONE), (-x).with_sign_of(DoubleDouble::ONE)], [-x; 2]);
+        assert_eq!(x.with_sign_of(-DoubleDouble::ONE), x);
+    }
+
+    #[test]
+    fn all_parts_must_be_finite() {
+        let bad = DoubleDouble { high: 1.0, low: f64::NAN };
+        assert!(!bad.is_finite() && DoubleDouble::ONE.is_finite() && DoubleComplex::ONE.is_finite());
+        assert!(!DoubleDouble { high: f64::INFINITY, low: 0.0 }.is_finite());
+        assert!(!DoubleComplex { re: bad, im: DoubleDouble::ONE }.is_finite());
+        assert!(!DoubleComplex { re: DoubleDouble::ONE, im: bad }.is_finite());
+    }
+
+    #[test]
     fn what_is_not_finite_stays_so() {
         let infinite = DoubleDouble::ONE / DoubleDouble::ZERO;
         assert!(!infinite.is_finite());

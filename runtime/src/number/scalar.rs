@@ -231,3 +231,69 @@ impl Scalar for Complex<f64> {
         self.re.is_finite() && self.im.is_finite()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn c(re: f64, im: f64) -> Complex<f64> {
+        Complex { re, im }
+    }
+
+    /// |x - y| relative to |y|.
+    fn difference(x: Complex<f64>, y: Complex<f64>) -> f64 {
+        (x - y).modulus() / y.modulus()
+    }
+
+    #[test]
+    fn reciprocals_do_not_overflow_in_between() {
+        for z in [c(3.0, 4.0), c(-4.0, 3.0), c(0.5, -0.25), c(-1e-3, -7.0), c(0.0, 2.0), c(2.0, 0.0), c(1.0, 1.0)] {
+            for unit in [1.0, 1e-200, 1e200, 1e300] {
+                let z = z.scale(unit);
+                let product = z.reciprocal() * z;
+                assert!(difference(product, Complex::ONE) < 4.0 * f64::EPSILON, "{z}: {product}");
+            }
+        }
+        assert_eq!(Scalar::reciprocal(4.0), 0.25);
+    }
+
+    #[test]
+    fn square_roots_are_principal() {
+        for (re, im) in [(3.0, 4.0), (-3.0, 4.0), (3.0, -4.0), (-3.0, -4.0), (0.0, 2.0), (0.0, -2.0), (5.0, 0.0)] {
+            for unit in [1.0, 1e-200, 1e200] {
+                let (z, root) = (c(re, im).scale(unit), Scalar::sqrt(c(re, im).scale(unit)));
+                assert!(difference(root * root, z) < 4.0 * f64::EPSILON, "{z}: {root}");
+                assert!(root.re > 0.0 && (root.im > 0.0) == (im > 0.0) && (root.im < 0.0) == (im < 0.0), "{z}: {root}");
+            }
+        }
+        assert_eq!(Scalar::sqrt(c(-9.0, 0.0)), c(0.0, 3.0));
+        assert_eq!(Scalar::sqrt(Complex::ZERO), Complex::ZERO);
+        assert!(Scalar::sqrt(-9.0).is_nan());
+    }
+
+    #[test]
+    fn real_numbers_are_complex_ones_without_imaginary_part() {
+        assert_eq!([f64::from_complex(c(2.0, 3.0)), f64::from_f64(2.0), f64::from_real(2.0)], [2.0; 3]);
+        assert_eq!(Complex::from_complex(c(2.0, 3.0)), c(2.0, 3.0));
+        assert_eq!([Complex::from_f64(2.0), Complex::from_real(2.0), Scalar::to_complex(2.0)], [c(2.0, 0.0); 3]);
+        assert_eq!((c(2.0, 3.0).to_complex(), c(2.0, 3.0).real(), 2.0.real()), (c(2.0, 3.0), 2.0, 2.0));
+        assert_eq!((Scalar::conj(c(2.0, 3.0)), Scalar::conj(2.0)), (c(2.0, -3.0), 2.0));
+    }
+
+    #[test]
+    fn sizes() {
+        let z = c(-3.0, 4.0);
+        assert_eq!((z.modulus(), z.modulus_squared(), z.magnitude()), (5.0, 25.0, 7.0));
+        assert_eq!(((-3.0).modulus(), (-3.0).modulus_squared(), (-3.0).magnitude()), (3.0, 9.0, 3.0));
+        assert_eq!((z.scale(2.0), z.times(2.0), 3.0.scale(2.0)), (c(-6.0, 8.0), c(-6.0, 8.0), 6.0));
+        assert_eq!([3.0.with_sign_of(-0.0), (-3.0).with_sign_of(1.0), (-3.0).with_sign_of(-1.0)], [-3.0, 3.0, -3.0]);
+    }
+
+    #[test]
+    fn both_parts_must_be_finite() {
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert!(!c(bad, 1.0).is_finite() && !c(1.0, bad).is_finite() && !Scalar::is_finite(bad));
+        }
+        assert!(Scalar::is_finite(c(1e308, -1e308)) && Scalar::is_finite(1e308));
+    }
+}

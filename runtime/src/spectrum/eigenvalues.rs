@@ -250,3 +250,219 @@ fn reflection<R: Real>(v: [R; 3]) -> (R, R, R, R) {
     let inverse = (x - beta).reciprocal();
     (beta.scale(scale), (beta - x) / beta, y * inverse, z * inverse)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Scalar;
+    use crate::number::double_double::DoubleDouble;
+    use crate::size::Fixed;
+    use proptest::prelude::*;
+    use proptest::test_runner::RngSeed;
+
+    /// The first row of the last block of [[a, b], [c, d]].
+    fn last_block([[a, b], [c, d]]: [[f64; 2]; 2]) -> usize {
+        active_block::<Fixed<2>, f64>(&[[a, b], [c, d]], 2)
+    }
+
+    /// Setting c to zero moves the eigenvalue near d by b c / (a - d), and that must be rounding of d.
+    #[test]
+    fn what_moves_no_eigenvalue_is_deflated() {
+        for unit in [1e-8, 1e-3, 1.0, 1e5] {
+            for (a, b, d) in [
+                (1.0, 1.0, 1e-10),
+                (1.0, -1.0, -1e-10),
+                (-1.0, 30.0, 1e-3),
+                (1e-6, 1.0, 1.0),
+                (2.0, 1e4, -3.0),
+                (1.0, 1.0, 1.0 + 1e-6),
+                (1.0 + 1e-6, -2.0, 1.0),
+            ] {
+                let at = |part: f64| {
+                    let c = part * f64::EPSILON * f64::abs(d) * f64::abs(a - d) / f64::abs(b);
+                    last_block([[a * unit, b * unit], [c * unit, d * unit]])
+                };
+                assert_eq!([at(0.9), at(-0.9), at(1.1), at(-1.1)], [1, 1, 0, 0], "{a} {b} {d} {unit}");
+            }
+        }
+    }
+
+    /// Whatever b, c must be rounding of the diagonal.
+    #[test]
+    fn what_is_not_small_beside_the_diagonal_is_not_deflated() {
+        for unit in [1e-8, 1.0, 1e5] {
+            for (a, d) in [(1.0, 2.0), (-1.0, 2.0), (1.0, -2.0), (2.5, 0.5)] {
+                let at = |part: f64| {
+                    let c = part * f64::EPSILON * 3.0;
+                    last_block([[a * unit, 0.0], [c * unit, d * unit]])
+                };
+                assert_eq!([at(0.9), at(-0.9), at(1.1), at(-1.1)], [1, 1, 0, 0], "{a} {d} {unit}");
+            }
+        }
+        assert_eq!(last_block([[1.0, 1e300], [f64::MIN_POSITIVE, 2.0]]), 1, "subnormal numbers are zero");
+        assert_eq!(last_block([[1.0, 1e300], [2.0 * f64::MIN_POSITIVE, 2.0]]), 0);
+    }
+
+    /// Between two zeros of the diagonal the subdiagonal is compared with its neighbours in the leading block.
+    #[test]
+    fn beside_zeros_the_neighbours_decide() {
+        let first_row = |above: f64, c: f64, below: f64, high: usize| {
+            let h = [[7.0, 0.0, 0.0, 0.0], [above, 0.0, 0.0, 0.0], [0.0, c, 0.0, 0.0], [0.0, 0.0, below, 7.0]];
+            active_block::<Fixed<4>, f64>(&h, high)
+        };
+        for (above, below, size) in [(1.0, 2.0, 3.0), (-1.0, 2.0, 3.0), (3.0, -0.5, 3.5)] {
+            let c = f64::EPSILON * size;
+            assert_eq!([first_row(above, 0.9 * c, below, 4), first_row(above, -0.9 * c, below, 4)], [2; 2]);
+            assert_eq!([first_row(above, 1.1 * c, below, 4), first_row(above, -1.1 * c, below, 4)], [0; 2]);
+            // What lies below the leading rows does not count.
+            let c = f64::EPSILON * f64::abs(above);
+            assert_eq!([first_row(above, 0.9 * c, below, 3), first_row(above, 1.1 * c, below, 3)], [2, 0]);
+        }
+        let h = [[0.0, 0.0, 0.0], [0.9 * f64::EPSILON, 0.0, 0.0], [0.0, 1.0, 5.0]];
+        assert_eq!(active_block::<Fixed<3>, f64>(&h, 3), 1);
+        assert_eq!(active_block::<Fixed<3>, f64>(&h, 2), 0);
+    }
+
+    /// The same cases every time.
+    fn config() -> ProptestConfig {
+        ProptestConfig { cases: 2_000, rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..Default::default() }
+    }
+
+    /// Numbers that are often 0 or 1.
+    fn entry() -> impl Strategy<Value = f64> {
+        prop_oneof![1 => Just(0.0), 1 => Just(1.0), 4 => -1.0..1.0_f64]
+    }
+
+    /// H, with entries of a square array above the second subdiagonal.
+    fn hessenberg<const N: usize>(mut h: [[f64; N]; N]) -> [[f64; N]; N] {
+        (2..N).for_each(|i| h[i][..i - 1].fill(0.0));
+        h
+    }
+
+    /// The traces of H, H^2, .., H^N of leading rows and columns between `low` and `high`.
+    fn traces<const N: usize>(h: &[[f64; N]; N], low: usize, high: usize) -> [f64; N] {
+        let mut power = *h;
+        core::array::from_fn(|_| {
+            let trace = (low..high).map(|i| power[i][i]).sum();
+            let mut next = [[0.0; N]; N];
+            for (i, j, k) in
+                (low..high).flat_map(|i| (low..high).flat_map(move |j| (low..high).map(move |k| (i, j, k))))
+            {
+                next[i][j] += power[i][k] * h[k][j];
+            }
+            power = next;
+            trace
+        })
+    }
+
+    proptest! {
+        #![proptest_config(config())]
+        /// Their sum is the trace, their product the determinant, to all digits that cancellation leaves.
+        #[test]
+        fn pairs_have_trace_and_determinant(m in prop::array::uniform4(entry()), exponent in -150..150_i32) {
+            let [a, b, c, d] = m.map(|x| x * 10.0_f64.powi(exponent));
+            let [(x, p), (y, q)] = eigenvalues_2x2(a, b, c, d);
+            let (sum, size) = (x + y - a - d, m.iter().fold(0.0, |sum, x| sum + x.abs()) * 10.0_f64.powi(exponent));
+            prop_assert!(sum.abs() <= 4.0 * f64::EPSILON * size, "{x} {y}");
+            // In units of the size, where nothing overflows.
+            let unit = if size > 0.0 { size } else { 1.0 };
+            let [a, b, c, d, x, y, p, q] = [a, b, c, d, x, y, p, q].map(|x| x / unit);
+            prop_assert!((x * y - p * q - (a * d - b * c)).abs() <= 8.0 * f64::EPSILON, "{x} {y} {p} {q}");
+            prop_assert!(p == -q && p >= 0.0 && (p == 0.0 || x == y), "{x} {y} {p} {q}");
+        }
+
+        /// A reflection maps v to (beta, 0, 0), whatever its size.
+        #[test]
+        fn reflections_clear_all_but_the_head(v in prop::array::uniform3(entry()), exponent in -290..150_i32) {
+            let unit = 10.0_f64.powi(exponent);
+            let v = v.map(|x| x * unit);
+            let (beta, tau, w1, w2) = reflection(v);
+            let w = [1.0, w1, w2];
+            let v = v.map(|x| x / unit);
+            let dot: f64 = tau * v.iter().zip(w).map(|(x, y)| x * y).sum::<f64>();
+            let image: [f64; 3] = core::array::from_fn(|i| v[i] - dot * w[i]);
+            prop_assert!((image[0] - beta / unit).abs() + image[1].abs() + image[2].abs() <= 1e-14, "{image:?} {beta}");
+            prop_assert!(w1.abs() <= 1.0 && w2.abs() <= 1.0, "the head does not cancel: {w:?}");
+            prop_assert!(tau == 0.0 || (1.0..=2.0).contains(&tau), "{tau}");
+        }
+
+        /// A sweep is a similarity of the active block, which it leaves in Hessenberg form, and touches nothing else.
+        #[test]
+        fn sweeps_are_similarities(
+            entries in prop::array::uniform7(prop::array::uniform7(-1.0..1.0_f64)),
+            shifts in prop::array::uniform3(-1.0..1.0_f64),
+            low in 0..3_usize,
+            rows in 3..5_usize,
+            small in 0..6_usize,
+        ) {
+            let (before, high) = (&mut hessenberg(entries), low + rows);
+            // Two small subdiagonals in a row let the bulge start below.
+            if small > 3 {
+                (before[low + 1][low], before[low + 2][low + 1]) = (1e-9, 1e-9);
+            }
+            let [x, y, im] = shifts;
+            let pair = if small % 2 == 0 { [(x, im), (x, -im)] } else { [(x, 0.0), (y, 0.0)] };
+            let mut h = *before;
+            sweep::<Fixed<7>, f64>(&mut h, low, high, pair);
+            for (i, j) in (0..7).flat_map(|i| (0..7).map(move |j| (i, j))) {
+                let inside = (low..high).contains(&i) && (low..high).contains(&j);
+                prop_assert!(inside || h[i][j] == before[i][j], "{i} {j} is outside");
+                prop_assert!(!inside || i <= j + 1 || h[i][j] == 0.0, "{i} {j} is below the subdiagonal");
+            }
+            for (new, old) in traces(&h, low, high).into_iter().zip(traces(before, low, high)) {
+                prop_assert!((new - old).abs() <= 1e-12, "{new} {old}");
+            }
+        }
+
+        /// With its eigenvalues as shifts a block of three rows comes apart in a sweep or two.
+        #[test]
+        fn exact_shifts_deflate(entries in prop::array::uniform3(prop::array::uniform3(-1.0..1.0_f64))) {
+            let mut h = hessenberg(entries);
+            let form = Hessenberg::reduce(&h).unwrap();
+            let values = form.eigenvalues().unwrap();
+            let complex = values.iter().position(|value| value.im > 0.0).unwrap_or(1);
+            let first = values[complex];
+            let other = if first.im > 0.0 { first.conj() } else { values[0] };
+            for _ in 0..2 {
+                sweep::<Fixed<3>, f64>(&mut h, 0, 3, [(first.re, first.im), (other.re, other.im)]);
+            }
+            prop_assert!(h[1][0].abs().min(h[2][1].abs()) < 1e-6, "{h:?}");
+        }
+    }
+
+    #[test]
+    fn shifts_are_the_trailing_eigenvalues_or_exceptional() {
+        let shifts = |h: &[[f64; 3]; 3], stalled| choose_shifts::<Fixed<3>, f64>(h, 0, 3, stalled);
+        let rotation = [[5.0, 1.0, 2.0], [0.5, 1.0, -2.0], [0.0, 2.0, 1.0]];
+        assert_eq!(shifts(&rotation, 1).map(|(x, p)| (x, p.round())), [(1.0, 2.0), (1.0, -2.0)]);
+        // Eigenvalues 3 and 1, or 1 and 3: the one nearer to the corner, twice.
+        assert_eq!(
+            shifts(&[[5.0, 1.0, 2.0], [0.5, 3.0, 1e-9], [0.0, 1e-9, 1.0]], 9).map(|(x, y)| (x.round(), y)),
+            [(1.0, 0.0); 2]
+        );
+        assert_eq!(
+            shifts(&[[5.0, 1.0, 2.0], [0.5, 1.0, 1e-9], [0.0, 1e-9, 3.0]], 11).map(|(x, y)| (x.round(), y)),
+            [(3.0, 0.0); 2]
+        );
+        // After ten sweeps at the top, after twenty at the bottom: x + 0.75 s with a product of -0.4375 s^2 aside.
+        for (stalled, corner, size) in [(10, 5.0, 2.5), (30, 5.0, 2.5), (20, 1.0, 2.5), (40, 1.0, 2.5)] {
+            let [(x, p), (y, q)] = shifts(&rotation, stalled);
+            let diagonal = corner + 0.75 * size;
+            assert!((x - diagonal).abs() < 1e-15 && (y - diagonal).abs() < 1e-15, "{x} {y}");
+            assert!((p * p - 0.4375 * size * size).abs() < 1e-14 && p == -q, "{p} {q}");
+        }
+        // Subdiagonals count by their moduli.
+        let signs = [[5.0, 1.0, 2.0], [-0.5, 1.0, -2.0], [0.0, -2.0, 1.0]];
+        assert_eq!([10, 20].map(|stalled| shifts(&signs, stalled)), [10, 20].map(|stalled| shifts(&rotation, stalled)));
+    }
+
+    #[test]
+    fn twice_the_precision_gives_twice_the_digits() {
+        // x^2 - 2 x + 1 - 2^-80: 1 + 2^-40 and 1 - 2^-40.
+        let one = DoubleDouble::ONE;
+        let tiny = DoubleDouble::from_f64(2.0_f64.powi(-80));
+        let [(x, p), (y, q)] = eigenvalues_2x2(one, tiny, one, one);
+        let root = DoubleDouble::from_f64(2.0_f64.powi(-40));
+        assert_eq!([x - one, y - one, p, q], [root, -root, DoubleDouble::ZERO, DoubleDouble::ZERO]);
+    }
+}
