@@ -56,7 +56,12 @@ mod tests {
             // The smaller part is below rounding.
             assert_eq!([hypot(unit, 1e-20 * unit), hypot(1e-20 * unit, unit)], [unit; 2]);
         }
+        // Their quotient overflows when it is squared.
+        for (large, small) in [(1e160, 1e-10), (-1e160, 1e-10), (1e160, -1e-10), (-1e160, -1e-10)] {
+            assert_eq!([hypot(large, small), hypot(small, large)], [1e160; 2]);
+        }
         assert_eq!(hypot(0.0, -0.0), 0.0);
+        assert_eq!([hypot(f64::INFINITY, f64::INFINITY), hypot(f64::NEG_INFINITY, 0.0)], [f64::INFINITY; 2]);
         assert_eq!([hypot(f64::INFINITY, 1.0), hypot(-1.0, f64::NEG_INFINITY)], [f64::INFINITY; 2]);
         assert!(hypot(f64::NAN, 1.0).is_nan() && hypot(1.0, f64::NAN).is_nan());
     }

@@ -247,9 +247,9 @@ mod tests {
 
     #[test]
     fn reciprocals_do_not_overflow_in_between() {
-        for z in [c(3.0, 4.0), c(-4.0, 3.0), c(0.5, -0.25), c(-1e-3, -7.0), c(0.0, 2.0), c(2.0, 0.0), c(1.0, 1.0)] {
+        for z in [c(3.0, 4.0), c(-4.0, 3.0), c(0.5, -0.25), c(-1e-3, -7.0), c(0.0, 2.0), c(0.0, -2.0), c(-2.0, 0.0)] {
             for unit in [1.0, 1e-200, 1e200, 1e300] {
-                let z = z.scale(unit);
+                let z = Scalar::scale(z, unit);
                 let product = z.reciprocal() * z;
                 assert!(difference(product, Complex::ONE) < 4.0 * f64::EPSILON, "{z}: {product}");
             }
@@ -285,14 +285,15 @@ mod tests {
         let z = c(-3.0, 4.0);
         assert_eq!((z.modulus(), z.modulus_squared(), z.magnitude()), (5.0, 25.0, 7.0));
         assert_eq!(((-3.0).modulus(), (-3.0).modulus_squared(), (-3.0).magnitude()), (3.0, 9.0, 3.0));
-        assert_eq!((z.scale(2.0), z.times(2.0), 3.0.scale(2.0)), (c(-6.0, 8.0), c(-6.0, 8.0), 6.0));
+        assert_eq!((Scalar::scale(z, 2.0), z.times(2.0), 3.0.scale(2.0)), (c(-6.0, 8.0), c(-6.0, 8.0), 6.0));
         assert_eq!([3.0.with_sign_of(-0.0), (-3.0).with_sign_of(1.0), (-3.0).with_sign_of(-1.0)], [-3.0, 3.0, -3.0]);
     }
 
     #[test]
     fn both_parts_must_be_finite() {
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            assert!(!c(bad, 1.0).is_finite() && !c(1.0, bad).is_finite() && !Scalar::is_finite(bad));
+            assert!(![c(bad, 1.0), c(1.0, bad), c(bad, bad)].iter().any(|z| Scalar::is_finite(*z)));
+            assert!(!Scalar::is_finite(bad));
         }
         assert!(Scalar::is_finite(c(1e308, -1e308)) && Scalar::is_finite(1e308));
     }

@@ -444,6 +444,11 @@ mod tests {
             shifts(&[[5.0, 1.0, 2.0], [0.5, 1.0, 1e-9], [0.0, 1e-9, 3.0]], 11).map(|(x, y)| (x.round(), y)),
             [(3.0, 0.0); 2]
         );
+        // The further one is close to the negative corner, or closer to zero than the nearer one to the corner.
+        let opposite = shifts(&[[5.0, 1.0, 2.0], [0.5, -0.996, 0.1], [0.0, 0.1, 1.0]], 1);
+        assert!(opposite.iter().all(|&(x, p)| (x - 1.005).abs() < 1e-3 && p == 0.0), "{opposite:?}");
+        let small = shifts(&[[5.0, 1.0, 2.0], [0.5, 0.01, 0.5], [0.0, 0.5, 1.0]], 1);
+        assert!(small.iter().all(|&(x, p)| (x - 1.209).abs() < 1e-3 && p == 0.0), "{small:?}");
         // After ten sweeps at the top, after twenty at the bottom: x + 0.75 s with a product of -0.4375 s^2 aside.
         for (stalled, corner, size) in [(10, 5.0, 2.5), (30, 5.0, 2.5), (20, 1.0, 2.5), (40, 1.0, 2.5)] {
             let [(x, p), (y, q)] = shifts(&rotation, stalled);
@@ -454,6 +459,21 @@ mod tests {
         // Subdiagonals count by their moduli.
         let signs = [[5.0, 1.0, 2.0], [-0.5, 1.0, -2.0], [0.0, -2.0, 1.0]];
         assert_eq!([10, 20].map(|stalled| shifts(&signs, stalled)), [10, 20].map(|stalled| shifts(&rotation, stalled)));
+    }
+
+    /// Products of entries of very different sizes are divided first.
+    #[test]
+    fn pairs_do_not_overflow_needlessly() {
+        let halves = [0.0, 1e-100, -1e-100];
+        for (half, (b, c)) in halves.into_iter().flat_map(|half| [(1e250, 1e-250), (1e-250, 1e250)].map(|m| (half, m)))
+        {
+            let [(x, p), (y, q)] = eigenvalues_2x2(half, b, c, -half);
+            assert!((x.abs() - 1.0).abs() < 1e-15 && (x + y).abs() < 1e-15 && p == 0.0 && q == 0.0, "{x} {y}");
+            let [(x, p), (y, q)] = eigenvalues_2x2(half, b, -c, -half);
+            assert!(x.abs() < 1e-15 && y.abs() < 1e-15 && (p - 1.0).abs() < 1e-15 && q == -p, "{p} {q}");
+        }
+        let [(x, _), (y, _)] = eigenvalues_2x2(1e200, 1e-200, 1e-200, -1e200);
+        assert!((x / 1e200 - 1.0).abs() < 1e-15 && (y / 1e200 + 1.0).abs() < 1e-15, "{x} {y}");
     }
 
     #[test]
