@@ -1,6 +1,4 @@
-//! Emitted solvers of all problems in `templates/`, and the cylinder triangulation system that stands on them.
-
-pub mod cylinder;
+//! Emitted solvers of all problems in `templates/`.
 
 eliminant::include_solver!("calibration_6_receivers_4_senders");
 eliminant::include_solver!("circle_least_squares");
