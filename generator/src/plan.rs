@@ -8,6 +8,10 @@
 //!
 //! Every decision is taken here; [`crate::emit`] prints and [`crate::interpret`] executes, and the two must agree.
 
+pub mod program_table;
+pub mod system_table;
+pub mod value_layout;
+
 use crate::code::{Code, ValueId};
 use crate::problem::DataParameter;
 
@@ -207,7 +211,31 @@ pub struct Plan {
     pub nonzero: Vec<Vec<Term>>,
 }
 
+/// Blocks of more rows are eliminated by code that is not compiled for their size: it is as fast.
+const LARGE_BLOCK: usize = 24;
+
+impl Block {
+    /// Whether the block is eliminated by code that is not compiled for its size.
+    pub fn is_large(&self) -> bool {
+        self.size > LARGE_BLOCK
+    }
+}
+
 impl Plan {
+    /// How many scalars the data have.
+    pub fn inputs(&self) -> usize {
+        self.data.iter().map(DataParameter::len).sum()
+    }
+
+    /// For each unknown the exponents of the monomial by which its pairs differ; zeros if it is not read.
+    pub fn steps(&self) -> Vec<Vec<i8>> {
+        let step = |unknown: usize| {
+            let found = self.extractions.iter().find(|x| x.unknown == unknown);
+            found.map_or_else(|| vec![0; self.unknowns.len()], |x| x.step.clone())
+        };
+        (0..self.unknowns.len()).map(step).collect()
+    }
+
     /// Operations of one solve.
     pub fn operations(&self) -> OperationCount {
         let coefficients = self.code.steps();

@@ -10,11 +10,9 @@ use quote::{format_ident, quote};
 
 use self::listing::Listings;
 use crate::code::CodeForm;
-use crate::plan::{KnownMonomial, Plan, RootMethod};
+use crate::plan::value_layout::ValueLayout;
+use crate::plan::{Plan, RootMethod};
 use crate::problem::DataParameter;
-
-/// Blocks of more rows are eliminated by code that is not compiled for their size: it is as fast.
-const LARGE_BLOCK: usize = 24;
 
 /// The version of the runtime's hidden interface that is emitted for.
 pub const RUNTIME_VERSION: u32 = 1;
@@ -183,17 +181,6 @@ fn api(plan: &Plan) -> TokenStream {
     }
 }
 
-/// Whether an unknown is read from the image of the basis.
-fn uses_image(plan: &Plan) -> bool {
-    let is_image = |m: &KnownMonomial| matches!(m, KnownMonomial::Image(_));
-    plan.extractions.iter().flat_map(|x| &x.pairs).any(|(m, n)| is_image(m) || is_image(n))
-}
-
-/// How many monomials unknowns may be read from: basis, image if it is used, read rows.
-fn count_values(plan: &Plan) -> usize {
-    plan.elimination.basis * (1 + usize::from(uses_image(plan))) + plan.read.len()
-}
-
 /// That all unknowns 0 is a solution, if it is one.
 fn origin(plan: &Plan) -> TokenStream {
     match plan.has_origin {
@@ -211,10 +198,7 @@ fn sign_changes(plan: &Plan) -> TokenStream {
     if plan.flips.is_empty() {
         return quote!();
     }
-    let unknowns = plan.unknowns.len();
-    let steps = (0..unknowns).map(|unknown| {
-        let found = plan.extractions.iter().find(|x| x.unknown == unknown);
-        let exponents = found.map_or_else(|| vec![0; unknowns], |x| x.step.clone());
+    let steps = plan.steps().into_iter().map(|exponents| {
         let exponents = exponents.into_iter().map(Literal::i8_unsuffixed);
         quote!(&[#(#exponents),*])
     });
@@ -234,7 +218,7 @@ fn coefficients_of_instance(plan: &Plan) -> (TokenStream, TokenStream, TokenStre
         let coefficients = quote!(coefficients: self::coefficients(#(#arguments),*),);
         return (quote!(), coefficients, quote!(let coefficients = &self.coefficients;));
     }
-    let inputs = Literal::usize_unsuffixed(plan.data.iter().map(DataParameter::len).sum());
+    let inputs = Literal::usize_unsuffixed(plan.inputs());
     let count = Literal::usize_unsuffixed(plan.coefficients.len());
     let field = quote! {
         /// All data, one parameter after another.
@@ -298,9 +282,9 @@ fn instance(plan: &Plan) -> TokenStream {
 
 /// What the runtime asks of an instance.
 fn solver_instance(plan: &Plan) -> TokenStream {
+    let layout = ValueLayout::of(plan);
     let [basis, unknowns, values, solutions] =
-        [plan.elimination.basis, plan.unknowns.len(), count_values(plan), plan.solutions]
-            .map(Literal::usize_unsuffixed);
+        [plan.elimination.basis, plan.unknowns.len(), layout.len(), plan.solutions].map(Literal::usize_unsuffixed);
     let (ratios, origin, sign_changes, action_matrix) =
         (ratios(plan), origin(plan), sign_changes(plan), action_matrix(plan));
     let precise = match plan.code.form {
@@ -311,7 +295,7 @@ fn solver_instance(plan: &Plan) -> TokenStream {
             }
         },
     };
-    let has_image = uses_image(plan);
+    let has_image = layout.has_image;
     let read = match plan.read.is_empty() {
         true => quote!(&[[0.0; 0]; 0]),
         false => quote!(&self.read),
@@ -364,16 +348,11 @@ fn solver_instance(plan: &Plan) -> TokenStream {
 
 /// Where unknowns are read from.
 fn ratios(plan: &Plan) -> TokenStream {
-    let basis = plan.elimination.basis;
-    let position = |monomial: KnownMonomial| match monomial {
-        KnownMonomial::Basis(b) => usize::from(b.0),
-        KnownMonomial::Image(b) => basis + usize::from(b.0),
-        KnownMonomial::Read(at) => basis * (1 + usize::from(uses_image(plan))) + usize::from(at),
-    };
+    let layout = ValueLayout::of(plan);
     let pairs = (0..plan.unknowns.len()).map(|unknown| {
-        let pairs = plan.extractions.iter().filter(|x| x.unknown == unknown).flat_map(|x| &x.pairs).map(|&(m, n)| {
-            let [m, n] = [m, n].map(|monomial| Literal::usize_unsuffixed(position(monomial)));
-            quote!((#m, #n))
+        let pairs = layout.ratios(plan, unknown).into_iter().map(|(m, xm)| {
+            let [m, xm] = [m, xm].map(Literal::u16_unsuffixed);
+            quote!((#m, #xm))
         });
         quote!(&[#(#pairs),*])
     });
@@ -397,7 +376,7 @@ fn action_matrix(plan: &Plan) -> TokenStream {
     };
     let blocks = plan.elimination.blocks.iter().enumerate().map(|(at, block)| {
         let (at, size) = (Literal::usize_unsuffixed(at), Literal::usize_unsuffixed(block.size));
-        let eliminate = if block.size > LARGE_BLOCK { quote!(eliminate_large) } else { quote!(eliminate) };
+        let eliminate = if block.is_large() { quote!(eliminate_large) } else { quote!(eliminate) };
         quote!(BLOCKS[#at].#eliminate::<_, #precision, _, #size>(&mut right, coefficients)?;)
     });
     let read = match plan.read.is_empty() {
