@@ -9,9 +9,10 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use self::listing::Listings;
-use crate::code::CodeForm;
-use crate::plan::{KnownMonomial, Plan, RootMethod};
+use crate::plan::code::CodeForm;
+use crate::plan::{KnownMonomial, Plan};
 use crate::problem::DataParameter;
+use crate::template::RootMethod;
 
 /// Blocks of more rows are eliminated by code that is not compiled for their size: it is as fast.
 const LARGE_BLOCK: usize = 24;

@@ -7,8 +7,8 @@ use quote::{format_ident, quote};
 
 use super::code;
 use super::listing::Listings;
-use crate::code::{Code, Operation, ValueId};
 use crate::plan::Plan;
+use crate::plan::code::{Code, Operation, ValueId};
 use crate::problem::DataParameter;
 
 /// The function from the data to the coefficients, and the table that it executes.
