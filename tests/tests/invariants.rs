@@ -141,7 +141,7 @@ fn emitted_solvers_neither_allocate_nor_panic() {
 }
 
 /// Where the generator may touch files, the environment and the clock.
-const RIM: [&str; 3] = ["builder.rs", "main.rs", "command"];
+const RIM: [&str; 3] = ["build.rs", "main.rs", "command"];
 
 #[test]
 fn only_the_rim_of_the_generator_does_input_and_output() {

@@ -1,8 +1,8 @@
 //! Data whose solutions share a value of the action monomial, and data with a double solution.
 
 use eliminant::Complex;
-use eliminant_generator::instance::Random;
-use eliminant_generator::stability;
+use eliminant_generator::algebra::Random;
+use eliminant_generator::search::measuring;
 use eliminant_tests::ground_truth::{Line, gram, minimal_conic, minimal_data, null_space, relative_error, uniform};
 use eliminant_tests::statistics::same_set;
 use eliminant_tests::{Case, cases};
@@ -212,7 +212,7 @@ fn interpreted_and_emitted_find_the_same() {
         for k in 0..INSTANCES {
             let data = draw(&mut Random::new(64_000_000 + k));
             let emitted = (case.solve_complex)(&data).unwrap_or_default();
-            let interpreted = stability::solve(&plan, &data).unwrap_or_default();
+            let interpreted = measuring::solve(&plan, &data).unwrap_or_default();
             let interpreted: Vec<Vec<Complex<f64>>> = interpreted.into_iter().map(|(point, _)| point).collect();
             counts[0] += emitted.len();
             counts[1] += interpreted.len();

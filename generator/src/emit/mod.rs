@@ -9,10 +9,11 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use self::listing::Listings;
-use crate::code::CodeForm;
+use crate::plan::Plan;
+use crate::plan::code::CodeForm;
 use crate::plan::value_layout::ValueLayout;
-use crate::plan::{Plan, RootMethod};
 use crate::problem::DataParameter;
+use crate::template::RootMethod;
 
 /// The version of the runtime's hidden interface that is emitted for.
 pub const RUNTIME_VERSION: u32 = 1;

@@ -2,10 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::code::{Code, Operation, ValueId};
-use crate::rational::Rational;
-
 use super::Plan;
+use super::code::{Code, Operation, ValueId};
+use crate::expression::rational::Rational;
 
 /// What all steps of a run do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

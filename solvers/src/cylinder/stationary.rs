@@ -96,7 +96,9 @@ fn solve_turned(lines: &[SectionLine], turn: f64) -> Result<Vec<Point2<f64>>, So
     let gram = gram(&moved);
     let solutions = match crate::circle_least_squares::solve(&gram) {
         Ok(solutions) if !solutions.is_empty() => solutions,
-        Ok(_) | Err(SolveError::Degenerate { .. } | SolveError::Overflow) => crate::circle_least_squares::solve(&perturbed(&gram))?,
+        Ok(_) | Err(SolveError::Degenerate { .. } | SolveError::Overflow) => {
+            crate::circle_least_squares::solve(&perturbed(&gram))?
+        }
         Err(error) => return Err(error),
     };
     let back = motion.inverse();

@@ -14,7 +14,7 @@ mod relative_pose;
 mod triangulation;
 
 pub use circles::{Circle, Line, gram, minimal_conic, minimal_data, normalised};
-use eliminant_generator::instance::Random;
+use eliminant_generator::algebra::Random;
 use nalgebra::DMatrix;
 
 use crate::Case;
