@@ -27,6 +27,9 @@ use crate::template::file::TemplateFile;
 #[derive(Clone, Debug, Default)]
 pub struct Generator {
     problems: Option<PathBuf>,
+    templates: Option<PathBuf>,
+    only: Option<Vec<String>>,
+    index: Option<String>,
     out_dir: Option<PathBuf>,
 }
 
@@ -43,6 +46,35 @@ impl Generator {
         self
     }
 
+    /// Only the problems of these names, not all of the folder.
+    ///
+    /// ```no_run
+    /// # fn main() -> Result<(), eliminant_generator::BuildError> {
+    /// # let folder = "problems";
+    /// eliminant_generator::Generator::new().problems(folder).only(["relpose_5pt", "two_conics"]).run()
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn only(mut self, names: impl IntoIterator<Item = impl Into<String>>) -> Self {
+        self.only = Some(names.into_iter().map(Into::into).collect());
+        self
+    }
+
+    /// A folder with other templates, relative to the crate's manifest: a file `NAME.template.toml` there is taken instead
+    /// of the one beside the problem.
+    #[must_use]
+    pub fn templates(mut self, folder: impl Into<PathBuf>) -> Self {
+        self.templates = Some(folder.into());
+        self
+    }
+
+    /// Also writes `NAME.rs`, which includes all solvers: `eliminant::include_solver!("NAME")` takes them at once.
+    #[must_use]
+    pub fn index(mut self, name: impl Into<String>) -> Self {
+        self.index = Some(name.into());
+        self
+    }
+
     /// Where the solvers go instead of `OUT_DIR`.
     #[must_use]
     pub fn out_dir(mut self, folder: impl Into<PathBuf>) -> Self {
@@ -56,30 +88,66 @@ impl Generator {
     /// All that went wrong with any of the problems, collected. Solvers of the others are written.
     pub fn run(self) -> Result<(), BuildError> {
         let manifest = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default();
-        let folder = self.problems.unwrap_or_else(|| "problems".into());
-        let root = manifest.join(&folder);
-        let out_dir = self.out_dir.or_else(|| env::var_os("OUT_DIR").map(PathBuf::from));
+        let folder = self.problems.clone().unwrap_or_else(|| "problems".into());
+        let out_dir = self.out_dir.clone().or_else(|| env::var_os("OUT_DIR").map(PathBuf::from));
         let out_dir =
             out_dir.ok_or_else(|| BuildError::one(&folder, "OUT_DIR is not set: this is for build scripts"))?;
-        println!("cargo:rerun-if-changed={}", root.display());
-        let mut errors = Vec::new();
-        let files = problem_files(&root).map_err(|error| BuildError::one(&root, error.to_string()))?;
-        if files.is_empty() {
-            return Err(BuildError::one(&root, "there is no problem file (`NAME.rs`) in this folder"));
+        let templates = self.templates.as_ref().map(|folder| manifest.join(folder));
+        if let Some(folder) = &templates {
+            println!("cargo:rerun-if-changed={}", folder.display());
+            fs::read_dir(folder).map_err(|error| BuildError::one(folder, error.to_string()))?;
         }
-        for file in files {
+        let (mut names, mut errors) = (Vec::new(), Vec::new());
+        for file in self.problem_files(&manifest.join(&folder))? {
             println!("cargo:rerun-if-changed={}", file.display());
             let shown = folder.join(file.file_name().unwrap_or_default());
-            match emit_file(&file, &shown) {
+            match emit_file(&file, templates.as_deref(), &shown) {
                 Ok((name, source)) => {
-                    if let Err(error) = write_if_changed(&out_dir.join(format!("{name}.rs")), &source) {
-                        errors.push((out_dir.join(format!("{name}.rs")), error.to_string()));
-                    }
+                    write_into(&out_dir, &name, &source, &mut errors);
+                    names.push(name);
                 }
                 Err(message) => errors.push((shown, message)),
             }
         }
+        if let Some(index) = &self.index {
+            match names.contains(index) {
+                true => errors.push((folder, format!("`{index}` is the name of a problem, and of the index"))),
+                false => write_into(&out_dir, index, &index_of(&names), &mut errors),
+            }
+        }
         if errors.is_empty() { Ok(()) } else { Err(BuildError { errors }) }
+    }
+
+    /// The problem files that are wanted, sorted.
+    fn problem_files(&self, root: &Path) -> Result<Vec<PathBuf>, BuildError> {
+        let mut files = problem_files(root).map_err(|error| BuildError::one(root, error.to_string()))?;
+        let Some(only) = &self.only else {
+            println!("cargo:rerun-if-changed={}", root.display());
+            if files.is_empty() {
+                return Err(BuildError::one(root, "there is no problem file (`NAME.rs`) in this folder"));
+            }
+            return Ok(files);
+        };
+        let missing = |name: &&String| !files.contains(&root.join(format!("{name}.rs")));
+        if let Some(name) = only.iter().find(missing) {
+            return Err(BuildError::one(root, format!("there is no problem file `{name}.rs` in this folder")));
+        }
+        files.retain(|file| file.file_stem().is_some_and(|stem| only.iter().any(|name| stem == name.as_str())));
+        Ok(files)
+    }
+}
+
+/// The file that includes the solvers of these names, which lie beside it.
+fn index_of(names: &[String]) -> String {
+    let includes: String = names.iter().map(|name| format!("include!(\"{name}.rs\");\n")).collect();
+    format!("// @generated by eliminant-generator. Do not edit.\n{includes}")
+}
+
+/// Writes the file of that name and notes what went wrong.
+fn write_into(out_dir: &Path, name: &str, source: &str, errors: &mut Vec<(PathBuf, String)>) {
+    let path = out_dir.join(format!("{name}.rs"));
+    if let Err(error) = write_if_changed(&path, source) {
+        errors.push((path, error.to_string()));
     }
 }
 
@@ -124,15 +192,17 @@ fn problem_files(folder: &Path) -> io::Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-/// The problem's name and its solver, or the message to show.
-fn emit_file(path: &Path, shown: &Path) -> Result<(String, String), String> {
+/// The problem's name and its solver, or the message to show. A template in the folder `templates` goes first.
+fn emit_file(path: &Path, templates: Option<&Path>, shown: &Path) -> Result<(String, String), String> {
     let shown = shown.display().to_string();
     let text = fs::read_to_string(path).map_err(|error| error.to_string())?;
     let problem = Problem::parse(&shown, &text).map_err(|messages: Diagnostics| messages.render())?;
     if path.file_stem().is_none_or(|stem| stem != problem.name.as_str()) {
         return Err(format!("the file states the problem `{0}`: name it `{0}.rs`", problem.name));
     }
-    let template_path = path.with_extension("template.toml");
+    let name = format!("{}.template.toml", problem.name);
+    let own = templates.map(|folder| folder.join(name)).filter(|own| own.exists());
+    let template_path = own.unwrap_or_else(|| path.with_extension("template.toml"));
     println!("cargo:rerun-if-changed={}", template_path.display());
     let file = match fs::read_to_string(&template_path) {
         Ok(text) => TemplateFile::parse(&text, &problem.unknowns).map_err(|error| stale(&error.into(), &shown))?,
