@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use eliminant_generator::{BuildError, Generator};
-use eliminant_tests::{cases, templates_folder};
+use eliminant_tests::templates_folder;
 use tempfile::TempDir;
 
 fn out() -> TempDir {
@@ -96,13 +96,4 @@ fn a_folder_of_templates_that_is_missing_is_an_error() {
     let message =
         run(Generator::new().only(["two_conics"]).templates(&missing), out.path()).expect_err("no such folder");
     assert!(message.contains("missing"), "{message}");
-}
-
-/// Every module of `eliminant-solvers` is a committed problem: `cases` is made from the problems, not from a list.
-#[test]
-fn there_is_a_case_for_each_problem() {
-    let files = written(&templates_folder());
-    let problems: Vec<&str> = files.iter().filter_map(|file| file.strip_suffix(".rs")).collect();
-    let cases: Vec<&str> = cases().iter().map(|case| case.name).collect();
-    assert_eq!(cases, problems);
 }
