@@ -63,7 +63,7 @@ pub fn minimal_circles(lines: &[TangentLine; 3]) -> Result<Solutions<Circle, 4>,
     }
     match failure {
         Some(error) if found.is_empty() => Err(error.into()),
-        _ => Ok(found.into_iter().map(|(circle, _)| normalisation.circle(&circle)).collect()),
+        _ => Ok(found.map(|(circle, _)| normalisation.circle(&circle))),
     }
 }
 
@@ -80,7 +80,7 @@ fn circles_turned(lines: &[TangentLine; 3], turn: f64) -> Result<Solutions<Circl
         let square = (d1 + d3 * d3 + d4 + d5 * d5) / 2.0;
         (square > 0.0).then(|| Circle { centre: back * Point2::new(-d3, -d5), radius: square.sqrt() })
     };
-    Ok(eliminant_solvers::circle_minimal::solve(&d_alpha, &d_beta, &d_gamma)?.into_iter().filter_map(circle).collect())
+    Ok(eliminant_solvers::circle_minimal::solve(&d_alpha, &d_beta, &d_gamma)?.filter_map(circle))
 }
 
 /// The circle that touches the lines on the sides on which this one lies, and these sides; `None` where there is none.

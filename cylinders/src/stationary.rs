@@ -96,7 +96,7 @@ fn solve_turned(lines: &[SectionLine], turn: f64) -> Result<Vec<Point2<f64>>, So
     let gram = gram(&moved);
     let solutions = match eliminant_solvers::circle_least_squares::solve(&gram) {
         Ok(solutions) if !solutions.is_empty() => solutions,
-        Ok(_) | Err(SolveError::Degenerate { .. }) => {
+        Ok(_) | Err(SolveError::Degenerate { .. } | SolveError::Overflow) => {
             eliminant_solvers::circle_least_squares::solve(&perturbed(&gram))?
         }
         Err(error) => return Err(error),

@@ -1,12 +1,13 @@
 //! Whether a problem has finitely many solutions for general data, and how many.
 
+use crate::algebra::Random;
 use crate::algebra::{
     GroebnerBasis, GroebnerError, Limits, Monomial, MonomialOrder, PRIMES, Polynomial, PrimeField, QuotientRing,
     count_points, saturate,
 };
-use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::instance::{Draw, Instance, Random};
 use crate::problem::Problem;
+use crate::problem::diagnostic::{Diagnostic, Diagnostics};
+use crate::problem::instance::{Draw, Instance};
 
 /// What is known of the ideal of a problem with general data.
 #[derive(Clone, Debug)]

@@ -1,14 +1,14 @@
 //! From the texts of a problem and its template to the source of a solver. No files, no environment.
 
 use crate::algebra::{PRIMES, PrimeField};
-use crate::diagnostic::Diagnostics;
 use crate::emit::{EmitError, Provenance, emit};
-use crate::instance::Instance;
-use crate::interpret;
 use crate::plan::Plan;
+use crate::plan::interpret;
+use crate::plan::schedule::{ScheduleError, schedule};
 use crate::presolve::{ReducedProblem, presolve};
 use crate::problem::Problem;
-use crate::schedule::{ScheduleError, schedule};
+use crate::problem::diagnostic::Diagnostics;
+use crate::problem::instance::Instance;
 use crate::template::file::{TemplateFile, TemplateFileError};
 use crate::template::verify::{VerifyError, verify};
 

@@ -9,8 +9,8 @@ use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use eliminant_generator::check::check;
-use eliminant_generator::monitor::{Monitor, Stage, Unmonitored};
 use eliminant_generator::problem::Problem;
+use eliminant_generator::search::monitor::{Monitor, Stage, Unmonitored};
 use eliminant_generator::search::{SearchError, SearchOptions, candidates};
 use support::{TWO_CONICS, eliminant, folder, json, names, status, stderr, stdout, two_conics};
 

@@ -1,8 +1,9 @@
 //! The equations that problem files stand for, compared over Z_p with formulas written out by hand.
 
+use eliminant_generator::algebra::Random;
 use eliminant_generator::algebra::{PRIMES, PrimeField};
 use eliminant_generator::expression::SymbolicPolynomial;
-use eliminant_generator::instance::{Random, draw_inputs};
+use eliminant_generator::problem::instance::draw_inputs;
 use eliminant_generator::problem::{DataAttribute, Problem};
 
 const FIELD: PrimeField = PrimeField::new(PRIMES[0]);

@@ -3,11 +3,11 @@
 
 use eliminant_generator::check::check;
 use eliminant_generator::generate::plan;
-use eliminant_generator::monitor::Unmonitored;
+use eliminant_generator::presolve::symmetry::Symmetry;
 use eliminant_generator::problem::Problem;
+use eliminant_generator::search::measuring::stability;
+use eliminant_generator::search::monitor::Unmonitored;
 use eliminant_generator::search::{SearchOptions, candidates};
-use eliminant_generator::stability::stability;
-use eliminant_generator::symmetry::Symmetry;
 
 struct Subject {
     /// Number of sign changes, that of no unknown included.

@@ -148,3 +148,16 @@ impl DenseMatrix {
         (0..self.rows).filter(|&i| echelon.insert_dense(self.row(i)).is_some()).collect()
     }
 }
+
+impl Echelon {
+    /// The rows as a dense matrix, by increasing leading column.
+    pub fn to_dense(&self) -> DenseMatrix {
+        let pivots = self.pivot_columns();
+        let mut matrix = DenseMatrix::zeros(self.field(), pivots.len(), self.columns());
+        for (at, pivot) in pivots.into_iter().enumerate() {
+            let target = matrix.row_mut(at);
+            self.row(pivot).into_iter().for_each(|(column, value)| target[column as usize] = value);
+        }
+        matrix
+    }
+}

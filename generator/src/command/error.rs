@@ -3,11 +3,10 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::search::MOST_COLUMNS;
-use crate::diagnostic::Diagnostics;
 use crate::generate::GenerateError;
+use crate::problem::diagnostic::Diagnostics;
 use crate::problem::{Problem, Statement};
-use crate::search::SearchError;
+use crate::search::{MOST_COLUMNS, SearchError};
 
 /// Why the command failed. All of these are the fault of the problem, the template or a file.
 #[derive(Debug, thiserror::Error)]

@@ -1,4 +1,4 @@
-//! The `eliminant` command: argument types and dispatch. Only here and in [`crate::builder`] are files read and written.
+//! The `eliminant` command: argument types and dispatch. Only here and in [`crate::build`] are files read and written.
 //!
 //! Exit status: 0 good; 1 the problem, its template or a file is at fault; 2 usage.
 
@@ -13,6 +13,7 @@ mod progress;
 mod report;
 mod search;
 mod search_report;
+mod settings;
 mod shard;
 mod spy;
 mod stability;

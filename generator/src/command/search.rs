@@ -7,23 +7,22 @@ use super::error::CommandError;
 use super::files::{read_named_problem, template_path, write};
 use super::report::{Output, one_decimal};
 use super::search_report::{Cut, Report, ShardReport};
+use super::settings::Settings;
 use super::shard::{Common, ShardCandidate, ShardFile, merge};
 use super::watch::{End, Watch};
 use crate::check::{Algebra, check};
-use crate::choose::{Measured, Measuring, choose, screen};
 use crate::generate::plan;
-use crate::monitor::Monitor;
-use crate::preference::Preference;
 use crate::problem::Problem;
-use crate::search::{Candidate, Found, SearchError, SearchOptions, candidates};
-use crate::share::Share;
-use crate::stability::Stability;
+use crate::search::choose::{Measured, choose, screen};
+use crate::search::measuring::Stability;
+use crate::search::monitor::Monitor;
+use crate::search::preference::Preference;
+use crate::search::share::Share;
+use crate::search::{Candidate, Found, MOST_COLUMNS, SearchError, SearchOptions, candidates};
 use crate::template::file::TemplateFile;
 
 /// The limit on the number of columns of a second try.
 const MORE_COLUMNS: usize = 1500;
-/// The largest limit that can be asked for.
-pub(super) const MOST_COLUMNS: usize = 20_000;
 
 /// Search an elimination template and write it beside the problem
 #[derive(clap::Args, Debug)]
@@ -83,20 +82,6 @@ pub(super) struct Arguments {
 fn parse_seconds(text: &str) -> Result<Duration, String> {
     let seconds = text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
     seconds.filter(|seconds| !seconds.is_zero()).ok_or_else(|| "expected a number of seconds above 0".to_owned())
-}
-
-/// What a search is asked for.
-#[derive(Clone, Debug)]
-pub(super) struct Settings {
-    pub(super) options: SearchOptions,
-    pub(super) measuring: Measuring,
-}
-
-impl Settings {
-    pub(super) fn new(options: SearchOptions, trials: usize, confirm: usize) -> Self {
-        let seed = options.seed;
-        Self { options, measuring: Measuring { trials, confirm, seed } }
-    }
 }
 
 impl Arguments {
@@ -249,7 +234,7 @@ fn to_file(chosen: &Measured, problem: &Problem, options: &SearchOptions) -> Tem
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::monitor::Unmonitored;
+    use crate::search::monitor::Unmonitored;
 
     #[test]
     fn a_larger_limit_is_tried_where_a_smaller_one_does_not_do() {

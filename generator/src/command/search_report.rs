@@ -7,11 +7,11 @@ use serde::Serialize;
 use super::report::{Summary, counted, one_decimal, seconds, table};
 use super::shard::ShardFile;
 use super::watch::End;
-use crate::choose::{Choice, INCOMPLETE_ONE_IN, Measured, Verdict, expected_operations};
-use crate::pareto::front;
-use crate::preference::{Cost, Preference};
 use crate::problem::Problem;
 use crate::search::Found;
+use crate::search::choose::{Choice, INCOMPLETE_ONE_IN, Measured, Verdict, expected_operations};
+use crate::search::pareto::front;
+use crate::search::preference::Preference;
 
 /// The object of `--json`: that of the chosen template as `eliminant inspect` prints it, and these.
 #[derive(Serialize)]
@@ -161,7 +161,7 @@ impl Report {
 
 /// What candidates are compared by for the Pareto front.
 fn point(measured: &Measured) -> [f64; 4] {
-    let (cost, stability) = (Cost::of(&measured.candidate), &measured.stability);
+    let (cost, stability) = (measured.candidate.cost(), &measured.stability);
     let p99 = stability.quantile(0.99).map_or(f64::INFINITY, |p99| (10.0 * p99).round());
     let unsolved = (stability.incomplete + stability.failures) as f64 / stability.trials.max(1) as f64;
     [expected_operations(cost.operations, stability).round(), cost.rows as f64, p99, unsolved]

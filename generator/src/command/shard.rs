@@ -7,14 +7,14 @@ use serde::{Deserialize, Serialize};
 use super::error::CommandError;
 use super::files::read_text;
 use super::report::to_json;
-use super::search::Settings;
-use crate::attempt::Attempt;
+use super::settings::Settings;
 use crate::generate::plan;
-use crate::preference::Preference;
 use crate::problem::Problem;
+use crate::search::attempt::Attempt;
+use crate::search::measuring::Stability;
+use crate::search::preference::Preference;
+use crate::search::share::Share;
 use crate::search::{Candidate, Found, SearchError, SearchOptions, in_order};
-use crate::share::Share;
-use crate::stability::Stability;
 use crate::template::file::TemplateFile;
 
 /// What one shard found; a JSON object.

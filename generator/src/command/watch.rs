@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use indicatif::ProgressBar;
 
 use super::progress::spinner;
-use crate::monitor::{Monitor, Stage};
+use crate::search::monitor::{Monitor, Stage};
 
 /// How often Ctrl-C was pressed since the process began to listen.
 static INTERRUPTS: AtomicUsize = AtomicUsize::new(0);

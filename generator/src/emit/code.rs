@@ -6,10 +6,10 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::parameter;
-use crate::code::{Operation, ValueId};
+use crate::expression::rational::Rational;
+use crate::plan::code::{Operation, ValueId};
 use crate::plan::{Plan, PlannedRecovery};
 use crate::problem::DataParameter;
-use crate::rational::Rational;
 
 /// Operations that a statement holds at most.
 const MOST_OPERATIONS: usize = 64;

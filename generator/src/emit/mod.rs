@@ -9,12 +9,14 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use self::listing::Listings;
-use crate::code::CodeForm;
-use crate::plan::{KnownMonomial, Plan, RootMethod};
+use crate::plan::Plan;
+use crate::plan::code::CodeForm;
+use crate::plan::value_layout::ValueLayout;
 use crate::problem::DataParameter;
+use crate::template::RootMethod;
 
-/// Blocks of more rows are eliminated by code that is not compiled for their size: it is as fast.
-const LARGE_BLOCK: usize = 24;
+/// The version of the runtime's hidden interface that is emitted for.
+pub const RUNTIME_VERSION: u32 = 1;
 
 /// Where an emitted solver comes from, for its header.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -60,6 +62,9 @@ fn module(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> Toke
     quote! {
         pub mod #name {
             #(#header)*
+
+            use ::eliminant::emitted;
+
             #solution
             #api
             #instance
@@ -75,7 +80,7 @@ fn doc_line(line: &str) -> String {
 
 fn solution_struct(plan: &Plan) -> TokenStream {
     let name = format_ident!("{}", struct_name(&plan.name));
-    let doc = format!(" A solution of `{}`: real, or complex with `T = eliminant::Complex<f64>`.", plan.name);
+    let doc = format!(" A solution of `{}`: real, or complex with `T = ::eliminant::Complex<f64>`.", plan.name);
     let fields = plan.unknowns.iter().map(|unknown| {
         let field = format_ident!("{unknown}");
         let doc = format!(" The unknown `{unknown}`.");
@@ -138,9 +143,9 @@ fn api(plan: &Plan) -> TokenStream {
         ///
         /// # Errors
         /// Data that are not finite or degenerate, see [`eliminant::SolveError`]. No real solution is no error.
-        pub fn solve(#(#parameters),*) -> Result<eliminant::Solutions<#name, #solutions>, eliminant::SolveError> {
-            let found = eliminant::#roots::<_, _, _, #solutions>(&mut Instance::new(#(#arguments),*)?)?;
-            Ok(found.map(#name::from_array))
+        pub fn solve(#(#parameters),*) -> Result<::eliminant::Solutions<#name, #solutions>, ::eliminant::SolveError> {
+            let found = emitted::#roots(&mut Instance::new(#(#arguments),*)?)?;
+            Ok(::eliminant::Solutions::from_points(&found, #name::from_array))
         }
 
         /// Like [`solve`], with all complex solutions. Where some are missing, all is done once more at twice the precision, which takes
@@ -150,106 +155,59 @@ fn api(plan: &Plan) -> TokenStream {
         /// As [`solve`].
         pub fn solve_complex(
             #(#parameters),*
-        ) -> Result<eliminant::Solutions<#name<eliminant::Complex<f64>>, #solutions>, eliminant::SolveError> {
-            let found = eliminant::complex_solutions::<_, _, _, #solutions>(&mut Instance::new(#(#arguments),*)?)?;
-            Ok(found.map(#name::from_array))
+        ) -> Result<::eliminant::Solutions<#name<::eliminant::Complex<f64>>, #solutions>, ::eliminant::SolveError> {
+            let found = emitted::complex_solutions(&mut Instance::new(#(#arguments),*)?)?;
+            Ok(::eliminant::Solutions::from_points(&found, #name::from_array))
         }
 
         /// The matrix of multiplication by the action monomial on the basis, as the elimination gives it.
         ///
         /// # Errors
         /// As [`solve`].
-        pub fn action_matrix(#(#parameters),*) -> Result<[[f64; #basis]; #basis], eliminant::SolveError> {
-            eliminant::ActionMethod::action_matrix(&mut Instance::new(#(#arguments),*)?)
+        pub fn action_matrix(#(#parameters),*) -> Result<[[f64; #basis]; #basis], ::eliminant::SolveError> {
+            emitted::SolverInstance::action_matrix(&mut Instance::new(#(#arguments),*)?)
         }
 
         /// The relative residual of a solution: max over the equations of |f| / sum of the moduli of its terms.
         ///
         /// # Errors
         /// As [`solve`], for the data.
-        pub fn relative_residual<S: eliminant::Scalar>(
+        pub fn relative_residual<S: ::eliminant::Scalar>(
             #(#parameters,)*
             solution_: &#name<S>,
-        ) -> Result<f64, eliminant::SolveError> {
+        ) -> Result<f64, ::eliminant::SolveError> {
             let instance_ = Instance::new(#(#arguments),*)?;
-            Ok(eliminant::ActionMethod::polish(&instance_, &mut [#(solution_.#fields),*], 0))
+            Ok(emitted::SolverInstance::polish(&instance_, &mut [#(solution_.#fields),*], 0))
         }
     }
 }
 
-/// Whether an unknown is read from the image of the basis.
-fn uses_image(plan: &Plan) -> bool {
-    let is_image = |m: &KnownMonomial| matches!(m, KnownMonomial::Image(_));
-    plan.extractions.iter().flat_map(|x| &x.pairs).any(|(m, n)| is_image(m) || is_image(n))
-}
-
-/// The values of all monomials that unknowns may be read from, and how many: basis, then image, then read rows.
-fn known_monomials(plan: &Plan) -> (usize, TokenStream) {
-    let (basis, read) = (plan.elimination.basis, plan.read.len());
-    let image = usize::from(uses_image(plan)) * basis;
-    if image + read == 0 {
-        let values = quote! {
-            let _ = value;
-            *vector
-        };
-        return (basis, values);
-    }
-    let images = match image {
-        0 => quote!(let _ = value;),
-        _ => quote! {
-            for (at, &entry) in vector.iter().enumerate() {
-                known[#basis + at] = value * entry;
-            }
-        },
-    };
-    let start = basis + image;
-    let reads = match read {
-        0 => quote!(),
-        _ => quote! {
-            for (at, row) in self.read.iter().enumerate() {
-                for (&entry, &factor) in vector.iter().zip(row) {
-                    known[#start + at] += entry.scale(factor);
-                }
-            }
-        },
-    };
-    let length = start + read;
-    let values = quote! {
-        let mut known = [S::ZERO; #length];
-        known[..#basis].copy_from_slice(vector);
-        #images
-        #reads
-        known
-    };
-    (length, values)
-}
-
-/// That all unknowns 0 is a solution, where it is one.
+/// That all unknowns 0 is a solution, if it is one.
 fn origin(plan: &Plan) -> TokenStream {
     match plan.has_origin {
-        true => quote!(
-            const HAS_ORIGIN: bool = true;
-        ),
+        true => quote! {
+            fn has_origin(&self) -> bool {
+                true
+            }
+        },
         false => quote!(),
     }
 }
 
-/// How unknowns follow where a template stands for solutions up to sign; nothing where it does not.
-fn symmetry(plan: &Plan) -> TokenStream {
+/// How unknowns follow if a template stands for solutions up to sign; nothing if it does not.
+fn sign_changes(plan: &Plan) -> TokenStream {
     if plan.flips.is_empty() {
         return quote!();
     }
-    let unknowns = plan.unknowns.len();
-    let steps = (0..unknowns).map(|unknown| {
-        let found = plan.extractions.iter().find(|x| x.unknown == unknown);
-        let exponents = found.map_or_else(|| vec![0; unknowns], |x| x.step.clone());
+    let steps = plan.steps().into_iter().map(|exponents| {
         let exponents = exponents.into_iter().map(Literal::i8_unsuffixed);
-        quote!([#(#exponents),*])
+        quote!(&[#(#exponents),*])
     });
-    let flips = plan.flips.iter().map(|flip| quote!([#(#flip),*]));
+    let flips = plan.flips.iter().map(|flip| quote!(&[#(#flip),*]));
     quote! {
-        const SYMMETRY: Option<eliminant::Symmetry<#unknowns>> =
-            Some(eliminant::Symmetry { steps: [#(#steps),*], flips: &[#(#flips),*] });
+        fn sign_changes(&self) -> Option<emitted::SignChanges<'_>> {
+            Some(emitted::SignChanges { steps: &[#(#steps),*], flips: &[#(#flips),*] })
+        }
     }
 }
 
@@ -261,87 +219,48 @@ fn coefficients_of_instance(plan: &Plan) -> (TokenStream, TokenStream, TokenStre
         let coefficients = quote!(coefficients: self::coefficients(#(#arguments),*),);
         return (quote!(), coefficients, quote!(let coefficients = &self.coefficients;));
     }
-    let inputs: usize = plan.data.iter().map(DataParameter::len).sum();
+    let inputs = Literal::usize_unsuffixed(plan.inputs());
+    let count = Literal::usize_unsuffixed(plan.coefficients.len());
     let field = quote! {
         /// All data, one parameter after another.
         data: [f64; #inputs],
     };
     let coefficients = quote! {
-        coefficients: self::coefficients(&eliminant::joined(&given_)),
-        data: eliminant::joined(&given_),
+        coefficients: self::coefficients(&emitted::joined(&given_)),
+        data: emitted::joined(&given_),
     };
-    (field, coefficients, quote!(let coefficients = &R::of(&self.coefficients, || self::coefficients(&self.data));))
+    let refined = quote! {
+        let coefficients = &R::of::<emitted::Fixed<#count>>(&self.coefficients, || {
+            self::coefficients(&self.data)
+        });
+    };
+    (field, coefficients, refined)
 }
 
+/// The coefficients for given data, and what they are for.
 fn instance(plan: &Plan) -> TokenStream {
     let parameters: Vec<_> = plan.data.iter().map(parameter).collect();
     let slices = plan.data.iter().map(as_slice);
-    let count = plan.coefficients.len();
-    let (rows, basis, unknowns) = (plan.elimination.rows, plan.elimination.basis, plan.unknowns.len());
-    let (precision, precise) = match plan.code.form {
-        CodeForm::Statements => (quote!(f64), quote!()),
-        CodeForm::Table => (
-            quote!(R),
-            quote!(
-                const HAS_PRECISE_COEFFICIENTS: bool = true;
-            ),
-        ),
-    };
-    let blocks = plan.elimination.blocks.iter().enumerate().map(|(at, block)| {
-        let size = block.size;
-        let eliminate = if size > LARGE_BLOCK { quote!(eliminate_large_block) } else { quote!(eliminate_block) };
-        quote!(eliminant::#eliminate::<R, #precision, #size, #basis>(&BLOCKS[#at], &mut right, coefficients)?;)
-    });
-    let (count_known, known) = known_monomials(plan);
-    let position = |monomial: KnownMonomial| match monomial {
-        KnownMonomial::Basis(b) => usize::from(b.0),
-        KnownMonomial::Image(b) => basis + usize::from(b.0),
-        KnownMonomial::Read(at) => basis * (1 + usize::from(uses_image(plan))) + usize::from(at),
-    };
-    let count_read = plan.read.len();
-    let (read_field, no_read, read) = match count_read {
-        0 => (quote!(), quote!(), quote!()),
-        _ => (
+    let (count, count_given) =
+        (Literal::usize_unsuffixed(plan.coefficients.len()), Literal::usize_unsuffixed(plan.data.len()));
+    let (data_field, coefficients, _) = coefficients_of_instance(plan);
+    let (basis, count_read) =
+        (Literal::usize_unsuffixed(plan.elimination.basis), Literal::usize_unsuffixed(plan.read.len()));
+    let (read_field, no_read) = match plan.read.is_empty() {
+        true => (quote!(), quote!()),
+        false => (
             quote! {
                 /// Monomials that unknowns are read from, as combinations of the basis; known after the elimination.
                 read: [[f64; #basis]; #count_read],
             },
             quote!(read: [[0.0; #basis]; #count_read],),
-            quote!(self.read = eliminant::solved_rows(&READ, &right);),
         ),
     };
-    let pairs = (0..unknowns).map(|unknown| {
-        let pairs = plan.extractions.iter().filter(|x| x.unknown == unknown).flat_map(|x| &x.pairs).map(|&(m, n)| {
-            let [m, n] = [m, n].map(|monomial| Literal::usize_unsuffixed(position(monomial)));
-            quote!((#m, #n))
-        });
-        quote!(&[#(#pairs),*])
-    });
-    let (origin, symmetry) = (origin(plan), symmetry(plan));
-    let count_given = plan.data.len();
-    let (data_field, coefficients, refined) = coefficients_of_instance(plan);
-    let recover = match plan.recoveries.is_empty() {
-        true => quote!(let _ = x;),
-        false => plan.recoveries.iter().map(code::recovery).collect(),
-    };
-    let admissible = match plan.nonzero.is_empty() {
-        true => quote! {
-            let _ = unknowns;
-            true
-        },
-        false => {
-            let factors = plan.nonzero.len();
-            quote! {
-                (0..#factors).all(|factor| {
-                    let mut values = [S::ZERO; #factors];
-                    let mut scales = [0.0; #factors];
-                    eliminant::System::residual(&NONZERO.bind(&self.coefficients), unknowns, &mut values, &mut scales);
-                    values[factor].modulus() > eliminant::driver::VANISHING * scales[factor]
-                })
-            }
-        }
-    };
+    let solver_instance = solver_instance(plan);
     quote! {
+        /// A compile error if the runtime has another version.
+        const _: () = emitted::check_version(#RUNTIME_VERSION);
+
         /// The coefficients of all equations for given data.
         struct Instance {
             coefficients: [f64; #count],
@@ -350,44 +269,137 @@ fn instance(plan: &Plan) -> TokenStream {
         }
 
         impl Instance {
-            fn new(#(#parameters),*) -> Result<Self, eliminant::SolveError> {
+            fn new(#(#parameters),*) -> Result<Self, ::eliminant::SolveError> {
                 let given_: [&[f64]; #count_given] = [#(#slices),*];
                 let instance_ = Self { #coefficients #no_read };
-                eliminant::check_coefficients(&instance_.coefficients, &given_)?;
+                emitted::check_coefficients(&instance_.coefficients, &given_)?;
                 Ok(instance_)
             }
         }
 
-        impl eliminant::ActionMethod<#basis, #unknowns, #count_known> for Instance {
-            const PAIRS: [&'static [(u16, u16)]; #unknowns] = [#(#pairs),*];
+        #solver_instance
+    }
+}
+
+/// What the runtime asks of an instance.
+fn solver_instance(plan: &Plan) -> TokenStream {
+    let layout = ValueLayout::of(plan);
+    let [basis, unknowns, values, solutions] =
+        [plan.elimination.basis, plan.unknowns.len(), layout.len(), plan.solutions].map(Literal::usize_unsuffixed);
+    let (ratios, origin, sign_changes, action_matrix) =
+        (ratios(plan), origin(plan), sign_changes(plan), action_matrix(plan));
+    let precise = match plan.code.form {
+        CodeForm::Statements => quote!(),
+        CodeForm::Table => quote! {
+            fn has_precise_coefficients(&self) -> bool {
+                true
+            }
+        },
+    };
+    let has_image = layout.has_image;
+    let read = match plan.read.is_empty() {
+        true => quote!(&[[0.0; 0]; 0]),
+        false => quote!(&self.read),
+    };
+    let recover = match plan.recoveries.is_empty() {
+        true => quote!(let _ = x;),
+        false => plan.recoveries.iter().map(code::recovery).collect(),
+    };
+    let admissible = match plan.nonzero.is_empty() {
+        true => quote! {
+            let _ = x;
+            true
+        },
+        false => quote!(NONZERO.bind(&self.coefficients).exceeds(x, emitted::VANISHING)),
+    };
+    quote! {
+        impl emitted::SolverInstance for Instance {
+            type Basis = emitted::Fixed<#basis>;
+            type Unknowns = emitted::Fixed<#unknowns>;
+            type Values = emitted::Fixed<#values>;
+            type Solutions = emitted::Fixed<#solutions>;
+
+            fn sizes(&self) -> emitted::SizesOf<Self> {
+                emitted::Sizes::FIXED
+            }
+            #ratios
             #origin
-            #symmetry
+            #sign_changes
             #precise
+            #action_matrix
 
-            fn action_matrix<R: eliminant::Real>(&mut self) -> Result<[[R; #basis]; #basis], eliminant::SolveError> {
-                let mut right = [[R::ZERO; #basis]; #rows];
-                #refined
-                eliminant::fill::<R, #precision, #basis>(&mut right, RIGHT, coefficients);
-                #(#blocks)*
-                #read
-                Ok(eliminant::action_matrix(&ACTION, &right))
+            fn monomial_values<S: ::eliminant::Scalar>(&self, value: S, vector: &[S; #basis]) -> [S; #values] {
+                emitted::monomial_values(emitted::Fixed, (value, vector), #has_image, #read)
             }
 
-            fn known<S: eliminant::Scalar>(&self, value: S, vector: &[S; #basis]) -> [S; #count_known] {
-                #known
-            }
-
-            fn recover<S: eliminant::Scalar>(&self, x: &mut [S; #unknowns]) {
+            fn recover<S: ::eliminant::Scalar>(&self, x: &mut [S; #unknowns]) {
                 #recover
             }
 
-            fn polish<S: eliminant::Scalar>(&self, unknowns: &mut [S; #unknowns], steps: usize) -> f64 {
-                eliminant::polish(unknowns, &EQUATIONS.bind(&self.coefficients), steps)
+            fn polish<S: ::eliminant::Scalar>(&self, x: &mut [S; #unknowns], steps: usize) -> f64 {
+                emitted::polish(x, EQUATIONS.polynomials(), &EQUATIONS.bind(&self.coefficients), steps)
             }
 
-            fn is_admissible<S: eliminant::Scalar>(&self, unknowns: &[S; #unknowns]) -> bool {
+            fn is_admissible<S: ::eliminant::Scalar>(&self, x: &[S; #unknowns]) -> bool {
                 #admissible
             }
+        }
+    }
+}
+
+/// Where unknowns are read from.
+fn ratios(plan: &Plan) -> TokenStream {
+    let layout = ValueLayout::of(plan);
+    let pairs = (0..plan.unknowns.len()).map(|unknown| {
+        let pairs = layout.ratios(plan, unknown).into_iter().map(|(m, xm)| {
+            let [m, xm] = [m, xm].map(Literal::u16_unsuffixed);
+            quote!((#m, #xm))
+        });
+        quote!(&[#(#pairs),*])
+    });
+    let unknowns = Literal::usize_unsuffixed(plan.unknowns.len());
+    quote! {
+        fn ratios(&self, unknown: usize) -> &[(u16, u16)] {
+            const RATIOS: [&[(u16, u16)]; #unknowns] = [#(#pairs),*];
+            RATIOS[unknown]
+        }
+    }
+}
+
+/// Fill and elimination.
+fn action_matrix(plan: &Plan) -> TokenStream {
+    let [rows, basis, count_read] =
+        [plan.elimination.rows, plan.elimination.basis, plan.read.len()].map(Literal::usize_unsuffixed);
+    let (_, _, refined) = coefficients_of_instance(plan);
+    let precision = match plan.code.form {
+        CodeForm::Statements => quote!(f64),
+        CodeForm::Table => quote!(R),
+    };
+    let blocks = plan.elimination.blocks.iter().enumerate().map(|(at, block)| {
+        let (at, size) = (Literal::usize_unsuffixed(at), Literal::usize_unsuffixed(block.size));
+        let eliminate = if block.is_large() { quote!(eliminate_large) } else { quote!(eliminate) };
+        quote!(BLOCKS[#at].#eliminate::<_, #precision, _, #size>(&mut right, coefficients)?;)
+    });
+    let read = match plan.read.is_empty() {
+        true => quote!(),
+        false => quote! {
+            self.read = emitted::solved_rows(
+                (emitted::Fixed::<#count_read>, emitted::Fixed::<#basis>),
+                &READ,
+                &right,
+            );
+        },
+    };
+    quote! {
+        fn action_matrix<R: emitted::Real>(
+            &mut self,
+        ) -> Result<[[R; #basis]; #basis], ::eliminant::SolveError> {
+            let mut right = [[R::ZERO; #basis]; #rows];
+            #refined
+            emitted::fill::<_, #precision, _>(&mut right, RIGHT, coefficients);
+            #(#blocks)*
+            #read
+            Ok(emitted::action_matrix(emitted::Fixed::<#basis>, &ACTION, &right))
         }
     }
 }

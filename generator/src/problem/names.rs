@@ -3,10 +3,20 @@
 use proc_macro2::Ident;
 
 use super::syntax::place;
-use crate::diagnostic::Diagnostic;
+use crate::problem::diagnostic::Diagnostic;
 
 /// Reserved in some edition of Rust although the parser takes them as names.
 const RESERVED: [&str; 4] = ["gen", "try", "union", "macro_rules"];
+
+/// Problems whose type of solutions would have the name of one that emitted code uses.
+const TAKEN: [&str; 7] = ["instance", "ok", "option", "result", "s", "some", "t"];
+
+/// The message for the name of a problem after which no type can be named.
+pub(super) fn refuse_type(ident: &Ident) -> Option<Diagnostic> {
+    let name = ident.to_string();
+    let message = || format!("emitted code has a type of its own where solutions of `{name}` would be one");
+    TAKEN.contains(&name.as_str()).then(|| Diagnostic::new(message(), place(ident)).label("choose another name"))
+}
 
 /// The message for a name that emitted code could not use as it stands.
 pub(super) fn refuse(ident: &Ident, what: &str) -> Option<Diagnostic> {
@@ -14,6 +24,10 @@ pub(super) fn refuse(ident: &Ident, what: &str) -> Option<Diagnostic> {
     let span = place(ident);
     if name.starts_with("r#") || RESERVED.contains(&name.as_str()) || syn::parse_str::<Ident>(&name).is_err() {
         return Some(Diagnostic::new(format!("`{name}` is reserved in Rust"), span).label("choose another name"));
+    }
+    if name.ends_with('_') {
+        let diagnostic = Diagnostic::new(format!("the name of {what} must not end with `_`"), span);
+        return Some(diagnostic.label("such names are those of emitted code"));
     }
     let starts_well = name.starts_with(|c: char| c.is_ascii_lowercase());
     if starts_well && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_') {

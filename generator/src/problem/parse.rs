@@ -6,16 +6,16 @@ use syn::{Attribute, Item, ItemConst, ItemFn, ReturnType, Safety, Visibility};
 
 use super::functions::BUILT_IN;
 use super::interpret::Interpreter;
-use super::names::refuse;
+use super::names::{refuse, refuse_type};
 use super::scope::{Binding, Kind};
 use super::signature::{Unknown, doc_lines, unknown_list};
 use super::syntax::{parse_file, place};
 use super::value::Value;
 use super::{DataParameter, Problem, SourceFile, Span};
 use crate::algebra::{Monomial, Polynomial};
-use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{ExpressionGraph, ExpressionId};
-use crate::instance::fingerprint_points;
+use crate::problem::diagnostic::{Diagnostic, Diagnostics};
+use crate::problem::instance::fingerprint_points;
 
 /// Stack of the thread that parses, so that the longest expression allowed fits whatever the caller's stack is.
 const STACK: usize = 256 << 20;
@@ -115,6 +115,7 @@ fn sort_items(items: &[Item]) -> (Items<'_>, Vec<Diagnostic>) {
                             .hint("move it to a file of its own"),
                     );
                 } else {
+                    messages.extend(refuse_type(&function.sig.ident));
                     sorted.problem = Some(function);
                 }
             }

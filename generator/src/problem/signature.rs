@@ -11,7 +11,7 @@ use super::syntax::place;
 use super::value::{Checked, MAX_ELEMENTS, describe, fault};
 use super::{DataAttribute, DataParameter, Span};
 use crate::algebra::MAX_UNKNOWNS;
-use crate::diagnostic::Diagnostic;
+use crate::problem::diagnostic::Diagnostic;
 
 /// Types of Rust that somebody may write by habit; none of them is the name of an unknown.
 const PRIMITIVES: [&str; 17] = [

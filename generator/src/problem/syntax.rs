@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use syn::spanned::Spanned;
 
 use super::Span;
-use crate::diagnostic::Diagnostic;
+use crate::problem::diagnostic::Diagnostic;
 
 /// Longest text of a problem file, in bytes.
 const MAX_TEXT: usize = 1 << 20;
