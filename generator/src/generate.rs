@@ -5,7 +5,7 @@ use crate::emit::{EmitError, Provenance, emit};
 use crate::plan::Plan;
 use crate::plan::interpret::{self, Eliminated};
 use crate::plan::schedule::{ScheduleError, schedule};
-use crate::plan::solution_count::{SolutionCount, count_solutions};
+use crate::plan::solution_count::{SolutionBounds, count_solutions};
 use crate::presolve::{ReducedProblem, presolve};
 use crate::problem::Problem;
 use crate::problem::diagnostic::Diagnostics;
@@ -39,7 +39,7 @@ pub enum GenerateError {
         /// What the file says.
         file: usize,
         /// What the template gives.
-        found: SolutionCount,
+        found: SolutionBounds,
     },
     /// The template does not fit the problem.
     #[error(transparent)]

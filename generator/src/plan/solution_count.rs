@@ -31,14 +31,14 @@ use crate::algebra::{DenseMatrix, Eigenpair, Monomial, PrimeField, Random, Univa
 
 /// Bounds on the number of different solutions. They are equal unless an eigenvalue has several eigenvectors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct SolutionCount {
+pub struct SolutionBounds {
     /// The solutions that are certain.
     pub least: usize,
     /// These and all that are possible.
     pub most: usize,
 }
 
-impl fmt::Display for SolutionCount {
+impl fmt::Display for SolutionBounds {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.is_exact() {
             true => write!(f, "{}", self.least),
@@ -47,7 +47,7 @@ impl fmt::Display for SolutionCount {
     }
 }
 
-impl SolutionCount {
+impl SolutionBounds {
     /// Whether the number is known.
     pub fn is_exact(self) -> bool {
         self.least == self.most
@@ -72,7 +72,7 @@ pub fn count_solutions(
     field: PrimeField,
     coefficients: &[u32],
     eliminated: &Eliminated<u32>,
-) -> SolutionCount {
+) -> SolutionBounds {
     let matrix = DenseMatrix::from_rows(field, plan.elimination.basis, &eliminated.action);
     let eigenpair = Eigenpair::of(&matrix, &mut Random::new(SEED));
     let counter = Counter { plan, action, field, coefficients, eliminated, eigenpair };
@@ -118,11 +118,11 @@ impl Branch {
 }
 
 impl Counter<'_> {
-    fn count(&self) -> SolutionCount {
+    fn count(&self) -> SolutionBounds {
         let (modulus, shared) = self.split_by_eigenvectors();
         let all_signs = 1 + self.plan.flips.len();
         let origin = usize::from(self.plan.has_origin);
-        let mut count = SolutionCount { least: origin, most: origin + all_signs * shared };
+        let mut count = SolutionBounds { least: origin, most: origin + all_signs * shared };
         let residues = Residues { field: self.field, modulus, squares: Vec::new() };
         let mut branches = vec![Branch { residues, unknowns: vec![Element::default(); self.plan.unknowns.len()] }];
         // An unknown that no extraction and no recovery gives does not occur: the plan is checked for that.
@@ -231,7 +231,7 @@ impl Counter<'_> {
     }
 
     /// The solutions among the eigenpairs of a branch of which all unknowns are known.
-    fn solutions(&self, branch: &Branch) -> SolutionCount {
+    fn solutions(&self, branch: &Branch) -> SolutionBounds {
         let field = self.field;
         let residues = &branch.residues;
         let mut random = Random::new(SEED);
@@ -258,7 +258,7 @@ impl Counter<'_> {
         let own = solutions.gcd(field, &residues.zeros(&difference));
         let undefined = own.gcd(field, &residues.zeros(&denominator));
         let certain = own.degree() - undefined.degree();
-        SolutionCount { least: branch.signs() * certain, most: branch.signs() * solutions.degree() }
+        SolutionBounds { least: branch.signs() * certain, most: branch.signs() * solutions.degree() }
     }
 
     /// Numerator and denominator of the action monomial.
