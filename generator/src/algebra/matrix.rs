@@ -102,6 +102,12 @@ impl DenseMatrix {
         sums.into_iter().map(|sum| self.field.reduce(sum)).collect()
     }
 
+    /// The product of the matrix with a column vector of as many values as it has columns.
+    pub fn times_column(&self, vector: &[u32]) -> Vec<u32> {
+        debug_assert_eq!(vector.len(), self.columns);
+        (0..self.rows).map(|row| self.field.dot(self.row(row), vector)).collect()
+    }
+
     /// The inverse; `None` for a singular matrix or one that is not square.
     pub fn inverse(&self) -> Option<Self> {
         let size = self.rows;

@@ -1,16 +1,20 @@
-//! Algebra over Z_p: the prime field, monomials, polynomials, row echelon form; Gröbner bases and quotient rings with
-//! the feature `search`.
+//! Algebra over Z_p: the prime field, monomials, polynomials, row echelon form, eigenpairs; Gröbner bases and
+//! quotient rings with the feature `search`.
 
 mod echelon;
+mod eigenpair;
 mod field;
 #[cfg(feature = "search")]
 mod groebner;
+mod hessenberg;
 mod matrix;
 mod monomial;
 mod polynomial;
 mod random;
+mod univariate;
 
 pub use echelon::Echelon;
+pub use eigenpair::Eigenpair;
 pub use field::{PRIMES, PrimeField};
 #[cfg(feature = "search")]
 pub use groebner::{
@@ -21,3 +25,4 @@ pub use matrix::DenseMatrix;
 pub use monomial::{MAX_UNKNOWNS, Monomial, MonomialMap, MonomialSet};
 pub use polynomial::Polynomial;
 pub use random::Random;
+pub use univariate::Univariate;

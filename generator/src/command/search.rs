@@ -10,7 +10,7 @@ use super::search_report::{Cut, Report, ShardReport};
 use super::settings::Settings;
 use super::shard::{Common, ShardCandidate, ShardFile, merge};
 use super::watch::{End, Watch};
-use crate::check::{Algebra, check};
+use crate::check::{SolutionCount, check};
 use crate::generate::plan;
 use crate::problem::Problem;
 use crate::search::choose::{Measured, choose, screen};
@@ -133,7 +133,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
 /// What is found within the first of some limits on the number of columns that suffices; `options` hold it afterwards.
 fn first_found(
     problem: &Problem,
-    algebra: &Algebra,
+    algebra: &SolutionCount,
     options: &mut SearchOptions,
     limits: &[usize],
     monitor: &dyn Monitor,

@@ -7,24 +7,20 @@ use quote::{format_ident, quote};
 
 use super::parameter;
 use crate::expression::rational::Rational;
-use crate::plan::code::{Operation, ValueId};
+use crate::plan::program::{Operation, ValueId};
+use crate::plan::statements::{Place, Statements};
 use crate::plan::{Plan, PlannedRecovery};
 use crate::problem::DataParameter;
 
-/// Operations that a statement holds at most.
-const MOST_OPERATIONS: usize = 64;
-
-/// The function from the data to the coefficients. What is read once is part of the expression that reads it, in the same order of operations;
-/// what is read more often is kept in one array: each type that the compiler must find costs time, and thousands of variables, each with its debug
-/// information, overflow its stack.
+/// The function from the data to the coefficients, with the statements of [`Statements`].
 pub(super) fn statements(plan: &Plan) -> TokenStream {
     let parameters = plan.data.iter().map(parameter);
-    let reads = reads(plan);
-    let (inputs, locals) = inputs(plan, &reads);
+    let planned = Statements::of(&plan.program, &plan.coefficients);
+    let (inputs, locals) = inputs(plan, &planned);
     let values = format_ident!("{}", name_of_values(plan));
     let mut statements: Vec<TokenStream> = Vec::new();
-    let mut printed: Vec<Expression> = Vec::with_capacity(plan.code.operations.len());
-    for (operation, &reads) in plan.code.operations.iter().zip(&reads) {
+    let mut printed: Vec<Expression> = Vec::with_capacity(plan.program.operations.len());
+    for (operation, &place) in plan.program.operations.iter().zip(&planned.places) {
         let operand = |id: ValueId| &printed[id.0 as usize];
         let expression = match *operation {
             Operation::Constant(value) => Expression::atom(constant(value)),
@@ -35,28 +31,23 @@ pub(super) fn statements(plan: &Plan) -> TokenStream {
             Operation::Divide(a, b) => Expression::binary(operand(a), quote!(/), PRODUCT, operand(b)),
             Operation::Negate(a) => Expression::negated(operand(a)),
             Operation::Coefficient { sum, at } => {
-                let terms = plan.code.product_sums[sum as usize].terms(at as usize);
+                let terms = plan.program.product_sums[sum as usize].terms(at as usize);
                 Expression::sum(terms.map(|(negative, a, b)| {
                     let product = Expression::binary(operand(a), quote!(*), PRODUCT, operand(b));
                     (negative, product)
                 }))
             }
         };
-        let is_part = match reads {
-            0 => true,
-            1 => expression.operations < MOST_OPERATIONS,
-            _ => !operation.is_step(),
-        };
-        printed.push(if is_part {
-            expression
-        } else {
-            let slot = Literal::usize_unsuffixed(statements.len());
-            let value = expression.tokens;
-            statements.push(quote!(#values[#slot] = #value;));
-            Expression::atom(quote!(#values[#slot]))
+        printed.push(match place {
+            Place::Unread | Place::Inline => expression,
+            Place::Slot(slot) => {
+                let (slot, value) = (Literal::usize_unsuffixed(slot), expression.tokens);
+                statements.push(quote!(#values[#slot] = #value;));
+                Expression::atom(quote!(#values[#slot]))
+            }
         });
     }
-    let count = statements.len();
+    let count = planned.slots;
     let declaration = match count {
         0 => quote!(),
         _ => quote!(let mut #values = [0.0; #count];),
@@ -85,23 +76,22 @@ struct Expression {
     tokens: TokenStream,
     /// How tightly its last operator binds.
     precedence: u8,
-    operations: usize,
 }
 
 impl Expression {
     fn atom(tokens: TokenStream) -> Self {
-        Self { tokens, precedence: ATOM, operations: 0 }
+        Self { tokens, precedence: ATOM }
     }
 
     /// Left operands bind as tightly without parentheses, right ones do not.
     fn binary(a: &Self, operator: TokenStream, precedence: u8, b: &Self) -> Self {
         let (left, right) = (a.at_least(precedence), b.at_least(precedence + 1));
-        Self { tokens: quote!(#left #operator #right), precedence, operations: a.operations + b.operations + 1 }
+        Self { tokens: quote!(#left #operator #right), precedence }
     }
 
     fn negated(a: &Self) -> Self {
         let operand = a.at_least(SIGN);
-        Self { tokens: quote!(-#operand), precedence: SIGN, operations: a.operations + 1 }
+        Self { tokens: quote!(-#operand), precedence: SIGN }
     }
 
     /// The first term is taken as it is, the others are added one after another.
@@ -124,26 +114,6 @@ impl Expression {
     }
 }
 
-/// How often each value of the code is read by what is printed. What nothing reads are coefficients of sums that no equation has.
-fn reads(plan: &Plan) -> Vec<usize> {
-    let mut reads = vec![0; plan.code.operations.len()];
-    plan.coefficients.iter().for_each(|id| reads[id.0 as usize] += 1);
-    for position in (0..reads.len()).rev() {
-        if reads[position] == 0 {
-            continue;
-        }
-        let operation = plan.code.operations[position];
-        match operation {
-            Operation::Coefficient { sum, at } => {
-                let terms = plan.code.product_sums[sum as usize].terms(at as usize);
-                terms.flat_map(|(_, a, b)| [a, b]).for_each(|id| reads[id.0 as usize] += 1);
-            }
-            _ => plan.code.operands(operation).for_each(|id| reads[id.0 as usize] += 1),
-        }
-    }
-    reads
-}
-
 /// A name for the intermediate values that no parameter has.
 fn name_of_values(plan: &Plan) -> String {
     let mut name = "v".to_owned();
@@ -154,7 +124,7 @@ fn name_of_values(plan: &Plan) -> String {
 }
 
 /// What stands for each scalar of the data, in flat order, and declarations of those that are read: `let gram_0_2 = gram[0][2];`.
-fn inputs(plan: &Plan, reads: &[usize]) -> (Vec<TokenStream>, Vec<TokenStream>) {
+fn inputs(plan: &Plan, statements: &Statements) -> (Vec<TokenStream>, Vec<TokenStream>) {
     let mut separator = "_".to_owned();
     let names = loop {
         let names: Vec<String> = plan.data.iter().flat_map(|parameter| names(parameter, &separator)).collect();
@@ -166,16 +136,12 @@ fn inputs(plan: &Plan, reads: &[usize]) -> (Vec<TokenStream>, Vec<TokenStream>) 
         }
         separator.push_str("at_");
     };
-    let is_read = |input: usize| {
-        let is_input = |operation: &Operation| matches!(operation, Operation::Input(at) if *at as usize == input);
-        plan.code.operations.iter().zip(reads).any(|(operation, &reads)| reads > 0 && is_input(operation))
-    };
     let idents: Vec<_> = names.iter().map(|name| format_ident!("{name}")).collect();
     let elements = plan.data.iter().filter(|parameter| !parameter.shape.is_empty()).flat_map(|parameter| {
         let elements = elements(parameter).into_iter().enumerate();
         elements.map(|(at, element)| (parameter.first_input + at, element))
     });
-    let locals = elements.filter(|(input, _)| is_read(*input)).map(|(input, element)| {
+    let locals = elements.filter(|(input, _)| statements.reads_input(&plan.program, *input)).map(|(input, element)| {
         let local = &idents[input];
         quote!(let #local = #element;)
     });

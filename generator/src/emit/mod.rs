@@ -10,7 +10,7 @@ use quote::{format_ident, quote};
 
 use self::listing::Listings;
 use crate::plan::Plan;
-use crate::plan::code::CodeForm;
+use crate::plan::program::ProgramForm;
 use crate::plan::value_layout::ValueLayout;
 use crate::problem::DataParameter;
 use crate::template::RootMethod;
@@ -54,9 +54,9 @@ fn module(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> Toke
     let solution = solution_struct(plan);
     let api = api(plan);
     let instance = instance(plan);
-    let coefficients = match plan.code.form {
-        CodeForm::Statements => code::statements(plan),
-        CodeForm::Table => program::table(plan, listings),
+    let coefficients = match plan.program.form {
+        ProgramForm::Statements => code::statements(plan),
+        ProgramForm::Table => program::table(plan, listings),
     };
     let tables = tables::tables(plan, listings);
     quote! {
@@ -214,7 +214,7 @@ fn sign_changes(plan: &Plan) -> TokenStream {
 /// A field for the data, how the coefficients are computed from `given_` when an instance is made, and how an elimination in the precision R gets them:
 /// tables can be executed at twice the precision, too.
 fn coefficients_of_instance(plan: &Plan) -> (TokenStream, TokenStream, TokenStream) {
-    if plan.code.form == CodeForm::Statements {
+    if plan.program.form == ProgramForm::Statements {
         let arguments = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name));
         let coefficients = quote!(coefficients: self::coefficients(#(#arguments),*),);
         return (quote!(), coefficients, quote!(let coefficients = &self.coefficients;));
@@ -288,9 +288,9 @@ fn solver_instance(plan: &Plan) -> TokenStream {
         [plan.elimination.basis, plan.unknowns.len(), layout.len(), plan.solutions].map(Literal::usize_unsuffixed);
     let (ratios, origin, sign_changes, action_matrix) =
         (ratios(plan), origin(plan), sign_changes(plan), action_matrix(plan));
-    let precise = match plan.code.form {
-        CodeForm::Statements => quote!(),
-        CodeForm::Table => quote! {
+    let precise = match plan.program.form {
+        ProgramForm::Statements => quote!(),
+        ProgramForm::Table => quote! {
             fn has_precise_coefficients(&self) -> bool {
                 true
             }
@@ -371,9 +371,9 @@ fn action_matrix(plan: &Plan) -> TokenStream {
     let [rows, basis, count_read] =
         [plan.elimination.rows, plan.elimination.basis, plan.read.len()].map(Literal::usize_unsuffixed);
     let (_, _, refined) = coefficients_of_instance(plan);
-    let precision = match plan.code.form {
-        CodeForm::Statements => quote!(f64),
-        CodeForm::Table => quote!(R),
+    let precision = match plan.program.form {
+        ProgramForm::Statements => quote!(f64),
+        ProgramForm::Table => quote!(R),
     };
     let blocks = plan.elimination.blocks.iter().enumerate().map(|(at, block)| {
         let (at, size) = (Literal::usize_unsuffixed(at), Literal::usize_unsuffixed(block.size));

@@ -285,8 +285,8 @@ impl ExpressionGraph {
     pub(super) fn push_sum(&mut self, sum: ProductSum<ExpressionId>) -> Vec<ExpressionId> {
         let is_constant = |id: ExpressionId| self.as_constant(id).is_some();
         let mut depends = vec![false; sum.length];
-        for (to, a, b) in sum.products.iter().flat_map(Product::pairs) {
-            depends[to] |= !(is_constant(a) && is_constant(b));
+        for (place, a, b) in sum.products.iter().flat_map(Product::pairs) {
+            depends[place] |= !(is_constant(a) && is_constant(b));
         }
         let [first, second] =
             [0, 1].map(|k| sum.evaluate(FINGERPRINT_FIELDS[k], |id| self.fingerprints[id.index()][k]));

@@ -66,11 +66,11 @@ impl ExpressionGraph {
         let different: MonomialSet = monomials_of.iter().flatten().copied().collect();
         let mut monomials: Vec<Monomial> = different.into_iter().collect();
         monomials.sort_by_cached_key(|monomial| std::cmp::Reverse(monomial.rank()));
-        let places: MonomialMap<u32> = (0..).zip(&monomials).map(|(place, &monomial)| (monomial, place)).collect();
+        let place_of: MonomialMap<u32> = (0..).zip(&monomials).map(|(place, &monomial)| (monomial, place)).collect();
         let coefficients = |p: &SymbolicPolynomial| p.terms().iter().map(|&(_, c)| c).collect();
         let product = |(&(negative, p, q), pairs): (&SignedProduct<'_>, &Vec<Monomial>)| {
-            let to = pairs.iter().map(|monomial| places[monomial]).collect();
-            Product { negative, left: coefficients(p), right: coefficients(q), to }
+            let places = pairs.iter().map(|monomial| place_of[monomial]).collect();
+            Product { negative, left: coefficients(p), right: coefficients(q), places }
         };
         let products = products.iter().zip(&monomials_of).map(product).collect();
         let sum = ProductSum { products, length: monomials.len() };

@@ -1,11 +1,11 @@
-//! Sums of products of polynomials: what would be thousands of scalar operations stays a few loops.
+//! Sums of products of polynomials, kept whole: a few loops instead of thousands of scalar operations.
 
 use super::arithmetic::Arithmetic;
 
 /// The coefficients of a polynomial p q ± p' q' ± .., where p, q, .. are given by the values of their coefficients.
 ///
 /// ```text
-///   coefficient k = sum over all products, i and j with to[i * |right| + j] = k  of  ± left[i] * right[j]
+///   coefficient k = sum over all products, i and j with places[i * |right| + j] = k  of  ± left[i] * right[j]
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ProductSum<Id> {
@@ -24,34 +24,35 @@ pub struct Product<Id> {
     pub left: Vec<Id>,
     /// The coefficients of the right factor.
     pub right: Vec<Id>,
-    /// For each coefficient of the left factor, the coefficients of the sum that its products with those of the right factor belong to.
-    pub to: Vec<u32>,
+    /// For each coefficient of the left factor, the positions in the sum of its products with those of the right
+    /// factor.
+    pub places: Vec<u32>,
 }
 
 impl<Id: Copy> Product<Id> {
-    /// (k, left\[i\], right\[j\]): the products of coefficients, each with the coefficient of the sum that it belongs to.
+    /// (k, left\[i\], right\[j\]): the products of coefficients, each with the coefficient of the sum that it is added to.
     pub fn pairs(&self) -> impl Iterator<Item = (usize, Id, Id)> + '_ {
         let factors = self.left.iter().flat_map(|&left| self.right.iter().map(move |&right| (left, right)));
-        factors.zip(&self.to).map(|((left, right), &to)| (to as usize, left, right))
+        factors.zip(&self.places).map(|((left, right), &place)| (place as usize, left, right))
     }
 }
 
 impl<Id: Copy> ProductSum<Id> {
-    /// All values that it reads, repeatedly where several products read them.
+    /// All values that the sum reads; a value that several products read comes several times.
     pub fn operands(&self) -> impl Iterator<Item = Id> + '_ {
         self.products.iter().flat_map(|product| product.left.iter().chain(&product.right)).copied()
     }
 
     /// Multiplications, additions and subtractions.
     pub fn operations(&self) -> usize {
-        let pairs: usize = self.products.iter().map(|product| product.to.len()).sum();
+        let pairs: usize = self.products.iter().map(|product| product.places.len()).sum();
         (2 * pairs).saturating_sub(self.length)
     }
 
-    /// What coefficient `at` is the sum of: whether it is subtracted, and the two factors.
+    /// The products whose sum coefficient `at` is: whether each is subtracted, and its two factors.
     pub fn terms(&self, at: usize) -> impl Iterator<Item = (bool, Id, Id)> + '_ {
         self.products.iter().flat_map(move |product| {
-            let own = product.pairs().filter(move |&(to, ..)| to == at);
+            let own = product.pairs().filter(move |&(place, ..)| place == at);
             own.map(|(_, left, right)| (product.negative, left, right))
         })
     }
@@ -60,9 +61,9 @@ impl<Id: Copy> ProductSum<Id> {
     pub fn evaluate<A: Arithmetic>(&self, f: A, value: impl Fn(Id) -> A::Value) -> Vec<A::Value> {
         let mut sums: Vec<Option<A::Value>> = vec![None; self.length];
         for product in &self.products {
-            for (to, left, right) in product.pairs() {
+            for (place, left, right) in product.pairs() {
                 let term = f.mul(value(left), value(right));
-                sums[to] = Some(match (sums[to], product.negative) {
+                sums[place] = Some(match (sums[place], product.negative) {
                     (None, false) => term,
                     (None, true) => f.neg(term),
                     (Some(sum), false) => f.add(sum, term),
@@ -73,7 +74,7 @@ impl<Id: Copy> ProductSum<Id> {
         sums.into_iter().map(|sum| sum.unwrap_or(f.zero())).collect()
     }
 
-    /// The same on other values.
+    /// The same sum with each value replaced.
     #[must_use]
     pub fn map<To>(&self, to: impl Fn(Id) -> To) -> ProductSum<To> {
         let all = |ids: &[Id]| ids.iter().map(|&id| to(id)).collect();
@@ -81,7 +82,7 @@ impl<Id: Copy> ProductSum<Id> {
             negative: product.negative,
             left: all(&product.left),
             right: all(&product.right),
-            to: product.to.clone(),
+            places: product.places.clone(),
         };
         ProductSum { products: self.products.iter().map(product).collect(), length: self.length }
     }

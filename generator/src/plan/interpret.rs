@@ -8,7 +8,7 @@ pub fn coefficients<A: Arithmetic>(plan: &Plan, f: A, inputs: &[A::Value]) -> Op
     if !all_finite(f, inputs) {
         return None;
     }
-    let values = plan.code.evaluate(f, inputs)?;
+    let values = plan.program.evaluate(f, inputs)?;
     let coefficients: Vec<A::Value> = plan.coefficients.iter().map(|id| values[id.0 as usize]).collect();
     all_finite(f, &coefficients).then_some(coefficients)
 }

@@ -9,18 +9,21 @@
 //! Every decision is taken here; [`crate::emit`] prints and [`crate::plan::interpret`] executes, and the two must agree.
 
 mod block_triangular;
-pub mod code;
 mod constant_rows;
 pub mod interpret;
+pub mod program;
 pub mod program_table;
+mod residues;
 pub mod schedule;
+pub mod solution_count;
+pub mod statements;
 mod straight_line;
 pub mod system_table;
 pub mod value_layout;
 
 use crate::problem::DataParameter;
 use crate::template::RootMethod;
-use code::{Code, ValueId};
+use program::{Program, ValueId};
 
 /// Position in the array of coefficients that the tables refer to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -155,7 +158,7 @@ pub struct PlannedRecovery {
 /// Floating-point operations of one solve, additions and multiplications counted alike; divisions count as one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OperationCount {
-    /// Straight-line code.
+    /// Straight-line program.
     pub coefficients: usize,
     /// Elimination and back-substitution.
     pub elimination: usize,
@@ -186,7 +189,7 @@ pub struct Plan {
     /// Whether the origin is one of them. It is known, and no template need give it.
     pub has_origin: bool,
     /// From the data to the coefficients.
-    pub code: Code,
+    pub program: Program,
     /// The value of each coefficient.
     pub coefficients: Vec<ValueId>,
     /// The elimination.
@@ -236,7 +239,7 @@ impl Plan {
 
     /// Operations of one solve.
     pub fn operations(&self) -> OperationCount {
-        let coefficients = self.code.steps();
+        let coefficients = self.program.steps();
         let width = self.elimination.basis;
         let elimination = self.elimination.blocks.iter().map(|block| {
             let n = block.size;
@@ -250,7 +253,7 @@ impl Plan {
 
     /// Checks that every table stays in range and that every value and pivot is written before it is read.
     pub fn check(&self) -> Result<(), PlanError> {
-        let code_ok = self.code.is_ordered(self.data.iter().map(DataParameter::len).sum());
+        let program_ok = self.program.is_ordered(self.data.iter().map(DataParameter::len).sum());
         let coefficient_ok = |id: CoefficientId| usize::from(id.0) < self.coefficients.len();
         let e = &self.elimination;
         let mut next = 0;
@@ -306,9 +309,9 @@ impl Plan {
             self.equations.iter().chain(&self.nonzero).chain(self.recoveries.iter().map(|r| &r.terms)).flatten();
         terms_ok &=
             all_terms.clone().all(|t| coefficient_ok(t.coefficient) && t.exponents.len() == self.unknowns.len());
-        let values_ok = self.coefficients.iter().all(|id| (id.0 as usize) < self.code.operations.len());
+        let values_ok = self.coefficients.iter().all(|id| (id.0 as usize) < self.program.operations.len());
         for (ok, what) in [
-            (code_ok, "a value is read before it is written"),
+            (program_ok, "a value is read before it is written"),
             (values_ok, "a coefficient has no value"),
             (blocks_ok && next == e.rows, "the blocks do not tile the rows"),
             (e.row_shifts.len() == e.rows && e.pivot_columns.len() == e.rows, "a row has no shift or no pivot column"),

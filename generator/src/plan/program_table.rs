@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Plan;
-use super::code::{Code, Operation, ValueId};
+use super::program::{Operation, Program, ValueId};
 use crate::expression::rational::Rational;
 
 /// What all steps of a run do.
@@ -66,28 +66,28 @@ pub struct ProgramTable {
 }
 
 impl ProgramTable {
-    /// The table of a plan's code. All data take their places, also those that no step reads.
+    /// The table of a plan's program. All data take their places, also those that no step reads.
     pub fn of(plan: &Plan) -> Self {
-        let code = &plan.code;
+        let program = &plan.program;
         let as_constant = |operation: &Operation| match operation {
             Operation::Constant(value) => Some(*value),
             _ => None,
         };
-        let constants: Vec<Rational> = code.operations.iter().filter_map(as_constant).collect();
+        let constants: Vec<Rational> = program.operations.iter().filter_map(as_constant).collect();
         let inputs = plan.inputs();
-        let steps = code.operations.iter().filter(|operation| operation.is_step()).count();
-        let positions = positions(code, constants.len(), inputs);
+        let steps = program.operations.iter().filter(|operation| operation.is_step()).count();
+        let positions = positions(program, constants.len(), inputs);
         let position = |id: ValueId| positions[id.0 as usize];
         let scalar = |operation: &&Operation| !matches!(operation, Operation::Coefficient { .. });
-        let operands = code.operations.iter().filter(scalar).filter_map(|&operation| {
-            let mut operands = code.operands(operation);
+        let operands = program.operations.iter().filter(scalar).filter_map(|&operation| {
+            let mut operands = program.operands(operation);
             let a = operands.next()?;
             Some((position(a), position(operands.next().unwrap_or(a))))
         });
         let mut table = Self {
             values: constants.len() + inputs + steps,
             constants,
-            runs: runs(code),
+            runs: runs(program),
             operands: operands.collect(),
             sums: Vec::new(),
             products: Vec::new(),
@@ -95,20 +95,20 @@ impl ProgramTable {
             places: Vec::new(),
             results: plan.coefficients.iter().map(|&id| position(id)).collect(),
         };
-        table.add_product_sums(code, &positions);
+        table.add_product_sums(program, &positions);
         table
     }
 
-    fn add_product_sums(&mut self, code: &Code, positions: &[u32]) {
+    fn add_product_sums(&mut self, program: &Program, positions: &[u32]) {
         let (mut factors, mut places) = (Lists::default(), Lists::default());
-        for operation in &code.operations {
+        for operation in &program.operations {
             let Operation::Coefficient { sum, at: 0 } = *operation else { continue };
-            let of_sum = &code.product_sums[sum as usize];
+            let of_sum = &program.product_sums[sum as usize];
             for product in &of_sum.products {
                 let mut factor =
                     |ids: &[ValueId]| factors.number(ids.iter().map(|id| positions[id.0 as usize]).collect());
                 let (left, right) = (factor(&product.left), factor(&product.right));
-                let places = places.number(product.to.clone());
+                let places = places.number(product.places.clone());
                 self.products.push(ProductEntry { negative: product.negative, left, right, places });
             }
             self.sums.push((of_sum.products.len() as u32, of_sum.length as u32));
@@ -136,8 +136,8 @@ impl Lists {
     }
 }
 
-/// Where the table keeps each value of the code.
-fn positions(code: &Code, constants: usize, inputs: usize) -> Vec<u32> {
+/// Where the table keeps each value of the program.
+fn positions(program: &Program, constants: usize, inputs: usize) -> Vec<u32> {
     let (mut next_constant, mut next_step) = (0, (constants + inputs) as u32);
     let take = |next: &mut u32| {
         *next += 1;
@@ -148,16 +148,16 @@ fn positions(code: &Code, constants: usize, inputs: usize) -> Vec<u32> {
         Operation::Input(input) => constants as u32 + *input,
         _ => take(&mut next_step),
     };
-    code.operations.iter().map(position).collect()
+    program.operations.iter().map(position).collect()
 }
 
 /// The runs of steps, a sum of products being one step; no step reads a result of its own run.
-fn runs(code: &Code) -> Vec<(StepKind, u32)> {
+fn runs(program: &Program) -> Vec<(StepKind, u32)> {
     let mut runs: Vec<(StepKind, u32)> = Vec::new();
     let mut start = 0;
-    for (at, &operation) in code.operations.iter().enumerate() {
+    for (at, &operation) in program.operations.iter().enumerate() {
         let Some(kind) = kind(operation) else { continue };
-        let independent = code.operands(operation).all(|id| (id.0 as usize) < start || !is_step(code, id));
+        let independent = program.operands(operation).all(|id| (id.0 as usize) < start || !is_step(program, id));
         match runs.last_mut() {
             Some((last, steps)) if *last == kind && independent => *steps += 1,
             _ => {
@@ -169,8 +169,8 @@ fn runs(code: &Code) -> Vec<(StepKind, u32)> {
     runs
 }
 
-fn is_step(code: &Code, id: ValueId) -> bool {
-    code.operations.get(id.0 as usize).is_some_and(|operation| operation.is_step())
+fn is_step(program: &Program, id: ValueId) -> bool {
+    program.operations.get(id.0 as usize).is_some_and(|operation| operation.is_step())
 }
 
 /// What a step does; `None` for values that are no steps, and for all but the first coefficient of a sum of products,

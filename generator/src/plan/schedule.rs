@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::block_triangular::{DiagonalBlock, block_triangular_form};
 use super::constant_rows::{Row, eliminate_constant_rows};
-use super::straight_line::straight_line_code;
+use super::straight_line::straight_line_program;
 use super::{
     ActionRow, BasisId, Block, CoefficientId, Elimination, Entry, Extraction, KnownMonomial, PivotId, Plan, PlanError,
     PlannedRecovery, Term,
@@ -118,7 +118,7 @@ impl Scheduler<'_> {
         if coefficients.used.len() > usize::from(u16::MAX) {
             return Err(ScheduleError::TooLarge("coefficients"));
         }
-        let (code, values) = straight_line_code(graph, &coefficients.used, elimination.rows);
+        let (program, values) = straight_line_program(graph, &coefficients.used, elimination.rows);
         let plan = Plan {
             name: problem.name.clone(),
             docs: problem.docs.clone(),
@@ -126,7 +126,7 @@ impl Scheduler<'_> {
             unknowns: problem.unknowns.clone(),
             solutions: self.solutions,
             has_origin,
-            code,
+            program,
             coefficients: values,
             elimination,
             action,

@@ -168,8 +168,8 @@ mod tests {
     use super::*;
 
     fn of(equations: &str) -> Symmetry {
-        let text = format!("/// Some.\nfn some(a: [f64; 9]) -> (x, y, z) {{\n{equations}\n}}\n");
-        Symmetry::of_problem(&Problem::parse("some.rs", &text).unwrap())
+        let text = format!("/// Some.\nfn sample(a: [f64; 9]) -> (x, y, z) {{\n{equations}\n}}\n");
+        Symmetry::of_problem(&Problem::parse("sample.rs", &text).unwrap())
     }
 
     #[test]

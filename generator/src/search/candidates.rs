@@ -13,7 +13,7 @@ use super::monitor::{Monitor, Stage};
 use super::options::SearchOptions;
 use super::preference::Preference;
 use super::starts::{Form, forms, growths, obstacle};
-use crate::check::Algebra;
+use crate::check::SolutionCount;
 use crate::plan::schedule::{ScheduleError, schedule};
 use crate::presolve::Presolve;
 use crate::problem::Problem;
@@ -70,7 +70,7 @@ fn ways(forms: &[Form]) -> Vec<Way<'_>> {
 /// All templates of a share of the ways to grow; `algebra` is what [`crate::check::check`] tells of the problem.
 pub fn candidates(
     problem: &Problem,
-    algebra: &Algebra,
+    algebra: &SolutionCount,
     options: &SearchOptions,
     monitor: &dyn Monitor,
 ) -> Result<Found, SearchError> {

@@ -1,20 +1,18 @@
 //! How many of the solutions of a zero-dimensional ideal are different.
 
 use super::QuotientRing;
-use crate::algebra::{Echelon, PrimeField};
+use crate::algebra::{Echelon, Univariate};
 
 /// The number of different solutions, in an extension of the field.
 ///
 /// At different solutions the linear form with the given coefficients, one per unknown, takes different values for all but few choices of them.
-/// The different roots of its minimal polynomial f in the quotient ring are then as many as the solutions: deg f - deg gcd(f, f').
+/// The different roots of its minimal polynomial in the quotient ring are then as many as the solutions.
 pub fn count_points(ring: &QuotientRing, form: &[u32]) -> usize {
-    let minimal = minimal_polynomial(ring, form);
-    let common = greatest_common_divisor(ring.field(), minimal.clone(), derivative(ring.field(), &minimal));
-    degree(&minimal) - degree(&common)
+    minimal_polynomial(ring, form).squarefree_part(ring.field()).degree()
 }
 
-/// Of a linear form, from the first power of it that depends linearly on lower ones. Coefficients from the constant one up.
-fn minimal_polynomial(ring: &QuotientRing, form: &[u32]) -> Vec<u32> {
+/// The minimal polynomial of a linear form: its first power that depends linearly on lower ones, less the combination.
+fn minimal_polynomial(ring: &QuotientRing, form: &[u32]) -> Univariate {
     let (field, dimension) = (ring.field(), ring.dimension());
     // Rows [ normal form of a combination of powers | the combination ].
     let mut echelon = Echelon::new(field, 2 * dimension + 1);
@@ -26,7 +24,7 @@ fn minimal_polynomial(ring: &QuotientRing, form: &[u32]) -> Vec<u32> {
         row[dimension + exponent] = 1;
         echelon.reduce_dense(&mut row);
         if row[..dimension].iter().all(|&value| value == 0) {
-            return trimmed(row.split_off(dimension));
+            return Univariate::new(row.split_off(dimension));
         }
         echelon.insert_dense(&row);
         let mut next = vec![0; dimension];
@@ -36,43 +34,13 @@ fn minimal_polynomial(ring: &QuotientRing, form: &[u32]) -> Vec<u32> {
         power = next;
     }
     // Not reached: d + 1 vectors of d entries are dependent.
-    vec![1]
-}
-
-fn degree(polynomial: &[u32]) -> usize {
-    polynomial.len().saturating_sub(1)
-}
-
-fn trimmed(mut polynomial: Vec<u32>) -> Vec<u32> {
-    while polynomial.last() == Some(&0) {
-        polynomial.pop();
-    }
-    polynomial
-}
-
-fn derivative(field: PrimeField, polynomial: &[u32]) -> Vec<u32> {
-    let terms = polynomial.iter().enumerate().skip(1);
-    trimmed(terms.map(|(exponent, &value)| field.mul(field.from_integer(exponent as i64), value)).collect())
-}
-
-/// By Euclid's algorithm.
-fn greatest_common_divisor(field: PrimeField, mut a: Vec<u32>, mut b: Vec<u32>) -> Vec<u32> {
-    while let Some(inverse) = b.last().and_then(|&leading| field.inverse(leading)) {
-        while a.len() >= b.len() {
-            let Some(&leading) = a.last() else { break };
-            let (shift, factor) = (a.len() - b.len(), field.neg(field.mul(leading, inverse)));
-            field.add_multiple(&mut a[shift..], factor, &b);
-            a = trimmed(a);
-        }
-        (a, b) = (b, a);
-    }
-    a
+    Univariate::constant(1)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::algebra::{Limits, Monomial, MonomialOrder, PRIMES, Polynomial, groebner_basis};
+    use crate::algebra::{Limits, Monomial, MonomialOrder, PRIMES, Polynomial, PrimeField, groebner_basis};
 
     /// A term: coefficient and the exponents of x and y.
     type Term = (i64, i8, i8);

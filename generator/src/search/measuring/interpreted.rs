@@ -6,7 +6,7 @@
 use eliminant::emitted::{self, Dynamic, Product, Sizes, SizesOf, SolverInstance, Tables, Term};
 use eliminant::{Complex, Scalar, SolveError};
 
-use crate::plan::code::CodeForm;
+use crate::plan::program::ProgramForm;
 use crate::plan::program_table::{ProgramTable, StepKind};
 use crate::plan::system_table::SystemTable;
 use crate::plan::value_layout::ValueLayout;
@@ -90,7 +90,7 @@ impl InterpretedSolver {
             has_origin: plan.has_origin,
             roots: plan.roots,
             program: Program::of(plan),
-            has_precise_coefficients: plan.code.form == CodeForm::Table,
+            has_precise_coefficients: plan.program.form == ProgramForm::Table,
             elimination: Elimination::of(plan),
             ratios: (0..unknowns).map(|unknown| layout.ratios(plan, unknown)).collect(),
             layout,

@@ -1,10 +1,10 @@
-//! Straight-line code: arithmetic from the data to the coefficients.
+//! Straight-line program: arithmetic from the data to the coefficients.
 
 use crate::expression::arithmetic::Arithmetic;
 use crate::expression::product_sum::ProductSum;
 use crate::expression::rational::Rational;
 
-/// Position of a value in [`Code::operations`].
+/// Position of a value in [`Program::operations`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ValueId(pub u32);
 
@@ -25,7 +25,7 @@ pub enum Operation {
     Divide(ValueId, ValueId),
     /// -a
     Negate(ValueId),
-    /// A coefficient of one of [`Code::product_sums`]. All coefficients of a sum follow one another, in order.
+    /// A coefficient of one of [`Program::product_sums`]. All coefficients of a sum follow one another, in order.
     Coefficient {
         /// Which sum.
         sum: u32,
@@ -43,7 +43,7 @@ impl Operation {
 
 /// How straight-line code is emitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CodeForm {
+pub enum ProgramForm {
     /// A statement for each step.
     Statements,
     /// A table that the run-time library executes. The constants come first, then the inputs; a run of steps of the same operation is read
@@ -53,16 +53,16 @@ pub enum CodeForm {
 
 /// From the data to the coefficients.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Code {
+pub struct Program {
     /// The steps, operands before their users.
     pub operations: Vec<Operation>,
     /// Sums of products of polynomials, by their coefficients.
     pub product_sums: Vec<ProductSum<ValueId>>,
     /// How it is emitted.
-    pub form: CodeForm,
+    pub form: ProgramForm,
 }
 
-impl Code {
+impl Program {
     /// The values that an operation reads; a coefficient reads all operands of its sum.
     pub fn operands(&self, operation: Operation) -> impl Iterator<Item = ValueId> + '_ {
         let (scalars, sum) = match operation {
@@ -74,6 +74,17 @@ impl Code {
             Operation::Coefficient { sum, .. } => ([None, None], self.product_sums.get(sum as usize)),
         };
         scalars.into_iter().flatten().chain(sum.into_iter().flat_map(ProductSum::operands))
+    }
+
+    /// The values whose values one value is computed from: of a coefficient, the factors of its own products only.
+    pub fn read_by(&self, operation: Operation) -> Vec<ValueId> {
+        match operation {
+            Operation::Coefficient { sum, at } => {
+                let terms = self.product_sums[sum as usize].terms(at as usize);
+                terms.flat_map(|(_, a, b)| [a, b]).collect()
+            }
+            _ => self.operands(operation).collect(),
+        }
     }
 
     /// The values of all operations; `None` where an input is missing or a divisor is zero.
@@ -116,12 +127,12 @@ impl Code {
             Operation::Input(input) => (input as usize) < inputs,
             Operation::Coefficient { sum, at: 0 } => self.product_sums.get(sum as usize).is_some_and(|of_sum| {
                 let own = (0..of_sum.length as u32).map(|at| Operation::Coefficient { sum, at });
-                let inside = |to: &u32| (*to as usize) < of_sum.length;
+                let inside = |place: &u32| (*place as usize) < of_sum.length;
                 self.operations[position..].iter().copied().take(of_sum.length).eq(own)
                     && of_sum
                         .products
                         .iter()
-                        .all(|p| p.to.len() == p.left.len() * p.right.len() && p.to.iter().all(inside))
+                        .all(|p| p.places.len() == p.left.len() * p.right.len() && p.places.iter().all(inside))
                     && of_sum.operands().all(|id| (id.0 as usize) < position)
             }),
             Operation::Coefficient { sum, at } => {
