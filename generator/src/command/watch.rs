@@ -29,6 +29,17 @@ pub(super) enum End {
     Shards,
 }
 
+impl End {
+    /// The name in reports and files.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Budget => "budget",
+            Self::Interrupt => "interrupt",
+            Self::Shards => "shards",
+        }
+    }
+}
+
 /// The monitor of `eliminant search`.
 pub(super) struct Watch {
     spinner: ProgressBar,

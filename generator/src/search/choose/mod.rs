@@ -84,6 +84,17 @@ pub enum Verdict {
     Rejected,
 }
 
+impl Verdict {
+    /// The name in reports and files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Screened => "screened",
+            Self::Accepted => "accepted",
+            Self::Rejected => "rejected",
+        }
+    }
+}
+
 /// A candidate with what it does on random real instances.
 #[derive(Clone, Debug)]
 pub struct Measured {

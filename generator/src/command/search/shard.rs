@@ -4,13 +4,15 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::error::CommandError;
-use super::files::read_text;
-use super::report::to_json;
+use super::outcome::{Candidates, Task};
 use super::settings::Settings;
+use crate::command::error::CommandError;
+use crate::command::files::read_text;
+use crate::command::report::to_json;
 use crate::generate::plan;
 use crate::problem::Problem;
 use crate::search::attempt::Attempt;
+use crate::search::choose::screen;
 use crate::search::measuring::Stability;
 use crate::search::preference::Preference;
 use crate::search::share::Share;
@@ -41,6 +43,36 @@ pub(super) struct ShardFile {
 }
 
 impl ShardFile {
+    /// Screens what a shard found. A shard that finds nothing says what it tried.
+    pub(super) fn new(
+        task: Task<'_>,
+        settings: &Settings,
+        found: Result<Found, SearchError>,
+    ) -> Result<Self, CommandError> {
+        let Task { path, problem, watch } = task;
+        let (found, attempts) = match found {
+            Ok(found) => (found, Vec::new()),
+            Err(SearchError::NotFound { attempts, untried, .. }) => {
+                let ways = attempts.len() + untried;
+                (Found { candidates: Vec::new(), ways, untried, unplanned: 0, is_cut: untried > 0 }, attempts)
+            }
+            Err(error) => return Err(CommandError::of_search(path, problem, error)),
+        };
+        let screened = screen(&found.candidates, settings.options.prefer, settings.measuring, watch);
+        let candidate = |(candidate, stability)| ShardCandidate::new(candidate, stability, problem, settings);
+        Ok(Self {
+            shard: settings.options.share.to_string(),
+            common: Common::new(problem, settings),
+            ways: found.ways,
+            untried: found.untried,
+            unplanned: found.unplanned,
+            is_cut: found.is_cut,
+            found: found.candidates.len(),
+            attempts,
+            candidates: screened.into_iter().map(candidate).collect(),
+        })
+    }
+
     pub(super) fn to_text(&self) -> String {
         to_json(self)
     }
@@ -64,7 +96,7 @@ pub(super) struct Common {
 
 impl Common {
     pub(super) fn new(problem: &Problem, settings: &Settings) -> Self {
-        let Settings { options, measuring } = settings;
+        let Settings { options, measuring, .. } = settings;
         Self {
             generator: env!("CARGO_PKG_VERSION").to_owned(),
             problem: problem.name.clone(),
@@ -147,27 +179,8 @@ impl ShardCandidate {
     }
 }
 
-/// What all shards found together.
-pub(super) struct Merged {
-    pub(super) settings: Settings,
-    pub(super) found: Found,
-    /// Different templates, those that several shards found counted for each.
-    pub(super) templates: usize,
-    known: Vec<(Candidate, Stability)>,
-}
-
-impl Merged {
-    /// What the shards measured of a candidate.
-    pub(super) fn known(&self, candidate: &Candidate) -> Option<Stability> {
-        let is_same = |known: &&(Candidate, Stability)| {
-            known.0.template == candidate.template && known.0.presolve == candidate.presolve
-        };
-        self.known.iter().find(is_same).map(|(_, stability)| stability.clone())
-    }
-}
-
 /// Joins the files of all shards of one search; their order does not matter.
-pub(super) fn merge(path: &Path, problem: &Problem, files: &[PathBuf]) -> Result<Merged, CommandError> {
+pub(super) fn merge(path: &Path, problem: &Problem, files: &[PathBuf]) -> Result<(Settings, Candidates), CommandError> {
     let shards = read_all(path, problem, files)?;
     let Some((_, _, first)) = shards.first() else {
         return Err(CommandError::Shards { problem: path.to_owned(), reason: "no shard is given".to_owned() });
@@ -195,7 +208,7 @@ pub(super) fn merge(path: &Path, problem: &Problem, files: &[PathBuf]) -> Result
         return Err(CommandError::of_search(path, problem, error));
     }
     let found = Found { candidates, ways, untried, unplanned, is_cut };
-    Ok(Merged { settings, found, templates, known })
+    Ok((settings, Candidates { found, templates, known }))
 }
 
 /// All shards in order, after checks that they belong to the problem and to each other.

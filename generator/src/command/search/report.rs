@@ -4,9 +4,10 @@ use std::fmt;
 
 use serde::Serialize;
 
-use super::report::{Summary, counted, one_decimal, seconds, table};
+use super::outcome::Outcome;
 use super::shard::ShardFile;
-use super::watch::End;
+use crate::command::report::{Summary, counted, one_decimal, seconds, table};
+use crate::command::watch::End;
 use crate::problem::Problem;
 use crate::search::Found;
 use crate::search::choose::{Choice, INCOMPLETE_ONE_IN, Measured, Verdict, expected_operations};
@@ -15,7 +16,7 @@ use crate::search::preference::Preference;
 
 /// The object of `--json`: that of the chosen template as `eliminant inspect` prints it, and these.
 #[derive(Serialize)]
-pub(super) struct Report {
+pub(super) struct SearchReport {
     #[serde(flatten)]
     summary: Summary,
     prefer: Preference,
@@ -51,11 +52,7 @@ pub(super) struct Cut {
 
 impl Cut {
     pub(super) fn new(end: End, found: &Found, choice: &Choice) -> Self {
-        let by = match end {
-            End::Budget => "budget",
-            End::Interrupt => "interrupt",
-            End::Shards => "shards",
-        };
+        let by = end.name();
         let Found { ways, untried, unplanned, .. } = *found;
         Self { by, ways, untried, unplanned, unmeasured: choice.unmeasured }
     }
@@ -132,23 +129,17 @@ struct Row {
     pareto: bool,
 }
 
-impl Report {
-    pub(super) fn new(
-        problem: &Problem,
-        prefer: Preference,
-        found_templates: usize,
-        choice: &Choice,
-        cut: Option<Cut>,
-        file: String,
-        seconds: f64,
-    ) -> Self {
+impl SearchReport {
+    pub(super) fn new(problem: &Problem, outcome: &Outcome, file: String, seconds: f64) -> Self {
+        let Outcome { settings, candidates: all, choice, end, .. } = outcome;
+        let cut = end.map(|end| Cut::new(end, &all.found, choice));
         let chosen = &choice.measured[choice.chosen];
         let on_front = front(&choice.measured.iter().map(point).collect::<Vec<_>>());
         let candidates = choice.measured.iter().zip(on_front).map(|(m, pareto)| Row::new(m, problem, pareto)).collect();
         Self {
             summary: Summary::new(problem, &chosen.candidate.template, &chosen.candidate.plan),
-            prefer,
-            found_templates,
+            prefer: settings.options.prefer,
+            found_templates: all.templates,
             chosen: choice.chosen,
             candidates,
             warnings: warnings(problem, choice, cut.as_ref()),
@@ -206,11 +197,7 @@ impl Row {
             repeated: stability.repeated,
             incomplete: stability.incomplete,
             failures: stability.failures,
-            verdict: match measured.verdict {
-                Verdict::Accepted => "accepted",
-                Verdict::Screened => "screened",
-                Verdict::Rejected => "rejected",
-            },
+            verdict: measured.verdict.name(),
             pareto,
         }
     }
@@ -252,7 +239,7 @@ const HEAD: [&str; 14] = [
     "failed",
 ];
 
-impl fmt::Display for Report {
+impl fmt::Display for SearchReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.summary)?;
         let rows: Vec<Vec<String>> =
