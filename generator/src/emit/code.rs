@@ -2,9 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, format_ident, quote};
 
+use super::names::Names;
 use super::parameter;
 use crate::code::{Operation, ValueId};
 use crate::plan::{Plan, PlannedRecovery};
@@ -20,15 +21,18 @@ const MOST_OPERATIONS: usize = 64;
 pub(super) fn statements(plan: &Plan) -> TokenStream {
     let parameters = plan.data.iter().map(parameter);
     let reads = reads(plan);
-    let (inputs, locals) = inputs(plan, &reads);
-    let values = format_ident!("{}", name_of_values(plan));
+    let inputs = inputs(plan);
+    let locals = elements_read(plan, &inputs, &reads);
+    let mut names = Names::of(&plan.data);
+    names.reserve(&inputs);
+    let values = names.take("v");
     let mut statements: Vec<TokenStream> = Vec::new();
     let mut printed: Vec<Expression> = Vec::with_capacity(plan.code.operations.len());
     for (operation, &reads) in plan.code.operations.iter().zip(&reads) {
         let operand = |id: ValueId| &printed[id.0 as usize];
         let expression = match *operation {
             Operation::Constant(value) => Expression::atom(constant(value)),
-            Operation::Input(input) => Expression::atom(inputs[input as usize].clone()),
+            Operation::Input(input) => Expression::atom(inputs[input as usize].to_token_stream()),
             Operation::Add(a, b) => Expression::binary(operand(a), quote!(+), SUM, operand(b)),
             Operation::Subtract(a, b) => Expression::binary(operand(a), quote!(-), SUM, operand(b)),
             Operation::Multiply(a, b) => Expression::binary(operand(a), quote!(*), PRODUCT, operand(b)),
@@ -66,7 +70,7 @@ pub(super) fn statements(plan: &Plan) -> TokenStream {
     quote! {
         /// The coefficients that the tables refer to.
         fn coefficients(#(#parameters),*) -> [f64; #length] {
-            #(#locals)*
+            #locals
             #declaration
             #(#statements)*
             [#(#results),*]
@@ -144,42 +148,36 @@ fn reads(plan: &Plan) -> Vec<usize> {
     reads
 }
 
-/// A name for the intermediate values that no parameter has.
-fn name_of_values(plan: &Plan) -> String {
-    let mut name = "v".to_owned();
-    while plan.data.iter().any(|parameter| parameter.name == name) {
-        name.push('_');
-    }
-    name
-}
-
-/// What stands for each scalar of the data, in flat order, and declarations of those that are read: `let gram_0_2 = gram[0][2];`.
-fn inputs(plan: &Plan, reads: &[usize]) -> (Vec<TokenStream>, Vec<TokenStream>) {
+/// What stands for each scalar of the data, in flat order: `gram_0_2` for an element of an array.
+fn inputs(plan: &Plan) -> Vec<Ident> {
     let mut separator = "_".to_owned();
-    let names = loop {
+    loop {
         let names: Vec<String> = plan.data.iter().flat_map(|parameter| names(parameter, &separator)).collect();
         let scalars = plan.data.iter().filter(|parameter| parameter.shape.is_empty()).count();
         let taken = plan.data.iter().filter(|parameter| names.contains(&parameter.name)).count();
         let different: BTreeSet<&String> = names.iter().collect();
         if different.len() == names.len() && taken == scalars {
-            break names;
+            return names.iter().map(|name| format_ident!("{name}")).collect();
         }
         separator.push_str("at_");
-    };
+    }
+}
+
+/// Declarations of the elements that are read: `let gram_0_2 = gram[0][2];`.
+fn elements_read(plan: &Plan, inputs: &[Ident], reads: &[usize]) -> TokenStream {
     let is_read = |input: usize| {
         let is_input = |operation: &Operation| matches!(operation, Operation::Input(at) if *at as usize == input);
         plan.code.operations.iter().zip(reads).any(|(operation, &reads)| reads > 0 && is_input(operation))
     };
-    let idents: Vec<_> = names.iter().map(|name| format_ident!("{name}")).collect();
     let elements = plan.data.iter().filter(|parameter| !parameter.shape.is_empty()).flat_map(|parameter| {
         let elements = elements(parameter).into_iter().enumerate();
         elements.map(|(at, element)| (parameter.first_input + at, element))
     });
-    let locals = elements.filter(|(input, _)| is_read(*input)).map(|(input, element)| {
-        let local = &idents[input];
+    let declaration = |(input, element): (usize, TokenStream)| {
+        let local = &inputs[input];
         quote!(let #local = #element;)
-    });
-    (idents.iter().map(|ident| quote!(#ident)).collect(), locals.collect())
+    };
+    elements.filter(|(input, _)| is_read(*input)).map(declaration).collect()
 }
 
 /// `gram_0_2` for every scalar of a parameter, in flat order.

@@ -7,7 +7,7 @@ use quote::format_ident;
 /// Lines are broken before this column, where the elements allow it.
 const WIDTH: usize = 120;
 
-/// The elements of arrays, in the order of their names. Names of problems do not end with an underscore.
+/// The elements of arrays, in the order of their names. These are in upper case: names of problems are not.
 #[derive(Default)]
 pub(super) struct Listings(Vec<Vec<String>>);
 
@@ -57,7 +57,7 @@ impl Listings {
 }
 
 /// How names of listings begin.
-const PREFIX: &str = "listing_";
+const PREFIX: &str = "LISTING_";
 
 /// Writes the elements, separated by commas, on lines with this indentation. An element that is too long for a line is itself broken at its commas.
 fn wrap(elements: &[String], indent: usize, text: &mut String) {
@@ -95,7 +95,7 @@ mod tests {
         );
         let text = listings.insert_into(&source);
         let lines: Vec<&str> = text.lines().collect();
-        assert_eq!(lines[0], "/// listing_1_");
+        assert_eq!(lines[0], "/// LISTING_1_");
         assert_eq!(lines[1], "let a = (, [(0, 1), (1, 1), (2, 1)]);");
         assert_eq!(lines[2], "    let b = [");
         assert!(lines[3].starts_with("        (0, 1), (1, 1), ") && lines[3].ends_with(','), "{text}");

@@ -4,20 +4,23 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::listing::Listings;
+use super::runtime;
 use crate::plan::{ActionRow, Entry, Plan, Term};
 
+/// The tables, and the types of their entries.
 pub(super) fn tables(plan: &Plan, listings: &mut Listings) -> TokenStream {
+    let runtime = runtime();
     let right = entries(&plan.elimination.right, listings);
     let blocks = plan.elimination.blocks.iter().map(|block| {
         let (first, needed) = (Literal::usize_unsuffixed(block.first), Literal::usize_unsuffixed(block.needed));
         let (diagonal, coupling) = (entries(&block.diagonal, listings), entries(&block.coupling, listings));
-        quote!(eliminant::Block { first: #first, needed: #needed, diagonal: &[#diagonal], coupling: &[#coupling] })
+        quote!(Block { first: #first, needed: #needed, diagonal: &[#diagonal], coupling: &[#coupling] })
     });
     let blocks: Vec<TokenStream> = blocks.collect();
     let count = plan.elimination.blocks.len();
     let action = listings.add(plan.action.iter().map(|row| match row {
-        ActionRow::Unit(b) => format!("eliminant::ActionRow::Unit({})", b.0),
-        ActionRow::Solved(pivot) => format!("eliminant::ActionRow::Solved({})", pivot.0),
+        ActionRow::Unit(b) => format!("ActionRow::Unit({})", b.0),
+        ActionRow::Solved(pivot) => format!("ActionRow::Solved({})", pivot.0),
     }));
     let (basis, count_read) = (plan.elimination.basis, plan.read.len());
     let read = plan.read.iter().map(|pivot| Literal::u16_unsuffixed(pivot.0));
@@ -34,14 +37,16 @@ pub(super) fn tables(plan: &Plan, listings: &mut Listings) -> TokenStream {
         false => system(plan, &plan.nonzero, quote!(NONZERO), " What must not vanish.", listings),
     };
     quote! {
+        use #runtime::{ActionRow, Block, Entry, Product, Tables, Term};
+
         /// Entries of the template in the basis columns.
-        const RIGHT: &[eliminant::Entry] = &[#right];
+        const RIGHT: &[Entry] = &[#right];
 
         /// The diagonal blocks of the template, in order of solution.
-        static BLOCKS: [eliminant::Block; #count] = [#(#blocks),*];
+        static BLOCKS: [Block; #count] = [#(#blocks),*];
 
         /// Where the rows of the action matrix come from.
-        const ACTION: [eliminant::ActionRow; #basis] = [#action];
+        const ACTION: [ActionRow; #basis] = [#action];
 
         #read
         #equations
@@ -63,14 +68,11 @@ fn system(
 ) -> TokenStream {
     let chain = Chain::of(polynomials, plan.unknowns.len());
     let products = listings.add(
-        chain
-            .products
-            .iter()
-            .map(|(parent, unknown)| format!("eliminant::Product {{ parent: {parent}, unknown: {unknown} }}")),
+        chain.products.iter().map(|(parent, unknown)| format!("Product {{ parent: {parent}, unknown: {unknown} }}")),
     );
     let terms = listings.add(polynomials.iter().flatten().map(|term| {
         let (coefficient, monomial) = (term.coefficient.0, chain.position(&term.exponents));
-        format!("eliminant::Term {{ coefficient: {coefficient}, monomial: {monomial} }}")
+        format!("Term {{ coefficient: {coefficient}, monomial: {monomial} }}")
     }));
     let ends = polynomials.iter().scan(0, |end, polynomial| {
         *end += polynomial.len();
@@ -80,8 +82,8 @@ fn system(
     let (monomials, coefficients) = (chain.products.len(), plan.coefficients.len());
     quote! {
         #[doc = #doc]
-        const #name: eliminant::Tables<#unknowns, #count, #monomials, #coefficients> =
-            eliminant::Tables::new(&[#products], &[#(#ends),*], &[#terms]);
+        const #name: Tables<#unknowns, #count, #monomials, #coefficients> =
+            Tables::new(&[#products], &[#(#ends),*], &[#terms]);
     }
 }
 

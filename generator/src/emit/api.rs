@@ -1,0 +1,127 @@
+//! Prints what users see: the solution and the functions that return it.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::names::Names;
+use super::{doc_line, parameter, runtime};
+use crate::plan::{Plan, RootMethod};
+
+/// Functions of more parameters are allowed explicitly: clippy would warn in the crate of the user.
+const MOST_PARAMETERS: usize = 7;
+
+/// The struct `Solution`, its conversions, and the constants that describe it.
+pub(super) fn solution(plan: &Plan) -> TokenStream {
+    let doc = format!(" A solution of `{}`: real, or complex with `T = Complex<f64>`.", plan.name);
+    let names: Vec<_> = plan.unknowns.iter().map(|unknown| format_ident!("{unknown}")).collect();
+    let field_docs = plan.unknowns.iter().map(|unknown| format!(" The unknown `{unknown}`."));
+    let (unknowns, solutions, texts) = (plan.unknowns.len(), plan.solutions, &plan.unknowns);
+    let positions = 0..unknowns;
+    quote! {
+        #[doc = #doc]
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Solution<T = f64> {
+            #(#[doc = #field_docs] pub #names: T,)*
+        }
+
+        /// The names of the unknowns, in the order of [`Solution::to_array`].
+        pub const UNKNOWNS: [&str; #unknowns] = [#(#texts),*];
+
+        /// The number of complex solutions for general data. No call returns more.
+        pub const MAX_SOLUTIONS: usize = #solutions;
+
+        impl<T: Copy> Solution<T> {
+            /// The unknowns in the order of [`UNKNOWNS`].
+            pub fn to_array(self) -> [T; #unknowns] {
+                [#(self.#names),*]
+            }
+        }
+
+        impl<T: Copy> From<[T; #unknowns]> for Solution<T> {
+            fn from(unknowns: [T; #unknowns]) -> Self {
+                Self { #(#names: unknowns[#positions]),* }
+            }
+        }
+
+        impl<T: Copy> From<Solution<T>> for [T; #unknowns] {
+            fn from(solution: Solution<T>) -> Self {
+                solution.to_array()
+            }
+        }
+    }
+}
+
+/// The functions from the data to solutions, and what measures a solution.
+pub(super) fn functions(plan: &Plan) -> TokenStream {
+    let runtime = runtime();
+    let docs = plan.docs.iter().map(|line| doc_line(line));
+    let parameters: Vec<_> = plan.data.iter().map(parameter).collect();
+    let arguments: Vec<_> = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name)).collect();
+    let solution = Names::of(&plan.data).take("solution");
+    let (basis, count) = (plan.elimination.basis, plan.data.len());
+    let roots = match plan.roots {
+        RootMethod::Eigenvalues => quote!(real_solutions),
+        RootMethod::CharacteristicPolynomial => quote!(real_solutions_by_polynomial),
+    };
+    let many = |parameters: usize| match parameters > MOST_PARAMETERS {
+        true => quote!(#[allow(clippy::too_many_arguments)]),
+        false => quote!(),
+    };
+    let (allow, allow_one_more) = (many(count), many(count + 1));
+    quote! {
+        #(#[doc = #docs])*
+        ///
+        /// Returns the real solutions, polished on the equations of the problem: `Ok` and empty if there is none.
+        ///
+        /// # Errors
+        /// The data are not finite, or degenerate: see [`SolveError`](::eliminant::SolveError).
+        #allow
+        pub fn solve(
+            #(#parameters),*
+        ) -> Result<::eliminant::Solutions<Solution, MAX_SOLUTIONS>, ::eliminant::SolveError> {
+            Ok(#runtime::#roots(&mut Instance::new(#(#arguments),*)?)?.map(Solution::from))
+        }
+
+        /// Like [`solve`], with all complex solutions. Where solutions are missing, all is computed once more at twice
+        /// the precision, which takes many times as long. Solutions are missing, too, where data make some of them
+        /// coincide or move to infinity.
+        ///
+        /// # Errors
+        /// As [`solve`].
+        #allow
+        pub fn solve_complex(
+            #(#parameters),*
+        ) -> Result<
+            ::eliminant::Solutions<Solution<::eliminant::Complex<f64>>, MAX_SOLUTIONS>,
+            ::eliminant::SolveError,
+        > {
+            Ok(#runtime::complex_solutions(&mut Instance::new(#(#arguments),*)?)?.map(Solution::from))
+        }
+
+        /// The matrix of multiplication by the action monomial on the basis, as the elimination gives it.
+        ///
+        /// # Errors
+        /// As [`solve`].
+        #allow
+        pub fn action_matrix(#(#parameters),*) -> Result<[[f64; #basis]; #basis], ::eliminant::SolveError> {
+            #runtime::ActionMethod::action_matrix(&mut Instance::new(#(#arguments),*)?)
+        }
+
+        /// The relative residual of a solution: the largest |f| / (sum of the moduli of the terms of f) of all
+        /// equations f = 0.
+        ///
+        /// # Errors
+        /// As [`solve`], for the data.
+        #allow_one_more
+        pub fn relative_residual<S: ::eliminant::Scalar>(
+            #(#parameters,)*
+            #solution: &Solution<S>,
+        ) -> Result<f64, ::eliminant::SolveError> {
+            Ok(#runtime::ActionMethod::polish(
+                &Instance::new(#(#arguments),*)?,
+                &mut #solution.to_array(),
+                0,
+            ))
+        }
+    }
+}
