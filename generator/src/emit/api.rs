@@ -7,9 +7,6 @@ use super::names::Names;
 use super::{doc_line, parameter, runtime};
 use crate::plan::{Plan, RootMethod};
 
-/// Functions of more parameters are allowed explicitly: clippy would warn in the crate of the user.
-const MOST_PARAMETERS: usize = 7;
-
 /// The struct `Solution`, its conversions, and the constants that describe it.
 pub(super) fn solution(plan: &Plan) -> TokenStream {
     let doc = format!(" A solution of `{}`: real, or complex with `T = Complex<f64>`.", plan.name);
@@ -57,17 +54,13 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
     let docs = plan.docs.iter().map(|line| doc_line(line));
     let parameters: Vec<_> = plan.data.iter().map(parameter).collect();
     let arguments: Vec<_> = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name)).collect();
-    let solution = Names::of(&plan.data).take("solution");
-    let (basis, count) = (plan.elimination.basis, plan.data.len());
+    let mut names = Names::of(&plan.data);
+    let (instance, solution) = (names.take("instance"), names.take("solution"));
+    let basis = plan.elimination.basis;
     let roots = match plan.roots {
         RootMethod::Eigenvalues => quote!(real_solutions),
         RootMethod::CharacteristicPolynomial => quote!(real_solutions_by_polynomial),
     };
-    let many = |parameters: usize| match parameters > MOST_PARAMETERS {
-        true => quote!(#[allow(clippy::too_many_arguments)]),
-        false => quote!(),
-    };
-    let (allow, allow_one_more) = (many(count), many(count + 1));
     quote! {
         #(#[doc = #docs])*
         ///
@@ -75,11 +68,11 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
         ///
         /// # Errors
         /// The data are not finite, or degenerate: see [`SolveError`](::eliminant::SolveError).
-        #allow
         pub fn solve(
             #(#parameters),*
         ) -> Result<::eliminant::Solutions<Solution, MAX_SOLUTIONS>, ::eliminant::SolveError> {
-            Ok(#runtime::#roots(&mut Instance::new(#(#arguments),*)?)?.map(Solution::from))
+            let mut #instance = Instance::new(#(#arguments),*)?;
+            Ok(#runtime::#roots(&mut #instance)?.map(Solution::from))
         }
 
         /// Like [`solve`], with all complex solutions. Where solutions are missing, all is computed once more at twice
@@ -88,21 +81,20 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
         ///
         /// # Errors
         /// As [`solve`].
-        #allow
         pub fn solve_complex(
             #(#parameters),*
         ) -> Result<
             ::eliminant::Solutions<Solution<::eliminant::Complex<f64>>, MAX_SOLUTIONS>,
             ::eliminant::SolveError,
         > {
-            Ok(#runtime::complex_solutions(&mut Instance::new(#(#arguments),*)?)?.map(Solution::from))
+            let mut #instance = Instance::new(#(#arguments),*)?;
+            Ok(#runtime::complex_solutions(&mut #instance)?.map(Solution::from))
         }
 
         /// The matrix of multiplication by the action monomial on the basis, as the elimination gives it.
         ///
         /// # Errors
         /// As [`solve`].
-        #allow
         pub fn action_matrix(#(#parameters),*) -> Result<[[f64; #basis]; #basis], ::eliminant::SolveError> {
             #runtime::ActionMethod::action_matrix(&mut Instance::new(#(#arguments),*)?)
         }
@@ -112,16 +104,12 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
         ///
         /// # Errors
         /// As [`solve`], for the data.
-        #allow_one_more
         pub fn relative_residual<S: ::eliminant::Scalar>(
             #(#parameters,)*
             #solution: &Solution<S>,
         ) -> Result<f64, ::eliminant::SolveError> {
-            Ok(#runtime::ActionMethod::polish(
-                &Instance::new(#(#arguments),*)?,
-                &mut #solution.to_array(),
-                0,
-            ))
+            let #instance = Instance::new(#(#arguments),*)?;
+            Ok(#runtime::ActionMethod::polish(&#instance, &mut #solution.to_array(), 0))
         }
     }
 }

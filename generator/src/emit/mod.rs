@@ -19,6 +19,9 @@ use crate::problem::DataParameter;
 /// Blocks of more rows are eliminated by code that is not compiled for their size: it is as fast.
 const LARGE_BLOCK: usize = 24;
 
+/// Functions of more parameters make clippy warn, in the crate that includes the solver.
+const MOST_PARAMETERS: usize = 7;
+
 /// Where an emitted solver comes from, for its header.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Provenance {
@@ -50,7 +53,13 @@ fn module(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> Toke
         CodeForm::Table => program::table(plan, listings),
     };
     let tables = tables::tables(plan, listings);
+    // One more parameter is the solution of which the residual is asked.
+    let allow = match plan.data.len() < MOST_PARAMETERS {
+        true => quote!(),
+        false => quote!(#[allow(clippy::too_many_arguments)]),
+    };
     quote! {
+        #allow
         pub mod #name {
             #(#header)*
             #solution

@@ -16,12 +16,14 @@ pub(super) fn refuse(ident: &Ident, what: &str) -> Option<Diagnostic> {
         return Some(Diagnostic::new(format!("`{name}` is reserved in Rust"), span).label("choose another name"));
     }
     let starts_well = name.starts_with(|c: char| c.is_ascii_lowercase());
-    if starts_well && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_') {
+    let letters_fit = name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
+    // Rust warns of two underscores in a row: the warning would appear in the crate that includes the solver.
+    if starts_well && letters_fit && !name.trim_end_matches('_').contains("__") {
         return None;
     }
     let message = format!("the name of {what} must be in snake_case");
-    let mut diagnostic =
-        Diagnostic::new(message, span).label("expected a lower-case letter, then lower-case letters, digits and `_`");
+    let mut diagnostic = Diagnostic::new(message, span)
+        .label("expected a lower-case letter, then lower-case letters, digits and single `_`");
     let snake = snake_case(&name);
     if snake != name && snake.is_ascii() {
         diagnostic = diagnostic.hint(format!("write `{snake}`"));
@@ -29,16 +31,29 @@ pub(super) fn refuse(ident: &Ident, what: &str) -> Option<Diagnostic> {
     Some(diagnostic)
 }
 
+/// The message for the name of a problem that cannot name a module beside `eliminant::include_solver!`.
+pub(super) fn refuse_module(ident: &Ident) -> Option<Diagnostic> {
+    // A module from a macro hides no crate: Rust calls all paths ambiguous that begin with the name.
+    (ident == "eliminant").then(|| {
+        Diagnostic::new("`eliminant` is the name of the run-time crate", place(ident))
+            .label("the module of the solver would make `eliminant::include_solver!` ambiguous")
+            .hint("choose another name")
+    })
+}
+
 /// `TwoLines` as `two_lines`.
 fn snake_case(name: &str) -> String {
     let mut snake = String::new();
     let mut after_lowercase = false;
     for c in name.trim_matches('_').chars() {
-        if c.is_ascii_uppercase() && after_lowercase {
+        let begins_word = c == '_' || c.is_ascii_uppercase() && after_lowercase;
+        if begins_word && !snake.ends_with('_') {
             snake.push('_');
         }
         after_lowercase = c.is_ascii_lowercase();
-        snake.push(c.to_ascii_lowercase());
+        if c != '_' {
+            snake.push(c.to_ascii_lowercase());
+        }
     }
     snake
 }
@@ -96,7 +111,9 @@ mod tests {
 
     #[test]
     fn snake_case_names_are_offered() {
-        for (name, expected) in [("TwoLines", "two_lines"), ("X", "x"), ("_a", "a"), ("E5pt", "e5pt"), ("XYZ", "xyz")] {
+        for (name, expected) in
+            [("TwoLines", "two_lines"), ("X", "x"), ("_a", "a"), ("E5pt", "e5pt"), ("XYZ", "xyz"), ("a__b_C", "a_b_c")]
+        {
             assert_eq!(snake_case(name), expected);
         }
     }

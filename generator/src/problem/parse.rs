@@ -6,7 +6,7 @@ use syn::{Attribute, Item, ItemConst, ItemFn, ReturnType, Safety, Visibility};
 
 use super::functions::BUILT_IN;
 use super::interpret::Interpreter;
-use super::names::refuse;
+use super::names::{refuse, refuse_module};
 use super::scope::{Binding, Kind};
 use super::signature::{Unknown, doc_lines, unknown_list};
 use super::syntax::{parse_file, place};
@@ -115,6 +115,7 @@ fn sort_items(items: &[Item]) -> (Items<'_>, Vec<Diagnostic>) {
                             .hint("move it to a file of its own"),
                     );
                 } else {
+                    messages.extend(refuse_module(&function.sig.ident));
                     sorted.problem = Some(function);
                 }
             }
