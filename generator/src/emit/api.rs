@@ -51,7 +51,9 @@ pub(super) fn solution(plan: &Plan) -> TokenStream {
 /// The functions from the data to solutions, and what measures a solution.
 pub(super) fn functions(plan: &Plan) -> TokenStream {
     let runtime = runtime();
-    let docs = plan.docs.iter().map(|line| doc_line(line));
+    // An empty line between what the problem says and what is true for all.
+    let end = (!plan.docs.is_empty()).then(String::new);
+    let docs = plan.docs.iter().map(|line| doc_line(line)).chain(end);
     let parameters: Vec<_> = plan.data.iter().map(parameter).collect();
     let arguments: Vec<_> = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name)).collect();
     let mut names = Names::of(&plan.data);
@@ -63,7 +65,6 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
     };
     quote! {
         #(#[doc = #docs])*
-        ///
         /// Returns the real solutions, polished on the equations of the problem: `Ok` and empty if there is none.
         ///
         /// # Errors
