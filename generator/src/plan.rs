@@ -9,7 +9,7 @@
 //! Every decision is taken here; [`crate::emit`] prints and [`crate::interpret`] executes, and the two must agree.
 
 use crate::code::{Code, ValueId};
-use crate::problem::DataParameter;
+use crate::problem::{DataParameter, SolutionField};
 
 /// Position in the array of coefficients that the tables refer to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -177,8 +177,10 @@ pub struct Plan {
     pub docs: Vec<String>,
     /// The data.
     pub data: Vec<DataParameter>,
-    /// Names of the unknowns: the fields of the solution.
+    /// Names of the unknowns.
     pub unknowns: Vec<String>,
+    /// The fields of the solution: the unknowns with their shapes.
+    pub fields: Vec<SolutionField>,
     /// Number of different complex solutions of a generic instance.
     pub solutions: usize,
     /// Whether the origin is one of them. It is known, and no template need give it.

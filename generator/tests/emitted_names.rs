@@ -1,10 +1,12 @@
-//! Names of problems, data and unknowns that emitted code might use itself: the solvers are compiled and executed.
+//! Solvers are compiled and executed: with names of problems, data and unknowns that emitted code might use itself, and with arrays of
+//! unknowns.
 
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
 use eliminant_generator::generate::generate;
+use eliminant_generator::presolve::Presolve;
 use eliminant_generator::problem::Problem;
 use eliminant_generator::template::file::TemplateFile;
 
@@ -163,4 +165,58 @@ fn no_name_of_a_problem_collides() {
              for s in found { assert!(emitted::relative_residual(&data, &given, &s).is_ok_and(|r| r < 1e-9)); }\n",
     );
     run("emitted_names", &modules, &checks);
+}
+
+/// An array of unknowns is a field of array type, in template files its elements are `v[0]`, `v[1]`.
+#[test]
+fn arrays_of_unknowns_are_fields() {
+    let monomials = "let terms = [v[0].pow(2), v[0] * v[1], v[1].pow(2), v[0], v[1], 1];";
+    let equations = "dot(p, terms) == 0; dot(q, terms) == 0; v[0] != 0;";
+    let text = format!("fn vector(p: [f64; 6], q: [f64; 6]) -> (v: [f64; 2]) {{ {monomials} {equations} }}");
+    let vector = Problem::parse("vector.rs", &text).unwrap();
+    let mut file = TemplateFile::parse(TWO_CONICS[1], &["x".into(), "y".into()]).unwrap();
+    (file.problem, file.fingerprint) = (vector.name.clone(), vector.fingerprint());
+    let written = file.to_text(&vector.unknowns);
+    assert!(written.contains("action = \"1/v[0]\"") && written.contains("\"v[0]*v[1]^2\""), "{written}");
+    assert_eq!(TemplateFile::parse(&written, &vector.unknowns).unwrap(), file);
+    let source = generate(&vector, &file).unwrap();
+
+    // The same with an array of arrays and a scalar between other unknowns.
+    let text = "fn matrix(p: [f64; 6], q: [f64; 6], shift: f64) -> (first, m: [[f64; 1]; 2], last) {
+        let [x, y] = [m[0][0], m[1][0]];
+        dot(p, [x.pow(2), x * y, y.pow(2), x, y, 1]) == 0;
+        dot(q, [x.pow(2), x * y, y.pow(2), x, y, 1]) == 0;
+        first == x + shift;
+        last == x * y - shift;
+    }";
+    let matrix = Problem::parse("matrix.rs", text).unwrap();
+    let mut file =
+        TemplateFile::parse(TWO_CONICS[1], &["first".into(), "x".into(), "y".into(), "last".into()]).unwrap();
+    (file.problem, file.fingerprint) = (matrix.name.clone(), matrix.fingerprint());
+    file.presolve = Presolve::Linear;
+    let modules = [("vector", source), ("matrix", generate(&matrix, &file).unwrap())];
+
+    let checks = format!(
+        "    let (p, q) = ({P:?}, {Q:?});
+    let found = vector::solve(&p, &q).expect(\"general data\");
+    assert!(found.iter().any(|s| (s.v[0] - 1.0).abs() < 1e-9 && (s.v[1] - 2.0).abs() < 1e-9), \"{{found:?}}\");
+    assert!(found.iter().all(|s| vector::relative_residual(&p, &q, s).is_ok_and(|r| r < 1e-12)));
+    assert_eq!(vector::UNKNOWNS, [\"v[0]\", \"v[1]\"]);
+    assert_eq!(vector::Solution::from([3.0, 4.0]), vector::Solution {{ v: [3.0, 4.0] }});
+
+    let found = matrix::solve(&p, &q, 0.5).expect(\"general data\");
+    let expected = matrix::Solution {{ first: 1.5, m: [[1.0], [2.0]], last: 1.5 }};
+    let distance = |s: &matrix::Solution| {{
+        s.to_array().iter().zip(expected.to_array()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    }};
+    assert!(found.iter().any(|s| distance(s) < 1e-9), \"{{found:?}}\");
+    assert_eq!(matrix::UNKNOWNS, [\"first\", \"m[0][0]\", \"m[1][0]\", \"last\"]);
+    assert_eq!(expected.to_array(), [1.5, 1.0, 2.0, 1.5]);
+    assert_eq!(matrix::Solution::from(expected.to_array()), expected);
+    let complex = matrix::solve_complex(&p, &q, 0.5).expect(\"general data\");
+    assert_eq!(complex.len(), matrix::MAX_SOLUTIONS);
+    assert!(complex.iter().all(|s| (s.first - s.m[0][0] - 0.5).re.abs() < 1e-9));
+"
+    );
+    run("emitted_arrays", &modules, &checks);
 }

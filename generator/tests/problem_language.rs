@@ -311,6 +311,48 @@ fn one_unknown_may_stand_alone() {
     }
 }
 
+/// Arrays of unknowns are the arrays of their elements.
+#[test]
+fn arrays_of_unknowns_have_elements_like_scalars() {
+    let body = "
+        m * v == s * v + offset;
+        gradient(dot(v, v) + m[1][0] * s, v) == m * offset;
+        for row in m { dot(row, v) * s - 1 == 0; }
+        trace(m) == 2;
+        v[0] - v[1] != 0;
+    }";
+    let arrays =
+        format!("const N: usize = 2; fn same(offset: [f64; 2]) -> (v: [f64; N], s, m: [[f64; 2]; N]) {{ {body}");
+    let scalars = format!(
+        "fn same(offset: [f64; 2]) -> (v0, v1, s, m00, m01, m10, m11) {{
+            let v = [v0, v1];
+            let m = [[m00, m01], [m10, m11]]; {body}"
+    );
+    let (arrays, scalars) = (Sample::new(&arrays), Sample::new(&scalars));
+    assert_eq!(arrays.problem.unknowns, ["v[0]", "v[1]", "s", "m[0][0]", "m[0][1]", "m[1][0]", "m[1][1]"]);
+    assert_eq!(arrays.residuals(), scalars.residuals());
+    assert_eq!(arrays.elements(), scalars.elements());
+    assert_eq!(
+        arrays.value(&arrays.problem.nonzero[0].polynomial),
+        (arrays.unknown("v[0]") - arrays.unknown("v[1]")).0
+    );
+    let fields = arrays.problem.fields.iter();
+    let fields: Vec<_> = fields.map(|field| (field.name.as_str(), &field.shape[..], field.first_unknown)).collect();
+    assert_eq!(fields, [("v", &[2][..], 0), ("s", &[], 2), ("m", &[2, 2], 3)]);
+    assert_ne!(arrays.problem.fingerprint(), scalars.problem.fingerprint());
+}
+
+#[test]
+fn one_array_of_unknowns_may_stand_alone() {
+    for output in ["v: [f64; 2]", "(v: [f64; 2])", "((v: [f64; 2],))", "(v: [f64; 2],)", "(v: [f64; 1 + 1])"] {
+        let text = format!("fn roots(a: f64) -> {output} {{ v[0] * v[1] == a; v[0] + v[1] == 1; }}");
+        let problem = Problem::parse("roots.rs", &text).unwrap_or_else(|messages| panic!("{output}: {messages}"));
+        assert_eq!(problem.unknowns, ["v[0]", "v[1]"], "{output}");
+    }
+    let text = "fn root(a: f64) -> (x: f64, y) { x * y == a; x + y == 1; }";
+    assert_eq!(Problem::parse("root.rs", text).unwrap().unknowns, ["x", "y"]);
+}
+
 #[test]
 fn gradients_by_some_unknowns() {
     let sample = Sample::new(

@@ -1,24 +1,34 @@
 //! Prints what users see: the solution and the functions that return it.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::names::Names;
-use super::{doc_line, parameter, runtime};
+use super::{array_type, doc_line, indices, parameter, runtime};
 use crate::plan::{Plan, RootMethod};
 
 /// The struct `Solution`, its conversions, and the constants that describe it.
 pub(super) fn solution(plan: &Plan) -> TokenStream {
     let doc = format!(" A solution of `{}`: real, or complex with `T = Complex<f64>`.", plan.name);
-    let names: Vec<_> = plan.unknowns.iter().map(|unknown| format_ident!("{unknown}")).collect();
-    let field_docs = plan.unknowns.iter().map(|unknown| format!(" The unknown `{unknown}`."));
+    let names: Vec<_> = plan.fields.iter().map(|field| format_ident!("{}", field.name)).collect();
+    let types = plan.fields.iter().map(|field| array_type(quote!(T), &field.shape));
+    let field_docs = plan.fields.iter().map(|field| match field.shape[..] {
+        [] => format!(" The unknown `{}`.", field.name),
+        _ => format!(" The unknowns `{}`.", field.name),
+    });
+    let elements = plan.fields.iter().zip(&names).flat_map(|(field, name)| {
+        indices(&field.shape).map(move |indices| {
+            let indices = indices.into_iter().map(Literal::usize_unsuffixed);
+            quote!(self.#name #([#indices])*)
+        })
+    });
+    let values = plan.fields.iter().map(|field| array_of_unknowns(&field.shape, field.first_unknown));
     let (unknowns, solutions, texts) = (plan.unknowns.len(), plan.solutions, &plan.unknowns);
-    let positions = 0..unknowns;
     quote! {
         #[doc = #doc]
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct Solution<T = f64> {
-            #(#[doc = #field_docs] pub #names: T,)*
+            #(#[doc = #field_docs] pub #names: #types,)*
         }
 
         /// The names of the unknowns, in the order of [`Solution::to_array`].
@@ -30,13 +40,13 @@ pub(super) fn solution(plan: &Plan) -> TokenStream {
         impl<T: Copy> Solution<T> {
             /// The unknowns in the order of [`UNKNOWNS`].
             pub fn to_array(self) -> [T; #unknowns] {
-                [#(self.#names),*]
+                [#(#elements),*]
             }
         }
 
         impl<T: Copy> From<[T; #unknowns]> for Solution<T> {
             fn from(unknowns: [T; #unknowns]) -> Self {
-                Self { #(#names: unknowns[#positions]),* }
+                Self { #(#names: #values),* }
             }
         }
 
@@ -46,6 +56,14 @@ pub(super) fn solution(plan: &Plan) -> TokenStream {
             }
         }
     }
+}
+
+/// The unknowns from one on as an array of this shape: `[unknowns[3], unknowns[4]]`.
+fn array_of_unknowns(shape: &[usize], first: usize) -> TokenStream {
+    let Some((&length, inner)) = shape.split_first() else { return quote!(unknowns[#first]) };
+    let size: usize = inner.iter().product();
+    let elements = (0..length).map(|at| array_of_unknowns(inner, first + at * size));
+    quote!([#(#elements),*])
 }
 
 /// The functions from the data to solutions, and what measures a solution.

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use super::names::Names;
-use super::parameter;
+use super::{indices, parameter};
 use crate::code::{Operation, ValueId};
 use crate::plan::{Plan, PlannedRecovery};
 use crate::problem::DataParameter;
@@ -185,7 +185,7 @@ fn names(parameter: &DataParameter, separator: &str) -> Vec<String> {
     let name = |indices: Vec<usize>| {
         indices.iter().fold(parameter.name.clone(), |name, index| format!("{name}{separator}{index}"))
     };
-    indices(parameter).map(name).collect()
+    indices(&parameter.shape).map(name).collect()
 }
 
 /// `gram[0][2]` for every scalar of a parameter, in flat order.
@@ -195,21 +195,7 @@ fn elements(parameter: &DataParameter) -> Vec<TokenStream> {
         let indices = indices.into_iter().map(Literal::usize_unsuffixed);
         quote!(#name #([#indices])*)
     };
-    indices(parameter).map(element).collect()
-}
-
-/// The indices of every scalar of a parameter, in flat order.
-fn indices(parameter: &DataParameter) -> impl Iterator<Item = Vec<usize>> {
-    (0..parameter.len()).map(|flat| {
-        let mut rest = flat;
-        let mut indices = Vec::new();
-        for &length in parameter.shape.iter().rev() {
-            indices.push(rest % length);
-            rest /= length;
-        }
-        indices.reverse();
-        indices
-    })
+    indices(&parameter.shape).map(element).collect()
 }
 
 /// A constant in parentheses where it is not a plain positive number; fractions are divided as the interpreter does.

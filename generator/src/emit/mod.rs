@@ -94,10 +94,29 @@ fn without_suffixes(tokens: TokenStream) -> TokenStream {
     tokens.into_iter().map(token).collect()
 }
 
+/// `[[f64; 3]; 2]` for the element `f64` and the shape 2 x 3.
+fn array_type(element: TokenStream, shape: &[usize]) -> TokenStream {
+    shape.iter().rev().fold(element, |inner, &length| quote!([#inner; #length]))
+}
+
+/// The indices of every scalar of an array, in flat order.
+fn indices(shape: &[usize]) -> impl Iterator<Item = Vec<usize>> {
+    (0..shape.iter().product()).map(|flat: usize| {
+        let mut rest = flat;
+        let mut indices = Vec::new();
+        for &length in shape.iter().rev() {
+            indices.push(rest % length);
+            rest /= length;
+        }
+        indices.reverse();
+        indices
+    })
+}
+
 /// A parameter as the functions declare it: scalars by value, arrays by reference.
 fn parameter(parameter: &DataParameter) -> TokenStream {
     let name = format_ident!("{}", parameter.name);
-    let array = parameter.shape.iter().rev().fold(quote!(f64), |inner, &length| quote!([#inner; #length]));
+    let array = array_type(quote!(f64), &parameter.shape);
     if parameter.shape.is_empty() { quote!(#name: #array) } else { quote!(#name: &#array) }
 }
 
