@@ -22,7 +22,7 @@ pub(crate) fn straight_line_code(graph: &ExpressionGraph, used: &[ExpressionId],
 
 /// The nodes that `used` depends on, in order, and the position of each used one. A sum of products is there as a whole.
 fn in_order_of_the_graph(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Code, Vec<ValueId>) {
-    let needed = needed(graph, used);
+    let needed = graph.needed(used);
     let mut position = vec![ValueId(0); needed.len()];
     let mut first_of_sum: Vec<Option<u32>> = vec![None; graph.product_sums().len()];
     let mut code = Code { operations: Vec::new(), product_sums: Vec::new(), form: CodeForm::Table };
@@ -53,28 +53,6 @@ fn in_order_of_the_graph(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Cod
         code.operations.push(operation);
     }
     (code, used.iter().map(|id| position[id.index()]).collect())
-}
-
-/// Which nodes `used` depends on.
-fn needed(graph: &ExpressionGraph, used: &[ExpressionId]) -> Vec<bool> {
-    let mut needed = vec![false; graph.nodes().len()];
-    used.iter().for_each(|id| needed[id.index()] = true);
-    for at in (0..needed.len()).rev() {
-        if !needed[at] {
-            continue;
-        }
-        let mut need = |id: ExpressionId| needed[id.index()] = true;
-        match graph.nodes()[at] {
-            Expression::Constant(_) | Expression::Input(_) => {}
-            Expression::Negate(a) => need(a),
-            Expression::Add(a, b)
-            | Expression::Subtract(a, b)
-            | Expression::Multiply(a, b)
-            | Expression::Divide(a, b) => [a, b].into_iter().for_each(need),
-            Expression::Coefficient { sum, .. } => graph.product_sums()[sum as usize].operands().for_each(need),
-        }
-    }
-    needed
 }
 
 /// The same code in another order: constants, inputs, then steps by the longest chain of steps that leads to them, those of the same

@@ -75,6 +75,7 @@ fn parse_source(source: &SourceFile) -> Result<Problem, Vec<Diagnostic>> {
     declare_signature(&mut body, &data, &unknowns);
     body.run_block(&function.block);
     check_counts(&mut body, function, &unknowns);
+    check_data(&mut body, &data);
     if body.has_messages() {
         return Err(body.into_messages());
     }
@@ -218,6 +219,27 @@ fn declare_signature(interpreter: &mut Interpreter<'_>, data: &[DataParameter], 
         interpreter.scopes.declare(field.name.clone(), binding);
     }
     interpreter.unknowns = unknowns.iter().flat_map(SolutionField::names).collect();
+}
+
+/// Every parameter must be read: by a coefficient of some equation or exclusion, at least one of its elements.
+fn check_data(body: &mut Interpreter<'_>, data: &[DataParameter]) {
+    if body.has_messages() {
+        // The statements that read it may have failed.
+        return;
+    }
+    let statements = body.equations.iter().chain(&body.nonzero);
+    let coefficients =
+        statements.flat_map(|statement| statement.polynomial.terms()).map(|&(_, coefficient)| coefficient);
+    let needed = body.algebra.graph.needed(&coefficients.collect::<Vec<ExpressionId>>());
+    let is_read = |input: usize| needed[body.algebra.graph.input(input).index()];
+    let is_unused =
+        |parameter: &&DataParameter| !(parameter.first_input..parameter.first_input + parameter.len()).any(is_read);
+    let unused: Vec<&DataParameter> = data.iter().filter(is_unused).collect();
+    for parameter in unused {
+        let message = format!("no equation depends on the parameter `{}`", parameter.name);
+        let diagnostic = Diagnostic::new(message, parameter.span.clone()).label("its values make no difference");
+        body.report(diagnostic.hint("remove it, or state the equation that it is for"));
+    }
 }
 
 /// Every unknown must occur, and there must be as many equations as unknowns.
