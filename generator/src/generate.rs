@@ -1,14 +1,15 @@
 //! From the texts of a problem and its template to the source of a solver. No files, no environment.
 
 use crate::algebra::{PRIMES, PrimeField};
-use crate::diagnostic::Diagnostics;
 use crate::emit::{EmitError, Provenance, emit};
-use crate::instance::Instance;
-use crate::interpret;
 use crate::plan::Plan;
+use crate::plan::interpret::{self, Eliminated};
+use crate::plan::schedule::{ScheduleError, schedule};
+use crate::plan::solution_count::{SolutionBounds, count_solutions};
 use crate::presolve::{ReducedProblem, presolve};
 use crate::problem::Problem;
-use crate::schedule::{ScheduleError, schedule};
+use crate::problem::diagnostic::Diagnostics;
+use crate::problem::instance::Instance;
 use crate::template::file::{TemplateFile, TemplateFileError};
 use crate::template::verify::{VerifyError, verify};
 
@@ -32,6 +33,14 @@ pub enum GenerateError {
     /// The template does not hold on a random instance.
     #[error("the template does not hold for the problem: {0}")]
     Verify(#[from] VerifyError),
+    /// The template gives another number of solutions than its file says.
+    #[error("the template file says {file} solutions, the template gives {found}")]
+    Solutions {
+        /// What the file says.
+        file: usize,
+        /// What the template gives.
+        found: SolutionBounds,
+    },
     /// The template does not fit the problem.
     #[error(transparent)]
     Schedule(#[from] ScheduleError),
@@ -49,13 +58,16 @@ pub enum GenerateError {
 impl GenerateError {
     /// Whether a new search would mend it.
     pub fn is_stale_template(&self) -> bool {
-        matches!(self, Self::File(_) | Self::Stale { .. } | Self::Verify(_) | Self::Schedule(_))
+        use GenerateError::{File, Schedule, Solutions, Stale, Verify};
+        matches!(self, File(_) | Stale { .. } | Verify(_) | Solutions { .. } | Schedule(_))
     }
 }
 
-/// The prime and seed at which templates are verified: not those of the search.
+/// The prime and the seeds at which templates are verified: not those of the search. The first instance proves the
+/// template. The others are asked only if the first has another number of solutions than the file says: data from
+/// few values (`#[integer]`) may be special in one draw.
 const VERIFY_FIELD: PrimeField = PrimeField::new(PRIMES[2]);
-const VERIFY_SEED: u64 = 0x5eed;
+const VERIFY_SEEDS: [u64; 3] = [0x5eed, 0x5eee, 0x5eef];
 
 /// A problem with the plan of its solver.
 #[derive(Clone, Debug)]
@@ -66,7 +78,11 @@ pub struct Planned {
     pub plan: Plan,
 }
 
-/// Verifies a template over Z_p and plans its solver; the interpreted plan gives the verified action matrix exactly.
+/// Verifies a template over Z_p and plans its solver. The interpreted plan gives the verified action matrix exactly, and
+/// this as many solutions as the file says.
+///
+/// # Errors
+/// See [`GenerateError`].
 pub fn plan(problem: &Problem, file: &TemplateFile) -> Result<Planned, GenerateError> {
     if file.problem != problem.name || file.fingerprint != problem.fingerprint() {
         let found = match file.problem == problem.name {
@@ -76,16 +92,30 @@ pub fn plan(problem: &Problem, file: &TemplateFile) -> Result<Planned, GenerateE
         return Err(GenerateError::Stale { problem: problem.name.clone(), found });
     }
     let reduced = presolve(problem, file.presolve);
-    let instance = Instance::draw(&reduced.problem, VERIFY_FIELD, VERIFY_SEED).ok_or(GenerateError::NoInstance)?;
+    let draw = |seed: u64| Instance::draw(&reduced.problem, VERIFY_FIELD, seed);
+    let instance = draw(VERIFY_SEEDS[0]).ok_or(GenerateError::NoInstance)?;
     let action = verify(&file.template, VERIFY_FIELD, &instance.equations)?;
     let plan = schedule(problem, &reduced, &file.template, file.solutions, file.roots)?;
-    let interpreted = interpret::coefficients(&plan, VERIFY_FIELD, &instance.inputs)
-        .and_then(|coefficients| interpret::eliminate(&plan, VERIFY_FIELD, &coefficients))
-        .ok_or(GenerateError::PlanDiffers)?;
-    if !interpreted.action.iter().enumerate().all(|(row, values)| values.as_slice() == action.row(row)) {
+    let (coefficients, eliminated) = interpreted(&plan, &instance).ok_or(GenerateError::PlanDiffers)?;
+    if !eliminated.action.iter().enumerate().all(|(row, values)| values.as_slice() == action.row(row)) {
         return Err(GenerateError::PlanDiffers);
     }
+    let count = |(coefficients, eliminated): (Vec<u32>, Eliminated<u32>)| {
+        count_solutions(&plan, &file.template.action, VERIFY_FIELD, &coefficients, &eliminated)
+    };
+    let found = count((coefficients, eliminated));
+    let mut others = VERIFY_SEEDS[1..].iter().filter_map(|&seed| interpreted(&plan, &draw(seed)?).map(count));
+    if !found.allows(file.solutions) && !others.any(|other| other.allows(file.solutions)) {
+        return Err(GenerateError::Solutions { file: file.solutions, found });
+    }
     Ok(Planned { reduced, plan })
+}
+
+/// The coefficients of an instance, and what the elimination leaves.
+fn interpreted(plan: &Plan, instance: &Instance) -> Option<(Vec<u32>, Eliminated<u32>)> {
+    let coefficients = interpret::coefficients(plan, instance.field, &instance.inputs)?;
+    let eliminated = interpret::eliminate(plan, instance.field, &coefficients)?;
+    Some((coefficients, eliminated))
 }
 
 /// The source of the solver of `problem` by the template in `file`.

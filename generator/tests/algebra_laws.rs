@@ -63,7 +63,7 @@ fn monomials(unknowns: usize, degree: i32) -> Vec<Monomial> {
 
 /// A dense polynomial of the given degree with reproducible coefficients.
 fn dense_polynomial(unknowns: usize, degree: i32, seed: u64) -> Polynomial<u32> {
-    let mut random = eliminant_generator::instance::Random::new(seed);
+    let mut random = eliminant_generator::algebra::Random::new(seed);
     let mut draw = || 1 + random.below(u64::from(PRIMES[0]) - 1) as u32;
     Polynomial::collect(FIELD, monomials(unknowns, degree).into_iter().map(|monomial| (monomial, draw())))
 }

@@ -9,8 +9,8 @@ use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use eliminant_generator::check::check;
-use eliminant_generator::monitor::{Monitor, Stage, Unmonitored};
 use eliminant_generator::problem::Problem;
+use eliminant_generator::search::monitor::{Monitor, Stage, Unmonitored};
 use eliminant_generator::search::{SearchError, SearchOptions, candidates};
 use support::{TWO_CONICS, eliminant, folder, json, names, status, stderr, stdout, two_conics};
 
@@ -49,6 +49,27 @@ fn four_shards_merged_give_the_bytes_of_one_search() {
         assert_eq!(merge([0, 1, 2, 3]), alone, "{prefer}");
         assert_eq!(merge([2, 0, 3, 1]), alone, "{prefer}");
     }
+}
+
+#[test]
+fn a_template_of_shards_that_were_cut_short_says_so() {
+    let folder = two_conics("a_template_of_shards_that_were_cut_short_says_so");
+    for shard in ["1/2", "2/2"] {
+        must_search(&folder, &["--shard", shard, "--out", &shard.replace('/', "-of-")]);
+    }
+    let text = fs::read_to_string(folder.join("2-of-2")).unwrap();
+    let cut = text.replace("\"is_cut\": false", "\"is_cut\": true");
+    assert_ne!(cut, text);
+    fs::write(folder.join("2-of-2"), cut).unwrap();
+    let merged = eliminant(&folder, &["search", "two_conics.rs", "--merge", "1-of-2", "2-of-2"]);
+    assert!(stdout(&merged).contains("warning: the end of shards ended the search"), "{}", stdout(&merged));
+    assert!(fs::read_to_string(folder.join(TEMPLATE)).unwrap().ends_with("\nended_early = \"shards\"\n"));
+    let checked = eliminant(&folder, &["search", "--check", "two_conics.rs"]);
+    assert_eq!(status(&checked), 1);
+    // Nothing was left out, so that the rest is the same.
+    let expected =
+        "two_conics.rs: comes of a search that was ended early (shards), which cannot be repeated\n1 template";
+    assert!(stdout(&checked).starts_with(expected), "{}", stdout(&checked));
 }
 
 #[test]

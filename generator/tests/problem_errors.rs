@@ -5,8 +5,8 @@ use std::path::Path;
 use std::{env, fs};
 
 use eliminant_generator::check;
-use eliminant_generator::diagnostic::Diagnostics;
 use eliminant_generator::problem::Problem;
+use eliminant_generator::problem::diagnostic::Diagnostics;
 
 const UPDATE: &str = "UPDATE_GOLDEN=1 cargo test -p eliminant-generator --test problem_errors";
 

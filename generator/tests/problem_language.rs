@@ -1,8 +1,9 @@
 //! The equations that problem files stand for, compared over Z_p with formulas written out by hand.
 
+use eliminant_generator::algebra::Random;
 use eliminant_generator::algebra::{PRIMES, PrimeField};
 use eliminant_generator::expression::SymbolicPolynomial;
-use eliminant_generator::instance::{Random, draw_inputs};
+use eliminant_generator::problem::instance::draw_inputs;
 use eliminant_generator::problem::{DataAttribute, Problem};
 
 const FIELD: PrimeField = PrimeField::new(PRIMES[0]);
@@ -248,7 +249,7 @@ fn determinants_of_all_sizes_match_the_vandermonde_product() {
         let rows: Vec<String> = (0..n)
             .map(|i| format!("[{}]", (0..n).map(|j| format!("v[{i}].pow({j})")).collect::<Vec<_>>().join(", ")))
             .collect();
-        let text = format!("fn vandermonde(v: [f64; {n}]) -> x {{ det([{}]) * x == 1; }}", rows.join(", "));
+        let text = format!("fn vandermonde(v: [f64; {n}]) -> x {{ det([{}]) * x == v[0]; }}", rows.join(", "));
         let sample = Sample::new(&text);
         let mut expected = sample.unknown("x");
         for i in 0..n {
@@ -256,7 +257,7 @@ fn determinants_of_all_sizes_match_the_vandermonde_product() {
                 expected = expected * (sample.input("v", i) - sample.input("v", j));
             }
         }
-        assert_eq!(sample.residuals(), [(expected - z(1)).0], "{n}x{n}");
+        assert_eq!(sample.residuals(), [(expected - sample.input("v", 0)).0], "{n}x{n}");
     }
 }
 
@@ -274,6 +275,8 @@ fn attributes_make_relations_hold_identically() {
             let g = f[1] * f[0].t();
             [x, y] * (first * first.t() - identity(3))[0][0] + [x, y] * dot(u, u) == s * [1, 2];
             x * det(second) * (s[0][1] - s[1][0] + 1) - y + det(g) + dot(l[1][0], l[1][1]) != 0;
+            // All else cancels, and data must be read.
+            x + r[0][0][0] + u[0] + f[0][0][0] + l[0][0][0] != 0;
         }",
     );
     let (x, y) = (sample.unknown("x"), sample.unknown("y"));

@@ -6,13 +6,18 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SolveError {
-    /// The data, or a matrix made from them, hold an infinity or a NaN.
+    /// The data hold an infinity or a NaN.
     NonFiniteInput,
     /// The elimination met a column without a usable pivot: the data are degenerate for this template.
     Degenerate {
-        /// The column of the eliminated block, counted from zero, where the rank was lost.
-        column: usize,
+        /// The diagonal block of the template that lost rank, counted from zero in the order of elimination.
+        block: usize,
     },
+    /// A number computed from finite data is not finite: a coefficient that divides by zero, or a value
+    /// beyond the range of `f64`. Data in other units may help.
+    Overflow,
+    /// The problem needs larger arrays than are set aside: a second attempt has room for 256 basis monomials.
+    TooLarge,
     /// The eigenvalue iteration reached its limit.
     NoConvergence,
 }
@@ -21,9 +26,13 @@ impl fmt::Display for SolveError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             SolveError::NonFiniteInput => write!(formatter, "the data hold an infinite value or a NaN"),
-            SolveError::Degenerate { column } => {
-                write!(formatter, "degenerate data: the elimination lost rank in column {column}")
+            SolveError::Degenerate { block } => {
+                write!(formatter, "degenerate data: diagonal block {block} of the template lost rank")
             }
+            SolveError::Overflow => {
+                write!(formatter, "a number computed from the data is not finite: a division by zero or an overflow")
+            }
+            SolveError::TooLarge => write!(formatter, "the problem needs larger arrays than are set aside"),
             SolveError::NoConvergence => write!(formatter, "the eigenvalue iteration reached its limit"),
         }
     }

@@ -1,11 +1,13 @@
 //! The list of solutions that a solver returns.
 
 use arrayvec::ArrayVec;
+use core::iter::FusedIterator;
 use core::ops::{Deref, DerefMut};
 
 /// Up to `MAX` solutions, stored in place; `MAX` is the number of complex solutions of the problem, so it suffices.
 ///
-/// Reads like a slice (`len`, `iter`, indexing, ..) and iterates by value or by reference.
+/// Reads like a slice (`len`, `iter`, indexing, ..) and iterates by value or by reference. With the feature `serde` it is
+/// serialised as a sequence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solutions<T, const MAX: usize>(ArrayVec<T, MAX>);
 
@@ -17,7 +19,7 @@ impl<T, const MAX: usize> Solutions<T, MAX> {
         Solutions(ArrayVec::new_const())
     }
 
-    /// Appends a solution; false, and nothing happens, when there are `MAX` already.
+    /// Appends a solution; false, and nothing happens, if there are `MAX` already.
     #[inline]
     pub fn push(&mut self, solution: T) -> bool {
         self.0.try_push(solution).is_ok()
@@ -30,11 +32,35 @@ impl<T, const MAX: usize> Solutions<T, MAX> {
     where
         T: Copy,
     {
-        let mut images = Solutions::new();
-        for &solution in self {
-            images.push(f(solution));
+        Solutions::from_points(&self.0, f)
+    }
+
+    /// The images of the solutions that have one, in their order.
+    #[inline]
+    #[must_use]
+    pub fn filter_map<U>(&self, f: impl Fn(T) -> Option<U>) -> Solutions<U, MAX>
+    where
+        T: Copy,
+    {
+        let mut images = ArrayVec::new_const();
+        for image in self.0.iter().filter_map(|&solution| f(solution)) {
+            // There is as much room as there are solutions.
+            let _ = images.try_push(image);
         }
-        images
+        Solutions(images)
+    }
+
+    /// The images of what the kernels found, in their order.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    pub fn from_points<P: Copy>(points: &ArrayVec<P, MAX>, f: impl Fn(P) -> T) -> Self {
+        let mut images = ArrayVec::new_const();
+        for &point in points {
+            // There is as much room as there are points.
+            let _ = images.try_push(f(point));
+        }
+        Solutions(images)
     }
 }
 
@@ -59,12 +85,38 @@ impl<T, const MAX: usize> DerefMut for Solutions<T, MAX> {
     }
 }
 
+/// The solutions by value, see [`Solutions::into_iter`].
+#[derive(Clone, Debug)]
+pub struct IntoIter<T, const MAX: usize>(arrayvec::IntoIter<T, MAX>);
+
+impl<T, const MAX: usize> Iterator for IntoIter<T, MAX> {
+    type Item = T;
+    #[inline]
+    fn next(&mut self) -> Option<T> {
+        self.0.next()
+    }
+    #[inline]
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        self.0.size_hint()
+    }
+}
+
+impl<T, const MAX: usize> DoubleEndedIterator for IntoIter<T, MAX> {
+    #[inline]
+    fn next_back(&mut self) -> Option<T> {
+        self.0.next_back()
+    }
+}
+
+impl<T, const MAX: usize> ExactSizeIterator for IntoIter<T, MAX> {}
+impl<T, const MAX: usize> FusedIterator for IntoIter<T, MAX> {}
+
 impl<T, const MAX: usize> IntoIterator for Solutions<T, MAX> {
     type Item = T;
-    type IntoIter = arrayvec::IntoIter<T, MAX>;
+    type IntoIter = IntoIter<T, MAX>;
     #[inline]
     fn into_iter(self) -> Self::IntoIter {
-        self.0.into_iter()
+        IntoIter(self.0.into_iter())
     }
 }
 
@@ -77,9 +129,34 @@ impl<'a, T, const MAX: usize> IntoIterator for &'a Solutions<T, MAX> {
     }
 }
 
-/// Keeps the first `MAX` items.
-impl<T, const MAX: usize> FromIterator<T> for Solutions<T, MAX> {
-    fn from_iter<I: IntoIterator<Item = T>>(items: I) -> Self {
-        Solutions(items.into_iter().take(MAX).collect())
+/// A sequence.
+#[cfg(feature = "serde")]
+impl<T: serde::Serialize, const MAX: usize> serde::Serialize for Solutions<T, MAX> {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.iter())
+    }
+}
+
+/// A sequence of at most `MAX` solutions; a longer one is an error.
+#[cfg(feature = "serde")]
+impl<'de, T: serde::Deserialize<'de>, const MAX: usize> serde::Deserialize<'de> for Solutions<T, MAX> {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Visitor<T, const MAX: usize>(core::marker::PhantomData<T>);
+        impl<'de, T: serde::Deserialize<'de>, const MAX: usize> serde::de::Visitor<'de> for Visitor<T, MAX> {
+            type Value = Solutions<T, MAX>;
+            fn expecting(&self, formatter: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                write!(formatter, "at most {MAX} solutions")
+            }
+            fn visit_seq<A: serde::de::SeqAccess<'de>>(self, mut sequence: A) -> Result<Self::Value, A::Error> {
+                let mut solutions = Solutions::new();
+                while let Some(solution) = sequence.next_element()? {
+                    if !solutions.push(solution) {
+                        return Err(serde::de::Error::invalid_length(MAX + 1, &self));
+                    }
+                }
+                Ok(solutions)
+            }
+        }
+        deserializer.deserialize_seq(Visitor::<T, MAX>(core::marker::PhantomData))
     }
 }

@@ -48,35 +48,35 @@ impl<T: FromFlat, const N: usize> FromFlat for [T; N] {
 
 /// Solvers take arrays by reference and scalars by value.
 macro_rules! argument {
-    ($data:ident) => {
+    ($data:ident: array) => {
         &$data
     };
-    ($data:ident: $scalar:ty) => {
+    ($data:ident: scalar) => {
         $data
     };
 }
 
-/// `case!(name, (array, scalar: f64))`; `()` for a problem without data.
+/// `case!(name, (points: array, length: scalar))`; `()` for a problem without data.
 macro_rules! case {
-    ($name:ident, ($($data:ident $(: $scalar:ty)?),*)) => {
+    ($name:ident, ($($data:ident: $kind:ident),*)) => {
         Case {
             name: stringify!($name),
             solve: |flat| {
                 let mut _values = flat.iter().copied();
                 $(let $data = FromFlat::take(&mut _values);)*
-                let found = solvers::$name::solve($(argument!($data $(: $scalar)?)),*)?;
+                let found = solvers::$name::solve($(argument!($data: $kind)),*)?;
                 Ok(found.iter().map(|s| s.to_array().to_vec()).collect())
             },
             solve_complex: |flat| {
                 let mut _values = flat.iter().copied();
                 $(let $data = FromFlat::take(&mut _values);)*
-                let found = solvers::$name::solve_complex($(argument!($data $(: $scalar)?)),*)?;
+                let found = solvers::$name::solve_complex($(argument!($data: $kind)),*)?;
                 Ok(found.iter().map(|s| s.to_array().to_vec()).collect())
             },
             action_matrix: |flat| {
                 let mut _values = flat.iter().copied();
                 $(let $data = FromFlat::take(&mut _values);)*
-                let action = solvers::$name::action_matrix($(argument!($data $(: $scalar)?)),*)?;
+                let action = solvers::$name::action_matrix($(argument!($data: $kind)),*)?;
                 Ok(action.iter().map(|row| row.to_vec()).collect())
             },
             residual: |flat, point| {
@@ -84,65 +84,20 @@ macro_rules! case {
                 $(let $data = FromFlat::take(&mut _values);)*
                 let mut unknowns = [Complex::default(); solvers::$name::UNKNOWNS.len()];
                 unknowns.iter_mut().zip(point).for_each(|(unknown, &value)| *unknown = value);
-                solvers::$name::relative_residual($(argument!($data $(: $scalar)?),)* &unknowns.into())
+                solvers::$name::relative_residual($(argument!($data: $kind),)* &unknowns.into())
             },
         }
     };
 }
 
-/// All emitted solvers. A test checks that none of `templates/` is missing.
+/// All emitted solvers, in the order of their names: one for each problem of `templates/`.
 pub fn cases() -> Vec<Case> {
-    vec![
-        case!(calibration_6_receivers_4_senders, (linear)),
-        case!(circle_least_squares, (gram)),
-        case!(circle_least_squares_dual, (gram)),
-        case!(circle_minimal, (d_alpha, d_beta, d_gamma)),
-        case!(fundamental_8pt_radial, (affine)),
-        case!(fundamental_8pt_radial_one_side, (affine)),
-        case!(fundamental_9pt_two_radials, (affine)),
-        case!(katsura_5, ()),
-        case!(orbit_5_lines_of_sight, (sights)),
-        case!(platform_forward_kinematics, (sums, differences, shift, excess: f64, square: f64)),
-        case!(pose_35pt_focal, (points, horizontal, vertical)),
-        case!(pose_3pt_depths, (cosines, squares)),
-        case!(pose_3pt_upright_error_bound, (points, cones)),
-        case!(pose_4pt_focal_radial, (row1, row2, row3)),
-        case!(pose_4pt_focal_radial_cut, (upper, lower)),
-        case!(pose_4pt_generalized_scale, (basis)),
-        case!(pose_4pt_upright_error_bound, (points, cones)),
-        case!(pose_5pt_refraction, (affine)),
-        case!(pose_5tdoa_two_receivers, (quadric, linear)),
-        case!(pose_6pt_rolling_shutter, (image, points, position, velocity)),
-        case!(pose_npt_direct_least_squares, (linear, quadratic, cubic, quartic)),
-        case!(pose_npt_least_squares_cayley, (cost)),
-        case!(pose_npt_least_squares_quaternion, (rows)),
-        case!(pose_npt_weak_perspective, (spread, image)),
-        case!(relpose_3pt_angle_zero_screw, (first, second, half_angle)),
-        case!(relpose_4pt_angle, (first, second, half_angle)),
-        case!(relpose_5pt, (basis)),
-        case!(relpose_5pt_generalized_angle, (first, second, half_angle)),
-        case!(relpose_5pt_semi_generalized_focal, (images, directions, centres)),
-        case!(relpose_6pt_focal, (basis)),
-        case!(relpose_6pt_focal_one_side, (basis)),
-        case!(relpose_6pt_generalized, (first, second)),
-        case!(relpose_6pt_radial, (affine, affine_e31)),
-        case!(relpose_7pt_angle_focal_centre, (left, right, half_angle)),
-        case!(relpose_7pt_focal_radial, (affine, affine_f31)),
-        case!(relpose_7pt_focal_radial_one_side, (affine)),
-        case!(relpose_7pt_focal_radial_one_side_eliminated, (affine)),
-        case!(relpose_7pt_generalized_scale, (first, second)),
-        case!(stitching_3pt_radial_focal, (first, second)),
-        case!(tensor_eigenvectors, (a)),
-        case!(triangulation_3view, (first, second, third)),
-        case!(triangulation_3view_relaxed, (first, second, image)),
-        case!(trilateration, (centres, distances)),
-        case!(two_conics, (p, q)),
-    ]
+    include!(concat!(env!("OUT_DIR"), "/cases.rs"))
 }
 
 /// The folder with problems and templates.
 pub fn templates_folder() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../templates")
+    PathBuf::from(eliminant_templates::FOLDER)
 }
 
 impl Case {

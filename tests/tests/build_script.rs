@@ -7,10 +7,10 @@ use std::time::SystemTime;
 use eliminant_generator::Generator;
 use eliminant_generator::check::check;
 use eliminant_generator::generate::generate;
-use eliminant_generator::monitor::Unmonitored;
 use eliminant_generator::problem::Problem;
+use eliminant_generator::search::measuring::stability;
+use eliminant_generator::search::monitor::Unmonitored;
 use eliminant_generator::search::{SearchOptions, candidates};
-use eliminant_generator::stability::stability;
 use eliminant_tests::templates_folder;
 use tempfile::TempDir;
 

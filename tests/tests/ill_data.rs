@@ -1,9 +1,10 @@
 //! No data make a solver panic, hang, or return something that is no solution.
 
 use eliminant::SolveError;
-use eliminant_generator::arithmetic::Float64;
-use eliminant_generator::instance::{Random, draw_inputs};
-use eliminant_generator::interpret;
+use eliminant_generator::algebra::Random;
+use eliminant_generator::expression::arithmetic::Float64;
+use eliminant_generator::plan::interpret;
+use eliminant_generator::problem::instance::draw_inputs;
 use eliminant_generator::problem::{DataAttribute, DataParameter};
 use eliminant_tests::statistics::complex;
 use eliminant_tests::{Case, cases};

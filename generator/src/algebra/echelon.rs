@@ -5,7 +5,7 @@
 //! of F4 implementations; Monagan & Pearce, "A compact parallel implementation of F4", PASCO 2015). Finished
 //! rows are stored sparse, or dense from their pivot on where they have filled in.
 
-use super::{DenseMatrix, PrimeField};
+use super::PrimeField;
 
 /// Rows in echelon form, built by inserting one row at a time.
 ///
@@ -101,6 +101,11 @@ impl Echelon {
         Self { field, row_of_column: vec![NO_ROW; columns], rows: Vec::new(), accumulator: vec![0; columns] }
     }
 
+    /// The field of the entries.
+    pub fn field(&self) -> PrimeField {
+        self.field
+    }
+
     /// The number of columns.
     pub fn columns(&self) -> usize {
         self.row_of_column.len()
@@ -141,6 +146,7 @@ impl Echelon {
     }
 
     /// Adds a row as it stands: increasing columns with nonzero values, the first of them 1 and in no pivot column.
+    #[cfg(feature = "search")]
     pub(super) fn push_pivot(&mut self, columns: Vec<u32>, values: Vec<u32>) {
         debug_assert!(columns.windows(2).all(|pair| pair[0] < pair[1]) && values.first() == Some(&1));
         if let Some(&leading) = columns.first() {
@@ -192,16 +198,6 @@ impl Echelon {
             row.for_each(|column, value| entries.push((column as u32, value)));
         }
         entries
-    }
-
-    /// The rows as a dense matrix, by increasing leading column.
-    pub fn to_dense(&self) -> DenseMatrix {
-        let mut matrix = DenseMatrix::zeros(self.field, self.rank(), self.columns());
-        for (at, column) in self.pivot_columns().into_iter().enumerate() {
-            let target = matrix.row_mut(at);
-            self.rows[self.row_of_column[column] as usize].for_each(|column, value| target[column] = value);
-        }
-        matrix
     }
 
     fn load_sparse(&mut self, row: &[(u32, u32)]) {
@@ -283,7 +279,7 @@ impl Echelon {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::algebra::PRIMES;
+    use crate::algebra::{DenseMatrix, PRIMES};
 
     const FIELD: PrimeField = PrimeField::new(PRIMES[0]);
 

@@ -82,6 +82,20 @@ impl PrimeField {
         }
     }
 
+    /// The sum of the products of values at the same position, as far as both lists go.
+    pub fn dot(self, a: &[u32], b: &[u32]) -> u32 {
+        let square = u64::from(self.modulus).pow(2);
+        // The sum stays below p^2 < 2^62: one reduction modulo p, at the end.
+        let mut sum = 0u64;
+        for (&a, &b) in a.iter().zip(b) {
+            sum += u64::from(a) * u64::from(b);
+            if sum >= square {
+                sum -= square;
+            }
+        }
+        self.reduce(sum)
+    }
+
     /// a^n, with 0^0 = 1.
     pub const fn pow(self, mut a: u32, mut n: u32) -> u32 {
         let mut result = 1;
@@ -132,6 +146,17 @@ mod tests {
                     assert_eq!(sums, values.map(|value| field.add(start, field.mul(factor, value))));
                 }
             }
+        }
+    }
+
+    #[test]
+    fn dot_products_are_sums_of_products() {
+        for p in PRIMES {
+            let field = PrimeField::new(p);
+            let values = [p - 1, 1, p - 2, 65537, 0, p / 2, p - 1, p - 1];
+            let sum = values.iter().fold(0, |sum, &value| field.add(sum, field.mul(value, value)));
+            assert_eq!(field.dot(&values, &values), sum);
+            assert_eq!(field.dot(&values, &[]), 0);
         }
     }
 

@@ -102,6 +102,12 @@ impl DenseMatrix {
         sums.into_iter().map(|sum| self.field.reduce(sum)).collect()
     }
 
+    /// The product of the matrix with a column vector of as many values as it has columns.
+    pub fn times_column(&self, vector: &[u32]) -> Vec<u32> {
+        debug_assert_eq!(vector.len(), self.columns);
+        (0..self.rows).map(|row| self.field.dot(self.row(row), vector)).collect()
+    }
+
     /// The inverse; `None` for a singular matrix or one that is not square.
     pub fn inverse(&self) -> Option<Self> {
         let size = self.rows;
@@ -146,5 +152,18 @@ impl DenseMatrix {
     pub fn independent_rows(&self) -> Vec<usize> {
         let mut echelon = Echelon::new(self.field, self.columns);
         (0..self.rows).filter(|&i| echelon.insert_dense(self.row(i)).is_some()).collect()
+    }
+}
+
+impl Echelon {
+    /// The rows as a dense matrix, by increasing leading column.
+    pub fn to_dense(&self) -> DenseMatrix {
+        let pivots = self.pivot_columns();
+        let mut matrix = DenseMatrix::zeros(self.field(), pivots.len(), self.columns());
+        for (at, pivot) in pivots.into_iter().enumerate() {
+            let target = matrix.row_mut(at);
+            self.row(pivot).into_iter().for_each(|(column, value)| target[column as usize] = value);
+        }
+        matrix
     }
 }

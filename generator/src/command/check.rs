@@ -11,9 +11,9 @@ use super::files::read_problem;
 use super::progress::spinner;
 use super::report::{Output, counted, seconds};
 use crate::check::check;
+use crate::presolve::symmetry::Symmetry;
 use crate::presolve::{Presolve, presolve};
 use crate::problem::Problem;
-use crate::symmetry::Symmetry;
 
 /// Read a problem and count its solutions for general data
 #[derive(clap::Args, Debug)]

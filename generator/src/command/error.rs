@@ -3,11 +3,10 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::search::MOST_COLUMNS;
-use crate::diagnostic::Diagnostics;
 use crate::generate::GenerateError;
+use crate::problem::diagnostic::Diagnostics;
 use crate::problem::{Problem, Statement};
-use crate::search::SearchError;
+use crate::search::{MOST_COLUMNS, SearchError};
 
 /// Why the command failed. All of these are the fault of the problem, the template or a file.
 #[derive(Debug, thiserror::Error)]
@@ -33,6 +32,9 @@ pub(super) enum CommandError {
     /// A file that `search --shard` wrote is none, or does not belong to the others.
     #[error("error: `{}`: {reason}", path.display())]
     Shard { path: PathBuf, reason: String },
+    /// `search --check` was ended by Ctrl-C.
+    #[error("error: not compared, because Ctrl-C ended the check")]
+    Interrupted,
     /// Some shards are missing.
     #[error("error: {reason}\nhelp: run `eliminant search {} --shard i/n` for each i, and merge all their files", problem.display())]
     Shards { problem: PathBuf, reason: String },

@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use super::error::CommandError;
-use crate::builder::write_if_changed;
+use crate::build::write_if_changed;
 use crate::generate::{GenerateError, Planned, plan};
 use crate::problem::Problem;
 use crate::template::file::TemplateFile;

@@ -1,4 +1,4 @@
-//! The `eliminant` command: argument types and dispatch. Only here and in [`crate::builder`] are files read and written.
+//! The `eliminant` command: argument types and dispatch. Only here and in [`crate::build`] are files read and written.
 //!
 //! Exit status: 0 good; 1 the problem, its template or a file is at fault; 2 usage.
 
@@ -12,8 +12,6 @@ mod picture;
 mod progress;
 mod report;
 mod search;
-mod search_report;
-mod shard;
 mod spy;
 mod stability;
 mod svg;
@@ -102,7 +100,8 @@ pub fn run(
     match arguments.command.run() {
         Ok(output) => {
             let text = if arguments.json { &output.json } else { &output.text };
-            status_of(stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()))
+            let written = status_of(stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()));
+            written.max(if output.is_at_fault { AT_FAULT } else { 0 })
         }
         Err(error) => {
             let _ = writeln!(stderr, "{error}");

@@ -13,12 +13,19 @@ use crate::template::EliminationTemplate;
 pub(super) struct Output {
     pub(super) text: String,
     pub(super) json: String,
+    /// Whether the report says that a file is at fault, which the exit status tells.
+    pub(super) is_at_fault: bool,
 }
 
 impl Output {
     /// Both forms of a report.
     pub(super) fn of(report: &(impl Serialize + fmt::Display)) -> Self {
-        Self { text: report.to_string(), json: to_json(report) }
+        Self { text: report.to_string(), json: to_json(report), is_at_fault: false }
+    }
+
+    /// The same report, with the exit status of a fault if there is one.
+    pub(super) fn at_fault_if(self, is_at_fault: bool) -> Self {
+        Self { is_at_fault, ..self }
     }
 }
 

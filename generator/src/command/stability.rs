@@ -10,7 +10,7 @@ use super::error::CommandError;
 use super::files::Loaded;
 use super::progress::bar;
 use super::report::{Output, Summary, one_decimal, seconds};
-use crate::stability::stability;
+use crate::search::measuring::stability;
 
 /// Measure a template on random real instances
 #[derive(clap::Args, Debug)]

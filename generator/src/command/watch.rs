@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use indicatif::ProgressBar;
 
 use super::progress::spinner;
-use crate::monitor::{Monitor, Stage};
+use crate::search::monitor::{Monitor, Stage};
 
 /// How often Ctrl-C was pressed since the process began to listen.
 static INTERRUPTS: AtomicUsize = AtomicUsize::new(0);
@@ -27,6 +27,17 @@ pub(super) enum End {
     Interrupt,
     /// The end of shards of it, which were merged.
     Shards,
+}
+
+impl End {
+    /// The name in reports and files.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Budget => "budget",
+            Self::Interrupt => "interrupt",
+            Self::Shards => "shards",
+        }
+    }
 }
 
 /// The monitor of `eliminant search`.

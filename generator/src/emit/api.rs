@@ -4,8 +4,9 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::names::Names;
-use super::{array_type, doc_line, indices, parameter, runtime};
-use crate::plan::{Plan, RootMethod};
+use super::{array_type, doc_line, indices, parameter};
+use crate::plan::Plan;
+use crate::template::RootMethod;
 
 /// The struct `Solution`, its conversions, and the constants that describe it.
 pub(super) fn solution(plan: &Plan) -> TokenStream {
@@ -23,7 +24,8 @@ pub(super) fn solution(plan: &Plan) -> TokenStream {
         })
     });
     let values = plan.fields.iter().map(|field| array_of_unknowns(&field.shape, field.first_unknown));
-    let (unknowns, solutions, texts) = (plan.unknowns.len(), plan.solutions, &plan.unknowns);
+    let [unknowns, solutions] = [plan.unknowns.len(), plan.solutions].map(Literal::usize_unsuffixed);
+    let texts = &plan.unknowns;
     quote! {
         #[doc = #doc]
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,7 +62,10 @@ pub(super) fn solution(plan: &Plan) -> TokenStream {
 
 /// The unknowns from one on as an array of this shape: `[unknowns[3], unknowns[4]]`.
 fn array_of_unknowns(shape: &[usize], first: usize) -> TokenStream {
-    let Some((&length, inner)) = shape.split_first() else { return quote!(unknowns[#first]) };
+    let Some((&length, inner)) = shape.split_first() else {
+        let first = Literal::usize_unsuffixed(first);
+        return quote!(unknowns[#first]);
+    };
     let size: usize = inner.iter().product();
     let elements = (0..length).map(|at| array_of_unknowns(inner, first + at * size));
     quote!([#(#elements),*])
@@ -68,7 +73,6 @@ fn array_of_unknowns(shape: &[usize], first: usize) -> TokenStream {
 
 /// The functions from the data to solutions, and what measures a solution.
 pub(super) fn functions(plan: &Plan) -> TokenStream {
-    let runtime = runtime();
     // An empty line between what the problem says and what is true for all.
     let end = (!plan.docs.is_empty()).then(String::new);
     let docs = plan.docs.iter().map(|line| doc_line(line)).chain(end);
@@ -76,7 +80,7 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
     let arguments: Vec<_> = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name)).collect();
     let mut names = Names::of(&plan.data);
     let (instance, solution) = (names.take("instance"), names.take("solution"));
-    let basis = plan.elimination.basis;
+    let basis = Literal::usize_unsuffixed(plan.elimination.basis);
     let roots = match plan.roots {
         RootMethod::Eigenvalues => quote!(real_solutions),
         RootMethod::CharacteristicPolynomial => quote!(real_solutions_by_polynomial),
@@ -91,7 +95,7 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
             #(#parameters),*
         ) -> Result<::eliminant::Solutions<Solution, MAX_SOLUTIONS>, ::eliminant::SolveError> {
             let mut #instance = Instance::new(#(#arguments),*)?;
-            Ok(#runtime::#roots(&mut #instance)?.map(Solution::from))
+            Ok(::eliminant::Solutions::from_points(&emitted::#roots(&mut #instance)?, Solution::from))
         }
 
         /// Like [`solve`], with all complex solutions. Where solutions are missing, all is computed once more at twice
@@ -107,7 +111,7 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
             ::eliminant::SolveError,
         > {
             let mut #instance = Instance::new(#(#arguments),*)?;
-            Ok(#runtime::complex_solutions(&mut #instance)?.map(Solution::from))
+            Ok(::eliminant::Solutions::from_points(&emitted::complex_solutions(&mut #instance)?, Solution::from))
         }
 
         /// The matrix of multiplication by the action monomial on the basis, as the elimination gives it.
@@ -115,7 +119,7 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
         /// # Errors
         /// As [`solve`].
         pub fn action_matrix(#(#parameters),*) -> Result<[[f64; #basis]; #basis], ::eliminant::SolveError> {
-            #runtime::ActionMethod::action_matrix(&mut Instance::new(#(#arguments),*)?)
+            emitted::SolverInstance::action_matrix(&mut Instance::new(#(#arguments),*)?)
         }
 
         /// The relative residual of a solution: the largest |f| / (sum of the moduli of the terms of f) of all
@@ -128,7 +132,7 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
             #solution: &Solution<S>,
         ) -> Result<f64, ::eliminant::SolveError> {
             let #instance = Instance::new(#(#arguments),*)?;
-            Ok(#runtime::ActionMethod::polish(&#instance, &mut #solution.to_array(), 0))
+            Ok(emitted::SolverInstance::polish(&#instance, &mut #solution.to_array(), 0))
         }
     }
 }

@@ -7,7 +7,7 @@ use quote::format_ident;
 /// Lines are broken before this column, where the elements allow it.
 const WIDTH: usize = 120;
 
-/// The elements of arrays, in the order of their names. These are in upper case: names of problems are not.
+/// The elements of arrays, in the order of their names.
 #[derive(Default)]
 pub(super) struct Listings(Vec<Vec<String>>);
 
@@ -56,7 +56,7 @@ impl Listings {
     }
 }
 
-/// How names of listings begin.
+/// How names of listings begin: those of problems have no capitals.
 const PREFIX: &str = "LISTING_";
 
 /// Writes the elements, separated by commas, on lines with this indentation. An element that is too long for a line is itself broken at its commas.
@@ -91,7 +91,7 @@ mod tests {
         let many = listings.add((0..40).map(|i| format!("({i}, 1)")));
         let long = listings.add(std::iter::once(format!("&[{}]", vec!["12345"; 40].join(", "))));
         let source = format!(
-            "/// {few}\nlet a = ({empty}, [{few}]);\n    let b = [{many}];\n    let c = [\n        {long},\n    ];\nlet listing_of = 1;\n"
+            "/// {few}\nlet a = ({empty}, [{few}]);\n    let b = [{many}];\n    let c = [\n        {long},\n    ];\nlet listing_0_of = 1;\n"
         );
         let text = listings.insert_into(&source);
         let lines: Vec<&str> = text.lines().collect();
@@ -100,7 +100,7 @@ mod tests {
         assert_eq!(lines[2], "    let b = [");
         assert!(lines[3].starts_with("        (0, 1), (1, 1), ") && lines[3].ends_with(','), "{text}");
         assert!(lines.iter().all(|line| line.len() <= WIDTH), "{text}");
-        assert_eq!(lines.last(), Some(&"let listing_of = 1;"));
+        assert_eq!(lines.last(), Some(&"let listing_0_of = 1;"));
         let words = |text: &str| text.split_whitespace().collect::<String>();
         let pairs: String = (0..40).map(|i| format!("({i},1),")).collect();
         assert!(words(&text).contains(&format!("letb=[{pairs}];letc=[&[")), "{text}");

@@ -69,7 +69,7 @@ mod tests {
     fn what_has_other_highest_terms_stays_and_what_follows_goes() {
         let of = |equations: &str| {
             let problem =
-                Problem::parse("some.rs", &format!("fn some(a: [f64; 9]) -> (x, y) {{ {equations} }}")).unwrap();
+                Problem::parse("sample.rs", &format!("fn sample(a: [f64; 9]) -> (x, y) {{ {equations} }}")).unwrap();
             let combined = presolve(&problem, Presolve::Combined).problem;
             (problem.equations.len(), combined.equations.len(), combined.fingerprint() == problem.fingerprint())
         };

@@ -13,7 +13,7 @@
 //!
 //! Several such equations, as of the sines and cosines of several angles, divide one after another.
 
-use super::{MAX_TERMS, ReducedProblem};
+use super::reduced::{MAX_TERMS, ReducedProblem};
 use crate::algebra::{MAX_UNKNOWNS, Monomial};
 use crate::expression::{ExpressionGraph, SymbolicPolynomial};
 use crate::problem::Problem;
@@ -121,9 +121,9 @@ fn half(
 #[cfg(test)]
 mod tests {
     use crate::algebra::{PRIMES, Polynomial, PrimeField};
-    use crate::instance::Instance;
     use crate::presolve::{Presolve, presolve};
     use crate::problem::Problem;
+    use crate::problem::instance::Instance;
 
     const FIELD: PrimeField = PrimeField::new(PRIMES[0]);
 

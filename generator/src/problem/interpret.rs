@@ -11,8 +11,8 @@ use super::scope::{Binding, Kind, Outcome, Reported, Scopes};
 use super::syntax::place;
 use super::value::{Algebra, Checked, MAX_ELEMENTS, Value, describe, fault};
 use super::{Span, Statement, element_name};
-use crate::diagnostic::Diagnostic;
 use crate::expression::{ExpressionGraph, SymbolicPolynomial};
+use crate::problem::diagnostic::Diagnostic;
 
 /// Largest number of scalar equations.
 const MAX_EQUATIONS: usize = 1000;

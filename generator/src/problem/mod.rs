@@ -1,7 +1,9 @@
 //! A polynomial problem: unknowns, data with their variety, equations with coefficients in the data.
 
+pub mod diagnostic;
 mod evaluate;
 mod functions;
+pub mod instance;
 mod interpret;
 mod names;
 mod parse;

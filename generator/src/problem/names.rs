@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use super::syntax::place;
-use crate::diagnostic::Diagnostic;
+use crate::problem::diagnostic::Diagnostic;
 
 /// Reserved in some edition of Rust although the parser takes them as names.
 const RESERVED: [&str; 4] = ["gen", "try", "union", "macro_rules"];

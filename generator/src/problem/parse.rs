@@ -13,9 +13,9 @@ use super::syntax::{parse_file, place};
 use super::value::Value;
 use super::{DataParameter, Problem, SolutionField, SourceFile, Span};
 use crate::algebra::{Monomial, Polynomial};
-use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{ExpressionGraph, ExpressionId};
-use crate::instance::fingerprint_points;
+use crate::problem::diagnostic::{Diagnostic, Diagnostics};
+use crate::problem::instance::fingerprint_points;
 
 /// Stack of the thread that parses, so that the longest expression allowed fits whatever the caller's stack is.
 const STACK: usize = 256 << 20;

@@ -12,7 +12,7 @@ use super::unknown_shapes::Shapes;
 use super::value::{Checked, MAX_ELEMENTS, describe, fault};
 use super::{DataAttribute, DataParameter, SolutionField, Span};
 use crate::algebra::MAX_UNKNOWNS;
-use crate::diagnostic::Diagnostic;
+use crate::problem::diagnostic::Diagnostic;
 
 /// Types of Rust that somebody may write by habit; none of them is the name of an unknown.
 const PRIMITIVES: [&str; 17] = [

@@ -5,7 +5,7 @@ use syn::spanned::Spanned;
 
 use super::Span;
 use super::unknown_shapes::{Shapes, take_shapes};
-use crate::diagnostic::Diagnostic;
+use crate::problem::diagnostic::Diagnostic;
 
 /// Longest text of a problem file, in bytes.
 const MAX_TEXT: usize = 1 << 20;

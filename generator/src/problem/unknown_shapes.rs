@@ -8,7 +8,7 @@ use proc_macro2::{Delimiter, Group, Ident, Spacing, TokenStream, TokenTree};
 use syn::Type;
 
 use super::Span;
-use crate::diagnostic::Diagnostic;
+use crate::problem::diagnostic::Diagnostic;
 
 /// The types behind names of unknowns, by the byte at which the name begins.
 pub(super) type Shapes = BTreeMap<usize, Type>;

@@ -4,9 +4,8 @@ use std::fmt::Write as _;
 
 use serde::Deserialize;
 
-use super::{EliminationTemplate, Shift};
+use super::{EliminationTemplate, RootMethod, Shift};
 use crate::algebra::{MAX_UNKNOWNS, Monomial};
-use crate::plan::RootMethod;
 use crate::presolve::Presolve;
 
 /// What a template file holds.

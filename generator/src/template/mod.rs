@@ -12,15 +12,8 @@
 //! After elimination every monomial of E and R is a combination of B: (E; R) = -M_ER^-1 M_B B. With the unit rows for those a b
 //! that are in B already this is the matrix of multiplication by the action monomial a: T B = a B at every solution.
 
-mod best_shift;
 pub mod file;
-pub mod grow;
-pub mod improve;
-mod index_set;
-pub mod reduce;
 pub mod shift_matrix;
-pub mod solving_set;
-pub mod tableau;
 pub mod verify;
 
 use crate::algebra::{Monomial, Polynomial};
@@ -32,6 +25,14 @@ pub struct Shift {
     pub equation: usize,
     /// What it is multiplied by.
     pub multiplier: Monomial,
+}
+
+impl Shift {
+    /// The monomials of the row, in the order of the equation's terms.
+    pub fn monomials<'a, C>(&self, equations: &'a [Polynomial<C>]) -> impl Iterator<Item = Monomial> + use<'a, C> {
+        let multiplier = self.multiplier;
+        equations[self.equation].monomials().map(move |m| m.times(&multiplier))
+    }
 }
 
 /// An elimination template, drawn at the top of this module.
@@ -77,6 +78,15 @@ impl EliminationTemplate {
         columns.chain(multipliers).for_each(|monomial| *monomial = monomial.over(&least));
         self
     }
+}
+
+/// How the real roots are found. Complex roots are always eigenvalues.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RootMethod {
+    /// QR iteration on the Hessenberg form.
+    Eigenvalues,
+    /// Real roots of the characteristic polynomial.
+    CharacteristicPolynomial,
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::Shift;
 use crate::algebra::{Echelon, Monomial, MonomialMap, Polynomial, PrimeField};
-use crate::symmetry::Reading;
+use crate::presolve::symmetry::Reading;
 
 /// Rows of `m * f` for a set of shifts, sparse, with their monomials.
 ///

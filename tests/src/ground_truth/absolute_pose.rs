@@ -3,7 +3,7 @@
 use std::array::from_fn;
 use std::f64::consts::TAU;
 
-use eliminant_generator::instance::Random;
+use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
 
 use super::cameras::{camera, distorted, image, in_ball, quaternion};

@@ -1,6 +1,6 @@
 //! Circles and their tangents.
 
-use eliminant_generator::instance::Random;
+use eliminant_generator::algebra::Random;
 use nalgebra::{SMatrix, Vector2};
 
 use super::{KnownInstance, Maker, null_space, relative_error, uniform};

@@ -2,7 +2,7 @@
 
 use std::array::from_fn;
 
-use eliminant_generator::instance::Random;
+use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix2, Matrix3, Rotation3, Vector2, Vector3};
 
 use super::cameras::{camera, cayley, distorted, image, in_ball, quaternion, two_cameras};

@@ -2,7 +2,7 @@
 
 use std::array::from_fn;
 
-use eliminant_generator::instance::Random;
+use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix2, Matrix3, Matrix4, RowVector4, SMatrix, SVector, Vector2, Vector3, Vector4};
 
 use super::cameras::{camera, image, in_ball};

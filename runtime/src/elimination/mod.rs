@@ -1,0 +1,8 @@
+//! From the data to the action matrix.
+//!
+//! 1. [`program`] computes the coefficients of large problems; those of small ones are emitted as statements.
+//! 2. [`template`] fills the elimination template, and [`lu`] eliminates its diagonal blocks.
+
+pub(crate) mod lu;
+pub(crate) mod program;
+pub(crate) mod template;

@@ -1,0 +1,34 @@
+//! What emitted code calls, and the interpreted plans of the generator. Not for people: it changes with every version.
+
+pub use crate::driver::{VANISHING, complex_solutions, real_solutions, real_solutions_by_polynomial};
+pub use crate::elimination::lu::{BlockError, BlockMemory, solve_block, solve_block_trailing, solve_large_block};
+pub use crate::elimination::program::{Operation, PolynomialProduct, ProductSum, ProductSums, Program, Run, joined};
+pub use crate::elimination::template::{ActionRow, Block, Entry, action_matrix, check_coefficients, fill, solved_rows};
+pub use crate::number::{Over, Real};
+pub use crate::size::{AtMost, Fixed, List, Matrix, Size, Square, Vector, filled_matrix};
+#[cfg(feature = "alloc")]
+pub use crate::size::{BoundedVec, Dynamic};
+pub use crate::solution::candidates::MAX_RESIDUAL;
+pub use crate::solution::distinct::{Candidate, push_distinct};
+pub use crate::solution::extract::{monomial_values, ratio};
+pub use crate::solution::polish::{POLISH_STEPS, polish};
+pub use crate::solution::sign_changes::SignChanges;
+pub use crate::solution::system::{FixedTables, PolynomialSystem, Product, System, Tables, Term, Values};
+pub use crate::solver_instance::{BasisVector, Point, Points, Sizes, SizesOf, SolverInstance};
+pub use crate::spectrum::hessenberg::Hessenberg;
+pub use crate::spectrum::polynomial_roots::{real_roots, real_roots_monic};
+
+/// The version of this interface. Emitted code states the one that it was written for.
+pub const VERSION: u32 = 1;
+
+/// The handshake of emitted code, evaluated when it is compiled.
+///
+/// # Panics
+/// If the code was emitted for another version: as a constant, a compile error with this message.
+pub const fn check_version(of_generator: u32) {
+    assert!(
+        of_generator == VERSION,
+        "this solver was emitted by another version of eliminant-generator than the `eliminant` it is compiled with: \
+         use equal versions of both crates and build again"
+    );
+}

@@ -1,0 +1,370 @@
+//! Numbers of twice the precision, for the rare instance on which `f64` loses solutions.
+
+use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+use num_complex::Complex;
+
+use super::float;
+use super::scalar::{Over, Real, Scalar, sealed};
+use crate::size::Size;
+
+/// The sum of two `f64`, the second at most half a unit in the last place of the first: about 31 digits.
+///
+/// Algorithms of Dekker (1971) and Knuth as collected by Hida, Li and Bailey, "Algorithms for quad-double precision floating point
+/// arithmetic", ARITH 2001. The range is that of `f64`; products are exact to the last digits only where their parts neither overflow nor
+/// underflow. Operations are calls and not inlined: what runs rarely should be small.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct DoubleDouble {
+    high: f64,
+    low: f64,
+}
+
+/// a + b and its rounding error.
+#[inline]
+fn two_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let of_b = sum - a;
+    (sum, (a - (sum - of_b)) + (b - of_b))
+}
+
+/// The same for |a| >= |b|.
+#[inline]
+fn renormalized(a: f64, b: f64) -> DoubleDouble {
+    let high = a + b;
+    DoubleDouble { high, low: b - (high - a) }
+}
+
+/// a in two parts of 26 bits.
+#[inline]
+fn split(a: f64) -> (f64, f64) {
+    const FACTOR: f64 = 134_217_729.0; // 2^27 + 1
+    let scaled = FACTOR * a;
+    let high = scaled - (scaled - a);
+    (high, a - high)
+}
+
+/// a b and its rounding error, without a fused multiply-add, which not all machines have.
+#[inline]
+fn two_product(a: f64, b: f64) -> (f64, f64) {
+    let product = a * b;
+    let ((a1, a2), (b1, b2)) = (split(a), split(b));
+    (product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2)
+}
+
+impl Add for DoubleDouble {
+    type Output = Self;
+    #[inline(never)]
+    fn add(self, other: Self) -> Self {
+        let (high, error) = two_sum(self.high, other.high);
+        let (low, rest) = two_sum(self.low, other.low);
+        let sum = renormalized(high, error + low);
+        renormalized(sum.high, sum.low + rest)
+    }
+}
+
+impl Mul for DoubleDouble {
+    type Output = Self;
+    #[inline(never)]
+    fn mul(self, other: Self) -> Self {
+        let (high, error) = two_product(self.high, other.high);
+        renormalized(high, error + (self.high * other.low + self.low * other.high))
+    }
+}
+
+impl Div for DoubleDouble {
+    type Output = Self;
+    #[inline(never)]
+    fn div(self, other: Self) -> Self {
+        let first = self.high / other.high;
+        let rest = self - other.scale(first);
+        let second = rest.high / other.high;
+        let third = (rest - other.scale(second)).high / other.high;
+        let sum = renormalized(first, second);
+        sum + Self::from_f64(third)
+    }
+}
+
+impl Neg for DoubleDouble {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self { high: -self.high, low: -self.low }
+    }
+}
+
+/// The operators that follow from others.
+macro_rules! derived_operators {
+    ($number:ty) => {
+        impl Sub for $number {
+            type Output = Self;
+            #[inline]
+            fn sub(self, other: Self) -> Self {
+                self + -other
+            }
+        }
+        impl AddAssign for $number {
+            #[inline]
+            fn add_assign(&mut self, other: Self) {
+                *self = *self + other;
+            }
+        }
+        impl SubAssign for $number {
+            #[inline]
+            fn sub_assign(&mut self, other: Self) {
+                *self = *self - other;
+            }
+        }
+        impl MulAssign for $number {
+            #[inline]
+            fn mul_assign(&mut self, other: Self) {
+                *self = *self * other;
+            }
+        }
+        impl sealed::Sealed for $number {}
+    };
+}
+
+derived_operators!(DoubleDouble);
+
+/// Sizes are those of the first part.
+impl Scalar for DoubleDouble {
+    const ZERO: Self = Self { high: 0.0, low: 0.0 };
+    const ONE: Self = Self { high: 1.0, low: 0.0 };
+    #[inline]
+    fn from_f64(x: f64) -> Self {
+        Self { high: x, low: 0.0 }
+    }
+    #[inline]
+    fn from_complex(x: Complex<f64>) -> Self {
+        Self::from_f64(x.re)
+    }
+    #[inline]
+    fn to_complex(self) -> Complex<f64> {
+        self.high.into()
+    }
+    #[inline]
+    fn real(self) -> f64 {
+        self.high
+    }
+    #[inline]
+    fn conj(self) -> Self {
+        self
+    }
+    #[inline]
+    fn modulus(self) -> f64 {
+        self.high.abs()
+    }
+    #[inline]
+    fn modulus_squared(self) -> f64 {
+        self.high * self.high
+    }
+    #[inline]
+    fn magnitude(self) -> f64 {
+        self.high.abs()
+    }
+    #[inline]
+    fn scale(self, factor: f64) -> Self {
+        self * Self::from_f64(factor)
+    }
+    #[inline]
+    fn reciprocal(self) -> Self {
+        Self::ONE / self
+    }
+    #[inline]
+    fn sqrt(self) -> Self {
+        if self.high == 0.0 {
+            return self;
+        }
+        let root = float::sqrt(self.high);
+        let (square, error) = two_product(root, root);
+        let rest = self - Self { high: square, low: error };
+        renormalized(root, 0.5 * rest.high / root)
+    }
+    #[inline]
+    fn is_finite(self) -> bool {
+        self.high.is_finite() && self.low.is_finite()
+    }
+}
+
+impl Real for DoubleDouble {
+    /// 2^-104.
+    const EPSILON: f64 = f64::EPSILON * f64::EPSILON;
+    #[inline]
+    fn of<Z: Size>(_: &Z::Vector<f64>, compute: impl FnOnce() -> Z::Vector<Self>) -> Z::Vector<Self> {
+        compute()
+    }
+    #[inline]
+    fn with_sign_of(self, other: Self) -> Self {
+        if self.high.is_sign_negative() == other.high.is_sign_negative() { self } else { -self }
+    }
+}
+
+/// A complex number of [`DoubleDouble`] parts. (`num_complex` wants remainders and parsing of its parts.)
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct DoubleComplex {
+    re: DoubleDouble,
+    im: DoubleDouble,
+}
+
+impl Over<DoubleDouble> for DoubleDouble {
+    #[inline]
+    fn from_real(x: DoubleDouble) -> Self {
+        x
+    }
+    #[inline]
+    fn times(self, factor: DoubleDouble) -> Self {
+        self * factor
+    }
+}
+
+impl Over<DoubleDouble> for DoubleComplex {
+    #[inline]
+    fn from_real(re: DoubleDouble) -> Self {
+        Self { re, im: DoubleDouble::ZERO }
+    }
+    #[inline]
+    fn times(self, factor: DoubleDouble) -> Self {
+        Self { re: self.re * factor, im: self.im * factor }
+    }
+}
+
+impl Add for DoubleComplex {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self { re: self.re + other.re, im: self.im + other.im }
+    }
+}
+
+impl Mul for DoubleComplex {
+    type Output = Self;
+    #[inline(never)]
+    fn mul(self, other: Self) -> Self {
+        Self { re: self.re * other.re - self.im * other.im, im: self.re * other.im + self.im * other.re }
+    }
+}
+
+impl Div for DoubleComplex {
+    type Output = Self;
+    #[inline]
+    // A quotient is a product.
+    #[allow(clippy::suspicious_arithmetic_impl)]
+    fn div(self, other: Self) -> Self {
+        self * other.reciprocal()
+    }
+}
+
+impl Neg for DoubleComplex {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self { re: -self.re, im: -self.im }
+    }
+}
+
+derived_operators!(DoubleComplex);
+
+/// Sizes are those of the first parts.
+impl Scalar for DoubleComplex {
+    const ZERO: Self = Self { re: DoubleDouble::ZERO, im: DoubleDouble::ZERO };
+    const ONE: Self = Self { re: DoubleDouble::ONE, im: DoubleDouble::ZERO };
+    #[inline]
+    fn from_f64(x: f64) -> Self {
+        Self::from_real(DoubleDouble::from_f64(x))
+    }
+    #[inline]
+    fn from_complex(x: Complex<f64>) -> Self {
+        Self { re: DoubleDouble::from_f64(x.re), im: DoubleDouble::from_f64(x.im) }
+    }
+    #[inline]
+    fn to_complex(self) -> Complex<f64> {
+        Complex { re: self.re.high, im: self.im.high }
+    }
+    #[inline]
+    fn real(self) -> f64 {
+        self.re.high
+    }
+    #[inline]
+    fn conj(self) -> Self {
+        Self { re: self.re, im: -self.im }
+    }
+    #[inline]
+    fn modulus(self) -> f64 {
+        self.to_complex().modulus()
+    }
+    #[inline]
+    fn modulus_squared(self) -> f64 {
+        self.to_complex().modulus_squared()
+    }
+    #[inline]
+    fn magnitude(self) -> f64 {
+        self.to_complex().magnitude()
+    }
+    #[inline]
+    fn scale(self, factor: f64) -> Self {
+        Self { re: self.re.scale(factor), im: self.im.scale(factor) }
+    }
+    fn reciprocal(self) -> Self {
+        // One Newton step doubles the digits.
+        let near = Self::from_complex(self.to_complex().reciprocal());
+        near + near * (Self::ONE - self * near)
+    }
+    fn sqrt(self) -> Self {
+        let near = self.to_complex().sqrt();
+        if near == Complex::ZERO {
+            return Self::ZERO;
+        }
+        let near = Self::from_complex(near);
+        (near + self / near).scale(0.5)
+    }
+    #[inline]
+    fn is_finite(self) -> bool {
+        self.re.is_finite() && self.im.is_finite()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// |x - y| relative to |y|.
+    fn difference(x: DoubleDouble, y: DoubleDouble) -> f64 {
+        (x - y).modulus() / y.modulus()
+    }
+
+    fn number(high: f64, low: f64) -> DoubleDouble {
+        renormalized(high, low)
+    }
+
+    #[test]
+    fn parts_do_not_overlap_and_no_digit_is_lost() {
+        let tiny = f64::from_bits(0x3c90_0000_0000_0000) * f64::EPSILON;
+        let sum = DoubleDouble::ONE + DoubleDouble::from_f64(tiny);
+        assert_eq!(sum, DoubleDouble { high: 1.0, low: tiny });
+        assert_eq!(sum - DoubleDouble::ONE, DoubleDouble::from_f64(tiny));
+        // (2^27 + 1)^2 = 2^54 + 2^28 + 1 has 55 bits.
+        let product = DoubleDouble::from_f64(134_217_729.0) * DoubleDouble::from_f64(134_217_729.0);
+        assert_eq!(product - DoubleDouble::from_f64(18_014_398_777_917_440.0), DoubleDouble::ONE);
+    }
+
+    #[test]
+    fn quotients_roots_and_reciprocals_invert_products() {
+        for (a, b) in [(number(3.0, 1e-17), number(7.0, -2e-16)), (number(-1e40, 3e23), number(0.1, 5e-18))] {
+            assert!(difference(a / b * b, a) < 4.0 * DoubleDouble::EPSILON, "{a:?} / {b:?}");
+            assert!(difference((b * b).sqrt(), b) < 4.0 * DoubleDouble::EPSILON, "{b:?}");
+            let z = DoubleComplex { re: a, im: b.scale(a.modulus()) };
+            let one = z * z.reciprocal();
+            assert!((one - DoubleComplex::ONE).magnitude() < 16.0 * DoubleDouble::EPSILON, "{z:?}");
+            let root = z.sqrt();
+            assert!((root * root - z).magnitude() < 32.0 * DoubleDouble::EPSILON * z.magnitude(), "{z:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_finite_stays_so() {
+        let infinite = DoubleDouble::ONE / DoubleDouble::ZERO;
+        assert!(!infinite.is_finite());
+        assert!(!(infinite * DoubleDouble::ZERO).is_finite());
+        assert!(!DoubleDouble::from_f64(-1.0).sqrt().is_finite());
+        assert_eq!(DoubleDouble::ZERO.sqrt(), DoubleDouble::ZERO);
+    }
+}

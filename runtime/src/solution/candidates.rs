@@ -1,0 +1,297 @@
+//! From an eigenpair to the list of solutions: read off, polished, kept if it is a new solution.
+
+use num_complex::Complex;
+
+use crate::number::Scalar;
+use crate::number::scalar::mapped;
+use crate::size::{List, Size};
+use crate::solution::distinct::{Candidate, DOUBLE, push_distinct};
+use crate::solution::extract::unknowns;
+use crate::solution::polish::{POLISH_STEPS, zero_below_accuracy};
+use crate::solution::sign_changes::flipped;
+use crate::solver_instance::{BasisVector, EigenpairSource, Found, Point, Points, SolverInstance};
+
+/// A solution is kept only if its relative residual is at most this after the polish.
+pub const MAX_RESIDUAL: f64 = 1e-10;
+
+/// An eigenvalue whose imaginary part is at most this, relative to its modulus, may belong to a real solution:
+/// rounding splits a pair of close real eigenvalues into a complex one. If |B| exceeds the number of solutions any
+/// eigenvalue may: those that belong to no solution are often close together, far less precise, and take others along.
+const NEARLY_REAL: f64 = 1e-3;
+
+/// Where the solutions of a solve are collected: [`AllSolutions`] or [`RealSolutions`].
+pub(crate) trait Collection<I: SolverInstance> {
+    /// Whether an eigenvalue may belong to a solution that is collected.
+    fn wants(&self, value: &Complex<f64>) -> bool;
+
+    /// Adds the solutions of an eigenvalue with im >= 0, whose conjugate stands for the conjugate solutions. False if
+    /// an eigenpair gave nothing new, and so may share its eigenvalue with another one.
+    fn add(&mut self, solver: &I, source: &dyn EigenpairSource<I::Basis>, value: Complex<f64>) -> bool;
+
+    /// Whether as many complex solutions were counted as there are for general data.
+    fn has_all(&self) -> bool;
+
+    /// Whether the number of solutions shows that some are missing.
+    fn lacks_some(&self) -> bool;
+}
+
+/// All complex solutions.
+pub(crate) struct AllSolutions<I: SolverInstance> {
+    found: Found<I, Complex<f64>>,
+    most: usize,
+}
+
+impl<I: SolverInstance> AllSolutions<I> {
+    /// The solutions that are known beforehand.
+    #[inline]
+    pub(crate) fn new(solver: &I) -> Self {
+        Self { found: known_beforehand(solver), most: solver.sizes().solutions.get() }
+    }
+
+    /// The solutions at which no factor vanishes.
+    #[inline]
+    pub(crate) fn admissible(self, solver: &I) -> Points<I, Complex<f64>> {
+        admissible(solver, &self.found)
+    }
+}
+
+impl<I: SolverInstance> Collection<I> for AllSolutions<I> {
+    #[inline]
+    fn wants(&self, _: &Complex<f64>) -> bool {
+        true
+    }
+
+    #[inline(never)]
+    fn add(&mut self, solver: &I, source: &dyn EigenpairSource<I::Basis>, value: Complex<f64>) -> bool {
+        if value.im != 0.0 {
+            let Some(candidate) = polished(solver, source.complex(value)) else { return false };
+            return push_both(solver, candidate, &mut self.found);
+        }
+        let mut candidate = polished(solver, source.real(value.re)).map(|real| as_complex(solver, &real));
+        if candidate.is_none() && !flips(solver).is_empty() {
+            // The square of an unknown may be real and negative. A conjugate then differs by signs only.
+            candidate = polished(solver, source.complex(value));
+        }
+        let Some(candidate) = candidate else { return false };
+        push_all_signs(solver, &candidate, &mut self.found)
+    }
+
+    #[inline]
+    fn has_all(&self) -> bool {
+        self.found.len() == self.most
+    }
+
+    #[inline]
+    fn lacks_some(&self) -> bool {
+        self.found.len() < self.most
+    }
+}
+
+/// The real solutions.
+pub(crate) struct RealSolutions<I: SolverInstance> {
+    real: Found<I, f64>,
+    /// All complex ones, if they are counted: |B| then exceeds the number of solutions, and only the count tells
+    /// whether an eigenpair that is no solution stands for a missing one.
+    all: Option<AllSolutions<I>>,
+    most: usize,
+}
+
+impl<I: SolverInstance> RealSolutions<I> {
+    /// The solutions that are known beforehand.
+    #[inline]
+    pub(crate) fn new(solver: &I, counts_complex: bool) -> Self {
+        Self {
+            real: known_beforehand(solver),
+            all: counts_complex.then(|| AllSolutions::new(solver)),
+            most: solver.sizes().solutions.get(),
+        }
+    }
+
+    /// The solutions at which no factor vanishes. If all complex solutions are known, a real one that is none of
+    /// them is spurious.
+    #[inline]
+    pub(crate) fn admissible(mut self, solver: &I) -> Points<I, f64> {
+        if let Some(all) = self.all.as_ref().filter(|all| all.found.len() == self.most) {
+            let mut known = solver.sizes().solutions.list();
+            for real in self.real.iter() {
+                if is_close_to_one(&as_complex(solver, real), &all.found) {
+                    known.push(real.clone());
+                }
+            }
+            self.real = known;
+        }
+        admissible(solver, &self.real)
+    }
+}
+
+impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
+    #[inline]
+    fn wants(&self, value: &Complex<f64>) -> bool {
+        self.all.is_some() || value.im.abs() <= NEARLY_REAL * value.re.abs()
+    }
+
+    /// False also for a complex eigenvalue, because its conjugate may stand for one more solution.
+    #[inline(never)]
+    fn add(&mut self, solver: &I, source: &dyn EigenpairSource<I::Basis>, value: Complex<f64>) -> bool {
+        if value.im == 0.0 {
+            let candidate = polished(solver, source.real(value.re));
+            match (&mut self.all, &candidate) {
+                (Some(all), Some(candidate)) => {
+                    push_all_signs(solver, &as_complex(solver, candidate), &mut all.found);
+                }
+                (Some(all), None) if !flips(solver).is_empty() => {
+                    all.add(solver, source, value);
+                }
+                _ => {}
+            }
+            let Some(candidate) = candidate else { return false };
+            return push_all_signs(solver, &candidate, &mut self.real);
+        }
+        if let Some(candidate) = polished(solver, source.complex(value)) {
+            let real = nearly_real(solver, &candidate);
+            if let Some(all) = &mut self.all {
+                push_both(solver, candidate, &mut all.found);
+            }
+            if let Some(real) = real {
+                push_all_signs(solver, &real, &mut self.real);
+            }
+        }
+        false
+    }
+
+    #[inline]
+    fn has_all(&self) -> bool {
+        self.all.as_ref().is_some_and(|all| all.has_all())
+    }
+
+    /// Solutions that are not real come in pairs: if they are not counted, an odd number of others is missing.
+    #[inline]
+    fn lacks_some(&self) -> bool {
+        match &self.all {
+            Some(all) => all.lacks_some(),
+            None => !(self.most - self.real.len()).is_multiple_of(2),
+        }
+    }
+}
+
+#[inline(never)]
+fn is_close_to_one<S: Scalar, N: Size>(candidate: &Candidate<S, N>, known: &[Candidate<S, N>]) -> bool {
+    known.iter().any(|known| known.close(candidate))
+}
+
+/// The origin, if it is a solution.
+#[inline]
+fn known_beforehand<S: Scalar, I: SolverInstance>(solver: &I) -> Found<I, S> {
+    let sizes = solver.sizes();
+    let mut known = sizes.solutions.list();
+    if solver.has_origin() {
+        known.push(Candidate { unknowns: sizes.unknowns.filled(S::ZERO), residual: 0.0 });
+    }
+    known
+}
+
+/// Final filter: merging two solutions can produce an excluded one.
+#[inline]
+fn admissible<S: Scalar, I: SolverInstance>(solver: &I, found: &Found<I, S>) -> Points<I, S> {
+    let mut solutions = solver.sizes().solutions.list();
+    for candidate in found.iter() {
+        if is_admissible(solver, candidate) {
+            solutions.push(candidate.unknowns.clone());
+        }
+    }
+    solutions
+}
+
+#[inline]
+fn as_complex<I: SolverInstance>(
+    solver: &I,
+    real: &Candidate<f64, I::Unknowns>,
+) -> Candidate<Complex<f64>, I::Unknowns> {
+    let unknowns = mapped(solver.sizes().unknowns, &real.unknowns, |x: f64| Complex::from(x));
+    Candidate { unknowns, residual: real.residual }
+}
+
+/// Adds a solution and its conjugate; false if one of them is not new.
+#[inline]
+fn push_both<I: SolverInstance>(
+    solver: &I,
+    candidate: Candidate<Complex<f64>, I::Unknowns>,
+    found: &mut Found<I, Complex<f64>>,
+) -> bool {
+    let other = conjugate(solver, &candidate);
+    push_all_signs(solver, &candidate, found) & push_all_signs(solver, &other, found)
+}
+
+#[inline]
+fn conjugate<I: SolverInstance>(
+    solver: &I,
+    candidate: &Candidate<Complex<f64>, I::Unknowns>,
+) -> Candidate<Complex<f64>, I::Unknowns> {
+    let unknowns = mapped(solver.sizes().unknowns, &candidate.unknowns, |x: Complex<f64>| Scalar::conj(x));
+    Candidate { unknowns, residual: candidate.residual }
+}
+
+/// The sign changes that connect solutions of one eigenpair.
+#[inline]
+pub(crate) fn flips<I: SolverInstance>(solver: &I) -> &[&[bool]] {
+    solver.sign_changes().map_or(&[], |changes| changes.flips)
+}
+
+/// Adds a solution and those that differ from it by signs only; false if none of them is new.
+#[inline]
+fn push_all_signs<S: Scalar, I: SolverInstance>(
+    solver: &I,
+    candidate: &Candidate<S, I::Unknowns>,
+    found: &mut Found<I, S>,
+) -> bool {
+    let polish = |x: &mut Point<I, S>, steps: usize| solver.polish(x, steps);
+    let mut is_new = push_distinct(found, candidate.clone(), polish);
+    for flip in flips(solver) {
+        let unknowns = flipped(&candidate.unknowns, flip);
+        is_new |= push_distinct(found, Candidate { unknowns, residual: candidate.residual }, polish);
+    }
+    is_new
+}
+
+/// The real solution that belongs to a complex one close to its conjugate, if there is one. Halfway between the two is
+/// their real part: what shows a double solution in [`push_distinct`] does so here.
+#[inline]
+fn nearly_real<I: SolverInstance>(
+    solver: &I,
+    complex: &Candidate<Complex<f64>, I::Unknowns>,
+) -> Option<Candidate<f64, I::Unknowns>> {
+    if !complex.close(&conjugate(solver, complex)) {
+        return None;
+    }
+    let unknowns = mapped(solver.sizes().unknowns, &complex.unknowns, |x: Complex<f64>| x.re);
+    polish_from(solver, unknowns).filter(|real| real.residual <= complex.residual.max(DOUBLE))
+}
+
+#[inline]
+fn polished<S: Scalar, I: SolverInstance>(
+    solver: &I,
+    (value, vector): (S, BasisVector<I, S>),
+) -> Option<Candidate<S, I::Unknowns>> {
+    polish_from(solver, unknowns(solver, value, &vector)?)
+}
+
+/// Whether no factor vanishes. A factor that is an unknown, or a product of some, is never small relative to its terms:
+/// it vanishes if the unknown cannot be told from zero.
+#[inline]
+fn is_admissible<S: Scalar, I: SolverInstance>(solver: &I, candidate: &Candidate<S, I::Unknowns>) -> bool {
+    let unknowns = solver.sizes().unknowns;
+    solver.is_admissible(&zero_below_accuracy(unknowns, &candidate.unknowns, candidate.residual))
+}
+
+/// The solution that the polish of a point leads to.
+#[inline]
+fn polish_from<S: Scalar, I: SolverInstance>(
+    solver: &I,
+    mut unknowns: Point<I, S>,
+) -> Option<Candidate<S, I::Unknowns>> {
+    let residual = solver.polish(&mut unknowns, POLISH_STEPS);
+    let candidate: Candidate<S, I::Unknowns> = Candidate { unknowns, residual };
+    let is_finite = candidate.unknowns.as_ref().iter().all(|x: &S| x.is_finite());
+    let good = residual <= MAX_RESIDUAL && is_finite && is_admissible(solver, &candidate);
+    good.then_some(candidate)
+}

@@ -1,0 +1,85 @@
+//! Unknowns from an eigenvector.
+
+use crate::number::Scalar;
+use crate::size::{Size, Vector};
+use crate::solver_instance::{BasisVector, Point, SolverInstance};
+
+/// The unknowns from an eigenpair; `None` if they cannot be read.
+#[inline]
+pub(crate) fn unknowns<S: Scalar, I: SolverInstance>(
+    solver: &I,
+    value: S,
+    vector: &BasisVector<I, S>,
+) -> Option<Point<I, S>> {
+    let values = solver.monomial_values(value, vector);
+    let mut x = solver.sizes().unknowns.filled(S::ZERO);
+    for (at, unknown) in x.as_mut().iter_mut().enumerate() {
+        let pairs = solver.ratios(at);
+        if !pairs.is_empty() {
+            *unknown = ratio(values.as_ref(), pairs)?;
+        }
+    }
+    if let Some(sign_changes) = solver.sign_changes() {
+        sign_changes.resolve(x.as_mut());
+        if !x.as_ref().iter().all(|x| x.is_finite()) {
+            return None;
+        }
+    }
+    solver.recover(&mut x);
+    Some(x)
+}
+
+/// The least-squares ratio x of monomial values:
+///
+/// x = sum over k of conj(v\[m_k\]) v\[x m_k\] / sum over k of |v\[m_k\]|^2
+///
+/// `values` is an eigenvector v of the action matrix: the values of the basis monomials at a solution, up to a common
+/// factor. `pairs` lists the positions (m_k, x m_k) of monomials that differ by the factor x; all of them are used,
+/// weighted by their size.
+///
+/// `None` if all |v\[m_k\]| vanish, the result is not finite, or a position is out of range. Whether the v\[m_k\] are
+/// more than rounding errors of v does not show in their size, which depends on the units of the unknowns; it shows in
+/// the residual.
+#[inline]
+#[must_use]
+pub fn ratio<S: Scalar>(values: &[S], pairs: &[(u16, u16)]) -> Option<S> {
+    let mut numerator = S::ZERO;
+    let mut denominator = 0.0;
+    for &(from, to) in pairs {
+        let (from, to) = (*values.get(usize::from(from))?, *values.get(usize::from(to))?);
+        numerator += from.conj() * to;
+        denominator += from.modulus_squared();
+    }
+    let quotient = numerator.scale(1.0 / denominator);
+    (denominator > 0.0 && quotient.is_finite()).then_some(quotient)
+}
+
+/// The values of monomials from an eigenpair (a, v), as many as `count`:
+///
+/// ```text
+///   [ v | a v (if `has_image`) | R v ]      R: the rows of `read`
+/// ```
+#[inline]
+pub fn monomial_values<S: Scalar, K: Size>(
+    count: K,
+    (value, vector): (S, &[S]),
+    has_image: bool,
+    read: &[impl Vector<f64>],
+) -> K::Vector<S> {
+    let mut values = count.filled(S::ZERO);
+    let (basis, mut rest) = values.as_mut().split_at_mut(vector.len());
+    basis.copy_from_slice(vector);
+    if has_image {
+        let (image, behind) = rest.split_at_mut(vector.len());
+        for (product, &entry) in image.iter_mut().zip(vector) {
+            *product = value * entry;
+        }
+        rest = behind;
+    }
+    for (sum, row) in rest.iter_mut().zip(read) {
+        for (&entry, &factor) in vector.iter().zip(row.as_ref()) {
+            *sum += entry.scale(factor);
+        }
+    }
+    values
+}

@@ -1,0 +1,304 @@
+//! Gauss-Newton steps on the original equations.
+
+use crate::number::scalar::mapped;
+use crate::number::{Scalar, float};
+use crate::size::{Matrix, Size, filled_matrix};
+use crate::solution::system::{System, Values};
+
+/// Steps at most; nearly always one or two lower the residual and the next one stops.
+pub const POLISH_STEPS: usize = 24;
+
+/// A step that does not lower a high residual is shortened by this factor..
+const SHORTER: f64 = 0.35;
+/// .. at most this many times.
+const SHORTER_STEPS: usize = 6;
+
+/// A relative residual at most this is rounding: no step could lower it by much.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// A relative residual above this after the last step has a cause other than rounding.
+const STALLED: f64 = 1e-12;
+
+/// An unknown this small relative to the largest one may be the rounding noise of zero.
+const NOISE: f64 = 1e-12;
+/// An unknown below this times the relative residual, relative to the largest unknown, cannot be told from zero. The
+/// polish converges slowly towards solutions that are not isolated, such as those at which an excluded factor vanishes.
+const UNCERTAIN: f64 = 1e3;
+
+/// A step that changes an unknown by more than this part of it shows that no solution is near, if the residual has a
+/// cause other than rounding or stays below [`FLAT`].
+const FAR: f64 = 0.1;
+
+/// A relative residual below this after a long step away from x shows a direction in which the equations are nearly
+/// constant, and no solution. Away from a double solution the residual grows with the square of the distance.
+const FLAT: f64 = 1e-6;
+
+/// Unknowns at least this large may be on the way to infinity: they are if half of them gives a residual that is
+/// rounding, too. (So far out steps are rounding errors and show nothing.)
+const LARGE: f64 = 1e6;
+
+/// Improves x by at most `steps` Gauss-Newton steps and returns its relative residual,
+///
+/// max over equations e of |f_e(x)| / (sum of the moduli of the terms of f_e at x), 0/0 counting as 0.
+///
+/// Equations are weighted by one over that sum, which makes the result independent of their scaling; scaling an unknown
+/// does not matter to Householder QR. A step is kept only if it lowers the residual, if need be a fraction of it. The
+/// iteration ends if no fraction does, at a residual at rounding level, and at a rank-deficient Jacobian. If x or a value
+/// at x is not finite, x stays and the result is infinity.
+///
+/// The result is also infinity if the last step, taken or not, changes an unknown by a tenth and the residual is no
+/// rounding error, or stays small however long the step is: no solution is near. Far out, where the terms of highest
+/// degree alone are nearly zero, the residual is small without a solution near by.
+///
+/// If every term of an equation holds an unknown that is zero at the solution, noise in that unknown keeps the relative
+/// residual high however small it is. A step that does not lower a high residual is therefore tried again with unknowns
+/// at the level of noise set to zero.
+#[inline]
+pub fn polish<S: Scalar, N: Size, E: Size>(
+    x: &mut N::Vector<S>,
+    (unknowns, equations): (N, E),
+    system: &dyn System<S, N, E>,
+    steps: usize,
+) -> f64 {
+    let mut polish = Polish { unknowns, equations, system, at: Values::zero(equations) };
+    match steps {
+        0 => polish.residual(x),
+        _ => polish.run(x, steps),
+    }
+}
+
+/// One polish: the system, and memory for its values.
+struct Polish<'a, S: Scalar, N: Size, E: Size> {
+    unknowns: N,
+    equations: E,
+    system: &'a dyn System<S, N, E>,
+    at: Values<S, E>,
+}
+
+/// How an iteration ended.
+struct Ended<S: Scalar, N: Size> {
+    /// The residual of the point.
+    best: f64,
+    /// The last step, taken or not.
+    correction: N::Vector<S>,
+    /// Whether the last step leads from a residual that is rounding to one that is small, too.
+    flat: bool,
+}
+
+impl<S: Scalar, N: Size, E: Size> Polish<'_, S, N, E> {
+    /// The relative residual at x.
+    #[inline]
+    fn residual(&mut self, x: &N::Vector<S>) -> f64 {
+        self.system.residual(x, &mut self.at);
+        relative_residual(self.at.residual.as_ref(), self.at.scale.as_ref())
+    }
+
+    #[inline]
+    fn run(&mut self, x: &mut N::Vector<S>, steps: usize) -> f64 {
+        let ended = self.iterate(x, steps);
+        self.verdict(x, &ended)
+    }
+
+    #[inline]
+    fn iterate(&mut self, x: &mut N::Vector<S>, steps: usize) -> Ended<S, N> {
+        let mut jacobian = filled_matrix(self.equations, self.unknowns, S::ZERO);
+        let (mut best, mut flat) = (f64::INFINITY, false);
+        let mut correction = self.unknowns.filled(S::ZERO);
+        for step in 0..steps {
+            self.system.evaluate(x, &mut self.at, &mut jacobian);
+            if step == 0 {
+                best = relative_residual(self.at.residual.as_ref(), self.at.scale.as_ref());
+            }
+            if (step == 0 && best <= ROUNDING) || best == f64::INFINITY {
+                break;
+            }
+            weigh::<S, N, E>(&mut self.at, &mut jacobian);
+            let sizes = (self.unknowns, self.equations);
+            let Some(step) = least_squares(sizes, &mut jacobian, &mut self.at.residual) else { break };
+            correction = step;
+            let (moved, residual) = self.step(x, &correction, best);
+            flat = best <= STALLED && residual <= FLAT;
+            if !(residual < best) {
+                break;
+            }
+            best = residual;
+            *x = moved;
+            // After a long step the next one tells a badly determined solution, which it leaves in place, from none.
+            if best <= ROUNDING && !self.is_far(x, &correction).as_ref().contains(&true) {
+                break;
+            }
+        }
+        Ended { best, correction, flat }
+    }
+
+    /// The point that a step from x leads to, and its residual. A step that does not lower a high residual is tried
+    /// again with noise set to zero, and then shortened.
+    #[inline]
+    fn step(&mut self, x: &N::Vector<S>, correction: &N::Vector<S>, best: f64) -> (N::Vector<S>, f64) {
+        let mut moved = x.clone();
+        for j in 0..self.unknowns.get() {
+            moved[j] -= correction[j];
+        }
+        let mut residual = self.residual(&moved);
+        if !(residual < best) && best > STALLED {
+            moved = zero_below(self.unknowns, &moved, NOISE);
+            residual = self.residual(&moved);
+        }
+        let mut fraction = 1.0;
+        for _ in 0..SHORTER_STEPS {
+            if residual < best || best <= STALLED {
+                break;
+            }
+            fraction *= SHORTER;
+            for j in 0..self.unknowns.get() {
+                moved[j] = x[j] - correction[j].scale(fraction);
+            }
+            residual = self.residual(&moved);
+        }
+        (moved, residual)
+    }
+
+    /// The residual, or infinity if no solution is near.
+    #[inline]
+    fn verdict(&mut self, x: &N::Vector<S>, ended: &Ended<S, N>) -> f64 {
+        let best = ended.best;
+        let is_large = |value: &S| value.magnitude() >= LARGE;
+        if x.as_ref().iter().any(is_large) {
+            let halved = mapped(self.unknowns, x, |value: S| if is_large(&value) { value.scale(0.5) } else { value });
+            if self.residual(&halved) <= STALLED.max(best) {
+                return f64::INFINITY;
+            }
+        }
+        let far = self.is_far(x, &ended.correction);
+        if !far.as_ref().contains(&true) {
+            return best;
+        }
+        // An unknown that is zero up to noise is free to change by as much.
+        let mut without = x.clone();
+        let unknowns = without.as_mut().iter_mut().zip(far.as_ref());
+        unknowns.filter(|(_, far)| **far).for_each(|(value, _)| *value = S::ZERO);
+        if best > STALLED || (ended.flat && self.residual(&without) > STALLED) { f64::INFINITY } else { best }
+    }
+
+    /// Which unknowns a step changes by more than the part [`FAR`], other than rounding noise of zero.
+    #[inline]
+    fn is_far(&self, x: &N::Vector<S>, step: &N::Vector<S>) -> N::Vector<bool> {
+        let noise = NOISE * largest(x.as_ref());
+        let mut far = self.unknowns.filled(false);
+        for j in 0..self.unknowns.get() {
+            far[j] = step[j].magnitude() > FAR * x[j].magnitude() + noise;
+        }
+        far
+    }
+}
+
+/// A polished x of this relative residual, with the unknowns that cannot be told from zero set to zero.
+#[inline]
+pub(crate) fn zero_below_accuracy<S: Scalar, N: Size>(unknowns: N, x: &N::Vector<S>, residual: f64) -> N::Vector<S> {
+    zero_below(unknowns, x, NOISE.max(UNCERTAIN * residual))
+}
+
+/// x with the unknowns that are at most this small relative to the largest one set to zero.
+#[inline]
+fn zero_below<S: Scalar, N: Size>(unknowns: N, x: &N::Vector<S>, level: f64) -> N::Vector<S> {
+    let smallest = level * largest(x.as_ref());
+    mapped(unknowns, x, |value: S| if value.magnitude() <= smallest { S::ZERO } else { value })
+}
+
+/// The magnitude of the largest unknown.
+#[inline]
+pub(crate) fn largest<S: Scalar>(x: &[S]) -> f64 {
+    x.iter().map(|value| value.magnitude()).fold(0.0, f64::max)
+}
+
+/// max |f_e| / scale_e; infinity if a number is not finite.
+#[inline]
+fn relative_residual<S: Scalar>(values: &[S], scale: &[f64]) -> f64 {
+    let mut worst = 0.0;
+    for (value, &scale) in values.iter().zip(scale) {
+        if !(value.is_finite() && scale.is_finite()) {
+            return f64::INFINITY;
+        }
+        if scale > 0.0 {
+            let relative = value.modulus() / scale;
+            worst = if relative > worst { relative } else { worst };
+        }
+    }
+    worst
+}
+
+/// Divides each equation by its scale; if all its terms vanish, by the size of its gradient.
+#[inline]
+fn weigh<S: Scalar, N: Size, E: Size>(at: &mut Values<S, E>, jacobian: &mut Matrix<E, N, S>) {
+    let equations = at.residual.as_mut().iter_mut().zip(at.scale.as_ref());
+    for ((value, &scale), gradient) in equations.zip(jacobian.as_mut()) {
+        let gradient = gradient.as_mut();
+        let size = if scale > 0.0 { scale } else { largest(gradient) };
+        let weight = if size > 0.0 { 1.0 / size } else { 0.0 };
+        *value = value.scale(weight);
+        gradient.iter_mut().for_each(|entry| *entry = entry.scale(weight));
+    }
+}
+
+/// The least-squares solution of `matrix * y = right`, E equations in N <= E unknowns, by Householder QR; both
+/// arguments are overwritten. `None` if the matrix has lost rank (a diagonal entry of R below N epsilon times its
+/// column) or something is not finite.
+#[inline]
+fn least_squares<S: Scalar, N: Size, E: Size>(
+    (unknowns, equations): (N, E),
+    matrix: &mut Matrix<E, N, S>,
+    right: &mut E::Vector<S>,
+) -> Option<N::Vector<S>> {
+    let (n, e) = (unknowns.get(), equations.get());
+    if e < n {
+        return None;
+    }
+    let mut column_size = unknowns.filled(0.0_f64);
+    for row in matrix.as_ref() {
+        for j in 0..n {
+            column_size[j] += row[j].modulus_squared();
+        }
+    }
+    let rounding = n as f64 * f64::EPSILON;
+    let mut inverse_diagonal = unknowns.filled(S::ZERO);
+    for k in 0..n {
+        let square: f64 = (k..e).map(|i| matrix[i][k].modulus_squared()).sum();
+        if !(square > rounding * rounding * column_size[k] && square < f64::INFINITY) {
+            return None;
+        }
+        let length = float::sqrt(square);
+        let head = matrix[k][k];
+        let size = head.modulus();
+        // R[k][k] has the direction opposite to the head, so that head - diagonal does not cancel.
+        let diagonal = if size > 0.0 { -head.scale(length / size) } else { S::from_f64(-length) };
+        inverse_diagonal[k] = diagonal.reciprocal();
+        matrix[k][k] = head - diagonal;
+        // The reflection I - v v^H / factor, v the column k.. as it is now.
+        let inverse_factor = 1.0 / (square + length * size);
+        let mut product = unknowns.filled(S::ZERO);
+        let mut product_right = S::ZERO;
+        for i in k..e {
+            let v = matrix[i][k].conj();
+            for j in k + 1..n {
+                product[j] += v * matrix[i][j];
+            }
+            product_right += v * right[i];
+        }
+        for i in k..e {
+            let v = matrix[i][k].scale(inverse_factor);
+            for j in k + 1..n {
+                matrix[i][j] -= v * product[j];
+            }
+            right[i] -= v * product_right;
+        }
+    }
+    let mut solution = unknowns.filled(S::ZERO);
+    for k in (0..n).rev() {
+        let mut sum = right[k];
+        for j in k + 1..n {
+            sum -= matrix[k][j] * solution[j];
+        }
+        solution[k] = sum * inverse_diagonal[k];
+    }
+    solution.as_ref().iter().all(|entry| entry.is_finite()).then_some(solution)
+}

@@ -1,0 +1,283 @@
+//! Solutions that share a value of the action monomial.
+//!
+//! They share an eigenvalue, whose eigenvectors are arbitrary combinations of theirs. Other monomials tell them apart
+//! (as in Möller and Stetter 1995; here only on the subspace in question):
+//!
+//! ```text
+//!       [ | .. | ]   basis of the invariant subspace             V_m:  its values at monomials m
+//!   V = [ v1.. vk]   v = V u for every solution              V_(x m):  its values at the monomials x m
+//!       [ | .. | ]
+//!                    V_(x m) = V_m A_x    (least squares):  u is an eigenvector of A_x for the eigenvalue x
+//! ```
+//!
+//! All A_x have the same eigenvectors, so a combination of them over the unknowns x tells apart solutions that differ in
+//! any of them. V and A_x are real; u is complex where the solution is.
+
+use num_complex::Complex;
+
+use crate::error::SolveError;
+use crate::number::{Scalar, float};
+use crate::size::{Matrix, Size, Square, filled_matrix};
+use crate::solver_instance::{EigenpairSource, SolverInstance};
+use crate::spectrum::hessenberg::Hessenberg;
+use crate::spectrum::invariant_subspace::Cluster;
+
+/// An unknown takes part only where V_m has no singular value below about the square root of this, relative to the
+/// largest: otherwise rounding errors would make up its A_x.
+const RANK: f64 = 1e-10;
+
+/// What u to try, as 1, w, w^2, .., where the values of monomials do not determine them: in all directions.
+const PROBES: [Complex<f64>; 12] = [
+    Complex { re: 0.2, im: 0.0 },
+    Complex { re: -0.2, im: 0.0 },
+    Complex { re: 0.7, im: 0.0 },
+    Complex { re: -0.7, im: 0.0 },
+    Complex { re: 1.5, im: 0.0 },
+    Complex { re: -1.5, im: 0.0 },
+    Complex { re: 5.0, im: 0.0 },
+    Complex { re: -5.0, im: 0.0 },
+    Complex { re: 0.0, im: 0.5 },
+    Complex { re: 0.0, im: 2.0 },
+    Complex { re: 1.0, im: 1.0 },
+    Complex { re: -1.0, im: 1.0 },
+];
+
+/// The solutions with one value of the action monomial, or with conjugate values.
+pub(crate) struct SharedValue<'a, B: Size> {
+    size: B,
+    action: &'a Square<B, f64>,
+    /// V, transposed; `dimension` rows.
+    basis: &'a mut Square<B, f64>,
+    dimension: usize,
+    /// A combination of the A_x in the leading rows and columns; behind it a diagonal matrix with no eigenvalue of it.
+    combination: &'a mut Hessenberg<B>,
+    /// Whether some A_x is not determined.
+    incomplete: bool,
+}
+
+impl<'a, B: Size> SharedValue<'a, B> {
+    /// No solutions yet. `basis` and `combination` are memory for one cluster after the other.
+    #[inline]
+    pub(crate) fn new(
+        size: B,
+        action: &'a Square<B, f64>,
+        basis: &'a mut Square<B, f64>,
+        combination: &'a mut Hessenberg<B>,
+    ) -> Self {
+        SharedValue { size, action, basis, dimension: 0, combination, incomplete: false }
+    }
+
+    /// Finds what the solutions of a cluster are combinations of.
+    ///
+    /// # Errors
+    /// As [`Hessenberg::reduce`], where values overflow.
+    #[inline(never)]
+    pub(crate) fn find<I: SolverInstance<Basis = B>>(
+        &mut self,
+        solver: &I,
+        spectrum: &Hessenberg<B>,
+        cluster: &Cluster,
+    ) -> Result<(), SolveError> {
+        spectrum.invariant_subspace(cluster, self.basis);
+        self.dimension = cluster.dimension.min(self.size.get());
+        self.combine(solver)
+    }
+
+    /// Combines the A_x.
+    #[inline(never)]
+    fn combine<I: SolverInstance<Basis = B>>(&mut self, solver: &I) -> Result<(), SolveError> {
+        let (size, dimension) = (self.size, self.dimension);
+        let known = self.monomial_values(solver);
+        self.combination.clear();
+        self.incomplete = false;
+        let (sum, mut total) = (&mut self.combination.matrix, 0.0);
+        let mut weight = 1.0;
+        for unknown in 0..solver.sizes().unknowns.get() {
+            let pairs = solver.ratios(unknown);
+            if pairs.is_empty() {
+                continue;
+            }
+            let (mut gram, mut matrix) = (filled_matrix(size, size, 0.0), filled_matrix(size, size, 0.0));
+            let (gram, matrix) = (&mut Rows::<B>(&mut gram), &mut Rows::<B>(&mut matrix));
+            if !multiplication(&|row, monomial| known.at(row, monomial), (dimension, pairs), gram, matrix) {
+                self.incomplete = true;
+                continue;
+            }
+            let entries = || matrix.0.as_ref().iter().flat_map(|row| row.as_ref());
+            let norm = float::sqrt(entries().map(|entry| entry * entry).sum());
+            if norm > 0.0 {
+                for (row, values) in sum.as_mut().iter_mut().zip(matrix.0.as_ref()) {
+                    for (entry, value) in row.as_mut().iter_mut().zip(values.as_ref()) {
+                        *entry += weight / norm * value;
+                    }
+                }
+                total += weight;
+                // Neither equal nor of a rational ratio, which differences of solutions could have, too.
+                weight *= 0.786_151_377_757_423_3;
+            }
+        }
+        for k in dimension..size.get() {
+            sum[k][k] = 2.0 * total;
+        }
+        self.combination.reduce_in_place()
+    }
+
+    /// The values of the monomials on the basis, a row for each basis vector.
+    ///
+    /// They are linear in the vector, those of the image also in the action's value, which here is the matrix:
+    /// K0 V + K1 T V, where K(value, v) = K0 v + value K1 v.
+    fn monomial_values<I: SolverInstance<Basis = B>>(&self, solver: &I) -> MonomialValues<B, I::Values> {
+        let count = solver.sizes().values;
+        let mut rows = filled_matrix(self.size, count, 0.0);
+        for (values, vector) in rows.as_mut().iter_mut().zip(self.basis.as_ref()) {
+            let mut image = self.size.filled(0.0);
+            for (entry, row) in image.as_mut().iter_mut().zip(self.action.as_ref()) {
+                *entry = row.as_ref().iter().zip(vector.as_ref()).map(|(a, b)| a * b).sum();
+            }
+            let (without, with) = (solver.monomial_values(0.0, &image), solver.monomial_values(1.0, &image));
+            *values = solver.monomial_values(0.0, vector);
+            for i in 0..count.get() {
+                values[i] += with[i] - without[i];
+            }
+        }
+        MonomialValues { rows }
+    }
+
+    /// Calls `solve` for the eigenpairs of all solutions, as a source and what it lists them under.
+    ///
+    /// Where the known monomials do not determine the A_x of all unknowns, also for some other combinations of the
+    /// solutions, from which the polish may find them.
+    #[inline(never)]
+    pub(crate) fn for_each(&self, solve: &mut dyn FnMut(&dyn EigenpairSource<B>, Complex<f64>)) {
+        if let Ok(values) = self.combination.eigenvalues() {
+            let separated = Combinations { shared: self, separated: true };
+            // Eigenvalues of diagonal blocks come in the order of the blocks.
+            for &value in &values.as_ref()[..self.dimension] {
+                solve(&separated, value);
+            }
+        }
+        if self.incomplete {
+            let probes = Combinations { shared: self, separated: false };
+            for value in PROBES {
+                solve(&probes, value);
+            }
+        }
+    }
+}
+
+/// Combinations V u of the solutions with a shared value: for an eigenvalue of the combined A_x its eigenvector u, or
+/// u = 1, w, w^2, ..
+struct Combinations<'a, B: Size> {
+    shared: &'a SharedValue<'a, B>,
+    separated: bool,
+}
+
+impl<B: Size> EigenpairSource<B> for Combinations<'_, B> {
+    fn real(&self, value: f64) -> (f64, B::Vector<f64>) {
+        self.eigenpair(value)
+    }
+
+    fn complex(&self, value: Complex<f64>) -> (Complex<f64>, B::Vector<Complex<f64>>) {
+        self.eigenpair(value)
+    }
+}
+
+impl<B: Size> Combinations<'_, B> {
+    fn eigenpair<S: Scalar>(&self, value: S) -> (S, B::Vector<S>) {
+        let SharedValue { size, action, basis, dimension, combination, .. } = self.shared;
+        let n = size.get();
+        let u = if self.separated {
+            combination.eigenvector(value)
+        } else {
+            let mut powers = size.filled(S::ONE);
+            for k in 1..n {
+                powers[k] = powers[k - 1] * value;
+            }
+            powers
+        };
+        let mut vector = size.filled(S::ZERO);
+        for k in 0..*dimension {
+            for i in 0..n {
+                vector[i] += u[k].scale(basis[k][i]);
+            }
+        }
+        // The Rayleigh quotient.
+        let (mut numerator, mut denominator) = (S::ZERO, 0.0);
+        for i in 0..n {
+            let image = (0..n).fold(S::ZERO, |sum, j| sum + vector[j].scale(action[i][j]));
+            numerator += vector[i].conj() * image;
+            denominator += vector[i].modulus_squared();
+        }
+        (numerator.scale(1.0 / denominator), vector)
+    }
+}
+
+/// The values of the monomials on the basis: a row for each basis vector.
+struct MonomialValues<B: Size, K: Size> {
+    rows: Matrix<B, K, f64>,
+}
+
+impl<B: Size, K: Size> MonomialValues<B, K> {
+    /// The value of a monomial on a basis vector; NaN if there is no such monomial.
+    fn at(&self, row: usize, monomial: u16) -> f64 {
+        self.rows[row].as_ref().get(usize::from(monomial)).copied().unwrap_or(f64::NAN)
+    }
+}
+
+/// A matrix of any size behind a reference, so that what runs rarely is compiled once for all solvers.
+trait Entries {
+    fn at(&mut self, row: usize, column: usize) -> &mut f64;
+}
+
+struct Rows<'a, B: Size>(&'a mut Square<B, f64>);
+
+impl<B: Size> Entries for Rows<'_, B> {
+    fn at(&mut self, row: usize, column: usize) -> &mut f64 {
+        &mut self.0[row][column]
+    }
+}
+
+/// A_x in the leading rows and columns of `right`, by the normal equations V_m^T V_m A_x = V_m^T V_(x m) and Cholesky's
+/// factorisation; false if V_m lacks rank. The polish gives back the digits that this costs. `value(row, monomial)` is
+/// the value of a monomial on a basis vector; `gram` is working memory; both matrices are zero before.
+#[inline(never)]
+fn multiplication(
+    value: &dyn Fn(usize, u16) -> f64,
+    (dimension, pairs): (usize, &[(u16, u16)]),
+    gram: &mut dyn Entries,
+    right: &mut dyn Entries,
+) -> bool {
+    for i in 0..dimension {
+        for j in 0..dimension {
+            for &(from, to) in pairs {
+                let factor = value(i, from);
+                *gram.at(i, j) += factor * value(j, from);
+                *right.at(i, j) += factor * value(j, to);
+            }
+        }
+    }
+    // gram = L L^T, L over its lower half; right := L^-1 right.
+    for i in 0..dimension {
+        let size = *gram.at(i, i);
+        for j in 0..i {
+            let dot: f64 = (0..j).map(|k| *gram.at(i, k) * *gram.at(j, k)).sum();
+            *gram.at(i, j) = (*gram.at(i, j) - dot) / *gram.at(j, j);
+        }
+        let square = size - (0..i).map(|k| *gram.at(i, k) * *gram.at(i, k)).sum::<f64>();
+        if !(square > RANK * size) {
+            return false;
+        }
+        *gram.at(i, i) = float::sqrt(square);
+        for j in 0..dimension {
+            let dot: f64 = (0..i).map(|k| *gram.at(i, k) * *right.at(k, j)).sum();
+            *right.at(i, j) = (*right.at(i, j) - dot) / *gram.at(i, i);
+        }
+    }
+    for i in (0..dimension).rev() {
+        for j in 0..dimension {
+            let dot: f64 = (i + 1..dimension).map(|k| *gram.at(k, i) * *right.at(k, j)).sum();
+            *right.at(i, j) = (*right.at(i, j) - dot) / *gram.at(i, i);
+        }
+    }
+    true
+}

@@ -1,0 +1,221 @@
+//! Evaluation of the original equations from tables, so that emitted code is data, not arithmetic.
+
+use crate::number::Scalar;
+use crate::number::scalar::mapped;
+use crate::size::{Fixed, Matrix, Size, filled_matrix};
+
+/// E equations in N unknowns, with their derivatives.
+pub trait System<S: Scalar, N: Size, E: Size> {
+    /// Evaluates the system at the point x.
+    fn evaluate(&self, x: &N::Vector<S>, values: &mut Values<S, E>, jacobian: &mut Matrix<E, N, S>);
+
+    /// Like [`System::evaluate`], without gradients.
+    fn residual(&self, x: &N::Vector<S>, values: &mut Values<S, E>);
+}
+
+/// The equations at a point.
+pub struct Values<S: Scalar, E: Size> {
+    /// The value of each equation.
+    pub residual: E::Vector<S>,
+    /// The sum of the moduli of the terms of each equation.
+    pub scale: E::Vector<f64>,
+}
+
+impl<S: Scalar, E: Size> Values<S, E> {
+    /// All zero.
+    #[inline]
+    pub fn zero(equations: E) -> Self {
+        Values { residual: equations.filled(S::ZERO), scale: equations.filled(0.0) }
+    }
+
+    #[inline]
+    fn clear(&mut self) {
+        self.residual.as_mut().fill(S::ZERO);
+        self.scale.as_mut().fill(0.0);
+    }
+}
+
+/// One monomial of the product chain: an earlier monomial times an unknown.
+#[derive(Clone, Copy, Debug)]
+pub struct Product {
+    /// The position of the earlier monomial in the chain.
+    pub parent: u16,
+    /// The unknown it is multiplied by.
+    pub unknown: u16,
+}
+
+/// One term of an equation: a coefficient, which depends on the data, times a monomial.
+#[derive(Clone, Copy, Debug)]
+pub struct Term {
+    /// The slot of the coefficient.
+    pub coefficient: u16,
+    /// The position of the monomial in the chain.
+    pub monomial: u16,
+}
+
+/// The support of E polynomial equations in N unknowns over K monomials and C coefficient slots.
+///
+/// ```text
+///   chain     monomial 0 is 1 (chain[0] is not read); monomial k is monomial chain[k].parent * x[chain[k].unknown]
+///   terms     [ equation 0 .. | equation 1 .. |   ..   | equation E-1 .. ]
+///   ends                      ^ ends[0]       ^ ends[1]                  ^ ends[E-1]
+/// ```
+///
+/// Every monomial value costs one multiplication, and its N derivatives one multiplication each, by the product rule
+/// along the chain; the chain must therefore hold the parents of every monomial that the equations use.
+pub struct Tables<'a, N: Size, E: Size, K: Size> {
+    /// N, E and K.
+    pub sizes: (N, E, K),
+    /// The monomials.
+    pub chain: &'a K::Vector<Product>,
+    /// Where the terms of each equation end.
+    pub ends: &'a E::Vector<u32>,
+    /// The terms of all equations.
+    pub terms: &'a [Term],
+}
+
+/// Tables of sizes that the compiler knows.
+pub type FixedTables<const N: usize, const E: usize, const K: usize> = Tables<'static, Fixed<N>, Fixed<E>, Fixed<K>>;
+
+impl<const N: usize, const E: usize, const K: usize> FixedTables<N, E, K> {
+    /// Checks the tables: parents come before their products, unknowns and monomials exist, coefficients are among the
+    /// first C, ends ascend to the number of terms. Written for constants: a failed check is a compile error.
+    ///
+    /// # Panics
+    /// If a check fails: call it in a `const`.
+    #[must_use]
+    pub const fn new<const C: usize>(
+        chain: &'static [Product; K],
+        ends: &'static [u32; E],
+        terms: &'static [Term],
+    ) -> Self {
+        assert!(K >= 1, "the chain starts with the monomial 1");
+        let mut k = 1;
+        while k < K {
+            assert!((chain[k].parent as usize) < k, "a parent must come before its product");
+            assert!((chain[k].unknown as usize) < N, "there is no such unknown");
+            k += 1;
+        }
+        let mut e = 0;
+        let mut start = 0;
+        while e < E {
+            assert!(ends[e] >= start, "ends must ascend");
+            start = ends[e];
+            e += 1;
+        }
+        assert!(start as usize == terms.len(), "the last equation ends with the terms");
+        let mut t = 0;
+        while t < terms.len() {
+            assert!((terms[t].monomial as usize) < K, "there is no such monomial");
+            assert!((terms[t].coefficient as usize) < C, "there is no such coefficient slot");
+            t += 1;
+        }
+        Tables { sizes: (Fixed, Fixed, Fixed), chain, ends, terms }
+    }
+}
+
+impl<N: Size, E: Size, K: Size> Clone for Tables<'_, N, E, K> {
+    #[inline]
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+// Derived, it would want arrays of all types to be `Copy`.
+impl<N: Size, E: Size, K: Size> Copy for Tables<'_, N, E, K> {}
+
+impl<'a, N: Size, E: Size, K: Size> Tables<'a, N, E, K> {
+    /// N and E.
+    #[inline]
+    #[must_use]
+    pub const fn polynomials(&self) -> (N, E) {
+        let (unknowns, equations, _) = self.sizes;
+        (unknowns, equations)
+    }
+
+    /// The system with these coefficients.
+    #[inline]
+    #[must_use]
+    pub const fn bind(&self, coefficients: &'a [f64]) -> PolynomialSystem<'a, N, E, K> {
+        PolynomialSystem { tables: *self, coefficients }
+    }
+}
+
+/// [`Tables`] with coefficients: a system that can be evaluated.
+pub struct PolynomialSystem<'a, N: Size, E: Size, K: Size> {
+    tables: Tables<'a, N, E, K>,
+    coefficients: &'a [f64],
+}
+
+impl<N: Size, E: Size, K: Size> PolynomialSystem<'_, N, E, K> {
+    /// Calls `visit(equation, coefficient, monomial)` for every term, equation by equation.
+    #[inline]
+    fn for_each_term(&self, mut visit: impl FnMut(usize, f64, usize)) {
+        let mut start = 0;
+        for (equation, &end) in self.tables.ends.as_ref().iter().enumerate() {
+            for term in &self.tables.terms[start..end as usize] {
+                visit(equation, self.coefficients[usize::from(term.coefficient)], usize::from(term.monomial));
+            }
+            start = end as usize;
+        }
+    }
+
+    /// The values of the chain.
+    #[inline]
+    fn monomials<S: Scalar>(&self, x: &N::Vector<S>) -> K::Vector<S> {
+        let (_, _, count) = self.tables.sizes;
+        let mut values = count.filled(S::ONE);
+        for k in 1..count.get() {
+            let Product { parent, unknown } = self.tables.chain[k];
+            values[k] = values[usize::from(parent)] * x[usize::from(unknown)];
+        }
+        values
+    }
+
+    /// Whether the modulus of every polynomial exceeds `level`, relative to the sum of the moduli of its terms.
+    #[inline]
+    pub fn exceeds<S: Scalar>(&self, x: &N::Vector<S>, level: f64) -> bool {
+        let (_, count, _) = self.tables.sizes;
+        let mut values = Values::zero(count);
+        System::residual(self, x, &mut values);
+        let sizes = values.residual.as_ref().iter().map(|value: &S| value.modulus());
+        sizes.zip(values.scale.as_ref()).all(|(size, scale)| size > level * scale)
+    }
+}
+
+impl<S: Scalar, N: Size, E: Size, K: Size> System<S, N, E> for PolynomialSystem<'_, N, E, K> {
+    #[inline]
+    fn evaluate(&self, x: &N::Vector<S>, at: &mut Values<S, E>, jacobian: &mut Matrix<E, N, S>) {
+        let (unknowns, _, count) = self.tables.sizes;
+        let values = self.monomials(x);
+        let mut gradients = filled_matrix(count, unknowns, S::ZERO);
+        for k in 1..count.get() {
+            let Product { parent, unknown } = self.tables.chain[k];
+            let (parent, unknown) = (usize::from(parent), usize::from(unknown));
+            let factor = x[unknown];
+            gradients[k] = mapped(unknowns, &gradients[parent], |derivative: S| derivative * factor);
+            gradients[k][unknown] += values[parent];
+        }
+        at.clear();
+        jacobian.as_mut().iter_mut().for_each(|row| row.as_mut().fill(S::ZERO));
+        self.for_each_term(|equation, coefficient, monomial| {
+            let term = values[monomial].scale(coefficient);
+            at.residual[equation] += term;
+            at.scale[equation] += term.modulus();
+            for (entry, derivative) in jacobian[equation].as_mut().iter_mut().zip(gradients[monomial].as_ref()) {
+                *entry += derivative.scale(coefficient);
+            }
+        });
+    }
+
+    #[inline]
+    fn residual(&self, x: &N::Vector<S>, at: &mut Values<S, E>) {
+        let values = self.monomials(x);
+        at.clear();
+        self.for_each_term(|equation, coefficient, monomial| {
+            let term = values[monomial].scale(coefficient);
+            at.residual[equation] += term;
+            at.scale[equation] += term.modulus();
+        });
+    }
+}

@@ -1,0 +1,333 @@
+//! Reduction of a real matrix to Hessenberg form.
+
+use crate::elimination::lu::all_finite;
+use crate::error::SolveError;
+use crate::number::scalar::mapped;
+use crate::number::{Over, Real, float};
+use crate::size::{Fixed, Size, Square, Vector, filled_matrix};
+
+/// A real N x N matrix A, balanced and reduced by orthogonal similarity:
+///
+/// ```text
+///                                 [ x x x x x ]
+///   A = s * D Q H Q^T D^-1,   H = [ x x x x x ]   s, D: powers of two
+///                                 [   x x x x ]   Q: product of N - 2 Householder reflections
+///                                 [     x x x ]
+///                                 [       x x ]
+/// ```
+///
+/// Balancing (Parlett and Reinsch 1969, with 2-norms as James, Langou and Lowery 2014 recommend; no permutation) makes
+/// the norms of row i and column i of D^-1 A D comparable, so that the errors of the eigenvalue iteration are relative
+/// to the small entries, too. It is kept where it takes much off the norm: elsewhere it gains nothing and can lose all,
+/// because it scales up rows and columns that are rounding errors (Watkins 2006). Where |B| exceeds the number of
+/// solutions there are such. The QR iteration and the characteristic polynomial start from H; eigenvectors are found
+/// on H and taken back through Q and D.
+pub struct Hessenberg<Z: Size, R: Clone = f64> {
+    /// How many rows and columns are in use.
+    pub(crate) size: Z,
+    /// H: zero below the subdiagonal.
+    pub(crate) matrix: Square<Z, R>,
+    /// The power of two taken out of A, so that its largest entry is near 1 when it was far from it.
+    pub(crate) unit: f64,
+    /// The diagonal of D.
+    balance: Z::Vector<f64>,
+    /// Row k: the reflection I - tau v v^T that cleared column k; v lives in k+1..N, v[k+1] = 1.
+    reflectors: Square<Z, R>,
+    /// The tau of each reflection; 0 where the column was clear already.
+    tau: Z::Vector<R>,
+    /// The largest sum of moduli in a row of H.
+    pub(crate) norm: f64,
+}
+
+/// How many rows are reflected side by side. Each sum waits for its last addition; four do not wait for each other.
+const ROWS_AT_ONCE: usize = 4;
+
+/// row -= tau (row v) v^T for some rows.
+#[inline]
+fn reflect<R: Real, V: Vector<R>, const M: usize>(rows: &mut [V; M], columns: core::ops::Range<usize>, v: &V, tau: R) {
+    let mut dots = [R::ZERO; M];
+    for j in columns.clone() {
+        for i in 0..M {
+            dots[i] += rows[i][j] * v[j];
+        }
+    }
+    for i in 0..M {
+        let dot = dots[i] * tau;
+        for j in columns.clone() {
+            rows[i][j] -= dot * v[j];
+        }
+    }
+}
+
+/// Sweeps of balancing: each multiplies by powers of two only, so a few suffice and stopping early is harmless.
+const BALANCE_SWEEPS: usize = 16;
+/// Balancing is kept only if it lowers the norm a thousandfold.
+const WORTHWHILE: f64 = 1e3;
+
+impl<const N: usize> Hessenberg<Fixed<N>> {
+    /// Balances and reduces a copy of `matrix`.
+    ///
+    /// # Errors
+    /// [`SolveError::Overflow`] if an entry is infinite or NaN.
+    #[inline]
+    pub fn reduce(matrix: &[[f64; N]; N]) -> Result<Self, SolveError> {
+        let mut reduced = Hessenberg::zero(Fixed);
+        reduced.matrix = *matrix;
+        reduced.reduce_in_place()?;
+        Ok(reduced)
+    }
+}
+
+impl<Z: Size, R: Real> Hessenberg<Z, R> {
+    /// A zero matrix. A large one is filled in where it stands, and then reduced, to take its place on the stack once.
+    #[inline]
+    pub(crate) fn zero(size: Z) -> Self {
+        Hessenberg {
+            size,
+            matrix: filled_matrix(size, size, R::ZERO),
+            unit: 1.0,
+            balance: size.filled(1.0),
+            reflectors: filled_matrix(size, size, R::ZERO),
+            tau: size.filled(R::ZERO),
+            norm: 0.0,
+        }
+    }
+
+    /// Makes the matrix zero again.
+    pub(crate) fn clear(&mut self) {
+        self.matrix.as_mut().iter_mut().for_each(|row| row.as_mut().fill(R::ZERO));
+        self.unit = 1.0;
+        self.balance.as_mut().fill(1.0);
+        self.reflectors.as_mut().iter_mut().for_each(|row| row.as_mut().fill(R::ZERO));
+        self.tau.as_mut().fill(R::ZERO);
+        self.norm = 0.0;
+    }
+
+    /// Balances and reduces the matrix, which was filled in. Entries that are not in use are zero.
+    ///
+    /// # Errors
+    /// [`SolveError::Overflow`] if an entry is infinite or NaN.
+    pub(crate) fn reduce_in_place(&mut self) -> Result<(), SolveError> {
+        if !all_finite(self.matrix.as_ref()) {
+            return Err(SolveError::Overflow);
+        }
+        self.normalize();
+        self.balance();
+        for k in 0..self.size.get().saturating_sub(2) {
+            self.clear_column(k);
+        }
+        let size = |row: &Z::Vector<R>| row.as_ref().iter().map(|x| x.modulus()).sum::<f64>();
+        self.norm = self.matrix.as_ref().iter().map(size).fold(0.0, f64::max);
+        Ok(())
+    }
+
+    /// Takes out a power of two where squares of entries could overflow, or vanish although they matter.
+    #[inline]
+    fn normalize(&mut self) {
+        let mut largest = 0.0_f64;
+        for row in self.matrix.as_ref() {
+            for &entry in row.as_ref() {
+                largest = if entry.modulus() > largest { entry.modulus() } else { largest };
+            }
+        }
+        if largest == 0.0 || (1e-60..1e60).contains(&largest) {
+            return;
+        }
+        // Clamped for subnormal entries: the inverse must be a normal number, too.
+        self.unit = float::power_of_two(float::exponent(largest).clamp(-1021, 1021));
+        let inverse = 1.0 / self.unit;
+        for row in self.matrix.as_mut() {
+            row.as_mut().iter_mut().for_each(|entry| *entry = entry.scale(inverse));
+        }
+    }
+
+    /// matrix := D^-1 matrix D, unless its norm stays of the same size.
+    #[inline]
+    fn balance(&mut self) {
+        let before = self.squares();
+        self.scale_rows_and_columns();
+        if before < WORTHWHILE * WORTHWHILE * self.squares() {
+            // Back again: powers of two round nothing.
+            let inverse = mapped(self.size, &self.balance, |factor: f64| 1.0 / factor);
+            for (row, factor) in self.matrix.as_mut().iter_mut().zip(self.balance.as_ref()) {
+                for (entry, inverse) in row.as_mut().iter_mut().zip(inverse.as_ref()) {
+                    *entry = entry.scale(factor * inverse);
+                }
+            }
+            self.balance.as_mut().fill(1.0);
+        }
+    }
+
+    /// The sum of the squares of all entries.
+    #[inline]
+    fn squares(&self) -> f64 {
+        self.matrix.as_ref().iter().flat_map(|row| row.as_ref()).map(|x| x.modulus_squared()).sum()
+    }
+
+    #[inline]
+    fn scale_rows_and_columns(&mut self) {
+        const RADIX: f64 = 2.0;
+        let n = self.size.get();
+        for _ in 0..BALANCE_SWEEPS {
+            let mut changed = false;
+            for i in 0..n {
+                let (mut column, mut row) = (0.0, 0.0);
+                for j in 0..n {
+                    column += self.matrix[j][i].modulus_squared();
+                    row += self.matrix[i][j].modulus_squared();
+                }
+                if !(column > 1e-250 && row > 1e-250) {
+                    continue;
+                }
+                // Squared norms: a factor of RADIX in D moves their ratio by RADIX^4.
+                let sum = column + row;
+                let mut factor = 1.0;
+                let mut scaled = column;
+                while scaled * (RADIX * RADIX) < row {
+                    scaled *= RADIX * RADIX * RADIX * RADIX;
+                    factor *= RADIX;
+                }
+                while scaled > row * (RADIX * RADIX) {
+                    scaled /= RADIX * RADIX * RADIX * RADIX;
+                    factor /= RADIX;
+                }
+                let (column, row) = (column * factor * factor, row / (factor * factor));
+                if factor != 1.0 && column + row < 0.9 * sum {
+                    changed = true;
+                    self.balance[i] *= factor;
+                    let inverse = 1.0 / factor;
+                    for j in 0..n {
+                        self.matrix[i][j] = self.matrix[i][j].scale(inverse);
+                    }
+                    for j in 0..n {
+                        self.matrix[j][i] = self.matrix[j][i].scale(factor);
+                    }
+                }
+            }
+            if !changed {
+                break;
+            }
+        }
+    }
+
+    /// Clears column k below the subdiagonal by a Householder reflection from both sides.
+    #[inline]
+    fn clear_column(&mut self, k: usize) {
+        let n = self.size.get();
+        let h = &mut self.matrix;
+        let tail = (k + 2..n).map(|i| h[i][k] * h[i][k]).fold(R::ZERO, |sum, square| sum + square);
+        // Exactly zero or below 1e-154 of the largest entry, whose square underflowed: dropped.
+        if tail == R::ZERO {
+            for i in k + 2..n {
+                h[i][k] = R::ZERO;
+            }
+            return;
+        }
+        let head = h[k + 1][k];
+        let beta = -(head * head + tail).sqrt().with_sign_of(head);
+        let tau = (beta - head) / beta;
+        let inverse = (head - beta).reciprocal();
+        let mut v = self.size.filled(R::ZERO);
+        v[k + 1] = R::ONE;
+        for i in k + 2..n {
+            v[i] = h[i][k] * inverse;
+            h[i][k] = R::ZERO;
+        }
+        h[k + 1][k] = beta;
+
+        // From the left: H -= tau v (v^T H), columns k+1.. only, the others are done.
+        let mut product = self.size.filled(R::ZERO);
+        for i in k + 1..n {
+            for j in k + 1..n {
+                product[j] += v[i] * h[i][j];
+            }
+        }
+        for i in k + 1..n {
+            let factor = tau * v[i];
+            for j in k + 1..n {
+                h[i][j] -= factor * product[j];
+            }
+        }
+        // From the right: H -= tau (H v) v^T.
+        let (groups, rest) = h.as_mut()[..n].as_chunks_mut::<ROWS_AT_ONCE>();
+        for rows in groups {
+            reflect(rows, k + 1..n, &v, tau);
+        }
+        for row in rest {
+            reflect(core::array::from_mut(row), k + 1..n, &v, tau);
+        }
+        self.reflectors[k] = v;
+        self.tau[k] = tau;
+    }
+
+    /// Takes an eigenvector of H back to one of A: D Q y.
+    #[inline]
+    pub(crate) fn transform_back<S: Over<R>>(&self, vector: &mut Z::Vector<S>) {
+        let n = self.size.get();
+        for k in (0..n.saturating_sub(2)).rev() {
+            if self.tau[k] == R::ZERO {
+                continue;
+            }
+            let v = &self.reflectors[k];
+            let mut dot = S::ZERO;
+            for i in k + 1..n {
+                dot += vector[i].times(v[i]);
+            }
+            let dot = dot.times(self.tau[k]);
+            for i in k + 1..n {
+                vector[i] -= dot.times(v[i]);
+            }
+        }
+        for i in 0..n {
+            vector[i] = vector[i].scale(self.balance[i]);
+        }
+    }
+}
+
+impl<Z: Size> Hessenberg<Z> {
+    /// The coefficients of the characteristic polynomial det(x I - A) = x^N + c\[N-1\] x^(N-1) + .. + c\[0\], by La
+    /// Budde's recurrence on H (Wilkinson 1965, chapter 7, section 11; Rehman and Ipsen 2011):
+    ///
+    /// p_i = (x - h_ii) p_(i-1) - sum over m of h_(i-m,i) b_i .. b_(i-m+1) p_(i-m-1),  b_i = h_(i,i-1).
+    ///
+    /// For N up to about 10, to find real eigenvalues alone by [`real_roots_monic`](crate::spectrum::polynomial_roots::real_roots_monic); the
+    /// coefficients lose digits as N grows. They overflow to infinity when A is very large.
+    #[must_use]
+    pub fn characteristic_polynomial(&self) -> Z::Vector<f64> {
+        let n = self.size.get();
+        let h = &self.matrix;
+        // partial[i]: the characteristic polynomial of the leading i x i block, monic, coefficients below i.
+        let mut partial = filled_matrix(self.size, self.size, 0.0);
+        let mut next = self.size.filled(0.0);
+        for i in 0..n {
+            let previous = partial[i].clone();
+            next.as_mut().fill(0.0);
+            // x * p_(i-1): the leading coefficient of p_(i-1) is an implicit 1 at degree i.
+            next.as_mut()[1..=i].copy_from_slice(&previous.as_ref()[..i]);
+            for j in 0..i {
+                next[j] -= h[i][i] * previous[j];
+            }
+            next[i] -= h[i][i];
+            let mut product = 1.0;
+            for start in (0..i).rev() {
+                product *= h[start + 1][start];
+                let factor = product * h[start][i];
+                for j in 0..start {
+                    next[j] -= factor * partial[start][j];
+                }
+                next[start] -= factor;
+            }
+            if i + 1 < n {
+                partial[i + 1] = next.clone();
+            }
+        }
+        if self.unit != 1.0 {
+            let mut power = 1.0;
+            for coefficient in next.as_mut().iter_mut().rev() {
+                power *= self.unit;
+                *coefficient *= power;
+            }
+        }
+        next
+    }
+}

@@ -1,0 +1,189 @@
+//! Eigenvectors for given eigenvalues, by inverse iteration on the Hessenberg form.
+
+use crate::number::{Over, Real, Scalar, float};
+use crate::size::{Size, Square, filled_matrix};
+use crate::spectrum::hessenberg::Hessenberg;
+
+/// Solves with each factorisation: the first finds the direction, the second cleans it. More only when the start was
+/// unlucky.
+const LEAST_SOLVES: usize = 2;
+const MOST_SOLVES: usize = 5;
+/// Entries above this are scaled down during back substitution: repeated tiny pivots must not overflow.
+const LARGE: f64 = 1e120;
+
+/// P (H - value I) = L U with interchanges of neighbouring rows.
+///
+/// ```text
+///       [ u u u u ]     multiplier[i]: what row i was multiplied by when it cleared the entry below it
+///   U = [   u u u ]     swapped[i]: rows i and i+1 changed places first
+///       [     u u ]     inverse_pivot[i] = 1 / U[i][i], where pivots at rounding level are replaced by it
+///       [       u ]
+/// ```
+pub(crate) struct ShiftedLu<S: Clone, Z: Size> {
+    size: Z,
+    upper: Square<Z, S>,
+    inverse_pivot: Z::Vector<S>,
+    multiplier: Z::Vector<S>,
+    swapped: Z::Vector<bool>,
+    /// What replaces a pivot that is smaller.
+    smallest: f64,
+}
+
+impl<S: Scalar, Z: Size> ShiftedLu<S, Z> {
+    /// Memory for a factorisation. A large one takes its place on the stack once.
+    #[inline]
+    pub(crate) fn new(size: Z) -> Self {
+        ShiftedLu {
+            size,
+            upper: filled_matrix(size, size, S::ZERO),
+            inverse_pivot: size.filled(S::ONE),
+            multiplier: size.filled(S::ZERO),
+            swapped: size.filled(false),
+            smallest: 0.0,
+        }
+    }
+
+    /// Factors H - value I, of the order that this was made for.
+    #[inline]
+    pub(crate) fn factor<R: Real>(&mut self, form: &Hessenberg<Z, R>, value: S)
+    where
+        S: Over<R>,
+    {
+        self.smallest = form.smallest_pivot();
+        let (h, n, smallest) = (&form.matrix, self.size.get(), self.smallest);
+        for i in 0..n {
+            for j in i.saturating_sub(1)..n {
+                self.upper[i][j] = S::from_real(h[i][j]);
+            }
+            self.upper[i][i] -= value;
+        }
+        for i in 0..n {
+            if i + 1 < n {
+                let (above, below) = self.upper.as_mut().split_at_mut(i + 1);
+                let (row, next) = (&mut above[i], &mut below[0]);
+                if next[i].magnitude() > row[i].magnitude() {
+                    core::mem::swap(row, next);
+                    self.swapped[i] = true;
+                }
+                self.inverse_pivot[i] = guarded_reciprocal(row[i], smallest);
+                let multiplier = next[i] * self.inverse_pivot[i];
+                self.multiplier[i] = multiplier;
+                for j in i + 1..n {
+                    let entry = row[j];
+                    next[j] -= multiplier * entry;
+                }
+            } else {
+                self.inverse_pivot[i] = guarded_reciprocal(self.upper[i][i], smallest);
+            }
+        }
+    }
+
+    /// x := L^-1 P x.
+    #[inline]
+    pub(crate) fn forward(&self, x: &mut Z::Vector<S>) {
+        for i in 0..self.size.get().saturating_sub(1) {
+            if self.swapped[i] {
+                x.as_mut().swap(i, i + 1);
+            }
+            let known = x[i];
+            x[i + 1] -= self.multiplier[i] * known;
+        }
+    }
+
+    /// x := U^-1 x up to a factor, normalised to length 1. Returns how much longer than x it was.
+    #[inline]
+    pub(crate) fn backward(&self, x: &mut Z::Vector<S>) -> f64 {
+        let n = self.size.get();
+        let mut factor = 1.0;
+        for i in (0..n).rev() {
+            let mut sum = x[i];
+            for j in i + 1..n {
+                sum -= self.upper[i][j] * x[j];
+            }
+            x[i] = sum * self.inverse_pivot[i];
+            let size = x[i].magnitude();
+            if size > LARGE {
+                let inverse = 1.0 / size;
+                factor *= inverse;
+                for entry in x.as_mut() {
+                    *entry = entry.scale(inverse);
+                }
+            }
+        }
+        normalize(x.as_mut()) / factor
+    }
+}
+
+/// 1/x, of `smallest` in place of x when |x| is below it.
+#[inline]
+fn guarded_reciprocal<S: Scalar>(x: S, smallest: f64) -> S {
+    if x.magnitude() > smallest { x.reciprocal() } else { S::from_f64(1.0 / smallest) }
+}
+
+/// Scales x to length 1; returns its length before.
+#[inline]
+pub(crate) fn normalize<S: Scalar>(x: &mut [S]) -> f64 {
+    let largest = x.iter().map(|entry| entry.magnitude()).fold(0.0, f64::max);
+    if !(largest > 0.0) {
+        return 0.0;
+    }
+    let inverse = 1.0 / largest;
+    let sum: f64 = x.iter().map(|entry| entry.scale(inverse).modulus_squared()).sum();
+    let length = float::sqrt(sum);
+    let inverse_length = inverse / length;
+    for entry in x.iter_mut() {
+        *entry = entry.scale(inverse_length);
+    }
+    length * largest
+}
+
+impl<Z: Size, R: Real> Hessenberg<Z, R> {
+    /// What replaces a pivot of H - value I that is smaller: the rounding level of H.
+    #[inline]
+    fn smallest_pivot(&self) -> f64 {
+        let norm = self.norm;
+        if norm > 0.0 { R::EPSILON * norm } else { R::EPSILON }
+    }
+
+    /// A unit vector v with A v = value * v up to rounding, for an eigenvalue of A: a real vector for a real one.
+    ///
+    /// Wilkinson's inverse iteration, O(N^2) per solve: the residual on the balanced H is at most a small multiple of
+    /// N epsilon |H|. Vectors of equal or nearly equal eigenvalues may be nearly parallel. The result is not finite
+    /// only if `value` is not.
+    #[must_use]
+    pub fn eigenvector<S: Over<R>>(&self, value: S) -> Z::Vector<S> {
+        let n = self.size.get();
+        let mut lu = ShiftedLu::new(self.size);
+        lu.factor(self, value.scale(1.0 / self.unit));
+        // A solve that multiplies the length by this leaves a residual of 10 N epsilon |H|.
+        let enough = 1.0 / (10.0 * n as f64 * lu.smallest);
+
+        let mut x = self.size.filled(S::ZERO);
+        x.as_mut()[..n].fill(S::ONE);
+        // The first right-hand side is L times a vector of ones, which spares its forward half.
+        normalize(x.as_mut());
+        let mut best = (x.clone(), 0.0);
+        for solve in 1..=MOST_SOLVES {
+            if solve > 1 {
+                lu.forward(&mut x);
+            }
+            let growth = lu.backward(&mut x);
+            // Near a defective eigenvalue a second solve undoes the first, because the left and right eigenvectors are
+            // orthogonal (Ipsen 1997, section 5): it replaces a good vector only by a good one.
+            if growth > best.1 || growth >= enough {
+                best = (x.clone(), growth);
+            }
+            if solve >= LEAST_SOLVES {
+                if best.1 >= enough {
+                    break;
+                }
+                // The start was nearly orthogonal to the left eigenvector: leave it along an axis.
+                x[(n - 1 + solve) % n.max(1)] += S::ONE;
+            }
+        }
+        let (mut x, _) = best;
+        self.transform_back(&mut x);
+        normalize(x.as_mut());
+        x
+    }
+}
