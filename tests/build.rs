@@ -4,7 +4,6 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::{env, error, fs};
 
-use eliminant_generator::emit::struct_name;
 use eliminant_generator::problem::Problem;
 
 fn main() -> Result<(), Box<dyn error::Error>> {
@@ -31,11 +30,10 @@ fn problem_files() -> Result<Vec<PathBuf>, std::io::Error> {
     Ok(files)
 }
 
-/// `case!(two_conics, TwoConics, (p: array, q: array), (x, y))`: module, solution, data and unknowns.
+/// `case!(two_conics, (p: array, q: array))`: module and data.
 fn case(problem: &Problem) -> String {
     let kind = |shape: &[usize]| if shape.is_empty() { "scalar" } else { "array" };
     let data: Vec<String> =
         problem.data.iter().map(|parameter| format!("{}: {}", parameter.name, kind(&parameter.shape))).collect();
-    let name = &problem.name;
-    format!("case!({name}, {}, ({}), ({}))", struct_name(name), data.join(", "), problem.unknowns.join(", "))
+    format!("case!({}, ({}))", problem.name, data.join(", "))
 }

@@ -72,7 +72,7 @@ fn circles_turned(lines: &[TangentLine; 3], turn: f64) -> Result<Solutions<Circl
     let motion = generic_motion(turn);
     let [d_alpha, d_beta, d_gamma] = null_space(&lines.map(|line| moved_line(&motion, &line)));
     let back = motion.inverse();
-    let circle = |solution: eliminant_solvers::circle_minimal::CircleMinimal| {
+    let circle = |solution: eliminant_solvers::circle_minimal::Solution| {
         let entry = |index: usize| solution.a * d_alpha[index] + solution.b * d_beta[index] + d_gamma[index];
         let scale = -1.0 / d_gamma[5];
         let [d1, d3, d4, d5] = [0, 2, 3, 4].map(|index| entry(index) * scale);

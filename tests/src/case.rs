@@ -56,22 +56,22 @@ macro_rules! argument {
     };
 }
 
-/// `case!(name, Solution, (points: array, length: scalar), (x, y))`; `()` for a problem without data.
+/// `case!(name, (points: array, length: scalar))`; `()` for a problem without data.
 macro_rules! case {
-    ($name:ident, $solution:ident, ($($data:ident: $kind:ident),*), ($($unknown:ident),*)) => {
+    ($name:ident, ($($data:ident: $kind:ident),*)) => {
         Case {
             name: stringify!($name),
             solve: |flat| {
                 let mut _values = flat.iter().copied();
                 $(let $data = FromFlat::take(&mut _values);)*
                 let found = solvers::$name::solve($(argument!($data: $kind)),*)?;
-                Ok(found.iter().map(|s| vec![$(s.$unknown),*]).collect())
+                Ok(found.iter().map(|s| s.to_array().to_vec()).collect())
             },
             solve_complex: |flat| {
                 let mut _values = flat.iter().copied();
                 $(let $data = FromFlat::take(&mut _values);)*
                 let found = solvers::$name::solve_complex($(argument!($data: $kind)),*)?;
-                Ok(found.iter().map(|s| vec![$(s.$unknown),*]).collect())
+                Ok(found.iter().map(|s| s.to_array().to_vec()).collect())
             },
             action_matrix: |flat| {
                 let mut _values = flat.iter().copied();
@@ -82,9 +82,9 @@ macro_rules! case {
             residual: |flat, point| {
                 let mut _values = flat.iter().copied();
                 $(let $data = FromFlat::take(&mut _values);)*
-                let mut unknowns = point.iter().copied();
-                $(let $unknown = unknowns.next().unwrap_or_default();)*
-                solvers::$name::relative_residual($(argument!($data: $kind),)* &solvers::$name::$solution { $($unknown),* })
+                let mut unknowns = [Complex::default(); solvers::$name::UNKNOWNS.len()];
+                unknowns.iter_mut().zip(point).for_each(|(unknown, &value)| *unknown = value);
+                solvers::$name::relative_residual($(argument!($data: $kind),)* &unknowns.into())
             },
         }
     };

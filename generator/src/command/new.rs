@@ -67,7 +67,8 @@ fn starter(name: &str) -> String {
     format!(
         "\
 //! A problem file is Rust syntax, so editors and rustfmt work on it, but it is never compiled: the body is interpreted
-//! symbolically. Parameters are the data, known when the solver runs; the names in the return type are the unknowns.
+//! symbolically. Parameters are the data, known when the solver runs; the names in the return type are the unknowns,
+//! scalars as here or arrays such as `v: [f64; 3]`.
 //!
 //! `eliminant check {name}.rs` counts the solutions, `eliminant search {name}.rs` finds an elimination template.
 

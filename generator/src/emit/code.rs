@@ -2,10 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, format_ident, quote};
 
-use super::parameter;
+use super::names::Names;
+use super::{indices, parameter};
 use crate::expression::rational::Rational;
 use crate::plan::program::{Operation, ValueId};
 use crate::plan::statements::{Place, Statements};
@@ -16,15 +17,18 @@ use crate::problem::DataParameter;
 pub(super) fn statements(plan: &Plan) -> TokenStream {
     let parameters = plan.data.iter().map(parameter);
     let planned = Statements::of(&plan.program, &plan.coefficients);
-    let (inputs, locals) = inputs(plan, &planned);
-    let values = format_ident!("{}", name_of_values(plan));
+    let inputs = inputs(plan);
+    let locals = elements_read(plan, &inputs, &planned);
+    let mut names = Names::of(&plan.data);
+    names.reserve(&inputs);
+    let values = names.take("v");
     let mut statements: Vec<TokenStream> = Vec::new();
     let mut printed: Vec<Expression> = Vec::with_capacity(plan.program.operations.len());
     for (operation, &place) in plan.program.operations.iter().zip(&planned.places) {
         let operand = |id: ValueId| &printed[id.0 as usize];
         let expression = match *operation {
             Operation::Constant(value) => Expression::atom(constant(value)),
-            Operation::Input(input) => Expression::atom(inputs[input as usize].clone()),
+            Operation::Input(input) => Expression::atom(inputs[input as usize].to_token_stream()),
             Operation::Add(a, b) => Expression::binary(operand(a), quote!(+), SUM, operand(b)),
             Operation::Subtract(a, b) => Expression::binary(operand(a), quote!(-), SUM, operand(b)),
             Operation::Multiply(a, b) => Expression::binary(operand(a), quote!(*), PRODUCT, operand(b)),
@@ -47,17 +51,16 @@ pub(super) fn statements(plan: &Plan) -> TokenStream {
             }
         });
     }
-    let count = planned.slots;
-    let declaration = match count {
+    let [count, length] = [planned.slots, plan.coefficients.len()].map(Literal::usize_unsuffixed);
+    let declaration = match planned.slots {
         0 => quote!(),
         _ => quote!(let mut #values = [0.0; #count];),
     };
     let results = plan.coefficients.iter().map(|id| &printed[id.0 as usize].tokens);
-    let length = plan.coefficients.len();
     quote! {
         /// The coefficients that the tables refer to.
         fn coefficients(#(#parameters),*) -> [f64; #length] {
-            #(#locals)*
+            #locals
             #declaration
             #(#statements)*
             [#(#results),*]
@@ -114,38 +117,32 @@ impl Expression {
     }
 }
 
-/// A name for the intermediate values that no parameter has.
-fn name_of_values(plan: &Plan) -> String {
-    let mut name = "v".to_owned();
-    while plan.data.iter().any(|parameter| parameter.name == name) {
-        name.push('_');
-    }
-    name
-}
-
-/// What stands for each scalar of the data, in flat order, and declarations of those that are read: `let gram_0_2 = gram[0][2];`.
-fn inputs(plan: &Plan, statements: &Statements) -> (Vec<TokenStream>, Vec<TokenStream>) {
+/// What stands for each scalar of the data, in flat order: `gram_0_2` for an element of an array.
+fn inputs(plan: &Plan) -> Vec<Ident> {
     let mut separator = "_".to_owned();
-    let names = loop {
+    loop {
         let names: Vec<String> = plan.data.iter().flat_map(|parameter| names(parameter, &separator)).collect();
         let scalars = plan.data.iter().filter(|parameter| parameter.shape.is_empty()).count();
         let taken = plan.data.iter().filter(|parameter| names.contains(&parameter.name)).count();
         let different: BTreeSet<&String> = names.iter().collect();
         if different.len() == names.len() && taken == scalars {
-            break names;
+            return names.iter().map(|name| format_ident!("{name}")).collect();
         }
         separator.push_str("at_");
-    };
-    let idents: Vec<_> = names.iter().map(|name| format_ident!("{name}")).collect();
+    }
+}
+
+/// Declarations of the elements that are read: `let gram_0_2 = gram[0][2];`.
+fn elements_read(plan: &Plan, inputs: &[Ident], statements: &Statements) -> TokenStream {
     let elements = plan.data.iter().filter(|parameter| !parameter.shape.is_empty()).flat_map(|parameter| {
         let elements = elements(parameter).into_iter().enumerate();
         elements.map(|(at, element)| (parameter.first_input + at, element))
     });
-    let locals = elements.filter(|(input, _)| statements.reads_input(&plan.program, *input)).map(|(input, element)| {
-        let local = &idents[input];
+    let declaration = |(input, element): (usize, TokenStream)| {
+        let local = &inputs[input];
         quote!(let #local = #element;)
-    });
-    (idents.iter().map(|ident| quote!(#ident)).collect(), locals.collect())
+    };
+    elements.filter(|(input, _)| statements.reads_input(&plan.program, *input)).map(declaration).collect()
 }
 
 /// `gram_0_2` for every scalar of a parameter, in flat order.
@@ -153,7 +150,7 @@ fn names(parameter: &DataParameter, separator: &str) -> Vec<String> {
     let name = |indices: Vec<usize>| {
         indices.iter().fold(parameter.name.clone(), |name, index| format!("{name}{separator}{index}"))
     };
-    indices(parameter).map(name).collect()
+    indices(&parameter.shape).map(name).collect()
 }
 
 /// `gram[0][2]` for every scalar of a parameter, in flat order.
@@ -163,21 +160,7 @@ fn elements(parameter: &DataParameter) -> Vec<TokenStream> {
         let indices = indices.into_iter().map(Literal::usize_unsuffixed);
         quote!(#name #([#indices])*)
     };
-    indices(parameter).map(element).collect()
-}
-
-/// The indices of every scalar of a parameter, in flat order.
-fn indices(parameter: &DataParameter) -> impl Iterator<Item = Vec<usize>> {
-    (0..parameter.len()).map(|flat| {
-        let mut rest = flat;
-        let mut indices = Vec::new();
-        for &length in parameter.shape.iter().rev() {
-            indices.push(rest % length);
-            rest /= length;
-        }
-        indices.reverse();
-        indices
-    })
+    indices(&parameter.shape).map(element).collect()
 }
 
 /// A constant in parentheses where it is not a plain positive number; fractions are divided as the interpreter does.
@@ -194,10 +177,13 @@ pub(super) fn constant(value: Rational) -> TokenStream {
 
 /// `x[unknown] = sum of terms`, for real and complex numbers.
 pub(super) fn recovery(recovery: &PlannedRecovery) -> TokenStream {
-    let unknown = recovery.unknown;
+    let unknown = Literal::usize_unsuffixed(recovery.unknown);
     let terms = recovery.terms.iter().map(|term| {
-        let slot = usize::from(term.coefficient.0);
-        let factors = term.exponents.iter().enumerate().flat_map(|(at, &e)| (0..e).map(move |_| quote!(* x[#at])));
+        let slot = Literal::u16_unsuffixed(term.coefficient.0);
+        let factors = term.exponents.iter().enumerate().flat_map(|(at, &e)| {
+            let at = Literal::usize_unsuffixed(at);
+            std::iter::repeat_n(quote!(* x[#at]), e.into())
+        });
         quote!(S::from_f64(self.coefficients[#slot]) #(#factors)*)
     });
     if recovery.terms.is_empty() {

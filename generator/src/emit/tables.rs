@@ -18,16 +18,16 @@ pub(super) fn tables(plan: &Plan, listings: &mut Listings) -> TokenStream {
         })
     });
     let blocks: Vec<TokenStream> = blocks.collect();
-    let count = plan.elimination.blocks.len();
     let action = listings.add(plan.action.iter().map(|row| match row {
         ActionRow::Unit(b) => format!("emitted::ActionRow::Unit({})", b.0),
         ActionRow::Solved(pivot) => format!("emitted::ActionRow::Solved({})", pivot.0),
     }));
-    let (basis, count_read) = (plan.elimination.basis, plan.read.len());
+    let [basis, count, count_read] =
+        [plan.elimination.basis, plan.elimination.blocks.len(), plan.read.len()].map(Literal::usize_unsuffixed);
     let read = plan.read.iter().map(|pivot| Literal::u16_unsuffixed(pivot.0));
-    let read = match count_read {
-        0 => quote!(),
-        _ => quote! {
+    let read = match plan.read.is_empty() {
+        true => quote!(),
+        false => quote! {
             /// The pivots that unknowns are read from besides.
             const READ: [u16; #count_read] = [#(#read),*];
         },

@@ -221,6 +221,30 @@ impl ExpressionGraph {
         self.fingerprints[id.index()]
     }
 
+    /// Which nodes these depend on, themselves included.
+    pub(crate) fn needed(&self, used: &[ExpressionId]) -> Vec<bool> {
+        let mut needed = vec![false; self.nodes.len()];
+        used.iter().for_each(|id| needed[id.index()] = true);
+        for at in (0..needed.len()).rev() {
+            if !needed[at] {
+                continue;
+            }
+            let mut need = |id: ExpressionId| needed[id.index()] = true;
+            match self.nodes[at] {
+                Expression::Constant(_) | Expression::Input(_) => {}
+                Expression::Negate(a) => need(a),
+                Expression::Add(a, b)
+                | Expression::Subtract(a, b)
+                | Expression::Multiply(a, b)
+                | Expression::Divide(a, b) => [a, b].into_iter().for_each(need),
+                Expression::Coefficient { sum, .. } => {
+                    self.product_sums[sum as usize].operands().for_each(need);
+                }
+            }
+        }
+        needed
+    }
+
     /// The values of all nodes for the given values of the inputs; `None` where a divisor is zero there.
     pub fn evaluate<A: Arithmetic>(&self, arithmetic: A, inputs: &[A::Value]) -> Option<Vec<A::Value>> {
         let mut values: Vec<A::Value> = Vec::with_capacity(self.nodes.len());

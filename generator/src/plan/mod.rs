@@ -21,7 +21,7 @@ mod straight_line;
 pub mod system_table;
 pub mod value_layout;
 
-use crate::problem::DataParameter;
+use crate::problem::{DataParameter, SolutionField};
 use crate::template::RootMethod;
 use program::{Program, ValueId};
 
@@ -182,8 +182,10 @@ pub struct Plan {
     pub docs: Vec<String>,
     /// The data.
     pub data: Vec<DataParameter>,
-    /// Names of the unknowns: the fields of the solution.
+    /// Names of the unknowns.
     pub unknowns: Vec<String>,
+    /// The fields of the solution: the unknowns with their shapes.
+    pub fields: Vec<SolutionField>,
     /// Number of different complex solutions of a generic instance.
     pub solutions: usize,
     /// Whether the origin is one of them. It is known, and no template need give it.

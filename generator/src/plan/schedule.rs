@@ -124,6 +124,7 @@ impl Scheduler<'_> {
             docs: problem.docs.clone(),
             data: problem.data.clone(),
             unknowns: problem.unknowns.clone(),
+            fields: problem.fields.clone(),
             solutions: self.solutions,
             has_origin,
             program,

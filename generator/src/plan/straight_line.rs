@@ -29,7 +29,7 @@ pub(crate) fn straight_line_program(
 ///
 /// A sum of products is taken whole, even if only some of its coefficients are used: it is computed in one loop.
 fn in_order_of_the_graph(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Program, Vec<ValueId>) {
-    let needed = needed(graph, used);
+    let needed = graph.needed(used);
     let mut position = vec![ValueId(0); needed.len()];
     let mut first_of_sum: Vec<Option<u32>> = vec![None; graph.product_sums().len()];
     let mut program = Program { operations: Vec::new(), product_sums: Vec::new(), form: ProgramForm::Table };
@@ -61,28 +61,6 @@ fn in_order_of_the_graph(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Pro
         program.operations.push(operation);
     }
     (program, used.iter().map(|id| position[id.index()]).collect())
-}
-
-/// Which nodes `used` depends on.
-fn needed(graph: &ExpressionGraph, used: &[ExpressionId]) -> Vec<bool> {
-    let mut needed = vec![false; graph.nodes().len()];
-    used.iter().for_each(|id| needed[id.index()] = true);
-    for at in (0..needed.len()).rev() {
-        if !needed[at] {
-            continue;
-        }
-        let mut need = |id: ExpressionId| needed[id.index()] = true;
-        match graph.nodes()[at] {
-            Expression::Constant(_) | Expression::Input(_) => {}
-            Expression::Negate(a) => need(a),
-            Expression::Add(a, b)
-            | Expression::Subtract(a, b)
-            | Expression::Multiply(a, b)
-            | Expression::Divide(a, b) => [a, b].into_iter().for_each(need),
-            Expression::Coefficient { sum, .. } => graph.product_sums()[sum as usize].operands().for_each(need),
-        }
-    }
-    needed
 }
 
 /// The same program in an order of long runs of equal operations, which a table executes as loops.

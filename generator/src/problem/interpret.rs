@@ -10,7 +10,7 @@ use syn::{BinOp, Block, Expr, ExprBinary, ExprForLoop, ItemFn, Local, Pat, Range
 use super::scope::{Binding, Kind, Outcome, Reported, Scopes};
 use super::syntax::place;
 use super::value::{Algebra, Checked, MAX_ELEMENTS, Value, describe, fault};
-use super::{Span, Statement};
+use super::{Span, Statement, element_name};
 use crate::expression::{ExpressionGraph, SymbolicPolynomial};
 use crate::problem::diagnostic::Diagnostic;
 
@@ -450,19 +450,6 @@ impl<'a> Interpreter<'a> {
         };
         self.report(diagnostic);
     }
-}
-
-/// The element with a flat index as it would be written: `[1][2]`.
-fn element_name(shape: &[usize], index: usize) -> String {
-    let mut size: usize = shape.iter().product();
-    let mut rest = index;
-    let mut name = String::new();
-    for &length in shape {
-        size /= length;
-        name.push_str(&format!("[{}]", rest / size));
-        rest %= size;
-    }
-    name
 }
 
 fn element_suffix(element: &str) -> String {
