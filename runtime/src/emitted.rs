@@ -23,6 +23,10 @@ pub const VERSION: u32 = 1;
 
 /// The handshake of emitted code, evaluated when it is compiled.
 ///
+/// ```compile_fail,E0080
+/// const _: () = eliminant::emitted::check_version(eliminant::emitted::VERSION + 1);
+/// ```
+///
 /// # Panics
 /// If the code was emitted for another version: as a constant, a compile error with this message.
 pub const fn check_version(of_generator: u32) {

@@ -3,7 +3,7 @@
 //! | size | vector of `T` | who uses it |
 //! |---|---|---|
 //! | [`Fixed<N>`] | `[T; N]` | emitted solvers: loops have bounds that the compiler knows |
-//! | [`AtMost<C>`] | `[T; C]`, the leading ones in use | second attempts: one compiled copy serves many sizes |
+//! | [`AtMost<C>`] | `[T; C]`, the leading ones in use | spectra at twice the precision: one copy serves many sizes |
 //! | `Dynamic` (feature `alloc`) | `Vec<T>` | interpreted plans, whose sizes are known at run time |
 //!
 //! A kernel does the same operations in the same order for all three, so the results have the same bits.
@@ -70,7 +70,10 @@ impl<const N: usize> Size for Fixed<N> {
     }
 }
 
-/// The leading entries of an array of C. The others stay as they were filled, which is zero in all kernels.
+/// The leading entries of an array of C. The other entries stay zero. Lists have room for C entries.
+///
+/// This size serves the kernels of the second attempt: reduction, eigenvalues and eigenvectors. Other kernels read all
+/// entries of a vector.
 #[derive(Clone, Copy, Debug)]
 pub struct AtMost<const C: usize>(
     /// How many are in use.

@@ -83,3 +83,41 @@ pub fn monomial_values<S: Scalar, K: Size>(
     }
     values
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::size::Fixed;
+    use num_complex::Complex;
+
+    #[test]
+    fn ratios_of_monomial_values() {
+        // v = (1, x, y, x y, x^2) times a common factor.
+        let (x, y) = (Complex::new(2.0, -1.0), Complex::new(0.5, 3.0));
+        let common = Complex::new(-0.3, 0.1);
+        let v = [Complex::ONE, x, y, x * y, x * x].map(|value| value * common);
+        let found = ratio(&v, &[(0, 1), (2, 3), (1, 4)]).unwrap();
+        assert!((found - x).modulus() < 1e-15);
+        assert_eq!(ratio(&[1.0, 3.0, 2.0, 6.0], &[(0, 1), (2, 3)]), Some(3.0));
+        assert!((ratio(&[1e-60, 1.0], &[(0, 1)]).unwrap() - 1e60).abs() < 1e46, "whatever the units");
+        assert_eq!(ratio(&[0.0, 0.0], &[(0, 1)]), None);
+        assert_eq!(ratio(&[f64::NAN, 1.0], &[(0, 1)]), None);
+        assert_eq!(ratio(&[1.0, f64::INFINITY], &[(0, 1)]), None);
+        assert_eq!(ratio::<f64>(&[], &[]), None);
+        assert_eq!(ratio(&[1.0], &[(0, 7)]), None);
+    }
+
+    #[test]
+    fn monomials_are_those_of_the_basis_of_its_image_and_the_read_rows() {
+        let (value, vector) = (Complex::new(0.0, 2.0), [Complex::ONE, Complex::new(3.0, -1.0)]);
+        let image = [value, Complex::new(2.0, 6.0)];
+        let read = [[1.0, 2.0], [-1.0, 0.5]];
+        let known = [Complex::new(7.0, -2.0), Complex::new(0.5, -0.5)];
+        let found: [_; 6] = monomial_values(Fixed, (value, &vector), true, &read);
+        assert_eq!(found, [vector, image, known].concat()[..]);
+        let found: [_; 4] = monomial_values(Fixed, (value, &vector), false, &read);
+        assert_eq!(found, [vector, known].concat()[..]);
+        let found: [_; 2] = monomial_values(Fixed, (value, &vector), false, &[[0.0; 2]; 0]);
+        assert_eq!(found, vector);
+    }
+}

@@ -42,6 +42,9 @@ const PROBES: [Complex<f64>; 12] = [
     Complex { re: -1.0, im: 1.0 },
 ];
 
+/// What is called for each eigenvalue of a source.
+type Solve<'a, B> = dyn FnMut(&dyn EigenpairSource<B>, Complex<f64>) + 'a;
+
 /// The solutions with one value of the action monomial, or with conjugate values.
 pub(crate) struct SharedValue<'a, B: Size> {
     size: B,
@@ -148,7 +151,7 @@ impl<'a, B: Size> SharedValue<'a, B> {
     /// Where the known monomials do not determine the A_x of all unknowns, also for some other combinations of the
     /// solutions, from which the polish may find them.
     #[inline(never)]
-    pub(crate) fn for_each(&self, solve: &mut dyn FnMut(&dyn EigenpairSource<B>, Complex<f64>)) {
+    pub(crate) fn for_each(&self, solve: &mut Solve<'_, B>) {
         if let Ok(values) = self.combination.eigenvalues() {
             let separated = Combinations { shared: self, separated: true };
             // Eigenvalues of diagonal blocks come in the order of the blocks.

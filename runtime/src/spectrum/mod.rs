@@ -12,3 +12,6 @@ pub(crate) mod invariant_subspace;
 pub(crate) mod inverse_iteration;
 pub(crate) mod polynomial_roots;
 pub(crate) mod precise_spectrum;
+
+#[cfg(all(test, feature = "alloc"))]
+mod same_bits;
