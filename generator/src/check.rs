@@ -11,7 +11,7 @@ use crate::problem::instance::{Draw, Instance};
 
 /// What is known of the ideal of a problem with general data.
 #[derive(Clone, Debug)]
-pub struct Algebra {
+pub struct SolutionCount {
     /// Number of complex solutions, counted with multiplicity.
     pub solutions: usize,
     /// Number of different complex solutions. Of more than [`MOST_TOLD_APART`] all are taken to be different.
@@ -33,12 +33,12 @@ pub const MOST_TOLD_APART: usize = 400;
 ///
 /// # Errors
 /// No solution, infinitely many (with the dimension), a count that differs between the primes, or a limit reached.
-pub fn check(problem: &Problem) -> Result<Algebra, Diagnostics> {
+pub fn check(problem: &Problem) -> Result<SolutionCount, Diagnostics> {
     let mut counts = Vec::new();
     for (prime, seed) in COUNTS {
         counts.push(count(problem, PrimeField::new(prime), seed).map_err(|message| fail(problem, message))?);
     }
-    let both = |of: fn(&Algebra) -> usize| [of(&counts[0]), of(&counts[1])];
+    let both = |of: fn(&SolutionCount) -> usize| [of(&counts[0]), of(&counts[1])];
     for [a, b] in [both(|count| count.solutions), both(|count| count.different), both(|count| count.at_origin)] {
         if a != b {
             let [p, q] = [COUNTS[0].0, COUNTS[1].0];
@@ -56,7 +56,7 @@ fn fail(problem: &Problem, message: Diagnostic) -> Diagnostics {
     Diagnostics { source_file: problem.source.clone(), messages: vec![message] }
 }
 
-fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<Algebra, Diagnostic> {
+fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<SolutionCount, Diagnostic> {
     let at = || problem.span.clone();
     let instance = Instance::draw(problem, field, seed).ok_or_else(|| {
         Diagnostic::new("no random instance has the support of the problem", at())
@@ -109,7 +109,7 @@ fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<Algebra, Dia
             .label("every term of every equation holds an unknown")
             .hint("unknowns that can be scaled together need an equation that fixes the scale, such as `x == 1;`"));
     }
-    Ok(Algebra { solutions, different, at_origin, basis_elements: basis.elements().len() })
+    Ok(SolutionCount { solutions, different, at_origin, basis_elements: basis.elements().len() })
 }
 
 /// The number of solutions with their multiplicity but that at the origin: those at which a random linear form does not vanish.

@@ -4,7 +4,7 @@
 
 use clap::Parser;
 
-use super::Arguments;
+use super::arguments::Arguments;
 use super::settings::Settings;
 use crate::command::report::one_decimal;
 use crate::command::watch::End;
