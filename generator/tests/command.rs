@@ -430,7 +430,7 @@ fn bad_input_is_named_and_nothing_is_written() {
         (vec!["search", "renamed.rs"], vec!["`renamed.rs`", "`two_conics.rs`"]),
         (vec!["search", "curve.rs"], vec!["curve.rs:1:", "dimension 1"]),
         (vec!["search", "two_conics.rs", "--out", "nowhere/out.toml"], vec!["`nowhere/out.toml`"]),
-        (vec!["search", "two_conics.rs", "--out", "folder.rs"], vec!["`folder.rs`", "no regular file"]),
+        (vec!["search", "two_conics.rs", "--out", "folder.rs"], vec!["`folder.rs`", "not a regular file"]),
         (vec!["emit", "unknown.rs"], vec!["unknown.rs:2:14"]),
         (vec!["emit", "curve.rs"], vec!["`curve.template.toml`", "`eliminant search curve.rs`"]),
         (vec!["emit", "two_conics.rs", "--out", "nowhere/out.rs"], vec!["`nowhere/out.rs`"]),

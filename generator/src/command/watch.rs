@@ -50,8 +50,8 @@ pub(super) struct Watch {
 }
 
 impl Watch {
-    /// Begins to listen to Ctrl-C. The first one ends the search, which keeps the best found so far. The second one ends the
-    /// process, and no file is touched.
+    /// Begins to listen to Ctrl-C. The first one ends the search, which keeps the best found so
+    /// far. The second one ends the process, and no file is touched.
     pub(super) fn new(budget: Option<Duration>) -> Self {
         static LISTENS: OnceLock<bool> = OnceLock::new();
         // If no handler can be set, Ctrl-C ends the process as usual.

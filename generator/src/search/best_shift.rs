@@ -1,20 +1,21 @@
 //! The shift that adds most rows for its columns (Martyushev, Bhayani, Pajdla, arXiv 2307.00320).
 //!
-//! A neighbour of the accepted shifts *brings* the monomials that no accepted shift has. With them other shifts become
-//! *free*: shifts all of whose monomials are brought or accepted. They are rows that cost no column, so all of them are
-//! accepted with the neighbour. The best neighbour is the one with the smallest difference of columns brought and rows
-//! added.
+//! A neighbour of the accepted shifts *brings* the monomials that no accepted shift has. With them
+//! other shifts become *free*: shifts all of whose monomials are brought or accepted. They are rows
+//! that cost no column, so all of them are accepted with the neighbour. The best neighbour is the
+//! one with the smallest difference of columns brought and rows added.
 //!
 //! ```text
 //!                accepted monomials | brought by c
 //! accepted      [ *  *  *  *  *  *  |             ]
-//! neighbour c   [ *        *        |  *     *    ]     2 columns, 3 rows: c has the score 2 - 3 = -1
+//! neighbour c   [ *        *        |  *     *    ]    2 columns - 3 rows = -1
 //! freed by c    [    *     *  *     |  *          ]
 //!               [       *        *  |  *     *    ]
 //! ```
 //!
-//! To count what all neighbours free takes most of the time, and changes for few of them in a step. What each neighbour
-//! brings and frees is therefore kept, and found anew only if a monomial that it depends on was accepted.
+//! To count what all neighbours free takes most of the time, and changes for few of them in a step.
+//! What each neighbour brings and frees is therefore kept, and found anew only if a monomial that
+//! it depends on was accepted.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -36,7 +37,8 @@ impl Accepted<'_> {
         self.shifts.insert(shift);
     }
 
-    /// The monomials that a shift brings, in the order of its terms; `None` if there are more than `most`.
+    /// The monomials that a shift brings, in the order of its terms; `None` if there are more than
+    /// `most`.
     fn brought_by(&self, shift: &Shift, most: usize) -> Option<Vec<Monomial>> {
         let mut brought = Vec::new();
         for monomial in shift.monomials(self.equations) {
@@ -57,14 +59,15 @@ impl Accepted<'_> {
         })
     }
 
-    /// The shifts that become free with new monomials: those that bring some of these and nothing else, each once. None of
-    /// them was accepted before, because an accepted shift brings nothing.
+    /// The shifts that become free with new monomials: those that bring some of these and nothing
+    /// else, each once. None of them was accepted before, because an accepted shift brings nothing.
     fn freed_by<'s>(&'s self, new: &'s [Monomial]) -> impl Iterator<Item = Shift> + 's {
         new.iter().flat_map(move |&monomial| self.shifts_with(monomial).map(move |shift| (monomial, shift))).filter_map(
             move |(monomial, shift)| {
                 let mut is_first = true;
                 for m in shift.monomials(self.equations) {
-                    // The shift is met once for each new monomial that it has, and counted for its first one.
+                    // The shift is met once for each new monomial that it has, and counted for its
+                    // first one.
                     if is_first && m == monomial {
                         is_first = false;
                     } else if !self.support.contains(&m) && (is_first || !new.contains(&m)) {
@@ -96,7 +99,8 @@ pub(super) struct Neighbours {
 }
 
 impl Neighbours {
-    /// The neighbours of the accepted shifts: their multiplier is that of an accepted shift times one of `steps`.
+    /// The neighbours of the accepted shifts: their multiplier is that of an accepted shift times
+    /// one of `steps`.
     pub(super) fn new(accepted: &Accepted<'_>, steps: Vec<Monomial>) -> Self {
         let mut neighbours = Self { steps, ..Self::default() };
         accepted.shifts.iter().for_each(|shift| neighbours.add_around(shift, accepted));
@@ -147,8 +151,8 @@ impl Neighbours {
             }
         }
         let most = self.all.values().map(|neighbour| neighbour.brought.len()).max().unwrap_or(0);
-        // A shift that brings less than before may now be freed by a neighbour that brings at least that much. A shift
-        // that brings more than any neighbour does cannot.
+        // A shift that brings less than before may now be freed by a neighbour that brings at least
+        // that much. A shift that brings more than any neighbour does cannot.
         for shift in brought.iter().flat_map(|&monomial| accepted.shifts_with(monomial)) {
             let Some(rest) = accepted.brought_by(&shift, most) else { continue };
             let with_first = rest.first().and_then(|first| self.bringing.get(first));

@@ -32,7 +32,8 @@ pub struct Found {
     pub untried: usize,
     /// Number of templates that the monitor did not let plan.
     pub unplanned: usize,
-    /// Whether the monitor ended the search. The last strategies that began may then have been cut short.
+    /// Whether the monitor ended the search. The last strategies that began may then have been cut
+    /// short.
     pub is_cut: bool,
 }
 
@@ -42,7 +43,8 @@ struct Numbered<'a> {
     strategy: Strategy<'a>,
 }
 
-/// All templates of a shard of the strategies. `count` is what [`crate::check::check`] tells of the problem.
+/// All templates of a shard of the strategies. `count` is what [`crate::check::check`] tells of the
+/// problem.
 pub fn candidates(
     problem: &Problem,
     count: &SolutionCount,
@@ -83,8 +85,8 @@ pub fn candidates(
 
 /// Different candidates in the order of the preference.
 ///
-/// Ties are broken by content, and then by the strategy that found the template. The order therefore depends neither
-/// on how the search ran nor on how it was sharded.
+/// Ties are broken by content, and then by the strategy that found the template. The order
+/// therefore depends neither on how the search ran nor on how it was sharded.
 pub fn in_order(mut candidates: Vec<TemplateCandidate>, preference: Preference) -> Vec<TemplateCandidate> {
     candidates.sort_by_cached_key(|candidate| {
         let content = format!("{:?} {:?}", candidate.presolve, candidate.template);
@@ -94,8 +96,8 @@ pub fn in_order(mut candidates: Vec<TemplateCandidate>, preference: Preference) 
     candidates
 }
 
-/// A template with its plan, for a solver that finds this number of solutions. `None` if the template does not hold at
-/// the other prime, or an unknown cannot be read.
+/// A template with its plan, for a solver that finds this number of solutions. `None` if the
+/// template does not hold at the other prime, or an unknown cannot be read.
 fn candidate(
     problem: &Problem,
     numbered: &Numbered<'_>,
@@ -127,16 +129,16 @@ fn failed_strategies(
     strategies.iter().zip(reduced).filter_map(failed).collect()
 }
 
-/// Maps items in parallel until it is over. Items begin in their order, and the first one begins in any case. Results
-/// are in the order of the items; an item that did not begin has none.
+/// Maps items in parallel until it is over. Items begin in their order, and the first one begins in
+/// any case. Results are in the order of the items; an item that did not begin has none.
 fn map<T: Sync, R: Send>(
     items: &[T],
     f: impl Fn(&T) -> R + Sync + Send,
     is_over: &(dyn Fn() -> bool + Sync),
 ) -> Vec<Option<R>> {
     let next = AtomicUsize::new(0);
-    // Each thread takes the next item that is left. Rayon's own parallel map would begin in the middle of the list,
-    // and an early end would then skip items of all kinds.
+    // Each thread takes the next item that is left. Rayon's own parallel map would begin in the
+    // middle of the list, and an early end would then skip items of all kinds.
     let work = || -> Vec<(usize, R)> {
         let mut mine = Vec::new();
         loop {

@@ -11,12 +11,12 @@ use crate::problem::instance::Instance;
 
 /// The field in which templates are searched.
 pub(crate) const SEARCH_FIELD: PrimeField = PrimeField::new(PRIMES[0]);
-/// Candidates must also hold at this prime, which was not used to find them: a coefficient or a pivot
-/// that vanishes modulo one prime by chance does not vanish modulo the other.
+/// Candidates must also hold at this prime, which was not used to find them: a coefficient or a
+/// pivot that vanishes modulo one prime by chance does not vanish modulo the other.
 pub(crate) const CHECK_FIELD: PrimeField = PrimeField::new(PRIMES[1]);
 
-/// Bounds on |B| that are tried, in percent of the number of solutions. A larger B takes fewer rows, but the
-/// eigenvalue problem grows with the cube of |B|.
+/// Bounds on |B| that are tried, in percent of the number of solutions. A larger B takes fewer
+/// rows, but the eigenvalue problem grows with the cube of |B|.
 const BASIS_PERCENT: [usize; 6] = [100, 115, 130, 150, 175, 200];
 
 /// One way to state the problem for the search, with an instance to search on and one to check on.
@@ -48,8 +48,8 @@ impl Formulation {
         Requirements { readings: &self.readings, solutions: self.orbits(solutions), max_basis }
     }
 
-    /// The different [`BASIS_PERCENT`] of the number of solutions up to sign, increasing, up to the largest
-    /// that is wanted.
+    /// The different [`BASIS_PERCENT`] of the number of solutions up to sign, increasing, up to the
+    /// largest that is wanted.
     pub(crate) fn basis_limits(&self, solutions: usize) -> Vec<usize> {
         let orbits = self.orbits(solutions);
         let mut limits: Vec<usize> = BASIS_PERCENT.iter().map(|percent| (orbits * percent).div_ceil(100)).collect();
@@ -69,8 +69,8 @@ impl Formulation {
 
 /// The different formulations of a problem.
 ///
-/// If signs can be changed there are two of each presolved form, because a template that uses the sign changes
-/// loses the solutions that no sign change moves.
+/// If signs can be changed there are two of each presolved form, because a template that uses the
+/// sign changes loses the solutions that no sign change moves.
 pub(crate) fn formulations(problem: &Problem, options: &SearchOptions) -> Result<Vec<Formulation>, SearchError> {
     let mut formulations: Vec<Formulation> = Vec::new();
     let of_problem = Symmetry::of_problem(problem);
@@ -95,8 +95,8 @@ pub(crate) fn formulations(problem: &Problem, options: &SearchOptions) -> Result
     Ok(formulations)
 }
 
-/// Whether two reduced problems have the same unknowns and the same monomials in the same equations. The search
-/// depends on nothing else, as coefficients are random.
+/// Whether two reduced problems have the same unknowns and the same monomials in the same
+/// equations. The search depends on nothing else, as coefficients are random.
 fn is_same(a: &ReducedProblem, b: &ReducedProblem) -> bool {
     let monomials = |reduced: &ReducedProblem| -> Vec<Vec<Monomial>> {
         reduced.problem.polynomials().map(|polynomial| polynomial.monomials().collect()).collect()
@@ -104,9 +104,9 @@ fn is_same(a: &ReducedProblem, b: &ReducedProblem) -> bool {
     a.kept == b.kept && monomials(a) == monomials(b)
 }
 
-/// The action monomials to try: each unknown and its reciprocal. If sign changes are used, an action monomial must
-/// keep its sign, so that products and ratios of two unknowns that change their signs together take the place of
-/// these unknowns.
+/// The action monomials to try: each unknown and its reciprocal. If sign changes are used, an
+/// action monomial must keep its sign, so that products and ratios of two unknowns that change
+/// their signs together take the place of these unknowns.
 fn actions(symmetry: &Symmetry, unknowns: &[usize]) -> Vec<Monomial> {
     let unknowns: Vec<Monomial> = unknowns.iter().map(|&unknown| Monomial::unknown(unknown)).collect();
     let (keep, change): (Vec<Monomial>, Vec<Monomial>) = unknowns.into_iter().partition(|x| symmetry.keeps(x));

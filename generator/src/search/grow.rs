@@ -2,15 +2,16 @@
 //!
 //! There are five ways to grow, which lead to different templates:
 //! - by degree: all multiples up to a weighted degree (total degree, or weights 1 and 2);
-//! - by two degrees: the degree in a group of unknowns is bounded, and the degree in the others grows;
+//! - by two degrees: the degree in a group of unknowns is bounded, and the degree in the others
+//!   grows;
 //! - by neighbours: every accepted multiplier times every unknown;
-//! - by the best single shift: the shift whose monomials, with all shifts that become free in them, leave the smallest
-//!   excess of columns over rows (Martyushev, Bhayani, Pajdla, arXiv 2307.00320), from the start or after some levels
-//!   of neighbours;
+//! - by the best single shift: the shift whose monomials, with all shifts that become free in them,
+//!   leave the smallest excess of columns over rows (Martyushev, Bhayani, Pajdla, arXiv
+//!   2307.00320), from the start or after some levels of neighbours;
 //! - by the best single shift among Laurent monomials.
 //!
-//! A set solves once its row space expresses some aB \ B in B. Rows must outnumber the excess columns for that, which
-//! is why the number of columns per row is what the last two ways watch.
+//! A set solves once its row space expresses some aB \ B in B. Rows must outnumber the excess
+//! columns for that, which is why the number of columns per row is what the last two ways watch.
 
 use std::collections::BTreeSet;
 
@@ -21,11 +22,11 @@ use crate::template::Shift;
 /// A way to grow sets of shifts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Growth {
-    /// All shifts up to a weighted degree. There is a weight for every unknown of the problem; those of eliminated unknowns
-    /// are ignored.
+    /// All shifts up to a weighted degree. There is a weight for every unknown of the problem;
+    /// those of eliminated unknowns are ignored.
     Degree(Vec<i32>),
-    /// Two degrees: the total degree in a group of unknowns exceeds that of the equations by at most `extra_degree`, and
-    /// the total degree in the other unknowns grows.
+    /// Two degrees: the total degree in a group of unknowns exceeds that of the equations by at
+    /// most `extra_degree`, and the total degree in the other unknowns grows.
     Bigraded {
         /// Indices of the unknowns of the group.
         group: Vec<usize>,
@@ -36,8 +37,9 @@ pub enum Growth {
     Neighbours,
     /// One shift at a time, with all shifts that it frees, after this many levels of neighbours.
     BestShift(i32),
-    /// As [`Growth::BestShift`], among Laurent monomials: multipliers are also divided by unknowns. Every equation is first
-    /// multiplied by the unknowns that it lacks, which is up to a common monomial the same as division by those that it has.
+    /// As [`Growth::BestShift`], among Laurent monomials: multipliers are also divided by unknowns.
+    /// Every equation is first multiplied by the unknowns that it lacks, which is up to a common
+    /// monomial the same as division by those that it has.
     Laurent(i32),
 }
 
@@ -169,8 +171,8 @@ impl Iterator for Shifts<'_> {
 
 /// All shifts whose monomials lie in `support`.
 ///
-/// The first term of such a shift is in the support, so each pair of an equation and a monomial of the support is one
-/// shift to look at.
+/// The first term of such a shift is in the support, so each pair of an equation and a monomial of
+/// the support is one shift to look at.
 pub fn shifts_within(equations: &[Polynomial<u32>], support: &MonomialSet) -> BTreeSet<Shift> {
     let mut shifts = BTreeSet::new();
     for (equation, f) in equations.iter().enumerate() {
@@ -196,8 +198,8 @@ fn highest(equations: &[Polynomial<u32>], weights: &[i32]) -> i32 {
     equations.iter().map(|f| weighted_degree(f, weights)).max().unwrap_or(0)
 }
 
-/// The largest groups of unknowns in which, taken together, all equations are linear: no term holds two of them, or one
-/// of them squared.
+/// The largest groups of unknowns in which, taken together, all equations are linear: no term holds
+/// two of them, or one of them squared.
 ///
 /// Every subset of such a group is one, so groups are found by adding one unknown at a time.
 pub fn linear_groups(equations: &[Polynomial<u32>], unknowns: &[usize]) -> Vec<Vec<usize>> {

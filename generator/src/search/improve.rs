@@ -1,9 +1,10 @@
-//! Makes a template smaller by going back and forth: add some rows, then delete as many as possible in another order.
+//! Makes a template smaller by going back and forth: add some rows, then delete as many as possible
+//! in another order.
 //!
-//! A template of which no row can be deleted is a local minimum only: whether a row can go depends on which rows are
-//! there. The rows that are added need not bring new columns, so a template with exchanged rows is often found for the
-//! same columns. A round costs one reduction of a set of rows that is a little larger than the template, which is far
-//! less than the reduction of a seed set.
+//! A template of which no row can be deleted is a local minimum only: whether a row can go depends
+//! on which rows are there. The rows that are added need not bring new columns, so a template with
+//! exchanged rows is often found for the same columns. A round costs one reduction of a set of rows
+//! that is a little larger than the template, which is far less than the reduction of a seed set.
 
 use super::grow::shifts_within;
 use super::monitor::{Monitor, Stage};
@@ -35,10 +36,11 @@ pub struct Improvement<'a> {
 }
 
 impl Improvement<'_> {
-    /// A template with at most as many rows, and with the smallest basis that was found for that number of rows.
+    /// A template with at most as many rows, and with the smallest basis that was found for that
+    /// number of rows.
     ///
-    /// Each round takes all shifts that fit into the monomials of the template and, in three rounds of four, of some
-    /// neighbours of its shifts, and reduces them in another order.
+    /// Each round takes all shifts that fit into the monomials of the template and, in three rounds
+    /// of four, of some neighbours of its shifts, and reduces them in another order.
     pub fn of(
         &self,
         template: EliminationTemplate,
@@ -83,7 +85,8 @@ impl Improvement<'_> {
                 0 => shift.multiplier.times(&step),
                 _ => shift.multiplier.over(&step),
             };
-            // A template is determined up to a common monomial, and may drift by it from round to round.
+            // A template is determined up to a common monomial, and may drift by it from round to
+            // round.
             let in_range = |m: &Monomial| m.exponents().iter().all(|e| EXPONENTS.contains(e));
             let monomials: Vec<Monomial> = (Shift { multiplier, ..shift }).monomials(self.equations).collect();
             if in_range(&multiplier) && monomials.iter().all(in_range) {

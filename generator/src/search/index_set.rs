@@ -1,7 +1,7 @@
 //! Sets of small indices.
 
-/// A set of indices below a fixed bound, one bit each. Sets with the same bound can be sorted: the order is that of
-/// their words.
+/// A set of indices below a fixed bound, one bit each. Sets with the same bound can be sorted: the
+/// order is that of their words.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct IndexSet {
     words: Vec<u64>,

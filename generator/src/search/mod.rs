@@ -1,9 +1,9 @@
-//! Searches elimination templates: many strategies are grown and reduced, judged by the planned work and, if measured,
-//! by stability.
+//! Searches elimination templates: many strategies are grown and reduced, judged by the planned
+//! work and, if measured, by stability.
 //!
-//! The result depends on the problem and the options only, not on the number of threads, and not on time unless the
-//! monitor ends the search early. If interrupted, only the last items are skipped, because items begin in an order
-//! that depends on the problem and the options only.
+//! The result depends on the problem and the options only, not on the number of threads, and not on
+//! time unless the monitor ends the search early. If interrupted, only the last items are skipped,
+//! because items begin in an order that depends on the problem and the options only.
 //!
 //! The modules stand in the order of use:
 //!
@@ -20,7 +20,8 @@ pub mod pareto;
 pub mod preference;
 pub mod shard;
 
-/// Problem to formulations: presolved, on random instances, with or without the use of sign changes.
+/// Problem to formulations: presolved, on random instances, with or without the use of sign
+/// changes.
 mod formulation;
 
 /// Formulations to strategies: in which order multiples of the equations are stacked.

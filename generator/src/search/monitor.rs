@@ -14,8 +14,8 @@ pub trait Monitor: Sync {
     /// Hears what the search does now, in words.
     fn say(&self, message: &str);
 
-    /// Whether this stage must end now with what it has. The search asks between steps of its work, from many threads.
-    /// Once the answer is true it stays true.
+    /// Whether this stage must end now with what it has. The search asks between steps of its work,
+    /// from many threads. Once the answer is true it stays true.
     fn is_over(&self, stage: Stage) -> bool;
 }
 

@@ -1,17 +1,20 @@
 //! From a set of shifts that solves to a template none of whose rows can be deleted.
 //!
-//! Rows are offered for deletion one after another. A trial asks whether the rows that are left still express all
-//! reducible monomials R = aB \ B of some B in terms of B. Let r be the number of rows, n that of columns. A new
-//! elimination for each trial would cost r^2 n, and r trials r^3 n. The [`Dependencies`] keep the reduced echelon form
-//! instead, where a deletion costs one row operation for each row that is kept, about |R| n.
+//! Rows are offered for deletion one after another. A trial asks whether the rows that are left
+//! still express all reducible monomials R = aB \ B of some B in terms of B. Let r be the number of
+//! rows, n that of columns. A new elimination for each trial would cost r^2 n, and r trials r^3 n.
+//! The [`Dependencies`] keep the reduced echelon form instead, where a deletion costs one row
+//! operation for each row that is kept, about |R| n.
 //!
-//! Deleting rows shrinks the row space, so that what is not expressible stays so. If all closed sets of monomials were
-//! looked at, a row that cannot be deleted now could never be deleted later. But only the closures of single columns
-//! and rows are looked at, and these change with the rows. Passes are therefore repeated until one deletes nothing.
+//! Deleting rows shrinks the row space, so that what is not expressible stays so. If all closed
+//! sets of monomials were looked at, a row that cannot be deleted now could never be deleted later.
+//! But only the closures of single columns and rows are looked at, and these change with the rows.
+//! Passes are therefore repeated until one deletes nothing.
 //!
-//! The number of rows of a template is |E| + |R|, where E are the excess columns: a row can be deleted together with a
-//! column of E that nothing else needs, or with a column of R if B changes. Which rows go first decides which columns
-//! can go later. Multipliers of the highest degree bring monomials that no other row has, so they are offered first.
+//! The number of rows of a template is |E| + |R|, where E are the excess columns: a row can be
+//! deleted together with a column of E that nothing else needs, or with a column of R if B changes.
+//! Which rows go first decides which columns can go later. Multipliers of the highest degree bring
+//! monomials that no other row has, so they are offered first.
 
 use std::rc::Rc;
 
@@ -35,8 +38,8 @@ pub enum DeletionOrder {
 /// Deletes rows one by one, and chooses a new solving set after each, as long as |B| stays within
 /// `requirements.max_basis`.
 ///
-/// Ends after a full pass over the rows without a deletion: no single row of the template can then be deleted, unless
-/// the monitor ended the search. Returns `None` if the shifts do not solve.
+/// Ends after a full pass over the rows without a deletion: no single row of the template can then
+/// be deleted, unless the monitor ended the search. Returns `None` if the shifts do not solve.
 pub fn reduce(
     matrix: &ShiftMatrix,
     action: &Monomial,
@@ -61,8 +64,9 @@ pub fn reduce(
                     current = smaller;
                     queue.retain(|&row| current.alive[row]);
                     deleted = true;
-                    // Deleted rows and empty columns still take space in the tableau. A new elimination costs r^2 n;
-                    // after a quarter of the rows it pays, and happens a logarithmic number of times.
+                    // Deleted rows and empty columns still take space in the tableau. A new
+                    // elimination costs r^2 n; after a quarter of the rows it pays, and happens a
+                    // logarithmic number of times.
                     if queue.len() * 4 < current.alive.len() * 3 {
                         let shifts: Vec<Shift> = queue.iter().map(|&row| current.matrix.shifts[row]).collect();
                         current = current.compacted(action, requirements, order)?;
@@ -83,12 +87,15 @@ pub fn reduce(
 /// A matrix that loses rows, and a solving set of the rows that are left.
 ///
 /// ```text
-///          E columns   R columns   B columns
-/// alive    [ * * .       * .         * * ]     Invariant: the alive rows are independent, the solving set (B, R)
-/// alive    [ . * *       . *         . * ]     meets the requirements, and every alive row has a part in
-/// deleted  [ - - -       - -         - - ]     expressing R in B.
-/// alive    [ * . *       . .         * . ]
+///            E        R      B
+/// alive    [ * * .    * .    * * ]
+/// alive    [ . * *    . *    . * ]
+/// deleted  [ - - -    - -    - - ]
+/// alive    [ * . *    . .    * . ]
 /// ```
+///
+/// Invariant: the alive rows are independent, the solving set (B, R) meets the requirements, and every
+/// alive row has a part in expressing R in B.
 #[derive(Clone)]
 struct Reduction {
     matrix: Rc<ShiftMatrix>,
@@ -99,8 +106,8 @@ struct Reduction {
 }
 
 impl Reduction {
-    /// Starts with the rows that the best solving set needs. Of dependent rows, those are left out that would be offered
-    /// for deletion first.
+    /// Starts with the rows that the best solving set needs. Of dependent rows, those are left out
+    /// that would be offered for deletion first.
     fn start(
         mut matrix: ShiftMatrix,
         action: &Monomial,
@@ -121,10 +128,12 @@ impl Reduction {
         }
     }
 
-    /// The reduction without some rows, and without the rows that are then of no use. `None` if the rest does not solve.
+    /// The reduction without some rows, and without the rows that are then of no use. `None` if the
+    /// rest does not solve.
     fn without(&self, rows: &[usize], requirements: &Requirements<'_>) -> Option<Self> {
-        // Most trials fail, and end here. This test updates only the columns and the part of the combinations that
-        // belongs to these rows; all combinations are needed only to choose the rows of the next set.
+        // Most trials fail, and end here. This test updates only the columns and the part of the
+        // combinations that belongs to these rows; all combinations are needed only to choose the
+        // rows of the next set.
         if !self.dependencies.solves_without(rows, &self.matrix, requirements) {
             return None;
         }
@@ -152,8 +161,9 @@ impl Reduction {
         self.dependencies.delete_row(row);
     }
 
-    /// The template of the solving set. Its matrix (E R) must be square: excess columns without a pivot cancel in the rows
-    /// that express R, so that only those with a pivot are columns of the template.
+    /// The template of the solving set. Its matrix (E R) must be square: excess columns without a
+    /// pivot cancel in the rows that express R, so that only those with a pivot are columns of the
+    /// template.
     fn template(&self, action: &Monomial) -> Option<EliminationTemplate> {
         let matrix = self.matrix.retain_rows(&self.set.basis, |row| self.alive[row]);
         let monomials = |columns: &[usize]| -> Vec<Monomial> {
@@ -175,8 +185,8 @@ impl Reduction {
 
 /// A largest set of independent rows. Rows that are offered for deletion late are preferred.
 ///
-/// The row space is all that decides what solves, so the other rows are of no use. Greedy choice gives a largest set
-/// because independent rows form a matroid.
+/// The row space is all that decides what solves, so the other rows are of no use. Greedy choice
+/// gives a largest set because independent rows form a matroid.
 pub fn independent_rows(matrix: &ShiftMatrix, order: DeletionOrder) -> Vec<usize> {
     let mut echelon = Echelon::new(matrix.field, matrix.monomials.len());
     let mut rows: Vec<usize> = deletion_queue(matrix, order)

@@ -33,10 +33,11 @@ pub(crate) struct StrategyTemplates {
     pub(crate) unsolved: Option<ShiftMatrix>,
 }
 
-/// Seed sets with more rows than this percentage of the smallest one for the same bound on |B| are left out.
+/// Seed sets with more rows than this percentage of the smallest one for the same bound on |B| are
+/// left out.
 const ROWS_PERCENT: usize = 150;
-/// For each bound on |B| seed sets are reduced, the smallest first, until the next one would exceed this estimate of
-/// multiplications. At least [`LEAST_REDUCED`] are.
+/// For each bound on |B| seed sets are reduced, the smallest first, until the next one would exceed
+/// this estimate of multiplications. At least [`LEAST_REDUCED`] are.
 const WORK: usize = 100_000_000;
 /// See [`WORK`].
 const LEAST_REDUCED: usize = 4;
@@ -47,10 +48,11 @@ const IMPROVED: usize = 2;
 /// A template with more rows than this is improved in fewer rounds, in proportion.
 const ROWS_OF_FULL_IMPROVEMENT: u64 = 50;
 
-/// Grows the shifts of a strategy, and reduces what solves to small templates for each bound on |B|.
+/// Grows the shifts of a strategy, and reduces what solves to small templates for each bound on
+/// |B|.
 ///
-/// Unless the monitor ends it, the result depends on the strategy, the number of solutions and the options alone.
-/// Strategies can therefore be reduced anywhere, and their templates put together.
+/// Unless the monitor ends it, the result depends on the strategy, the number of solutions and the
+/// options alone. Strategies can therefore be reduced anywhere, and their templates put together.
 pub(crate) fn reduce_strategy(strategy: &Strategy<'_>, context: &StrategyContext<'_>) -> StrategyTemplates {
     let StrategyContext { solutions, options, cache, monitor } = *context;
     let formulation = strategy.formulation;
@@ -94,8 +96,8 @@ fn promising(mut seeds: Vec<&SolvingShifts>) -> Vec<&SolvingShifts> {
         .into_iter()
         .take_while(|seed| {
             let (rows, columns) = (seed.matrix.rows.len(), seed.matrix.monomials.len());
-            // There are as many trials as rows. Each updates a row of the tableau for each of about |B| reducible
-            // columns.
+            // There are as many trials as rows. Each updates a row of the tableau for each of about
+            // |B| reducible columns.
             work += rows * seed.max_basis * (rows + columns);
             count += 1;
             rows * 100 <= least * ROWS_PERCENT && (work <= WORK || count <= LEAST_REDUCED)
@@ -109,8 +111,8 @@ fn improvement<'a>(
     template: &EliminationTemplate,
     options: &SearchOptions,
 ) -> Improvement<'a> {
-    // If sign changes are used, all rows are of one parity in the unknowns that change. A step between two of them
-    // must keep that parity, as action monomials do.
+    // If sign changes are used, all rows are of one parity in the unknowns that change. A step
+    // between two of them must keep that parity, as action monomials do.
     let steps: Vec<Monomial> = match formulation.symmetry.is_none() {
         true => formulation.reduced.kept.iter().map(|&unknown| Monomial::unknown(unknown)).collect(),
         false => formulation.actions.clone(),

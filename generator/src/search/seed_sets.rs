@@ -1,6 +1,7 @@
 //! Seed sets: the first sets of shifts of a strategy from which an action monomial solves.
 //!
-//! A set that solves is a template already, but mostly a large one. [`super::reduce`] deletes its rows.
+//! A set that solves is a template already, but mostly a large one. [`super::reduce`] deletes its
+//! rows.
 
 use super::formulation::Formulation;
 use super::grow::{Growth, Shifts};
@@ -32,7 +33,8 @@ pub(crate) struct SeedSets {
     pub(crate) unsolved: Option<ShiftMatrix>,
 }
 
-/// Levels to go on growing after the first that solves: larger sets sometimes reduce to smaller templates.
+/// Levels to go on growing after the first that solves: larger sets sometimes reduce to smaller
+/// templates.
 const LEVELS_BEYOND_FIRST: usize = 1;
 /// If shifts are added one by one, a set is looked at after it has grown by one row in this many.
 const ROWS_BETWEEN_LOOKS: usize = 20;

@@ -3,8 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// Every `of`-th strategy, beginning with the one at `index`. Strategies of one kind stand side by side, so that each
-/// shard gets some of every kind.
+/// Every `of`-th strategy, beginning with the one at `index`. Strategies of one kind stand side by
+/// side, so that each shard gets some of every kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
     index: usize,

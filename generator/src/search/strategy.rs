@@ -26,8 +26,9 @@ impl Strategy<'_> {
     }
 }
 
-/// All strategies in the order in which they begin: by total degree first, which is quick and nearly always finds
-/// something, by other weights last, of which there are most. A search that is ended early skips the last ones.
+/// All strategies in the order in which they begin: by total degree first, which is quick and
+/// nearly always finds something, by other weights last, of which there are most. A search that is
+/// ended early skips the last ones.
 pub(crate) fn strategies(formulations: &[Formulation]) -> Vec<Strategy<'_>> {
     let of = |formulation| growths(formulation).into_iter().map(move |growth| Strategy { formulation, growth });
     let mut strategies: Vec<Strategy<'_>> = formulations.iter().flat_map(of).collect();
@@ -39,9 +40,9 @@ pub(crate) fn strategies(formulations: &[Formulation]) -> Vec<Strategy<'_>> {
     strategies
 }
 
-/// Weights 1 and 2 in all ways for up to four unknowns, weight 2 for one unknown at a time for more; bigraded by
-/// each group of unknowns in which the equations are linear; neighbours; best shift, of polynomials and of Laurent
-/// polynomials.
+/// Weights 1 and 2 in all ways for up to four unknowns, weight 2 for one unknown at a time for
+/// more; bigraded by each group of unknowns in which the equations are linear; neighbours; best
+/// shift, of polynomials and of Laurent polynomials.
 fn growths(formulation: &Formulation) -> Vec<Growth> {
     let (kept, all) = (&formulation.reduced.kept, formulation.reduced.problem.unknowns.len());
     let mut growths = vec![Growth::Degree(vec![1; all])];

@@ -40,7 +40,8 @@ pub(crate) struct Arguments {
     /// [default: 600, and then 1500 if nothing is found and the search is not sharded]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(2..=MOST_COLUMNS as u64))]
     max_columns: Option<u64>,
-    /// Largest basis, which is the size of the eigenvalue problem; never below the number of solutions
+    /// Largest basis, which is the size of the eigenvalue problem; never below the number of
+    /// solutions
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=20_000))]
     max_basis: Option<u64>,
     /// How often each of the smallest templates is enlarged and reduced anew in a shuffled order
@@ -67,7 +68,8 @@ pub(crate) struct Arguments {
         value_parser = clap::value_parser!(u64).range(1..=10_000_000)
     )]
     confirm: u64,
-    /// Ends after about this time with the best template found so far; results may then differ from run to run
+    /// Ends after about this time with the best template found so far; results may then differ from
+    /// run to run
     #[arg(long, value_name = "SECONDS", value_parser = parse_seconds)]
     pub(super) budget: Option<Duration>,
     /// Searches only part I of N and writes what it finds for `--merge`,
@@ -85,8 +87,8 @@ pub(crate) struct Arguments {
     /// Writes the result to this file instead of NAME.template.toml beside the problem
     #[arg(long, value_name = "FILE")]
     pub(super) out: Option<PathBuf>,
-    /// Repeats the search of each problem with the options that its template file records, and tells
-    /// what differs; writes nothing. Exit status 1 if anything differs
+    /// Repeats the search of each problem with the options that its template file records, and
+    /// tells what differs; writes nothing. Exit status 1 if anything differs
     #[arg(
         long,
         value_name = "FILES",

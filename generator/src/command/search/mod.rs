@@ -47,7 +47,8 @@ fn finish(task: Task<'_>, outcome: &Outcome, out: &Path) -> Result<Output, Comma
     Ok(Output::of(&SearchReport::new(task.problem, outcome, out.display().to_string(), task.watch.seconds())))
 }
 
-/// Screens what a shard found and writes it for the merge. A shard that finds nothing says so in its file.
+/// Screens what a shard found and writes it for the merge. A shard that finds nothing says so in
+/// its file.
 fn hand_over(task: Task<'_>, settings: Settings, shard: Shard, out: Option<&Path>) -> Result<Output, CommandError> {
     let Task { path, problem, watch } = task;
     let (settings, found) = find(task, settings)?;

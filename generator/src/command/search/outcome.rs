@@ -66,8 +66,8 @@ pub(super) fn search(task: Task<'_>, settings: Settings) -> Result<Outcome, Comm
     conclude(task, settings, Candidates::of(found))
 }
 
-/// Searches within the first limit on columns, and within the wider one if nothing is found and the time is not over.
-/// Returns the settings of the last try.
+/// Searches within the first limit on columns, and within the wider one if nothing is found and the
+/// time is not over. Returns the settings of the last try.
 pub(super) fn find(task: Task<'_>, settings: Settings) -> Result<(Settings, Result<Found, SearchError>), CommandError> {
     let Task { problem, watch, .. } = task;
     watch.say("counting solutions");

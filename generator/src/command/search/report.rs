@@ -14,7 +14,8 @@ use crate::search::choose::{Choice, INCOMPLETE_ONE_IN, Measured, Verdict, expect
 use crate::search::pareto::front;
 use crate::search::preference::Preference;
 
-/// The object of `--json`: the summary of the chosen template as `eliminant inspect` prints it, and what follows.
+/// The object of `--json`: the summary of the chosen template as `eliminant inspect` prints it, and
+/// what follows.
 #[derive(Serialize)]
 pub(super) struct SearchReport {
     #[serde(flatten)]
@@ -125,8 +126,8 @@ struct Row {
     failures: usize,
     /// `accepted`, `screened` (neither accepted nor rejected) or `rejected`.
     verdict: &'static str,
-    /// Whether it is on the Pareto front of operations (second attempts included), rows, 99 % quantile (to one decimal) and
-    /// portion of unsolved instances.
+    /// Whether it is on the Pareto front of operations (second attempts included), rows, 99 %
+    /// quantile (to one decimal) and portion of unsolved instances.
     pareto: bool,
 }
 

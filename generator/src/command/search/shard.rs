@@ -27,7 +27,8 @@ pub(super) struct ShardFile {
     pub(super) shard: String,
     /// What all shards of a search must have in common.
     pub(super) common: Common,
-    /// Number of strategies of this shard, and number of these that were not tried because the time was up.
+    /// Number of strategies of this shard, and number of these that were not tried because the time
+    /// was up.
     pub(super) strategies: usize,
     pub(super) untried: usize,
     /// Number of templates that were not planned because the time was up.

@@ -1,34 +1,44 @@
-//! Chooses among the templates that a search found, by their cost and by what they do on random real instances.
+//! Chooses among the templates that a search found, by their cost and by what they do on random
+//! real instances.
 //!
 //! # The rule
 //! Candidates are considered in the order of the preference ([`Preference::key`]):
 //! - *speed*: fewest operations first;
-//! - *size*: fewest rows first, among candidates with at most [`SIZE_COST`] times the operations of the cheapest;
-//! - *stability*: fewest operations first, up to [`STABILITY_COST`] times those of the first one that is not rejected.
+//! - *size*: fewest rows first, among candidates with at most [`SIZE_COST`] times the operations of
+//!   the cheapest;
+//! - *stability*: fewest operations first, up to [`STABILITY_COST`] times those of the first one
+//!   that is not rejected.
 //!
-//! Of each combination of presolved form, action monomial and basis only the first candidate is considered.
+//! Of each combination of presolved form, action monomial and basis only the first candidate is
+//! considered.
 //!
-//! 1. *Screening.* [`SCREENED`] candidates are measured on [`Measuring::trials`] instances. A candidate is *rejected* if
-//!    an instance fails, or if more instances lack a solution than a rate of one in [`INCOMPLETE_ONE_IN`] would explain
-//!    with a probability of [`SIGNIFICANCE`]. It is *precise* if the 99 % quantile of its log10 relative residual is at
-//!    most [`GOOD_RESIDUAL`], or at most 1 above the best of the candidates that are not rejected.
-//! 2. *Confirmation.* Precise candidates that are not rejected are the *finalists*. They are measured on
-//!    [`Measuring::confirm`] instances one after another, each only until it is rejected. The order is that of the
-//!    preference, with two exceptions. For *speed*, second attempts count as [`SECOND_ATTEMPT`] solves, and of those that
-//!    cost at most [`EQUAL_COST`] times the least the one with fewest rows comes first. For *stability*, the order is
-//!    fewest unsolved instances, then smallest 99 % quantile, then smallest median. The first finalist that lasts and
-//!    lacks a solution on at most one instance in [`INCOMPLETE_ONE_IN`] is *accepted*. If none is, further candidates
-//!    are screened, up to [`SCREENED_AT_MOST`] and until all measurements together take [`MEASURING_WORK`].
-//! 3. *Choice.* If the accepted candidate solves every instance it is chosen. There are two exceptions: *stability*
-//!    always looks at others, and *speed* does if second attempts turn out to make the accepted candidate dearer than
-//!    another. Then up to [`OTHERS_CONFIRMED`] others of similar cost are confirmed too, and the accepted candidate with
-//!    the fewest unsolved instances is chosen. Similar cost means for *speed* operations within [`SIMILAR_COST`], second
-//!    attempts included, for *size* as many rows, for *stability* any.
+//! 1. *Screening.* [`SCREENED`] candidates are measured on [`Measuring::trials`] instances. A
+//!    candidate is *rejected* if an instance fails, or if more instances lack a solution than a
+//!    rate of one in [`INCOMPLETE_ONE_IN`] would explain with a probability of [`SIGNIFICANCE`]. It
+//!    is *precise* if the 99 % quantile of its log10 relative residual is at most
+//!    [`GOOD_RESIDUAL`], or at most 1 above the best of the candidates that are not rejected.
+//! 2. *Confirmation.* Precise candidates that are not rejected are the *finalists*. They are
+//!    measured on [`Measuring::confirm`] instances one after another, each only until it is
+//!    rejected. The order is that of the preference, with two exceptions. For *speed*, second
+//!    attempts count as [`SECOND_ATTEMPT`] solves, and of those that cost at most [`EQUAL_COST`]
+//!    times the least the one with fewest rows comes first. For *stability*, the order is fewest
+//!    unsolved instances, then smallest 99 % quantile, then smallest median. The first finalist
+//!    that lasts and lacks a solution on at most one instance in [`INCOMPLETE_ONE_IN`] is
+//!    *accepted*. If none is, further candidates are screened, up to [`SCREENED_AT_MOST`] and until
+//!    all measurements together take [`MEASURING_WORK`].
+//! 3. *Choice.* If the accepted candidate solves every instance it is chosen. There are two
+//!    exceptions: *stability* always looks at others, and *speed* does if second attempts turn out
+//!    to make the accepted candidate dearer than another. Then up to [`OTHERS_CONFIRMED`] others of
+//!    similar cost are confirmed too, and the accepted candidate with the fewest unsolved instances
+//!    is chosen. Similar cost means for *speed* operations within [`SIMILAR_COST`], second attempts
+//!    included, for *size* as many rows, for *stability* any.
 //!
-//! Large templates are measured on fewer instances: as many as [`SCREENING_WORK`] and [`CONFIRMING_WORK`] allow, but at
-//! least [`INCOMPLETE_ONE_IN`] for a confirmation. A problem without data has one instance.
+//! Large templates are measured on fewer instances: as many as [`SCREENING_WORK`] and
+//! [`CONFIRMING_WORK`] allow, but at least [`INCOMPLETE_ONE_IN`] for a confirmation. A problem
+//! without data has one instance.
 //!
-//! If no candidate is accepted, the one with the smallest portion of unsolved instances is chosen, and the choice says so.
+//! If no candidate is accepted, the one with the smallest portion of unsolved instances is chosen,
+//! and the choice says so.
 
 mod rule;
 mod tournament;
@@ -69,10 +79,11 @@ pub struct Choice {
     pub is_cut: bool,
 }
 
-/// Measures candidates and chooses one by the rule at the top of this module; `None` if there is no candidate.
+/// Measures candidates and chooses one by the rule at the top of this module; `None` if there is no
+/// candidate.
 ///
-/// `candidates` are in the order of the preference. `known` returns measurements on the first instances that [`screen`]
-/// made with the same `measuring`.
+/// `candidates` are in the order of the preference. `known` returns measurements on the first
+/// instances that [`screen`] made with the same `measuring`.
 pub fn choose(
     candidates: &[TemplateCandidate],
     preference: Preference,
@@ -100,8 +111,8 @@ pub fn choose(
 /// Most candidates that a shard of a search hands over: more than are ever screened.
 pub const HANDED_OVER: usize = 2 * SCREENED_AT_MOST;
 
-/// The candidates of a shard that may be chosen when those of other shards join, in the order of the preference. Those
-/// that are screened come with their measurement.
+/// The candidates of a shard that may be chosen when those of other shards join, in the order of
+/// the preference. Those that are screened come with their measurement.
 pub fn screen<'a>(
     candidates: &'a [TemplateCandidate],
     preference: Preference,
@@ -153,8 +164,8 @@ fn in_tournament<R>(
     (decision, tournament.entries)
 }
 
-/// The first candidate of each combination of presolved form, action monomial and basis. The others have the same action
-/// matrix and cost more.
+/// The first candidate of each combination of presolved form, action monomial and basis. The others
+/// have the same action matrix and cost more.
 fn different(candidates: &[TemplateCandidate]) -> Vec<&TemplateCandidate> {
     let mut seen = Vec::new();
     let mut different = Vec::new();

@@ -8,31 +8,32 @@ pub const SCREENED: usize = 8;
 pub const SCREENED_AT_MOST: usize = 32;
 /// One instance in this many may lack a solution.
 pub const INCOMPLETE_ONE_IN: usize = 1000;
-/// A candidate is rejected early only if chance explains its incomplete instances with a probability below this.
+/// A candidate is rejected early only if chance explains its incomplete instances with a
+/// probability below this.
 pub const SIGNIFICANCE: f64 = 0.01;
 /// A 99 % quantile of the log10 relative residual that is good enough.
 pub const GOOD_RESIDUAL: f64 = -12.0;
 /// Limit on the cost of stability, as a factor of operations.
 pub const STABILITY_COST: f64 = 2.0;
-/// Limit on the cost of few rows, as a factor of operations: a larger basis nearly always saves rows, and its eigenvalue
-/// problem costs the cube of its size.
+/// Limit on the cost of few rows, as a factor of operations: a larger basis nearly always saves
+/// rows, and its eigenvalue problem costs the cube of its size.
 pub const SIZE_COST: f64 = 2.5;
 /// Candidates whose operations differ by no more than this factor cost the same for the choice.
 pub const SIMILAR_COST: f64 = 1.1;
-/// Candidates within this factor of the fewest operations are equally fast, as far as the estimate tells. Fewer rows
-/// then take less memory and less code.
+/// Candidates within this factor of the fewest operations are equally fast, as far as the estimate
+/// tells. Fewer rows then take less memory and less code.
 pub const EQUAL_COST: f64 = 1.05;
 /// Operations of a second attempt, at twice the precision, as a factor of those of the first.
 pub const SECOND_ATTEMPT: f64 = 15.0;
 /// Candidates that are confirmed besides the first accepted one.
 pub const OTHERS_CONFIRMED: usize = 2;
-/// Operations that screening one candidate may take, without the polish. If a solve takes so many that this binds,
-/// fewer instances are drawn.
+/// Operations that screening one candidate may take, without the polish. If a solve takes so many
+/// that this binds, fewer instances are drawn.
 pub const SCREENING_WORK: usize = 300_000_000;
 /// Operations that confirming one candidate may take, without the polish.
 pub const CONFIRMING_WORK: usize = 10_000_000_000;
-/// Operations, second attempts included, after which no further candidate is confirmed and no more than [`SCREENED`] are
-/// screened. A few candidates that are rejected late take that many.
+/// Operations, second attempts included, after which no further candidate is confirmed and no more
+/// than [`SCREENED`] are screened. A few candidates that are rejected late take that many.
 pub const MEASURING_WORK: f64 = 5e10;
 /// Instances that are measured at once; after each block the candidate may be rejected.
 pub(super) const BLOCK: usize = 100;
@@ -76,8 +77,8 @@ pub fn expected_operations(operations: usize, stability: &Stability) -> f64 {
     operations as f64 * (1.0 + SECOND_ATTEMPT * repeated as f64 / trials.max(1) as f64)
 }
 
-/// Whether a candidate fails, lacks a solution on more instances than `confirm` instances may, or on more than chance
-/// explains.
+/// Whether a candidate fails, lacks a solution on more instances than `confirm` instances may, or
+/// on more than chance explains.
 pub(super) fn is_rejected(stability: &Stability, confirm: usize) -> bool {
     let Stability { trials, incomplete, failures, .. } = *stability;
     failures > 0

@@ -4,8 +4,8 @@ use super::rule::{BLOCK, at_least, is_rejected};
 use super::*;
 use crate::search::monitor::Unmonitored;
 
-/// A candidate: operations, rows, log10 of all its residuals, and the period of instances that lack a solution (0: none
-/// does).
+/// A candidate: operations, rows, log10 of all its residuals, and the period of instances that lack
+/// a solution (0: none does).
 type Made = (usize, usize, f64, usize);
 
 fn measure_made(made: &[Made], at: usize, instances: Range<usize>) -> Stability {

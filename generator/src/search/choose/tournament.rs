@@ -1,4 +1,5 @@
-//! The tournament by which candidates are screened, confirmed and chosen; [`super`] states its rule.
+//! The tournament by which candidates are screened, confirmed and chosen; [`super`] states its
+//! rule.
 
 use std::ops::Range;
 
@@ -54,7 +55,8 @@ impl Tournament<'_> {
         None
     }
 
-    /// Screens at least [`SCREENED`] more candidates, and more until there is a finalist. Returns whether there is one.
+    /// Screens at least [`SCREENED`] more candidates, and more until there is a finalist. Returns
+    /// whether there is one.
     pub(super) fn screen(&mut self) -> bool {
         let before = self.entries.len();
         while self.entries.len() < self.costs.len().min(SCREENED_AT_MOST) {
@@ -97,7 +99,8 @@ impl Tournament<'_> {
         (0..self.entries.len()).map(work).sum::<f64>() >= MEASURING_WORK
     }
 
-    /// Precise candidates that are neither rejected nor accepted, in the order in which they are confirmed.
+    /// Precise candidates that are neither rejected nor accepted, in the order in which they are
+    /// confirmed.
     fn finalists(&self) -> Vec<usize> {
         let alive = |at: &usize| self.entries[*at].verdict != Verdict::Rejected;
         let best = (0..self.entries.len()).filter(alive).map(|at| self.p99(at)).fold(f64::INFINITY, f64::min);
@@ -120,7 +123,8 @@ impl Tournament<'_> {
         self.entries[at].verdict == Verdict::Accepted
     }
 
-    /// The best of the first accepted candidate and of others of similar cost that are confirmed, too.
+    /// The best of the first accepted candidate and of others of similar cost that are confirmed,
+    /// too.
     fn best_confirmed(&mut self, first: usize) -> usize {
         let mut accepted = vec![first];
         if self.preference == Preference::Stability || self.unsolved(first) > 0 || self.is_dearer_than_screened(first) {
@@ -141,8 +145,8 @@ impl Tournament<'_> {
         accepted.first().copied().unwrap_or(first)
     }
 
-    /// Whether the confirmation shows that another finalist costs less, second attempts included. Screening sees too few
-    /// instances to count second attempts well.
+    /// Whether the confirmation shows that another finalist costs less, second attempts included.
+    /// Screening sees too few instances to count second attempts well.
     fn is_dearer_than_screened(&self, at: usize) -> bool {
         let is_cheaper = |&other: &usize| EQUAL_COST * self.expected_operations(other) < self.expected_operations(at);
         self.preference == Preference::Speed && self.finalists().iter().any(is_cheaper)
@@ -175,8 +179,8 @@ impl Tournament<'_> {
         self.measuring.confirm.min(affordable).max(self.trials(at))
     }
 
-    /// Measures a candidate until it has seen the first `trials` instances, is rejected, or the time is over. Returns whether
-    /// it has seen them all and is not rejected.
+    /// Measures a candidate until it has seen the first `trials` instances, is rejected, or the
+    /// time is over. Returns whether it has seen them all and is not rejected.
     fn measure_up_to(&mut self, at: usize, trials: usize) -> bool {
         loop {
             let from = self.entries[at].stability.trials;
@@ -195,8 +199,9 @@ impl Tournament<'_> {
         }
     }
 
-    /// The choice if no candidate is accepted: a finalist if the time is over, or else the candidate with the smallest portion
-    /// of unsolved instances. One is added to both counts, because few instances say little.
+    /// The choice if no candidate is accepted: a finalist if the time is over, or else the
+    /// candidate with the smallest portion of unsolved instances. One is added to both counts,
+    /// because few instances say little.
     pub(super) fn least_bad(&self) -> Option<usize> {
         let portion = |at: usize| (self.unsolved(at) + 1) as f64 / (self.entries[at].stability.trials + 1) as f64;
         let by_portion = |&a: &usize, &b: &usize| {
@@ -216,7 +221,8 @@ impl Tournament<'_> {
         expected_operations(self.costs[at].operations, &self.entries[at].stability)
     }
 
-    /// Sorts by expected operations. Candidates that cost as much as the cheapest come first, in the order of their rows.
+    /// Sorts by expected operations. Candidates that cost as much as the cheapest come first, in
+    /// the order of their rows.
     fn sort_by_speed(&self, candidates: &mut [usize]) {
         let expected = |at: usize| self.expected_operations(at);
         let least = candidates.iter().map(|&at| expected(at)).fold(f64::INFINITY, f64::min);

@@ -45,7 +45,8 @@ impl Obstacle {
 }
 
 impl Dependencies {
-    /// What keeps the closest closed set from meeting the requirements. The answer is of use only if no set meets them.
+    /// What keeps the closest closed set from meeting the requirements. The answer is of use only
+    /// if no set meets them.
     pub fn obstacle(&self, matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> Obstacle {
         let Requirements { readings, solutions, max_basis: limit, .. } = *requirements;
         let any = Requirements { solutions: 1, max_basis: usize::MAX, ..requirements.clone() };
@@ -56,7 +57,8 @@ impl Dependencies {
             basis => {
                 let is_unreadable =
                     |reading: &&Reading| self.readable(matrix, &set, std::slice::from_ref(*reading)).is_none();
-                // If each unknown can be read by itself, the last one fails because of columns added for the others.
+                // If each unknown can be read by itself, the last one fails because of columns
+                // added for the others.
                 let unreadable = first.iter().find(is_unreadable).or(first.last());
                 Obstacle::Unreadable { unknown: unreadable.map_or(0, |reading| reading.unknown), basis }
             }
