@@ -100,10 +100,9 @@ impl CheckedFile {
         // A search that Ctrl-C cut short says nothing about the one that was recorded.
         let found = if watch.end().is_some() { Err(CommandError::Interrupted) } else { found }?.file;
         self.found = Some(size(&found));
-        let differences = self.differences.len();
         self.compare_templates(&committed, &found, &problem);
         self.compare_keys(&committed, &found);
-        if self.differences.len() == differences && !is_same_text(&text, &committed, &found, &problem) {
+        if self.differences.is_empty() && !is_same_text(&text, &committed, &found, &problem) {
             self.differences.push("differs: the same template and keys, written in another layout".to_owned());
         }
         Ok(())
