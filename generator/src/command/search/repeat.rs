@@ -134,20 +134,22 @@ impl CheckedFile {
         self.differences.push(format!("differs: {difference}"));
     }
 
-    /// Compares the provenance. Values are compared only if the templates are the same: they follow
-    /// from the template.
+    /// Compares the provenance. Values are compared only if the templates are the same, because they
+    /// follow from the template.
     fn compare_keys(&mut self, committed: &TemplateFile, found: &TemplateFile) {
         for (key, value) in &found.provenance {
             match value_of(&committed.provenance, key) {
-                None => {
-                    self.differences.push(format!("lacks key {key}"));
-                    self.lacks.push(key.clone());
-                }
+                None => self.lacks.push(key.clone()),
                 Some(old) if old != value && key != GENERATOR && committed.template == found.template => {
                     self.differences.push(format!("differs: {key} is committed as `{old}`, found as `{value}`"));
                 }
                 Some(_) => {}
             }
+        }
+        match self.lacks.as_slice() {
+            [] => {}
+            [key] => self.differences.push(format!("lacks key {key}")),
+            keys => self.differences.push(format!("lacks keys {}", keys.join(", "))),
         }
         for (key, _) in &committed.provenance {
             let is_written = value_of(&found.provenance, key).is_some();
