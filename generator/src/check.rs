@@ -9,14 +9,16 @@ use crate::problem::Problem;
 use crate::problem::diagnostic::{Diagnostic, Diagnostics};
 use crate::problem::instance::{Draw, Instance};
 
-/// What is known of the ideal of a problem with general data.
+/// The number of solutions of a problem with general data.
 #[derive(Clone, Debug)]
 pub struct SolutionCount {
     /// Number of complex solutions, counted with multiplicity.
     pub solutions: usize,
-    /// Number of different complex solutions. Of more than [`MOST_TOLD_APART`] all are taken to be different.
+    /// Number of different complex solutions. If there are more than [`MOST_TOLD_APART`], all are taken
+    /// to be different.
     pub different: usize,
-    /// How often the origin, all unknowns 0, is counted among the solutions. It is known without computing anything.
+    /// Multiplicity of the origin, where all unknowns are 0, among the solutions. Solvers know the origin
+    /// without computing anything.
     pub at_origin: usize,
     /// Size of the reduced grevlex Gröbner basis.
     pub basis_elements: usize,
@@ -26,13 +28,14 @@ pub struct SolutionCount {
 const COUNTS: [(u32, u64); 2] = [(PRIMES[0], 1), (PRIMES[1], 2)];
 /// More solutions than this are taken for a mistake in the problem.
 const MAX_SOLUTIONS: usize = 5_000;
-/// Up to so many solutions are told apart: that takes time of the order of their cube.
+/// Most solutions that are told apart, which takes time of the order of their cube.
 pub const MOST_TOLD_APART: usize = 400;
 
 /// Counts the solutions over two primes.
 ///
 /// # Errors
-/// No solution, infinitely many (with the dimension), a count that differs between the primes, or a limit reached.
+/// There is no solution, there are infinitely many (the message says of which dimension), the count
+/// differs between the primes, or a limit is reached.
 pub fn check(problem: &Problem) -> Result<SolutionCount, Diagnostics> {
     let mut counts = Vec::new();
     for (prime, seed) in COUNTS {
@@ -112,7 +115,8 @@ fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<SolutionCoun
     Ok(SolutionCount { solutions, different, at_origin, basis_elements: basis.elements().len() })
 }
 
-/// The number of solutions with their multiplicity but that at the origin: those at which a random linear form does not vanish.
+/// The number of solutions outside of the origin, with their multiplicity: those at which a random
+/// linear form does not vanish.
 fn count_elsewhere(instance: &Instance, unknowns: usize, seed: u64) -> Result<usize, GroebnerError> {
     let mut random = Random::new(seed);
     let form = (0..unknowns).map(|x| (Monomial::unknown(x), instance.field.draw(&mut random)));
@@ -122,7 +126,7 @@ fn count_elsewhere(instance: &Instance, unknowns: usize, seed: u64) -> Result<us
     Ok(basis.quotient_basis(unknowns, MAX_SOLUTIONS).map_or(0, |basis| basis.len()))
 }
 
-/// `None` for more than [`MOST_TOLD_APART`].
+/// The number of different solutions; `None` if there are more than [`MOST_TOLD_APART`].
 fn count_different(basis: &GroebnerBasis, unknowns: usize, seed: u64) -> Option<usize> {
     let limits = Limits { max_quotient_dimension: MOST_TOLD_APART, ..Limits::default() };
     let ring = QuotientRing::new(basis, unknowns, &limits).ok()?;
@@ -131,7 +135,7 @@ fn count_different(basis: &GroebnerBasis, unknowns: usize, seed: u64) -> Option<
     Some(count_points(&ring, &form))
 }
 
-/// The ideal of an instance, saturated by what must not vanish.
+/// The ideal of an instance, saturated by the factors that must not vanish.
 ///
 /// # Errors
 /// As [`saturate`].
@@ -140,8 +144,9 @@ pub fn ideal(instance: &Instance, unknowns: usize) -> Result<GroebnerBasis, Groe
     saturate(instance.field, &instance.equations, &instance.nonzero, unknowns, &MonomialOrder::GrevLex, &limits)
 }
 
-/// Unknowns without whose zeros finitely many solutions, and at least one, are left: each that does by itself, or else one set of several of
-/// which none can be spared, or nothing.
+/// Sets of unknowns such that finitely many solutions, and at least one, are left if none of the set is
+/// 0: every single unknown that does, or else one set of several unknowns none of which can be spared,
+/// or no set.
 fn excluding_unknowns<'a>(instance: &Instance, names: &'a [String]) -> Vec<Vec<&'a str>> {
     let explain = |unknowns: &[usize]| {
         let mut trial = instance.clone();

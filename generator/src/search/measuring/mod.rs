@@ -1,5 +1,5 @@
-//! Runs an interpreted plan on random real instances and measures what it finds: the numbers are those of the emitted
-//! solver, bit by bit.
+//! Runs an interpreted plan on random real instances and measures what it finds: the numbers are
+//! those of the emitted solver, bit by bit.
 
 pub mod interpreted;
 
@@ -29,7 +29,8 @@ pub struct Stability {
     pub incomplete: usize,
     /// Instances on which the elimination or the eigenvalue iteration failed.
     pub failures: usize,
-    /// Instances on which the first attempt failed or lacked a solution. What the second one found is in the others.
+    /// Instances on which the first attempt failed or lacked a solution. What the second one found
+    /// is in the others.
     pub repeated: usize,
 }
 
@@ -73,7 +74,8 @@ pub fn stability(plan: &Plan, trials: usize, seed: u64, each: &(dyn Fn() + Sync)
     measure(plan, 0..trials, seed, each)
 }
 
-/// Solves instances drawn on the data's variety; instance k depends on (seed, k) only. `each` is called after each.
+/// Solves instances drawn on the data's variety; instance k depends on (seed, k) only. `each` is
+/// called after each.
 pub fn measure(plan: &Plan, instances: Range<usize>, seed: u64, each: &(dyn Fn() + Sync)) -> Stability {
     use rayon::prelude::*;
     let solver = InterpretedSolver::of(plan);
@@ -108,13 +110,15 @@ impl Solved {
     }
 }
 
-/// Bytes of stack for each thread that solves. A second attempt with 256 basis monomials takes 8 MiB.
+/// Bytes of stack for each thread that solves. A second attempt with 256 basis monomials takes 8
+/// MiB.
 const STACK: usize = 32 << 20;
 
 /// Runs parallel work on threads with a stack that is large enough for every solver.
 fn in_pool<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     static POOL: OnceLock<Option<ThreadPool>> = OnceLock::new();
-    // If threads with such a stack cannot be had, the usual ones serve all but the largest problems.
+    // If threads with such a stack cannot be had, the usual ones serve all but the largest
+    // problems.
     match POOL.get_or_init(|| rayon::ThreadPoolBuilder::new().stack_size(STACK).build().ok()) {
         Some(pool) => pool.install(work),
         None => work(),
