@@ -1,5 +1,6 @@
-//! Block-triangular form of a sparse square matrix: maximum matching, then strongly connected components
-//! (Duff and Reid, "An implementation of Tarjan's algorithm for the block triangularization of a matrix", 1978).
+//! Block-triangular form of a sparse square matrix: maximum matching, then strongly connected
+//! components (Duff and Reid, "An implementation of Tarjan's algorithm for the block
+//! triangularization of a matrix", 1978).
 
 /// Rows and columns of one diagonal block.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -10,8 +11,8 @@ pub(crate) struct DiagonalBlock {
     pub(crate) columns: Vec<usize>,
 }
 
-/// The diagonal blocks in an order of solution: block k has entries only in columns of blocks 0..=k. `None` where the pattern is
-/// structurally singular.
+/// The diagonal blocks in an order of solution: block k has entries only in columns of blocks
+/// 0..=k. `None` where the pattern is structurally singular.
 ///
 /// `pattern[row]` lists the columns of the nonzero entries of a square matrix.
 pub(crate) fn block_triangular_form(pattern: &[Vec<usize>]) -> Option<Vec<DiagonalBlock>> {
@@ -69,7 +70,8 @@ fn perfect_matching(pattern: &[Vec<usize>]) -> Option<Vec<usize>> {
     Some(row_of_column)
 }
 
-/// Components of the graph row -> row matched to a column of the row; a component comes after all that it points to (Tarjan, iterative).
+/// Components of the graph row -> row matched to a column of the row; a component comes after all
+/// that it points to (Tarjan, iterative).
 fn strongly_connected_components(pattern: &[Vec<usize>], row_of_column: &[usize]) -> Vec<Vec<usize>> {
     let n = pattern.len();
     let mut index = vec![UNMATCHED; n];

@@ -1,5 +1,5 @@
-//! Whether a plan contradicts itself: every table stays in range, and every value, pivot and unknown is written before it
-//! is read.
+//! Whether a plan contradicts itself: every table stays in range, and every value, pivot and
+//! unknown is written before it is read.
 
 use super::{ActionRow, Block, CoefficientId, Elimination, Entry, KnownMonomial, Plan, Term};
 use crate::problem::DataParameter;
@@ -10,7 +10,8 @@ use crate::problem::DataParameter;
 pub struct PlanError(pub &'static str);
 
 impl Plan {
-    /// Checks that every table stays in range and that every value and pivot is written before it is read.
+    /// Checks that every table stays in range and that every value and pivot is written before it
+    /// is read.
     ///
     /// # Errors
     /// The first contradiction.

@@ -1,6 +1,7 @@
 //! Elimination of constant rows before run time.
 //!
-//! A multiple of an equation whose coefficients are constants expresses one of its excess monomials in its others, whatever the data are:
+//! A multiple of an equation whose coefficients are constants expresses one of its excess monomials
+//! in its others, whatever the data are:
 //!
 //! ```text
 //!                 pivot  others                          others
@@ -8,7 +9,8 @@
 //!   other rows   [  a      s   ]   -->   other rows [ s - (a / c) r ]     (Schur complement)
 //! ```
 //!
-//! The row and the column of the pivot are then gone, and nothing is left to do for them at run time but the coefficients s - (a / c) r.
+//! The row and the column of the pivot are then gone, and nothing is left to do for them at run
+//! time but the coefficients s - (a / c) r.
 
 use std::collections::BTreeMap;
 
@@ -19,7 +21,8 @@ use crate::expression::{ExpressionGraph, ExpressionId};
 pub(crate) struct Row {
     /// Which of the template's shifts it is.
     pub(crate) shift: usize,
-    /// The entries that are not zero for all data, by column: excess, reducible and basis columns, numbered in this order.
+    /// The entries that are not zero for all data, by column: excess, reducible and basis columns,
+    /// numbered in this order.
     pub(crate) entries: BTreeMap<usize, ExpressionId>,
 }
 
@@ -29,10 +32,12 @@ impl Row {
     }
 }
 
-/// Eliminates constant rows as long as one has an entry in the first `excess` columns; returns the pivot columns, which no row has any more.
+/// Eliminates constant rows as long as one has an entry in the first `excess` columns; returns the
+/// pivot columns, which no row has any more.
 ///
-/// The pivot is always one with the least product of other entries in its row and its column, so that few entries are changed
-/// (Markowitz, "The Elimination Form of the Inverse and Its Application to Linear Programming", 1957).
+/// The pivot is always one with the least product of other entries in its row and its column, so
+/// that few entries are changed (Markowitz, "The Elimination Form of the Inverse and Its
+/// Application to Linear Programming", 1957).
 pub(crate) fn eliminate_constant_rows(rows: &mut Vec<Row>, excess: usize, graph: &mut ExpressionGraph) -> Vec<usize> {
     let mut pivots = Vec::new();
     while let Some((at, column)) = cheapest_pivot(rows, excess, graph) {
@@ -120,7 +125,8 @@ mod tests {
             setting(&[&[1, 2, 0, 3, 1], &[100, 0, 5, 101, 0], &[0, 0, 0, 2, 2], &[4, 1, 1, 0, 101]]);
         let before = values(&graph, &rows, 5);
         let pivots = eliminate_constant_rows(&mut rows, 3, &mut graph);
-        // Row 2 has no entry in columns 0 to 2, rows 1 and 3 are not constant; column 1 changes one row only.
+        // Row 2 has no entry in columns 0 to 2, rows 1 and 3 are not constant; column 1 changes one
+        // row only.
         assert_eq!((pivots, rows.iter().map(|row| row.shift).collect::<Vec<_>>()), (vec![1], vec![1, 2, 3]));
         let after = values(&graph, &rows, 5);
         assert_eq!((&after[0], &after[1]), (&before[1], &before[2]));
@@ -139,7 +145,8 @@ mod tests {
     #[test]
     fn rows_that_become_constant_are_eliminated_too() {
         let (mut graph, mut rows) = setting(&[&[1, 1, 0, 0], &[100, 100, 1, 0], &[0, 3, 101, 1]]);
-        // Less a multiple of row 0, row 1 is 1 in column 2; less a multiple of that, row 2 is constant.
+        // Less a multiple of row 0, row 1 is 1 in column 2; less a multiple of that, row 2 is
+        // constant.
         let pivots = eliminate_constant_rows(&mut rows, 3, &mut graph);
         assert_eq!((pivots, rows), (vec![0, 2, 1], vec![]));
     }

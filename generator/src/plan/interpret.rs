@@ -1,9 +1,11 @@
-//! Executes a [`crate::plan::Plan`] in any field, step by step as the emitted code does: exactly over Z_p, in `f64`, and at twice its precision.
+//! Executes a [`crate::plan::Plan`] in any field, step by step as the emitted code does: exactly
+//! over Z_p, in `f64`, and at twice its precision.
 
 use super::{ActionRow, Block, CoefficientId, Elimination, PivotId, Plan, Term};
 use crate::expression::arithmetic::Arithmetic;
 
-/// The values of all coefficients; `None` where a divisor is zero, or an input or a coefficient is not finite.
+/// The values of all coefficients; `None` where a divisor is zero, or an input or a coefficient is
+/// not finite.
 pub fn coefficients<A: Arithmetic>(plan: &Plan, f: A, inputs: &[A::Value]) -> Option<Vec<A::Value>> {
     if !all_finite(f, inputs) {
         return None;
@@ -70,7 +72,8 @@ fn subtract_multiple<A: Arithmetic>(f: A, row: &mut [A::Value], factor: A::Value
     }
 }
 
-/// Gaussian elimination with partial pivoting in rows scaled by their 1-norm, as the run-time kernel does it, summation order included.
+/// Gaussian elimination with partial pivoting in rows scaled by their 1-norm, as the run-time
+/// kernel does it, summation order included.
 fn solve_block<A: Arithmetic>(
     f: A,
     block: &Block,

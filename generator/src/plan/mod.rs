@@ -8,8 +8,8 @@
 //!            polish on all equations <----- recover eliminated unknowns <------- kept unknowns
 //! ```
 //!
-//! Every decision is taken here. [`crate::emit`] prints a plan and [`crate::plan::interpret`] executes it, and the two
-//! must agree.
+//! Every decision is taken here. [`crate::emit`] prints a plan and [`crate::plan::interpret`]
+//! executes it, and the two must agree.
 
 mod block_triangular;
 mod check;
@@ -66,8 +66,8 @@ pub struct Block {
     pub first: usize,
     /// Number of rows and pivots.
     pub size: usize,
-    /// How many of its last pivots are read by later blocks, by the action matrix or for an unknown. The others only
-    /// serve the elimination.
+    /// How many of its last pivots are read by later blocks, by the action matrix or for an
+    /// unknown. The others only serve the elimination.
     pub needed: usize,
     /// Entries of the square block; rows and columns count from `first`.
     pub diagonal: Vec<Entry>,
@@ -84,8 +84,8 @@ pub struct Block {
 ///   block 2  [ c   c   D2                  |    ..   ]
 /// ```
 ///
-/// The blocks are solved from the top. Constant rows may have been eliminated beforehand; then they and their pivot
-/// columns are not among these.
+/// The blocks are solved from the top. Constant rows may have been eliminated beforehand; then they
+/// and their pivot columns are not among these.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Elimination {
     /// Number of rows, which is the number of pivots.
@@ -98,8 +98,8 @@ pub struct Elimination {
     pub blocks: Vec<Block>,
     /// For each row, the number of its shift in the template. No step reads it; people do.
     pub row_shifts: Vec<usize>,
-    /// For each pivot, the number of its column in the template: excess columns first, then reducible ones. No step
-    /// reads it; people do.
+    /// For each pivot, the number of its column in the template: excess columns first, then
+    /// reducible ones. No step reads it; people do.
     pub pivot_columns: Vec<usize>,
 }
 
@@ -130,12 +130,13 @@ pub enum KnownMonomial {
     Read(u16),
 }
 
-/// How an unknown x is read from pairs of monomials (m_k, s m_k): by the least-squares ratio of their values,
+/// How an unknown x is read from pairs of monomials (m_k, s m_k): by the least-squares ratio of
+/// their values,
 ///
 /// s = sum of conj(m_k) (s m_k) / sum of |m_k|^2
 ///
-/// The monomial s is x where no signs can be changed. Otherwise it is x^2, or x times unknowns that are square roots or
-/// their reciprocals.
+/// The monomial s is x where no signs can be changed. Otherwise it is x^2, or x times unknowns that
+/// are square roots or their reciprocals.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Extraction {
     /// The unknown.
@@ -176,7 +177,8 @@ pub struct PlannedRecovery {
     pub terms: Vec<Term>,
 }
 
-/// Floating-point operations of one solve. An addition, a multiplication and a division count as one each.
+/// Floating-point operations of one solve. An addition, a multiplication and a division count as
+/// one each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OperationCount {
     /// Operations of the straight-line program.
@@ -207,7 +209,8 @@ pub struct Plan {
     pub unknowns: Vec<String>,
     /// The number of different complex solutions of a generic instance.
     pub solutions: usize,
-    /// Whether the origin, all unknowns 0, is one of them. It is known, and no template need give it.
+    /// Whether the origin, all unknowns 0, is one of them. It is known, and no template need give
+    /// it.
     pub has_origin: bool,
     /// From the data to the coefficients.
     pub program: Program,
@@ -223,7 +226,8 @@ pub struct Plan {
     pub roots: RootMethod,
     /// How the unknowns that presolve kept follow from an eigenpair; square roots come first.
     pub extractions: Vec<Extraction>,
-    /// Changes of signs that map solutions to solutions with the same eigenpair: for each, the unknowns that it changes.
+    /// Changes of signs that map solutions to solutions with the same eigenpair: for each, the
+    /// unknowns that it changes.
     pub flips: Vec<Vec<bool>>,
     /// How the unknowns that presolve eliminated follow, in this order.
     pub recoveries: Vec<PlannedRecovery>,
@@ -233,7 +237,8 @@ pub struct Plan {
     pub nonzero: Vec<Vec<Term>>,
 }
 
-/// Larger blocks than this are eliminated by code that is not compiled for their size: it is as fast.
+/// Larger blocks than this are eliminated by code that is not compiled for their size: it is as
+/// fast.
 const LARGE_BLOCK: usize = 24;
 
 impl Block {

@@ -25,7 +25,8 @@ pub enum Operation {
     Divide(ValueId, ValueId),
     /// -a
     Negate(ValueId),
-    /// A coefficient of one of [`Program::product_sums`]. All coefficients of a sum follow one another, in order.
+    /// A coefficient of one of [`Program::product_sums`]. All coefficients of a sum follow one
+    /// another, in order.
     Coefficient {
         /// Which sum.
         sum: u32,
@@ -46,8 +47,8 @@ impl Operation {
 pub enum ProgramForm {
     /// A statement for each step.
     Statements,
-    /// A table that the run-time library executes. The constants come first, then the inputs; a run of steps of the same operation is read
-    /// by later runs only.
+    /// A table that the run-time library executes. The constants come first, then the inputs; a run
+    /// of steps of the same operation is read by later runs only.
     Table,
 }
 
@@ -76,7 +77,8 @@ impl Program {
         scalars.into_iter().flatten().chain(sum.into_iter().flat_map(ProductSum::operands))
     }
 
-    /// The values whose values one value is computed from: of a coefficient, the factors of its own products only.
+    /// The values whose values one value is computed from: of a coefficient, the factors of its own
+    /// products only.
     pub fn read_by(&self, operation: Operation) -> Vec<ValueId> {
         match operation {
             Operation::Coefficient { sum, at } => {
@@ -121,7 +123,8 @@ impl Program {
         self.operations.iter().filter(scalar).count() + sums
     }
 
-    /// Whether every value is written before it is read, every sum is there and in one piece, and no input lies beyond `inputs`.
+    /// Whether every value is written before it is read, every sum is there and in one piece, and
+    /// no input lies beyond `inputs`.
     pub(crate) fn is_ordered(&self, inputs: usize) -> bool {
         self.operations.iter().enumerate().all(|(position, &operation)| match operation {
             Operation::Input(input) => (input as usize) < inputs,

@@ -57,7 +57,8 @@ pub struct ProgramTable {
     pub products: Vec<ProductEntry>,
     /// Polynomials: the positions in values of their coefficients. Equal ones are listed once.
     pub factors: Vec<Vec<u32>>,
-    /// The coefficients of a sum that the products of two factors' coefficients are added to. Equal ones are listed once.
+    /// The coefficients of a sum that the products of two factors' coefficients are added to. Equal
+    /// ones are listed once.
     pub places: Vec<Vec<u32>>,
     /// Where the coefficients are.
     pub results: Vec<u32>,
@@ -173,8 +174,8 @@ fn is_step(program: &Program, id: ValueId) -> bool {
     program.operations.get(id.0 as usize).is_some_and(|operation| operation.is_step())
 }
 
-/// What a step does; `None` for values that are no steps, and for all but the first coefficient of a sum of products,
-/// which are computed with it.
+/// What a step does; `None` for values that are no steps, and for all but the first coefficient of
+/// a sum of products, which are computed with it.
 fn kind(operation: Operation) -> Option<StepKind> {
     Some(match operation {
         Operation::Constant(_) | Operation::Input(_) | Operation::Coefficient { at: 1.., .. } => return None,

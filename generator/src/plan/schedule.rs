@@ -25,7 +25,8 @@ pub enum ScheduleError {
     /// The square part of the template is singular for every instance.
     #[error("the template is structurally singular")]
     Singular,
-    /// An unknown is no ratio of monomials in the basis, its image, and the other reducible columns.
+    /// An unknown is no ratio of monomials in the basis, its image, and the other reducible
+    /// columns.
     #[error("the unknown `{0}` cannot be read from the template's monomials")]
     Unreadable(String),
     /// More coefficients, rows or basis monomials than the tables can index.
@@ -36,7 +37,8 @@ pub enum ScheduleError {
     Plan(#[from] PlanError),
 }
 
-/// Plans the solver of `problem` from a template for its presolved form. `solutions` is the number of complex solutions.
+/// Plans the solver of `problem` from a template for its presolved form. `solutions` is the number
+/// of complex solutions.
 ///
 /// Constant rows are eliminated here where the plan then has fewer operations.
 pub fn schedule(
@@ -231,8 +233,8 @@ fn plan_elimination(
     Ok((elimination, pivots))
 }
 
-/// Reorders the columns of each block so that those which something else reads come last; returns their number for each block. `is_read` says
-/// which are read after the elimination.
+/// Reorders the columns of each block so that those which something else reads come last; returns
+/// their number for each block. `is_read` says which are read after the elimination.
 fn needed_last(blocks: &mut [DiagonalBlock], pattern: &[Vec<usize>], mut is_read: Vec<bool>) -> Vec<usize> {
     let mut block_of_column = vec![0; pattern.len()];
     for (at, block) in blocks.iter().enumerate() {
@@ -294,8 +296,9 @@ fn plan_action(
     template.basis.iter().map(|b| row(b).ok_or_else(missing)).collect()
 }
 
-/// All pairs (m, x m) among the basis monomials; where there are none, among basis and image, and then `extra` monomials too.
-/// By the first of the ways to read the unknowns that reads all of them.
+/// All pairs (m, x m) among the basis monomials; where there are none, among basis and image, and
+/// then `extra` monomials too. By the first of the ways to read the unknowns that reads all of
+/// them.
 fn plan_extractions(
     problem: &Problem,
     template: &EliminationTemplate,

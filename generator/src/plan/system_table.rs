@@ -37,7 +37,8 @@ impl SystemTable {
     }
 }
 
-/// All monomials of some polynomials and the products that lead to them, by degree, then exponents. The first is 1.
+/// All monomials of some polynomials and the products that lead to them, by degree, then exponents.
+/// The first is 1.
 fn closed(polynomials: &[Vec<Term>], unknowns: usize) -> Vec<Vec<u8>> {
     let mut monomials: Vec<Vec<u8>> = polynomials.iter().flatten().map(|term| term.exponents.clone()).collect();
     monomials.push(vec![0; unknowns]);
