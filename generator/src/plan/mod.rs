@@ -80,7 +80,7 @@ pub struct Block {
 /// ```text
 ///               pivots of block 0, 1, 2, ..     basis
 ///   block 0  [ D0                          |  right  ]      D: square diagonal blocks
-///   block 1  [ c   D1                      |    ..   ]      c: couplings to pivots of blocks before
+///   block 1  [ c   D1                      |    ..   ]      c: couplings to earlier blocks
 ///   block 2  [ c   c   D2                  |    ..   ]
 /// ```
 ///

@@ -1,5 +1,5 @@
-//! Which values of a straight-line program are statements of the emitted program, and which are
-//! parts of others.
+//! Which values of a straight-line program are statements of the emitted code, and which are parts
+//! of others.
 
 use super::program::{Operation, Program, ValueId};
 
@@ -25,9 +25,9 @@ pub enum Place {
 /// stack. Constants and data need no place.
 ///
 /// ```text
-///   program       v0 = a; v1 = b; v2 = v0 v1; v3 = v2 + v0; v4 = v2 v2; v5 = v3 - v4      coefficients [v5]
-///   places        -       -       slot 0      inline        inline      inline
-///   emitted       v[0] = a * b;  [v[0] + a - v[0] * v[0]]
+///   program    v0 = a;  v1 = b;  v2 = v0 v1;  v3 = v2 + v0;  v4 = v2 v2;  v5 = v3 - v4
+///   places     inline   inline   slot 0       inline         inline       inline
+///   emitted    v[0] = a * b;  [v[0] + a - v[0] * v[0]]       for the coefficients [v5]
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Statements {
