@@ -1,6 +1,7 @@
-//! From the texts of a problem and its template to the source of a solver. No files, no environment.
+//! From a problem and its template to the source of a solver. Files and environment are not
+//! touched.
 
-use crate::algebra::{PRIMES, PrimeField};
+use crate::algebra::{Monomial, PRIMES, PrimeField};
 use crate::emit::{EmitError, Provenance, emit};
 use crate::plan::Plan;
 use crate::plan::interpret::{self, Eliminated};
@@ -10,6 +11,7 @@ use crate::presolve::{ReducedProblem, presolve};
 use crate::problem::Problem;
 use crate::problem::diagnostic::Diagnostics;
 use crate::problem::instance::Instance;
+use crate::template::EliminationTemplate;
 use crate::template::file::{TemplateFile, TemplateFileError};
 use crate::template::verify::{VerifyError, verify};
 
@@ -22,12 +24,12 @@ pub enum GenerateError {
     /// The template file cannot be read.
     #[error("the template file cannot be read: {0}")]
     File(#[from] TemplateFileError),
-    /// The template was found for another problem, or for an earlier text of this one.
+    /// The template was found for another problem, or for an earlier version of this one.
     #[error("the template belongs to {found}, not to the problem `{problem}` as it is now")]
     Stale {
         /// The problem.
         problem: String,
-        /// What the template says it is for.
+        /// The problem that the template file names.
         found: String,
     },
     /// The template does not hold on a random instance.
@@ -36,9 +38,9 @@ pub enum GenerateError {
     /// The template gives another number of solutions than its file says.
     #[error("the template file says {file} solutions, the template gives {found}")]
     Solutions {
-        /// What the file says.
+        /// The number in the file.
         file: usize,
-        /// What the template gives.
+        /// The number that the template gives.
         found: SolutionBounds,
     },
     /// The template does not fit the problem.
@@ -56,17 +58,18 @@ pub enum GenerateError {
 }
 
 impl GenerateError {
-    /// Whether a new search would mend it.
+    /// Whether a new search for a template would mend the error.
     pub fn is_stale_template(&self) -> bool {
         use GenerateError::{File, Schedule, Solutions, Stale, Verify};
         matches!(self, File(_) | Stale { .. } | Verify(_) | Solutions { .. } | Schedule(_))
     }
 }
 
-/// The prime and the seeds at which templates are verified: not those of the search. The first instance proves the
-/// template. The others are asked only if the first has another number of solutions than the file says: data from
-/// few values (`#[integer]`) may be special in one draw.
+/// The prime at which templates are verified; the search uses another one.
 const VERIFY_FIELD: PrimeField = PrimeField::new(PRIMES[2]);
+/// The seeds of the instances, which the search does not use either. The template must hold on the
+/// first. The others are drawn only if the first gives another number of solutions than the file
+/// says: data from few values (`#[integer]`) may be special in one draw.
 const VERIFY_SEEDS: [u64; 3] = [0x5eed, 0x5eee, 0x5eef];
 
 /// A problem with the plan of its solver.
@@ -78,8 +81,10 @@ pub struct Planned {
     pub plan: Plan,
 }
 
-/// Verifies a template over Z_p and plans its solver. The interpreted plan gives the verified action matrix exactly, and
-/// this as many solutions as the file says.
+/// Verifies a template over Z_p and plans its solver.
+///
+/// The interpreted plan then gives the verified action matrix exactly, and this has as many
+/// solutions as the file says.
 ///
 /// # Errors
 /// See [`GenerateError`].
@@ -111,7 +116,8 @@ pub fn plan(problem: &Problem, file: &TemplateFile) -> Result<Planned, GenerateE
     Ok(Planned { reduced, plan })
 }
 
-/// The coefficients of an instance, and what the elimination leaves.
+/// The coefficients of an instance, and what the elimination leaves; `None` where a divisor or a
+/// block is singular.
 fn interpreted(plan: &Plan, instance: &Instance) -> Option<(Vec<u32>, Eliminated<u32>)> {
     let coefficients = interpret::coefficients(plan, instance.field, &instance.inputs)?;
     let eliminated = interpret::eliminate(plan, instance.field, &coefficients)?;
@@ -126,38 +132,15 @@ pub fn generate(problem: &Problem, file: &TemplateFile) -> Result<String, Genera
 
 /// The header of the emitted module: sizes, counts, and where every row comes from.
 fn provenance(problem: &Problem, file: &TemplateFile, plan: &Plan) -> Provenance {
-    let t = &file.template;
-    let operations = plan.operations();
-    let largest = plan.elimination.blocks.iter().map(|block| block.size).max().unwrap_or(0);
-    let show = |m: &crate::algebra::Monomial| format!("`{}`", m.display(&problem.unknowns));
-    let list = |monomials: &[crate::algebra::Monomial]| monomials.iter().map(show).collect::<Vec<_>>().join(", ");
     let mut lines = vec![
         format!("Solver of the problem `{}`: {} complex solutions.", problem.name, plan.solutions),
         String::new(),
         format!("- generator: eliminant-generator {}", env!("CARGO_PKG_VERSION")),
         format!("- problem: fingerprint {:016x}", file.fingerprint),
-        format!(
-            "- template: {} x {} ({} excess, {} reducible, {} basis columns)",
-            t.rows(),
-            t.columns(),
-            t.excess.len(),
-            t.reducible.len(),
-            t.basis.len(),
-        ),
-        format!(
-            "- at run time: {} x {} ({} constant rows are eliminated beforehand), {} diagonal blocks, the largest of size {largest}",
-            plan.elimination.rows,
-            plan.elimination.columns(),
-            t.rows() - plan.elimination.rows,
-            plan.elimination.blocks.len()
-        ),
-        format!(
-            "- operations: {} for coefficients, {} for the elimination, about {} for the roots",
-            operations.coefficients, operations.elimination, operations.roots
-        ),
-        format!("- action monomial: {}", show(&t.action)),
-        format!("- basis: {}", list(&t.basis)),
     ];
+    lines.extend(sizes(&file.template, plan));
+    lines.push(format!("- action monomial: {}", listed(&[file.template.action], &problem.unknowns)));
+    lines.push(format!("- basis: {}", listed(&file.template.basis, &problem.unknowns)));
     if plan.has_origin {
         lines.push("- all unknowns 0 is a solution, whatever the data, and is returned without an eigenvalue".into());
     }
@@ -165,12 +148,42 @@ fn provenance(problem: &Problem, file: &TemplateFile, plan: &Plan) -> Provenance
         let names: Vec<_> = plan.recoveries.iter().map(|r| format!("`{}`", problem.unknowns[r.unknown])).collect();
         lines.push(format!("- eliminated beforehand and recovered afterwards: {}", names.join(", ")));
     }
-    lines.push(String::new());
-    lines.push("Rows: multiples of the equations, numbered after that elimination.".into());
-    lines.push(String::new());
-    for group in t.shifts.chunk_by(|a, b| a.equation == b.equation) {
+    lines.extend(["", "Rows: multiples of the equations, numbered after that elimination.", ""].map(String::from));
+    for group in file.template.shifts.chunk_by(|a, b| a.equation == b.equation) {
         let multipliers: Vec<_> = group.iter().map(|shift| shift.multiplier).collect();
-        lines.push(format!("- equation {}: {}", group[0].equation + 1, list(&multipliers)));
+        lines.push(format!("- equation {}: {}", group[0].equation + 1, listed(&multipliers, &problem.unknowns)));
     }
     Provenance { lines }
+}
+
+/// Sizes of the template as it is written and as it is eliminated, and operations of one solve.
+fn sizes(template: &EliminationTemplate, plan: &Plan) -> [String; 3] {
+    let (e, operations) = (&plan.elimination, plan.operations());
+    let largest = e.blocks.iter().map(|block| block.size).max().unwrap_or(0);
+    [
+        format!(
+            "- template: {} x {} ({} excess, {} reducible, {} basis columns)",
+            template.rows(),
+            template.columns(),
+            template.excess.len(),
+            template.reducible.len(),
+            template.basis.len(),
+        ),
+        format!(
+            "- at run time: {} x {} ({} constant rows are eliminated beforehand), {} diagonal blocks, the largest of size {largest}",
+            e.rows,
+            e.columns(),
+            template.rows() - e.rows,
+            e.blocks.len()
+        ),
+        format!(
+            "- operations: {} for coefficients, {} for the elimination, about {} for the roots",
+            operations.coefficients, operations.elimination, operations.roots
+        ),
+    ]
+}
+
+/// Monomials as code, separated by commas.
+fn listed(monomials: &[Monomial], unknowns: &[String]) -> String {
+    monomials.iter().map(|m| format!("`{}`", m.display(unknowns))).collect::<Vec<_>>().join(", ")
 }
