@@ -168,9 +168,6 @@ impl<'a, B: Size> SharedValue<'a, B> {
     }
 }
 
-/// What is done with a source of eigenpairs and an eigenvalue that it lists.
-type SolveEigenpair<'a, B> = &'a mut dyn FnMut(&dyn EigenpairSource<B>, Complex<f64>);
-
 /// Combinations V u of the solutions with a shared value: for an eigenvalue of the combined A_x its eigenvector u, or
 /// u = 1, w, w^2, ..
 struct Combinations<'a, B: Size> {
