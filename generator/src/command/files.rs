@@ -82,8 +82,8 @@ impl Loaded {
     }
 }
 
-/// Writes all of a file or nothing: if it fails, an old file is untouched. Folders and devices are not
-/// replaced.
+/// Writes all of a file or nothing: if it fails, an old file is untouched. Folders and devices are
+/// not replaced.
 pub(super) fn write(path: &Path, content: &str) -> Result<(), CommandError> {
     let fail = |source: io::Error| CommandError::Write { path: path.to_owned(), source };
     if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {

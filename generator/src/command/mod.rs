@@ -70,7 +70,7 @@ impl Command {
     }
 }
 
-/// The exit status where the problem, its template or a file is at fault.
+/// The exit status if the problem, its template or a file is at fault.
 pub const AT_FAULT: u8 = 1;
 /// The exit status of a wrong command line.
 pub const USAGE: u8 = 2;

@@ -56,8 +56,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         _ => CommandError::Write { path: path.clone(), source },
     })?;
     file.write_all(starter(&arguments.name).as_bytes()).map_err(|source| {
-        // No file is better than half a file. If it cannot be removed either, the first error is still
-        // the one to report.
+        // No file is better than half a file. If it cannot be removed either, the first error is
+        // still the one to report.
         let _ = fs::remove_file(&path);
         CommandError::Write { path: path.clone(), source }
     })?;

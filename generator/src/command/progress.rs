@@ -1,4 +1,4 @@
-//! Progress of long work, on standard error and only where that is a terminal.
+//! Progress of long work, on standard error and only if that is a terminal.
 
 use std::time::Duration;
 

@@ -134,8 +134,8 @@ impl CheckedFile {
         self.differences.push(format!("differs: {difference}"));
     }
 
-    /// Compares the provenance. Values are compared only if the templates are the same, because they
-    /// follow from the template.
+    /// Compares the provenance. Values are compared only if the templates are the same, because
+    /// they follow from the template.
     fn compare_keys(&mut self, committed: &TemplateFile, found: &TemplateFile) {
         for (key, value) in &found.provenance {
             match value_of(&committed.provenance, key) {

@@ -14,20 +14,20 @@ use crate::plan::Plan;
 use crate::problem::instance::draw_inputs;
 use interpreted::InterpretedSolver;
 
-/// What many instances gave.
+/// What a solver does on many instances.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stability {
     /// log10 of the relative residual of every solution found, to three decimals, increasing.
     pub residuals_log10: Vec<f64>,
-    /// Instances drawn.
+    /// Number of instances.
     pub trials: usize,
-    /// Different complex solutions found, over all instances.
+    /// Number of different complex solutions found, over all instances.
     pub found: usize,
-    /// Solutions there are: trials times the number of solutions of the problem.
+    /// Number of solutions there are: trials times the number of solutions of the problem.
     pub expected: usize,
-    /// Instances with fewer solutions than the problem has.
+    /// Number of instances with fewer solutions than the problem has.
     pub incomplete: usize,
-    /// Instances on which the elimination or the eigenvalue iteration failed.
+    /// Number of instances on which the solver returned an error.
     pub failures: usize,
     /// Instances on which the first attempt failed or lacked a solution. What the second one found
     /// is in the others.
@@ -35,13 +35,13 @@ pub struct Stability {
 }
 
 impl Stability {
-    /// The q-quantile of the log10 relative residuals; `None` where nothing was found.
+    /// The q-quantile of the log10 relative residuals; `None` if nothing was found.
     pub fn quantile(&self, q: f64) -> Option<f64> {
         let last = self.residuals_log10.len().checked_sub(1)?;
         self.residuals_log10.get((q * last as f64).round() as usize).copied()
     }
 
-    /// Adds what other instances gave.
+    /// Adds the figures of other instances.
     pub fn join(&mut self, other: Self) {
         self.trials += other.trials;
         self.found += other.found;
@@ -93,7 +93,7 @@ pub fn measure(plan: &Plan, instances: Range<usize>, seed: u64, each: &(dyn Fn()
     stability
 }
 
-/// What one instance gave.
+/// What the solver does on one instance.
 struct Solved {
     /// The relative residuals of all complex solutions; `None` if the solver returned an error.
     residuals: Option<Vec<f64>>,
