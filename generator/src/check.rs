@@ -153,7 +153,7 @@ fn count_different(basis: &GroebnerBasis, unknowns: usize, seed: u64) -> Option<
 /// As [`saturate`].
 pub fn ideal(instance: &Instance, unknowns: usize) -> Result<GroebnerBasis, GroebnerError> {
     let limits = Limits { max_quotient_dimension: MAX_SOLUTIONS, ..Limits::default() };
-    saturate(instance.field, &instance.equations, &instance.nonzero, unknowns, &MonomialOrder::GrevLex, &limits)
+    saturate(instance.field, (&instance.equations, &instance.nonzero), unknowns, &MonomialOrder::GrevLex, &limits)
 }
 
 /// Sets of unknowns such that finitely many solutions, at least one, are left where none of the set

@@ -227,7 +227,7 @@ fn plan_elimination(
     };
     for (block, needed) in diagonal.iter().zip(needed) {
         let first = elimination.blocks.last().map_or(0, |last: &Block| last.first + last.size);
-        let planned = plan_block(block, first, rows, &pivot_of_column, coefficients, &mut elimination.right);
+        let planned = plan_block(block, first, (rows, &pivot_of_column), coefficients, &mut elimination.right);
         elimination.blocks.push(Block { needed, ..planned });
     }
     let reducible = template.reducible.iter().zip(&pivot_of_column[excess..]);
@@ -258,11 +258,12 @@ fn needed_last(blocks: &mut [DiagonalBlock], pattern: &[Vec<usize>], mut is_read
         .collect()
 }
 
+/// The tables of one block, whose first pivot is `first`; its entries in basis columns are added to
+/// `right`.
 fn plan_block(
     block: &DiagonalBlock,
     first: usize,
-    rows: &[Row],
-    pivot_of_column: &[usize],
+    (rows, pivot_of_column): (&[Row], &[usize]),
     coefficients: &mut Coefficients,
     right: &mut Vec<Entry>,
 ) -> Block {
