@@ -4,7 +4,7 @@ use crate::number::Scalar;
 use crate::size::{Size, Vector};
 use crate::solver_instance::{BasisVector, Point, SolverInstance};
 
-/// The unknowns from an eigenpair; `None` if they cannot be read.
+/// Reads the unknowns off an eigenpair; `None` if they cannot be read.
 #[inline]
 pub(crate) fn unknowns<S: Scalar, I: SolverInstance>(
     solver: &I,
@@ -33,13 +33,13 @@ pub(crate) fn unknowns<S: Scalar, I: SolverInstance>(
 ///
 /// x = sum over k of conj(v\[m_k\]) v\[x m_k\] / sum over k of |v\[m_k\]|^2
 ///
-/// `values` is an eigenvector v of the action matrix: the values of the basis monomials at a solution, up to a common
-/// factor. `pairs` lists the positions (m_k, x m_k) of monomials that differ by the factor x; all of them are used,
-/// weighted by their size.
+/// `values` are the values of monomials at a solution, up to a common factor. `pairs` lists the
+/// positions (m_k, x m_k) of monomials that differ by the factor x. All pairs are used, weighted by
+/// their size.
 ///
-/// `None` if all |v\[m_k\]| vanish, the result is not finite, or a position is out of range. Whether the v\[m_k\] are
-/// more than rounding errors of v does not show in their size, which depends on the units of the unknowns; it shows in
-/// the residual.
+/// `None` if all |v\[m_k\]| vanish, the result is not finite, or a position is out of range.
+/// Whether the v\[m_k\] exceed the rounding errors of v does not show in their size, which depends
+/// on the units of the unknowns. It shows in the residual.
 #[inline]
 #[must_use]
 pub fn ratio<S: Scalar>(values: &[S], pairs: &[(u16, u16)]) -> Option<S> {
@@ -54,7 +54,7 @@ pub fn ratio<S: Scalar>(values: &[S], pairs: &[(u16, u16)]) -> Option<S> {
     (denominator > 0.0 && quotient.is_finite()).then_some(quotient)
 }
 
-/// The values of monomials from an eigenpair (a, v), as many as `count`:
+/// The first `count` of these values of monomials, from an eigenpair (a, v):
 ///
 /// ```text
 ///   [ v | a v (if `has_image`) | R v ]      R: the rows of `read`

@@ -1,6 +1,7 @@
 //! Eigenpairs at twice the precision, for the second attempt of all solvers.
 //!
-//! What runs rarely should be small: the code is compiled for a few sizes of arrays and not for each |B|.
+//! Code that runs rarely should be small: it is compiled for a few sizes of arrays and not for each
+//! |B|.
 
 use num_complex::Complex;
 
@@ -10,7 +11,8 @@ use crate::number::double_double::{DoubleComplex, DoubleDouble};
 use crate::size::AtMost;
 use crate::spectrum::hessenberg::Hessenberg;
 
-/// The spectrum of a matrix; its eigenvectors in the usual precision, which is enough for what is read off them.
+/// The spectrum of a matrix. Its eigenvectors are returned in the usual precision, which suffices
+/// to read off unknowns.
 pub(crate) struct PreciseSpectrum<'a> {
     pub(crate) eigenvalues: &'a [Complex<f64>],
     eigenvectors: &'a dyn Eigenvectors,
@@ -36,15 +38,16 @@ impl<const C: usize> Eigenvectors for Hessenberg<AtMost<C>, DoubleDouble> {
     }
 }
 
-/// The rows of a matrix, wherever they are kept: the code below is compiled once, and not for each solver.
+/// The rows of a matrix, wherever they are kept: the code below is compiled once, and not for each
+/// solver.
 pub(crate) type Row<'a> = &'a dyn Fn(usize) -> &'a [DoubleDouble];
 
-/// Calls `with` for the spectrum of the square matrix with these rows. Its stack is that of the next larger of
-/// the sizes listed below.
+/// Calls `with` for the spectrum of the square matrix with these rows. It takes the stack of the
+/// next larger of the sizes listed below.
 ///
 /// # Errors
-/// As [`Hessenberg::reduce`] and [`Hessenberg::eigenvalues`]; [`SolveError::TooLarge`] beyond 256 rows, for which
-/// no memory is set aside.
+/// As [`Hessenberg::reduce`] and [`Hessenberg::eigenvalues`]; [`SolveError::TooLarge`] beyond 256
+/// rows, for which no memory is reserved.
 pub(crate) fn with_precise_spectrum(
     order: usize,
     row: Row<'_>,
@@ -63,7 +66,7 @@ pub(crate) fn with_precise_spectrum(
     }
 }
 
-/// A function of its own, so that only the size that is called takes its memory from the stack.
+/// A function of its own, so that only the size in use takes its memory from the stack.
 #[inline(never)]
 fn at_capacity<const C: usize>(
     order: usize,

@@ -55,7 +55,8 @@ fn eigenpairs<Z: Size, R: Real, C: Over<R>>(size: Z, entries: &[f64]) -> Result<
     Ok(bits)
 }
 
-/// What only the first attempt computes: the characteristic polynomial, its real roots, invariant subspaces.
+/// What only the first attempt computes: the characteristic polynomial, its real roots, invariant
+/// subspaces.
 fn first_attempt_alone<Z: Size>(size: Z, entries: &[f64]) -> Result<Bits, SolveError> {
     let (form, mut bits) = (reduced::<Z, f64>(size, entries)?, Bits::default());
     let polynomial = form.characteristic_polynomial();
@@ -79,7 +80,8 @@ fn compare<const N: usize>(entries: &[f64]) {
     assert_eq!(first_attempt_alone(Fixed::<N>, entries), first_attempt_alone(Dynamic(N), entries));
 }
 
-/// Entries of which many are 0 or 1, so that clusters and deflations are likely, and some far from 1.
+/// Entries of which many are 0 or 1, so that clusters and deflations are likely, and some far from
+/// 1.
 fn entry() -> impl Strategy<Value = f64> {
     prop_oneof![
         3 => (-1..2_i32).prop_map(f64::from),
