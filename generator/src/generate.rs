@@ -121,56 +121,5 @@ fn interpreted(plan: &Plan, instance: &Instance) -> Option<(Vec<u32>, Eliminated
 /// The source of the solver of `problem` by the template in `file`.
 pub fn generate(problem: &Problem, file: &TemplateFile) -> Result<String, GenerateError> {
     let planned = plan(problem, file)?;
-    Ok(emit(&planned.plan, &provenance(problem, file, &planned.plan))?)
-}
-
-/// The header of the emitted module: sizes, counts, and where every row comes from.
-fn provenance(problem: &Problem, file: &TemplateFile, plan: &Plan) -> Provenance {
-    let t = &file.template;
-    let operations = plan.operations();
-    let largest = plan.elimination.blocks.iter().map(|block| block.size).max().unwrap_or(0);
-    let show = |m: &crate::algebra::Monomial| format!("`{}`", m.display(&problem.unknowns));
-    let list = |monomials: &[crate::algebra::Monomial]| monomials.iter().map(show).collect::<Vec<_>>().join(", ");
-    let mut lines = vec![
-        format!("Solver of the problem `{}`: {} complex solutions.", problem.name, plan.solutions),
-        String::new(),
-        format!("- generator: eliminant-generator {}", env!("CARGO_PKG_VERSION")),
-        format!("- problem: fingerprint {:016x}", file.fingerprint),
-        format!(
-            "- template: {} x {} ({} excess, {} reducible, {} basis columns)",
-            t.rows(),
-            t.columns(),
-            t.excess.len(),
-            t.reducible.len(),
-            t.basis.len(),
-        ),
-        format!(
-            "- at run time: {} x {} ({} constant rows are eliminated beforehand), {} diagonal blocks, the largest of size {largest}",
-            plan.elimination.rows,
-            plan.elimination.columns(),
-            t.rows() - plan.elimination.rows,
-            plan.elimination.blocks.len()
-        ),
-        format!(
-            "- operations: {} for coefficients, {} for the elimination, about {} for the roots",
-            operations.coefficients, operations.elimination, operations.roots
-        ),
-        format!("- action monomial: {}", show(&t.action)),
-        format!("- basis: {}", list(&t.basis)),
-    ];
-    if plan.has_origin {
-        lines.push("- all unknowns 0 is a solution, whatever the data, and is returned without an eigenvalue".into());
-    }
-    if !plan.recoveries.is_empty() {
-        let names: Vec<_> = plan.recoveries.iter().map(|r| format!("`{}`", problem.unknowns[r.unknown])).collect();
-        lines.push(format!("- eliminated beforehand and recovered afterwards: {}", names.join(", ")));
-    }
-    lines.push(String::new());
-    lines.push("Rows: multiples of the equations, numbered after that elimination.".into());
-    lines.push(String::new());
-    for group in t.shifts.chunk_by(|a, b| a.equation == b.equation) {
-        let multipliers: Vec<_> = group.iter().map(|shift| shift.multiplier).collect();
-        lines.push(format!("- equation {}: {}", group[0].equation + 1, list(&multipliers)));
-    }
-    Provenance { lines }
+    Ok(emit(&planned.plan, &Provenance::of(problem, file, &planned.reduced, &planned.plan))?)
 }
