@@ -1,14 +1,16 @@
-//! From the texts of a problem and its template to the source of a solver. No files, no environment.
+//! From a problem and its template to the source of a solver. Files and environment are not
+//! touched.
 
 use crate::algebra::{PRIMES, PrimeField};
-use crate::diagnostic::Diagnostics;
 use crate::emit::{EmitError, Provenance, emit};
-use crate::instance::Instance;
-use crate::interpret;
 use crate::plan::Plan;
+use crate::plan::interpret::{self, Eliminated};
+use crate::plan::schedule::{ScheduleError, schedule};
+use crate::plan::solution_count::{SolutionBounds, count_solutions};
 use crate::presolve::{ReducedProblem, presolve};
 use crate::problem::Problem;
-use crate::schedule::{ScheduleError, schedule};
+use crate::problem::diagnostic::Diagnostics;
+use crate::problem::instance::Instance;
 use crate::template::file::{TemplateFile, TemplateFileError};
 use crate::template::verify::{VerifyError, verify};
 
@@ -21,17 +23,25 @@ pub enum GenerateError {
     /// The template file cannot be read.
     #[error("the template file cannot be read: {0}")]
     File(#[from] TemplateFileError),
-    /// The template was found for another problem, or for an earlier text of this one.
+    /// The template was found for another problem, or for an earlier version of this one.
     #[error("the template belongs to {found}, not to the problem `{problem}` as it is now")]
     Stale {
         /// The problem.
         problem: String,
-        /// What the template says it is for.
+        /// The problem that the template file names.
         found: String,
     },
     /// The template does not hold on a random instance.
     #[error("the template does not hold for the problem: {0}")]
     Verify(#[from] VerifyError),
+    /// The template gives another number of solutions than its file says.
+    #[error("the template file says {file} solutions, the template gives {found}")]
+    Solutions {
+        /// The number in the file.
+        file: usize,
+        /// The number that the template gives.
+        found: SolutionBounds,
+    },
     /// The template does not fit the problem.
     #[error(transparent)]
     Schedule(#[from] ScheduleError),
@@ -47,15 +57,19 @@ pub enum GenerateError {
 }
 
 impl GenerateError {
-    /// Whether a new search would mend it.
+    /// Whether a new search for a template would mend the error.
     pub fn is_stale_template(&self) -> bool {
-        matches!(self, Self::File(_) | Self::Stale { .. } | Self::Verify(_) | Self::Schedule(_))
+        use GenerateError::{File, Schedule, Solutions, Stale, Verify};
+        matches!(self, File(_) | Stale { .. } | Verify(_) | Solutions { .. } | Schedule(_))
     }
 }
 
-/// The prime and seed at which templates are verified: not those of the search.
+/// The prime at which templates are verified; the search uses another one.
 const VERIFY_FIELD: PrimeField = PrimeField::new(PRIMES[2]);
-const VERIFY_SEED: u64 = 0x5eed;
+/// The seeds of the instances, which the search does not use either. The template must hold on the
+/// first. The others are drawn only if the first gives another number of solutions than the file
+/// says: data from few values (`#[integer]`) may be special in one draw.
+const VERIFY_SEEDS: [u64; 3] = [0x5eed, 0x5eee, 0x5eef];
 
 /// A problem with the plan of its solver.
 #[derive(Clone, Debug)]
@@ -66,7 +80,13 @@ pub struct Planned {
     pub plan: Plan,
 }
 
-/// Verifies a template over Z_p and plans its solver; the interpreted plan gives the verified action matrix exactly.
+/// Verifies a template over Z_p and plans its solver.
+///
+/// The interpreted plan then gives the verified action matrix exactly, and this has as many
+/// solutions as the file says.
+///
+/// # Errors
+/// See [`GenerateError`].
 pub fn plan(problem: &Problem, file: &TemplateFile) -> Result<Planned, GenerateError> {
     if file.problem != problem.name || file.fingerprint != problem.fingerprint() {
         let found = match file.problem == problem.name {
@@ -76,71 +96,35 @@ pub fn plan(problem: &Problem, file: &TemplateFile) -> Result<Planned, GenerateE
         return Err(GenerateError::Stale { problem: problem.name.clone(), found });
     }
     let reduced = presolve(problem, file.presolve);
-    let instance = Instance::draw(&reduced.problem, VERIFY_FIELD, VERIFY_SEED).ok_or(GenerateError::NoInstance)?;
+    let draw = |seed: u64| Instance::draw(&reduced.problem, VERIFY_FIELD, seed);
+    let instance = draw(VERIFY_SEEDS[0]).ok_or(GenerateError::NoInstance)?;
     let action = verify(&file.template, VERIFY_FIELD, &instance.equations)?;
     let plan = schedule(problem, &reduced, &file.template, file.solutions, file.roots)?;
-    let interpreted = interpret::coefficients(&plan, VERIFY_FIELD, &instance.inputs)
-        .and_then(|coefficients| interpret::eliminate(&plan, VERIFY_FIELD, &coefficients))
-        .ok_or(GenerateError::PlanDiffers)?;
-    if !interpreted.action.iter().enumerate().all(|(row, values)| values.as_slice() == action.row(row)) {
+    let (coefficients, eliminated) = interpreted(&plan, &instance).ok_or(GenerateError::PlanDiffers)?;
+    if !eliminated.action.iter().enumerate().all(|(row, values)| values.as_slice() == action.row(row)) {
         return Err(GenerateError::PlanDiffers);
     }
+    let count = |(coefficients, eliminated): (Vec<u32>, Eliminated<u32>)| {
+        count_solutions(&plan, &file.template.action, VERIFY_FIELD, &coefficients, &eliminated)
+    };
+    let found = count((coefficients, eliminated));
+    let mut others = VERIFY_SEEDS[1..].iter().filter_map(|&seed| interpreted(&plan, &draw(seed)?).map(count));
+    if !found.allows(file.solutions) && !others.any(|other| other.allows(file.solutions)) {
+        return Err(GenerateError::Solutions { file: file.solutions, found });
+    }
     Ok(Planned { reduced, plan })
+}
+
+/// The coefficients of an instance, and what the elimination leaves; `None` where a divisor or a
+/// block is singular.
+fn interpreted(plan: &Plan, instance: &Instance) -> Option<(Vec<u32>, Eliminated<u32>)> {
+    let coefficients = interpret::coefficients(plan, instance.field, &instance.inputs)?;
+    let eliminated = interpret::eliminate(plan, instance.field, &coefficients)?;
+    Some((coefficients, eliminated))
 }
 
 /// The source of the solver of `problem` by the template in `file`.
 pub fn generate(problem: &Problem, file: &TemplateFile) -> Result<String, GenerateError> {
     let planned = plan(problem, file)?;
-    Ok(emit(&planned.plan, &provenance(problem, file, &planned.plan))?)
-}
-
-/// The header of the emitted module: sizes, counts, and where every row comes from.
-fn provenance(problem: &Problem, file: &TemplateFile, plan: &Plan) -> Provenance {
-    let t = &file.template;
-    let operations = plan.operations();
-    let largest = plan.elimination.blocks.iter().map(|block| block.size).max().unwrap_or(0);
-    let show = |m: &crate::algebra::Monomial| format!("`{}`", m.display(&problem.unknowns));
-    let list = |monomials: &[crate::algebra::Monomial]| monomials.iter().map(show).collect::<Vec<_>>().join(", ");
-    let mut lines = vec![
-        format!("Solver of the problem `{}`: {} complex solutions.", problem.name, plan.solutions),
-        String::new(),
-        format!("- generator: eliminant-generator {}", env!("CARGO_PKG_VERSION")),
-        format!("- problem: fingerprint {:016x}", file.fingerprint),
-        format!(
-            "- template: {} x {} ({} excess, {} reducible, {} basis columns)",
-            t.rows(),
-            t.columns(),
-            t.excess.len(),
-            t.reducible.len(),
-            t.basis.len(),
-        ),
-        format!(
-            "- at run time: {} x {} ({} constant rows are eliminated beforehand), {} diagonal blocks, the largest of size {largest}",
-            plan.elimination.rows,
-            plan.elimination.columns(),
-            t.rows() - plan.elimination.rows,
-            plan.elimination.blocks.len()
-        ),
-        format!(
-            "- operations: {} for coefficients, {} for the elimination, about {} for the roots",
-            operations.coefficients, operations.elimination, operations.roots
-        ),
-        format!("- action monomial: {}", show(&t.action)),
-        format!("- basis: {}", list(&t.basis)),
-    ];
-    if plan.has_origin {
-        lines.push("- all unknowns 0 is a solution, whatever the data, and is returned without an eigenvalue".into());
-    }
-    if !plan.recoveries.is_empty() {
-        let names: Vec<_> = plan.recoveries.iter().map(|r| format!("`{}`", problem.unknowns[r.unknown])).collect();
-        lines.push(format!("- eliminated beforehand and recovered afterwards: {}", names.join(", ")));
-    }
-    lines.push(String::new());
-    lines.push("Rows: multiples of the equations, numbered after that elimination.".into());
-    lines.push(String::new());
-    for group in t.shifts.chunk_by(|a, b| a.equation == b.equation) {
-        let multipliers: Vec<_> = group.iter().map(|shift| shift.multiplier).collect();
-        lines.push(format!("- equation {}: {}", group[0].equation + 1, list(&multipliers)));
-    }
-    Provenance { lines }
+    Ok(emit(&planned.plan, &Provenance::of(problem, file, &planned.reduced, &planned.plan))?)
 }

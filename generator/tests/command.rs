@@ -54,9 +54,12 @@ fn the_origin_takes_no_eigenvalue() {
     let searched = eliminant(&folder, &["search", "through_origin.rs", "--trials", "20"]);
     assert!(stdout(&searched).contains("all unknowns 0 is one of the solutions"), "{}", stdout(&searched));
     let emitted = |problem: &str| stdout(&eliminant(&folder, &["emit", problem]));
-    let said = ["- all unknowns 0 is a solution", "const HAS_ORIGIN: bool = true;"];
+    let said = ["- all unknowns 0 is a solution", "fn has_origin(&self) -> bool {"];
     let source = emitted("through_origin.rs");
-    assert!(said.iter().all(|text| source.contains(text)) && source.contains("Solutions<ThroughOrigin, 4"), "{source}");
+    assert!(
+        said.iter().all(|text| source.contains(text)) && source.contains("const MAX_SOLUTIONS: usize = 4;"),
+        "{source}"
+    );
     let source = emitted("two_conics.rs");
     assert!(!said.iter().any(|text| source.contains(text)), "{source}");
 }
@@ -224,6 +227,100 @@ fn a_failing_search_leaves_the_old_template() {
     assert_eq!(names(&folder), ["two_conics.rs", "two_conics.template.toml"]);
 }
 
+/// A folder with a template that a quick search found, and its text.
+fn quickly_searched(test: &str, options: &[&str]) -> (PathBuf, String) {
+    let folder = two_conics(test);
+    let quick = ["search", "two_conics.rs", "--trials", "20", "--confirm", "1000"];
+    assert_eq!(status(&eliminant(&folder, &[&quick[..], options].concat())), 0);
+    let text = fs::read_to_string(folder.join("two_conics.template.toml")).unwrap();
+    (folder, text)
+}
+
+const CHECK: [&str; 3] = ["search", "--check", "two_conics.rs"];
+
+#[test]
+fn a_search_that_is_repeated_by_its_record_writes_the_same() {
+    let all = ["--prefer", "size", "--seed", "3", "--max-columns", "60", "--max-basis", "4", "--shuffles", "2"];
+    for options in [&[][..], &["--prefer", "stability"], &all] {
+        let (folder, text) = quickly_searched("a_search_that_is_repeated_by_its_record_writes_the_same", options);
+        let checked = eliminant(&folder, &CHECK);
+        assert_eq!(status(&checked), 0, "{options:?}: {}", stdout(&checked));
+        assert!(stdout(&checked).starts_with("two_conics.rs: same\n1 template checked in "), "{}", stdout(&checked));
+        assert_eq!(fs::read_to_string(folder.join("two_conics.template.toml")).unwrap(), text);
+        // The version is recorded, and no reason to search anew.
+        let version = concat!("generator = \"", env!("CARGO_PKG_VERSION"), "\"");
+        assert!(text.contains(version), "{text}");
+        fs::write(folder.join("two_conics.template.toml"), text.replace(version, "generator = \"0.0.0\"")).unwrap();
+        let report = json(&folder, &CHECK);
+        assert_eq!((&report["same"], &report["different"]), (&1.into(), &0.into()), "{report}");
+        assert_eq!(report["files"][0]["found"], report["files"][0]["committed"], "{report}");
+    }
+}
+
+/// What is done to a template file or its problem, and what `--check` must say.
+#[test]
+fn a_template_that_the_search_would_no_longer_write_is_told() {
+    let (folder, text) = quickly_searched("a_template_that_the_search_would_no_longer_write_is_told", &[]);
+    let template = folder.join("two_conics.template.toml");
+    let said = |content: &str| {
+        fs::write(&template, content).unwrap();
+        let checked = eliminant(&folder, &CHECK);
+        assert_eq!(status(&checked), 1, "{}", stdout(&checked));
+        assert!(!stdout(&checked).contains(": same"), "{}", stdout(&checked));
+        assert_eq!(fs::read_to_string(&template).unwrap(), content, "a check writes nothing");
+        stdout(&checked)
+    };
+    let without = |key: &str| {
+        text.lines().filter(|line| !line.starts_with(key)).fold(String::new(), |all, line| all + line + "\n")
+    };
+    for (content, expected) in [
+        (without("trials ="), "lacks key trials"),
+        (without("growth ="), "lacks key growth"),
+        (format!("{text}deletion = \"HighestFirst\"\n"), "holds a key that nothing writes: deletion"),
+        (format!("{text}nothing_within = \"9\"\n"), "holds a key that this search does not write: nothing_within"),
+        (text.replace("seed = \"1\"", "seed = \"x\""), "records no search that can be repeated: invalid value 'x'"),
+        (text.replace("operations = \"", "operations = \"1"), "differs: operations is committed as `1"),
+        (text.replace("# Found by", "# Made by"), "differs: the same template and keys, written in another layout"),
+        (text.replace("fingerprint = \"", "fingerprint = \"1\" # "), "differs: found for another version"),
+        (format!("{text}ended_early = \"budget\"\n"), "ended early (budget)"),
+        ("nothing".to_owned(), "two_conics.template.toml"),
+    ] {
+        assert_ne!(content, text, "{expected}");
+        let report = said(&content);
+        assert!(report.contains(expected), "{expected}: {report}");
+    }
+    // Fewer rows were preferred when this was found.
+    let (_, small) =
+        quickly_searched("a_template_that_the_search_would_no_longer_write_is_told", &["--prefer", "size"]);
+    let size = |text: &str| {
+        let value = |key: &str| text.lines().find_map(|line| line.strip_prefix(key).map(str::to_owned)).unwrap();
+        format!("{}x{}", value("rows = "), value("columns = "))
+    };
+    let report = said(&small.replace("prefer = \"size\"", "prefer = \"speed\""));
+    let expected = format!("two_conics.rs: differs: committed {}, found {}\n", size(&small), size(&text));
+    assert!(size(&small) != size(&text) && report.contains(&expected), "{report}");
+}
+
+#[test]
+fn every_file_is_checked_whatever_the_others_say() {
+    let (folder, text) = quickly_searched("every_file_is_checked_whatever_the_others_say", &[]);
+    fs::write(folder.join("lonely.rs"), "fn lonely(a: f64) -> x { x * x == a; }").unwrap();
+    fs::write(folder.join("wrong.rs"), "fn wrong(a: f64) -> x { x * x = a; }").unwrap();
+    let arguments = ["search", "--check", "missing.rs", "wrong.rs", "two_conics.rs", "lonely.rs"];
+    let checked = eliminant(&folder, &[&arguments[..], &["--json"]].concat());
+    assert_eq!(status(&checked), 1);
+    let report: Value = serde_json::from_str(&stdout(&checked)).unwrap();
+    let same: Vec<bool> = report["files"].as_array().unwrap().iter().map(|file| file["same"] == true).collect();
+    assert_eq!(same, [false, false, true, false], "{report}");
+    assert_eq!((&report["same"], &report["different"]), (&1.into(), &3.into()));
+    for (at, part) in [(0, "no such file"), (1, "wrong.rs:1:"), (3, "no template file `lonely.template.toml`")] {
+        let difference = report["files"][at]["differences"][0].as_str().unwrap();
+        assert!(difference.contains(part), "{difference}");
+    }
+    assert_eq!(fs::read_to_string(folder.join("two_conics.template.toml")).unwrap(), text);
+    assert_eq!(names(&folder), ["lonely.rs", "two_conics.rs", "two_conics.template.toml", "wrong.rs"]);
+}
+
 #[test]
 fn emit_gives_the_same_bytes_again() {
     let folder = searched("emit_gives_the_same_bytes_again");
@@ -335,7 +432,7 @@ fn bad_input_is_named_and_nothing_is_written() {
         (vec!["search", "renamed.rs"], vec!["`renamed.rs`", "`two_conics.rs`"]),
         (vec!["search", "curve.rs"], vec!["curve.rs:1:", "dimension 1"]),
         (vec!["search", "two_conics.rs", "--out", "nowhere/out.toml"], vec!["`nowhere/out.toml`"]),
-        (vec!["search", "two_conics.rs", "--out", "folder.rs"], vec!["`folder.rs`", "no regular file"]),
+        (vec!["search", "two_conics.rs", "--out", "folder.rs"], vec!["`folder.rs`", "not a regular file"]),
         (vec!["emit", "unknown.rs"], vec!["unknown.rs:2:14"]),
         (vec!["emit", "curve.rs"], vec!["`curve.template.toml`", "`eliminant search curve.rs`"]),
         (vec!["emit", "two_conics.rs", "--out", "nowhere/out.rs"], vec!["`nowhere/out.rs`"]),
@@ -401,6 +498,10 @@ fn wrong_usage_is_told_apart() {
         &["search", "two_conics.rs", "--prefer", "beauty"],
         &["search", "two_conics.rs", "--confirm", "0"],
         &["search", "two_conics.rs", "--shuffles", "-1"],
+        &["search"],
+        &["search", "--check"],
+        &["search", "--check", "two_conics.rs", "--seed", "2"],
+        &["search", "two_conics.rs", "--check", "two_conics.rs"],
         &["stability", "two_conics.rs", "--trials", "0"],
         &["stability", "two_conics.rs", "--trials", "1e3"],
         &["stability", "two_conics.rs", "--trials"],

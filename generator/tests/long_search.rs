@@ -9,8 +9,8 @@ use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use eliminant_generator::check::check;
-use eliminant_generator::monitor::{Monitor, Stage, Unmonitored};
 use eliminant_generator::problem::Problem;
+use eliminant_generator::search::monitor::{Monitor, Stage, Unmonitored};
 use eliminant_generator::search::{SearchError, SearchOptions, candidates};
 use support::{TWO_CONICS, eliminant, folder, json, names, status, stderr, stdout, two_conics};
 
@@ -52,6 +52,27 @@ fn four_shards_merged_give_the_bytes_of_one_search() {
 }
 
 #[test]
+fn a_template_of_shards_that_were_cut_short_says_so() {
+    let folder = two_conics("a_template_of_shards_that_were_cut_short_says_so");
+    for shard in ["1/2", "2/2"] {
+        must_search(&folder, &["--shard", shard, "--out", &shard.replace('/', "-of-")]);
+    }
+    let text = fs::read_to_string(folder.join("2-of-2")).unwrap();
+    let cut = text.replace("\"is_cut\": false", "\"is_cut\": true");
+    assert_ne!(cut, text);
+    fs::write(folder.join("2-of-2"), cut).unwrap();
+    let merged = eliminant(&folder, &["search", "two_conics.rs", "--merge", "1-of-2", "2-of-2"]);
+    assert!(stdout(&merged).contains("warning: the end of shards ended the search"), "{}", stdout(&merged));
+    assert!(fs::read_to_string(folder.join(TEMPLATE)).unwrap().ends_with("\nended_early = \"shards\"\n"));
+    let checked = eliminant(&folder, &["search", "--check", "two_conics.rs"]);
+    assert_eq!(status(&checked), 1);
+    // Nothing was left out, so that the rest is the same.
+    let expected =
+        "two_conics.rs: comes of a search that was ended early (shards), which cannot be repeated\n1 template";
+    assert!(stdout(&checked).starts_with(expected), "{}", stdout(&checked));
+}
+
+#[test]
 fn the_number_of_threads_does_not_matter() {
     let folder = two_conics("the_number_of_threads_does_not_matter");
     let written = |threads: &str| {
@@ -85,7 +106,7 @@ fn shards_that_do_not_belong_together_are_refused() {
         (vec!["a.json", "a.json"], vec!["`a.json`", "1/2 again"]),
         (vec!["a.json", "third.json"], vec!["`third.json`", "not of the same search"]),
         (vec!["a.json", "seed.json"], vec!["`seed.json`", "other options"]),
-        (vec!["broken.json"], vec!["`broken.json`", "no file of a shard"]),
+        (vec!["broken.json"], vec!["`broken.json`", "not a file of a shard"]),
         (vec!["a.json", "other.json"], vec!["`other.json`", "another problem"]),
         (vec!["a.json", "false.json"], vec!["`false.json`", "`rows`"]),
         (vec!["a.json", "missing.json"], vec!["`missing.json`", "no such file"]),
@@ -103,8 +124,8 @@ fn shards_that_do_not_belong_together_are_refused() {
 }
 
 #[test]
-fn what_was_tried_in_vain_is_told() {
-    let folder = two_conics("what_was_tried_in_vain_is_told");
+fn the_strategies_of_a_failed_search_are_told() {
+    let folder = two_conics("the_strategies_of_a_failed_search_are_told");
     fs::write(folder.join(TEMPLATE), "old").unwrap();
     let output = search(&folder, &["--max-columns", "7"]);
     assert_eq!(status(&output), 1);
@@ -147,7 +168,7 @@ fn a_budget_that_does_not_bind_changes_nothing() {
     assert_eq!(names(&folder), ["two_conics.rs", TEMPLATE]);
 }
 
-/// Ends the search after so many questions.
+/// A monitor that ends the search after this number of questions.
 struct Impatient(AtomicUsize, usize);
 
 impl Monitor for Impatient {

@@ -1,12 +1,14 @@
 //! Mistakes in problem files: `problem_errors/NAME.rs` holds one mistake (or a few), `NAME.txt` what the user sees.
 
+#![cfg(feature = "search")]
+
 use std::fmt::Write as _;
 use std::path::Path;
 use std::{env, fs};
 
 use eliminant_generator::check;
-use eliminant_generator::diagnostic::Diagnostics;
 use eliminant_generator::problem::Problem;
+use eliminant_generator::problem::diagnostic::Diagnostics;
 
 const UPDATE: &str = "UPDATE_GOLDEN=1 cargo test -p eliminant-generator --test problem_errors";
 

@@ -1,8 +1,9 @@
 //! The equations that problem files stand for, compared over Z_p with formulas written out by hand.
 
+use eliminant_generator::algebra::Random;
 use eliminant_generator::algebra::{PRIMES, PrimeField};
 use eliminant_generator::expression::SymbolicPolynomial;
-use eliminant_generator::instance::{Random, draw_inputs};
+use eliminant_generator::problem::instance::draw_inputs;
 use eliminant_generator::problem::{DataAttribute, Problem};
 
 const FIELD: PrimeField = PrimeField::new(PRIMES[0]);
@@ -248,7 +249,7 @@ fn determinants_of_all_sizes_match_the_vandermonde_product() {
         let rows: Vec<String> = (0..n)
             .map(|i| format!("[{}]", (0..n).map(|j| format!("v[{i}].pow({j})")).collect::<Vec<_>>().join(", ")))
             .collect();
-        let text = format!("fn vandermonde(v: [f64; {n}]) -> x {{ det([{}]) * x == 1; }}", rows.join(", "));
+        let text = format!("fn vandermonde(v: [f64; {n}]) -> x {{ det([{}]) * x == v[0]; }}", rows.join(", "));
         let sample = Sample::new(&text);
         let mut expected = sample.unknown("x");
         for i in 0..n {
@@ -256,7 +257,7 @@ fn determinants_of_all_sizes_match_the_vandermonde_product() {
                 expected = expected * (sample.input("v", i) - sample.input("v", j));
             }
         }
-        assert_eq!(sample.residuals(), [(expected - z(1)).0], "{n}x{n}");
+        assert_eq!(sample.residuals(), [(expected - sample.input("v", 0)).0], "{n}x{n}");
     }
 }
 
@@ -274,6 +275,8 @@ fn attributes_make_relations_hold_identically() {
             let g = f[1] * f[0].t();
             [x, y] * (first * first.t() - identity(3))[0][0] + [x, y] * dot(u, u) == s * [1, 2];
             x * det(second) * (s[0][1] - s[1][0] + 1) - y + det(g) + dot(l[1][0], l[1][1]) != 0;
+            // All else cancels, and data must be read.
+            x + r[0][0][0] + u[0] + f[0][0][0] + l[0][0][0] != 0;
         }",
     );
     let (x, y) = (sample.unknown("x"), sample.unknown("y"));
@@ -309,6 +312,48 @@ fn one_unknown_may_stand_alone() {
         let text = format!("fn root(a: f64) -> {output} {{ x.pow(2) == a; }}");
         assert_eq!(Problem::parse("root.rs", &text).unwrap().unknowns, ["x"]);
     }
+}
+
+/// Arrays of unknowns are the arrays of their elements.
+#[test]
+fn arrays_of_unknowns_have_elements_like_scalars() {
+    let body = "
+        m * v == s * v + offset;
+        gradient(dot(v, v) + m[1][0] * s, v) == m * offset;
+        for row in m { dot(row, v) * s - 1 == 0; }
+        trace(m) == 2;
+        v[0] - v[1] != 0;
+    }";
+    let arrays =
+        format!("const N: usize = 2; fn same(offset: [f64; 2]) -> (v: [f64; N], s, m: [[f64; 2]; N]) {{ {body}");
+    let scalars = format!(
+        "fn same(offset: [f64; 2]) -> (v0, v1, s, m00, m01, m10, m11) {{
+            let v = [v0, v1];
+            let m = [[m00, m01], [m10, m11]]; {body}"
+    );
+    let (arrays, scalars) = (Sample::new(&arrays), Sample::new(&scalars));
+    assert_eq!(arrays.problem.unknowns, ["v[0]", "v[1]", "s", "m[0][0]", "m[0][1]", "m[1][0]", "m[1][1]"]);
+    assert_eq!(arrays.residuals(), scalars.residuals());
+    assert_eq!(arrays.elements(), scalars.elements());
+    assert_eq!(
+        arrays.value(&arrays.problem.nonzero[0].polynomial),
+        (arrays.unknown("v[0]") - arrays.unknown("v[1]")).0
+    );
+    let fields = arrays.problem.fields.iter();
+    let fields: Vec<_> = fields.map(|field| (field.name.as_str(), &field.shape[..], field.first_unknown)).collect();
+    assert_eq!(fields, [("v", &[2][..], 0), ("s", &[], 2), ("m", &[2, 2], 3)]);
+    assert_ne!(arrays.problem.fingerprint(), scalars.problem.fingerprint());
+}
+
+#[test]
+fn one_array_of_unknowns_may_stand_alone() {
+    for output in ["v: [f64; 2]", "(v: [f64; 2])", "((v: [f64; 2],))", "(v: [f64; 2],)", "(v: [f64; 1 + 1])"] {
+        let text = format!("fn roots(a: f64) -> {output} {{ v[0] * v[1] == a; v[0] + v[1] == 1; }}");
+        let problem = Problem::parse("roots.rs", &text).unwrap_or_else(|messages| panic!("{output}: {messages}"));
+        assert_eq!(problem.unknowns, ["v[0]", "v[1]"], "{output}");
+    }
+    let text = "fn root(a: f64) -> (x: f64, y) { x * y == a; x + y == 1; }";
+    assert_eq!(Problem::parse("root.rs", text).unwrap().unknowns, ["x", "y"]);
 }
 
 #[test]

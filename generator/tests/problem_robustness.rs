@@ -4,7 +4,7 @@ use eliminant_generator::problem::Problem;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
-const PROBLEMS: [&str; 3] = [
+const PROBLEMS: [&str; 4] = [
     "/// Two conics.
 fn two_conics(a: [f64; 6], b: [f64; 6]) -> (x, y) {
     let m = [x * x, x * y, y.pow(2), x, y, 1];
@@ -31,9 +31,16 @@ fn stationary(#[symmetric] g: [[f64; 2]; 2]) -> (x, y) {
     gradient(sum([x * x * p[0], y * y * q[1]]) + x * (1 - y)) == 0;
 }
 ",
+    "fn eigenvector(#[symmetric] m: [[f64; 3]; 3]) -> (v: [f64; 3], value, w: [[f64; 2]; 1]) {
+    m * v == value * v;
+    dot(v, v) == 1;
+    w * w.t() == [[value]];
+    gradient(w[0][1] * v[0], w) == [[v[1], v[2]]];
+}
+",
 ];
 
-const PIECES: [&str; 34] = [
+const PIECES: [&str; 38] = [
     "(",
     ")",
     "[",
@@ -68,6 +75,10 @@ const PIECES: [&str; 34] = [
     "\"",
     "/*",
     "é",
+    "-> ",
+    ": [f64; 3]",
+    ":",
+    "#",
 ];
 
 proptest! {
@@ -128,6 +139,9 @@ fn long_chains_and_deep_nesting_are_refused_or_parsed_without_overflow() {
             repeated("", "x == y; ", count, ""),
             repeated("", "/// doc\n", count, "x == y;"),
             repeated("x == y; x * y == a;", "", 0, "").replace("fn", &format!("{}fn", "/// doc\n".repeat(count))),
+            format!("fn deep(a: f64) -> {}v: [f64; 2]{} {{ v == [a, 1]; }}", "(".repeat(count), ")".repeat(count)),
+            format!("fn deep(a: f64) -> (v: {}f64{}) {{ v == a; }}", "[".repeat(count), "; 1]".repeat(count)),
+            format!("fn deep(a: f64) {} (x, y) {{ x == a; }}", "-> ".repeat(count)),
         ];
         for text in texts {
             let parsed = Problem::parse("deep.rs", &text);

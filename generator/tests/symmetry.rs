@@ -2,12 +2,29 @@
 #![cfg(feature = "search")]
 
 use eliminant_generator::check::check;
-use eliminant_generator::generate::plan;
-use eliminant_generator::monitor::Unmonitored;
+use eliminant_generator::generate::{GenerateError, plan};
+use eliminant_generator::presolve::symmetry::Symmetry;
 use eliminant_generator::problem::Problem;
-use eliminant_generator::search::{SearchOptions, candidates};
-use eliminant_generator::stability::stability;
-use eliminant_generator::symmetry::Symmetry;
+use eliminant_generator::search::measuring::stability;
+use eliminant_generator::search::monitor::Unmonitored;
+use eliminant_generator::search::{SearchOptions, TemplateCandidate, candidates};
+
+/// What is found is what a template file may say: neither fewer solutions nor more.
+fn assert_counted(problem: &Problem, candidate: &TemplateCandidate, options: &SearchOptions) {
+    let mut file = candidate.to_file(problem, options);
+    let solutions = file.solutions;
+    assert!(plan(problem, &file).is_ok(), "{}", problem.name);
+    for wrong in [solutions - 1, solutions + 1] {
+        file.solutions = wrong;
+        match plan(problem, &file) {
+            Err(GenerateError::Solutions { found, .. }) => {
+                assert_eq!((found.least, found.most), (solutions, solutions))
+            }
+            Err(GenerateError::Schedule(_)) if wrong > solutions => {}
+            other => panic!("{}: {wrong} solutions: {:?}", problem.name, other.map(|planned| planned.plan.solutions)),
+        }
+    }
+}
 
 struct Subject {
     /// Number of sign changes, that of no unknown included.
@@ -60,6 +77,7 @@ fn a_basis_of_the_solutions_up_to_sign_finds_all() {
         let found = candidates(&problem, &check(&problem).unwrap(), &SearchOptions::default(), &Unmonitored).unwrap();
         let best = &found.candidates[0];
         assert_eq!((best.plan.flips.len() + 1, best.template.basis.len()), (order, solutions / order), "{name}");
+        assert_counted(&problem, best, &SearchOptions::default());
         let measured = stability(&best.plan, 500, 1, &|| ());
         assert_eq!(
             (measured.failures, measured.incomplete),
@@ -93,6 +111,7 @@ fn the_origin_takes_no_basis_monomial() {
         let found = candidates(&problem, &algebra, &SearchOptions::default(), &Unmonitored).unwrap();
         let best = &found.candidates[0];
         assert_eq!((best.plan.solutions, best.template.basis.len()), (different, basis), "{}", problem.name);
+        assert_counted(&problem, best, &SearchOptions::default());
         let measured = stability(&best.plan, 500, 1, &|| ());
         let of = (measured.found, measured.expected);
         assert_eq!((measured.failures, measured.incomplete), (0, 0), "{}: {of:?}", problem.name);

@@ -1,9 +1,11 @@
 //! Every emitted solver under one signature, so that a test can run over all of them, and instances whose solutions are known.
 
 pub mod case;
+pub mod equations;
 pub mod ground_truth;
 pub mod measure;
 pub mod published;
+pub mod source;
 pub mod statistics;
 
 pub use case::{Case, cases, templates_folder};

@@ -1,10 +1,11 @@
 //! What an emitted solver does on random instances, judged by the plan's equations and not by the emitted code.
 
 use eliminant::Complex;
-use eliminant_generator::arithmetic::Float64;
-use eliminant_generator::instance::{Random, draw_inputs};
-use eliminant_generator::interpret;
+use eliminant_generator::algebra::Random;
+use eliminant_generator::expression::arithmetic::Float64;
+use eliminant_generator::plan::interpret;
 use eliminant_generator::plan::{Plan, Term};
+use eliminant_generator::problem::instance::draw_inputs;
 use rayon::prelude::*;
 
 use crate::Case;

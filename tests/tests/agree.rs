@@ -1,9 +1,10 @@
 //! Emitted code and interpreted plan give the same bits, and fail on the same data.
 
-use eliminant_generator::arithmetic::Float64;
-use eliminant_generator::instance::{Random, draw_inputs};
-use eliminant_generator::interpret;
+use eliminant_generator::algebra::Random;
+use eliminant_generator::expression::arithmetic::Float64;
 use eliminant_generator::plan::Plan;
+use eliminant_generator::plan::interpret;
+use eliminant_generator::problem::instance::draw_inputs;
 use eliminant_tests::{Case, cases};
 
 const INSTANCES: u64 = 2_000;

@@ -5,7 +5,7 @@ use std::fs;
 use eliminant_generator::Generator;
 use eliminant_generator::check::check;
 use eliminant_generator::generate::generate;
-use eliminant_generator::monitor::Unmonitored;
+use eliminant_generator::search::monitor::Unmonitored;
 use eliminant_generator::search::{SearchError, SearchOptions, candidates};
 use eliminant_tests::{cases, templates_folder};
 use rayon::ThreadPoolBuilder;

@@ -5,10 +5,10 @@ use std::cell::Cell;
 use eliminant_generator::algebra::{DenseMatrix, GroebnerBasis, Monomial, PRIMES, Polynomial, PrimeField};
 use eliminant_generator::check::ideal;
 use eliminant_generator::generate::Planned;
-use eliminant_generator::instance::Instance;
-use eliminant_generator::interpret;
+use eliminant_generator::plan::interpret;
 use eliminant_generator::plan::{KnownMonomial, PivotId, Term};
 use eliminant_generator::problem::Problem;
+use eliminant_generator::problem::instance::Instance;
 use eliminant_generator::template::EliminationTemplate;
 use eliminant_tests::cases;
 

@@ -1,7 +1,7 @@
 //! Solutions that are known from geometry are found.
 
 use eliminant::Complex;
-use eliminant_generator::instance::Random;
+use eliminant_generator::algebra::Random;
 use eliminant_tests::ground_truth::{Circle, FOUND, Line, gram, makers, minimal_conic, minimal_data, normalised};
 use eliminant_tests::measure::{WORK_OF_TESTING, affordable};
 use eliminant_tests::statistics::{log10, quantile, same_set, worst};

@@ -1,10 +1,11 @@
 //! Ten thousand random instances of every problem, fewer of the largest, drawn on the data's variety.
 
 use eliminant::Complex;
-use eliminant_generator::arithmetic::Float64;
-use eliminant_generator::instance::{Random, draw_inputs};
-use eliminant_generator::interpret;
+use eliminant_generator::algebra::Random;
+use eliminant_generator::expression::arithmetic::Float64;
 use eliminant_generator::plan::Plan;
+use eliminant_generator::plan::interpret;
+use eliminant_generator::problem::instance::draw_inputs;
 use eliminant_tests::measure::{SAME, WORK_OF_TESTING, affordable, are_distinct, residual};
 use eliminant_tests::statistics::{complex, log10, quantile, same_set};
 use eliminant_tests::{Case, cases};

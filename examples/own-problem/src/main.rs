@@ -36,7 +36,7 @@ fn main() -> ExitCode {
         "x/km", "y/km", "z/km", "offset/km", "altitude/km", "error/km"
     );
     let mut is_found = false;
-    for gps::Gps { x, y, z, offset } in solutions {
+    for gps::Solution { x, y, z, offset } in solutions {
         let position = [x, y, z];
         let error = distance(position, RECEIVER).max((offset - OFFSET).abs());
         let altitude = distance(position, [0.0; 3]) - distance(RECEIVER, [0.0; 3]);

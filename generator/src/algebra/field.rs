@@ -1,7 +1,7 @@
 //! The prime field Z_p, p below 2^31.
 //!
-//! Elements are `u32` in `0..p`; a product of two fits a `u64` with two bits to spare, which is what lets the row
-//! echelon code delay its reductions.
+//! Elements are `u32` in `0..p`. A product of two fits a `u64` with two bits to spare, so that sums
+//! of products can be reduced modulo p late (see [`super::Echelon`]).
 
 /// Primes just below 2^31, largest first. Searches use the first, checks the others.
 pub const PRIMES: [u32; 6] = [2147483647, 2147483629, 2147483587, 2147483579, 2147483563, 2147483549];
@@ -15,7 +15,8 @@ pub struct PrimeField {
 }
 
 impl PrimeField {
-    /// The field with `prime` elements. `prime` must be a prime below 2^31, such as one of [`PRIMES`].
+    /// The field with `prime` elements. `prime` must be a prime below 2^31, such as one of
+    /// [`PRIMES`].
     pub const fn new(prime: u32) -> Self {
         assert!(prime > 2 && prime < 1 << 31);
         Self { modulus: prime, reciprocal: u64::MAX / prime as u64 }
@@ -67,7 +68,8 @@ impl PrimeField {
 
     /// a += factor b, entry by entry.
     ///
-    /// The quotient by p is estimated with one precomputed value for the factor (Shoup), in 32-bit steps that a compiler can vectorise.
+    /// The quotient of factor * b by p is estimated by floor(factor 2^32 / p) b / 2^32 (Shoup): one
+    /// precomputed value for all entries, and 32-bit steps that a compiler can vectorise.
     pub fn add_multiple(self, a: &mut [u32], factor: u32, b: &[u32]) {
         let p = self.modulus;
         let ratio = ((u64::from(factor) << 32) / u64::from(p)) as u32;
@@ -80,6 +82,20 @@ impl PrimeField {
             let product = wrap(product.wrapping_sub(p) as i32);
             *a = wrap((*a as i32).wrapping_add(product).wrapping_sub(p as i32)) as u32;
         }
+    }
+
+    /// The sum of the products of values at the same position, as far as both lists go.
+    pub fn dot(self, a: &[u32], b: &[u32]) -> u32 {
+        let square = u64::from(self.modulus).pow(2);
+        // The sum stays below p^2 < 2^62: one reduction modulo p, at the end.
+        let mut sum = 0u64;
+        for (&a, &b) in a.iter().zip(b) {
+            sum += u64::from(a) * u64::from(b);
+            if sum >= square {
+                sum -= square;
+            }
+        }
+        self.reduce(sum)
     }
 
     /// a^n, with 0^0 = 1.
@@ -132,6 +148,17 @@ mod tests {
                     assert_eq!(sums, values.map(|value| field.add(start, field.mul(factor, value))));
                 }
             }
+        }
+    }
+
+    #[test]
+    fn dot_products_are_sums_of_products() {
+        for p in PRIMES {
+            let field = PrimeField::new(p);
+            let values = [p - 1, 1, p - 2, 65537, 0, p / 2, p - 1, p - 1];
+            let sum = values.iter().fold(0, |sum, &value| field.add(sum, field.mul(value, value)));
+            assert_eq!(field.dot(&values, &values), sum);
+            assert_eq!(field.dot(&values, &[]), 0);
         }
     }
 

@@ -1,30 +1,28 @@
-//! Algebra over Z_p: the prime field, monomials, polynomials, row echelon form, Gröbner bases, quotient rings.
+//! Algebra over Z_p: the prime field, monomials, polynomials, row echelon form, eigenpairs; Gröbner
+//! bases and quotient rings with the feature `search`.
 
 mod echelon;
-mod f4;
-mod fglm;
+mod eigenpair;
 mod field;
+#[cfg(feature = "search")]
 mod groebner;
+mod hessenberg;
 mod matrix;
 mod monomial;
-mod monomial_table;
-mod order;
-mod pairs;
-mod points;
 mod polynomial;
-mod polynomial_arithmetic;
-mod quotient;
-mod saturation;
-mod symbolic;
+mod random;
+mod univariate;
 
 pub use echelon::Echelon;
-pub use fglm::change_order;
+pub use eigenpair::Eigenpair;
 pub use field::{PRIMES, PrimeField};
-pub use groebner::{BasisElement, GroebnerBasis, GroebnerError, Limits, groebner_basis};
+#[cfg(feature = "search")]
+pub use groebner::{
+    BasisElement, GroebnerBasis, GroebnerError, Limits, MonomialOrder, OrderKey, QuotientRing, change_order,
+    count_points, groebner_basis, saturate,
+};
 pub use matrix::DenseMatrix;
 pub use monomial::{MAX_UNKNOWNS, Monomial, MonomialMap, MonomialSet};
-pub use order::{MonomialOrder, OrderKey};
-pub use points::count_points;
 pub use polynomial::Polynomial;
-pub use quotient::QuotientRing;
-pub use saturation::saturate;
+pub use random::Random;
+pub use univariate::Univariate;

@@ -2,71 +2,71 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, format_ident, quote};
 
-use super::parameter;
-use crate::code::{Operation, ValueId};
+use super::names::Names;
+use super::shapes::{indices, parameter};
+use crate::expression::rational::Rational;
+use crate::plan::program::{Operation, ValueId};
+use crate::plan::statements::{Place, Statements};
 use crate::plan::{Plan, PlannedRecovery};
 use crate::problem::DataParameter;
-use crate::rational::Rational;
 
-/// Operations that a statement holds at most.
-const MOST_OPERATIONS: usize = 64;
-
-/// The function from the data to the coefficients. What is read once is part of the expression that reads it, in the same order of operations;
-/// what is read more often is kept in one array: each type that the compiler must find costs time, and thousands of variables, each with its debug
-/// information, overflow its stack.
+/// The function from the data to the coefficients, with the statements of [`Statements`].
 pub(super) fn statements(plan: &Plan) -> TokenStream {
     let parameters = plan.data.iter().map(parameter);
-    let reads = reads(plan);
-    let (inputs, locals) = inputs(plan, &reads);
-    let values = format_ident!("{}", name_of_values(plan));
+    let planned = Statements::of(&plan.program, &plan.coefficients);
+    let inputs = inputs(plan);
+    let locals = elements_read(plan, &inputs, &planned);
+    let mut names = Names::of(&plan.data);
+    names.reserve(&inputs);
+    let values = names.take("v");
     let mut statements: Vec<TokenStream> = Vec::new();
-    let mut printed: Vec<Expression> = Vec::with_capacity(plan.code.operations.len());
-    for (operation, &reads) in plan.code.operations.iter().zip(&reads) {
+    let mut printed: Vec<Expression> = Vec::with_capacity(plan.program.operations.len());
+    for (operation, &place) in plan.program.operations.iter().zip(&planned.places) {
         let operand = |id: ValueId| &printed[id.0 as usize];
         let expression = match *operation {
             Operation::Constant(value) => Expression::atom(constant(value)),
-            Operation::Input(input) => Expression::atom(inputs[input as usize].clone()),
+            Operation::Input(input) => Expression::atom(inputs[input as usize].to_token_stream()),
             Operation::Add(a, b) => Expression::binary(operand(a), quote!(+), SUM, operand(b)),
             Operation::Subtract(a, b) => Expression::binary(operand(a), quote!(-), SUM, operand(b)),
             Operation::Multiply(a, b) => Expression::binary(operand(a), quote!(*), PRODUCT, operand(b)),
             Operation::Divide(a, b) => Expression::binary(operand(a), quote!(/), PRODUCT, operand(b)),
             Operation::Negate(a) => Expression::negated(operand(a)),
             Operation::Coefficient { sum, at } => {
-                let terms = plan.code.product_sums[sum as usize].terms(at as usize);
+                let terms = plan.program.product_sums[sum as usize].terms(at as usize);
                 Expression::sum(terms.map(|(negative, a, b)| {
                     let product = Expression::binary(operand(a), quote!(*), PRODUCT, operand(b));
                     (negative, product)
                 }))
             }
         };
-        let is_part = match reads {
-            0 => true,
-            1 => expression.operations < MOST_OPERATIONS,
-            _ => !operation.is_step(),
-        };
-        printed.push(if is_part {
-            expression
-        } else {
-            let slot = Literal::usize_unsuffixed(statements.len());
-            let value = expression.tokens;
-            statements.push(quote!(#values[#slot] = #value;));
-            Expression::atom(quote!(#values[#slot]))
+        printed.push(match place {
+            Place::Unread | Place::Inline => expression,
+            Place::Variable(name) => {
+                let name = names.take(&local_name(&plan.program.names[name].1));
+                let value = expression.tokens;
+                statements.push(quote!(let #name = #value;));
+                Expression::atom(name.to_token_stream())
+            }
+            Place::Slot(slot) => {
+                let (slot, value) = (Literal::usize_unsuffixed(slot), expression.tokens);
+                statements.push(quote!(#values[#slot] = #value;));
+                Expression::atom(quote!(#values[#slot]))
+            }
         });
     }
-    let count = statements.len();
-    let declaration = match count {
+    let [count, length] = [planned.slots, plan.coefficients.len()].map(Literal::usize_unsuffixed);
+    let declaration = match planned.slots {
         0 => quote!(),
         _ => quote!(let mut #values = [0.0; #count];),
     };
     let results = plan.coefficients.iter().map(|id| &printed[id.0 as usize].tokens);
-    let length = plan.coefficients.len();
     quote! {
         /// The coefficients that the tables refer to.
         fn coefficients(#(#parameters),*) -> [f64; #length] {
-            #(#locals)*
+            #locals
             #declaration
             #(#statements)*
             [#(#results),*]
@@ -85,23 +85,22 @@ struct Expression {
     tokens: TokenStream,
     /// How tightly its last operator binds.
     precedence: u8,
-    operations: usize,
 }
 
 impl Expression {
     fn atom(tokens: TokenStream) -> Self {
-        Self { tokens, precedence: ATOM, operations: 0 }
+        Self { tokens, precedence: ATOM }
     }
 
     /// Left operands bind as tightly without parentheses, right ones do not.
     fn binary(a: &Self, operator: TokenStream, precedence: u8, b: &Self) -> Self {
         let (left, right) = (a.at_least(precedence), b.at_least(precedence + 1));
-        Self { tokens: quote!(#left #operator #right), precedence, operations: a.operations + b.operations + 1 }
+        Self { tokens: quote!(#left #operator #right), precedence }
     }
 
     fn negated(a: &Self) -> Self {
         let operand = a.at_least(SIGN);
-        Self { tokens: quote!(-#operand), precedence: SIGN, operations: a.operations + 1 }
+        Self { tokens: quote!(-#operand), precedence: SIGN }
     }
 
     /// The first term is taken as it is, the others are added one after another.
@@ -124,62 +123,37 @@ impl Expression {
     }
 }
 
-/// How often each value of the code is read by what is printed. What nothing reads are coefficients of sums that no equation has.
-fn reads(plan: &Plan) -> Vec<usize> {
-    let mut reads = vec![0; plan.code.operations.len()];
-    plan.coefficients.iter().for_each(|id| reads[id.0 as usize] += 1);
-    for position in (0..reads.len()).rev() {
-        if reads[position] == 0 {
-            continue;
-        }
-        let operation = plan.code.operations[position];
-        match operation {
-            Operation::Coefficient { sum, at } => {
-                let terms = plan.code.product_sums[sum as usize].terms(at as usize);
-                terms.flat_map(|(_, a, b)| [a, b]).for_each(|id| reads[id.0 as usize] += 1);
-            }
-            _ => plan.code.operands(operation).for_each(|id| reads[id.0 as usize] += 1),
-        }
-    }
-    reads
+/// `m[0][1]` as `m_0_1`.
+fn local_name(name: &str) -> String {
+    name.replace('[', "_").replace(']', "")
 }
 
-/// A name for the intermediate values that no parameter has.
-fn name_of_values(plan: &Plan) -> String {
-    let mut name = "v".to_owned();
-    while plan.data.iter().any(|parameter| parameter.name == name) {
-        name.push('_');
-    }
-    name
-}
-
-/// What stands for each scalar of the data, in flat order, and declarations of those that are read: `let gram_0_2 = gram[0][2];`.
-fn inputs(plan: &Plan, reads: &[usize]) -> (Vec<TokenStream>, Vec<TokenStream>) {
+/// What stands for each scalar of the data, in flat order: `gram_0_2` for an element of an array.
+fn inputs(plan: &Plan) -> Vec<Ident> {
     let mut separator = "_".to_owned();
-    let names = loop {
+    loop {
         let names: Vec<String> = plan.data.iter().flat_map(|parameter| names(parameter, &separator)).collect();
         let scalars = plan.data.iter().filter(|parameter| parameter.shape.is_empty()).count();
         let taken = plan.data.iter().filter(|parameter| names.contains(&parameter.name)).count();
         let different: BTreeSet<&String> = names.iter().collect();
         if different.len() == names.len() && taken == scalars {
-            break names;
+            return names.iter().map(|name| format_ident!("{name}")).collect();
         }
         separator.push_str("at_");
-    };
-    let is_read = |input: usize| {
-        let is_input = |operation: &Operation| matches!(operation, Operation::Input(at) if *at as usize == input);
-        plan.code.operations.iter().zip(reads).any(|(operation, &reads)| reads > 0 && is_input(operation))
-    };
-    let idents: Vec<_> = names.iter().map(|name| format_ident!("{name}")).collect();
+    }
+}
+
+/// Declarations of the elements that are read: `let gram_0_2 = gram[0][2];`.
+fn elements_read(plan: &Plan, inputs: &[Ident], statements: &Statements) -> TokenStream {
     let elements = plan.data.iter().filter(|parameter| !parameter.shape.is_empty()).flat_map(|parameter| {
         let elements = elements(parameter).into_iter().enumerate();
         elements.map(|(at, element)| (parameter.first_input + at, element))
     });
-    let locals = elements.filter(|(input, _)| is_read(*input)).map(|(input, element)| {
-        let local = &idents[input];
+    let declaration = |(input, element): (usize, TokenStream)| {
+        let local = &inputs[input];
         quote!(let #local = #element;)
-    });
-    (idents.iter().map(|ident| quote!(#ident)).collect(), locals.collect())
+    };
+    elements.filter(|(input, _)| statements.reads_input(&plan.program, *input)).map(declaration).collect()
 }
 
 /// `gram_0_2` for every scalar of a parameter, in flat order.
@@ -187,7 +161,7 @@ fn names(parameter: &DataParameter, separator: &str) -> Vec<String> {
     let name = |indices: Vec<usize>| {
         indices.iter().fold(parameter.name.clone(), |name, index| format!("{name}{separator}{index}"))
     };
-    indices(parameter).map(name).collect()
+    indices(&parameter.shape).map(name).collect()
 }
 
 /// `gram[0][2]` for every scalar of a parameter, in flat order.
@@ -197,21 +171,7 @@ fn elements(parameter: &DataParameter) -> Vec<TokenStream> {
         let indices = indices.into_iter().map(Literal::usize_unsuffixed);
         quote!(#name #([#indices])*)
     };
-    indices(parameter).map(element).collect()
-}
-
-/// The indices of every scalar of a parameter, in flat order.
-fn indices(parameter: &DataParameter) -> impl Iterator<Item = Vec<usize>> {
-    (0..parameter.len()).map(|flat| {
-        let mut rest = flat;
-        let mut indices = Vec::new();
-        for &length in parameter.shape.iter().rev() {
-            indices.push(rest % length);
-            rest /= length;
-        }
-        indices.reverse();
-        indices
-    })
+    indices(&parameter.shape).map(element).collect()
 }
 
 /// A constant in parentheses where it is not a plain positive number; fractions are divided as the interpreter does.
@@ -228,10 +188,13 @@ pub(super) fn constant(value: Rational) -> TokenStream {
 
 /// `x[unknown] = sum of terms`, for real and complex numbers.
 pub(super) fn recovery(recovery: &PlannedRecovery) -> TokenStream {
-    let unknown = recovery.unknown;
+    let unknown = Literal::usize_unsuffixed(recovery.unknown);
     let terms = recovery.terms.iter().map(|term| {
-        let slot = usize::from(term.coefficient.0);
-        let factors = term.exponents.iter().enumerate().flat_map(|(at, &e)| (0..e).map(move |_| quote!(* x[#at])));
+        let slot = Literal::u16_unsuffixed(term.coefficient.0);
+        let factors = term.exponents.iter().enumerate().flat_map(|(at, &e)| {
+            let at = Literal::usize_unsuffixed(at);
+            std::iter::repeat_n(quote!(* x[#at]), e.into())
+        });
         quote!(S::from_f64(self.coefficients[#slot]) #(#factors)*)
     });
     if recovery.terms.is_empty() {

@@ -7,36 +7,31 @@ use quote::{format_ident, quote};
 
 use super::code;
 use super::listing::Listings;
-use crate::code::{Code, Operation, ValueId};
+use super::shapes::doc_line;
+use super::wrap::wrapped;
 use crate::plan::Plan;
+use crate::plan::program::{Operation, ValueId};
+use crate::plan::program_table::ProgramTable;
 use crate::problem::DataParameter;
 
 /// The function from the data to the coefficients, and the table that it executes.
-///
-/// The run-time library keeps all data behind the constants, also those that no step reads.
 pub(super) fn table(plan: &Plan, listings: &mut Listings) -> TokenStream {
-    let code = &plan.code;
-    let steps = code.operations.iter().filter(|operation| operation.is_step()).count();
-    let constants: Vec<TokenStream> = code.operations.iter().filter_map(as_constant).collect();
-    let inputs: usize = plan.data.iter().map(DataParameter::len).sum();
-    let positions = positions(plan, constants.len(), inputs);
-    let position = |id: ValueId| positions[id.0 as usize];
-    let scalar = |operation: &&Operation| !matches!(operation, Operation::Coefficient { .. });
-    let operands = listings.add(code.operations.iter().filter(scalar).filter_map(|&operation| {
-        let mut operands = code.operands(operation);
-        let a = operands.next()?;
-        let (a, b) = (position(a), position(operands.next().unwrap_or(a)));
-        Some(format!("({a}, {b})"))
-    }));
-    let runs = runs(code).into_iter().map(|(operation, steps)| {
-        let (operation, steps) = (format_ident!("{operation}"), Literal::usize_unsuffixed(steps));
-        quote!(emitted::Run { operation: emitted::Operation::#operation, steps: #steps })
+    let table = ProgramTable::of(plan);
+    let constants = table.constants.iter().map(|&value| code::constant(value));
+    let operands = listings.add(table.operands.iter().map(|(a, b)| format!("({a}, {b})")));
+    let runs = table.runs.iter().map(|&(kind, steps)| {
+        let (kind, steps) = (format_ident!("{kind:?}"), Literal::u32_unsuffixed(steps));
+        quote!(emitted::Run { operation: emitted::Operation::#kind, steps: #steps })
     });
-    let product_sums = product_sums(code, &positions, listings);
-    let results = listings.add(plan.coefficients.iter().map(|&id| position(id).to_string()));
-    let (values, length) = (constants.len() + inputs + steps, plan.coefficients.len());
+    let product_sums = product_sums(&table, listings);
+    let results = listings.add(table.results.iter().map(u32::to_string));
+    let [inputs, values, length] =
+        [plan.inputs(), table.values, plan.coefficients.len()].map(Literal::usize_unsuffixed);
+    let names = names_of_coefficients(plan);
+    let names = names.iter().map(|line| doc_line(line));
     quote! {
         /// The coefficients that the tables refer to.
+        #(#[doc = #names])*
         fn coefficients<R: emitted::Real>(data: &[f64; #inputs]) -> [R; #length] {
             PROGRAM.evaluate::<R, #values, #length>(&[data])
         }
@@ -52,105 +47,43 @@ pub(super) fn table(plan: &Plan, listings: &mut Listings) -> TokenStream {
     }
 }
 
-/// The sums of products in the order of the code. Equal lists of factors, and of places, are printed once.
-fn product_sums(code: &Code, positions: &[usize], listings: &mut Listings) -> TokenStream {
-    let (mut factors, mut places) = (Lists::default(), Lists::default());
-    let (mut sums, mut products) = (Vec::new(), Vec::new());
-    for operation in &code.operations {
-        let Operation::Coefficient { sum, at: 0 } = *operation else { continue };
-        let of_sum = &code.product_sums[sum as usize];
-        for product in &of_sum.products {
-            let mut factor = |ids: &[ValueId]| factors.number(ids.iter().map(|id| positions[id.0 as usize]).collect());
-            let (left, right) = (factor(&product.left), factor(&product.right));
-            let places = places.number(product.to.iter().map(|&to| to as usize).collect());
-            let negative = product.negative;
-            products.push(format!(
-                "emitted::PolynomialProduct {{ negative: {negative}, left: {left}, right: {right}, places: {places} }}"
-            ));
-        }
-        let (count, length) = (of_sum.products.len(), of_sum.length);
-        sums.push(format!("emitted::ProductSum {{ products: {count}, length: {length} }}"));
+/// Lines that say which coefficients are data or values with names in the problem.
+fn names_of_coefficients(plan: &Plan) -> Vec<String> {
+    let inputs: Vec<String> = plan.data.iter().flat_map(DataParameter::names).collect();
+    let named: BTreeMap<ValueId, &str> = plan.program.names.iter().map(|(id, name)| (*id, name.as_str())).collect();
+    let name = |id: &ValueId| match plan.program.operations[id.0 as usize] {
+        Operation::Input(input) => inputs.get(input as usize).map(String::as_str),
+        _ => named.get(id).copied(),
+    };
+    let coefficients = plan.coefficients.iter().enumerate();
+    let names = coefficients.filter_map(|(at, id)| Some(format!("{at} is `{}`", name(id)?)));
+    let names: Vec<String> = names.collect();
+    if names.is_empty() {
+        return Vec::new();
     }
-    let (factors, places) = (listings.add(factors.printed()), listings.add(places.printed()));
-    let (sums, products) = (listings.add(sums.into_iter()), listings.add(products.into_iter()));
+    let lines = wrapped(&format!("By name: {}.", names.join(", ")), "");
+    std::iter::once(String::new()).chain(lines).collect()
+}
+
+/// The sums of products in the order of the code.
+fn product_sums(table: &ProgramTable, listings: &mut Listings) -> TokenStream {
+    let printed = |lists: &[Vec<u32>]| lists.iter().map(|list| format!("&{list:?}")).collect::<Vec<_>>();
+    let factors = listings.add(printed(&table.factors).into_iter());
+    let places = listings.add(printed(&table.places).into_iter());
+    let sums = listings.add(
+        table
+            .sums
+            .iter()
+            .map(|(products, length)| format!("emitted::ProductSum {{ products: {products}, length: {length} }}")),
+    );
+    let products = listings.add(table.products.iter().map(|product| {
+        let (negative, left, right, places) = (product.negative, product.left, product.right, product.places);
+        format!("emitted::PolynomialProduct {{ negative: {negative}, left: {left}, right: {right}, places: {places} }}")
+    }));
     quote!(emitted::ProductSums {
         sums: &[#sums],
         products: &[#products],
         factors: &[#factors],
         places: &[#places],
-    })
-}
-
-/// Different lists of numbers, each printed once.
-#[derive(Default)]
-struct Lists {
-    numbers: BTreeMap<Vec<usize>, usize>,
-}
-
-impl Lists {
-    fn number(&mut self, list: Vec<usize>) -> usize {
-        let next = self.numbers.len();
-        *self.numbers.entry(list).or_insert(next)
-    }
-
-    fn printed(self) -> impl Iterator<Item = String> {
-        let mut lists: Vec<(usize, Vec<usize>)> =
-            self.numbers.into_iter().map(|(list, number)| (number, list)).collect();
-        lists.sort_unstable();
-        lists.into_iter().map(|(_, list)| format!("&{list:?}"))
-    }
-}
-
-fn as_constant(operation: &Operation) -> Option<TokenStream> {
-    match operation {
-        Operation::Constant(value) => Some(code::constant(*value)),
-        _ => None,
-    }
-}
-
-/// Where the table keeps each value of the plan.
-fn positions(plan: &Plan, constants: usize, inputs: usize) -> Vec<usize> {
-    let (mut next_constant, mut next_step) = (0, constants + inputs);
-    let take = |next: &mut usize| {
-        *next += 1;
-        *next - 1
-    };
-    let position = |operation: &Operation| match operation {
-        Operation::Constant(_) => take(&mut next_constant),
-        Operation::Input(input) => constants + *input as usize,
-        _ => take(&mut next_step),
-    };
-    plan.code.operations.iter().map(position).collect()
-}
-
-/// Names of operations and numbers of consecutive steps, a sum of products being one; no step reads a result of its own run.
-fn runs(code: &Code) -> Vec<(&'static str, usize)> {
-    let mut runs: Vec<(&str, usize)> = Vec::new();
-    let mut start = 0;
-    for (at, &operation) in code.operations.iter().enumerate() {
-        let Some(name) = name(operation) else { continue };
-        let independent = code.operands(operation).all(|id| (id.0 as usize) < start);
-        match runs.last_mut() {
-            Some((last, steps)) if *last == name && independent => *steps += 1,
-            _ => {
-                runs.push((name, 1));
-                start = at;
-            }
-        }
-    }
-    runs
-}
-
-/// The variant of the run-time library's `Operation` that a step is.
-fn name(operation: Operation) -> Option<&'static str> {
-    Some(match operation {
-        // The others of a sum of products are computed with its first.
-        Operation::Constant(_) | Operation::Input(_) | Operation::Coefficient { at: 1.., .. } => return None,
-        Operation::Add(..) => "Add",
-        Operation::Subtract(..) => "Subtract",
-        Operation::Multiply(..) => "Multiply",
-        Operation::Divide(..) => "Divide",
-        Operation::Negate(_) => "Negate",
-        Operation::Coefficient { at: 0, .. } => "ProductSum",
     })
 }

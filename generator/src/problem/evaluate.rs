@@ -9,8 +9,8 @@ use super::names::closest;
 use super::scope::{Outcome, Reported};
 use super::syntax::place;
 use super::value::{MAX_DEGREE, MAX_ELEMENTS, Value, describe, fault};
-use crate::diagnostic::Diagnostic;
-use crate::rational::Rational;
+use crate::expression::rational::Rational;
+use crate::problem::diagnostic::Diagnostic;
 
 /// Deepest nesting of expressions, calls of helpers included.
 const MAX_DEPTH: usize = 2000;

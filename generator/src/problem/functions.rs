@@ -8,8 +8,8 @@ use super::scope::{Binding, Kind, Outcome, Reported};
 use super::syntax::place;
 use super::value::{Value, describe};
 use crate::algebra::Polynomial;
-use crate::diagnostic::Diagnostic;
-use crate::rational::Rational;
+use crate::expression::rational::Rational;
+use crate::problem::diagnostic::Diagnostic;
 
 /// A function of the language.
 pub(super) struct BuiltIn {

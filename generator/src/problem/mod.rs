@@ -1,13 +1,16 @@
 //! A polynomial problem: unknowns, data with their variety, equations with coefficients in the data.
 
+pub mod diagnostic;
 mod evaluate;
 mod functions;
+pub mod instance;
 mod interpret;
 mod names;
 mod parse;
 mod scope;
 mod signature;
 mod syntax;
+mod unknown_shapes;
 mod value;
 
 use std::ops::Range;
@@ -67,10 +70,59 @@ impl DataParameter {
         self.shape.iter().product()
     }
 
+    /// The scalars as a problem file names them.
+    pub(crate) fn names(&self) -> Vec<String> {
+        element_names(&self.name, &self.shape)
+    }
+
     /// Whether there are no scalars (an array of length 0).
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
+}
+
+/// A name of the return type, which is a field of the solution: an unknown, or an array of unknowns.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SolutionField {
+    /// Its name.
+    pub name: String,
+    /// Outermost dimension first; empty for a scalar.
+    pub shape: Vec<usize>,
+    /// Index of its first scalar among all unknowns.
+    pub first_unknown: usize,
+    /// Where it was declared.
+    pub span: Span,
+}
+
+impl SolutionField {
+    /// Indices of its scalars among all unknowns, row by row.
+    pub fn unknowns(&self) -> Range<usize> {
+        self.first_unknown..self.first_unknown + self.shape.iter().product::<usize>()
+    }
+
+    /// The scalars as a problem file names them.
+    fn names(&self) -> Vec<String> {
+        element_names(&self.name, &self.shape)
+    }
+}
+
+/// The scalars of an array as a problem file names them: `x`, or `v[0]`, `v[1]`, ..
+fn element_names(name: &str, shape: &[usize]) -> Vec<String> {
+    let count: usize = shape.iter().product();
+    (0..count).map(|at| format!("{name}{}", element_name(shape, at))).collect()
+}
+
+/// The element with a flat index as a problem file writes it: `[1][2]`, or nothing for a scalar.
+pub(crate) fn element_name(shape: &[usize], index: usize) -> String {
+    let mut size: usize = shape.iter().product();
+    let mut rest = index;
+    let mut name = String::new();
+    for &length in shape {
+        size /= length;
+        name.push_str(&format!("[{}]", rest / size));
+        rest %= size;
+    }
+    name
 }
 
 /// A polynomial stated in the file.
@@ -93,8 +145,10 @@ pub struct Problem {
     pub docs: Vec<String>,
     /// The data.
     pub data: Vec<DataParameter>,
-    /// Names of the unknowns. Monomials index into this.
+    /// Names of the unknowns, elements of arrays one by one: `x`, `v[0]`, `v[1]`. Monomials index into this.
     pub unknowns: Vec<String>,
+    /// The same as the solver returns them, with their shapes.
+    pub fields: Vec<SolutionField>,
     /// Each polynomial is 0 at a solution.
     pub equations: Vec<Statement>,
     /// No polynomial is 0 at a solution (`!= 0`).

@@ -3,20 +3,10 @@
 use proc_macro2::Ident;
 
 use super::syntax::place;
-use crate::diagnostic::Diagnostic;
+use crate::problem::diagnostic::Diagnostic;
 
 /// Reserved in some edition of Rust although the parser takes them as names.
 const RESERVED: [&str; 4] = ["gen", "try", "union", "macro_rules"];
-
-/// Problems whose type of solutions would have the name of one that emitted code uses.
-const TAKEN: [&str; 7] = ["instance", "ok", "option", "result", "s", "some", "t"];
-
-/// The message for the name of a problem after which no type can be named.
-pub(super) fn refuse_type(ident: &Ident) -> Option<Diagnostic> {
-    let name = ident.to_string();
-    let message = || format!("emitted code has a type of its own where solutions of `{name}` would be one");
-    TAKEN.contains(&name.as_str()).then(|| Diagnostic::new(message(), place(ident)).label("choose another name"))
-}
 
 /// The message for a name that emitted code could not use as it stands.
 pub(super) fn refuse(ident: &Ident, what: &str) -> Option<Diagnostic> {
@@ -25,17 +15,12 @@ pub(super) fn refuse(ident: &Ident, what: &str) -> Option<Diagnostic> {
     if name.starts_with("r#") || RESERVED.contains(&name.as_str()) || syn::parse_str::<Ident>(&name).is_err() {
         return Some(Diagnostic::new(format!("`{name}` is reserved in Rust"), span).label("choose another name"));
     }
-    if name.ends_with('_') {
-        let diagnostic = Diagnostic::new(format!("the name of {what} must not end with `_`"), span);
-        return Some(diagnostic.label("such names are those of emitted code"));
-    }
-    let starts_well = name.starts_with(|c: char| c.is_ascii_lowercase());
-    if starts_well && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_') {
+    if is_snake_case(&name) {
         return None;
     }
     let message = format!("the name of {what} must be in snake_case");
-    let mut diagnostic =
-        Diagnostic::new(message, span).label("expected a lower-case letter, then lower-case letters, digits and `_`");
+    let mut diagnostic = Diagnostic::new(message, span)
+        .label("expected a lower-case letter, then lower-case letters, digits and single `_`");
     let snake = snake_case(&name);
     if snake != name && snake.is_ascii() {
         diagnostic = diagnostic.hint(format!("write `{snake}`"));
@@ -43,16 +28,43 @@ pub(super) fn refuse(ident: &Ident, what: &str) -> Option<Diagnostic> {
     Some(diagnostic)
 }
 
+fn is_snake_case(name: &str) -> bool {
+    let starts_well = name.starts_with(|c: char| c.is_ascii_lowercase());
+    let letters_fit = name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
+    // Rust warns of two underscores in a row: the warning would appear in the crate that includes the solver.
+    starts_well && letters_fit && !name.trim_end_matches('_').contains("__")
+}
+
+/// The name that a local value of a problem has in emitted code; `None` if it cannot have one.
+pub(super) fn emitted_name(name: &str) -> Option<String> {
+    let name = if is_snake_case(name) { name.to_owned() } else { snake_case(name) };
+    let is_free = !RESERVED.contains(&name.as_str()) && syn::parse_str::<Ident>(&name).is_ok();
+    (is_snake_case(&name) && is_free).then_some(name)
+}
+
+/// The message for the name of a problem that cannot name a module beside `eliminant::include_solver!`.
+pub(super) fn refuse_module(ident: &Ident) -> Option<Diagnostic> {
+    // A module from a macro hides no crate: Rust calls all paths ambiguous that begin with the name.
+    (ident == "eliminant").then(|| {
+        Diagnostic::new("`eliminant` is the name of the run-time crate", place(ident))
+            .label("the module of the solver would make `eliminant::include_solver!` ambiguous")
+            .hint("choose another name")
+    })
+}
+
 /// `TwoLines` as `two_lines`.
 fn snake_case(name: &str) -> String {
     let mut snake = String::new();
     let mut after_lowercase = false;
     for c in name.trim_matches('_').chars() {
-        if c.is_ascii_uppercase() && after_lowercase {
+        let begins_word = c == '_' || c.is_ascii_uppercase() && after_lowercase;
+        if begins_word && !snake.ends_with('_') {
             snake.push('_');
         }
         after_lowercase = c.is_ascii_lowercase();
-        snake.push(c.to_ascii_lowercase());
+        if c != '_' {
+            snake.push(c.to_ascii_lowercase());
+        }
     }
     snake
 }
@@ -110,8 +122,17 @@ mod tests {
 
     #[test]
     fn snake_case_names_are_offered() {
-        for (name, expected) in [("TwoLines", "two_lines"), ("X", "x"), ("_a", "a"), ("E5pt", "e5pt"), ("XYZ", "xyz")] {
+        for (name, expected) in
+            [("TwoLines", "two_lines"), ("X", "x"), ("_a", "a"), ("E5pt", "e5pt"), ("XYZ", "xyz"), ("a__b_C", "a_b_c")]
+        {
             assert_eq!(snake_case(name), expected);
+        }
+    }
+
+    #[test]
+    fn local_names_are_kept_in_snake_case() {
+        for (name, expected) in [("sum", Some("sum")), ("A", Some("a")), ("Gen", None), ("λ", None), ("_", None)] {
+            assert_eq!(emitted_name(name).as_deref(), expected, "{name}");
         }
     }
 

@@ -6,16 +6,16 @@ use syn::{Attribute, Item, ItemConst, ItemFn, ReturnType, Safety, Visibility};
 
 use super::functions::BUILT_IN;
 use super::interpret::Interpreter;
-use super::names::{refuse, refuse_type};
+use super::names::{refuse, refuse_module};
 use super::scope::{Binding, Kind};
-use super::signature::{Unknown, doc_lines, unknown_list};
+use super::signature::{doc_lines, unknown_list};
 use super::syntax::{parse_file, place};
 use super::value::Value;
-use super::{DataParameter, Problem, SourceFile, Span};
+use super::{DataParameter, Problem, SolutionField, SourceFile, Span};
 use crate::algebra::{Monomial, Polynomial};
-use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expression::{ExpressionGraph, ExpressionId};
-use crate::instance::fingerprint_points;
+use crate::problem::diagnostic::{Diagnostic, Diagnostics};
+use crate::problem::instance::fingerprint_points;
 
 /// Stack of the thread that parses, so that the longest expression allowed fits whatever the caller's stack is.
 const STACK: usize = 256 << 20;
@@ -49,7 +49,7 @@ struct Items<'a> {
 }
 
 fn parse_source(source: &SourceFile) -> Result<Problem, Vec<Diagnostic>> {
-    let file = parse_file(&source.text).map_err(|diagnostic| vec![diagnostic])?;
+    let (file, shapes) = parse_file(&source.text).map_err(|diagnostic| vec![diagnostic])?;
     let (items, messages) = sort_items(&file.items);
     let Some(function) = items.problem.filter(|_| messages.is_empty()) else { return Err(messages) };
 
@@ -57,7 +57,7 @@ fn parse_source(source: &SourceFile) -> Result<Problem, Vec<Diagnostic>> {
     let mut signature = Interpreter::new(ExpressionGraph::new(&[vec![], vec![]]), &items.helpers);
     declare_constants(&mut signature, &items.constants);
     let types = unknown_list(&function.sig.output).unwrap_or_default();
-    let unknowns = signature.read_unknowns(&types);
+    let unknowns = signature.read_unknowns(&types, &shapes);
     let data = signature.read_parameters(function, &unknowns);
     for helper in items.helpers.values() {
         // Its own failure is among the messages.
@@ -75,6 +75,7 @@ fn parse_source(source: &SourceFile) -> Result<Problem, Vec<Diagnostic>> {
     declare_signature(&mut body, &data, &unknowns);
     body.run_block(&function.block);
     check_counts(&mut body, function, &unknowns);
+    check_data(&mut body, &data);
     if body.has_messages() {
         return Err(body.into_messages());
     }
@@ -83,6 +84,7 @@ fn parse_source(source: &SourceFile) -> Result<Problem, Vec<Diagnostic>> {
         docs: doc_lines(&function.attrs),
         data,
         unknowns: body.unknowns,
+        fields: unknowns,
         equations: body.equations,
         nonzero: body.nonzero,
         graph: body.algebra.graph,
@@ -115,7 +117,7 @@ fn sort_items(items: &[Item]) -> (Items<'_>, Vec<Diagnostic>) {
                             .hint("move it to a file of its own"),
                     );
                 } else {
-                    messages.extend(refuse_type(&function.sig.ident));
+                    messages.extend(refuse_module(&function.sig.ident));
                     sorted.problem = Some(function);
                 }
             }
@@ -199,7 +201,7 @@ fn declare_constants(interpreter: &mut Interpreter<'_>, constants: &[&ItemConst]
 }
 
 /// Declares the data and the unknowns in the scope of the body.
-fn declare_signature(interpreter: &mut Interpreter<'_>, data: &[DataParameter], unknowns: &[Unknown]) {
+fn declare_signature(interpreter: &mut Interpreter<'_>, data: &[DataParameter], unknowns: &[SolutionField]) {
     for parameter in data {
         let inputs = parameter.first_input..parameter.first_input + parameter.len();
         let algebra = &interpreter.algebra;
@@ -208,18 +210,40 @@ fn declare_signature(interpreter: &mut Interpreter<'_>, data: &[DataParameter], 
         let binding = Binding { value, kind: Kind::Data, span: parameter.span.clone() };
         interpreter.scopes.declare(parameter.name.clone(), binding);
     }
-    for (index, unknown) in unknowns.iter().enumerate() {
-        let polynomial: Polynomial<ExpressionId> =
-            Polynomial::from_terms(vec![(Monomial::unknown(index), ExpressionGraph::ONE)]);
-        let value = Ok(Value::scalar(polynomial));
-        let binding = Binding { value, kind: Kind::Unknown, span: unknown.span.clone() };
-        interpreter.scopes.declare(unknown.name.clone(), binding);
+    for field in unknowns {
+        let polynomial = |unknown| -> Polynomial<ExpressionId> {
+            Polynomial::from_terms(vec![(Monomial::unknown(unknown), ExpressionGraph::ONE)])
+        };
+        let value = Ok(Value::array(field.shape.clone(), field.unknowns().map(polynomial).collect()));
+        let binding = Binding { value, kind: Kind::Unknown, span: field.span.clone() };
+        interpreter.scopes.declare(field.name.clone(), binding);
     }
-    interpreter.unknowns = unknowns.iter().map(|unknown| unknown.name.clone()).collect();
+    interpreter.unknowns = unknowns.iter().flat_map(SolutionField::names).collect();
+}
+
+/// Every parameter must be read: by a coefficient of some equation or exclusion, at least one of its elements.
+fn check_data(body: &mut Interpreter<'_>, data: &[DataParameter]) {
+    if body.has_messages() {
+        // The statements that read it may have failed.
+        return;
+    }
+    let statements = body.equations.iter().chain(&body.nonzero);
+    let coefficients =
+        statements.flat_map(|statement| statement.polynomial.terms()).map(|&(_, coefficient)| coefficient);
+    let needed = body.algebra.graph.needed(&coefficients.collect::<Vec<ExpressionId>>());
+    let is_read = |input: usize| needed[body.algebra.graph.input(input).index()];
+    let is_unused =
+        |parameter: &&DataParameter| !(parameter.first_input..parameter.first_input + parameter.len()).any(is_read);
+    let unused: Vec<&DataParameter> = data.iter().filter(is_unused).collect();
+    for parameter in unused {
+        let message = format!("no equation depends on the parameter `{}`", parameter.name);
+        let diagnostic = Diagnostic::new(message, parameter.span.clone()).label("its values make no difference");
+        body.report(diagnostic.hint("remove it, or state the equation that it is for"));
+    }
 }
 
 /// Every unknown must occur, and there must be as many equations as unknowns.
-fn check_counts(body: &mut Interpreter<'_>, function: &ItemFn, unknowns: &[Unknown]) {
+fn check_counts(body: &mut Interpreter<'_>, function: &ItemFn, unknowns: &[SolutionField]) {
     if body.has_messages() {
         // Statements that failed may be the ones that are missing.
         return;
@@ -228,16 +252,23 @@ fn check_counts(body: &mut Interpreter<'_>, function: &ItemFn, unknowns: &[Unkno
         let mut monomials = body.equations.iter().flat_map(|equation| equation.polynomial.monomials());
         monomials.any(|monomial| monomial.exponent(index) > 0)
     };
-    let missing: Vec<&Unknown> = (0..).zip(unknowns).filter(|&(index, _)| !occurs(index)).map(|(_, u)| u).collect();
-    for unknown in &missing {
-        let diagnostic =
-            Diagnostic::new(format!("the unknown `{}` occurs in no equation", unknown.name), unknown.span.clone());
+    let missing = |field: &SolutionField| -> Vec<String> {
+        field.unknowns().zip(field.names()).filter(|&(index, _)| !occurs(index)).map(|(_, name)| name).collect()
+    };
+    let missing: Vec<(&SolutionField, Vec<String>)> = unknowns.iter().map(|field| (field, missing(field))).collect();
+    for (field, names) in missing.iter().filter(|(_, names)| !names.is_empty()) {
+        let message = match &names[..] {
+            [name] => format!("the unknown `{name}` occurs in no equation"),
+            names => format!("the unknowns `{}` occur in no equation", names.join("`, `")),
+        };
         body.report(
-            diagnostic.label("any value would solve the problem").hint("remove it, or state what determines it"),
+            Diagnostic::new(message, field.span.clone())
+                .label("any value would solve the problem")
+                .hint("remove it, or state what determines it"),
         );
     }
-    let (equations, count) = (body.equations.len(), unknowns.len());
-    if missing.is_empty() && equations < count {
+    let (equations, count) = (body.equations.len(), body.unknowns.len());
+    if missing.iter().all(|(_, names)| names.is_empty()) && equations < count {
         let plural = if equations == 1 { "" } else { "s" };
         let message = format!("{equations} equation{plural} cannot determine {count} unknowns");
         let mut diagnostic = Diagnostic::new(message, place_of_output(&function.sig.output))

@@ -8,10 +8,11 @@ use super::interpret::Interpreter;
 use super::names::{closest, refuse};
 use super::scope::{Outcome, Reported};
 use super::syntax::place;
+use super::unknown_shapes::Shapes;
 use super::value::{Checked, MAX_ELEMENTS, describe, fault};
-use super::{DataAttribute, DataParameter, Span};
+use super::{DataAttribute, DataParameter, SolutionField, Span};
 use crate::algebra::MAX_UNKNOWNS;
-use crate::diagnostic::Diagnostic;
+use crate::problem::diagnostic::Diagnostic;
 
 /// Types of Rust that somebody may write by habit; none of them is the name of an unknown.
 const PRIMITIVES: [&str; 17] = [
@@ -27,12 +28,6 @@ const ATTRIBUTES: [(&str, DataAttribute); 5] = [
     ("plucker", DataAttribute::Plucker),
     ("integer", DataAttribute::Integer),
 ];
-
-/// An unknown and where it was declared.
-pub(super) struct Unknown {
-    pub(super) name: String,
-    pub(super) span: Span,
-}
 
 /// What a type says about the shape of a value.
 pub(super) struct ShapePattern {
@@ -94,7 +89,7 @@ fn no_name(ty: &Type) -> Diagnostic {
     if let Some(primitive) = primitive {
         return Diagnostic::new(format!("`{primitive}` is a type, not the name of an unknown"), span)
             .label("choose another name")
-            .hint("the return type lists unknowns by name; they are scalars and need no type: `-> (x, y)`");
+            .hint("the return type lists unknowns by name: `-> (x, y)`, or `v: [f64; 3]` for an array of them");
     }
     if let Type::Infer(_) = ty {
         return Diagnostic::new("an unknown without a name", span)
@@ -103,7 +98,7 @@ fn no_name(ty: &Type) -> Diagnostic {
     }
     Diagnostic::new("the return type lists unknowns by name", span)
         .label("expected a name")
-        .hint("unknowns are scalars: write a vector as `(x, y, z)` and group it with `let v = [x, y, z];`")
+        .hint("an array of unknowns has a name and a shape: `v: [f64; 3]`")
 }
 
 /// The lines of the doc comments, without the blank after `///`.
@@ -149,9 +144,9 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The unknowns of a return type that lists them.
-    pub(super) fn read_unknowns(&mut self, types: &[&Type]) -> Vec<Unknown> {
-        let mut unknowns: Vec<Unknown> = Vec::new();
+    /// The unknowns of a return type that lists them, with the shapes of those that have one.
+    pub(super) fn read_unknowns(&mut self, types: &[&Type], shapes: &Shapes) -> Vec<SolutionField> {
+        let mut unknowns: Vec<SolutionField> = Vec::new();
         for ty in types {
             let span = place(ty);
             let Some(ident) = plain_name(ty) else {
@@ -167,15 +162,33 @@ impl Interpreter<'_> {
             if let Some(diagnostic) = refuse(ident, "an unknown").or_else(|| self.function_named(ident)) {
                 self.report(diagnostic);
             }
-            unknowns.push(Unknown { name, span });
+            let Ok(shape) = shapes.get(&span.start).map_or(Ok(Vec::new()), |ty| self.shape_of_unknown(ty)) else {
+                continue;
+            };
+            let first_unknown = unknowns.last().map_or(0, |last| last.unknowns().end);
+            unknowns.push(SolutionField { name, shape, first_unknown, span });
         }
-        if let Some(first) = unknowns.get(MAX_UNKNOWNS) {
-            let message = format!("the problem has {} unknowns, at most {MAX_UNKNOWNS} are allowed", unknowns.len());
-            let diagnostic = Diagnostic::new(message, first.span.clone()).label("one too many");
+        let count = unknowns.last().map_or(0, |last| last.unknowns().end);
+        if let Some(first) = unknowns.iter().position(|field| field.unknowns().end > MAX_UNKNOWNS) {
+            let message = format!("the problem has {count} unknowns, at most {MAX_UNKNOWNS} are allowed");
+            let diagnostic = Diagnostic::new(message, unknowns[first].span.clone());
+            let diagnostic = match unknowns[first].unknowns().len() {
+                1 => diagnostic.label("one too many"),
+                elements => diagnostic.label(format!("{elements} of them")),
+            };
             self.report(diagnostic.hint("eliminate unknowns by hand, or pass known quantities as parameters"));
-            unknowns.truncate(MAX_UNKNOWNS);
+            unknowns.truncate(first);
         }
         unknowns
+    }
+
+    fn shape_of_unknown(&mut self, ty: &Type) -> Outcome<Vec<usize>> {
+        let pattern = self.shape_of_type(ty)?;
+        if pattern.open {
+            let diagnostic = Diagnostic::new("the shape of the unknowns must be given", place(ty));
+            return Err(self.report(diagnostic.label("expected `[f64; n]`, `[[f64; n]; m]`, ..")));
+        }
+        Ok(pattern.dimensions)
     }
 
     fn function_named(&self, ident: &Ident) -> Option<Diagnostic> {
@@ -192,7 +205,7 @@ impl Interpreter<'_> {
     }
 
     /// The data: the parameters of the problem function.
-    pub(super) fn read_parameters(&mut self, function: &ItemFn, unknowns: &[Unknown]) -> Vec<DataParameter> {
+    pub(super) fn read_parameters(&mut self, function: &ItemFn, unknowns: &[SolutionField]) -> Vec<DataParameter> {
         let mut data: Vec<DataParameter> = Vec::new();
         for parameter in &function.sig.inputs {
             let Ok(mut parameter) = self.read_parameter(parameter) else { continue };

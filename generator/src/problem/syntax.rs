@@ -4,7 +4,8 @@ use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use syn::spanned::Spanned;
 
 use super::Span;
-use crate::diagnostic::Diagnostic;
+use super::unknown_shapes::{Shapes, take_shapes};
+use crate::problem::diagnostic::Diagnostic;
 
 /// Longest text of a problem file, in bytes.
 const MAX_TEXT: usize = 1 << 20;
@@ -18,15 +19,17 @@ pub(super) fn place(node: &impl Spanned) -> Span {
     node.span().byte_range()
 }
 
-/// Parses the text. Its byte order mark must have been removed.
-pub(super) fn parse_file(text: &str) -> Result<syn::File, Diagnostic> {
+/// Parses the text, which must not begin with a byte order mark, and takes the shapes of unknowns out.
+pub(super) fn parse_file(text: &str) -> Result<(syn::File, Shapes), Diagnostic> {
     if text.len() > MAX_TEXT {
         let message = format!("the file has {} bytes, at most {MAX_TEXT} are allowed", text.len());
         return Err(Diagnostic::new(message, 0..0));
     }
     let tokens: TokenStream = text.parse().map_err(|error: proc_macro2::LexError| lexical_error(&error, text))?;
     check_lengths(&tokens, 0)?;
-    syn::parse2(tokens).map_err(|error| syntax_error(&error, text))
+    let (tokens, shapes) = take_shapes(tokens)?;
+    let file = syn::parse2(tokens).map_err(|error| syntax_error(&error, text))?;
+    Ok((file, shapes))
 }
 
 /// Checks that no expression exceeds [`MAX_EXPRESSION_TOKENS`], counted along nested brackets.

@@ -1,9 +1,9 @@
 //! Values of the problem language: arrays of polynomials, with exact and bounded arithmetic.
 
 use crate::algebra::{Monomial, Polynomial};
-use crate::diagnostic::Diagnostic;
+use crate::expression::rational::Rational;
 use crate::expression::{ExpressionGraph, ExpressionId, SignedProduct, SymbolicPolynomial};
-use crate::rational::Rational;
+use crate::problem::diagnostic::Diagnostic;
 
 /// Largest number of elements of one array.
 pub(super) const MAX_ELEMENTS: usize = 10_000;

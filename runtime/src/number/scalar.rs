@@ -87,8 +87,8 @@ impl Real for f64 {
 #[inline]
 pub(crate) fn mapped<Z: Size, A: Copy, S: Scalar>(size: Z, x: &Z::Vector<A>, f: impl Fn(A) -> S) -> Z::Vector<S> {
     let mut mapped = size.filled(S::ZERO);
-    for (image, &entry) in mapped.as_mut().iter_mut().zip(x.as_ref()) {
-        *image = f(entry);
+    for j in 0..size.get() {
+        mapped[j] = f(x[j]);
     }
     mapped
 }

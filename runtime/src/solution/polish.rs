@@ -62,7 +62,7 @@ const LARGE: f64 = 1e6;
 pub fn polish<S: Scalar, N: Size, E: Size>(
     x: &mut N::Vector<S>,
     (unknowns, equations): (N, E),
-    system: &dyn System<S, N, E>,
+    system: &impl System<S, N, E>,
     steps: usize,
 ) -> f64 {
     let mut polish = Polish { unknowns, equations, system, at: Values::zero(equations) };
@@ -73,10 +73,10 @@ pub fn polish<S: Scalar, N: Size, E: Size>(
 }
 
 /// One polish: the system, and memory for its values.
-struct Polish<'a, S: Scalar, N: Size, E: Size> {
+struct Polish<'a, S: Scalar, N: Size, E: Size, Y> {
     unknowns: N,
     equations: E,
-    system: &'a dyn System<S, N, E>,
+    system: &'a Y,
     at: Values<S, E>,
 }
 
@@ -90,7 +90,7 @@ struct Ended<S: Scalar, N: Size> {
     flat: bool,
 }
 
-impl<S: Scalar, N: Size, E: Size> Polish<'_, S, N, E> {
+impl<S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'_, S, N, E, Y> {
     /// The relative residual at x.
     #[inline]
     fn residual(&mut self, x: &N::Vector<S>) -> f64 {

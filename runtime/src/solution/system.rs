@@ -27,12 +27,6 @@ impl<S: Scalar, E: Size> Values<S, E> {
     pub fn zero(equations: E) -> Self {
         Values { residual: equations.filled(S::ZERO), scale: equations.filled(0.0) }
     }
-
-    #[inline]
-    fn clear(&mut self) {
-        self.residual.as_mut().fill(S::ZERO);
-        self.scale.as_mut().fill(0.0);
-    }
 }
 
 /// One monomial of the product chain: an earlier monomial times an unknown.
@@ -151,16 +145,15 @@ pub struct PolynomialSystem<'a, N: Size, E: Size, K: Size> {
 }
 
 impl<N: Size, E: Size, K: Size> PolynomialSystem<'_, N, E, K> {
-    /// Calls `visit(equation, coefficient, monomial)` for every term, equation by equation.
+    /// The terms of each equation.
     #[inline]
-    fn for_each_term(&self, mut visit: impl FnMut(usize, f64, usize)) {
-        let mut start = 0;
-        for (equation, &end) in self.tables.ends.as_ref().iter().enumerate() {
-            for term in &self.tables.terms[start..end as usize] {
-                visit(equation, self.coefficients[usize::from(term.coefficient)], usize::from(term.monomial));
-            }
-            start = end as usize;
-        }
+    fn equations(&self) -> impl Iterator<Item = &[Term]> {
+        let terms = self.tables.terms;
+        self.tables.ends.as_ref().iter().scan(0, move |start, &end| {
+            let of_equation = &terms[*start..end as usize];
+            *start = end as usize;
+            Some(of_equation)
+        })
     }
 
     /// The values of the chain.
@@ -200,26 +193,35 @@ impl<S: Scalar, N: Size, E: Size, K: Size> System<S, N, E> for PolynomialSystem<
             gradients[k] = mapped(unknowns, &gradients[parent], |derivative: S| derivative * factor);
             gradients[k][unknown] += values[parent];
         }
-        at.clear();
-        jacobian.as_mut().iter_mut().for_each(|row| row.as_mut().fill(S::ZERO));
-        self.for_each_term(|equation, coefficient, monomial| {
-            let term = values[monomial].scale(coefficient);
-            at.residual[equation] += term;
-            at.scale[equation] += term.modulus();
-            for (entry, derivative) in jacobian[equation].as_mut().iter_mut().zip(gradients[monomial].as_ref()) {
-                *entry += derivative.scale(coefficient);
+        for (equation, terms) in self.equations().enumerate() {
+            // Sums in locals, which stay in registers.
+            let (mut value, mut size, mut gradient) = (S::ZERO, 0.0, unknowns.filled(S::ZERO));
+            for term in terms {
+                let (coefficient, monomial) = (self.coefficients[usize::from(term.coefficient)], term.monomial);
+                let product = values[usize::from(monomial)].scale(coefficient);
+                value += product;
+                size += product.modulus();
+                let derivatives = &gradients[usize::from(monomial)];
+                for j in 0..unknowns.get() {
+                    gradient[j] += derivatives[j].scale(coefficient);
+                }
             }
-        });
+            (at.residual[equation], at.scale[equation], jacobian[equation]) = (value, size, gradient);
+        }
     }
 
     #[inline]
     fn residual(&self, x: &N::Vector<S>, at: &mut Values<S, E>) {
         let values = self.monomials(x);
-        at.clear();
-        self.for_each_term(|equation, coefficient, monomial| {
-            let term = values[monomial].scale(coefficient);
-            at.residual[equation] += term;
-            at.scale[equation] += term.modulus();
-        });
+        for (equation, terms) in self.equations().enumerate() {
+            let (mut value, mut size) = (S::ZERO, 0.0);
+            for term in terms {
+                let coefficient = self.coefficients[usize::from(term.coefficient)];
+                let product = values[usize::from(term.monomial)].scale(coefficient);
+                value += product;
+                size += product.modulus();
+            }
+            (at.residual[equation], at.scale[equation]) = (value, size);
+        }
     }
 }

@@ -33,9 +33,9 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
                 1 => values[low] = h[low][low].to_complex(),
                 2 => {
                     let pair = eigenvalues_2x2(h[low][low], h[low][low + 1], h[low + 1][low], h[low + 1][low + 1]);
-                    for (k, (re, im)) in pair.into_iter().enumerate() {
-                        values[low + k] = Complex { re: re.real(), im: im.real() };
-                    }
+                    let [first, second] = pair;
+                    values[low] = Complex { re: first.0.real(), im: first.1.real() };
+                    values[low + 1] = Complex { re: second.0.real(), im: second.1.real() };
                 }
                 _ => {
                     if remaining == 0 {
@@ -221,7 +221,8 @@ fn bulge_start<Z: Size, R: Real>(h: &Square<Z, R>, low: usize, high: usize, [s1,
         ];
         let size = v[0].modulus() + v[1].modulus() + v[2].modulus();
         if size > 0.0 {
-            v = v.map(|x| x / R::from_f64(size));
+            let size = R::from_f64(size);
+            v = [v[0] / size, v[1] / size, v[2] / size];
         }
         if m == low {
             return (m, v);
@@ -241,7 +242,8 @@ fn reflection<R: Real>(v: [R; 3]) -> (R, R, R, R) {
     let size = v[0].modulus().max(v[1].modulus()).max(v[2].modulus());
     // Squares of numbers of usual size need no scaling; tiny numbers need it.
     let scale = if size < 1e-140 && size > 0.0 { float::power_of_two(float::exponent(size).max(-1021)) } else { 1.0 };
-    let [x, y, z] = v.map(|entry| entry / R::from_f64(scale));
+    let unit = R::from_f64(scale);
+    let [x, y, z] = [v[0] / unit, v[1] / unit, v[2] / unit];
     let tail = y * y + z * z;
     if tail == R::ZERO {
         return (v[0], R::ZERO, R::ZERO, R::ZERO);

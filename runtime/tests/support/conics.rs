@@ -57,7 +57,7 @@ pub(crate) fn through_complex<const C: usize>(random: &mut Random, [x, y]: [Comp
 /// [`eliminant::emitted::polish`] for sizes that the compiler knows.
 pub(crate) fn polish<S: eliminant::Scalar, const N: usize, const E: usize>(
     x: &mut [S; N],
-    system: &dyn eliminant::emitted::System<S, Fixed<N>, Fixed<E>>,
+    system: &impl eliminant::emitted::System<S, Fixed<N>, Fixed<E>>,
     steps: usize,
 ) -> f64 {
     eliminant::emitted::polish(x, (Fixed, Fixed), system, steps)

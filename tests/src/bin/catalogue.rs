@@ -7,7 +7,7 @@ use std::path::Path;
 
 use clap::{Parser, ValueEnum};
 use comfy_table::{CellAlignment, Table, presets};
-use eliminant_generator::instance::Random;
+use eliminant_generator::algebra::Random;
 use eliminant_tests::ground_truth::{FOUND, Maker, makers};
 use eliminant_tests::measure::{WORK_OF_MEASURING, affordable, measure};
 use eliminant_tests::published::{Published, published, published_name};

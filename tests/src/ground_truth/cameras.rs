@@ -1,6 +1,6 @@
 //! Cameras that look at points: what the families of pose problems share.
 
-use eliminant_generator::instance::Random;
+use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector2, Vector3};
 
 use super::uniform;

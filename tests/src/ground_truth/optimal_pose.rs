@@ -1,6 +1,6 @@
 //! Poses of cameras as stationary points of least-squares costs.
 
-use eliminant_generator::instance::Random;
+use eliminant_generator::algebra::Random;
 use nalgebra::{DMatrix, Matrix3, SMatrix, Vector3};
 
 use super::cameras::{camera, cayley, image, in_ball, quaternion};

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use eliminant_generator::instance::Random;
+use eliminant_generator::algebra::Random;
 use nalgebra::{Rotation3, Vector3};
 
 use super::cameras::in_ball;

@@ -2,7 +2,7 @@
 
 use std::array::from_fn;
 
-use eliminant_generator::instance::Random;
+use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, Rotation3, SMatrix, Vector3};
 
 use super::cameras::{camera, cayley, in_ball};

@@ -1,6 +1,6 @@
 //! Points on conics, at known distances, and fixed by a quadratic map.
 
-use eliminant_generator::instance::Random;
+use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, Vector3};
 
 use super::cameras::in_ball;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use eliminant_generator::instance::Random;
+use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
 
 use super::cameras::{distorted, image, two_cameras};

@@ -1,0 +1,3 @@
+//! Seeded random numbers.
+
+pub(crate) use eliminant_cylinders::random::Random;

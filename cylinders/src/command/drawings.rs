@@ -1,0 +1,91 @@
+//! The files that show a result, for every subcommand that finds cylinders in a scene.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::error::CommandError;
+use super::files::write;
+use crate::picture::{Format, Picture, PictureError, SectionPicture, SilhouettePicture};
+use crate::ply::to_ply;
+use crate::{Cylinder, CylinderLines, LeastSquares, Scene, Section, SectionLine, SectionSolver};
+
+/// Where to draw the result.
+#[derive(clap::Args, Debug)]
+pub(super) struct DrawingArguments {
+    /// Write surfaces, viewing planes, cameras and points to this file, for a viewer of PLY files
+    #[arg(long, value_name = "FILE")]
+    ply: Option<PathBuf>,
+    /// Draw the cross-section with cameras, tangent lines and circles, as .svg or .png; of a labelled cylinder to FILE-LABEL
+    #[arg(long, value_name = "FILE", value_parser = picture_path)]
+    section: Option<PathBuf>,
+    /// Draw the silhouettes in each image to a file in this folder, which is made if it is not there
+    #[arg(long, value_name = "FOLDER")]
+    silhouettes: Option<PathBuf>,
+}
+
+/// A file name whose extension is one of a picture.
+fn picture_path(text: &str) -> Result<PathBuf, PictureError> {
+    let path = PathBuf::from(text);
+    Format::of(&path).map(|_| path)
+}
+
+impl DrawingArguments {
+    /// Draws all of it, then writes it: nothing is written where a picture cannot be drawn.
+    pub(super) fn write(&self, scene: &Scene, found: &[(CylinderLines, Cylinder)]) -> Result<(), CommandError> {
+        let mut files = Vec::new();
+        if let Some(path) = &self.ply {
+            files.push((path.clone(), to_ply(scene, found)));
+        }
+        if let Some(path) = &self.section {
+            for (lines, cylinder) in found {
+                let path = labelled(path, lines.label.as_deref());
+                files.push(drawn(path, &section(lines, cylinder))?);
+            }
+        }
+        if let Some(folder) = &self.silhouettes {
+            let seen = (0..scene.views.len()).filter(|&view| !scene.views[view].lines().is_empty());
+            for (view, picture) in seen.filter_map(|view| Some((view, SilhouettePicture::new(scene, found, view)?))) {
+                let image = scene.views[view].image().and_then(|image| Path::new(image).file_stem()?.to_str());
+                let name = image.map_or(format!("{view:03}"), |image| format!("{view:03}-{}", in_file_name(image)));
+                files.push(drawn(folder.join(name + ".svg"), &picture)?);
+            }
+            fs::create_dir_all(folder).map_err(|source| CommandError::Write { path: folder.clone(), source })?;
+        }
+        files.iter().try_for_each(|(path, content)| write(path, content))
+    }
+}
+
+fn drawn(path: PathBuf, picture: &impl Picture) -> Result<(PathBuf, Vec<u8>), CommandError> {
+    match Format::of(&path).and_then(|format| format.render(picture)) {
+        Ok(content) => Ok((path, content)),
+        Err(source) => Err(CommandError::Picture { path, source }),
+    }
+}
+
+/// The cross-section with all stationary circles of its least squares cost.
+fn section(lines: &CylinderLines, cylinder: &Cylinder) -> SectionPicture {
+    let title = lines.label.as_ref().map_or("cross-section".to_owned(), |label| format!("cross-section of {label}"));
+    let picture = SectionPicture::new(title, cylinder, &lines.views);
+    let tangents: Vec<_> = picture.lines().map(|line| SectionLine { line, weight: 1.0, view: 0 }).collect();
+    // Where it fails there are none to draw.
+    let sections = LeastSquares.solve(&tangents).unwrap_or_default();
+    picture.with_others(sections.iter().skip(1).filter_map(Section::circle).collect())
+}
+
+/// `FILE-LABEL` before the extension.
+fn labelled(path: &Path, label: Option<&str>) -> PathBuf {
+    let (Some(label), Some(stem), Some(extension)) = (label, path.file_stem(), path.extension()) else {
+        return path.to_owned();
+    };
+    let mut name = stem.to_owned();
+    name.push(format!("-{}.", in_file_name(label)));
+    name.push(extension);
+    path.with_file_name(name)
+}
+
+/// The text with every character that a file name might not take replaced.
+fn in_file_name(text: &str) -> String {
+    text.chars()
+        .map(|character| if character.is_alphanumeric() || "-_.".contains(character) { character } else { '_' })
+        .collect()
+}

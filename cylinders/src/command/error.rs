@@ -1,0 +1,42 @@
+//! What stops a subcommand, each with the file at fault.
+
+use std::io;
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+use crate::experiment::ExperimentError;
+use crate::picture::PictureError;
+use crate::{ColmapError, EstimateError, InputError, MatchError, SegmentError};
+
+/// Why a subcommand failed. All of these are the fault of the data or of a file.
+#[derive(Debug, Error)]
+pub(super) enum CommandError {
+    /// The scene cannot be read.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// The segments cannot be read, or do not belong to the images.
+    #[error(transparent)]
+    Segments(#[from] SegmentError),
+    /// The model cannot be read.
+    #[error(transparent)]
+    Colmap(#[from] ColmapError),
+    /// Neither a scene nor a model with segments.
+    #[error("there is no scene")]
+    NoScene,
+    /// The lines determine no cylinder.
+    #[error("{}: {}{error}", scene.display(), label.as_ref().map_or(String::new(), |label| format!("cylinder `{label}`: ")))]
+    Estimate { scene: PathBuf, label: Option<String>, error: EstimateError },
+    /// The lines cannot be matched.
+    #[error("{}: {error}", scene.display())]
+    Match { scene: PathBuf, error: MatchError },
+    /// A picture cannot be drawn.
+    #[error("{}: {source}", path.display())]
+    Picture { path: PathBuf, source: PictureError },
+    /// An experiment was not finished.
+    #[error(transparent)]
+    Experiment(#[from] ExperimentError),
+    /// No folder, no permission, no space.
+    #[error("cannot write `{}`: {source}", path.display())]
+    Write { path: PathBuf, source: io::Error },
+}

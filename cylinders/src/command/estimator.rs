@@ -1,0 +1,84 @@
+//! The arguments that say how cylinders are estimated, for every subcommand that finds them by labels.
+
+use super::error::CommandError;
+use super::scene::SceneArguments;
+use crate::{
+    CylinderLines, Estimate, EstimateError, Loss, Metric, ParallelError, RansacOptions, RefineOptions, RobustOptions,
+    triangulate, triangulate_parallel, triangulate_robustly,
+};
+
+/// How to estimate.
+#[derive(clap::Args, Debug)]
+pub(super) struct EstimatorArguments {
+    /// Find the cylinder among lines of which many are wrong, by RANSAC, and refine it
+    #[arg(long)]
+    robust: bool,
+    /// Largest distance of a line from its silhouette, pixels (default 3); without calibration radians (default 0.001)
+    #[arg(long, value_name = "PIXELS", requires = "robust", value_parser = positive)]
+    threshold: Option<f64>,
+    /// Start of the random numbers
+    #[arg(long, default_value_t = 0, requires = "robust")]
+    seed: u64,
+    /// Probability with which a sample of three right lines is among those drawn
+    #[arg(long, default_value_t = 0.999, requires = "robust", value_parser = probability)]
+    confidence: f64,
+    /// Refine on the distances of the lines from their silhouettes; the output then has standard deviations
+    #[arg(long)]
+    refine: bool,
+    /// Estimate one direction for the cylinders of all labels
+    #[arg(long, conflicts_with_all = ["robust", "refine"])]
+    parallel: bool,
+}
+
+fn number(text: &str, is_valid: impl Fn(f64) -> bool, range: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|&number| is_valid(number)).ok_or_else(|| format!("not a number {range}"))
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    number(text, |number| number > 0.0 && number.is_finite(), "greater than 0")
+}
+
+fn probability(text: &str) -> Result<f64, String> {
+    number(text, |number| number > 0.0 && number < 1.0, "between 0 and 1")
+}
+
+impl EstimatorArguments {
+    /// The cylinders of a scene, in the order of their lines.
+    pub(super) fn estimate(
+        &self,
+        scene: &SceneArguments,
+        cylinders: &[CylinderLines],
+    ) -> Result<Vec<Estimate>, CommandError> {
+        let failure = |index: usize, error: EstimateError| CommandError::Estimate {
+            scene: scene.path().to_owned(),
+            label: cylinders.get(index).and_then(|lines| lines.label.clone()),
+            error,
+        };
+        if self.parallel {
+            let views: Vec<_> = cylinders.iter().map(|lines| lines.views.clone()).collect();
+            let result = triangulate_parallel(&views).map_err(|error| match error {
+                ParallelError::Cylinder { cylinder, error } => failure(cylinder, error.into()),
+                // No label: it is the fault of all.
+                error @ ParallelError::Direction(_) => failure(usize::MAX, error.into()),
+            })?;
+            return Ok(result.cylinders.into_iter().map(Estimate::from).collect());
+        }
+        let estimate = |(index, lines)| self.single(lines).map_err(|error| failure(index, error));
+        cylinders.iter().enumerate().map(estimate).collect()
+    }
+
+    fn single(&self, CylinderLines { views, .. }: &CylinderLines) -> Result<Estimate, EstimateError> {
+        if self.robust {
+            let default = RobustOptions::of(views);
+            let threshold = self.threshold.unwrap_or(default.ransac.threshold);
+            let ransac = RansacOptions { threshold, seed: self.seed, confidence: self.confidence, ..default.ransac };
+            let result = triangulate_robustly(views, &RobustOptions { ransac, ..default })?;
+            return Ok(Estimate::from_robust(result, default.metric.unit));
+        }
+        let estimate = Estimate::from(triangulate(views)?);
+        if !self.refine {
+            return Ok(estimate);
+        }
+        Ok(estimate.refined(views, &RefineOptions { metric: Metric::of(views), loss: Loss::Quadratic })?)
+    }
+}

@@ -1,0 +1,111 @@
+//! `cylinders match`: cylinders and their silhouettes among lines without labels.
+
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use nalgebra::{Unit, Vector3};
+
+use super::error::CommandError;
+use super::files::write;
+use super::output::Output;
+use super::scene::SceneArguments;
+use crate::matching_report::MatchingReport;
+use crate::progress::progress_bar;
+use crate::{
+    MatchError, MatchOptions, Matching, Progress, References, Scene, TriangulateError, View, default_direction_options,
+    estimate_direction_robustly, match_cylinders_with,
+};
+
+/// Find parallel cylinders and their silhouettes among lines of which nobody says what they show
+#[derive(clap::Args, Debug)]
+#[command(after_help = "Examples:
+  cylinders match scene.json
+  cylinders match --colmap model --segments lines.csv --count 7 --json
+
+Every pair of lines in an image is tried with every line of the other images. Labels are not looked at.")]
+pub(super) struct Arguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// Largest distance between a line and its silhouette: pixels where all cameras have a calibration (default 3), radians
+    /// otherwise (default 0.001)
+    #[arg(long, value_name = "DISTANCE")]
+    threshold: Option<f64>,
+    /// Largest number of cylinders; without it all that are more than chance
+    #[arg(long, value_name = "N")]
+    count: Option<usize>,
+    /// Least number of matches of a cylinder, 4 or more; without it more than chance, or 4 with --count
+    #[arg(long, value_name = "N")]
+    least_support: Option<usize>,
+    /// Take pairs of silhouettes in the first image only: faster, but a cylinder must be seen there
+    #[arg(long)]
+    first_image: bool,
+    /// Direction of all axes, world frame; without it the one that most lines agree on
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse_direction, allow_hyphen_values = true)]
+    direction: Option<Unit<Vector3<f64>>>,
+    /// Write the result to this file too, as JSON
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
+    let Scene { views, .. } = arguments.scene.read()?;
+    let direction = direction(arguments, &views)?;
+    let defaults = MatchOptions::of(&views);
+    let options = MatchOptions {
+        threshold: arguments.threshold.unwrap_or(defaults.threshold),
+        references: if arguments.first_image { References::First } else { References::Every },
+        count: arguments.count,
+        least_support: arguments.least_support,
+        ..defaults
+    };
+    let scene = || arguments.scene.path().to_owned();
+    let matching =
+        search(&views, &direction, &options).map_err(|error| CommandError::Match { scene: scene(), error })?;
+    let output = Output::of(&MatchingReport::new(&views, &direction, &matching));
+    if let Some(path) = &arguments.out {
+        write(path, output.json.as_bytes())?;
+    }
+    Ok(output)
+}
+
+/// With a progress bar: pairs searched, and cylinders found so far.
+fn search(views: &[View], direction: &Unit<Vector3<f64>>, options: &MatchOptions) -> Result<Matching, MatchError> {
+    let bar = progress_bar(0);
+    let found = AtomicUsize::new(0);
+    let matching = match_cylinders_with(views, direction, options, &|progress| match progress {
+        Progress::Pairs(pairs) => {
+            bar.reset();
+            bar.set_length(pairs as u64);
+        }
+        Progress::Pair => bar.inc(1),
+        Progress::Cylinder => bar.set_message(format!("cylinders: {}", found.fetch_add(1, Ordering::Relaxed) + 1)),
+    });
+    bar.finish_and_clear();
+    matching
+}
+
+fn direction(arguments: &Arguments, views: &[View]) -> Result<Unit<Vector3<f64>>, CommandError> {
+    if let Some(direction) = arguments.direction {
+        return Ok(direction);
+    }
+    let planes: Vec<_> = views.iter().flat_map(View::planes).collect();
+    let failure = |error| CommandError::Estimate {
+        scene: arguments.scene.path().to_owned(),
+        label: None,
+        error: TriangulateError::Direction(error).into(),
+    };
+    let found = estimate_direction_robustly(&planes, &default_direction_options()).map_err(failure)?;
+    Ok(found.direction.direction)
+}
+
+/// Three numbers, not all zero.
+fn parse_direction(text: &str) -> Result<Unit<Vector3<f64>>, String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|number| number.trim().parse()).collect();
+    match numbers.as_deref() {
+        Ok(&[x, y, z]) if [x, y, z].iter().all(|number| number.is_finite()) => {
+            let vector = Vector3::new(x, y, z);
+            Unit::try_new(vector / vector.amax(), 0.5).ok_or("the direction is zero".to_owned())
+        }
+        _ => Err("a direction is three numbers with commas between them".to_owned()),
+    }
+}

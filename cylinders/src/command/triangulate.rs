@@ -1,0 +1,82 @@
+//! `cylinders triangulate`: the cylinder of a scene.
+
+use std::fmt;
+use std::path::PathBuf;
+
+use serde::Serialize;
+
+use super::drawings::DrawingArguments;
+use super::error::CommandError;
+use super::estimator::EstimatorArguments;
+use super::files::write;
+use super::output::Output;
+use super::scene::SceneArguments;
+use crate::report::Report;
+use crate::{CylinderLines, Estimate, Scene};
+
+/// Triangulate the cylinders of a scene by constrained least squares, or robustly
+#[derive(clap::Args, Debug)]
+#[command(after_help = "Examples:
+  cylinders triangulate cylinders/data/soda_can.json
+  cylinders triangulate --colmap model --segments silhouettes.csv --json
+  cylinders triangulate --robust --threshold 2 scene.json
+
+Lines with a label belong to the cylinder of that name; all others to one cylinder.
+With labels the JSON is `{\"cylinders\": [..]}`, without them the object of the one cylinder.")]
+pub(super) struct Arguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    #[command(flatten)]
+    estimator: EstimatorArguments,
+    /// Write the result to this file too, as JSON
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    #[command(flatten)]
+    drawings: DrawingArguments,
+}
+
+/// One cylinder, as it is, for a scene without labels; otherwise a list, also where there is one label.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Reports {
+    Unlabelled(Box<Report>),
+    Labelled { cylinders: Vec<Report> },
+}
+
+impl fmt::Display for Reports {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unlabelled(report) => report.fmt(f),
+            Self::Labelled { cylinders } => {
+                f.write_str(&cylinders.iter().map(Report::to_string).collect::<Vec<_>>().join("\n"))
+            }
+        }
+    }
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
+    let scene = arguments.scene.read()?;
+    let cylinders = scene.cylinders();
+    let estimates = arguments.estimator.estimate(&arguments.scene, &cylinders)?;
+    let output = Output::of(&reports(&scene, &cylinders, &estimates));
+    // Pictures show the lines that agree.
+    let shown = |(lines, estimate): (CylinderLines, &Estimate)| match &estimate.consensus {
+        Some(consensus) => (lines.selected(&consensus.inliers), estimate.cylinder),
+        None => (lines, estimate.cylinder),
+    };
+    let found: Vec<_> = cylinders.into_iter().zip(&estimates).map(shown).collect();
+    if let Some(path) = &arguments.out {
+        write(path, output.json.as_bytes())?;
+    }
+    arguments.drawings.write(&scene, &found)?;
+    Ok(output)
+}
+
+fn reports(scene: &Scene, cylinders: &[CylinderLines], estimates: &[Estimate]) -> Reports {
+    let report = |(lines, estimate)| Report::new(lines, estimate, &scene.points);
+    let mut reports: Vec<_> = cylinders.iter().zip(estimates).map(report).collect();
+    match reports.pop() {
+        Some(report) if !scene.has_labels() => Reports::Unlabelled(Box::new(report)),
+        last => Reports::Labelled { cylinders: reports.into_iter().chain(last).collect() },
+    }
+}

@@ -1,0 +1,157 @@
+//! `matching`: parallel cylinders among lines of which nobody says what they show, and how much clutter and noise the search
+//! endures.
+
+use super::instances::seeded_instances;
+use super::quantile::Sorted;
+use super::table::Table;
+use super::{ExperimentError, Options, Outcome};
+use crate::picture::{Axis, Plot, Series};
+use crate::simulation::{ParallelScene, ParallelSetup};
+use crate::{
+    Cylinder, MatchOptions, View, ViewError, default_direction_options, estimate_direction_robustly, match_cylinders,
+};
+
+const RUNS: usize = 100;
+
+/// Outlier rates at the noise of the set-up, and noise in pixels at its outlier rate.
+const OUTLIER_RATES: [f64; 6] = [0.86, 0.89, 0.90, 0.91, 0.92, 0.94];
+const NOISE: [f64; 6] = [0.25, 0.5, 1.0, 1.5, 2.0, 3.0];
+
+/// A cylinder is found where axis and radius are off by less than this part of the radius.
+const FOUND: f64 = 0.1;
+
+const SETUP: &str = "Seven parallel cylinders of similar radius in twelve images; what another cylinder hides is not seen, nine of ten \
+silhouettes are detected, ends of lines are moved by normal noise (pixels), clutter along the direction fills up to the outlier \
+rate: the mean over the cylinders of the part of all lines that are not its silhouettes. Pairs of every image \
+are tried, lines within 3 pixels match, whatever the noise. Told: what the search knows; where it is not told the direction, that is \
+estimated from all lines, and where it is not told the number of cylinders, it takes all that are more than chance.\n\
+Found: axis (in the middle of the scene) and radius off by less than a tenth of the radius. All: part of the runs in which all \
+seven are found. False: mean number of cylinders that are none of the seven. Wrong matches: part of the lines of found cylinders \
+that belong to something else.";
+
+/// What the search knows beside the lines.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+enum Told {
+    Nothing,
+    Number,
+    NumberAndDirection,
+}
+
+impl Told {
+    const ALL: [Self; 3] = [Self::Nothing, Self::Number, Self::NumberAndDirection];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Nothing => "nothing",
+            Self::Number => "number",
+            Self::NumberAndDirection => "number, direction",
+        }
+    }
+}
+
+/// What was found in one scene.
+#[derive(Clone, Copy, Debug)]
+struct Score {
+    lines: usize,
+    outlier_rate: f64,
+    found: usize,
+    spurious: usize,
+    matches: usize,
+    wrong: usize,
+}
+
+pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
+    let runs = options.runs_or(RUNS);
+    let paper = ParallelSetup::seven_in_twelve();
+    let by_rate = OUTLIER_RATES.map(|outlier_rate| ParallelSetup { outlier_rate, ..paper });
+    let by_noise = NOISE.map(|noise| ParallelSetup { noise, ..paper });
+    let mut outcome = Outcome::new(SETUP, runs);
+    let told = Told::ALL.map(|told| (paper, told));
+    let by_rate = by_rate.map(|setup| (setup, Told::Nothing));
+    let by_noise = by_noise.map(|setup| (setup, Told::Nothing));
+    for (name, setups) in [("paper", &told as &[_]), ("outlier_rate", &by_rate), ("noise", &by_noise)] {
+        let columns = [
+            "told",
+            "noise / pixels",
+            "lines",
+            "outlier rate",
+            "cylinders",
+            "found (mean)",
+            "all",
+            "false (mean)",
+            "wrong matches",
+        ];
+        let mut table = Table::new(name, &columns);
+        let mut points = [Vec::new(), Vec::new()];
+        for (setup, told) in setups {
+            let scores = seeded_instances(options, runs, |seed| score(setup, *told, seed));
+            let scores = scores.into_iter().collect::<Result<Vec<_>, ViewError>>()?;
+            let mean = |of: fn(&Score) -> f64| Sorted::new(scores.iter().map(of)).mean();
+            let all = scores.iter().filter(|score| score.found == setup.cylinders).count() as f64 / runs as f64;
+            let [found, rate] = [mean(|score| score.found as f64), mean(|score| score.outlier_rate)];
+            let [matches, wrong] = [mean(|score| score.matches as f64), mean(|score| score.wrong as f64)];
+            let numbers = [found, all, mean(|score| score.spurious as f64), wrong / matches].map(Into::into);
+            let lines = mean(|score| score.lines as f64);
+            let row = [told.name().into(), setup.noise.into(), lines.into(), rate.into(), setup.cylinders.into()];
+            table.push(row.into_iter().chain(numbers));
+            let x = if name == "noise" { setup.noise } else { rate };
+            points[0].push([x, all]);
+            points[1].push([x, found / setup.cylinders as f64]);
+        }
+        outcome.tables.push(table);
+        if name != "paper" {
+            let [all, each] = points;
+            let series = [("all seven found", all), ("part of the seven found", each)];
+            let label = if name == "noise" { "noise of the end points / pixels" } else { "mean outlier rate" };
+            let plot = Plot {
+                title: format!("seven cylinders in twelve images, {runs} runs"),
+                x: Axis::linear(label),
+                y: Axis::linear("part"),
+                series: series.map(|(label, points)| Series { label: label.to_owned(), points, band: None }).into(),
+            };
+            outcome.draw(name, &plot)?;
+        }
+    }
+    Ok(outcome)
+}
+
+fn score(setup: &ParallelSetup, told: Told, seed: u64) -> Result<Score, ViewError> {
+    let scene = setup.scene(seed)?;
+    let lines: usize = scene.views.iter().map(|view| view.lines().len()).sum();
+    let silhouettes = scene.truth.iter().flatten().flatten().count();
+    let outlier_rate = 1.0 - silhouettes as f64 / (setup.cylinders * lines) as f64;
+    let mut score = Score { lines, outlier_rate, found: 0, spurious: 0, matches: 0, wrong: 0 };
+    let planes: Vec<_> = scene.views.iter().flat_map(View::planes).collect();
+    let direction = match told {
+        Told::NumberAndDirection => scene.direction,
+        Told::Nothing | Told::Number => match estimate_direction_robustly(&planes, &default_direction_options()) {
+            Ok(found) => found.direction.direction,
+            Err(_) => return Ok(score),
+        },
+    };
+    let count = (told != Told::Nothing).then_some(setup.cylinders);
+    let options = MatchOptions { count, ..MatchOptions::of(&scene.views) };
+    let found = match_cylinders(&scene.views, &direction, &options);
+    let mut seen = vec![false; scene.cylinders.len()];
+    for found in found.iter().flat_map(|matching| &matching.cylinders) {
+        let Some(index) = nearest(&found.cylinder, &scene).filter(|&index| !seen[index]) else {
+            score.spurious += 1;
+            continue;
+        };
+        seen[index] = true;
+        score.found += 1;
+        score.matches += found.matches.len();
+        let right = |view: usize, line: usize| scene.truth[view][line].is_some_and(|(cylinder, _)| cylinder == index);
+        score.wrong += found.matches.iter().filter(|line| !right(line.view, line.line)).count();
+    }
+    Ok(score)
+}
+
+/// The true cylinder that this one is.
+fn nearest(found: &Cylinder, scene: &ParallelScene) -> Option<usize> {
+    let error = |truth: &Cylinder| {
+        let axis = found.distance(&truth.axis_at(truth.height(&scene.middle))) + found.radius;
+        axis.max((found.radius - truth.radius).abs()) / truth.radius
+    };
+    scene.cylinders.iter().position(|truth| error(truth) < FOUND)
+}

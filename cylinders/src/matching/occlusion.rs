@@ -1,0 +1,69 @@
+//! Which silhouettes of a circle others hide.
+//!
+//! ```text
+//!        C -------- o ----- T      hidden: the line of sight to the point of contact T, at alpha = -+beta and at the
+//!           \     (   )  ( p )     distance sqrt(rho^2 - r^2), passes through another circle
+//! ```
+
+use nalgebra::{Point2, Vector2};
+
+use crate::circle::Circle;
+
+/// Whether the left and the right silhouette of a circle are hidden from a camera; `None` where the camera is inside.
+pub(super) fn hidden(camera: &Point2<f64>, circle: &Circle, others: &[Circle]) -> Option<[bool; 2]> {
+    let to_centre = circle.centre - camera;
+    let square = to_centre.norm_squared();
+    let tangent_square = square - circle.radius * circle.radius;
+    let outside = tangent_square > 0.0;
+    if !outside {
+        return None;
+    }
+    let across = Vector2::new(-to_centre.y, to_centre.x) * circle.radius / tangent_square.sqrt();
+    let sight = [to_centre + across, to_centre - across].map(|ray| ray * (tangent_square / square));
+    Some(sight.map(|sight| others.iter().any(|other| is_across(other, camera, &sight))))
+}
+
+/// Whether a line of sight from the camera passes through a circle.
+fn is_across(circle: &Circle, camera: &Point2<f64>, sight: &Vector2<f64>) -> bool {
+    let to_centre = circle.centre - camera;
+    let along = (to_centre.dot(sight) / sight.norm_squared()).clamp(0.0, 1.0);
+    (to_centre - sight * along).norm_squared() < circle.radius * circle.radius
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn circle(x: f64, y: f64, radius: f64) -> Circle {
+        Circle { centre: Point2::new(x, y), radius }
+    }
+
+    #[test]
+    fn what_stands_between_hides_what_stands_behind_does_not() {
+        let camera = Point2::new(1.0, 2.0);
+        // Seen along the first axis: left is up.
+        let seen = circle(11.0, 2.0, 1.0);
+        let hidden = |others: &[Circle]| hidden(&camera, &seen, others).expect("a camera outside");
+        assert_eq!(hidden(&[]), [false, false]);
+        assert_eq!(hidden(&[circle(6.0, 2.6, 0.3)]), [true, false]);
+        assert_eq!(hidden(&[circle(6.0, 1.4, 0.3)]), [false, true]);
+        assert_eq!(hidden(&[circle(6.0, 2.0, 1.0)]), [true, true]);
+        assert_eq!(hidden(&[circle(6.0, 2.0, 0.3)]), [false, false]);
+        assert_eq!(hidden(&[circle(15.0, 2.0, 2.0)]), [false, false]);
+        assert_eq!(hidden(&[circle(6.0, 2.6, 0.3), circle(6.0, 1.4, 0.3)]), [true, true]);
+        assert_eq!(super::hidden(&Point2::new(11.0, 2.5), &seen, &[]), None);
+    }
+
+    #[test]
+    fn a_circle_at_the_point_of_contact_hides_it_however_small() {
+        let (camera, seen) = (Point2::new(-3.0, 0.5), circle(1.0, 2.0, 1.2));
+        let to_centre = seen.centre - camera;
+        let tangent = (to_centre.norm_squared() - 1.44).sqrt();
+        for (side, sign) in [1.0, -1.0].into_iter().enumerate() {
+            let angle = to_centre.y.atan2(to_centre.x) + sign * 1.2_f64.atan2(tangent);
+            let contact = camera + Vector2::new(angle.cos(), angle.sin()) * tangent;
+            let hides = hidden(&camera, &seen, &[Circle { centre: contact, radius: 1e-9 }]).expect("a camera outside");
+            assert!(hides[side] && !hides[1 - side]);
+        }
+    }
+}

@@ -1,0 +1,272 @@
+//! The scene seen along the axis: cameras are points, lines are rays from them, cylinders are circles.
+//!
+//! A ray has the unit direction `d`, away from the camera into the image, and the unit normal `n`, on its left. For a circle with
+//! centre `p` and radius `r`, and `m = p - C` from the camera centre at the distance `rho = |m|`:
+//!
+//! ```text
+//!             ray d
+//!            /  ____          n^T m = rho sin(alpha)    alpha: angle from the ray to the centre, positive to the left
+//!           /  /    \         d^T m = rho cos(alpha)
+//!          /  |   p  |        r     = rho sin(beta)     beta: half of the angle that the circle covers
+//!         /    \____/         left silhouette at alpha = -beta, right one at alpha = beta
+//!        C
+//! ```
+//!
+//! A line is within the threshold `t` when `| |alpha| - beta | <= t`. Sines grow with their angles, so no line needs a root or
+//! an inverse function, only one root for each view:
+//!
+//! ```text
+//!   r cos(t) - sqrt(rho^2 - r^2) sin(t)  <=  | n^T m |  <=  r cos(t) + sqrt(rho^2 - r^2) sin(t),    d^T m > 0
+//! ```
+
+use std::ops::Range;
+
+use nalgebra::{Point2, Point3, Unit, Vector2, Vector3};
+
+use super::{MatchError, MatchOptions};
+use crate::circle::Circle;
+use crate::cylinder::Side;
+use crate::rectify::{Rectification, TangentLine};
+use crate::scene::LineId;
+use crate::silhouette_distance::DistanceUnit;
+use crate::view::{Camera, View};
+
+/// Largest sine of the angle between a viewing plane and the axis: far more than the end points of a short line leave open, far
+/// less than that of lines across the axis.
+const MAX_TILT: f64 = 0.05;
+
+/// Largest threshold, radians.
+const MAX_THRESHOLD: f64 = 0.1;
+
+/// Largest distance of the cameras from their mean, seen along the axis, relative to their distance from the world's origin, at
+/// and below which they stand at one place.
+const SINGLE_VIEWPOINT: f64 = 1e-9;
+
+/// The support of a circle: more matches are better, then a smaller cost.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Support {
+    /// Number of silhouettes with a line within the threshold, at most two in a view.
+    pub(super) matches: usize,
+    /// Sum of the squared sines of the angles between matches and silhouettes, in units of the thresholds.
+    pub(super) cost: f64,
+}
+
+impl Support {
+    pub(super) fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.matches.cmp(&other.matches).then(other.cost.total_cmp(&self.cost))
+    }
+}
+
+/// A line that is a silhouette.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub(super) struct PlanMatch {
+    /// Index of the line in the plan.
+    pub(super) line: usize,
+    pub(super) side: Side,
+}
+
+/// An image seen along the axis.
+#[derive(Clone, Debug)]
+pub(super) struct PlanView {
+    pub(super) centre: Point2<f64>,
+    /// Threshold `t`, radians, its cosine and sine.
+    pub(super) threshold: f64,
+    pub(super) cosine: f64,
+    pub(super) sine: f64,
+    /// Indices of its lines in the plan.
+    pub(super) lines: Range<usize>,
+    /// Angle between its outermost rays, radians.
+    pub(super) span: f64,
+}
+
+/// Cameras and rays. Only lines along the axis are in it.
+pub(super) struct Plan {
+    rectification: Rectification,
+    views: Vec<PlanView>,
+    /// Normals `n` of the rays, coordinate by coordinate: all of a view are tested in one sweep. Zero for a line that is taken,
+    /// which is in front of no camera then.
+    normals: [Vec<f64>; 2],
+    lines: Vec<TangentLine>,
+    ids: Vec<LineId>,
+    extent: f64,
+}
+
+impl Plan {
+    pub(super) fn new(
+        views: &[View],
+        direction: &Unit<Vector3<f64>>,
+        options: &MatchOptions,
+    ) -> Result<Self, MatchError> {
+        let centres = views.iter().map(|view| view.camera().centre());
+        let magnitude = centres.clone().map(|centre| centre.coords.norm()).fold(0.0, f64::max);
+        let origin =
+            Point3::from(centres.map(|centre| centre.coords).sum::<Vector3<f64>>() / views.len().max(1) as f64);
+        let mut plan = Self {
+            rectification: Rectification::new(direction, origin),
+            views: Vec::with_capacity(views.len()),
+            normals: [Vec::new(), Vec::new()],
+            lines: Vec::new(),
+            ids: Vec::new(),
+            extent: 0.0,
+        };
+        for (index, view) in views.iter().enumerate() {
+            plan.push(index, view, direction, threshold(index, view.camera(), options)?);
+        }
+        let seeing = plan.views.iter().filter(|view| !view.lines.is_empty());
+        let count = seeing.clone().count();
+        if count < 2 {
+            return Err(MatchError::TooFewViews { views: count });
+        }
+        plan.extent = seeing.map(|view| view.centre.coords.norm()).fold(0.0, f64::max);
+        if plan.extent <= SINGLE_VIEWPOINT * magnitude {
+            return Err(MatchError::SingleViewpoint);
+        }
+        Ok(plan)
+    }
+
+    fn push(&mut self, index: usize, view: &View, direction: &Unit<Vector3<f64>>, threshold: f64) {
+        let camera = view.camera();
+        let centre = self.rectification.point(&camera.centre());
+        let forward = self.rectification.point(&(camera.centre() + camera.rotation().row(2).transpose())) - centre;
+        let first = self.lines.len();
+        let mut span = [f64::INFINITY, f64::NEG_INFINITY];
+        for (line, plane) in view.planes().enumerate() {
+            let along = plane.normal.dot(direction).abs() <= MAX_TILT;
+            let Some(tangent) = self.rectification.line(&plane).filter(|_| along) else { continue };
+            // Of the two rays the one into the image: the point of the line nearest to the principal point is on it.
+            let normal = if ray(&tangent.normal).dot(&forward) < 0.0 { -tangent.normal } else { tangent.normal };
+            let bearing = forward.perp(&ray(&normal)).atan2(forward.dot(&ray(&normal)));
+            span = [span[0].min(bearing), span[1].max(bearing)];
+            self.normals[0].push(normal.x);
+            self.normals[1].push(normal.y);
+            self.lines.push(tangent);
+            self.ids.push(LineId { view: index, line });
+        }
+        let (sine, cosine) = threshold.sin_cos();
+        let lines = first..self.lines.len();
+        let span = (span[1] - span[0]).max(0.0);
+        self.views.push(PlanView { centre, threshold, cosine, sine, lines, span });
+    }
+
+    pub(super) fn rectification(&self) -> &Rectification {
+        &self.rectification
+    }
+
+    pub(super) fn views(&self) -> &[PlanView] {
+        &self.views
+    }
+
+    /// Normal of a ray.
+    pub(super) fn normal(&self, line: usize) -> Vector2<f64> {
+        Vector2::new(self.normals[0][line], self.normals[1][line])
+    }
+
+    /// Whether a line has not been taken away.
+    pub(super) fn is_free(&self, line: usize) -> bool {
+        self.normal(line) != Vector2::zeros()
+    }
+
+    /// Number of lines of a view that have not been taken away.
+    pub(super) fn free_lines(&self, view: &PlanView) -> usize {
+        view.lines.clone().filter(|&line| self.is_free(line)).count()
+    }
+
+    pub(super) fn tangent_line(&self, line: usize) -> TangentLine {
+        self.lines[line]
+    }
+
+    pub(super) fn id(&self, line: usize) -> LineId {
+        self.ids[line]
+    }
+
+    /// Largest distance of a camera from the origin of the cross-section.
+    pub(super) fn extent(&self) -> f64 {
+        self.extent
+    }
+
+    /// Takes lines away: they match nothing any more.
+    pub(super) fn take(&mut self, lines: impl Iterator<Item = usize>) {
+        for line in lines {
+            self.normals[0][line] = 0.0;
+            self.normals[1][line] = 0.0;
+        }
+    }
+
+    /// The support of a circle, or `None` where it is less than `least` or a camera is inside.
+    pub(super) fn support(&self, circle: &Circle, least: usize) -> Option<Support> {
+        let mut support = Support { matches: 0, cost: 0.0 };
+        for (index, view) in self.views.iter().enumerate() {
+            for (_, cost) in self.silhouettes(view, circle)?.into_iter().flatten() {
+                support.matches += 1;
+                support.cost += cost;
+            }
+            if support.matches + 2 * (self.views.len() - index - 1) < least {
+                return None;
+            }
+        }
+        Some(support)
+    }
+
+    /// The matches of a circle, in the order of the lines.
+    pub(super) fn matches(&self, circle: &Circle) -> Vec<PlanMatch> {
+        let sides = [Side::Left, Side::Right];
+        let of_view = |view| {
+            let found = self.silhouettes(view, circle).unwrap_or_default();
+            sides.into_iter().zip(found).filter_map(|(side, found)| Some(PlanMatch { line: found?.0, side }))
+        };
+        let mut matches: Vec<_> = self.views.iter().flat_map(of_view).collect();
+        matches.sort_by_key(|line| line.line);
+        matches
+    }
+
+    /// The line nearest to the left and that nearest to the right silhouette of a circle, each with its part of the cost; `None`
+    /// where the camera is inside.
+    pub(super) fn silhouettes(&self, view: &PlanView, circle: &Circle) -> Option<[Option<(usize, f64)>; 2]> {
+        let Circle { centre, radius } = *circle;
+        let to_centre = centre - view.centre;
+        let square = to_centre.norm_squared();
+        let outside = square > radius * radius;
+        if !outside {
+            return None;
+        }
+        let tangent_length = (square - radius * radius).sqrt();
+        let (middle, half) = (radius * view.cosine, tangent_length * view.sine);
+        let nearly_half_turn = tangent_length * view.cosine <= radius * view.sine;
+        let bounds = [middle - half, if nearly_half_turn { f64::INFINITY } else { middle + half }];
+        let mut nearest = [None; 2];
+        let [x, y] = &self.normals;
+        for line in view.lines.clone() {
+            let across = x[line] * to_centre.x + y[line] * to_centre.y;
+            let along = x[line] * to_centre.y - y[line] * to_centre.x;
+            if along > 0.0 && across.abs() >= bounds[0] && across.abs() <= bounds[1] {
+                let sine = (across.abs() * tangent_length - along * radius) / square;
+                let cost = (sine / view.sine).powi(2);
+                let side: &mut Option<(usize, f64)> = &mut nearest[usize::from(across > 0.0)];
+                if side.is_none_or(|(_, least)| cost < least) {
+                    *side = Some((line, cost));
+                }
+            }
+        }
+        Some(nearest)
+    }
+}
+
+/// The direction of a ray from its normal.
+pub(super) fn ray(normal: &Vector2<f64>) -> Vector2<f64> {
+    Vector2::new(-normal.y, normal.x)
+}
+
+/// The threshold as an angle, radians.
+fn threshold(view: usize, camera: &Camera, options: &MatchOptions) -> Result<f64, MatchError> {
+    let threshold = match options.unit {
+        DistanceUnit::Radians => options.threshold,
+        DistanceUnit::Pixels => {
+            let k = camera.calibration().ok_or(MatchError::NoCalibration { view })?.matrix();
+            options.threshold / (k[(0, 0)] * k[(1, 1)]).abs().sqrt()
+        }
+    };
+    match threshold > 0.0 && threshold < MAX_THRESHOLD {
+        true => Ok(threshold),
+        false => Err(MatchError::Threshold { view, threshold }),
+    }
+}

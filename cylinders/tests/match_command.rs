@@ -1,0 +1,108 @@
+//! `cylinders match`: exit codes, where text goes, and that both forms of the output say the same.
+
+#![cfg(feature = "command")]
+
+use std::path::{Path, PathBuf};
+
+use eliminant_cylinders::command::run;
+use eliminant_cylinders::simulation::{ParallelScene, ParallelSetup};
+use serde_json::{Value, json};
+
+fn command(arguments: &[&str]) -> (u8, String, String) {
+    let (mut output, mut error) = (Vec::new(), Vec::new());
+    let code = run(["cylinders", "match"].iter().chain(arguments), &mut output, &mut error);
+    let [output, error] = [output, error].map(|bytes| String::from_utf8(bytes).expect("UTF-8"));
+    (code, output, error)
+}
+
+/// A file with this text, in the folder that cargo gives to tests.
+fn file(name: &str, text: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::write(&path, text).expect("a writable folder for tests");
+    path
+}
+
+fn scene() -> ParallelScene {
+    let setup = ParallelSetup { cylinders: 3, images: 8, noise: 0.5, detection: 0.9, outlier_rate: 0.8 };
+    setup.scene(2).expect("a scene")
+}
+
+fn scene_file(name: &str) -> String {
+    let view = |(index, view): (usize, &eliminant_cylinders::View)| {
+        let camera = view.camera();
+        let row = |row: usize| {
+            let rotation = camera.rotation().row(row);
+            [rotation[0], rotation[1], rotation[2], camera.translation()[row]]
+        };
+        let lines: Vec<[f64; 3]> = view.lines().iter().map(|&line| line.into()).collect();
+        json!({ "image": format!("{index}.jpg"), "camera_normalised": [row(0), row(1), row(2)], "lines_normalised": lines })
+    };
+    let views: Vec<Value> = scene().views.iter().enumerate().map(view).collect();
+    let text = json!({ "K": [[1000, 0, 800], [0, 1000, 600], [0, 0, 1]], "views": views }).to_string();
+    file(name, &text).display().to_string()
+}
+
+fn parsed(text: &str) -> Value {
+    serde_json::from_str(text).expect("JSON")
+}
+
+#[test]
+fn text_and_json_report_the_cylinders() {
+    let scene_file = scene_file("match_good.json");
+    let out = file("match_out.json", "old").display().to_string();
+    let (code, text, error) = command(&[&scene_file, "--out", &out]);
+    assert_eq!((code, error.as_str()), (0, ""));
+    let (code, output, error) = command(&[&scene_file, "--json"]);
+    assert_eq!((code, error.as_str()), (0, ""));
+    assert_eq!(std::fs::read_to_string(&out).expect("a file"), output);
+
+    let report = parsed(&output);
+    let cylinders = report["cylinders"].as_array().expect("an array");
+    assert_eq!(cylinders.len(), 3);
+    let mut matches = 0;
+    for cylinder in cylinders {
+        let radius = cylinder["radius"].as_f64().expect("a number");
+        assert!(text.contains(&format!("radius           {radius:14.7}\n")), "{text}");
+        let expected = scene().cylinders.iter().map(|cylinder| (cylinder.radius - radius).abs()).fold(1.0, f64::min);
+        assert!(expected < 0.03, "{radius}");
+        matches += cylinder["matches"].as_array().expect("an array").len();
+        assert_eq!(cylinder["matches"][0]["image"], format!("{}.jpg", cylinder["matches"][0]["view"]));
+    }
+    let unmatched = report["unmatched"].as_array().expect("an array").len();
+    assert_eq!(report["lines"], matches + unmatched);
+}
+
+#[test]
+fn options_reach_the_search() {
+    let scene_file = scene_file("match_options.json");
+    let cylinders = |arguments: &[&str]| {
+        let (code, output, error) = command(&[&[scene_file.as_str(), "--json"], arguments].concat());
+        assert_eq!((code, error.as_str()), (0, ""));
+        parsed(&output)["cylinders"].as_array().expect("an array").len()
+    };
+    assert_eq!(cylinders(&["--count", "1"]), 1);
+    let direction = scene().direction;
+    let text = format!("{},{},{}", -2.0 * direction.x, -2.0 * direction.y, -2.0 * direction.z);
+    assert_eq!(cylinders(&["--direction", &text, "--threshold", "2.5"]), 3);
+    assert!(cylinders(&["--first-image", "--least-support", "8"]) >= 1);
+}
+
+#[test]
+fn what_is_wrong_is_said() {
+    let scene_file = scene_file("match_bad.json");
+    for (arguments, expected) in [
+        (&["--threshold", "0"][..], "the threshold must be positive"),
+        (&["--least-support", "2"], "three lines leave four circles"),
+        (&["--least-support", "99"], "no cylinder has 99 of the "),
+    ] {
+        let (code, output, error) = command(&[&[scene_file.as_str()], arguments].concat());
+        assert_eq!((code, output.as_str()), (1, ""));
+        assert!(error.starts_with(&format!("error: {scene_file}: {expected}")), "{error}");
+    }
+    for direction in ["0,0,0", "1,2", "1,x,2", "NaN,1,1"] {
+        assert_eq!(command(&[&scene_file, "--direction", direction]).0, 2, "{direction}");
+    }
+    assert_eq!(command(&["no/such/file.json"]).0, 1);
+    let empty = file("match_empty.json", "{\"views\": []}").display().to_string();
+    assert_eq!(command(&[&empty]).0, 1);
+}

@@ -1,0 +1,81 @@
+//! Two solvers of the catalogue, emitted by the build script of this crate.
+//!
+//! The template of `pose_35pt_focal` is its own: of those with at most 12 basis monomials the one with the fewest rows. The
+//! catalogue has another, which the default options find. In a copy of the problem's folder it was found by
+//!
+//! ```sh
+//! eliminant search pose_35pt_focal.rs --prefer size --max-basis 12
+//! ```
+
+eliminant::include_solver!("pose_35pt_focal");
+eliminant::include_solver!("two_conics");
+
+use std::error::Error;
+
+/// The size of the eigenvalue problem that this crate asks for.
+const BASIS: usize = 12;
+const POINTS: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [1.0, 0.2, -0.3], [-0.4, 0.9, 0.5], [0.6, -0.7, 0.8]];
+/// The camera turns by the quaternion (1, X, Y, 0), and then by the angle ROLL about its optical axis.
+const X: f64 = 0.3;
+const Y: f64 = -0.2;
+const ROLL: f64 = 0.7;
+const TRANSLATION: [f64; 3] = [0.1, -0.3, 4.0];
+const FOCAL_LENGTH: f64 = 1.4;
+/// The images are rounded to some 1e-16; geometry makes that up to 10,000 times larger.
+const TOLERANCE: f64 = 1e-12;
+
+/// The image of a point.
+fn project(point: [f64; 3]) -> [f64; 2] {
+    let length = 1.0 + X * X + Y * Y;
+    let rotation = [
+        [1.0 + X * X - Y * Y, 2.0 * X * Y, 2.0 * Y],
+        [2.0 * X * Y, 1.0 - X * X + Y * Y, -2.0 * X],
+        [-2.0 * Y, 2.0 * X, 1.0 - X * X - Y * Y],
+    ];
+    let turned = rotation.map(|row| row.iter().zip(point).map(|(a, b)| a * b).sum::<f64>() / length);
+    let (sin, cos) = ROLL.sin_cos();
+    let across = cos * turned[0] - sin * turned[1] + TRANSLATION[0];
+    let down = sin * turned[0] + cos * turned[1] + TRANSLATION[1];
+    let depth = turned[2] + TRANSLATION[2];
+    [FOCAL_LENGTH * across / depth, FOCAL_LENGTH * down / depth]
+}
+
+/// Which rotation has a camera of unknown focal length that sees four points there?
+fn poses() -> Result<(), Box<dyn Error>> {
+    let images = POINTS.map(project);
+    let horizontal = images.map(|image| image[0]);
+    let vertical = [images[0][1], images[1][1], images[2][1]];
+    // By the template of the catalogue this array has another size.
+    let action: [[f64; BASIS]; BASIS] = pose_35pt_focal::action_matrix(&POINTS, &horizontal, &vertical)?;
+    let solutions = pose_35pt_focal::solve(&POINTS, &horizontal, &vertical)?;
+    println!("{} rotations, by the eigenvalues of a {BASIS} x {} matrix:", solutions.len(), action[0].len());
+    let mut nearest = f64::INFINITY;
+    for solution in &solutions {
+        println!("  x {:9.6}, y {:9.6}", solution.x, solution.y);
+        nearest = nearest.min((solution.x - X).abs().max((solution.y - Y).abs()));
+    }
+    match nearest < TOLERANCE {
+        true => Ok(()),
+        false => Err(format!("the camera is turned by ({X}, {Y}), which is none of these").into()),
+    }
+}
+
+/// Where does the circle x^2 + y^2 = 25 meet the hyperbola x y = 12?
+fn points() -> Result<(), Box<dyn Error>> {
+    let circle = [1.0, 0.0, 1.0, 0.0, 0.0, -25.0];
+    let hyperbola = [0.0, 1.0, 0.0, 0.0, 0.0, -12.0];
+    let solutions = two_conics::solve(&circle, &hyperbola)?;
+    println!("{} points:", solutions.len());
+    for expected in [[3.0, 4.0], [4.0, 3.0], [-3.0, -4.0], [-4.0, -3.0]] {
+        let is_it = |point: &[f64; 2]| (point[0] - expected[0]).hypot(point[1] - expected[1]) < TOLERANCE;
+        let found = solutions.iter().map(|point| [point.x, point.y]).find(is_it);
+        let [x, y] = found.ok_or_else(|| format!("{expected:?} is missing"))?;
+        println!("  x {x:9.6}, y {y:9.6}");
+    }
+    Ok(())
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    poses()?;
+    points()
+}

@@ -1,0 +1,140 @@
+//! One search from a problem to the template that is chosen, without writing anything.
+
+use std::path::Path;
+
+use super::provenance;
+use super::settings::Settings;
+use crate::check::check;
+use crate::command::error::CommandError;
+use crate::command::watch::{End, Watch};
+use crate::generate::plan;
+use crate::problem::Problem;
+use crate::search::choose::{Choice, choose};
+use crate::search::measuring::Stability;
+use crate::search::monitor::Monitor;
+use crate::search::{Found, SearchError, TemplateCandidate, candidates};
+use crate::template::file::TemplateFile;
+
+/// A problem whose template is searched.
+#[derive(Clone, Copy)]
+pub(super) struct Task<'a> {
+    pub(super) path: &'a Path,
+    pub(super) problem: &'a Problem,
+    pub(super) watch: &'a Watch,
+}
+
+/// Candidates to choose from.
+pub(super) struct Candidates {
+    pub(super) found: Found,
+    /// Different templates that were found. Those that several shards found count for each.
+    pub(super) templates: usize,
+    /// Measurements that were made before, by the shards of a search.
+    pub(super) known: Vec<(TemplateCandidate, Stability)>,
+}
+
+impl Candidates {
+    /// The candidates of a whole search.
+    pub(super) fn of(found: Found) -> Self {
+        Self { templates: found.candidates.len(), found, known: Vec::new() }
+    }
+
+    /// An earlier measurement of a candidate.
+    fn known(&self, candidate: &TemplateCandidate) -> Option<Stability> {
+        let is_same = |known: &&(TemplateCandidate, Stability)| {
+            known.0.template == candidate.template && known.0.presolve == candidate.presolve
+        };
+        self.known.iter().find(is_same).map(|(_, stability)| stability.clone())
+    }
+}
+
+/// What a search came to.
+pub(super) struct Outcome {
+    /// The settings, with the limit on columns within which something was found.
+    pub(super) settings: Settings,
+    pub(super) candidates: Candidates,
+    pub(super) choice: Choice,
+    /// What ended the search early, if that left anything out.
+    pub(super) end: Option<End>,
+    /// The file of the chosen template. It holds for the problem.
+    pub(super) file: TemplateFile,
+}
+
+/// Searches, measures and chooses.
+pub(super) fn search(task: Task<'_>, settings: Settings) -> Result<Outcome, CommandError> {
+    let (settings, found) = find(task, settings)?;
+    let found = found.map_err(|error| CommandError::of_search(task.path, task.problem, error))?;
+    conclude(task, settings, Candidates::of(found))
+}
+
+/// Searches within the first limit on columns, and within the wider one if nothing is found and the
+/// time is not over. Returns the settings of the last try.
+pub(super) fn find(task: Task<'_>, settings: Settings) -> Result<(Settings, Result<Found, SearchError>), CommandError> {
+    let Task { problem, watch, .. } = task;
+    watch.say("counting solutions");
+    let count = check(problem)?;
+    let found = candidates(problem, &count, &settings.options, watch);
+    match (&found, settings.widened()) {
+        (Err(SearchError::NotFound { max_columns, is_over: false, .. }), Some(widened)) => {
+            watch.say(&format!("nothing within {max_columns} columns; trying {}", widened.options.max_columns));
+            let found = candidates(problem, &count, &widened.options, watch);
+            Ok((widened, found))
+        }
+        _ => Ok((settings, found)),
+    }
+}
+
+/// Measures and chooses.
+pub(super) fn conclude(task: Task<'_>, settings: Settings, candidates: Candidates) -> Result<Outcome, CommandError> {
+    let Task { path, problem, watch } = task;
+    let found = &candidates.found;
+    let nothing = || SearchError::NotFound {
+        max_columns: settings.options.max_columns,
+        failed: Vec::new(),
+        untried: found.untried,
+        is_over: watch.end().is_some(),
+    };
+    let known = |candidate: &TemplateCandidate| candidates.known(candidate);
+    let choice = choose(&found.candidates, settings.options.prefer, settings.measuring, &known, watch)
+        .ok_or_else(|| CommandError::of_search(path, problem, nothing()))?;
+    let end = watch.end().or(found.is_cut.then_some(End::Shards));
+    let end = end.filter(|_| found.untried + found.unplanned > 0 || choice.is_cut || found.is_cut);
+    let chosen = &choice.measured[choice.chosen];
+    let mut file = chosen.candidate.to_file(problem, &settings.options);
+    provenance::complete(&mut file.provenance, chosen, &settings, end);
+    // Nothing is handed on that a build would refuse.
+    plan(problem, &file).map_err(|error| CommandError::Generate { problem: path.to_owned(), error: error.into() })?;
+    Ok(Outcome { settings, candidates, choice, end, file })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::search::SearchOptions;
+
+    #[test]
+    fn a_wider_limit_is_tried_only_where_the_first_does_not_do() {
+        let text = "fn conics(a: [f64; 6], b: [f64; 6]) -> (x, y) {
+            for c in [a, b] { dot(c, [x * x, x * y, y * y, x, y, 1]) == 0; }
+        }";
+        let problem = Problem::parse("conics.rs", text).unwrap();
+        let watch = Watch::new(None);
+        let task = Task { path: Path::new("conics.rs"), problem: &problem, watch: &watch };
+        let within = |max_columns: usize, wider: Option<usize>| {
+            let options = SearchOptions { max_columns, ..SearchOptions::default() };
+            let (settings, found) = find(task, Settings { wider, ..Settings::new(options, 1, 1) }).unwrap();
+            let rows = found.map(|found| found.candidates[0].template.rows()).map_err(|error| error.to_string());
+            (rows, settings.options.max_columns, settings.nothing_within)
+        };
+        assert_eq!(within(7, Some(20)), (Ok(6), 20, Some(7)));
+        assert_eq!(within(20, None), (Ok(6), 20, None));
+        assert_eq!(within(20, Some(30)), (Ok(6), 20, None));
+        let (nothing, ..) = within(6, Some(7));
+        assert!(nothing.unwrap_err().contains("within 7 columns"));
+        // The record says what to repeat.
+        let options = SearchOptions { max_columns: 7, ..SearchOptions::default() };
+        let settings = Settings { wider: Some(20), ..Settings::new(options, 20, 30) };
+        let file = search(task, settings.clone()).unwrap().file;
+        assert_eq!(provenance::recorded_settings(&file.provenance), Ok(settings));
+        assert!(file.provenance.iter().map(|(key, _)| key.as_str()).is_sorted_by_key(provenance::position));
+    }
+}

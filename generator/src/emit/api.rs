@@ -1,0 +1,140 @@
+//! Prints what users see: the solution and the functions that return it.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::names::Names;
+use super::shapes::{array_type, doc_line, indices, parameter};
+use crate::plan::Plan;
+use crate::template::RootMethod;
+
+/// The struct `Solution`, its conversions, and the constants that describe it.
+pub(super) fn solution(plan: &Plan) -> TokenStream {
+    let doc = format!(" A solution of `{}`: real, or complex with `T = Complex<f64>`.", plan.name);
+    let names: Vec<_> = plan.fields.iter().map(|field| format_ident!("{}", field.name)).collect();
+    let types = plan.fields.iter().map(|field| array_type(quote!(T), &field.shape));
+    let field_docs = plan.fields.iter().map(|field| match field.shape[..] {
+        [] => format!(" The unknown `{}`.", field.name),
+        _ => format!(" The unknowns `{}`.", field.name),
+    });
+    let elements = plan.fields.iter().zip(&names).flat_map(|(field, name)| {
+        indices(&field.shape).map(move |indices| {
+            let indices = indices.into_iter().map(Literal::usize_unsuffixed);
+            quote!(self.#name #([#indices])*)
+        })
+    });
+    let values = plan.fields.iter().map(|field| array_of_unknowns(&field.shape, field.first_unknown));
+    let [unknowns, solutions] = [plan.unknowns.len(), plan.solutions].map(Literal::usize_unsuffixed);
+    let texts = &plan.unknowns;
+    quote! {
+        #[doc = #doc]
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Solution<T = f64> {
+            #(#[doc = #field_docs] pub #names: #types,)*
+        }
+
+        /// The names of the unknowns, in the order of [`Solution::to_array`].
+        pub const UNKNOWNS: [&str; #unknowns] = [#(#texts),*];
+
+        /// The number of complex solutions for general data. No call returns more.
+        pub const MAX_SOLUTIONS: usize = #solutions;
+
+        impl<T: Copy> Solution<T> {
+            /// The unknowns in the order of [`UNKNOWNS`].
+            pub fn to_array(self) -> [T; #unknowns] {
+                [#(#elements),*]
+            }
+        }
+
+        impl<T: Copy> From<[T; #unknowns]> for Solution<T> {
+            fn from(unknowns: [T; #unknowns]) -> Self {
+                Self { #(#names: #values),* }
+            }
+        }
+
+        impl<T: Copy> From<Solution<T>> for [T; #unknowns] {
+            fn from(solution: Solution<T>) -> Self {
+                solution.to_array()
+            }
+        }
+    }
+}
+
+/// The unknowns from one on as an array of this shape: `[unknowns[3], unknowns[4]]`.
+fn array_of_unknowns(shape: &[usize], first: usize) -> TokenStream {
+    let Some((&length, inner)) = shape.split_first() else {
+        let first = Literal::usize_unsuffixed(first);
+        return quote!(unknowns[#first]);
+    };
+    let size: usize = inner.iter().product();
+    let elements = (0..length).map(|at| array_of_unknowns(inner, first + at * size));
+    quote!([#(#elements),*])
+}
+
+/// The functions from the data to solutions, and what measures a solution.
+pub(super) fn functions(plan: &Plan) -> TokenStream {
+    // An empty line between what the problem says and what is true for all.
+    let end = (!plan.docs.is_empty()).then(String::new);
+    let docs = plan.docs.iter().map(|line| doc_line(line)).chain(end);
+    let parameters: Vec<_> = plan.data.iter().map(parameter).collect();
+    let arguments: Vec<_> = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name)).collect();
+    let mut names = Names::of(&plan.data);
+    let (instance, solution) = (names.take("instance"), names.take("solution"));
+    let basis = Literal::usize_unsuffixed(plan.elimination.basis);
+    let roots = match plan.roots {
+        RootMethod::Eigenvalues => quote!(real_solutions),
+        RootMethod::CharacteristicPolynomial => quote!(real_solutions_by_polynomial),
+    };
+    quote! {
+        #(#[doc = #docs])*
+        /// Returns the real solutions, polished on the equations of the problem: `Ok` and empty if there is none.
+        ///
+        /// # Errors
+        /// The data are not finite, or degenerate: see [`SolveError`](::eliminant::SolveError).
+        pub fn solve(
+            #(#parameters),*
+        ) -> Result<::eliminant::Solutions<Solution, MAX_SOLUTIONS>, ::eliminant::SolveError> {
+            let mut #instance = Instance::new(#(#arguments),*)?;
+            let points = emitted::#roots(&mut #instance)?;
+            Ok(::eliminant::Solutions::from_points(&points, Solution::from))
+        }
+
+        /// Like [`solve`], with all complex solutions. Where solutions are missing, all is computed once more at twice
+        /// the precision, which takes many times as long. Solutions are missing, too, where data make some of them
+        /// coincide or move to infinity.
+        ///
+        /// # Errors
+        /// As [`solve`].
+        pub fn solve_complex(
+            #(#parameters),*
+        ) -> Result<
+            ::eliminant::Solutions<Solution<::eliminant::Complex<f64>>, MAX_SOLUTIONS>,
+            ::eliminant::SolveError,
+        > {
+            let mut #instance = Instance::new(#(#arguments),*)?;
+            let points = emitted::complex_solutions(&mut #instance)?;
+            Ok(::eliminant::Solutions::from_points(&points, Solution::from))
+        }
+
+        /// The matrix of multiplication by the action monomial on the basis, as the elimination gives it.
+        ///
+        /// # Errors
+        /// As [`solve`].
+        pub fn action_matrix(#(#parameters),*) -> Result<[[f64; #basis]; #basis], ::eliminant::SolveError> {
+            emitted::SolverInstance::action_matrix(&mut Instance::new(#(#arguments),*)?)
+        }
+
+        /// The relative residual of a solution: the largest |f| / (sum of the moduli of the terms of f) of all
+        /// equations f = 0.
+        ///
+        /// # Errors
+        /// As [`solve`], for the data.
+        pub fn relative_residual<S: ::eliminant::Scalar>(
+            #(#parameters,)*
+            #solution: &Solution<S>,
+        ) -> Result<f64, ::eliminant::SolveError> {
+            let #instance = Instance::new(#(#arguments),*)?;
+            Ok(emitted::SolverInstance::polish(&#instance, &mut #solution.to_array(), 0))
+        }
+    }
+}

@@ -1,0 +1,353 @@
+//! The graph of coefficient expressions, in which each value is one node.
+
+use std::collections::{BTreeMap, HashMap};
+
+use super::arithmetic::Arithmetic;
+use super::product_sum::{Product, ProductSum};
+use super::rational::Rational;
+use crate::algebra::{PRIMES, PrimeField};
+
+/// A node of an [`ExpressionGraph`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ExpressionId(u32);
+
+impl ExpressionId {
+    /// Position among the nodes of its graph.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// One operation. Operands always have smaller ids.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Expression {
+    /// A constant.
+    Constant(Rational),
+    /// The scalar number `.0` of the flattened data (see [`crate::problem::DataParameter`]).
+    Input(u32),
+    /// a + b
+    Add(ExpressionId, ExpressionId),
+    /// a - b
+    Subtract(ExpressionId, ExpressionId),
+    /// a * b
+    Multiply(ExpressionId, ExpressionId),
+    /// a / b; the divisor depends on the data (only presolve makes these).
+    Divide(ExpressionId, ExpressionId),
+    /// -a
+    Negate(ExpressionId),
+    /// A coefficient of one of the sums of products of polynomials
+    /// ([`ExpressionGraph::product_sums`]).
+    Coefficient {
+        /// The number of the sum.
+        sum: u32,
+        /// The number of the coefficient in the sum.
+        at: u32,
+    },
+}
+
+type Fingerprint = [u32; 2];
+
+/// The fields in which fingerprints are taken. Searches and checks use other primes first.
+pub(crate) const FINGERPRINT_FIELDS: [PrimeField; 2] = [PrimeField::new(PRIMES[4]), PrimeField::new(PRIMES[5])];
+
+/// Expressions in the data, each value once. Nodes are in topological order: operands before their
+/// users.
+///
+/// ```text
+///   node            0    1    2        3        4              5
+///   expression      0    1    input 0  input 1  2 * 3          4 - 1
+///   fingerprints    the values modulo two primes at one point each: equal ones are one node
+/// ```
+#[derive(Clone, Debug)]
+pub struct ExpressionGraph {
+    nodes: Vec<Expression>,
+    product_sums: Vec<ProductSum<ExpressionId>>,
+    fingerprints: Vec<Fingerprint>,
+    by_fingerprint: HashMap<Fingerprint, ExpressionId>,
+    names: BTreeMap<ExpressionId, String>,
+}
+
+impl ExpressionGraph {
+    /// The graph of the constants 0 and 1 and the inputs. `points[k]` holds the values of all
+    /// inputs at the k-th fingerprint point, see [`crate::problem::instance::fingerprint_points`].
+    pub fn new(points: &[Vec<u32>; 2]) -> Self {
+        let mut graph = Self {
+            nodes: Vec::new(),
+            product_sums: Vec::new(),
+            fingerprints: Vec::new(),
+            by_fingerprint: HashMap::new(),
+            names: BTreeMap::new(),
+        };
+        graph.push(Expression::Constant(Rational::ZERO), [0, 0]);
+        graph.push(Expression::Constant(Rational::ONE), [1, 1]);
+        for (input, (&a, &b)) in (0u32..).zip(points[0].iter().zip(&points[1])) {
+            graph.push_unshared(Expression::Input(input), [a, b]);
+        }
+        graph
+    }
+
+    /// The constant 0.
+    pub const ZERO: ExpressionId = ExpressionId(0);
+    /// The constant 1.
+    pub const ONE: ExpressionId = ExpressionId(1);
+
+    /// The node of the input with flat index `input`; equal inputs (symmetric data) are one node.
+    pub fn input(&self, input: usize) -> ExpressionId {
+        let own = 2 + input;
+        self.by_fingerprint.get(&self.fingerprints[own]).copied().unwrap_or(ExpressionId(own as u32))
+    }
+
+    /// All nodes, operands before their users.
+    pub fn nodes(&self) -> &[Expression] {
+        &self.nodes
+    }
+
+    /// Sums of products of polynomials, by their coefficients. All operands of a sum have smaller
+    /// ids than its coefficients.
+    pub fn product_sums(&self) -> &[ProductSum<ExpressionId>] {
+        &self.product_sums
+    }
+
+    /// The expression of a node.
+    pub fn node(&self, id: ExpressionId) -> Expression {
+        self.nodes[id.index()]
+    }
+
+    /// Remembers what people call a computed value. Constants and inputs need no name, and the first name stays.
+    pub fn name(&mut self, id: ExpressionId, name: &str) {
+        if !matches!(self.node(id), Expression::Constant(_) | Expression::Input(_)) {
+            self.names.entry(id).or_insert_with(|| name.to_owned());
+        }
+    }
+
+    /// All values with names, in order.
+    pub fn names(&self) -> impl Iterator<Item = (ExpressionId, &str)> {
+        self.names.iter().map(|(&id, name)| (id, name.as_str()))
+    }
+
+    /// The value of a constant node.
+    pub fn as_constant(&self, id: ExpressionId) -> Option<Rational> {
+        match self.node(id) {
+            Expression::Constant(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// A constant.
+    pub fn constant(&mut self, value: Rational) -> ExpressionId {
+        let image = FINGERPRINT_FIELDS.map(|field| field.constant(value));
+        match image {
+            [Some(a), Some(b)] => self.push(Expression::Constant(value), [a, b]),
+            // A fingerprint prime divides the denominator: such a constant is not shared.
+            _ => self.push_unshared(Expression::Constant(value), [0, 0]),
+        }
+    }
+
+    /// a + b
+    pub fn add(&mut self, a: ExpressionId, b: ExpressionId) -> ExpressionId {
+        if let (Some(x), Some(y)) = (self.as_constant(a), self.as_constant(b))
+            && let Some(sum) = x.checked_add(y)
+        {
+            return self.constant(sum);
+        }
+        let fingerprint = self.combine(a, b, PrimeField::add);
+        // a + (-b) is a - b, one operation instead of two.
+        match (self.node(a), self.node(b)) {
+            (_, Expression::Negate(c)) => self.push(Expression::Subtract(a, c), fingerprint),
+            (Expression::Negate(c), _) => self.push(Expression::Subtract(b, c), fingerprint),
+            _ => self.push(Expression::Add(a.min(b), a.max(b)), fingerprint),
+        }
+    }
+
+    /// a - b
+    pub fn sub(&mut self, a: ExpressionId, b: ExpressionId) -> ExpressionId {
+        if a == Self::ZERO {
+            return self.neg(b);
+        }
+        if let (Some(x), Some(y)) = (self.as_constant(a), self.as_constant(b))
+            && let Some(difference) = y.checked_neg().and_then(|y| x.checked_add(y))
+        {
+            return self.constant(difference);
+        }
+        let fingerprint = self.combine(a, b, PrimeField::sub);
+        match self.node(b) {
+            Expression::Negate(c) => self.push(Expression::Add(a.min(c), a.max(c)), fingerprint),
+            _ => self.push(Expression::Subtract(a, b), fingerprint),
+        }
+    }
+
+    /// a b
+    pub fn mul(&mut self, a: ExpressionId, b: ExpressionId) -> ExpressionId {
+        if let (Some(x), Some(y)) = (self.as_constant(a), self.as_constant(b))
+            && let Some(product) = x.checked_mul(y)
+        {
+            return self.constant(product);
+        }
+        // Signs move outwards: (-a) b = -(a b).
+        if let Expression::Negate(c) = self.node(a) {
+            let product = self.mul(c, b);
+            return self.neg(product);
+        }
+        if let Expression::Negate(c) = self.node(b) {
+            let product = self.mul(a, c);
+            return self.neg(product);
+        }
+        let minus_one = Rational::integer(-1);
+        if self.as_constant(a) == Some(minus_one) {
+            return self.neg(b);
+        }
+        if self.as_constant(b) == Some(minus_one) {
+            return self.neg(a);
+        }
+        let fingerprint = self.combine(a, b, PrimeField::mul);
+        self.push(Expression::Multiply(a.min(b), a.max(b)), fingerprint)
+    }
+
+    /// a / b, or `None` if b is zero for all data.
+    pub fn div(&mut self, a: ExpressionId, b: ExpressionId) -> Option<ExpressionId> {
+        let inverses = [0, 1].map(|k| FINGERPRINT_FIELDS[k].inverse(self.fingerprints[b.index()][k]));
+        let [Some(x), Some(y)] = inverses else { return None };
+        if let Some(divisor) = self.as_constant(b) {
+            let reciprocal = Rational::ONE.checked_div(divisor)?;
+            let reciprocal = self.constant(reciprocal);
+            return Some(self.mul(a, reciprocal));
+        }
+        let fingerprint = [0, 1].map(|k| {
+            let numerator = self.fingerprints[a.index()][k];
+            FINGERPRINT_FIELDS[k].mul(numerator, [x, y][k])
+        });
+        Some(self.push(Expression::Divide(a, b), fingerprint))
+    }
+
+    /// -a
+    pub fn neg(&mut self, a: ExpressionId) -> ExpressionId {
+        match self.node(a) {
+            Expression::Negate(b) => return b,
+            Expression::Constant(value) => {
+                if let Some(negative) = value.checked_neg() {
+                    return self.constant(negative);
+                }
+            }
+            _ => {}
+        }
+        let fingerprint = self.negated(self.fingerprints[a.index()]);
+        self.push(Expression::Negate(a), fingerprint)
+    }
+
+    /// Whether the value is zero for all data (on their variety).
+    pub fn is_zero(&self, id: ExpressionId) -> bool {
+        self.fingerprints[id.index()] == [0, 0]
+    }
+
+    /// The values at the two fingerprint points. They identify an expression, however it was
+    /// written.
+    pub fn fingerprint(&self, id: ExpressionId) -> [u32; 2] {
+        self.fingerprints[id.index()]
+    }
+
+    /// Which nodes these depend on, themselves included.
+    pub(crate) fn needed(&self, used: &[ExpressionId]) -> Vec<bool> {
+        let mut needed = vec![false; self.nodes.len()];
+        used.iter().for_each(|id| needed[id.index()] = true);
+        for at in (0..needed.len()).rev() {
+            if !needed[at] {
+                continue;
+            }
+            let mut need = |id: ExpressionId| needed[id.index()] = true;
+            match self.nodes[at] {
+                Expression::Constant(_) | Expression::Input(_) => {}
+                Expression::Negate(a) => need(a),
+                Expression::Add(a, b)
+                | Expression::Subtract(a, b)
+                | Expression::Multiply(a, b)
+                | Expression::Divide(a, b) => [a, b].into_iter().for_each(need),
+                Expression::Coefficient { sum, .. } => {
+                    self.product_sums[sum as usize].operands().for_each(need);
+                }
+            }
+        }
+        needed
+    }
+
+    /// The values of all nodes for the given values of the inputs; `None` if a divisor is zero.
+    pub fn evaluate<A: Arithmetic>(&self, arithmetic: A, inputs: &[A::Value]) -> Option<Vec<A::Value>> {
+        let mut values: Vec<A::Value> = Vec::with_capacity(self.nodes.len());
+        let mut sums: Vec<Vec<A::Value>> = vec![Vec::new(); self.product_sums.len()];
+        for node in &self.nodes {
+            let at = |id: &ExpressionId| values[id.index()];
+            let value = match node {
+                Expression::Constant(value) => arithmetic.constant(*value)?,
+                Expression::Input(input) => inputs[*input as usize],
+                Expression::Add(a, b) => arithmetic.add(at(a), at(b)),
+                Expression::Subtract(a, b) => arithmetic.sub(at(a), at(b)),
+                Expression::Multiply(a, b) => arithmetic.mul(at(a), at(b)),
+                Expression::Divide(a, b) => arithmetic.div(at(a), at(b))?,
+                Expression::Negate(a) => arithmetic.neg(at(a)),
+                Expression::Coefficient { sum, at: coefficient } => {
+                    let known = &mut sums[*sum as usize];
+                    if known.is_empty() {
+                        *known = self.product_sums[*sum as usize].evaluate(arithmetic, |id| at(&id));
+                    }
+                    known[*coefficient as usize]
+                }
+            };
+            values.push(value);
+        }
+        Some(values)
+    }
+
+    fn combine(&self, a: ExpressionId, b: ExpressionId, op: fn(PrimeField, u32, u32) -> u32) -> Fingerprint {
+        [0, 1].map(|k| op(FINGERPRINT_FIELDS[k], self.fingerprints[a.index()][k], self.fingerprints[b.index()][k]))
+    }
+
+    fn negated(&self, fingerprint: Fingerprint) -> Fingerprint {
+        [0, 1].map(|k| FINGERPRINT_FIELDS[k].neg(fingerprint[k]))
+    }
+
+    /// The node with this value: an old one, the negative of an old one, or a new one.
+    fn push(&mut self, node: Expression, fingerprint: Fingerprint) -> ExpressionId {
+        if let Some(&shared) = self.by_fingerprint.get(&fingerprint) {
+            return shared;
+        }
+        let negation = matches!(node, Expression::Negate(_) | Expression::Constant(_));
+        let node = match self.by_fingerprint.get(&self.negated(fingerprint)) {
+            Some(&opposite) if !negation => Expression::Negate(opposite),
+            _ => node,
+        };
+        let id = self.push_unshared(node, fingerprint);
+        self.by_fingerprint.insert(fingerprint, id);
+        id
+    }
+
+    fn push_unshared(&mut self, node: Expression, fingerprint: Fingerprint) -> ExpressionId {
+        let id = ExpressionId(self.nodes.len() as u32);
+        self.nodes.push(node);
+        self.fingerprints.push(fingerprint);
+        if let Expression::Input(_) = node {
+            self.by_fingerprint.entry(fingerprint).or_insert(id);
+        }
+        id
+    }
+
+    /// The coefficients of a new sum. Those that depend on constants only become constants.
+    pub(super) fn push_sum(&mut self, sum: ProductSum<ExpressionId>) -> Vec<ExpressionId> {
+        let is_constant = |id: ExpressionId| self.as_constant(id).is_some();
+        let mut depends = vec![false; sum.length];
+        for (place, a, b) in sum.products.iter().flat_map(Product::pairs) {
+            depends[place] |= !(is_constant(a) && is_constant(b));
+        }
+        let [first, second] =
+            [0, 1].map(|k| sum.evaluate(FINGERPRINT_FIELDS[k], |id| self.fingerprints[id.index()][k]));
+        let own = self.product_sums.len() as u32;
+        let coefficients = (0..sum.length).map(|at| match depends[at] {
+            true => self.push(Expression::Coefficient { sum: own, at: at as u32 }, [first[at], second[at]]),
+            false => sum.terms(at).fold(Self::ZERO, |total, (negative, a, b)| {
+                let term = self.mul(a, b);
+                if negative { self.sub(total, term) } else { self.add(total, term) }
+            }),
+        });
+        let coefficients = coefficients.collect();
+        self.product_sums.push(sum);
+        coefficients
+    }
+}

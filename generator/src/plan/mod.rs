@@ -1,0 +1,281 @@
+//! What an emitted solver does, with no algebra left: the last form before printing.
+//!
+//! ```text
+//! data --program--> coefficients --fill, eliminate--> action matrix T --roots--> eigenpairs (a, v)
+//!                        |                                                              |
+//!                        |                                                           extract
+//!                        v                                                              v
+//!            polish on all equations <----- recover eliminated unknowns <------- kept unknowns
+//! ```
+//!
+//! Every decision is taken here. [`crate::emit`] prints a plan and [`crate::plan::interpret`]
+//! executes it, and the two must agree.
+
+mod block_triangular;
+mod check;
+mod constant_rows;
+pub mod interpret;
+pub mod program;
+pub mod program_table;
+mod residues;
+pub mod schedule;
+pub mod solution_count;
+pub mod statements;
+mod straight_line;
+pub mod system_table;
+pub mod value_layout;
+
+pub use check::PlanError;
+
+use crate::problem::{DataParameter, SolutionField};
+use crate::template::RootMethod;
+use program::{Program, ValueId};
+
+/// Position in the array of coefficients that the tables refer to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct CoefficientId(pub u16);
+
+/// Position among the eliminated monomials (excess and reducible) in the order of solution.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct PivotId(pub u16);
+
+/// Position in the basis B.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct BasisId(pub u16);
+
+/// An entry of a table that is filled from the coefficients.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// Row, counted as the table says.
+    pub row: u16,
+    /// Column, counted as the table says.
+    pub column: u16,
+    /// The value of the entry.
+    pub coefficient: CoefficientId,
+}
+
+/// One diagonal block of the block-triangular template.
+///
+/// ```text
+///                    pivots solved before   pivots first..first+size    basis
+/// row first + i   [        coupling       |      diagonal            |  right  ]
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Block {
+    /// First row and pivot.
+    pub first: usize,
+    /// Number of rows and pivots.
+    pub size: usize,
+    /// How many of its last pivots are read by later blocks, by the action matrix or for an
+    /// unknown. The others only serve the elimination.
+    pub needed: usize,
+    /// Entries of the square block; rows and columns count from `first`.
+    pub diagonal: Vec<Entry>,
+    /// Entries at pivots solved before; rows count from `first`, columns are absolute pivots.
+    pub coupling: Vec<Entry>,
+}
+
+/// The elimination: rows and pivot columns of the template, permuted to block-triangular form.
+///
+/// ```text
+///               pivots of block 0, 1, 2, ..     basis
+///   block 0  [ D0                          |  right  ]      D: square diagonal blocks
+///   block 1  [ c   D1                      |    ..   ]      c: couplings to earlier blocks
+///   block 2  [ c   c   D2                  |    ..   ]
+/// ```
+///
+/// The blocks are solved from the top. Constant rows may have been eliminated beforehand; then they
+/// and their pivot columns are not among these.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Elimination {
+    /// Number of rows, which is the number of pivots.
+    pub rows: usize,
+    /// |B|.
+    pub basis: usize,
+    /// Entries in the basis columns; rows are absolute.
+    pub right: Vec<Entry>,
+    /// The diagonal blocks; block k couples only to blocks before it.
+    pub blocks: Vec<Block>,
+    /// For each row, the number of its shift in the template. No step reads it; people do.
+    pub row_shifts: Vec<usize>,
+    /// For each pivot, the number of its column in the template: excess columns first, then
+    /// reducible ones. No step reads it; people do.
+    pub pivot_columns: Vec<usize>,
+}
+
+impl Elimination {
+    /// Number of columns: pivots and basis.
+    pub fn columns(&self) -> usize {
+        self.rows + self.basis
+    }
+}
+
+/// Where a row of the action matrix comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ActionRow {
+    /// a b is this basis monomial: a unit row.
+    Unit(BasisId),
+    /// a b is this pivot: the row is minus its solved row.
+    Solved(PivotId),
+}
+
+/// A monomial whose value follows from an eigenpair (a, v).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum KnownMonomial {
+    /// The entry of v at this position.
+    Basis(BasisId),
+    /// a times the entry of v at this position.
+    Image(BasisId),
+    /// The product of v with minus the solved row of the pivot at this position of [`Plan::read`].
+    Read(u16),
+}
+
+/// How an unknown x is read from pairs of monomials (m_k, s m_k): by the least-squares ratio of
+/// their values,
+///
+/// s = sum of conj(m_k) (s m_k) / sum of |m_k|^2
+///
+/// The monomial s is x where no signs can be changed. Otherwise it is x^2, or x times unknowns that
+/// are square roots or their reciprocals.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Extraction {
+    /// The unknown.
+    pub unknown: usize,
+    /// The exponents of s, one per unknown.
+    pub step: Vec<i8>,
+    /// (m, s m).
+    pub pairs: Vec<(KnownMonomial, KnownMonomial)>,
+}
+
+impl Extraction {
+    /// Whether the unknown is the square root of the ratio.
+    pub fn is_square(&self) -> bool {
+        self.step.get(self.unknown) == Some(&2)
+    }
+
+    /// The other unknowns in s, with their exponents.
+    pub fn others(&self) -> impl Iterator<Item = (usize, i8)> + '_ {
+        self.step.iter().copied().enumerate().filter(|&(other, e)| e != 0 && other != self.unknown)
+    }
+}
+
+/// A term of a polynomial in the unknowns: coefficient and exponent of each unknown.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Term {
+    /// The coefficient.
+    pub coefficient: CoefficientId,
+    /// One exponent per unknown, not negative.
+    pub exponents: Vec<u8>,
+}
+
+/// `unknown = sum of terms`, in unknowns that are known by then.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PlannedRecovery {
+    /// The unknown that presolve eliminated.
+    pub unknown: usize,
+    /// Its value.
+    pub terms: Vec<Term>,
+}
+
+/// Floating-point operations of one solve. An addition, a multiplication and a division count as
+/// one each.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct OperationCount {
+    /// Operations of the straight-line program.
+    pub coefficients: usize,
+    /// Elimination and back-substitution.
+    pub elimination: usize,
+    /// Hessenberg form and eigenvalues, by the usual estimate 10 |B|^3.
+    pub roots: usize,
+}
+
+impl OperationCount {
+    /// The sum.
+    pub fn total(&self) -> usize {
+        self.coefficients + self.elimination + self.roots
+    }
+}
+
+/// A solver with all decisions taken.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Plan {
+    /// Name of the problem and of the emitted module.
+    pub name: String,
+    /// Doc comment of the problem.
+    pub docs: Vec<String>,
+    /// The data.
+    pub data: Vec<DataParameter>,
+    /// Names of the unknowns.
+    pub unknowns: Vec<String>,
+    /// The fields of the solution: the unknowns with their shapes.
+    pub fields: Vec<SolutionField>,
+    /// The number of different complex solutions of a generic instance.
+    pub solutions: usize,
+    /// Whether the origin, all unknowns 0, is one of them. It is known, and no template need give
+    /// it.
+    pub has_origin: bool,
+    /// From the data to the coefficients.
+    pub program: Program,
+    /// The value of each coefficient.
+    pub coefficients: Vec<ValueId>,
+    /// The elimination.
+    pub elimination: Elimination,
+    /// The rows of the action matrix, |B| of them.
+    pub action: Vec<ActionRow>,
+    /// Pivots outside the image a B of the basis from which unknowns are read.
+    pub read: Vec<PivotId>,
+    /// How real roots are found.
+    pub roots: RootMethod,
+    /// How the unknowns that presolve kept follow from an eigenpair; square roots come first.
+    pub extractions: Vec<Extraction>,
+    /// Changes of signs that map solutions to solutions with the same eigenpair: for each, the
+    /// unknowns that it changes.
+    pub flips: Vec<Vec<bool>>,
+    /// How the unknowns that presolve eliminated follow, in this order.
+    pub recoveries: Vec<PlannedRecovery>,
+    /// All equations as stated in the problem, for the polish and the residual.
+    pub equations: Vec<Vec<Term>>,
+    /// Polynomials that must not vanish at a solution.
+    pub nonzero: Vec<Vec<Term>>,
+}
+
+/// Larger blocks than this are eliminated by code that is not compiled for their size: it is as
+/// fast.
+const LARGE_BLOCK: usize = 24;
+
+impl Block {
+    /// Whether the block is eliminated by code that is not compiled for its size.
+    pub fn is_large(&self) -> bool {
+        self.size > LARGE_BLOCK
+    }
+}
+
+impl Plan {
+    /// The number of scalars in the data.
+    pub fn inputs(&self) -> usize {
+        self.data.iter().map(DataParameter::len).sum()
+    }
+
+    /// For each unknown the exponents of the monomial s of its extraction; zeros if it is not read.
+    pub fn steps(&self) -> Vec<Vec<i8>> {
+        let step = |unknown: usize| {
+            let found = self.extractions.iter().find(|x| x.unknown == unknown);
+            found.map_or_else(|| vec![0; self.unknowns.len()], |x| x.step.clone())
+        };
+        (0..self.unknowns.len()).map(step).collect()
+    }
+
+    /// Operations of one solve.
+    pub fn operations(&self) -> OperationCount {
+        let coefficients = self.program.steps();
+        let width = self.elimination.basis;
+        let elimination = self.elimination.blocks.iter().map(|block| {
+            let n = block.size;
+            let factor: usize = (0..n).map(|k| (n - k - 1) * (1 + 2 * (n - k - 1))).sum();
+            let forward = n * (n - 1) * width;
+            let backward = block.needed * block.needed * width;
+            factor + forward + backward + 2 * block.coupling.len() * width
+        });
+        OperationCount { coefficients, elimination: elimination.sum(), roots: 10 * width * width * width }
+    }
+}

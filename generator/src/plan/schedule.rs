@@ -1,0 +1,354 @@
+//! From an elimination template to a [`Plan`].
+
+use std::collections::HashMap;
+
+use super::block_triangular::{DiagonalBlock, block_triangular_form};
+use super::constant_rows::{Row, eliminate_constant_rows};
+use super::straight_line::straight_line_program;
+use super::{
+    ActionRow, BasisId, Block, CoefficientId, Elimination, Entry, Extraction, KnownMonomial, PivotId, Plan, PlanError,
+    PlannedRecovery, Term,
+};
+use crate::algebra::Monomial;
+use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
+use crate::presolve::ReducedProblem;
+use crate::presolve::symmetry::{Reading, Symmetry};
+use crate::problem::{Problem, Statement};
+use crate::template::{EliminationTemplate, RootMethod, Shift};
+
+/// Why a template cannot be turned into a plan.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ScheduleError {
+    /// The template does not fit the problem.
+    #[error("the template does not belong to the problem: {0}")]
+    Mismatch(String),
+    /// The square part of the template is singular for every instance.
+    #[error("the template is structurally singular")]
+    Singular,
+    /// No two monomials of the basis, its image and the other reducible columns have the unknown as
+    /// their ratio.
+    #[error("the unknown `{0}` cannot be read from the template's monomials")]
+    Unreadable(String),
+    /// More coefficients, rows or basis monomials than the tables can index.
+    #[error("the problem is too large: more than 65,535 {0}")]
+    TooLarge(&'static str),
+    /// The result contradicts itself: a fault of this crate.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+}
+
+/// Plans the solver of `problem` from a template for its presolved form. `solutions` is the number
+/// of different complex solutions.
+///
+/// Constant rows are eliminated here if the plan then has fewer operations.
+pub fn schedule(
+    problem: &Problem,
+    reduced: &ReducedProblem,
+    template: &EliminationTemplate,
+    solutions: usize,
+    roots: RootMethod,
+) -> Result<Plan, ScheduleError> {
+    check_shape(reduced, template)?;
+    let scheduler = Scheduler { problem, reduced, template, solutions, roots };
+    let mut rows = template_rows(reduced, template);
+    let plan = scheduler.plan(&rows, &reduced.problem.graph);
+    let is_constant = |equation: &Statement| equation.polynomial.terms().iter().all(|&(_, c)| is_constant(reduced, c));
+    if !reduced.problem.equations.iter().any(is_constant) {
+        return plan;
+    }
+    let mut graph = reduced.problem.graph.clone();
+    eliminate_constant_rows(&mut rows, template.excess.len(), &mut graph);
+    match (plan, scheduler.plan(&rows, &graph)) {
+        (Ok(plan), Ok(shorter)) if shorter.operations().total() < plan.operations().total() => Ok(shorter),
+        (Err(ScheduleError::TooLarge(_)), Ok(shorter)) => Ok(shorter),
+        (plan, _) => plan,
+    }
+}
+
+fn is_constant(reduced: &ReducedProblem, coefficient: ExpressionId) -> bool {
+    reduced.problem.graph.as_constant(coefficient).is_some()
+}
+
+/// The rows of the template. Monomials that are no column cancel in every combination that is read,
+/// and are left out.
+fn template_rows(reduced: &ReducedProblem, template: &EliminationTemplate) -> Vec<Row> {
+    let columns = template.excess.iter().chain(&template.reducible).chain(&template.basis);
+    let position: HashMap<Monomial, usize> = columns.enumerate().map(|(at, &m)| (m, at)).collect();
+    let row = |(at, shift): (usize, &Shift)| {
+        let terms = reduced.problem.equations[shift.equation].polynomial.terms();
+        let entry = |&(m, c): &(Monomial, ExpressionId)| Some((*position.get(&m.times(&shift.multiplier))?, c));
+        Row { shift: at, entries: terms.iter().filter_map(entry).collect() }
+    };
+    template.shifts.iter().enumerate().map(row).collect()
+}
+
+/// The input that all plans for one template have in common.
+struct Scheduler<'a> {
+    problem: &'a Problem,
+    reduced: &'a ReducedProblem,
+    template: &'a EliminationTemplate,
+    solutions: usize,
+    roots: RootMethod,
+}
+
+impl Scheduler<'_> {
+    /// The plan with these rows of the template, whose entries are in `graph`.
+    fn plan(&self, rows: &[Row], graph: &ExpressionGraph) -> Result<Plan, ScheduleError> {
+        let Self { problem, reduced, template, .. } = self;
+        let mut coefficients = Coefficients { ids: HashMap::new(), used: Vec::new() };
+        let (elimination, pivots) = plan_elimination(template, rows, &mut coefficients)?;
+        let action = plan_action(template, &pivots)?;
+        let is_image = |m: &Monomial| template.basis.contains(&m.over(&template.action));
+        let extra: Vec<Monomial> = template.reducible.iter().filter(|m| !is_image(m)).copied().collect();
+        let read = extra.iter().filter_map(|m| pivots.get(m).copied()).collect();
+        let symmetry = Symmetry::of_problem(problem).of_template(&template.action, &template.basis).on(&reduced.kept);
+        let has_origin = problem.has_origin();
+        let most = template.basis.len() * symmetry.order() + usize::from(has_origin);
+        if self.solutions > most {
+            let what = format!("{} solutions, but its basis gives {most} at most", self.solutions);
+            return Err(ScheduleError::Mismatch(what));
+        }
+        let width = problem.unknowns.len();
+        let extractions = plan_extractions(problem, template, &extra, &symmetry.readings(&reduced.kept))?;
+        let flips = symmetry.all().iter().map(|flip| (0..width).map(|at| flip.contains(&at)).collect()).collect();
+        let recoveries: Vec<_> = reduced
+            .recoveries
+            .iter()
+            .map(|r| PlannedRecovery { unknown: r.unknown, terms: coefficients.terms(&r.value, width) })
+            .collect();
+        let equations = problem.polynomials().map(|p| coefficients.terms(p, width)).collect();
+        let nonzero = problem.nonzero.iter().map(|s| coefficients.terms(&s.polynomial, width)).collect();
+        if coefficients.used.len() > usize::from(u16::MAX) {
+            return Err(ScheduleError::TooLarge("coefficients"));
+        }
+        let (program, values) = straight_line_program(graph, &coefficients.used, elimination.rows);
+        let plan = Plan {
+            name: problem.name.clone(),
+            docs: problem.docs.clone(),
+            data: problem.data.clone(),
+            unknowns: problem.unknowns.clone(),
+            fields: problem.fields.clone(),
+            solutions: self.solutions,
+            has_origin,
+            program,
+            coefficients: values,
+            elimination,
+            action,
+            read,
+            roots: self.roots,
+            extractions,
+            flips,
+            recoveries,
+            equations,
+            nonzero,
+        };
+        plan.check()?;
+        Ok(plan)
+    }
+}
+
+fn check_shape(reduced: &ReducedProblem, template: &EliminationTemplate) -> Result<(), ScheduleError> {
+    let mismatch = |what: String| Err(ScheduleError::Mismatch(what));
+    if template.rows() > usize::from(u16::MAX) || template.basis.len() > usize::from(u16::MAX) {
+        return Err(ScheduleError::TooLarge("rows or basis monomials"));
+    }
+    if template.rows() != template.excess.len() + template.reducible.len() {
+        return mismatch(format!(
+            "{} rows for {} excess and {} reducible columns",
+            template.rows(),
+            template.excess.len(),
+            template.reducible.len()
+        ));
+    }
+    let equations = reduced.problem.equations.len();
+    match template.shifts.iter().find(|shift| shift.equation >= equations) {
+        Some(shift) => mismatch(format!("a shift of equation {}, but there are {equations}", shift.equation + 1)),
+        None => Ok(()),
+    }
+}
+
+/// The coefficients that the tables refer to, in order of first use.
+struct Coefficients {
+    ids: HashMap<ExpressionId, u32>,
+    used: Vec<ExpressionId>,
+}
+
+impl Coefficients {
+    fn id(&mut self, expression: ExpressionId) -> CoefficientId {
+        let next = self.used.len() as u32;
+        let id = *self.ids.entry(expression).or_insert(next);
+        if id == next {
+            self.used.push(expression);
+        }
+        // A number that does not fit is refused at the end, before anything reads the plan.
+        CoefficientId(id as u16)
+    }
+
+    fn terms(&mut self, polynomial: &SymbolicPolynomial, width: usize) -> Vec<Term> {
+        let term = |&(m, c): &(Monomial, ExpressionId)| Term {
+            coefficient: self.id(c),
+            exponents: m.exponents()[..width].iter().map(|&e| e.max(0) as u8).collect(),
+        };
+        polynomial.terms().iter().map(term).collect()
+    }
+}
+
+fn plan_elimination(
+    template: &EliminationTemplate,
+    rows: &[Row],
+    coefficients: &mut Coefficients,
+) -> Result<(Elimination, HashMap<Monomial, PivotId>), ScheduleError> {
+    let (excess, left) = (template.excess.len(), template.excess.len() + template.reducible.len());
+    // The pivot columns of constant rows have no entry any more.
+    let mut used: Vec<bool> = (0..left).map(|column| column >= excess).collect();
+    rows.iter().flat_map(|row| row.entries.range(..left)).for_each(|(&column, _)| used[column] = true);
+    let columns: Vec<usize> = (0..left).filter(|&column| used[column]).collect();
+    if columns.len() != rows.len() {
+        return Err(ScheduleError::Singular);
+    }
+    let position = |column: &usize| columns.binary_search(column).unwrap_or(0);
+    let pattern: Vec<Vec<usize>> =
+        rows.iter().map(|row| row.entries.range(..left).map(|(column, _)| position(column)).collect()).collect();
+    let mut diagonal = block_triangular_form(&pattern).ok_or(ScheduleError::Singular)?;
+    let is_reducible: Vec<bool> = columns.iter().map(|&column| column >= excess).collect();
+    let needed = needed_last(&mut diagonal, &pattern, is_reducible);
+    let mut pivot_of_column = vec![0; left];
+    let pivot_columns: Vec<usize> = diagonal.iter().flat_map(|block| &block.columns).map(|&at| columns[at]).collect();
+    for (pivot, &column) in pivot_columns.iter().enumerate() {
+        pivot_of_column[column] = pivot;
+    }
+    let mut elimination = Elimination {
+        rows: rows.len(),
+        basis: template.basis.len(),
+        right: Vec::new(),
+        blocks: Vec::new(),
+        row_shifts: diagonal.iter().flat_map(|block| &block.rows).map(|&row| rows[row].shift).collect(),
+        pivot_columns,
+    };
+    for (block, needed) in diagonal.iter().zip(needed) {
+        let first = elimination.blocks.last().map_or(0, |last: &Block| last.first + last.size);
+        let planned = plan_block(block, first, (rows, &pivot_of_column), coefficients, &mut elimination.right);
+        elimination.blocks.push(Block { needed, ..planned });
+    }
+    let reducible = template.reducible.iter().zip(&pivot_of_column[excess..]);
+    let pivots = reducible.map(|(&m, &pivot)| (m, PivotId(pivot as u16))).collect();
+    Ok((elimination, pivots))
+}
+
+/// Reorders the columns of each block so that those which something else reads come last, and
+/// returns their number for each block. `is_read` says which are read after the elimination.
+///
+/// Back-substitution runs from the last pivot upwards and stops after the last one that is needed.
+fn needed_last(blocks: &mut [DiagonalBlock], pattern: &[Vec<usize>], mut is_read: Vec<bool>) -> Vec<usize> {
+    let mut block_of_column = vec![0; pattern.len()];
+    for (at, block) in blocks.iter().enumerate() {
+        block.columns.iter().for_each(|&column| block_of_column[column] = at);
+    }
+    for (at, block) in blocks.iter().enumerate() {
+        for &column in block.rows.iter().flat_map(|&row| &pattern[row]) {
+            is_read[column] |= block_of_column[column] != at;
+        }
+    }
+    blocks
+        .iter_mut()
+        .map(|block| {
+            block.columns.sort_by_key(|&column| (is_read[column], column));
+            block.columns.iter().filter(|&&column| is_read[column]).count()
+        })
+        .collect()
+}
+
+/// The tables of one block, whose first pivot is `first`; its entries in basis columns are added to
+/// `right`.
+fn plan_block(
+    block: &DiagonalBlock,
+    first: usize,
+    (rows, pivot_of_column): (&[Row], &[usize]),
+    coefficients: &mut Coefficients,
+    right: &mut Vec<Entry>,
+) -> Block {
+    let width = pivot_of_column.len();
+    let mut planned = Block { first, size: block.rows.len(), needed: 0, diagonal: Vec::new(), coupling: Vec::new() };
+    for (at, &row) in block.rows.iter().enumerate() {
+        let (left, basis) = (rows[row].entries.range(..width), rows[row].entries.range(width..));
+        for (&column, &c) in left {
+            let pivot = pivot_of_column[column];
+            let coefficient = coefficients.id(c);
+            let row = at as u16;
+            match pivot.checked_sub(first) {
+                Some(column) => planned.diagonal.push(Entry { row, column: column as u16, coefficient }),
+                None => planned.coupling.push(Entry { row, column: pivot as u16, coefficient }),
+            }
+        }
+        for (&column, &c) in basis {
+            let coefficient = coefficients.id(c);
+            right.push(Entry { row: (first + at) as u16, column: (column - width) as u16, coefficient });
+        }
+    }
+    planned
+}
+
+fn plan_action(
+    template: &EliminationTemplate,
+    pivots: &HashMap<Monomial, PivotId>,
+) -> Result<Vec<ActionRow>, ScheduleError> {
+    let row = |b: &Monomial| {
+        let image = b.times(&template.action);
+        let in_basis = template.basis.iter().position(|&m| m == image).map(|at| ActionRow::Unit(BasisId(at as u16)));
+        in_basis.or_else(|| pivots.get(&image).map(|&pivot| ActionRow::Solved(pivot)))
+    };
+    let missing = || ScheduleError::Mismatch("the image of a basis monomial is no column".into());
+    template.basis.iter().map(|b| row(b).ok_or_else(missing)).collect()
+}
+
+/// How the unknowns are read: in the first of the `ways` that reads all of them.
+fn plan_extractions(
+    problem: &Problem,
+    template: &EliminationTemplate,
+    extra: &[Monomial],
+    ways: &[Vec<Reading>],
+) -> Result<Vec<Extraction>, ScheduleError> {
+    let width = problem.unknowns.len();
+    let mut missing = None;
+    for readings in ways {
+        let extractions: Result<Vec<Extraction>, usize> =
+            readings.iter().map(|reading| plan_extraction(template, extra, reading, width)).collect();
+        match extractions {
+            Ok(mut extractions) => {
+                extractions.sort_by_key(|x| !x.is_square());
+                return Ok(extractions);
+            }
+            Err(unknown) => missing = missing.or(Some(unknown)),
+        }
+    }
+    Err(ScheduleError::Unreadable(missing.map_or_else(String::new, |unknown| problem.unknowns[unknown].clone())))
+}
+
+/// Reads an unknown from all pairs (m, s m) among the basis monomials. If there are none, they are
+/// searched among basis and image, and then among the `extra` monomials too. The error is the
+/// unknown.
+fn plan_extraction(
+    template: &EliminationTemplate,
+    extra: &[Monomial],
+    reading: &Reading,
+    width: usize,
+) -> Result<Extraction, usize> {
+    let ids = || (0u16..).map(BasisId);
+    let basis: Vec<(Monomial, KnownMonomial)> =
+        template.basis.iter().copied().zip(ids().map(KnownMonomial::Basis)).collect();
+    let images = template.basis.iter().map(|b| b.times(&template.action)).zip(ids().map(KnownMonomial::Image));
+    let image: Vec<_> = basis.iter().copied().chain(images).collect();
+    let all: Vec<_> =
+        image.iter().copied().chain(extra.iter().copied().zip((0u16..).map(KnownMonomial::Read))).collect();
+    let extraction = |known: &[(Monomial, KnownMonomial)], step: &Monomial| {
+        let find = |m: Monomial| known.iter().find(|(n, _)| *n == m).map(|&(_, at)| at);
+        let pairs = known.iter().filter_map(|&(m, at)| Some((at, find(m.times(step))?))).collect();
+        Extraction { unknown: reading.unknown, step: step.exponents()[..width].to_vec(), pairs }
+    };
+    let most_pairs = |known: &[(Monomial, KnownMonomial)]| {
+        let all = reading.steps.iter().map(|step| extraction(known, step)).filter(|x| !x.pairs.is_empty());
+        // Of steps with equally many pairs, the first is taken: `max_by_key` returns the last.
+        all.rev().max_by_key(|x| x.pairs.len())
+    };
+    [&basis, &image, &all].into_iter().find_map(|known| most_pairs(known)).ok_or(reading.unknown)
+}

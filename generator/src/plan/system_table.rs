@@ -1,0 +1,75 @@
+//! Polynomials in the unknowns as tables over a chain of monomials.
+
+use super::Term;
+use crate::algebra::Monomial;
+
+/// Polynomials over a chain of monomials, each an earlier one times an unknown:
+///
+/// ```text
+///   chain     monomial 0 is 1 (its entry is not read); monomial k is monomial parent times unknown
+///   terms     [ polynomial 0 .. | polynomial 1 .. |   ..   | last polynomial .. ]
+///   ends                        ^ ends[0]         ^ ends[1]                     ^ last end
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SystemTable {
+    /// The (parent, unknown) of each monomial.
+    pub chain: Vec<(u16, u16)>,
+    /// Where the terms of each polynomial end.
+    pub ends: Vec<u32>,
+    /// The (coefficient, monomial) of each term.
+    pub terms: Vec<(u16, u16)>,
+}
+
+impl SystemTable {
+    /// The table of polynomials in this number of unknowns.
+    pub fn of(polynomials: &[Vec<Term>], unknowns: usize) -> Self {
+        let monomials = closed(polynomials, unknowns);
+        let find = |monomial: &[u8]| monomials.iter().position(|m| m == monomial).unwrap_or(0) as u16;
+        let product = |m: &Vec<u8>| parent(m).map_or((0, 0), |(parent, unknown)| (find(&parent), unknown as u16));
+        let ends = polynomials.iter().scan(0, |end, polynomial| {
+            *end += polynomial.len() as u32;
+            Some(*end)
+        });
+        Self {
+            chain: monomials.iter().map(product).collect(),
+            ends: ends.collect(),
+            terms: polynomials.iter().flatten().map(|t| (t.coefficient.0, find(&t.exponents))).collect(),
+        }
+    }
+
+    /// The monomials of the chain.
+    pub fn monomials(&self) -> Vec<Monomial> {
+        let mut monomials = vec![Monomial::ONE];
+        for &(parent, unknown) in self.chain.iter().skip(1) {
+            monomials.push(monomials[usize::from(parent)].times(&Monomial::unknown(unknown.into())));
+        }
+        monomials
+    }
+}
+
+/// All monomials of the polynomials with the chain of products that leads from 1 to each. They are
+/// sorted by degree, then exponents; the first is 1.
+fn closed(polynomials: &[Vec<Term>], unknowns: usize) -> Vec<Vec<u8>> {
+    let mut monomials: Vec<Vec<u8>> = polynomials.iter().flatten().map(|term| term.exponents.clone()).collect();
+    monomials.push(vec![0; unknowns]);
+    let mut at = 0;
+    while at < monomials.len() {
+        if let Some((parent, _)) = parent(&monomials[at])
+            && !monomials.contains(&parent)
+        {
+            monomials.push(parent);
+        }
+        at += 1;
+    }
+    monomials.sort_unstable_by_key(|m| (m.iter().map(|&e| u32::from(e)).sum::<u32>(), m.clone()));
+    monomials.dedup();
+    monomials
+}
+
+/// The monomial divided by its last unknown, and that unknown; `None` for 1.
+fn parent(monomial: &[u8]) -> Option<(Vec<u8>, usize)> {
+    let unknown = monomial.iter().rposition(|&e| e > 0)?;
+    let mut parent = monomial.to_vec();
+    parent[unknown] -= 1;
+    Some((parent, unknown))
+}

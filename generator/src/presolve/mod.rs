@@ -1,0 +1,135 @@
+//! Combines equations, and eliminates unknowns that an equation gives explicitly.
+//!
+//! An equation `c x + rest = 0`, where x occurs in no other term and c depends on the data only,
+//! gives `x = -rest / c`. The unknown is substituted in all other equations, and recovered after
+//! the solve. Substitution can also hurt, because degrees and coefficients grow: a search judges
+//! all of [`crate::presolve::Presolve`] side by side.
+
+mod combine;
+mod reduced;
+mod square;
+pub mod symmetry;
+
+use combine::combine;
+use reduced::MAX_TERMS;
+use square::divide_by_squares;
+
+pub use reduced::{Presolve, Recovery, ReducedProblem};
+
+use crate::algebra::Monomial;
+use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
+use crate::problem::Problem;
+
+/// Presolves a problem: combines equations, eliminates unknowns as long as an equation gives one,
+/// and divides by squares. Each step is done only if `presolve` asks for it.
+///
+/// Unknowns with constant coefficients are eliminated first, then those with short right-hand
+/// sides.
+pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
+    let mut reduced = ReducedProblem {
+        problem: problem.clone(),
+        kept: (0..problem.unknowns.len()).collect(),
+        recoveries: Vec::new(),
+    };
+    if presolve.combines() {
+        combine(&mut reduced.problem);
+    }
+    while reduced.kept.len() > 1 {
+        let mut candidates = candidates(&reduced, presolve);
+        candidates.sort_by_key(|candidate| candidate.preference);
+        if !candidates.iter().any(|candidate| eliminate(&mut reduced, candidate)) {
+            break;
+        }
+    }
+    // Recovery runs backwards: the unknown that was eliminated last depends on kept unknowns only.
+    reduced.recoveries.reverse();
+    if presolve.divides() {
+        divide_by_squares(&mut reduced);
+    }
+    reduced
+}
+
+/// An unknown that an equation gives explicitly.
+struct Candidate {
+    equation: usize,
+    unknown: usize,
+    coefficient: ExpressionId,
+    /// Smaller is better: (data-dependent, terms, equation, unknown).
+    preference: (bool, usize, usize, usize),
+}
+
+/// The unknowns that can be eliminated: each occurs in one term of the equation only, by itself.
+fn candidates(reduced: &ReducedProblem, presolve: Presolve) -> Vec<Candidate> {
+    let mut found = Vec::new();
+    if presolve == Presolve::None {
+        return found;
+    }
+    let graph = &reduced.problem.graph;
+    for (equation, polynomial) in reduced.problem.polynomials().enumerate() {
+        for &unknown in &reduced.kept {
+            let x = Monomial::unknown(unknown);
+            let mut with_x = polynomial.terms().iter().filter(|(m, _)| m.exponent(unknown) != 0);
+            let (Some(&(monomial, coefficient)), None) = (with_x.next(), with_x.next()) else { continue };
+            let depends_on_data = graph.as_constant(coefficient).is_none();
+            if monomial == x && !(depends_on_data && presolve.is_constant()) {
+                let preference = (depends_on_data, polynomial.terms().len(), equation, unknown);
+                found.push(Candidate { equation, unknown, coefficient, preference });
+            }
+        }
+    }
+    found
+}
+
+/// Substitutes one unknown everywhere. Returns false, and changes nothing, if an equation would
+/// grow too long or an exponent overflow.
+fn eliminate(reduced: &mut ReducedProblem, candidate: &Candidate) -> bool {
+    let mut problem = reduced.problem.clone();
+    let equation = problem.equations.remove(candidate.equation);
+    let graph = &mut problem.graph;
+    let Some(inverse) = graph.div(ExpressionGraph::ONE, candidate.coefficient) else { return false };
+    let factor = graph.neg(inverse);
+    let x = Monomial::unknown(candidate.unknown);
+    let rest =
+        SymbolicPolynomial::from_terms(equation.polynomial.terms().iter().filter(|&&(m, _)| m != x).copied().collect());
+    let value = graph.polynomial_scale(&rest, factor);
+    for statement in problem.equations.iter_mut().chain(&mut problem.nonzero) {
+        let Some(substituted) = substitute(graph, &statement.polynomial, candidate.unknown, &value) else {
+            return false;
+        };
+        statement.polynomial = substituted;
+    }
+    problem.equations.retain(|statement| !statement.polynomial.is_zero());
+    reduced.problem = problem;
+    reduced.kept.retain(|&unknown| unknown != candidate.unknown);
+    reduced.recoveries.push(Recovery { unknown: candidate.unknown, value });
+    true
+}
+
+/// p with x replaced by `value`; `None` if it grows too long or an exponent overflows.
+fn substitute(
+    graph: &mut ExpressionGraph,
+    p: &SymbolicPolynomial,
+    unknown: usize,
+    value: &SymbolicPolynomial,
+) -> Option<SymbolicPolynomial> {
+    let highest = p.monomials().map(|m| m.exponent(unknown)).max().unwrap_or(0);
+    if p.monomials().any(|m| m.exponent(unknown) < 0) {
+        return None;
+    }
+    // With p = p_n x^n + .. + p_0, p_k free of x, by Horner: (..(p_n value + p_(n-1)) value + ..) +
+    // p_0.
+    let mut result = SymbolicPolynomial::ZERO;
+    for power in (0..=highest).rev() {
+        result = graph.polynomial_mul(&result, value)?;
+        if result.terms().len() > MAX_TERMS {
+            return None;
+        }
+        let mut x_power = [0; crate::algebra::MAX_UNKNOWNS];
+        x_power[unknown] = power;
+        let x_power = Monomial::from_exponents(&x_power);
+        let slice = p.terms().iter().filter(|(m, _)| m.exponent(unknown) == power);
+        let slice = SymbolicPolynomial::from_terms(slice.map(|&(m, c)| (m.over(&x_power), c)).collect());
+        result = graph.polynomial_add(&result, &slice);
+    }
+    Some(result)
+}

@@ -1,0 +1,107 @@
+//! Messages about a problem file: where, what, what was expected, and a hint.
+
+use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+
+use super::{SourceFile, Span};
+
+/// One message about a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// What is wrong, in one line.
+    pub message: String,
+    /// Where.
+    pub span: Span,
+    /// What the underlined part is or what was expected there; may be empty.
+    pub label: String,
+    /// Other places that matter, with what they are: the operands of a product, the call that led here.
+    pub context: Vec<(Span, String)>,
+    /// How to mend it, each a line of its own.
+    pub hints: Vec<String>,
+}
+
+impl Diagnostic {
+    /// A message with its place.
+    pub fn new(message: impl Into<String>, span: Span) -> Self {
+        Self { message: message.into(), span, label: String::new(), context: Vec::new(), hints: Vec::new() }
+    }
+
+    /// Says what the underlined part is or should be.
+    #[must_use]
+    pub fn label(mut self, label: impl Into<String>) -> Self {
+        self.label = label.into();
+        self
+    }
+
+    /// Shows another place, underlined with dashes.
+    #[must_use]
+    pub fn context(mut self, span: Span, label: impl Into<String>) -> Self {
+        self.context.push((span, label.into()));
+        self
+    }
+
+    /// Says how to mend it.
+    #[must_use]
+    pub fn hint(mut self, hint: impl Into<String>) -> Self {
+        self.hints.push(hint.into());
+        self
+    }
+
+    /// The same message at another place.
+    #[must_use]
+    pub fn at(mut self, span: Span) -> Self {
+        self.span = span;
+        self
+    }
+
+    fn render(&self, file: &SourceFile) -> String {
+        let text = file.text.as_str();
+        let primary = AnnotationKind::Primary.span(clamp(text, &self.span)).label(non_empty(&self.label));
+        let context = self
+            .context
+            .iter()
+            .map(|(span, label)| AnnotationKind::Context.span(clamp(text, span)).label(non_empty(label)));
+        let snippet = Snippet::source(text).path(file.path.as_str()).annotation(primary).annotations(context);
+        let group = Level::ERROR
+            .primary_title(self.message.as_str())
+            .element(snippet)
+            .elements(self.hints.iter().map(|hint| Level::HELP.message(hint.as_str())));
+        // Trailing blanks are of no use in a terminal and a nuisance in golden files.
+        let report = Renderer::plain().render(&[group]);
+        report.lines().map(str::trim_end).collect::<Vec<_>>().join("\n")
+    }
+}
+
+fn non_empty(label: &str) -> Option<&str> {
+    Some(label).filter(|label| !label.is_empty())
+}
+
+/// The span within the text and on character boundaries.
+fn clamp(text: &str, span: &Span) -> Span {
+    let boundary = |at: usize| (0..=at.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0);
+    let end = boundary(span.end);
+    boundary(span.start).min(end)..end
+}
+
+/// All messages about one file, in order of place.
+#[derive(Clone, Debug, thiserror::Error)]
+#[error("{}", self.render())]
+pub struct Diagnostics {
+    /// The file.
+    pub source_file: SourceFile,
+    /// At least one message.
+    pub messages: Vec<Diagnostic>,
+}
+
+impl Diagnostics {
+    /// The messages about `source_file`, sorted by place.
+    pub fn new(source_file: SourceFile, mut messages: Vec<Diagnostic>) -> Self {
+        messages.sort_by_key(|diagnostic| (diagnostic.span.start, diagnostic.span.end));
+        Self { source_file, messages }
+    }
+
+    /// Messages with `file:line:column`, the underlined span and the hints.
+    pub fn render(&self) -> String {
+        let reports: Vec<_> = self.messages.iter().map(|diagnostic| diagnostic.render(&self.source_file)).collect();
+        reports.join("\n\n")
+    }
+}

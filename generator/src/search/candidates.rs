@@ -1,0 +1,157 @@
+//! All templates that the strategies lead to, planned and in order.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use rayon::prelude::*;
+
+use super::cache::Cache;
+use super::candidate::TemplateCandidate;
+use super::error::SearchError;
+use super::failed_strategy::FailedStrategy;
+use super::formulation::formulations;
+use super::monitor::{Monitor, Stage};
+use super::options::SearchOptions;
+use super::preference::Preference;
+use super::reduce_strategy::{StrategyContext, StrategyTemplates, reduce_strategy};
+use super::seed_sets::obstacle;
+use super::strategy::{Strategy, strategies};
+use crate::check::SolutionCount;
+use crate::plan::schedule::{ScheduleError, schedule};
+use crate::problem::Problem;
+use crate::template::verify::verify;
+use crate::template::{EliminationTemplate, RootMethod};
+
+/// What a search found.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// The candidates in the order of the preference. There is at least one, and all are different.
+    pub candidates: Vec<TemplateCandidate>,
+    /// Number of strategies, those of other shards not counted.
+    pub strategies: usize,
+    /// How many of them the monitor did not let begin.
+    pub untried: usize,
+    /// Number of templates that the monitor did not let plan.
+    pub unplanned: usize,
+    /// Whether the monitor ended the search. The last strategies that began may then have been cut
+    /// short.
+    pub is_cut: bool,
+}
+
+/// A strategy with its position among all strategies of all shards.
+struct Numbered<'a> {
+    at: usize,
+    strategy: Strategy<'a>,
+}
+
+/// All templates of a shard of the strategies. `count` is what [`crate::check::check`] tells of the
+/// problem.
+pub fn candidates(
+    problem: &Problem,
+    count: &SolutionCount,
+    options: &SearchOptions,
+    monitor: &dyn Monitor,
+) -> Result<Found, SearchError> {
+    // The origin is a solution that takes no row: the solver knows it without an eigenvalue.
+    let solutions = count.solutions - count.at_origin;
+    let formulations = formulations(problem, options)?;
+    let all = strategies(&formulations).into_iter().enumerate();
+    let strategies: Vec<Numbered<'_>> =
+        all.filter(|(at, _)| options.shard.holds(*at)).map(|(at, strategy)| Numbered { at, strategy }).collect();
+    monitor.say(&format!("{} solutions; growing shifts by {} strategies", count.solutions, strategies.len()));
+    let is_over = || monitor.is_over(Stage::Searching);
+    let context = StrategyContext { solutions, options, cache: &Cache::default(), monitor };
+    let reduced = map(&strategies, |numbered| reduce_strategy(&numbered.strategy, &context), &is_over);
+    let untried = reduced.iter().filter(|reduced| reduced.is_none()).count();
+    let mut work: Vec<(&Numbered<'_>, &EliminationTemplate)> = Vec::new();
+    for (numbered, reduced) in strategies.iter().zip(&reduced) {
+        work.extend(reduced.iter().flat_map(|reduced| &reduced.templates).map(|template| (numbered, template)));
+    }
+    // If planning ends early, only large templates are left out.
+    work.sort_by_key(|(_, template)| (template.rows(), template.basis.len()));
+    monitor.say(&format!("planning {} templates", work.len()));
+    let plan = |&(numbered, template): &(&Numbered<'_>, &EliminationTemplate)| {
+        candidate(problem, numbered, template, count.different)
+    };
+    let planned = map(&work, plan, &|| monitor.is_over(Stage::Measuring));
+    let unplanned = planned.iter().filter(|planned| planned.is_none()).count();
+    let candidates = in_order(planned.into_iter().flatten().flatten().collect(), options.prefer);
+    if candidates.is_empty() {
+        let failed = failed_strategies(&strategies, reduced, solutions, &problem.unknowns);
+        return Err(SearchError::NotFound { max_columns: options.max_columns, failed, untried, is_over: is_over() });
+    }
+    monitor.say(&format!("{} different templates", candidates.len()));
+    Ok(Found { candidates, strategies: strategies.len(), untried, unplanned, is_cut: is_over() })
+}
+
+/// Different candidates in the order of the preference.
+///
+/// Ties are broken by content, and then by the strategy that found the template. The order
+/// therefore depends neither on how the search ran nor on how it was sharded.
+pub fn in_order(mut candidates: Vec<TemplateCandidate>, preference: Preference) -> Vec<TemplateCandidate> {
+    candidates.sort_by_cached_key(|candidate| {
+        let content = format!("{:?} {:?}", candidate.presolve, candidate.template);
+        (preference.key(&candidate.cost()), content, candidate.strategy)
+    });
+    candidates.dedup_by(|a, b| a.template == b.template && a.presolve == b.presolve);
+    candidates
+}
+
+/// A template with its plan, for a solver that finds this number of solutions. `None` if the
+/// template does not hold at the other prime, or an unknown cannot be read.
+fn candidate(
+    problem: &Problem,
+    numbered: &Numbered<'_>,
+    template: &EliminationTemplate,
+    solutions: usize,
+) -> Option<TemplateCandidate> {
+    let Numbered { at, strategy } = numbered;
+    let formulation = strategy.formulation;
+    verify(template, formulation.check.field, &formulation.check.equations).ok()?;
+    let plan = schedule(problem, &formulation.reduced, template, solutions, RootMethod::Eigenvalues);
+    debug_assert!(!matches!(plan, Err(ScheduleError::Plan(_))), "{plan:?}");
+    let (growth, template) = (strategy.growth.to_string(), template.clone());
+    Some(TemplateCandidate { presolve: formulation.presolve, strategy: *at, growth, template, plan: plan.ok()? })
+}
+
+/// The strategies that began, none of which found a template.
+fn failed_strategies(
+    strategies: &[Numbered<'_>],
+    reduced: Vec<Option<StrategyTemplates>>,
+    solutions: usize,
+    unknowns: &[String],
+) -> Vec<FailedStrategy> {
+    let failed = |(numbered, reduced): (&Numbered<'_>, Option<StrategyTemplates>)| {
+        let StrategyTemplates { tried, largest, unsolved, .. } = reduced?;
+        let strategy = &numbered.strategy;
+        let obstacle = unsolved.map(|matrix| obstacle(strategy.formulation, &matrix, solutions));
+        Some(FailedStrategy::new(strategy.describe(), tried, largest, obstacle.as_ref(), unknowns))
+    };
+    strategies.iter().zip(reduced).filter_map(failed).collect()
+}
+
+/// Maps items in parallel until it is over. Items begin in their order, and the first one begins in
+/// any case. Results are in the order of the items; an item that did not begin has none.
+fn map<T: Sync, R: Send>(
+    items: &[T],
+    f: impl Fn(&T) -> R + Sync + Send,
+    is_over: &(dyn Fn() -> bool + Sync),
+) -> Vec<Option<R>> {
+    let next = AtomicUsize::new(0);
+    // Each thread takes the next item that is left. Rayon's own parallel map would begin in the
+    // middle of the list, and an early end would then skip items of all kinds.
+    let work = || -> Vec<(usize, R)> {
+        let mut mine = Vec::new();
+        loop {
+            let at = next.fetch_add(1, Ordering::Relaxed);
+            match items.get(at) {
+                Some(item) if at == 0 || !is_over() => mine.push((at, f(item))),
+                _ => return mine,
+            }
+        }
+    };
+    let threads = (0..rayon::current_num_threads()).into_par_iter();
+    let done: Vec<(usize, R)> = threads.flat_map_iter(|_| work()).collect();
+    let mut results: Vec<Option<R>> = items.iter().map(|_| None).collect();
+    done.into_iter().for_each(|(at, result)| results[at] = Some(result));
+    results
+}

@@ -1,0 +1,34 @@
+//! Why a search finds nothing.
+
+use super::failed_strategy::{FailedStrategies, FailedStrategy};
+
+/// Why a search found nothing.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SearchError {
+    /// Random data over Z_p could not be drawn with the support of the problem.
+    #[error("no random instance has the support of the problem: a coefficient vanishes for most data")]
+    NoInstance,
+    /// No set of shifts within the limits solves.
+    #[error(
+        "no elimination template within {max_columns} columns{}: {}",
+        ended(*.untried, *.is_over),
+        FailedStrategies(failed)
+    )]
+    NotFound {
+        /// The limit on the number of columns.
+        max_columns: usize,
+        /// The strategies that were tried.
+        failed: Vec<FailedStrategy>,
+        /// Number of strategies that were not tried.
+        untried: usize,
+        /// Whether the monitor ended the search.
+        is_over: bool,
+    },
+}
+
+fn ended(untried: usize, is_over: bool) -> String {
+    match is_over {
+        true => format!(", and the search ended early, with {untried} strategies not tried"),
+        false => String::new(),
+    }
+}

@@ -1,0 +1,373 @@
+//! A plan as a solver, without compiling it: the runtime's kernels with sizes that are known at run time.
+//!
+//! What differs from an emitted solver is where the numbers are kept. The operations and their order are the same, so
+//! the solutions have the same bits, those of second attempts included.
+
+use eliminant::emitted::{self, Dynamic, Product, Sizes, SizesOf, SolverInstance, Tables, Term};
+use eliminant::{Complex, Scalar, SolveError};
+
+use crate::plan::program::ProgramForm;
+use crate::plan::program_table::{ProgramTable, StepKind};
+use crate::plan::system_table::SystemTable;
+use crate::plan::value_layout::ValueLayout;
+use crate::plan::{ActionRow, Plan, PlannedRecovery};
+use crate::template::RootMethod;
+
+/// All tables of a solver, in the runtime's form.
+#[derive(Clone, Debug)]
+pub struct InterpretedSolver {
+    unknowns: usize,
+    solutions: usize,
+    has_origin: bool,
+    roots: RootMethod,
+    program: Program,
+    /// Whether an elimination at twice the precision computes the coefficients anew.
+    has_precise_coefficients: bool,
+    elimination: Elimination,
+    layout: ValueLayout,
+    /// For each unknown the pairs of positions that it is read from.
+    ratios: Vec<Vec<(u16, u16)>>,
+    steps: Vec<Vec<i8>>,
+    flips: Vec<Vec<bool>>,
+    recoveries: Vec<PlannedRecovery>,
+    equations: System,
+    nonzero: System,
+}
+
+/// The runtime's `Program`, owned.
+#[derive(Clone, Debug)]
+struct Program {
+    constants: Vec<f64>,
+    runs: Vec<emitted::Run>,
+    operands: Vec<(u32, u32)>,
+    sums: Vec<emitted::ProductSum>,
+    products: Vec<emitted::PolynomialProduct>,
+    factors: Vec<Vec<u32>>,
+    places: Vec<Vec<u32>>,
+    results: Vec<u32>,
+    values: usize,
+}
+
+/// The template's tables, owned.
+#[derive(Clone, Debug)]
+struct Elimination {
+    rows: usize,
+    right: Vec<emitted::Entry>,
+    blocks: Vec<Block>,
+    action: Vec<emitted::ActionRow>,
+    read: Vec<u16>,
+}
+
+#[derive(Clone, Debug)]
+struct Block {
+    first: u16,
+    size: usize,
+    needed: u16,
+    diagonal: Vec<emitted::Entry>,
+    coupling: Vec<emitted::Entry>,
+}
+
+/// The tables of a polynomial system, owned.
+#[derive(Clone, Debug)]
+struct System {
+    chain: Vec<Product>,
+    ends: Vec<u32>,
+    terms: Vec<Term>,
+}
+
+impl InterpretedSolver {
+    /// The solver of a plan.
+    pub fn of(plan: &Plan) -> Self {
+        let unknowns = plan.unknowns.len();
+        let layout = ValueLayout::of(plan);
+        Self {
+            unknowns,
+            solutions: plan.solutions,
+            has_origin: plan.has_origin,
+            roots: plan.roots,
+            program: Program::of(plan),
+            has_precise_coefficients: plan.program.form == ProgramForm::Table,
+            elimination: Elimination::of(plan),
+            ratios: (0..unknowns).map(|unknown| layout.ratios(plan, unknown)).collect(),
+            layout,
+            steps: plan.steps(),
+            flips: plan.flips.clone(),
+            recoveries: plan.recoveries.clone(),
+            equations: System::of(&plan.equations, unknowns),
+            nonzero: System::of(&plan.nonzero, unknowns),
+        }
+    }
+
+    /// The solver with data, one parameter after another, arrays row by row.
+    ///
+    /// # Errors
+    /// [`SolveError::NonFiniteInput`] or [`SolveError::Overflow`].
+    pub fn instance(&self, data: &[f64]) -> Result<InterpretedInstance<'_>, SolveError> {
+        let coefficients = self.program.evaluate::<f64>(data);
+        emitted::check_coefficients(&coefficients, &[data])?;
+        let read = vec![vec![0.0; self.layout.basis]; self.layout.read];
+        let (steps, flips) = (self.steps.iter().map(Vec::as_slice), self.flips.iter().map(Vec::as_slice));
+        Ok(InterpretedInstance {
+            solver: self,
+            data: data.to_vec(),
+            coefficients,
+            read,
+            steps: steps.collect(),
+            flips: flips.collect(),
+            attempts: 0,
+        })
+    }
+
+    /// The real solutions, as `solve` of the emitted solver returns them.
+    ///
+    /// # Errors
+    /// As the emitted solver.
+    pub fn solve(&self, data: &[f64]) -> Result<Vec<Vec<f64>>, SolveError> {
+        let mut instance = self.instance(data)?;
+        let found = match self.roots {
+            RootMethod::Eigenvalues => emitted::real_solutions(&mut instance)?,
+            RootMethod::CharacteristicPolynomial => emitted::real_solutions_by_polynomial(&mut instance)?,
+        };
+        Ok(found.to_vec())
+    }
+
+    /// All solutions, as `solve_complex` of the emitted solver returns them.
+    ///
+    /// # Errors
+    /// As the emitted solver.
+    pub fn solve_complex(&self, data: &[f64]) -> Result<Vec<Vec<Complex<f64>>>, SolveError> {
+        self.instance(data)?.solve_complex()
+    }
+}
+
+impl Program {
+    fn of(plan: &Plan) -> Self {
+        let table = ProgramTable::of(plan);
+        let operation = |kind: StepKind| match kind {
+            StepKind::Add => emitted::Operation::Add,
+            StepKind::Subtract => emitted::Operation::Subtract,
+            StepKind::Multiply => emitted::Operation::Multiply,
+            StepKind::Divide => emitted::Operation::Divide,
+            StepKind::Negate => emitted::Operation::Negate,
+            StepKind::ProductSum => emitted::Operation::ProductSum,
+        };
+        let runs = table.runs.iter().map(|&(kind, steps)| emitted::Run { operation: operation(kind), steps });
+        let sums = table.sums.iter().map(|&(products, length)| emitted::ProductSum { products, length });
+        let products = table.products.iter().map(|product| emitted::PolynomialProduct {
+            negative: product.negative,
+            left: product.left,
+            right: product.right,
+            places: product.places,
+        });
+        Self {
+            constants: table.constants.iter().map(|c| c.numerator() as f64 / c.denominator() as f64).collect(),
+            runs: runs.collect(),
+            operands: table.operands,
+            sums: sums.collect(),
+            products: products.collect(),
+            factors: table.factors,
+            places: table.places,
+            results: table.results,
+            values: table.values,
+        }
+    }
+
+    fn evaluate<R: emitted::Real>(&self, data: &[f64]) -> Vec<R> {
+        let factors: Vec<&[u32]> = self.factors.iter().map(Vec::as_slice).collect();
+        let places: Vec<&[u32]> = self.places.iter().map(Vec::as_slice).collect();
+        let program = emitted::Program {
+            constants: &self.constants,
+            runs: &self.runs,
+            operands: &self.operands,
+            product_sums: emitted::ProductSums {
+                sums: &self.sums,
+                products: &self.products,
+                factors: &factors,
+                places: &places,
+            },
+            results: &self.results,
+        };
+        let (mut values, mut coefficients) = (vec![R::ZERO; self.values], vec![R::ZERO; self.results.len()]);
+        program.run(&[data], &mut values, &mut coefficients);
+        coefficients
+    }
+}
+
+impl Elimination {
+    fn of(plan: &Plan) -> Self {
+        let entries = |entries: &[crate::plan::Entry]| {
+            entries.iter().map(|entry| (entry.row, entry.column, entry.coefficient.0)).collect()
+        };
+        let block = |block: &crate::plan::Block| Block {
+            first: block.first as u16,
+            size: block.size,
+            needed: block.needed as u16,
+            diagonal: entries(&block.diagonal),
+            coupling: entries(&block.coupling),
+        };
+        let action = |row: &ActionRow| match row {
+            ActionRow::Unit(b) => emitted::ActionRow::Unit(b.0),
+            ActionRow::Solved(pivot) => emitted::ActionRow::Solved(pivot.0),
+        };
+        Self {
+            rows: plan.elimination.rows,
+            right: entries(&plan.elimination.right),
+            blocks: plan.elimination.blocks.iter().map(block).collect(),
+            action: plan.action.iter().map(action).collect(),
+            read: plan.read.iter().map(|pivot| pivot.0).collect(),
+        }
+    }
+
+    /// The solved rows of all pivots.
+    fn solve<R: emitted::Real + emitted::Over<C>, C: Copy>(
+        &self,
+        basis: usize,
+        coefficients: &[C],
+    ) -> Result<Vec<Vec<R>>, SolveError> {
+        let mut right = vec![vec![R::ZERO; basis]; self.rows];
+        emitted::fill::<R, C, _>(&mut right, &self.right, coefficients);
+        for (number, block) in self.blocks.iter().enumerate() {
+            let n = block.size;
+            let (mut matrix, mut row_scale, mut smallest) = (vec![R::ZERO; n * n], vec![0.0; n], vec![0.0; n]);
+            let memory =
+                emitted::BlockMemory { matrix: &mut matrix, row_scale: &mut row_scale, smallest: &mut smallest };
+            let tables = emitted::Block {
+                number: number as u16,
+                first: block.first,
+                needed: block.needed,
+                diagonal: &block.diagonal,
+                coupling: &block.coupling,
+            };
+            tables.eliminate_in(memory, &mut right, coefficients)?;
+        }
+        Ok(right)
+    }
+}
+
+impl System {
+    fn of(polynomials: &[Vec<crate::plan::Term>], unknowns: usize) -> Self {
+        let table = SystemTable::of(polynomials, unknowns);
+        Self {
+            chain: table.chain.iter().map(|&(parent, unknown)| Product { parent, unknown }).collect(),
+            ends: table.ends,
+            terms: table.terms.iter().map(|&(coefficient, monomial)| Term { coefficient, monomial }).collect(),
+        }
+    }
+
+    fn tables(&self, unknowns: usize) -> Tables<'_, Dynamic, Dynamic, Dynamic> {
+        let sizes = (Dynamic(unknowns), Dynamic(self.ends.len()), Dynamic(self.chain.len()));
+        Tables { sizes, chain: &self.chain, ends: &self.ends, terms: &self.terms }
+    }
+}
+
+/// An interpreted solver with the coefficients of one instance.
+#[derive(Clone, Debug)]
+pub struct InterpretedInstance<'a> {
+    solver: &'a InterpretedSolver,
+    data: Vec<f64>,
+    coefficients: Vec<f64>,
+    /// Monomials that unknowns are read from, as combinations of the basis; known after the elimination.
+    read: Vec<Vec<f64>>,
+    steps: Vec<&'a [i8]>,
+    flips: Vec<&'a [bool]>,
+    /// How often the template was eliminated.
+    attempts: usize,
+}
+
+impl InterpretedInstance<'_> {
+    /// All solutions, as `solve_complex` of the emitted solver returns them.
+    ///
+    /// # Errors
+    /// As the emitted solver.
+    pub fn solve_complex(&mut self) -> Result<Vec<Vec<Complex<f64>>>, SolveError> {
+        Ok(emitted::complex_solutions(self)?.to_vec())
+    }
+
+    /// The relative residual of a point.
+    pub fn residual<S: Scalar>(&self, point: &[S]) -> f64 {
+        self.polish(&mut point.to_vec(), 0)
+    }
+
+    /// How often the template was eliminated: twice if there was a second attempt.
+    pub fn attempts(&self) -> usize {
+        self.attempts
+    }
+
+    fn eliminated<R: emitted::Real>(&self) -> Result<Vec<Vec<R>>, SolveError> {
+        let InterpretedSolver { elimination, layout, has_precise_coefficients, program, .. } = self.solver;
+        if !has_precise_coefficients {
+            return elimination.solve::<R, f64>(layout.basis, &self.coefficients);
+        }
+        let coefficients = R::of::<Dynamic>(&self.coefficients, || program.evaluate(&self.data));
+        elimination.solve::<R, R>(layout.basis, &coefficients)
+    }
+}
+
+impl SolverInstance for InterpretedInstance<'_> {
+    type Basis = Dynamic;
+    type Unknowns = Dynamic;
+    type Values = Dynamic;
+    type Solutions = Dynamic;
+
+    fn sizes(&self) -> SizesOf<Self> {
+        Sizes {
+            basis: Dynamic(self.solver.layout.basis),
+            unknowns: Dynamic(self.solver.unknowns),
+            values: Dynamic(self.solver.layout.len()),
+            solutions: Dynamic(self.solver.solutions),
+        }
+    }
+
+    fn ratios(&self, unknown: usize) -> &[(u16, u16)] {
+        &self.solver.ratios[unknown]
+    }
+
+    fn has_origin(&self) -> bool {
+        self.solver.has_origin
+    }
+
+    fn sign_changes(&self) -> Option<emitted::SignChanges<'_>> {
+        let changes = emitted::SignChanges { steps: &self.steps, flips: &self.flips };
+        (!self.flips.is_empty()).then_some(changes)
+    }
+
+    fn has_precise_coefficients(&self) -> bool {
+        self.solver.has_precise_coefficients
+    }
+
+    fn action_matrix<R: emitted::Real>(&mut self) -> Result<Vec<Vec<R>>, SolveError> {
+        self.attempts += 1;
+        let right = self.eliminated::<R>()?;
+        let basis = Dynamic(self.solver.layout.basis);
+        let read = Dynamic(self.solver.layout.read);
+        self.read = emitted::solved_rows((read, basis), &self.solver.elimination.read, &right);
+        Ok(emitted::action_matrix(basis, &self.solver.elimination.action, &right))
+    }
+
+    fn monomial_values<S: Scalar>(&self, value: S, vector: &Vec<S>) -> Vec<S> {
+        let layout = &self.solver.layout;
+        emitted::monomial_values(Dynamic(layout.len()), (value, vector), layout.has_image, &self.read)
+    }
+
+    fn recover<S: Scalar>(&self, x: &mut Vec<S>) {
+        for recovery in &self.solver.recoveries {
+            let product = |term: &crate::plan::Term| {
+                let factors = term.exponents.iter().zip(x.iter()).flat_map(|(&e, &x)| (0..e).map(move |_| x));
+                let coefficient = self.coefficients[usize::from(term.coefficient.0)];
+                factors.fold(S::from_f64(coefficient), |product, x| product * x)
+            };
+            // The first term is taken as it is, as emitted code does.
+            x[recovery.unknown] = recovery.terms.iter().map(product).reduce(|sum, term| sum + term).unwrap_or(S::ZERO);
+        }
+    }
+
+    fn polish<S: Scalar>(&self, x: &mut Vec<S>, steps: usize) -> f64 {
+        let tables = self.solver.equations.tables(self.solver.unknowns);
+        emitted::polish(x, tables.polynomials(), &tables.bind(&self.coefficients), steps)
+    }
+
+    fn is_admissible<S: Scalar>(&self, x: &Vec<S>) -> bool {
+        let tables = self.solver.nonzero.tables(self.solver.unknowns);
+        self.solver.nonzero.ends.is_empty() || tables.bind(&self.coefficients).exceeds(x, emitted::VANISHING)
+    }
+}

@@ -1,0 +1,48 @@
+//! What is preferred among templates that solve well, and the order in which candidates are
+//! considered.
+
+/// What a search looks for first.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "command", derive(clap::ValueEnum, serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "command", serde(rename_all = "lowercase"))]
+pub enum Preference {
+    /// Fewest operations
+    #[default]
+    Speed,
+    /// Fewest missed solutions, then smallest residuals, at a bounded cost
+    Stability,
+    /// Fewest rows, at a bounded cost
+    Size,
+}
+
+/// The cost of a candidate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cost {
+    /// Operations of one solve.
+    pub operations: usize,
+    /// Rows of the template.
+    pub rows: usize,
+    /// |B|.
+    pub basis: usize,
+}
+
+impl Preference {
+    /// The key by which candidates are ordered, least first. Stability does not follow from cost
+    /// and is measured: cheap candidates are measured first.
+    pub fn key(self, cost: &Cost) -> [usize; 3] {
+        match self {
+            Self::Speed | Self::Stability => [cost.operations, cost.rows, cost.basis],
+            Self::Size => [cost.rows, cost.basis, cost.operations],
+        }
+    }
+}
+
+impl std::fmt::Display for Preference {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Speed => "speed",
+            Self::Stability => "stability",
+            Self::Size => "size",
+        })
+    }
+}

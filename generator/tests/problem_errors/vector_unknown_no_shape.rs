@@ -1,0 +1,3 @@
+fn sphere(a: f64) -> (s, v:) {
+    dot(v, v) == s * a;
+}

@@ -1,3 +1,0 @@
-//! Seeded random numbers.
-
-pub(crate) use eliminant_solvers::cylinder::random::Random;
