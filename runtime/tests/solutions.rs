@@ -50,6 +50,7 @@ fn complex_solutions_have_a_norm() {
     assert_eq!(solutions[0][0].norm(), 5.0);
 }
 
+#[cfg(feature = "serde")]
 #[test]
 fn solutions_are_a_sequence_in_json() {
     let mut points = Solutions::<[f64; 2], 3>::new();
