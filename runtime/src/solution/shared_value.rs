@@ -294,3 +294,67 @@ fn multiplication(
     }
     true
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::size::Fixed;
+
+    /// V_m of 3 basis vectors at 4 monomials, and V_(x m) = V_m A_x, with the scale of each basis vector.
+    struct Known {
+        values: [[f64; 4]; 3],
+        images: [[f64; 4]; 3],
+    }
+
+    const A: [[f64; 3]; 3] = [[2.0, -1.0, 0.5], [0.25, 3.0, 1.0], [-4.0, 1.5, -2.0]];
+    /// The monomials and their products.
+    const PAIRS: [(u16, u16); 4] = [(0, 4), (1, 5), (2, 6), (3, 7)];
+
+    impl Known {
+        /// From a matrix with a row for each monomial and a column for each basis vector.
+        fn new(v: [[f64; 3]; 4]) -> Self {
+            let values = core::array::from_fn(|k| core::array::from_fn(|m| v[m][k]));
+            let images = core::array::from_fn(|k| core::array::from_fn(|m| (0..3).map(|l| v[m][l] * A[l][k]).sum()));
+            Self { values, images }
+        }
+
+        /// A_x, or nothing; in the leading part of a matrix of four rows.
+        fn multiplication(&self, pairs: &[(u16, u16)]) -> Option<[[f64; 4]; 4]> {
+            let (mut gram, mut right) = ([[0.0; 4]; 4], [[0.0; 4]; 4]);
+            let value = |row: usize, monomial: u16| match usize::from(monomial) {
+                at @ 0..4 => self.values[row][at],
+                at => self.images[row][at - 4],
+            };
+            let (gram, matrix) = (&mut Rows::<Fixed<4>>(&mut gram), &mut Rows::<Fixed<4>>(&mut right));
+            multiplication(&value, (3, pairs), gram, matrix).then_some(right)
+        }
+    }
+
+    /// The difference of A_x from A, relative to its entries.
+    fn difference(found: Option<[[f64; 4]; 4]>) -> f64 {
+        let Some(found) = found else { return f64::INFINITY };
+        let expected = |i: usize, j: usize| if i < 3 && j < 3 { A[i][j] } else { 0.0 };
+        let pairs = (0..4).flat_map(|i| (0..4).map(move |j| (i, j)));
+        pairs.map(|(i, j)| (found[i][j] - expected(i, j)).abs()).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn multiplication_by_an_unknown_follows_from_enough_monomials() {
+        let regular = [[1.0, 0.5, -2.0], [3.0, -1.0, 0.25], [-0.5, 2.0, 1.0], [0.1, 0.2, 0.3]];
+        assert!(difference(Known::new(regular).multiplication(&PAIRS)) < 1e-13);
+        assert!(difference(Known::new(regular).multiplication(&PAIRS[..3])) < 1e-13);
+        assert_eq!(Known::new(regular).multiplication(&PAIRS[1..3]), None, "two monomials for three vectors");
+        assert_eq!(Known::new(regular).multiplication(&[]), None);
+    }
+
+    /// The third vector is within e of the first: the square of e, relative, is compared with 1e-10.
+    #[test]
+    fn a_basis_without_rank_determines_nothing() {
+        let at = |e: f64| {
+            Known::new([[1.0, 0.0, 1.0], [0.0, 1.0, e], [0.0, 0.0, e], [0.0, 2.0, 0.0]]).multiplication(&PAIRS)
+        };
+        assert!(difference(at(1e-4)) < 1e-6);
+        assert_eq!([at(1e-6), at(0.0)], [None, None]);
+        assert_eq!(Known::new([[f64::NAN; 3]; 4]).multiplication(&PAIRS), None);
+    }
+}

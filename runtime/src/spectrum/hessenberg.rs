@@ -346,3 +346,147 @@ impl<Z: Size> Hessenberg<Z> {
         next
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use proptest::test_runner::RngSeed;
+
+    const N: usize = 5;
+
+    /// Not reduced yet.
+    fn filled(matrix: [[f64; N]; N]) -> Hessenberg<Fixed<N>> {
+        Hessenberg { matrix, ..Hessenberg::zero(Fixed) }
+    }
+
+    /// The squared norms of column i and of row i.
+    fn norms(matrix: &[[f64; N]; N], i: usize) -> [f64; 2] {
+        [(0..N).map(|j| matrix[j][i].powi(2)).sum(), (0..N).map(|j| matrix[i][j].powi(2)).sum()]
+    }
+
+    /// The same cases every time.
+    fn config() -> ProptestConfig {
+        ProptestConfig { cases: 1_000, rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..Default::default() }
+    }
+
+    proptest! {
+        #![proptest_config(config())]
+        /// Balancing is a similarity by powers of two. A further factor of 2 or 1/2 in any place takes less than a
+        /// tenth off the squared norms of its row and column.
+        #[test]
+        fn balancing_is_done_when_no_factor_gains(
+            entries in prop::array::uniform5(prop::array::uniform5(-1.0..1.0_f64)),
+            exponents in prop::array::uniform5(-30..30_i32),
+        ) {
+            let scale = exponents.map(|exponent| 2.0_f64.powi(exponent));
+            let matrix = core::array::from_fn(|i| core::array::from_fn(|j| entries[i][j] * scale[i] / scale[j]));
+            let mut form = filled(matrix);
+            form.scale_rows_and_columns();
+            for i in 0..N {
+                prop_assert_eq!(form.balance[i], float::power_of_two(float::exponent(form.balance[i])));
+                for j in 0..N {
+                    prop_assert_eq!(form.matrix[i][j], matrix[i][j] * (form.balance[j] / form.balance[i]));
+                }
+                let [column, row] = norms(&form.matrix, i);
+                for square in [4.0, 0.25] {
+                    let gained = column * square + row / square;
+                    prop_assert!(gained >= 0.9 * (column + row), "{i}: {column} {row}");
+                }
+            }
+        }
+
+        /// A = D Q H Q^T D^-1 in the unit: what H maps, A maps likewise after the way back.
+        #[test]
+        fn the_form_is_similar_to_the_matrix(
+            entries in prop::array::uniform5(prop::array::uniform5(-1.0..1.0_f64)),
+            vector in prop::array::uniform5(-1.0..1.0_f64),
+            exponent in prop::sample::select(std::vec![0, 12, -12, 250, -250]),
+        ) {
+            // Balanced if rows and columns differ much; in a unit of its own if the entries are extreme.
+            let unit = 2.0_f64.powi(exponent);
+            let spread = if exponent.abs() == 12 { unit } else { 1.0 };
+            let scale: [f64; N] = core::array::from_fn(|i| spread.powi(i as i32));
+            let matrix: [[f64; N]; N] =
+                core::array::from_fn(|i| core::array::from_fn(|j| entries[i][j] * scale[i] / scale[j] * unit));
+            let form = Hessenberg::reduce(&matrix).unwrap();
+            let norm = form.matrix.iter().map(|row| row.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
+            prop_assert_eq!(form.norm, norm);
+            let mut image: [f64; N] = core::array::from_fn(|i| (0..N).map(|j| form.matrix[i][j] * vector[j]).sum());
+            let mut vector = vector;
+            form.transform_back(&mut vector);
+            form.transform_back(&mut image);
+            for i in 0..N {
+                let (mut sum, mut size) = (0.0, 0.0);
+                for j in 0..N {
+                    let term = matrix[i][j] / form.unit * vector[j];
+                    (sum, size) = (sum + term, size + term.abs());
+                }
+                // Rounding in H is relative to its norm, on the way back in the scale of the row.
+                let bound = 1e-13 * (size + norm * form.balance[i]);
+                prop_assert!((sum - image[i]).abs() <= bound, "row {i}: {sum} {}", image[i]);
+            }
+        }
+    }
+
+    /// Balancing [[1, 2^k], [2^-k, 1]] takes a factor of about 2^k / 2 off the norm. It is kept from a thousand on.
+    #[test]
+    fn balancing_is_undone_if_it_gains_little() {
+        for (k, is_kept) in [(1, false), (10, false), (13, true), (30, true)] {
+            let large = 2.0_f64.powi(k);
+            for [b, c] in [[large, 1.0 / large], [1.0 / large, large]] {
+                let mut form = Hessenberg::<Fixed<2>> { matrix: [[1.0, b], [c, 1.0]], ..Hessenberg::zero(Fixed) };
+                form.balance();
+                let ratio = form.balance[0] / form.balance[1];
+                assert_eq!((form.matrix[0], ratio != 1.0), ([1.0, b / ratio], is_kept), "{k}");
+                assert_eq!(form.matrix[1], [c * ratio, 1.0]);
+                assert!(is_kept || form.balance == [1.0; 2]);
+                assert!(!is_kept || (0.5..=2.0).contains(&form.matrix[0][1]), "{:?}", form.matrix);
+            }
+        }
+    }
+
+    #[test]
+    fn rows_and_columns_of_zeros_are_left_alone() {
+        let mut matrix = [[0.0; N]; N];
+        (matrix[0][1], matrix[0][2], matrix[3][2]) = (1e20, 1e-20, 1e9);
+        let mut form = filled(matrix);
+        form.scale_rows_and_columns();
+        assert_eq!((form.matrix, form.balance), (matrix, [1.0; N]));
+    }
+
+    /// Entries far from 1 are divided by a power of two, which brings the largest one to between 1 and 2.
+    #[test]
+    fn only_extreme_units_are_taken_out() {
+        for (largest, unit) in [
+            (1.0, 1.0),
+            (1e59, 1.0),
+            (1e-59, 1.0),
+            (0.0, 1.0),
+            (1.5 * 2.0_f64.powi(300), 2.0_f64.powi(300)),
+            (-1.5 * 2.0_f64.powi(-300), 2.0_f64.powi(-300)),
+            (f64::MAX, 2.0_f64.powi(1021)),
+            (5e-324, 2.0_f64.powi(-1021)),
+        ] {
+            let mut matrix = [[0.0; N]; N];
+            (matrix[1][2], matrix[0][4]) = (0.25 * largest, largest);
+            let form = Hessenberg::reduce(&matrix).unwrap();
+            assert_eq!(form.unit, unit, "{largest}");
+            let mut cleared = form;
+            cleared.clear();
+            let zero = Hessenberg::<Fixed<N>>::zero(Fixed);
+            assert_eq!((cleared.matrix, cleared.unit, cleared.norm), (zero.matrix, zero.unit, zero.norm));
+            assert_eq!((cleared.balance, cleared.reflectors, cleared.tau), (zero.balance, zero.reflectors, zero.tau));
+        }
+    }
+
+    /// (x - u) (x - 2 u) (x + 4 u) = x^3 + u x^2 - 10 u^2 x + 8 u^3 for a unit u.
+    #[test]
+    fn characteristic_polynomials_are_in_the_unit_of_the_matrix() {
+        for unit in [1.0, 2.0_f64.powi(250), 2.0_f64.powi(-250)] {
+            let matrix = [[1.0, 3.0, 5.0], [0.0, 2.0, 7.0], [0.0, 0.0, -4.0]].map(|row| row.map(|x| x * unit));
+            let found = Hessenberg::reduce(&matrix).unwrap().characteristic_polynomial();
+            assert_eq!(found, [8.0 * unit * unit * unit, -10.0 * unit * unit, unit]);
+        }
+    }
+}

@@ -142,3 +142,143 @@ fn orthonormalize<V: Vector<f64>>(vectors: &mut [V]) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::size::Fixed;
+    use std::vec;
+    use std::vec::Vec;
+
+    fn c(re: f64, im: f64) -> Complex<f64> {
+        Complex { re, im }
+    }
+
+    fn clusters(values: &[Complex<f64>], norm: f64) -> Vec<Cluster> {
+        let mut found = Vec::new();
+        find_clusters(values, norm, &mut vec![0; values.len()], &mut |cluster| found.push(cluster));
+        found
+    }
+
+    /// The dimensions of the clusters of real values.
+    fn dimensions(values: &[f64], norm: f64) -> Vec<usize> {
+        let values: Vec<_> = values.iter().map(|&x| c(x, 0.0)).collect();
+        clusters(&values, norm).iter().map(|cluster| cluster.dimension).collect()
+    }
+
+    #[test]
+    fn close_values_are_a_cluster() {
+        assert!(dimensions(&[1.0, 2.0, -1.0, -2.0], 1.0).is_empty());
+        for unit in [0.01, 1.0, 100.0, -1.0] {
+            assert_eq!(dimensions(&[unit, 0.9991 * unit], 0.0), [2]);
+            assert_eq!(dimensions(&[0.9991 * unit, unit], 0.0), [2]);
+            assert!(dimensions(&[unit, 0.9989 * unit], 0.0).is_empty());
+            assert!(dimensions(&[0.9989 * unit, unit], 0.0).is_empty());
+        }
+        // Tiny values are compared with the norm.
+        assert_eq!(dimensions(&[0.0, 0.9e-8], 100.0), [2]);
+        assert!(dimensions(&[0.0, 1.1e-8], 100.0).is_empty());
+    }
+
+    #[test]
+    fn clusters_that_share_a_member_are_one() {
+        let chain = [1.0, 1.0008, 1.0016, 1.0024];
+        for order in [[0, 1, 2, 3], [3, 2, 1, 0], [0, 2, 3, 1], [0, 3, 1, 2], [1, 3, 0, 2]] {
+            assert_eq!(dimensions(&order.map(|k| chain[k]), 1.0), [4], "{order:?}");
+            let [a, b, c, d] = order.map(|k| chain[k]);
+            assert_eq!(dimensions(&[5.0, a, 7.0, b, c, 7.001, d], 1.0), [4, 2], "{order:?}");
+        }
+        assert_eq!(dimensions(&[1.0, 3.0, 1.0008, 3.001, 2.0], 1.0), [2, 2]);
+    }
+
+    /// The centre is the mean. The shift is a thousandth of the distance of the next value, but not within the cluster.
+    #[test]
+    fn shifts_keep_away_from_the_cluster_and_from_others() {
+        let [wide] = clusters(&[c(1.0, 0.0), c(4.0, 0.0), c(1.0008, 0.0)], 9.0)[..] else { panic!() };
+        assert!((wide.centre - c(1.0004, 0.0)).norm() < 1e-15);
+        assert!((wide.shift - 2.9996e-3).abs() < 1e-15, "{}", wide.shift);
+        let [near] = clusters(&[c(1.0, 0.0), c(1.01, 0.0), c(1.0008, 0.0)], 9.0)[..] else { panic!() };
+        assert!((near.shift - 0.8e-3).abs() < 1e-15, "{}", near.shift);
+        // Without another value the norm is the distance.
+        assert!((clusters(&[c(1.0, 0.0); 2], 9.0)[0].shift - 9e-3).abs() < 1e-15);
+        assert!((clusters(&[c(1.0, 0.0); 2], 0.0)[0].shift - 1e-3).abs() < 1e-15);
+    }
+
+    #[test]
+    fn of_conjugate_clusters_one_counts_for_both() {
+        let values = [c(2.0, 1.0), c(2.0, -1.0), c(2.0, 1.001), c(2.0, -1.001), c(5.0, 1.0)];
+        for order in [[0, 1, 2, 3, 4], [1, 0, 3, 2, 4], [4, 3, 2, 1, 0]] {
+            let [both] = clusters(&order.map(|k| values[k]), 9.0)[..] else { panic!() };
+            assert!((both.centre - c(2.0, 1.0005)).norm() < 1e-15 && both.dimension == 4, "{both:?}");
+            // The conjugates are not others.
+            assert!((both.shift - 3e-3).abs() < 1e-8, "{both:?}");
+        }
+        // A pair that is nearly real is its own conjugate.
+        let [pair] = clusters(&[c(2.0, 5e-4), c(2.0, -5e-4), c(5.0, 0.0)], 9.0)[..] else { panic!() };
+        assert!(pair.centre == c(2.0, 0.0) && pair.dimension == 2, "{pair:?}");
+        // Only values and exact conjugates are left out of the distance.
+        let [lone] = clusters(&[c(2.0, 1.0), c(2.0, 1.0), c(2.0, -0.99)], 9.0)[..] else { panic!() };
+        assert!((lone.shift - 1.99e-3).abs() < 1e-15 && lone.dimension == 4, "{lone:?}");
+    }
+
+    /// A = S D S^-1 with D of eigenvalues 2, 2 (defective), 1 +- 2 i twice, and -3: S is triangular with ones.
+    #[test]
+    fn bases_are_orthonormal_and_invariant() {
+        const N: usize = 7;
+        let mut block = [[0.0; N]; N];
+        for (i, row) in [[2.0, 1.0], [0.0, 2.0]].into_iter().enumerate() {
+            block[i][..2].copy_from_slice(&row);
+        }
+        for k in [2, 4] {
+            (block[k][k], block[k + 1][k + 1], block[k][k + 1], block[k + 1][k]) = (1.0, 1.0, 2.0, -2.0);
+        }
+        block[6][6] = -3.0;
+        // S = 1 + s: s of the first subdiagonal and beyond, so that S^-1 is a finite sum.
+        let s = |i: usize, j: usize| if i > j { 0.1 * ((3 * i + 5 * j) % 7) as f64 - 0.3 } else { 0.0 };
+        for unit in [1.0, 2.0_f64.powi(250)] {
+            let mut matrix = block;
+            for k in 0..N {
+                for i in k + 1..N {
+                    // Row i += s row k, column k -= s column i.
+                    let factor = s(i, k);
+                    for j in 0..N {
+                        matrix[i][j] += factor * matrix[k][j];
+                    }
+                    for row in &mut matrix {
+                        row[k] -= factor * row[i];
+                    }
+                }
+            }
+            let scaled = matrix.map(|row| row.map(|x| x * unit));
+            let form = Hessenberg::<Fixed<N>>::reduce(&scaled).unwrap();
+            let clusters = form.clusters(&form.eigenvalues().unwrap());
+            let mut found: Vec<_> = clusters.iter().map(|cluster| (cluster.dimension, cluster.centre)).collect();
+            found.sort_by_key(|(dimension, _)| *dimension);
+            let centres = found.iter().zip([c(2.0, 0.0), c(1.0, 2.0)]);
+            assert!(found.len() == 2 && found[0].0 == 2 && found[1].0 == 4, "{found:?}");
+            let in_unit = |z: Complex<f64>| z * (form.unit / unit);
+            assert!(
+                centres.map(|((_, z), exact)| (in_unit(*z) - exact).norm()).fold(0.0, f64::max) < 1e-7,
+                "{found:?}"
+            );
+            for cluster in clusters.iter() {
+                let mut basis = [[0.0; N]; N];
+                form.invariant_subspace(cluster, &mut basis);
+                let dot = |x: &[f64; N], y: &[f64; N]| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>();
+                assert!(basis[cluster.dimension..].iter().flatten().all(|x| *x == 0.0), "the other rows stay");
+                let basis = &basis[..cluster.dimension];
+                for (k, vector) in basis.iter().enumerate() {
+                    let mut image: [f64; N] = core::array::from_fn(|i| dot(&matrix[i], vector));
+                    for (l, other) in basis.iter().enumerate() {
+                        let expected = f64::from(u8::from(k == l));
+                        assert!((dot(vector, other) - expected).abs() < 1e-14, "{k} {l}");
+                        let part = dot(&image, other);
+                        (0..N).for_each(|i| image[i] -= part * other[i]);
+                    }
+                    let rest = dot(&image, &image).sqrt();
+                    assert!(rest < 1e-10, "dimension {}: vector {k} leaves by {rest:e}", cluster.dimension);
+                }
+            }
+        }
+    }
+}
