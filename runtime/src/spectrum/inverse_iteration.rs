@@ -192,3 +192,82 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
         x
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::size::Fixed;
+    use num_complex::Complex;
+
+    #[test]
+    fn lengths_neither_overflow_nor_vanish() {
+        for unit in [1.0, 1e200, 1e-200, 5e300] {
+            let mut x = [3.0 * unit, 0.0, -4.0 * unit];
+            assert!((normalize(&mut x) / unit - 5.0).abs() < 1e-14);
+            assert!((x[0] - 0.6).abs() < 1e-15 && x[1] == 0.0 && (x[2] + 0.8).abs() < 1e-15, "{x:?}");
+        }
+        let mut z = [Complex { re: 0.0, im: 3.0 }, Complex { re: 4.0, im: 0.0 }];
+        assert!((normalize(&mut z) - 5.0).abs() < 1e-14 && (z[0].im - 0.6).abs() < 1e-15, "{z:?}");
+        let mut zero = [0.0; 3];
+        assert_eq!((normalize(&mut zero), zero), (0.0, [0.0; 3]));
+    }
+
+    /// A solve of (H - value I) x = b, in two halves: the direction, and how much longer x is than b.
+    #[test]
+    fn solves_give_direction_and_growth() {
+        let h = [[2.0, -1.0, 0.5, 3.0], [1.5, 0.25, 1.0, -2.0], [0.0, -3.0, 1.0, 0.5], [0.0, 0.0, 4.0, -1.0]];
+        let mut form = Hessenberg::<Fixed<4>>::zero(Fixed);
+        (form.matrix, form.norm) = (h, 7.5);
+        for value in [Complex { re: 0.3, im: 1.7 }, Complex { re: 2.0, im: 0.0 }] {
+            let mut lu = ShiftedLu::<Complex<f64>, _>::new(Fixed::<4>);
+            lu.factor(&form, value);
+            let b = [1.0, -2.0, 0.5, 3.0].map(|re| Complex { re, im: 1.0 - re });
+            let mut x = b;
+            lu.forward(&mut x);
+            let growth = lu.backward(&mut x);
+            for i in 0..4 {
+                let sum = (0..4).fold(-value * x[i], |sum, j| sum + x[j] * h[i][j]);
+                assert!((sum * growth - b[i]).norm() < 1e-13, "row {i}: {} is not {}", sum * growth, b[i]);
+            }
+        }
+    }
+
+    /// With N pivots at rounding level a solve grows by that level to the power -N. Up to the range of `f64` it is
+    /// told, beyond it is infinite; the direction is right in any case.
+    #[test]
+    fn repeated_tiny_pivots_do_not_overflow() {
+        fn growth<const N: usize>() -> f64 {
+            let mut form = Hessenberg::<Fixed<N>>::zero(Fixed);
+            (1..N).for_each(|i| form.matrix[i - 1][i] = 1.0);
+            form.norm = 1.0;
+            let mut lu = ShiftedLu::new(Fixed::<N>);
+            lu.factor(&form, 0.0);
+            let mut x = [0.0; N];
+            x[N - 1] = 1.0;
+            let growth = lu.backward(&mut x);
+            assert!((x[0].abs() - 1.0).abs() < 1e-15 && x[1..].iter().all(|x| x.abs() < 1e-15), "{x:?}");
+            growth
+        }
+        let per_pivot = 1.0 / f64::EPSILON;
+        assert_eq!([growth::<4>(), growth::<9>(), growth::<17>()], [4, 9, 17].map(|n| per_pivot.powi(n)));
+        assert_eq!(growth::<24>(), f64::INFINITY);
+    }
+
+    /// The level of rounding is that of the norm, whatever the units.
+    #[test]
+    fn eigenvectors_do_not_depend_on_units() {
+        let h = [[2.0, -1.0, 0.5], [1.5, 0.25, 1.0], [1.0, -3.0, 1.0]];
+        let expected = Hessenberg::reduce(&h).unwrap();
+        let values = expected.eigenvalues().unwrap();
+        for exponent in [-150, -100, 100, 150] {
+            let unit = 2.0_f64.powi(exponent);
+            let form = Hessenberg::reduce(&h.map(|row| row.map(|x| x * unit))).unwrap();
+            assert_eq!(form.unit, 1.0);
+            for value in values {
+                assert_eq!(form.eigenvector(value * unit), expected.eigenvector(value));
+            }
+        }
+        let of_zero = Hessenberg::reduce(&[[0.0; 2]; 2]).unwrap().eigenvector(0.0);
+        assert!((of_zero[0].hypot(of_zero[1]) - 1.0).abs() < 1e-15, "{of_zero:?}");
+    }
+}
