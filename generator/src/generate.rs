@@ -1,7 +1,7 @@
 //! From a problem and its template to the source of a solver. Files and environment are not
 //! touched.
 
-use crate::algebra::{Monomial, PRIMES, PrimeField};
+use crate::algebra::{PRIMES, PrimeField};
 use crate::emit::{EmitError, Provenance, emit};
 use crate::plan::Plan;
 use crate::plan::interpret::{self, Eliminated};
@@ -11,7 +11,6 @@ use crate::presolve::{ReducedProblem, presolve};
 use crate::problem::Problem;
 use crate::problem::diagnostic::Diagnostics;
 use crate::problem::instance::Instance;
-use crate::template::EliminationTemplate;
 use crate::template::file::{TemplateFile, TemplateFileError};
 use crate::template::verify::{VerifyError, verify};
 
@@ -127,63 +126,5 @@ fn interpreted(plan: &Plan, instance: &Instance) -> Option<(Vec<u32>, Eliminated
 /// The source of the solver of `problem` by the template in `file`.
 pub fn generate(problem: &Problem, file: &TemplateFile) -> Result<String, GenerateError> {
     let planned = plan(problem, file)?;
-    Ok(emit(&planned.plan, &provenance(problem, file, &planned.plan))?)
-}
-
-/// The header of the emitted module: sizes, counts, and where every row comes from.
-fn provenance(problem: &Problem, file: &TemplateFile, plan: &Plan) -> Provenance {
-    let mut lines = vec![
-        format!("Solver of the problem `{}`: {} complex solutions.", problem.name, plan.solutions),
-        String::new(),
-        format!("- generator: eliminant-generator {}", env!("CARGO_PKG_VERSION")),
-        format!("- problem: fingerprint {:016x}", file.fingerprint),
-    ];
-    lines.extend(sizes(&file.template, plan));
-    lines.push(format!("- action monomial: {}", listed(&[file.template.action], &problem.unknowns)));
-    lines.push(format!("- basis: {}", listed(&file.template.basis, &problem.unknowns)));
-    if plan.has_origin {
-        lines.push("- all unknowns 0 is a solution, whatever the data, and is returned without an eigenvalue".into());
-    }
-    if !plan.recoveries.is_empty() {
-        let names: Vec<_> = plan.recoveries.iter().map(|r| format!("`{}`", problem.unknowns[r.unknown])).collect();
-        lines.push(format!("- eliminated beforehand and recovered afterwards: {}", names.join(", ")));
-    }
-    lines.extend(["", "Rows: multiples of the equations, numbered after that elimination.", ""].map(String::from));
-    for group in file.template.shifts.chunk_by(|a, b| a.equation == b.equation) {
-        let multipliers: Vec<_> = group.iter().map(|shift| shift.multiplier).collect();
-        lines.push(format!("- equation {}: {}", group[0].equation + 1, listed(&multipliers, &problem.unknowns)));
-    }
-    Provenance { lines }
-}
-
-/// Sizes of the template as it is written and as it is eliminated, and operations of one solve.
-fn sizes(template: &EliminationTemplate, plan: &Plan) -> [String; 3] {
-    let (e, operations) = (&plan.elimination, plan.operations());
-    let largest = e.blocks.iter().map(|block| block.size).max().unwrap_or(0);
-    [
-        format!(
-            "- template: {} x {} ({} excess, {} reducible, {} basis columns)",
-            template.rows(),
-            template.columns(),
-            template.excess.len(),
-            template.reducible.len(),
-            template.basis.len(),
-        ),
-        format!(
-            "- at run time: {} x {} ({} constant rows are eliminated beforehand), {} diagonal blocks, the largest of size {largest}",
-            e.rows,
-            e.columns(),
-            template.rows() - e.rows,
-            e.blocks.len()
-        ),
-        format!(
-            "- operations: {} for coefficients, {} for the elimination, about {} for the roots",
-            operations.coefficients, operations.elimination, operations.roots
-        ),
-    ]
-}
-
-/// Monomials as code, separated by commas.
-fn listed(monomials: &[Monomial], unknowns: &[String]) -> String {
-    monomials.iter().map(|m| format!("`{}`", m.display(unknowns))).collect::<Vec<_>>().join(", ")
+    Ok(emit(&planned.plan, &Provenance::of(problem, file, &planned.reduced, &planned.plan))?)
 }

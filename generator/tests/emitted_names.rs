@@ -220,3 +220,49 @@ fn arrays_of_unknowns_are_fields() {
     );
     run("emitted_arrays", &modules, &checks);
 }
+
+/// Values that the problem names are variables of these names, rows say which multiple of which equation they are.
+#[test]
+fn emitted_code_says_what_is_what() {
+    let text = "/// Two conics, their equations multiplied by numbers.
+    fn named(p: [f64; 6], q: [f64; 6], v: f64) -> (x, y) {
+        let scale = v * v + 1;
+        let Q = (scale + v) * q;
+        let mut changed = scale * scale;
+        changed += 1;
+        for i in 0..2 { let step = (v + i) * (scale + 3); step * x != 0; }
+        let terms = [x.pow(2), x * y, y.pow(2), x, y, 1];
+        scale * changed * helped(v) * dot(p, terms) == 0;
+        dot(Q, // coefficients
+            terms) == 0;
+    }
+    fn helped(value: f64) -> f64 { let inside = value * value * value; inside + 1 }";
+    let source = emitted("named", text, TWO_CONICS);
+    for part in [
+        "let scale = 1.0 + v_2[0];",
+        "let q_0_2 = ",
+        "let step = ",
+        "let step_2 = ",
+        "    //! - equation 1, `scale * changed * helped(v) * dot(p, terms) == 0`, times `1`, `y`, `x`\n",
+        "    //! - equation 2, `dot(Q, terms) == 0`, times `1`, `y`, `x`\n",
+        "// columns x^3, x^2*y\n",
+        "// columns x*y^2, x^2, x*y, x\n",
+        "// row 0: x * equation 1\n",
+        "// the action monomial times x*y^2, x^2, x*y, x\n",
+        "// monomials 1, y, x, y^2, x*y, x^2\n",
+        "// equation 2: `dot(Q, terms) == 0`\n",
+        "// `step * x != 0`\n",
+    ] {
+        assert!(source.contains(part), "`{part}` is not in\n{source}");
+    }
+    assert!(!source.contains("changed =") && !source.contains("inside ="), "{source}");
+    let is_suffix = |(before, _): (usize, &str)| source[..before].ends_with(|c: char| c.is_ascii_digit());
+    assert!(!source.match_indices("usize").any(is_suffix), "{source}");
+    let checks = check("named", &format!("&{P:?}, &{Q:?}, 0.75"), ["x", "y"]);
+    run("emitted_labels", &[("named", source)], &checks);
+
+    // In a table the coefficients have no names, but their documentation has.
+    let source = emitted("pose_npt_weak_perspective", WEAK_PERSPECTIVE[0], WEAK_PERSPECTIVE);
+    let line = source.lines().find(|line| line.contains("By name: ")).expect("named coefficients");
+    assert!(line.contains("is `spread[") || line.contains("is `target["), "{line}");
+}

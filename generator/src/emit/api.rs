@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::names::Names;
-use super::{array_type, doc_line, indices, parameter};
+use super::shapes::{array_type, doc_line, indices, parameter};
 use crate::plan::Plan;
 use crate::template::RootMethod;
 
@@ -95,7 +95,8 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
             #(#parameters),*
         ) -> Result<::eliminant::Solutions<Solution, MAX_SOLUTIONS>, ::eliminant::SolveError> {
             let mut #instance = Instance::new(#(#arguments),*)?;
-            Ok(::eliminant::Solutions::from_points(&emitted::#roots(&mut #instance)?, Solution::from))
+            let points = emitted::#roots(&mut #instance)?;
+            Ok(::eliminant::Solutions::from_points(&points, Solution::from))
         }
 
         /// Like [`solve`], with all complex solutions. Where solutions are missing, all is computed once more at twice
@@ -111,7 +112,8 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
             ::eliminant::SolveError,
         > {
             let mut #instance = Instance::new(#(#arguments),*)?;
-            Ok(::eliminant::Solutions::from_points(&emitted::complex_solutions(&mut #instance)?, Solution::from))
+            let points = emitted::complex_solutions(&mut #instance)?;
+            Ok(::eliminant::Solutions::from_points(&points, Solution::from))
         }
 
         /// The matrix of multiplication by the action monomial on the basis, as the elimination gives it.

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use super::names::Names;
-use super::{indices, parameter};
+use super::shapes::{indices, parameter};
 use crate::expression::rational::Rational;
 use crate::plan::program::{Operation, ValueId};
 use crate::plan::statements::{Place, Statements};
@@ -44,6 +44,12 @@ pub(super) fn statements(plan: &Plan) -> TokenStream {
         };
         printed.push(match place {
             Place::Unread | Place::Inline => expression,
+            Place::Variable(name) => {
+                let name = names.take(&local_name(&plan.program.names[name].1));
+                let value = expression.tokens;
+                statements.push(quote!(let #name = #value;));
+                Expression::atom(name.to_token_stream())
+            }
             Place::Slot(slot) => {
                 let (slot, value) = (Literal::usize_unsuffixed(slot), expression.tokens);
                 statements.push(quote!(#values[#slot] = #value;));
@@ -115,6 +121,11 @@ impl Expression {
         let tokens = &self.tokens;
         if self.precedence < precedence { quote!((#tokens)) } else { tokens.clone() }
     }
+}
+
+/// `m[0][1]` as `m_0_1`.
+fn local_name(name: &str) -> String {
+    name.replace('[', "_").replace(']', "")
 }
 
 /// What stands for each scalar of the data, in flat order: `gram_0_2` for an element of an array.

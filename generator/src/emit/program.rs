@@ -1,12 +1,18 @@
 //! Prints straight-line code as a table.
 
+use std::collections::BTreeMap;
+
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::code;
 use super::listing::Listings;
+use super::shapes::doc_line;
+use super::wrap::wrapped;
 use crate::plan::Plan;
+use crate::plan::program::{Operation, ValueId};
 use crate::plan::program_table::ProgramTable;
+use crate::problem::DataParameter;
 
 /// The function from the data to the coefficients, and the table that it executes.
 pub(super) fn table(plan: &Plan, listings: &mut Listings) -> TokenStream {
@@ -21,8 +27,11 @@ pub(super) fn table(plan: &Plan, listings: &mut Listings) -> TokenStream {
     let results = listings.add(table.results.iter().map(u32::to_string));
     let [inputs, values, length] =
         [plan.inputs(), table.values, plan.coefficients.len()].map(Literal::usize_unsuffixed);
+    let names = names_of_coefficients(plan);
+    let names = names.iter().map(|line| doc_line(line));
     quote! {
         /// The coefficients that the tables refer to.
+        #(#[doc = #names])*
         fn coefficients<R: emitted::Real>(data: &[f64; #inputs]) -> [R; #length] {
             PROGRAM.evaluate::<R, #values, #length>(&[data])
         }
@@ -36,6 +45,24 @@ pub(super) fn table(plan: &Plan, listings: &mut Listings) -> TokenStream {
             results: &[#results],
         };
     }
+}
+
+/// Lines that say which coefficients are data or values with names in the problem.
+fn names_of_coefficients(plan: &Plan) -> Vec<String> {
+    let inputs: Vec<String> = plan.data.iter().flat_map(DataParameter::names).collect();
+    let named: BTreeMap<ValueId, &str> = plan.program.names.iter().map(|(id, name)| (*id, name.as_str())).collect();
+    let name = |id: &ValueId| match plan.program.operations[id.0 as usize] {
+        Operation::Input(input) => inputs.get(input as usize).map(String::as_str),
+        _ => named.get(id).copied(),
+    };
+    let coefficients = plan.coefficients.iter().enumerate();
+    let names = coefficients.filter_map(|(at, id)| Some(format!("{at} is `{}`", name(id)?)));
+    let names: Vec<String> = names.collect();
+    if names.is_empty() {
+        return Vec::new();
+    }
+    let lines = wrapped(&format!("By name: {}.", names.join(", ")), "");
+    std::iter::once(String::new()).chain(lines).collect()
 }
 
 /// The sums of products in the order of the code.

@@ -1,27 +1,34 @@
 //! Prints the tables of the elimination and of the equations.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::listing::Listings;
+use super::provenance::Provenance;
 use crate::plan::system_table::SystemTable;
 use crate::plan::{ActionRow, Entry, Plan, Term};
 
-pub(super) fn tables(plan: &Plan, listings: &mut Listings) -> TokenStream {
-    let right = entries(&plan.elimination.right, listings);
+/// The tables. Rows and equations have labels as comments.
+pub(super) fn tables(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> TokenStream {
+    let right = entries(&plan.elimination.right, 0, provenance, &provenance.basis);
+    let right = listings.add_labelled(right);
     let blocks = plan.elimination.blocks.iter().enumerate().map(|(number, block)| {
         let number = Literal::usize_unsuffixed(number);
         let (first, needed) = (Literal::usize_unsuffixed(block.first), Literal::usize_unsuffixed(block.needed));
-        let (diagonal, coupling) = (entries(&block.diagonal, listings), entries(&block.coupling, listings));
+        let columns = provenance.pivots.get(block.first..block.first + block.size).unwrap_or_default();
+        let diagonal = listings.add_labelled(entries(&block.diagonal, block.first, provenance, columns));
+        let coupling = listings.add_labelled(entries(&block.coupling, block.first, provenance, &[]));
         quote!(emitted::Block {
             number: #number, first: #first, needed: #needed, diagonal: &[#diagonal], coupling: &[#coupling]
         })
     });
     let blocks: Vec<TokenStream> = blocks.collect();
-    let action = listings.add(plan.action.iter().map(|row| match row {
+    let action = plan.action.iter().map(|row| match row {
         ActionRow::Unit(b) => format!("emitted::ActionRow::Unit({})", b.0),
         ActionRow::Solved(pivot) => format!("emitted::ActionRow::Solved({})", pivot.0),
-    }));
+    });
+    let label = format!("the action monomial times {}", provenance.basis.join(", "));
+    let action = listings.add_labelled(vec![(label, action.collect())]);
     let [basis, count, count_read] =
         [plan.elimination.basis, plan.elimination.blocks.len(), plan.read.len()].map(Literal::usize_unsuffixed);
     let read = plan.read.iter().map(|pivot| Literal::u16_unsuffixed(pivot.0));
@@ -32,13 +39,18 @@ pub(super) fn tables(plan: &Plan, listings: &mut Listings) -> TokenStream {
             const READ: [u16; #count_read] = [#(#read),*];
         },
     };
-    let equations = system(plan, &plan.equations, (quote!(EQUATIONS), " The equations of the problem."), listings);
+    let labels = (1..).zip(&provenance.equations).map(|(number, text)| format!("equation {number}: {text}")).collect();
+    let name = (quote!(EQUATIONS), " The equations of the problem.");
+    let equations = system(plan, &plan.equations, labels, name, listings);
     let nonzero = match plan.nonzero.is_empty() {
         true => quote!(),
-        false => system(plan, &plan.nonzero, (quote!(NONZERO), " What must not vanish."), listings),
+        false => {
+            let name = (quote!(NONZERO), " What must not vanish.");
+            system(plan, &plan.nonzero, provenance.nonzero.clone(), name, listings)
+        }
     };
     quote! {
-        /// Entries of the template in the basis columns.
+        /// Entries of the template in the basis columns: row, column, coefficient.
         const RIGHT: &[emitted::Entry] = &[#right];
 
         /// The diagonal blocks of the template, in order of solution.
@@ -53,27 +65,46 @@ pub(super) fn tables(plan: &Plan, listings: &mut Listings) -> TokenStream {
     }
 }
 
-fn entries(entries: &[Entry], listings: &mut Listings) -> Ident {
-    listings.add(entries.iter().map(|entry| format!("({}, {}, {})", entry.row, entry.column, entry.coefficient.0)))
+/// Entries row by row, each row with its label, the first also with the monomials of the columns.
+fn entries(entries: &[Entry], first: usize, provenance: &Provenance, columns: &[String]) -> Vec<(String, Vec<String>)> {
+    let group = |row: &[Entry]| {
+        let at = first + usize::from(row[0].row);
+        let label = format!("row {at}: {}", provenance.rows.get(at).map_or("", String::as_str));
+        let entry = |entry: &Entry| format!("({}, {}, {})", entry.row, entry.column, entry.coefficient.0);
+        (label, row.iter().map(entry).collect())
+    };
+    let mut groups: Vec<(String, Vec<String>)> = entries.chunk_by(|a, b| a.row == b.row).map(group).collect();
+    if let (Some((label, _)), false) = (groups.first_mut(), columns.is_empty()) {
+        *label = format!("columns {}\n{label}", columns.join(", "));
+    }
+    groups
 }
 
-/// Polynomials as tables over a chain of monomials.
+/// Polynomials as tables over a chain of monomials, each polynomial with its label.
 fn system(
     plan: &Plan,
     polynomials: &[Vec<Term>],
+    labels: Vec<String>,
     (name, doc): (TokenStream, &str),
     listings: &mut Listings,
 ) -> TokenStream {
     let table = SystemTable::of(polynomials, plan.unknowns.len());
-    let products = listings.add(
-        table
-            .chain
-            .iter()
-            .map(|(parent, unknown)| format!("emitted::Product {{ parent: {parent}, unknown: {unknown} }}")),
-    );
-    let terms = listings.add(table.terms.iter().map(|(coefficient, monomial)| {
-        format!("emitted::Term {{ coefficient: {coefficient}, monomial: {monomial} }}")
-    }));
+    let products = table.chain.iter();
+    let products =
+        products.map(|(parent, unknown)| format!("emitted::Product {{ parent: {parent}, unknown: {unknown} }}"));
+    let monomials = table.monomials().into_iter();
+    let monomials: Vec<String> = monomials.map(|m| m.display(&plan.unknowns).to_string()).collect();
+    let label = format!("monomials {}", monomials.join(", "));
+    let products = listings.add_labelled(vec![(label, products.collect())]);
+    let starts = std::iter::once(&0).chain(&table.ends);
+    let terms = labels.into_iter().zip(starts).zip(&table.ends).map(|((label, &start), &end)| {
+        let terms = table.terms[start as usize..end as usize].iter();
+        let terms = terms.map(|(coefficient, monomial)| {
+            format!("emitted::Term {{ coefficient: {coefficient}, monomial: {monomial} }}")
+        });
+        (label, terms.collect())
+    });
+    let terms = listings.add_labelled(terms.collect());
     let ends = table.ends.iter().map(|&end| Literal::u32_unsuffixed(end));
     let [unknowns, count, monomials, coefficients] =
         [plan.unknowns.len(), polynomials.len(), table.chain.len(), plan.coefficients.len()]

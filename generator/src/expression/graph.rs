@@ -1,6 +1,6 @@
 //! The graph of coefficient expressions, in which each value is one node.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use super::arithmetic::Arithmetic;
 use super::product_sum::{Product, ProductSum};
@@ -64,6 +64,7 @@ pub struct ExpressionGraph {
     product_sums: Vec<ProductSum<ExpressionId>>,
     fingerprints: Vec<Fingerprint>,
     by_fingerprint: HashMap<Fingerprint, ExpressionId>,
+    names: BTreeMap<ExpressionId, String>,
 }
 
 impl ExpressionGraph {
@@ -75,6 +76,7 @@ impl ExpressionGraph {
             product_sums: Vec::new(),
             fingerprints: Vec::new(),
             by_fingerprint: HashMap::new(),
+            names: BTreeMap::new(),
         };
         graph.push(Expression::Constant(Rational::ZERO), [0, 0]);
         graph.push(Expression::Constant(Rational::ONE), [1, 1]);
@@ -109,6 +111,18 @@ impl ExpressionGraph {
     /// The expression of a node.
     pub fn node(&self, id: ExpressionId) -> Expression {
         self.nodes[id.index()]
+    }
+
+    /// Remembers what people call a computed value. Constants and inputs need no name, and the first name stays.
+    pub fn name(&mut self, id: ExpressionId, name: &str) {
+        if !matches!(self.node(id), Expression::Constant(_) | Expression::Input(_)) {
+            self.names.entry(id).or_insert_with(|| name.to_owned());
+        }
+    }
+
+    /// All values with names, in order.
+    pub fn names(&self) -> impl Iterator<Item = (ExpressionId, &str)> {
+        self.names.iter().map(|(&id, name)| (id, name.as_str()))
     }
 
     /// The value of a constant node.

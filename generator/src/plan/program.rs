@@ -67,6 +67,8 @@ pub struct Program {
     pub product_sums: Vec<ProductSum<ValueId>>,
     /// How the program is emitted.
     pub form: ProgramForm,
+    /// What the problem calls values, `scale` or `m[0][1]`. Only for people: no step reads it.
+    pub names: Vec<(ValueId, String)>,
 }
 
 impl Program {

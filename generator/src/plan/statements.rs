@@ -1,10 +1,15 @@
 //! Which values of a straight-line program are statements of the emitted code, and which are parts
 //! of others.
 
+use std::collections::BTreeMap;
+
 use super::program::{Operation, Program, ValueId};
 
 /// Operations that a statement holds at most.
 const MOST_OPERATIONS: usize = 64;
+
+/// Values of the problem's own names are variables, but at most so many.
+const MOST_VARIABLES: usize = 256;
 
 /// Where a value of the program is in the emitted program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +20,8 @@ pub enum Place {
     Inline,
     /// It is computed by a statement of its own and kept at this position of one array.
     Slot(usize),
+    /// It is computed by a statement of its own and kept in a variable with this position among the program's names.
+    Variable(usize),
 }
 
 /// The statements that a program is emitted as.
@@ -22,7 +29,7 @@ pub enum Place {
 /// A value that is read once is part of the expression that reads it: the order of operations is
 /// the same. A value that is read more often is kept in one array. Each type that the compiler must
 /// find costs time, and thousands of variables, each with its debug information, overflow its
-/// stack. Constants and data need no place.
+/// stack. So only values that the problem names are variables. Constants and data need no place.
 ///
 /// ```text
 ///   program    v0 = a;  v1 = b;  v2 = v0 v1;  v3 = v2 + v0;  v4 = v2 v2;  v5 = v3 - v4
@@ -44,17 +51,20 @@ impl Statements {
         let mut statements = Self { places: Vec::with_capacity(reads.len()), slots: 0 };
         // Operations of the expression of each value: its own and those of its inline operands.
         let mut operations: Vec<usize> = Vec::with_capacity(reads.len());
-        for (&operation, &reads) in program.operations.iter().zip(&reads) {
+        let names = program.names.iter().take(MOST_VARIABLES).enumerate();
+        let names: BTreeMap<ValueId, usize> = names.map(|(at, (id, _))| (*id, at)).collect();
+        for ((id, &operation), &reads) in (0..).map(ValueId).zip(&program.operations).zip(&reads) {
             let of_operands: usize = program.read_by(operation).iter().map(|id| operations[id.0 as usize]).sum();
             let of_expression = own_operations(program, operation) + of_operands;
             let is_inline = match reads {
                 1 => of_expression < MOST_OPERATIONS,
                 _ => !operation.is_step(),
             };
-            let place = match (reads, is_inline) {
+            let place = match (reads, names.get(&id)) {
                 (0, _) => Place::Unread,
-                (_, true) => Place::Inline,
-                (_, false) => Place::Slot(statements.slots),
+                (_, Some(&name)) => Place::Variable(name),
+                (_, None) if is_inline => Place::Inline,
+                (_, None) => Place::Slot(statements.slots),
             };
             statements.slots += usize::from(matches!(place, Place::Slot(_)));
             statements.places.push(place);
@@ -105,7 +115,7 @@ mod tests {
     use crate::plan::program::ProgramForm;
 
     fn program(operations: Vec<Operation>, product_sums: Vec<ProductSum<ValueId>>) -> Program {
-        Program { operations, product_sums, form: ProgramForm::Statements }
+        Program { operations, product_sums, form: ProgramForm::Statements, names: Vec::new() }
     }
 
     #[test]
@@ -127,6 +137,21 @@ mod tests {
         assert_eq!((&statements.places[..6], statements.slots), (places.as_slice(), 1));
         assert_eq!(statements.places[6..], [Place::Unread, Place::Unread]);
         assert_eq!([0, 1, 2].map(|input| statements.reads_input(&program, input)), [true, true, false]);
+    }
+
+    #[test]
+    fn named_values_are_variables_up_to_a_limit() {
+        let count = 2 * MOST_VARIABLES as u32;
+        let mut operations = vec![Operation::Input(0)];
+        operations.extend((0..count).map(|at| Operation::Add(ValueId(at), ValueId(0))));
+        let mut program = program(operations, Vec::new());
+        // The last value is read by nothing, the others once.
+        program.names = (1..=count).rev().map(|at| (ValueId(at), format!("v{at}"))).collect();
+        let statements = Statements::of(&program, &[ValueId(count - 1)]);
+        assert_eq!(statements.places[count as usize], Place::Unread);
+        assert_eq!(statements.places[count as usize - 1], Place::Variable(1));
+        let variables = statements.places.iter().filter(|place| matches!(place, Place::Variable(_)));
+        assert_eq!(variables.count(), MOST_VARIABLES - 1);
     }
 
     #[test]

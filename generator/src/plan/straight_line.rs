@@ -35,7 +35,8 @@ fn in_order_of_the_graph(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Pro
     let needed = graph.needed(used);
     let mut position = vec![ValueId(0); needed.len()];
     let mut first_of_sum: Vec<Option<u32>> = vec![None; graph.product_sums().len()];
-    let mut program = Program { operations: Vec::new(), product_sums: Vec::new(), form: ProgramForm::Table };
+    let mut program =
+        Program { operations: Vec::new(), product_sums: Vec::new(), form: ProgramForm::Table, names: Vec::new() };
     for (at, node) in graph.nodes().iter().enumerate().filter(|&(at, _)| needed[at]) {
         let next = program.operations.len() as u32;
         let to = |id: ExpressionId| position[id.index()];
@@ -63,6 +64,8 @@ fn in_order_of_the_graph(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Pro
         position[at] = ValueId(next);
         program.operations.push(operation);
     }
+    let names = graph.names().filter(|(id, _)| needed[id.index()]);
+    program.names = names.map(|(id, name)| (position[id.index()], name.to_owned())).collect();
     (program, used.iter().map(|id| position[id.index()]).collect())
 }
 
@@ -105,6 +108,7 @@ fn in_runs(program: &Program, values: &[ValueId]) -> (Program, Vec<ValueId>) {
         operations: order.iter().map(moved).collect(),
         product_sums: program.product_sums.iter().map(|sum| sum.map(to)).collect(),
         form: program.form,
+        names: program.names.iter().map(|(id, name)| (to(*id), name.clone())).collect(),
     };
     (ordered, values.iter().map(|&id| to(id)).collect())
 }
@@ -133,7 +137,8 @@ mod tests {
 
     fn random_program(random: &mut Random) -> Program {
         let operations = vec![Operation::Input(1), Operation::Constant(Rational::integer(3)), Operation::Input(0)];
-        let mut program = Program { operations, product_sums: Vec::new(), form: ProgramForm::Table };
+        let (product_sums, names) = (Vec::new(), vec![(ValueId(1), "three".to_owned())]);
+        let mut program = Program { operations, product_sums, form: ProgramForm::Table, names };
         while program.operations.len() < 200 {
             let count = program.operations.len() as u64;
             let mut id = || ValueId(random.below(count) as u32);
@@ -170,6 +175,7 @@ mod tests {
             let [before, after] = [&program, &ordered].map(|program| program.evaluate(f, &inputs).unwrap());
             let found: Vec<u32> = moved.iter().map(|id| after[id.0 as usize]).collect();
             assert_eq!(found, before, "seed {seed}");
+            assert_eq!(ordered.names, [(moved[1], "three".to_owned())], "seed {seed}");
             let [constant, inputs @ ..] = &ordered.operations[..3] else { unreachable!() };
             assert_eq!(*constant, program.operations[1]);
             assert!(inputs.iter().all(|operation| matches!(operation, Operation::Input(_))));

@@ -1,6 +1,7 @@
 //! Polynomials in the unknowns as tables over a chain of monomials.
 
 use super::Term;
+use crate::algebra::Monomial;
 
 /// Polynomials over a chain of monomials, each an earlier one times an unknown:
 ///
@@ -34,6 +35,15 @@ impl SystemTable {
             ends: ends.collect(),
             terms: polynomials.iter().flatten().map(|t| (t.coefficient.0, find(&t.exponents))).collect(),
         }
+    }
+
+    /// The monomials of the chain.
+    pub fn monomials(&self) -> Vec<Monomial> {
+        let mut monomials = vec![Monomial::ONE];
+        for &(parent, unknown) in self.chain.iter().skip(1) {
+            monomials.push(monomials[usize::from(parent)].times(&Monomial::unknown(unknown.into())));
+        }
+        monomials
     }
 }
 

@@ -7,10 +7,12 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use syn::{BinOp, Block, Expr, ExprBinary, ExprForLoop, ItemFn, Local, Pat, RangeLimits, Stmt};
 
+use super::names::emitted_name;
 use super::scope::{Binding, Kind, Outcome, Reported, Scopes};
 use super::syntax::place;
 use super::value::{Algebra, Checked, MAX_ELEMENTS, Value, describe, fault};
 use super::{Span, Statement, element_name};
+use crate::algebra::Monomial;
 use crate::expression::{ExpressionGraph, SymbolicPolynomial};
 use crate::problem::diagnostic::Diagnostic;
 
@@ -178,6 +180,10 @@ impl<'a> Interpreter<'a> {
                     );
                     return;
                 }
+                // What changes is not what the name says in the end; names of helpers say nothing to a reader.
+                if name.mutability.is_none() && self.calls.is_empty() {
+                    self.name_values(&text, &value);
+                }
                 self.scopes.declare(text, Binding { value, kind: Kind::Local(name.mutability.is_some()), span });
             }
             Pat::Type(typed) => {
@@ -209,6 +215,17 @@ impl<'a> Interpreter<'a> {
                         .label("expected a name or an array of names")
                         .hint("write `let name = ..;` or `let [first, second] = ..;`"),
                 );
+            }
+        }
+    }
+
+    /// Remembers the names of values that depend on data only, so that they appear in the emitted code.
+    fn name_values(&mut self, name: &str, value: &Outcome<Value>) {
+        let (Some(name), Ok(value)) = (emitted_name(name), value) else { return };
+        for (index, polynomial) in value.elements().iter().enumerate() {
+            if let &[(Monomial::ONE, coefficient)] = polynomial.terms() {
+                let element = element_name(value.shape(), index);
+                self.algebra.graph.name(coefficient, &format!("{name}{element}"));
             }
         }
     }

@@ -70,6 +70,11 @@ impl DataParameter {
         self.shape.iter().product()
     }
 
+    /// The scalars as a problem file names them.
+    pub(crate) fn names(&self) -> Vec<String> {
+        element_names(&self.name, &self.shape)
+    }
+
     /// Whether there are no scalars (an array of length 0).
     pub fn is_empty(&self) -> bool {
         self.len() == 0
@@ -95,10 +100,16 @@ impl SolutionField {
         self.first_unknown..self.first_unknown + self.shape.iter().product::<usize>()
     }
 
-    /// The scalars as a problem file names them: `x`, or `v[0]`, `v[1]`, ..
-    fn names(&self) -> impl Iterator<Item = String> + '_ {
-        (0..self.unknowns().len()).map(|at| format!("{}{}", self.name, element_name(&self.shape, at)))
+    /// The scalars as a problem file names them.
+    fn names(&self) -> Vec<String> {
+        element_names(&self.name, &self.shape)
     }
+}
+
+/// The scalars of an array as a problem file names them: `x`, or `v[0]`, `v[1]`, ..
+fn element_names(name: &str, shape: &[usize]) -> Vec<String> {
+    let count: usize = shape.iter().product();
+    (0..count).map(|at| format!("{name}{}", element_name(shape, at))).collect()
 }
 
 /// The element with a flat index as a problem file writes it: `[1][2]`, or nothing for a scalar.

@@ -15,10 +15,7 @@ pub(super) fn refuse(ident: &Ident, what: &str) -> Option<Diagnostic> {
     if name.starts_with("r#") || RESERVED.contains(&name.as_str()) || syn::parse_str::<Ident>(&name).is_err() {
         return Some(Diagnostic::new(format!("`{name}` is reserved in Rust"), span).label("choose another name"));
     }
-    let starts_well = name.starts_with(|c: char| c.is_ascii_lowercase());
-    let letters_fit = name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
-    // Rust warns of two underscores in a row: the warning would appear in the crate that includes the solver.
-    if starts_well && letters_fit && !name.trim_end_matches('_').contains("__") {
+    if is_snake_case(&name) {
         return None;
     }
     let message = format!("the name of {what} must be in snake_case");
@@ -29,6 +26,20 @@ pub(super) fn refuse(ident: &Ident, what: &str) -> Option<Diagnostic> {
         diagnostic = diagnostic.hint(format!("write `{snake}`"));
     }
     Some(diagnostic)
+}
+
+fn is_snake_case(name: &str) -> bool {
+    let starts_well = name.starts_with(|c: char| c.is_ascii_lowercase());
+    let letters_fit = name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
+    // Rust warns of two underscores in a row: the warning would appear in the crate that includes the solver.
+    starts_well && letters_fit && !name.trim_end_matches('_').contains("__")
+}
+
+/// The name that a local value of a problem has in emitted code; `None` if it cannot have one.
+pub(super) fn emitted_name(name: &str) -> Option<String> {
+    let name = if is_snake_case(name) { name.to_owned() } else { snake_case(name) };
+    let is_free = !RESERVED.contains(&name.as_str()) && syn::parse_str::<Ident>(&name).is_ok();
+    (is_snake_case(&name) && is_free).then_some(name)
 }
 
 /// The message for the name of a problem that cannot name a module beside `eliminant::include_solver!`.
@@ -115,6 +126,13 @@ mod tests {
             [("TwoLines", "two_lines"), ("X", "x"), ("_a", "a"), ("E5pt", "e5pt"), ("XYZ", "xyz"), ("a__b_C", "a_b_c")]
         {
             assert_eq!(snake_case(name), expected);
+        }
+    }
+
+    #[test]
+    fn local_names_are_kept_in_snake_case() {
+        for (name, expected) in [("sum", Some("sum")), ("A", Some("a")), ("Gen", None), ("λ", None), ("_", None)] {
+            assert_eq!(emitted_name(name).as_deref(), expected, "{name}");
         }
     }
 
