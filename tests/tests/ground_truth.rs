@@ -19,29 +19,19 @@ const COARSE: f64 = 1e-2;
 /// the equations at the level of rounding, 1e-15 of their terms, moves it by 1e-8 of its norm or more.
 const ILL_CONDITIONED: f64 = 1e-7;
 
-const LOST: Bounds = Bounds {
-    what: "share of known solutions that neither `solve` nor `solve_complex` returns",
-    usual: 1e-3,
-    exceptions: &[],
-};
-const UNNOTICED: Bounds = Bounds {
-    what: "share of known solutions that `solve` does not return but `solve_complex` does",
-    usual: 1e-3,
-    exceptions: &[],
-};
-const INACCURATE: Bounds = Bounds {
-    what: "share of known solutions that are returned with an error between 1e-6 and 1e-2",
+const NOT_FOUND: Bounds = Bounds {
+    what: "share of known solutions that are not found",
     usual: 1e-3,
     exceptions: &[Exception {
         problem: "calibration_6_receivers_4_senders",
         bound: 3e-2,
-        reason: "1e-2 measured, all of them at smallest singular values of 1e-11 and less: the linear equations of the \
-                 receivers are close to dependent",
+        reason: "1.2e-2 measured, all of them at smallest singular values of 1e-11 and less: the linear equations of the \
+                 receivers are close to dependent, with coefficients of thousands",
     }],
 };
-const INACCURATE_WITHOUT_REASON: Bounds = Bounds {
-    what: "share of known solutions with such an error although they are well-conditioned",
-    usual: 1e-4,
+const NOT_FOUND_WITHOUT_REASON: Bounds = Bounds {
+    what: "share of known solutions that are not found although they are well-conditioned",
+    usual: 5e-4,
     exceptions: &[],
 };
 
@@ -151,8 +141,7 @@ fn known_solutions_are_found() {
         let known: usize = results.iter().map(|(truths, _)| truths).sum();
         let misses: Vec<Miss> = results.into_iter().flat_map(|(_, misses)| misses).collect();
         let count = |fate: Fate| misses.iter().filter(|miss| miss.fate == fate).count();
-        let without_reason =
-            misses.iter().filter(|miss| miss.fate == Fate::Inaccurate && miss.condition >= ILL_CONDITIONED).count();
+        let without_reason = misses.iter().filter(|miss| miss.condition >= ILL_CONDITIONED).count();
         let [inaccurate, unnoticed, lost] = [Fate::Inaccurate, Fate::Unnoticed, Fate::Lost].map(count);
         println!(
             "{}: {} of {known} found; {inaccurate} inaccurate, {unnoticed} by solve_complex only, {lost} lost",
@@ -170,19 +159,12 @@ fn known_solutions_are_found() {
                 println!("    {fate:?}: smallest singular values (errors) {}", conditions.join(", "));
             }
         }
-        for (bounds, against) in [
-            (&LOST, lost),
-            (&UNNOTICED, unnoticed),
-            (&INACCURATE, inaccurate),
-            (&INACCURATE_WITHOUT_REASON, without_reason),
-        ] {
-            bounds.check(case.name, share(against, known), &mut faults);
-        }
+        NOT_FOUND.check(case.name, share(misses.len(), known), &mut faults);
+        NOT_FOUND_WITHOUT_REASON.check(case.name, share(without_reason, known), &mut faults);
     }
     let names: Vec<&str> = cases().iter().map(|case| case.name).collect();
-    for bounds in [&LOST, &UNNOTICED, &INACCURATE, &INACCURATE_WITHOUT_REASON] {
-        bounds.check_names(&names, &mut faults);
-    }
+    NOT_FOUND.check_names(&names, &mut faults);
+    NOT_FOUND_WITHOUT_REASON.check_names(&names, &mut faults);
     assert!(faults.is_empty(), "{faults:#?}");
 }
 

@@ -14,23 +14,15 @@ use rayon::prelude::*;
 /// Instances on which solutions are counted.
 const INSTANCES: u64 = 10_000;
 /// Instances of each family on which every returned point is judged.
-const JUDGED: u64 = 400;
+const JUDGED: u64 = 300;
 /// Operations for the instances of one problem that are judged.
-const WORK_OF_JUDGING: u64 = 1_000_000_000;
+const WORK_OF_JUDGING: u64 = 700_000_000;
 /// An imaginary part that is rounding, relative to the largest unknown.
 const REAL: f64 = 1e-9;
 
 /// The claims on 10,000 instances: all complex solutions are found, the conjugate of each is one of them,
 /// and `solve` returns the real ones.
-const CLAIMS: Bounds = Bounds {
-    what: "share of random instances against a claim",
-    usual: 1e-3,
-    exceptions: &[Exception {
-        problem: "relpose_7pt_focal_radial",
-        bound: 5e-3,
-        reason: "68 solutions of 25 equations whose coefficients are determinants",
-    }],
-};
+const CLAIMS: Bounds = Bounds { what: "share of random instances against a claim", usual: 1e-3, exceptions: &[] };
 
 /// What is demanded of the returned points of a family.
 struct Demands {
@@ -115,7 +107,7 @@ const ON_SCENES: Demands = Demands {
         exceptions: &[Exception {
             problem: "calibration_6_receivers_4_senders",
             bound: 1e-5,
-            reason: "1e-7 measured: smallest singular values of 1e-11 and less on 1 of 100 scenes",
+            reason: "5e-8 measured: smallest singular values of 1e-11 and less on 1 of 100 scenes",
         }],
     },
 };
