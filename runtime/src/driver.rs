@@ -47,8 +47,8 @@ pub fn complex_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, 
 
 /// Returns all real solutions, by the QR iteration. If solutions are missing, a second attempt
 /// computes at twice the precision. If |B| exceeds the number of solutions, complex solutions are
-/// counted, too, which shows whether some are missing. Otherwise solutions that are not real come
-/// in pairs, and an odd number of missing real solutions shows that one is lost.
+/// counted, too, which shows whether some are missing. Otherwise the number of real eigenvalues and
+/// eigenvalues without a solution show it: solutions that are not real come in pairs.
 ///
 /// # Errors
 /// As [`complex_solutions`].
@@ -100,6 +100,7 @@ fn first_attempt<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<
     spectrum.matrix = action.clone();
     spectrum.reduce_in_place()?;
     let values = spectrum.eigenvalues()?;
+    found.expect(solver, values.as_ref());
     if !add_separate(solver, &spectrum, &values, found) {
         add_shared(solver, &action, (&spectrum, &values), found);
     }

@@ -1,8 +1,11 @@
 //! Every emitted solver under one signature, so that a test can run over all of them, and instances whose solutions are known.
 
+pub mod bounds;
 pub mod case;
 pub mod equations;
+pub mod families;
 pub mod ground_truth;
+pub mod judge;
 pub mod measure;
 pub mod published;
 pub mod source;

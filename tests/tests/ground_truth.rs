@@ -2,28 +2,92 @@
 
 use eliminant::Complex;
 use eliminant_generator::algebra::Random;
-use eliminant_tests::ground_truth::{Circle, FOUND, Line, gram, makers, minimal_conic, minimal_data, normalised};
+use eliminant_tests::bounds::{Bounds, Exception, share};
+use eliminant_tests::equations::Equations;
+use eliminant_tests::ground_truth::{
+    Circle, FOUND, KnownInstance, Line, Maker, gram, makers, minimal_conic, minimal_data, normalised,
+};
 use eliminant_tests::measure::{WORK_OF_TESTING, affordable};
-use eliminant_tests::statistics::{log10, quantile, same_set, worst};
+use eliminant_tests::statistics::{complex, distance, log10, quantile, same_set, worst};
 use eliminant_tests::{Case, cases};
 use rayon::prelude::*;
 
 const INSTANCES: u64 = 10_000;
-/// On how many of 1000 instances all known solutions must be found.
-const RECOVERED: usize = 999;
-/// Problems whose scenes often come close to data for which the basis does not span, or the truth is nearly a double solution, whatever template
-/// is taken.
-const HARD: &[&str] = &[
-    // The linear equations of the points are often close to dependent in the unknowns that they are solved for: coefficients of thousands.
-    "calibration_6_receivers_4_senders",
-    "fundamental_8pt_radial_one_side",
-    "relpose_7pt_focal_radial_one_side",
-    "relpose_7pt_focal_radial_one_side_eliminated",
-    // Where the angles at the receivers are alike, their equations are close to dependent in the centre.
-    "pose_5tdoa_two_receivers",
-];
-/// The same for those: what hand-written solvers of five- and six-point relative pose reach.
-const RECOVERED_HARD: usize = 980;
+/// A returned solution at most this far from a known one is the known one with fewer digits.
+const COARSE: f64 = 1e-2;
+/// The smallest singular value of the scaled Jacobian below which a solution counts as ill-conditioned: an error of
+/// the equations at the level of rounding, 1e-15 of their terms, moves it by 1e-8 of its norm or more.
+const ILL_CONDITIONED: f64 = 1e-7;
+
+const NOT_FOUND: Bounds = Bounds {
+    what: "share of known solutions that are not found",
+    usual: 1e-3,
+    exceptions: &[Exception {
+        problem: "calibration_6_receivers_4_senders",
+        bound: 3e-2,
+        reason: "1.2e-2 measured, all of them at smallest singular values of 1e-11 and less: the linear equations of the \
+                 receivers are close to dependent, with coefficients of thousands",
+    }],
+};
+const NOT_FOUND_WITHOUT_REASON: Bounds = Bounds {
+    what: "share of known solutions that are not found although they are well-conditioned",
+    usual: 5e-4,
+    exceptions: &[],
+};
+
+/// What became of a known solution. Errors are those of the solver: they are measured from the exact solution of the
+/// rounded data next to the known one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Fate {
+    /// `solve` returns it, with an error of at most 1e-6.
+    Found,
+    /// `solve` returns it, with an error of at most 1e-2.
+    Inaccurate,
+    /// `solve` does not return it, `solve_complex` does.
+    Unnoticed,
+    /// Neither returns it.
+    Lost,
+}
+
+/// A known solution that is not found.
+#[derive(Clone, Copy, Debug)]
+struct Miss {
+    fate: Fate,
+    /// The smallest singular value of the Jacobian there: rows in units of their equations' terms, columns in units of the
+    /// solution's norm.
+    condition: f64,
+    error: f64,
+}
+
+/// The known solutions of an instance that are not found.
+fn misses(maker: &Maker, case: &Case, instance: &KnownInstance) -> Vec<Miss> {
+    let found = (case.solve)(&instance.data).unwrap_or_default();
+    let error_from = |truth: &[f64]| {
+        found.iter().map(|solution| (maker.error)(&instance.data, solution, truth)).fold(f64::INFINITY, f64::min)
+    };
+    let is_found = |truth: &&Vec<f64>| error_from(truth) <= FOUND;
+    let missed: Vec<&Vec<f64>> = instance.truths.iter().filter(|truth| !is_found(truth)).collect();
+    if missed.is_empty() {
+        return Vec::new();
+    }
+    let equations = Equations::new(&case.problem(), &instance.data).expect("no divisor vanishes");
+    let all = (case.solve_complex)(&instance.data).unwrap_or_default();
+    let fate = |truth: &&Vec<f64>| {
+        let exact = equations.refined(&complex(truth));
+        let real: Vec<f64> = exact.point.iter().map(|x| x.re).collect();
+        let size = truth.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let condition = equations.smallest_singular_value(&exact.point, &vec![size; truth.len()]);
+        let error = error_from(&real);
+        let fate = match error {
+            ..=FOUND => Fate::Found,
+            ..=COARSE => Fate::Inaccurate,
+            _ if all.iter().any(|x| distance(x, &exact.point) <= COARSE) => Fate::Unnoticed,
+            _ => Fate::Lost,
+        };
+        Miss { fate, condition, error }
+    };
+    missed.iter().map(fate).filter(|miss| miss.fate != Fate::Found).collect()
+}
 
 fn case(name: &str) -> Case {
     cases().into_iter().find(|case| case.name == name).unwrap_or_else(|| panic!("no case {name}"))
@@ -36,27 +100,72 @@ fn every_problem_has_a_maker() {
     assert_eq!(made, solved);
 }
 
+/// What makers call a solution is one: the data are rounded, and that is all.
+#[test]
+fn known_solutions_satisfy_the_equations() {
+    for maker in makers() {
+        let problem = case(maker.name).problem();
+        let mut residuals: Vec<f64> = (0..100)
+            .flat_map(|k| {
+                let instance = (maker.make)(&mut Random::new(11_000_000 + k));
+                let equations = Equations::new(&problem, &instance.data).expect("no divisor vanishes");
+                assert!(instance.truths.iter().all(|truth| truth.len() == problem.unknowns.len()), "{}", maker.name);
+                instance.truths.iter().map(|truth| equations.residual(&complex(truth))).collect::<Vec<f64>>()
+            })
+            .collect();
+        let [median, p90] = [0.5, 0.9].map(|q| quantile(&mut residuals, q));
+        println!(
+            "{}: log10 residual of known solutions: median {:.1}, p90 {:.1}",
+            maker.name,
+            log10(median),
+            log10(p90)
+        );
+        // Data are null spaces and solutions of linear equations, which lose some digits.
+        assert!(median <= 1e-13 && p90 <= 1e-10, "{}: {median:e} {p90:e}", maker.name);
+    }
+}
+
 #[test]
 fn known_solutions_are_found() {
-    let mut misses = Vec::new();
+    let mut faults = Vec::new();
     for maker in makers() {
         let case = case(maker.name);
         let instances = affordable(&case.planned().plan, INSTANCES, WORK_OF_TESTING);
-        let mut errors: Vec<f64> = (0..instances)
+        let results: Vec<(usize, Vec<Miss>)> = (0..instances)
             .into_par_iter()
-            .map(|k| maker.worst_error(&case, &mut Random::new(10_000_000 + k)))
+            .map(|k| {
+                let instance = (maker.make)(&mut Random::new(10_000_000 + k));
+                (instance.truths.len(), misses(&maker, &case, &instance))
+            })
             .collect();
-        let found = errors.iter().filter(|&&error| error <= FOUND).count();
-        let quantiles = [0.5, 0.9, 0.99, 0.999].map(|q| log10(quantile(&mut errors, q)));
-        println!("{}: {found} of {instances} found, log10 error {quantiles:.1?}", case.name);
-        let demanded = if HARD.contains(&case.name) { RECOVERED_HARD } else { RECOVERED };
-        if found * 1000 < instances as usize * demanded {
-            misses.push(format!("{}: {found} of {instances}", case.name));
+        let known: usize = results.iter().map(|(truths, _)| truths).sum();
+        let misses: Vec<Miss> = results.into_iter().flat_map(|(_, misses)| misses).collect();
+        let count = |fate: Fate| misses.iter().filter(|miss| miss.fate == fate).count();
+        let without_reason = misses.iter().filter(|miss| miss.condition >= ILL_CONDITIONED).count();
+        let [inaccurate, unnoticed, lost] = [Fate::Inaccurate, Fate::Unnoticed, Fate::Lost].map(count);
+        println!(
+            "{}: {} of {known} found; {inaccurate} inaccurate, {unnoticed} by solve_complex only, {lost} lost",
+            case.name,
+            known - misses.len()
+        );
+        for fate in [Fate::Inaccurate, Fate::Unnoticed, Fate::Lost] {
+            let conditions: Vec<String> = misses
+                .iter()
+                .filter(|miss| miss.fate == fate)
+                .take(12)
+                .map(|miss| format!("{:.0e} ({:.0e})", miss.condition, miss.error))
+                .collect();
+            if !conditions.is_empty() {
+                println!("    {fate:?}: smallest singular values (errors) {}", conditions.join(", "));
+            }
         }
+        NOT_FOUND.check(case.name, share(misses.len(), known), &mut faults);
+        NOT_FOUND_WITHOUT_REASON.check(case.name, share(without_reason, known), &mut faults);
     }
-    assert!(misses.is_empty(), "{misses:?}");
-    let unknown: Vec<&&str> = HARD.iter().filter(|name| cases().iter().all(|case| case.name != **name)).collect();
-    assert!(unknown.is_empty(), "{unknown:?}");
+    let names: Vec<&str> = cases().iter().map(|case| case.name).collect();
+    NOT_FOUND.check_names(&names, &mut faults);
+    NOT_FOUND_WITHOUT_REASON.check_names(&names, &mut faults);
+    assert!(faults.is_empty(), "{faults:#?}");
 }
 
 /// Three lines have an incircle and three excircles: all four real, all truly tangent.

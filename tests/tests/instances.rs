@@ -1,96 +1,221 @@
-//! Ten thousand random instances of every problem, fewer of the largest, drawn on the data's variety.
+//! Random instances and scenes of every problem: what the solvers return is judged by the equations as
+//! stated, at twice the precision. The runtime's own residual decides nothing here.
 
 use eliminant::Complex;
-use eliminant_generator::algebra::Random;
-use eliminant_generator::expression::arithmetic::Float64;
-use eliminant_generator::plan::Plan;
-use eliminant_generator::plan::interpret;
-use eliminant_generator::problem::instance::draw_inputs;
-use eliminant_tests::measure::{SAME, WORK_OF_TESTING, affordable, are_distinct, residual};
+use eliminant_tests::bounds::{Bounds, Exception, share};
+use eliminant_tests::equations::{Equations, Point};
+use eliminant_tests::families::{DataSource, Family};
+use eliminant_tests::judge::{Judgement, judge};
+use eliminant_tests::measure::{SAME, WORK_OF_TESTING, affordable, are_distinct};
 use eliminant_tests::statistics::{complex, log10, quantile, same_set};
 use eliminant_tests::{Case, cases};
 use rayon::prelude::*;
 
+/// Instances on which solutions are counted.
 const INSTANCES: u64 = 10_000;
-/// On how many of 1000 instances a claim may fail.
-const EXCEPTIONS_PER_THOUSAND: usize = 1;
-/// The same for problems of which more is not reached.
-const MORE_EXCEPTIONS: [(&str, usize); 1] = [
-    // 68 solutions, by 25 equations whose coefficients are determinants.
-    ("relpose_7pt_focal_radial", 5),
-];
+/// Instances of each family on which every returned point is judged.
+const JUDGED: u64 = 300;
+/// Operations for the instances of one problem that are judged.
+const WORK_OF_JUDGING: u64 = 700_000_000;
 /// An imaginary part that is rounding, relative to the largest unknown.
 const REAL: f64 = 1e-9;
 
-type Point = Vec<Complex<f64>>;
+/// The claims on 10,000 instances: all complex solutions are found, the conjugate of each is one of them,
+/// and `solve` returns the real ones.
+const CLAIMS: Bounds = Bounds { what: "share of random instances against a claim", usual: 1e-3, exceptions: &[] };
 
-/// What one instance gave.
-struct Outcome {
-    /// Every complex solution was found, no two of them the same.
-    complete: bool,
-    /// The complex conjugate of every solution is a solution.
-    conjugate: bool,
-    /// `solve` returns exactly the real ones among `solve_complex`.
-    real_agree: bool,
-    complex_residuals: Vec<f64>,
-    real_residuals: Vec<f64>,
+/// What is demanded of the returned points of a family.
+struct Demands {
+    family: Family,
+    first_seed: u64,
+    /// Points without a solution near by, of all returned points.
+    spurious: Bounds,
+    /// Points at a solution that another point approximates, of all returned points.
+    duplicates: Bounds,
+    /// Solutions that are not returned, of all that exist.
+    missing: Bounds,
+    /// A quantile of the residuals: which one, and its bound.
+    residual: (f64, Bounds),
+    /// The quantile 0.99 of the distances from the exact solutions.
+    error: Bounds,
 }
 
-fn outcome(case: &Case, plan: &Plan, seed: u64) -> Outcome {
-    let data = draw_inputs(&plan.data, Float64, &mut Random::new(seed));
-    let coefficients = interpret::coefficients(plan, Float64, &data).expect("random data have coefficients");
-    let all: Vec<Point> = (case.solve_complex)(&data).unwrap_or_default();
-    let real: Vec<Point> = (case.solve)(&data).unwrap_or_default().iter().map(|x| complex(x)).collect();
+const ON_RANDOM_DATA: Demands = Demands {
+    family: Family::Random,
+    first_seed: 50_000_000,
+    spurious: Bounds { what: "share of spurious points", usual: 1e-4, exceptions: &[] },
+    duplicates: Bounds { what: "share of duplicates", usual: 0.0, exceptions: &[] },
+    missing: Bounds { what: "share of missing solutions", usual: 1e-4, exceptions: &[] },
+    residual: (
+        0.999,
+        Bounds {
+            what: "quantile 0.999 of the residuals",
+            usual: 1e-14,
+            exceptions: &[
+                Exception {
+                    problem: "pose_35pt_focal",
+                    bound: 1e-12,
+                    reason: "2e-14 measured: its coefficients are computed with cancellation",
+                },
+                Exception {
+                    problem: "relpose_7pt_angle_focal_centre",
+                    bound: 1e-11,
+                    reason: "3e-13 measured: 1 of 100 instances has a solution of size 1e7 and more, far out on a line",
+                },
+            ],
+        },
+    ),
+    error: Bounds {
+        what: "quantile 0.99 of the errors",
+        usual: 1e-11,
+        exceptions: &[Exception {
+            problem: "relpose_7pt_angle_focal_centre",
+            bound: 1e-7,
+            reason: "3e-9 measured: as for the residuals",
+        }],
+    },
+};
+
+/// Data of scenes may have fewer solutions than random data: how many there are is not known.
+const ON_SCENES: Demands = Demands {
+    family: Family::Scene,
+    first_seed: 51_000_000,
+    spurious: Bounds {
+        what: "share of spurious points",
+        usual: 1e-3,
+        exceptions: &[
+            Exception {
+                problem: "triangulation_3view_relaxed",
+                bound: 5e-2,
+                reason: "2e-2 measured: the problem is posed for matrices of full rank, and four of its 31 solutions are at \
+                         infinity for those of rank 2, which scenes have",
+            },
+            Exception {
+                problem: "orbit_5_lines_of_sight",
+                bound: 1e-2,
+                reason: "3e-3 measured: the orbit of the observers is a solution at which the Jacobian is singular, so that \
+                         Newton's method does not confirm it",
+            },
+        ],
+    },
+    duplicates: Bounds { what: "share of duplicates", usual: 1e-3, exceptions: &[] },
+    missing: Bounds { what: "share of missing solutions", usual: 1.0, exceptions: &[] },
+    residual: (0.99, Bounds { what: "quantile 0.99 of the residuals", usual: 1e-13, exceptions: &[] }),
+    error: Bounds {
+        what: "quantile 0.99 of the errors",
+        usual: 1e-8,
+        exceptions: &[Exception {
+            problem: "calibration_6_receivers_4_senders",
+            bound: 1e-5,
+            reason: "5e-8 measured: smallest singular values of 1e-11 and less on 1 of 100 scenes",
+        }],
+    },
+};
+
+/// Judges what is returned on all affordable instances of a family.
+fn judged(case: &Case, family: Family, first_seed: u64, instances: u64) -> Judgement {
+    let (problem, source) = (case.problem(), DataSource::new(case));
+    let judge_one = |k: u64| {
+        let data = source.draw(family, first_seed + k);
+        let equations = Equations::new(&problem, &data).expect("no divisor vanishes");
+        judge(&equations, &(case.solve_complex)(&data).unwrap_or_default())
+    };
+    (0..instances).into_par_iter().map(judge_one).reduce(Judgement::default, Judgement::plus)
+}
+
+fn check(demands: &Demands) {
+    let mut faults = Vec::new();
+    let names: Vec<&str> = cases().iter().map(|case| case.name).collect();
+    for case in cases() {
+        let plan = case.planned().plan;
+        let instances = affordable(&plan, JUDGED, WORK_OF_JUDGING);
+        let mut found = judged(&case, demands.family, demands.first_seed, instances);
+        let (points, exist) = (found.residuals.len(), plan.solutions * instances as usize);
+        let missing = exist.saturating_sub(found.found);
+        let bounded_residual = quantile(&mut found.residuals, demands.residual.0);
+        let residuals = [0.5, 0.99, 0.999, 1.0].map(|q| quantile(&mut found.residuals, q));
+        let errors = [0.5, 0.99, 0.999, 1.0].map(|q| quantile(&mut found.errors, q));
+        println!(
+            "{}: {instances} instances, {} of {exist} solutions found, {} points spurious, {} duplicates; log10 residual {:.1?}, error {:.1?}",
+            case.name,
+            found.found,
+            found.spurious,
+            found.duplicates,
+            residuals.map(log10),
+            errors.map(log10),
+        );
+        for (bounds, measured) in [
+            (&demands.spurious, share(found.spurious, points)),
+            (&demands.duplicates, share(found.duplicates, points)),
+            (&demands.missing, share(missing, exist)),
+            (&demands.residual.1, bounded_residual),
+            (&demands.error, errors[1]),
+        ] {
+            bounds.check(case.name, measured, &mut faults);
+        }
+    }
+    for bounds in [&demands.spurious, &demands.duplicates, &demands.missing, &demands.residual.1, &demands.error] {
+        bounds.check_names(&names, &mut faults);
+    }
+    assert!(faults.is_empty(), "{faults:#?}");
+}
+
+#[test]
+fn what_is_returned_on_random_data_is_all_there_is_and_nothing_else() {
+    check(&ON_RANDOM_DATA);
+}
+
+#[test]
+fn what_is_returned_on_scenes_is_a_solution_and_returned_once() {
+    check(&ON_SCENES);
+}
+
+/// How an instance meets the claims.
+struct Outcome {
+    /// As many complex solutions are returned as exist, no two of them the same.
+    is_complete: bool,
+    /// The conjugate of every solution is a solution.
+    has_conjugates: bool,
+    /// `solve` returns exactly the real ones among those of `solve_complex`.
+    real_ones_agree: bool,
+}
+
+fn outcome(case: &Case, data: &[f64], solutions: usize) -> Outcome {
+    let all: Vec<Point> = (case.solve_complex)(data).unwrap_or_default();
+    let real: Vec<Point> = (case.solve)(data).unwrap_or_default().iter().map(|x| complex(x)).collect();
     let conjugates: Vec<Point> = all.iter().map(|x| x.iter().map(Complex::conj).collect()).collect();
     let is_real = |x: &&Point| {
         let largest = |part: fn(&Complex<f64>) -> f64| x.iter().map(part).fold(0.0, f64::max);
         largest(|z| z.im.abs()) <= REAL * largest(|z| z.norm())
     };
     let real_of_all: Vec<Point> = all.iter().filter(is_real).cloned().collect();
-    let residuals = |points: &[Point]| points.iter().map(|x| residual(plan, &coefficients, x)).collect();
     Outcome {
-        complete: all.len() == plan.solutions && are_distinct(&all),
-        conjugate: same_set(&all, &conjugates, SAME),
-        real_agree: same_set(&real, &real_of_all, SAME),
-        complex_residuals: residuals(&all),
-        real_residuals: residuals(&real),
+        is_complete: all.len() == solutions && are_distinct(&all),
+        has_conjugates: same_set(&all, &conjugates, SAME),
+        real_ones_agree: same_set(&real, &real_of_all, SAME),
     }
 }
 
 #[test]
-fn every_solution_is_found_and_precise() {
+fn all_solutions_are_found_on_random_data() {
     let mut faults = Vec::new();
     for case in cases() {
-        let plan = case.planned().plan;
+        let (plan, source) = (case.planned().plan, DataSource::new(&case));
         let instances = affordable(&plan, INSTANCES, WORK_OF_TESTING);
-        let outcomes: Vec<Outcome> =
-            (0..instances).into_par_iter().map(|k| outcome(&case, &plan, 50_000_000 + k)).collect();
+        let outcomes: Vec<Outcome> = (0..instances)
+            .into_par_iter()
+            .map(|k| outcome(&case, &source.draw(Family::Random, 52_000_000 + k), plan.solutions))
+            .collect();
         for (claim, holds) in [
-            ("all complex solutions found", (|o| o.complete) as fn(&Outcome) -> bool),
-            ("conjugates are solutions", |o| o.conjugate),
-            ("solve gives the real ones", |o| o.real_agree),
+            ("all complex solutions found", (|o| o.is_complete) as fn(&Outcome) -> bool),
+            ("conjugates are solutions", |o| o.has_conjugates),
+            ("solve gives the real ones", |o| o.real_ones_agree),
         ] {
-            let exceptions = outcomes.iter().filter(|o| !holds(o)).count();
-            println!("{}: {claim} on {} of {instances}", case.name, outcomes.len() - exceptions);
-            let more = MORE_EXCEPTIONS.iter().find(|(name, _)| *name == case.name);
-            let allowed = more.map_or(EXCEPTIONS_PER_THOUSAND, |&(_, allowed)| allowed);
-            if exceptions * 1000 > outcomes.len() * allowed {
-                faults.push(format!("{}: {claim}: {exceptions} exceptions", case.name));
-            }
-        }
-        for (function, residuals) in [
-            ("solve_complex", (|o| &o.complex_residuals) as fn(&Outcome) -> &Vec<f64>),
-            ("solve", |o| &o.real_residuals),
-        ] {
-            let mut all: Vec<f64> = outcomes.iter().flat_map(residuals).copied().collect();
-            let [median, p999, max] = [0.5, 0.999, 1.0].map(|q| log10(quantile(&mut all, q)));
-            let count = all.len();
-            println!("{} {function}: {count} solutions, log10 residual {median:.2} {p999:.2} {max:.2}", case.name);
-            let precise = median < -14.5 && p999 < -10.0;
-            if !precise {
-                faults.push(format!("{} {function}: median {median}, p99.9 {p999}", case.name));
-            }
+            let against = outcomes.iter().filter(|o| !holds(o)).count();
+            println!("{}: {claim} on {} of {instances}", case.name, outcomes.len() - against);
+            CLAIMS.check(case.name, share(against, outcomes.len()), &mut faults);
         }
     }
+    CLAIMS.check_names(&cases().iter().map(|case| case.name).collect::<Vec<_>>(), &mut faults);
     assert!(faults.is_empty(), "{faults:#?}");
 }

@@ -16,15 +16,19 @@ use crate::solver_instance::{BasisVector, EigenpairSource, Found, Point, Points,
 pub const MAX_RESIDUAL: f64 = 1e-10;
 
 /// An eigenvalue whose imaginary part is at most this, relative to its modulus, may belong to a
-/// real solution, because rounding splits a pair of close real eigenvalues into a complex one. If
-/// |B| exceeds the number of solutions, any eigenvalue may belong to a real solution: spurious
-/// eigenvalues are often close together and far less precise, and perturb others.
-const NEARLY_REAL: f64 = 1e-3;
+/// real solution, because rounding splits a pair of close real eigenvalues into a complex one, far
+/// apart if the template is close to singular. If |B| exceeds the number of solutions, any
+/// eigenvalue may belong to a real solution: spurious eigenvalues are often close together and far
+/// less precise, and perturb others.
+const NEARLY_REAL: f64 = 0.1;
 
 /// The collected solutions of a solve: [`AllSolutions`] or [`RealSolutions`].
 pub(crate) trait Collection<I: SolverInstance> {
     /// Whether an eigenvalue may belong to a collected solution.
     fn wants(&self, value: &Complex<f64>) -> bool;
+
+    /// Takes note of the eigenvalues of the first attempt.
+    fn expect(&mut self, solver: &I, values: &[Complex<f64>]);
 
     /// Adds the solutions of an eigenvalue with im >= 0; its conjugate stands for the conjugate
     /// solutions. Returns false if an eigenpair gave nothing new, and so may share its eigenvalue
@@ -64,6 +68,9 @@ impl<I: SolverInstance> Collection<I> for AllSolutions<I> {
         true
     }
 
+    #[inline]
+    fn expect(&mut self, _: &I, _: &[Complex<f64>]) {}
+
     #[inline(never)]
     fn add(&mut self, solver: &I, source: &dyn EigenpairSource<I::Basis>, value: Complex<f64>) -> bool {
         if value.im != 0.0 {
@@ -98,6 +105,11 @@ pub(crate) struct RealSolutions<I: SolverInstance> {
     /// only the count tells whether a spurious eigenpair replaces a missing solution.
     all: Option<AllSolutions<I>>,
     most: usize,
+    /// The number of real eigenvalues, if each eigenvalue belongs to one solution: there are as many
+    /// real solutions.
+    real_eigenvalues: Option<usize>,
+    /// Whether an eigenvalue that is nearly real led to no solution.
+    has_failed: bool,
 }
 
 impl<I: SolverInstance> RealSolutions<I> {
@@ -108,6 +120,8 @@ impl<I: SolverInstance> RealSolutions<I> {
             real: known_beforehand(solver),
             all: counts_complex.then(|| AllSolutions::new(solver)),
             most: solver.sizes().solutions.get(),
+            real_eigenvalues: None,
+            has_failed: false,
         }
     }
 
@@ -134,6 +148,13 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
         self.all.is_some() || value.im.abs() <= NEARLY_REAL * value.re.abs()
     }
 
+    #[inline]
+    fn expect(&mut self, solver: &I, values: &[Complex<f64>]) {
+        if self.all.is_none() && flips(solver).is_empty() {
+            self.real_eigenvalues = Some(values.iter().filter(|value| value.im == 0.0).count());
+        }
+    }
+
     /// The result is also false for a complex eigenvalue, because its conjugate may stand for one
     /// more solution.
     #[inline(never)]
@@ -152,14 +173,16 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
             let Some(candidate) = candidate else { return false };
             return push_all_signs(solver, &candidate, &mut self.real);
         }
-        if let Some(candidate) = polished(solver, source.complex(value)) {
-            let real = nearly_real(solver, &candidate);
-            if let Some(all) = &mut self.all {
-                push_both(solver, candidate, &mut all.found);
-            }
-            if let Some(real) = real {
-                push_all_signs(solver, &real, &mut self.real);
-            }
+        let Some(candidate) = polished(solver, source.complex(value)) else {
+            self.has_failed = true;
+            return false;
+        };
+        let real = nearly_real(solver, &candidate);
+        if let Some(all) = &mut self.all {
+            push_both(solver, candidate, &mut all.found);
+        }
+        if let Some(real) = real {
+            push_all_signs(solver, &real, &mut self.real);
         }
         false
     }
@@ -169,13 +192,17 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
         self.all.as_ref().is_some_and(|all| all.has_all())
     }
 
-    /// Solutions that are not real come in pairs. If they are not counted, an odd number of missing
-    /// real solutions shows that one is lost.
+    /// Solutions that are not real come in pairs. If they are not counted, some are lost if the
+    /// number of missing real solutions is odd, if it is not that of the complex eigenvalues, or if
+    /// an eigenvalue led to no solution.
     #[inline]
     fn lacks_some(&self) -> bool {
         match &self.all {
             Some(all) => all.lacks_some(),
-            None => !(self.most - self.real.len()).is_multiple_of(2),
+            None => {
+                let is_odd = !(self.most - self.real.len()).is_multiple_of(2);
+                is_odd || self.has_failed || self.real_eigenvalues.is_some_and(|count| count != self.real.len())
+            }
         }
     }
 }
