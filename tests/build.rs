@@ -1,12 +1,21 @@
-//! Writes the table of all emitted solvers: a line `case!` for each problem of `templates/`.
+//! Writes the table of all emitted solvers, a line `case!` for each problem of `templates/`, and emits the solver of the
+//! problem that README.md shows, with the template of `examples/own-problem`, so that a test can run what a reader sees.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::{env, error, fs};
 
+use eliminant_generator::generate::generate;
 use eliminant_generator::problem::Problem;
+use eliminant_generator::template::file::TemplateFile;
 
 fn main() -> Result<(), Box<dyn error::Error>> {
+    let out_dir = env::var_os("OUT_DIR").ok_or("OUT_DIR is not set: this is for build scripts")?;
+    write_cases(Path::new(&out_dir))?;
+    emit_problem_of_readme(Path::new(&out_dir))
+}
+
+fn write_cases(out_dir: &Path) -> Result<(), Box<dyn error::Error>> {
     println!("cargo:rerun-if-changed={}", eliminant_templates::FOLDER);
     let mut table = "vec![\n".to_owned();
     for path in problem_files()? {
@@ -15,8 +24,22 @@ fn main() -> Result<(), Box<dyn error::Error>> {
         writeln!(table, "    {},", case(&problem))?;
     }
     table.push(']');
-    let out_dir = env::var_os("OUT_DIR").ok_or("OUT_DIR is not set: this is for build scripts")?;
-    fs::write(Path::new(&out_dir).join("cases.rs"), table)?;
+    fs::write(out_dir.join("cases.rs"), table)?;
+    Ok(())
+}
+
+fn emit_problem_of_readme(out_dir: &Path) -> Result<(), Box<dyn error::Error>> {
+    const README: &str = "../README.md";
+    const TEMPLATE: &str = "../examples/own-problem/problems/gps.template.toml";
+    println!("cargo:rerun-if-changed={README}");
+    println!("cargo:rerun-if-changed={TEMPLATE}");
+    let text = fs::read_to_string(README)?;
+    let (_, rest) =
+        text.split_once("```rust problem\n").ok_or("README.md shows no problem: a block ```rust problem")?;
+    let (problem, _) = rest.split_once("```").ok_or("the problem of README.md has no end")?;
+    let problem = Problem::parse("README.md", problem).map_err(|messages| messages.render())?;
+    let template = TemplateFile::parse(&fs::read_to_string(TEMPLATE)?, &problem.unknowns)?;
+    fs::write(out_dir.join("gps.rs"), generate(&problem, &template)?)?;
     Ok(())
 }
 

@@ -1,4 +1,4 @@
-//! What a build script calls: all problems of a folder to solvers in `OUT_DIR`.
+//! The API of build scripts: all problems of a folder become solvers in `OUT_DIR`.
 
 use std::env;
 use std::fmt;
@@ -20,10 +20,13 @@ use crate::template::file::TemplateFile;
 /// }
 /// ```
 ///
-/// `problems/NAME.rs` and its template `problems/NAME.template.toml` become `OUT_DIR/NAME.rs`, to be included by
-/// `eliminant::include_solver!("NAME")`. A problem without a template stops the build with a message that names the command which finds one;
-/// with the feature `search` it gets a bounded search instead, and a warning that says how to keep the result.
-/// A file whose content would not change is not written.
+/// `problems/NAME.rs` and its template `problems/NAME.template.toml` become `OUT_DIR/NAME.rs`,
+/// which `eliminant::include_solver!("NAME")` includes. A file whose content would not change is
+/// not written.
+///
+/// A problem without a template stops the build with a message that names the command which finds
+/// one. With the feature `search` a bounded search is done instead, and a warning says how to keep
+/// its result.
 #[derive(Clone, Debug, Default)]
 pub struct Generator {
     problems: Option<PathBuf>,
@@ -34,12 +37,12 @@ pub struct Generator {
 }
 
 impl Generator {
-    /// With `problems` as the folder and `OUT_DIR` for the output.
+    /// A generator that reads the folder `problems` and writes to `OUT_DIR`.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// The folder with the problems, relative to the crate's manifest.
+    /// Sets the folder with the problems, relative to the crate's manifest.
     #[must_use]
     pub fn problems(mut self, folder: impl Into<PathBuf>) -> Self {
         self.problems = Some(folder.into());
@@ -75,7 +78,7 @@ impl Generator {
         self
     }
 
-    /// Where the solvers go instead of `OUT_DIR`.
+    /// Sets the folder for the solvers, instead of `OUT_DIR`.
     #[must_use]
     pub fn out_dir(mut self, folder: impl Into<PathBuf>) -> Self {
         self.out_dir = Some(folder.into());
@@ -85,7 +88,7 @@ impl Generator {
     /// Emits all solvers and tells cargo when to do so again.
     ///
     /// # Errors
-    /// All that went wrong with any of the problems, collected. Solvers of the others are written.
+    /// The errors of all problems together. The solvers of the other problems are written.
     pub fn run(self) -> Result<(), BuildError> {
         let manifest = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default();
         let folder = self.problems.clone().unwrap_or_else(|| "problems".into());
@@ -151,7 +154,8 @@ fn write_into(out_dir: &Path, name: &str, source: &str, errors: &mut Vec<(PathBu
     }
 }
 
-/// Everything that stopped a build, each with its file. Printed as it is by a build script whose `main` returns it.
+/// All errors that stopped a build, each with its file. A build script whose `main` returns it
+/// prints it as it is.
 pub struct BuildError {
     errors: Vec<(PathBuf, String)>,
 }
@@ -213,7 +217,7 @@ fn emit_file(path: &Path, templates: Option<&Path>, shown: &Path) -> Result<(Str
     Ok((problem.name, source))
 }
 
-/// The message of an error, with the way out where the template is at fault.
+/// The message of an error; if the template is at fault, with the command that finds another.
 fn stale(error: &GenerateError, shown: &str) -> String {
     match error.is_stale_template() {
         true => format!("{error}\nhelp: search a template for the problem as it is now: `eliminant search {shown}`"),
@@ -221,7 +225,7 @@ fn stale(error: &GenerateError, shown: &str) -> String {
     }
 }
 
-/// What takes the place of a missing template: nothing, since a build script without the search cannot find one.
+/// A missing template is an error: a build script without the search cannot find one.
 #[cfg(not(feature = "search"))]
 fn without_template(_: &Problem, shown: &str) -> Result<TemplateFile, String> {
     Err(format!(
@@ -231,7 +235,8 @@ fn without_template(_: &Problem, shown: &str) -> Result<TemplateFile, String> {
     ))
 }
 
-/// What takes the place of a missing template: that of a bounded search, and a warning that says how to do without it.
+/// A missing template is found by a bounded search, with a warning that says how to keep the
+/// result.
 #[cfg(feature = "search")]
 fn without_template(problem: &Problem, shown: &str) -> Result<TemplateFile, String> {
     use crate::search::{SearchError, SearchOptions, candidates};
@@ -248,10 +253,11 @@ fn without_template(problem: &Problem, shown: &str) -> Result<TemplateFile, Stri
     Ok(best.to_file(problem, &options))
 }
 
-/// Writes through a temporary file, and only if the content differs: unchanged output keeps its time.
+/// Writes a file through a temporary one, and only if the content differs: an unchanged file keeps
+/// its time.
 ///
 /// # Errors
-/// Those of the file system; the old file is then untouched.
+/// Errors of the file system; the old file is then untouched.
 pub fn write_if_changed(path: &Path, content: &str) -> io::Result<()> {
     if fs::read_to_string(path).is_ok_and(|old| old == content) {
         return Ok(());
@@ -259,7 +265,7 @@ pub fn write_if_changed(path: &Path, content: &str) -> io::Result<()> {
     let mut temporary = path.as_os_str().to_owned();
     temporary.push(".tmp");
     fs::write(&temporary, content).and_then(|()| fs::rename(&temporary, path)).inspect_err(|_| {
-        // What is left of it is of no use; the error to report is the first one.
+        // The temporary file is of no use any more; the error to report is the first one.
         let _ = fs::remove_file(&temporary);
     })
 }

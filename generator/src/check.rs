@@ -9,14 +9,16 @@ use crate::problem::Problem;
 use crate::problem::diagnostic::{Diagnostic, Diagnostics};
 use crate::problem::instance::{Draw, Instance};
 
-/// What is known of the ideal of a problem with general data.
+/// The numbers of solutions of a problem with general data.
 #[derive(Clone, Debug)]
 pub struct SolutionCount {
     /// Number of complex solutions, counted with multiplicity.
     pub solutions: usize,
-    /// Number of different complex solutions. Of more than [`MOST_TOLD_APART`] all are taken to be different.
+    /// Number of different complex solutions. If there are more than [`MOST_TOLD_APART`], all are
+    /// taken to be different.
     pub different: usize,
-    /// How often the origin, all unknowns 0, is counted among the solutions. It is known without computing anything.
+    /// The multiplicity of the origin, where all unknowns are 0; 0 if it is no solution. It is
+    /// known without computing.
     pub at_origin: usize,
     /// Size of the reduced grevlex Gröbner basis.
     pub basis_elements: usize,
@@ -24,15 +26,16 @@ pub struct SolutionCount {
 
 /// The instances at which solutions are counted: (prime, seed).
 const COUNTS: [(u32, u64); 2] = [(PRIMES[0], 1), (PRIMES[1], 2)];
-/// More solutions than this are taken for a mistake in the problem.
+/// A problem with more solutions than this is taken for a mistake.
 const MAX_SOLUTIONS: usize = 5_000;
-/// Up to so many solutions are told apart: that takes time of the order of their cube.
+/// At most this many solutions are told apart: the time grows with the cube of their number.
 pub const MOST_TOLD_APART: usize = 400;
 
 /// Counts the solutions over two primes.
 ///
 /// # Errors
-/// No solution, infinitely many (with the dimension), a count that differs between the primes, or a limit reached.
+/// There is no solution, there are infinitely many (the message has the dimension), the count
+/// differs between the primes, or a limit is reached.
 pub fn check(problem: &Problem) -> Result<SolutionCount, Diagnostics> {
     let mut counts = Vec::new();
     for (prime, seed) in COUNTS {
@@ -56,6 +59,7 @@ fn fail(problem: &Problem, message: Diagnostic) -> Diagnostics {
     Diagnostics { source_file: problem.source.clone(), messages: vec![message] }
 }
 
+/// Counts the solutions of one instance.
 fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<SolutionCount, Diagnostic> {
     let at = || problem.span.clone();
     let instance = Instance::draw(problem, field, seed).ok_or_else(|| {
@@ -69,30 +73,10 @@ fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<SolutionCoun
             .hint("fewer unknowns or lower degrees help: eliminate what can be eliminated by hand, or divide a common factor out")
     };
     let basis = ideal(&instance, unknowns).map_err(too_large)?;
-    let Some(dimension) = basis.dimension(unknowns) else {
-        return Err(Diagnostic::new("the equations have no common solution for general data", at())
-            .label(format!("{} equations in {unknowns} unknowns", problem.equations.len()))
-            .hint("an equation contradicts the others, or every solution is excluded by a `!= 0` statement")
-            .hint(
-                "if the data satisfy a condition, state it: `#[symmetric]`, `#[rotation]`, `#[unit]`, `#[plucker]`, `#[integer]`, `#[rank(2)]`",
-            ));
-    };
-    if dimension > 0 {
-        let mut message = Diagnostic::new(format!("infinitely many solutions: a set of dimension {dimension}"), at())
-            .label(format!("{} equations in {unknowns} unknowns", problem.equations.len()));
-        for names in excluding_unknowns(&instance, &problem.unknowns) {
-            let [list, are] = match names.as_slice() {
-                [name] => [format!("`{name}`"), "is".to_owned()],
-                _ => {
-                    [names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "), "are all".to_owned()]
-                }
-            };
-            let statements = names.iter().map(|name| format!("{name} != 0;")).collect::<Vec<_>>().join(" ");
-            message = message.hint(format!("finitely many are left where {list} {are} not 0: add `{statements}`"));
-        }
-        return Err(message
-            .hint(format!("{dimension} more independent equation(s) are needed, or an unknown that can be fixed"))
-            .hint("solutions that are not wanted, such as 0, are excluded by a statement `factor != 0;`"));
+    match basis.dimension(unknowns) {
+        None => return Err(no_solution(problem)),
+        Some(0) => {}
+        Some(dimension) => return Err(infinitely_many(problem, &instance, dimension)),
     }
     let solutions = basis.quotient_basis(unknowns, MAX_SOLUTIONS).ok_or_else(|| {
         Diagnostic::new(format!("more than {MAX_SOLUTIONS} solutions"), at())
@@ -112,7 +96,39 @@ fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<SolutionCoun
     Ok(SolutionCount { solutions, different, at_origin, basis_elements: basis.elements().len() })
 }
 
-/// The number of solutions with their multiplicity but that at the origin: those at which a random linear form does not vanish.
+fn no_solution(problem: &Problem) -> Diagnostic {
+    Diagnostic::new("the equations have no common solution for general data", problem.span.clone())
+        .label(format!("{} equations in {} unknowns", problem.equations.len(), problem.unknowns.len()))
+        .hint("an equation contradicts the others, or every solution is excluded by a `!= 0` statement")
+        .hint(
+            "if the data satisfy a condition, state it: `#[symmetric]`, `#[rotation]`, `#[unit]`, `#[plucker]`, `#[integer]`, `#[rank(2)]`",
+        )
+}
+
+/// The message for a set of solutions of this dimension, with the statements that would leave
+/// finitely many.
+fn infinitely_many(problem: &Problem, instance: &Instance, dimension: usize) -> Diagnostic {
+    let title = format!("infinitely many solutions: a set of dimension {dimension}");
+    let mut message = Diagnostic::new(title, problem.span.clone()).label(format!(
+        "{} equations in {} unknowns",
+        problem.equations.len(),
+        problem.unknowns.len()
+    ));
+    for names in excluding_unknowns(instance, &problem.unknowns) {
+        let list = names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+        let are = if names.len() == 1 { "is" } else { "are all" };
+        let statements = names.iter().map(|name| format!("{name} != 0;")).collect::<Vec<_>>().join(" ");
+        message = message.hint(format!("finitely many are left where {list} {are} not 0: add `{statements}`"));
+    }
+    message
+        .hint(format!("{dimension} more independent equation(s) are needed, or an unknown that can be fixed"))
+        .hint("solutions that are not wanted, such as 0, are excluded by a statement `factor != 0;`")
+}
+
+/// The number of solutions except the origin, with their multiplicity.
+///
+/// A random linear form vanishes at the origin and, with a probability near 1, at no other
+/// solution. So the ideal is saturated by it.
 fn count_elsewhere(instance: &Instance, unknowns: usize, seed: u64) -> Result<usize, GroebnerError> {
     let mut random = Random::new(seed);
     let form = (0..unknowns).map(|x| (Monomial::unknown(x), instance.field.draw(&mut random)));
@@ -122,7 +138,7 @@ fn count_elsewhere(instance: &Instance, unknowns: usize, seed: u64) -> Result<us
     Ok(basis.quotient_basis(unknowns, MAX_SOLUTIONS).map_or(0, |basis| basis.len()))
 }
 
-/// `None` for more than [`MOST_TOLD_APART`].
+/// The number of different solutions; `None` for more than [`MOST_TOLD_APART`].
 fn count_different(basis: &GroebnerBasis, unknowns: usize, seed: u64) -> Option<usize> {
     let limits = Limits { max_quotient_dimension: MOST_TOLD_APART, ..Limits::default() };
     let ring = QuotientRing::new(basis, unknowns, &limits).ok()?;
@@ -131,17 +147,20 @@ fn count_different(basis: &GroebnerBasis, unknowns: usize, seed: u64) -> Option<
     Some(count_points(&ring, &form))
 }
 
-/// The ideal of an instance, saturated by what must not vanish.
+/// The ideal of an instance, saturated by the factors that must not vanish.
 ///
 /// # Errors
 /// As [`saturate`].
 pub fn ideal(instance: &Instance, unknowns: usize) -> Result<GroebnerBasis, GroebnerError> {
     let limits = Limits { max_quotient_dimension: MAX_SOLUTIONS, ..Limits::default() };
-    saturate(instance.field, &instance.equations, &instance.nonzero, unknowns, &MonomialOrder::GrevLex, &limits)
+    saturate(instance.field, (&instance.equations, &instance.nonzero), unknowns, &MonomialOrder::GrevLex, &limits)
 }
 
-/// Unknowns without whose zeros finitely many solutions, and at least one, are left: each that does by itself, or else one set of several of
-/// which none can be spared, or nothing.
+/// Sets of unknowns such that finitely many solutions, at least one, are left where none of the set
+/// is 0.
+///
+/// If single unknowns do, these are all sets of one. Otherwise it is one set of several of which
+/// each is needed, or none.
 fn excluding_unknowns<'a>(instance: &Instance, names: &'a [String]) -> Vec<Vec<&'a str>> {
     let explain = |unknowns: &[usize]| {
         let mut trial = instance.clone();

@@ -1,4 +1,5 @@
-//! From the texts of a problem and its template to the source of a solver. No files, no environment.
+//! From a problem and its template to the source of a solver. Files and environment are not
+//! touched.
 
 use crate::algebra::{PRIMES, PrimeField};
 use crate::emit::{EmitError, Provenance, emit};
@@ -22,12 +23,12 @@ pub enum GenerateError {
     /// The template file cannot be read.
     #[error("the template file cannot be read: {0}")]
     File(#[from] TemplateFileError),
-    /// The template was found for another problem, or for an earlier text of this one.
+    /// The template was found for another problem, or for an earlier version of this one.
     #[error("the template belongs to {found}, not to the problem `{problem}` as it is now")]
     Stale {
         /// The problem.
         problem: String,
-        /// What the template says it is for.
+        /// The problem that the template file names.
         found: String,
     },
     /// The template does not hold on a random instance.
@@ -36,9 +37,9 @@ pub enum GenerateError {
     /// The template gives another number of solutions than its file says.
     #[error("the template file says {file} solutions, the template gives {found}")]
     Solutions {
-        /// What the file says.
+        /// The number in the file.
         file: usize,
-        /// What the template gives.
+        /// The number that the template gives.
         found: SolutionBounds,
     },
     /// The template does not fit the problem.
@@ -56,17 +57,18 @@ pub enum GenerateError {
 }
 
 impl GenerateError {
-    /// Whether a new search would mend it.
+    /// Whether a new search for a template would mend the error.
     pub fn is_stale_template(&self) -> bool {
         use GenerateError::{File, Schedule, Solutions, Stale, Verify};
         matches!(self, File(_) | Stale { .. } | Verify(_) | Solutions { .. } | Schedule(_))
     }
 }
 
-/// The prime and the seeds at which templates are verified: not those of the search. The first instance proves the
-/// template. The others are asked only if the first has another number of solutions than the file says: data from
-/// few values (`#[integer]`) may be special in one draw.
+/// The prime at which templates are verified; the search uses another one.
 const VERIFY_FIELD: PrimeField = PrimeField::new(PRIMES[2]);
+/// The seeds of the instances, which the search does not use either. The template must hold on the
+/// first. The others are drawn only if the first gives another number of solutions than the file
+/// says: data from few values (`#[integer]`) may be special in one draw.
 const VERIFY_SEEDS: [u64; 3] = [0x5eed, 0x5eee, 0x5eef];
 
 /// A problem with the plan of its solver.
@@ -78,8 +80,10 @@ pub struct Planned {
     pub plan: Plan,
 }
 
-/// Verifies a template over Z_p and plans its solver. The interpreted plan gives the verified action matrix exactly, and
-/// this as many solutions as the file says.
+/// Verifies a template over Z_p and plans its solver.
+///
+/// The interpreted plan then gives the verified action matrix exactly, and this has as many
+/// solutions as the file says.
 ///
 /// # Errors
 /// See [`GenerateError`].
@@ -111,7 +115,8 @@ pub fn plan(problem: &Problem, file: &TemplateFile) -> Result<Planned, GenerateE
     Ok(Planned { reduced, plan })
 }
 
-/// The coefficients of an instance, and what the elimination leaves.
+/// The coefficients of an instance, and what the elimination leaves; `None` where a divisor or a
+/// block is singular.
 fn interpreted(plan: &Plan, instance: &Instance) -> Option<(Vec<u32>, Eliminated<u32>)> {
     let coefficients = interpret::coefficients(plan, instance.field, &instance.inputs)?;
     let eliminated = interpret::eliminate(plan, instance.field, &coefficients)?;

@@ -1,4 +1,5 @@
 //! Reduced Gröbner bases against those of the crate `groebner`, which shares no code with this one.
+#![cfg(feature = "search")]
 
 #[allow(dead_code)] // each test uses a part of it
 mod systems;

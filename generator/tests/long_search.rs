@@ -106,7 +106,7 @@ fn shards_that_do_not_belong_together_are_refused() {
         (vec!["a.json", "a.json"], vec!["`a.json`", "1/2 again"]),
         (vec!["a.json", "third.json"], vec!["`third.json`", "not of the same search"]),
         (vec!["a.json", "seed.json"], vec!["`seed.json`", "other options"]),
-        (vec!["broken.json"], vec!["`broken.json`", "no file of a shard"]),
+        (vec!["broken.json"], vec!["`broken.json`", "not a file of a shard"]),
         (vec!["a.json", "other.json"], vec!["`other.json`", "another problem"]),
         (vec!["a.json", "false.json"], vec!["`false.json`", "`rows`"]),
         (vec!["a.json", "missing.json"], vec!["`missing.json`", "no such file"]),
@@ -124,8 +124,8 @@ fn shards_that_do_not_belong_together_are_refused() {
 }
 
 #[test]
-fn what_was_tried_in_vain_is_told() {
-    let folder = two_conics("what_was_tried_in_vain_is_told");
+fn the_strategies_of_a_failed_search_are_told() {
+    let folder = two_conics("the_strategies_of_a_failed_search_are_told");
     fs::write(folder.join(TEMPLATE), "old").unwrap();
     let output = search(&folder, &["--max-columns", "7"]);
     assert_eq!(status(&output), 1);
@@ -168,7 +168,7 @@ fn a_budget_that_does_not_bind_changes_nothing() {
     assert_eq!(names(&folder), ["two_conics.rs", TEMPLATE]);
 }
 
-/// Ends the search after so many questions.
+/// A monitor that ends the search after this number of questions.
 struct Impatient(AtomicUsize, usize);
 
 impl Monitor for Impatient {

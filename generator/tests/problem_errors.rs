@@ -1,5 +1,7 @@
 //! Mistakes in problem files: `problem_errors/NAME.rs` holds one mistake (or a few), `NAME.txt` what the user sees.
 
+#![cfg(feature = "search")]
+
 use std::fmt::Write as _;
 use std::path::Path;
 use std::{env, fs};

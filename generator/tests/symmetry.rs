@@ -7,10 +7,10 @@ use eliminant_generator::presolve::symmetry::Symmetry;
 use eliminant_generator::problem::Problem;
 use eliminant_generator::search::measuring::stability;
 use eliminant_generator::search::monitor::Unmonitored;
-use eliminant_generator::search::{Candidate, SearchOptions, candidates};
+use eliminant_generator::search::{SearchOptions, TemplateCandidate, candidates};
 
 /// What is found is what a template file may say: neither fewer solutions nor more.
-fn assert_counted(problem: &Problem, candidate: &Candidate, options: &SearchOptions) {
+fn assert_counted(problem: &Problem, candidate: &TemplateCandidate, options: &SearchOptions) {
     let mut file = candidate.to_file(problem, options);
     let solutions = file.solutions;
     assert!(plan(problem, &file).is_ok(), "{}", problem.name);

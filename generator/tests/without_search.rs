@@ -38,3 +38,17 @@ fn a_template_is_verified_and_emitted() {
     Generator::new().problems(&problems).out_dir(&out).run().expect("a good project");
     assert!(fs::read_to_string(out.join("two_conics.rs")).expect("emitted").contains("pub mod two_conics"));
 }
+
+#[test]
+fn a_wrong_number_of_solutions_stops_the_build() {
+    let (problems, out) = project("miscounted", &["two_conics.rs", "two_conics.template.toml"]);
+    let path = problems.join("two_conics.template.toml");
+    let text = fs::read_to_string(&path).expect("a committed file");
+    fs::write(&path, text.replace("solutions = 4\n", "solutions = 3\n")).expect("a file to write");
+    let error = Generator::new().problems(&problems).out_dir(&out).run().expect_err("there are 4 solutions");
+    let message = error.to_string();
+    for words in ["the template file says 3 solutions, the template gives 4", "eliminant search "] {
+        assert!(message.contains(words), "`{words}` is missing in\n{message}");
+    }
+    assert!(!out.join("two_conics.rs").exists());
+}

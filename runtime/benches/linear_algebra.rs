@@ -1,11 +1,12 @@
 //! Elimination, eigenvalues, eigenvectors and real roots beside nalgebra, interleaved in one run, so that a drifting
 //! clock hits all alike; medians over rounds. `cargo bench -p eliminant`.
 
-use eliminant::{Hessenberg, real_roots_monic, solve_block, solve_block_trailing};
+use eliminant::emitted::{Fixed, Hessenberg, real_roots_monic, solve_block, solve_block_trailing};
 use nalgebra::SMatrix;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};
 use std::hint::black_box;
+use std::rc::Rc;
 use std::time::Instant;
 
 const INSTANCES: usize = 64;
@@ -66,7 +67,7 @@ macro_rules! spectrum {
         }));
         $contenders.push(Contender::new("    real ones by the characteristic polynomial", move |k| {
             if let Ok(h) = Hessenberg::reduce(black_box(&a[k])) {
-                black_box(real_roots_monic(&h.characteristic_polynomial()));
+                black_box(real_roots_monic(Fixed::<$n>, &h.characteristic_polynomial()));
             }
         }));
         let na = a.map(|rows| SMatrix::<f64, $n, $n>::from_fn(|i, j| rows[i][j]));
@@ -79,8 +80,9 @@ macro_rules! spectrum {
             let values = h.eigenvalues().unwrap();
             (h, values)
         });
+        let spectra = Rc::new(spectra);
         $contenders.push(Contender::new("    one real eigenvector", {
-            let spectra = spectra.clone();
+            let spectra = Rc::clone(&spectra);
             move |k| {
                 let (h, values) = &spectra[k];
                 black_box(h.eigenvector(black_box(values[0].re)));

@@ -1,9 +1,10 @@
-//! From the action matrix to polished solutions: what all solvers do alike.
+//! From the action matrix to polished solutions: the steps that all solvers share.
 //!
-//! On a few instances of a thousand a template is so close to singular, or a solution so close to infinity, that
-//! rounding errors of the elimination or of the eigenvalues lead to no solution, or to another one. If solutions are
-//! missing, both are therefore repeated with twice the digits. If the elimination itself fails, it is repeated by
-//! solvers whose coefficients can have as many digits.
+//! On a few of a thousand instances, a template is so close to singular, or a solution so close to
+//! infinity, that rounding errors of the elimination or of the eigenvalues lose the solution or
+//! lead to another one. If solutions are missing, both steps are therefore repeated with twice the
+//! digits. An elimination that fails is repeated only if the coefficients can be computed with
+//! twice the digits, too.
 
 use num_complex::Complex;
 
@@ -20,19 +21,23 @@ use crate::spectrum::hessenberg::Hessenberg;
 use crate::spectrum::polynomial_roots::real_roots_monic;
 use crate::spectrum::precise_spectrum::{PreciseSpectrum, with_precise_spectrum};
 
-/// If |B| exceeds the number of solutions and all are found, an eigenpair whose unknowns have a larger relative residual
-/// before the polish is taken for one that belongs to no solution. Residuals of solutions are near rounding, and the
-/// polish would take long to show that there is no solution.
+/// If |B| exceeds the number of solutions and all solutions are found, an eigenpair with a larger
+/// relative residual than this before the polish counts as spurious. Residuals of solutions are
+/// near rounding, and the polish of a spurious eigenpair would take long.
 const NO_SOLUTION: f64 = 1e-6;
 
-/// A factor that must not vanish does if its value is at most this, relative to the sum of the moduli of its terms.
+/// A factor that must not vanish counts as zero if its modulus is at most this, relative to the sum
+/// of the moduli of its terms.
 pub const VANISHING: f64 = 1e-8;
 
-/// All complex solutions. If fewer are found than general data have, all is done once more at twice the precision.
+/// Returns all complex solutions. If fewer are found than general data have, a second attempt
+/// computes at twice the precision.
 ///
 /// # Errors
-/// Those of the action matrix, [`SolveError::Overflow`] if it is not finite, [`SolveError::NoConvergence`] if the QR
-/// iteration reaches its limit; with [`SolverInstance::has_precise_coefficients`] only if the second attempt fails, too.
+/// Errors of the action matrix, [`SolveError::Overflow`] if it is not finite,
+/// [`SolveError::NoConvergence`] if the QR iteration reaches its limit. With
+/// [`SolverInstance::has_precise_coefficients`] an error is returned only if the second attempt
+/// fails, too.
 #[inline]
 pub fn complex_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, Complex<f64>>, SolveError> {
     let mut found = AllSolutions::new(solver);
@@ -40,9 +45,10 @@ pub fn complex_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, 
     Ok(found.admissible(solver))
 }
 
-/// All real solutions, by the QR iteration. All is done once more at twice the precision if it shows that solutions are
-/// missing. If |B| exceeds the number of solutions, complex eigenvalues are tried, too, until all solutions are counted;
-/// else solutions that are not real come in pairs, and an odd number is missing.
+/// Returns all real solutions, by the QR iteration. If solutions are missing, a second attempt
+/// computes at twice the precision. If |B| exceeds the number of solutions, complex solutions are
+/// counted, too, which shows whether some are missing. Otherwise solutions that are not real come
+/// in pairs, and an odd number of missing real solutions shows that one is lost.
 ///
 /// # Errors
 /// As [`complex_solutions`].
@@ -53,10 +59,10 @@ pub fn real_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, f64
     Ok(found.admissible(solver))
 }
 
-/// All real solutions, by the real roots of the characteristic polynomial.
+/// Returns all real solutions, by the real roots of the characteristic polynomial.
 ///
 /// # Errors
-/// Those of the action matrix, [`SolveError::Overflow`] if it is not finite.
+/// Errors of the action matrix, [`SolveError::Overflow`] if it is not finite.
 #[inline]
 pub fn real_solutions_by_polynomial<I: SolverInstance>(solver: &mut I) -> Result<Points<I, f64>, SolveError> {
     let size = solver.sizes().basis;
@@ -71,7 +77,7 @@ pub fn real_solutions_by_polynomial<I: SolverInstance>(solver: &mut I) -> Result
     Ok(found.admissible(solver))
 }
 
-/// Whether some eigenvalues belong to no solution, or to one that is known beforehand.
+/// Whether some eigenvalues belong to no solution, or to a solution that is known beforehand.
 #[inline]
 fn has_spurious_values<I: SolverInstance>(solver: &I) -> bool {
     let sizes = solver.sizes();
@@ -85,7 +91,8 @@ fn solve<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> R
     if first.is_err() || found.lacks_some() { second_attempt(solver, first, found) } else { Ok(()) }
 }
 
-/// Collects what the usual precision finds. A function of its own, so that its memory is free for the second attempt.
+/// Collects what the usual precision finds. It is a function of its own, so that its memory is free
+/// for the second attempt.
 #[inline(never)]
 fn first_attempt<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> Result<(), SolveError> {
     let action = solver.action_matrix::<f64>()?;
@@ -99,8 +106,8 @@ fn first_attempt<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<
     Ok(())
 }
 
-/// Adds the solutions of separate eigenpairs; false if two of them gave one solution. A function of its own, so that its
-/// memory is free afterwards.
+/// Adds the solutions of separate eigenpairs. Returns false if two of them gave the same solution.
+/// It is a function of its own, so that its memory is free afterwards.
 #[inline(never)]
 fn add_separate<I: SolverInstance>(
     solver: &I,
@@ -124,11 +131,12 @@ fn add_separate<I: SolverInstance>(
 struct Eigenpair<B: Size> {
     size: B,
     value: Complex<f64>,
-    /// Real for a real eigenvalue.
+    /// The vector is real for a real eigenvalue.
     vector: B::Vector<Complex<f64>>,
 }
 
-/// Adds the eigenpairs of the eigenvalues that are wanted. Of a conjugate pair one is solved for, and the other follows.
+/// Adds the eigenpairs of the eigenvalues that are wanted. One vector of a conjugate pair is
+/// computed, and the other follows from it.
 #[inline(never)]
 fn push_eigenpairs<B: Size>(
     pairs: &mut B::List<Eigenpair<B>>,
@@ -182,8 +190,9 @@ impl<B: Size> EigenpairSource<B> for Eigenpair<B> {
     }
 }
 
-/// The residuals of eigenpairs and their positions, in the order in which they are tried: if some belong to no solution,
-/// by increasing residual. Else residuals are not needed, and zero.
+/// The residuals of eigenpairs and their positions, in the order in which they are tried. If some
+/// eigenpairs belong to no solution, the order is that of increasing residuals. Otherwise residuals
+/// are not needed and zero.
 #[inline]
 fn in_order<I: SolverInstance>(solver: &I, pairs: &[Eigenpair<I::Basis>]) -> <I::Basis as Size>::List<(f64, usize)> {
     let has_spurious_values = has_spurious_values(solver);
@@ -197,13 +206,13 @@ fn in_order<I: SolverInstance>(solver: &I, pairs: &[Eigenpair<I::Basis>]) -> <I:
     order
 }
 
-/// A function of its own: compiled once for all solvers.
+/// A function of its own is compiled once for all solvers.
 #[inline(never)]
 fn sort(order: &mut [(f64, usize)]) {
     order.sort_unstable_by(|(a, _), (b, _)| a.total_cmp(b));
 }
 
-/// Adds the solutions of all eigenvalues that several of them may share.
+/// Adds the solutions of eigenvalues that several solutions may share.
 #[cold]
 #[inline(never)]
 fn add_shared<I: SolverInstance>(
@@ -227,10 +236,12 @@ fn add_shared<I: SolverInstance>(
     }
 }
 
-/// Repeats the elimination and the eigenvalue iteration at twice the precision and adds the solutions.
+/// Repeats the elimination and the eigenvalue iteration at twice the precision and adds the
+/// solutions.
 ///
 /// # Errors
-/// That of the `first` attempt, if this one fails, too, or the coefficients are no more precise.
+/// The error of the `first` attempt, if this one fails, too, or if the coefficients cannot be more
+/// precise.
 #[cold]
 #[inline(never)]
 fn second_attempt<I: SolverInstance>(
@@ -241,7 +252,7 @@ fn second_attempt<I: SolverInstance>(
     if first.is_err() && !solver.has_precise_coefficients() {
         return first;
     }
-    // Not moved out of its result, which would take its size from the stack twice.
+    // The matrix stays in its result: a move would take its size from the stack twice.
     let action = solver.action_matrix::<DoubleDouble>();
     let Ok(action) = &action else { return first };
     let solver = &*solver;
@@ -253,7 +264,7 @@ fn second_attempt<I: SolverInstance>(
             }
         }
     };
-    with_precise_spectrum(action.as_ref(), add_all).or(first)
+    with_precise_spectrum(action.as_ref().len(), &|at| action[at].as_ref(), add_all).or(first)
 }
 
 /// The eigenpairs of the second attempt, listed under the eigenvalues.

@@ -1,4 +1,5 @@
-//! What emitted code calls, and the interpreted plans of the generator. Not for people: it changes with every version.
+//! The interface that emitted code and the interpreted plans of the generator call. It changes with
+//! every version: people should not call it.
 
 pub use crate::driver::{VANISHING, complex_solutions, real_solutions, real_solutions_by_polynomial};
 pub use crate::elimination::lu::{BlockError, BlockMemory, solve_block, solve_block_trailing, solve_large_block};
@@ -23,8 +24,13 @@ pub const VERSION: u32 = 1;
 
 /// The handshake of emitted code, evaluated when it is compiled.
 ///
+/// ```compile_fail,E0080
+/// const _: () = eliminant::emitted::check_version(eliminant::emitted::VERSION + 1);
+/// ```
+///
 /// # Panics
-/// If the code was emitted for another version: as a constant, a compile error with this message.
+/// If the code was emitted for another version. In a constant, this is a compile error with the
+/// message.
 pub const fn check_version(of_generator: u32) {
     assert!(
         of_generator == VERSION,

@@ -2,21 +2,25 @@
 
 use core::fmt;
 
-/// Why a solve returned nothing. An empty list of solutions is no error: the data then have no (real) solution.
+/// Why a solve returned nothing. An empty list of solutions is not an error: it means that the data
+/// have no (real) solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SolveError {
-    /// The data hold an infinity or a NaN.
+    /// The data hold an infinite value or a NaN.
     NonFiniteInput,
-    /// The elimination met a column without a usable pivot: the data are degenerate for this template.
+    /// The elimination found no usable pivot in a column: the data are degenerate for this
+    /// template.
     Degenerate {
-        /// The diagonal block of the template that lost rank, counted from zero in the order of elimination.
+        /// The diagonal block of the template that lost rank, counted from zero in the order of
+        /// elimination.
         block: usize,
     },
-    /// A number computed from finite data is not finite: a coefficient that divides by zero, or a value
-    /// beyond the range of `f64`. Data in other units may help.
+    /// A number computed from finite data is not finite: a coefficient divides by zero, or a value
+    /// exceeds the range of `f64`. Data in other units may help.
     Overflow,
-    /// The problem needs larger arrays than are set aside: a second attempt has room for 256 basis monomials.
+    /// The problem needs larger arrays than are reserved: a second attempt has room for 256 basis
+    /// monomials.
     TooLarge,
     /// The eigenvalue iteration reached its limit.
     NoConvergence,

@@ -1,7 +1,8 @@
-//! What a solver made by `eliminant-generator` returns, and the kernels that it calls.
+//! The types that a solver made by `eliminant-generator` returns, and the kernels that it calls.
 //!
-//! A solver is a module with a function `solve`. It returns up to a known number of [`Solutions`], or a [`SolveError`]
-//! that says why there are none. [`include_solver!`] includes a module that a build script wrote.
+//! A solver is a module with a function `solve`. It returns a list of [`Solutions`], whose largest
+//! length is known, or a [`SolveError`] that says what went wrong. [`include_solver!`] includes a
+//! module that a build script wrote.
 //!
 //! ```text
 //!            emitted code                                          this crate
@@ -9,15 +10,16 @@
 //!                             fill, eliminate  eigenpairs   read, polish, compare
 //! ```
 //!
-//! Nothing here allocates, panics on data, loops without a bound or knows a problem. The kernels are generic over how
-//! many numbers there are and where they are kept: arrays of constant sizes for emitted solvers, memory of run-time sizes
+//! The kernels do not allocate, do not panic on data, bound every loop, and know no problem. They
+//! are generic over sizes: arrays of constant sizes for emitted solvers, memory of run-time sizes
 //! for the plans that the generator interprets. Both give the same bits.
 //!
-//! Without the default feature `std` the crate is `no_std`; feature `libm` then supplies the square root. Feature `serde`
-//! serialises [`Solutions`]. Feature `alloc` adds the sizes that are known at run time.
+//! Without the default feature `std` the crate is `no_std`; the feature `libm` then supplies the
+//! square root. The feature `serde` serialises [`Solutions`]. The feature `alloc` adds the sizes
+//! that are known at run time.
 #![no_std]
 #![forbid(unsafe_code)]
-// `!(x > y)` where a NaN must take the branch, too.
+// `!(x > y)` is written where a NaN must take the branch, too.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
 #[cfg(feature = "alloc")]
@@ -33,18 +35,20 @@ mod number;
 mod size;
 mod solutions;
 
-/// Data to action matrix: coefficients, template, elimination.
+/// From the data to the action matrix: coefficients, template, elimination.
 mod elimination;
-/// Action matrix to eigenpairs.
+/// From the action matrix to eigenpairs.
 mod spectrum;
 
-/// What differs between solvers.
+/// The trait that tells one solver from another.
 mod solver_instance;
 
-/// Eigenpair to solution: read off, polished on the original equations, distinct from the others.
+/// From an eigenpair to a solution: read off, polished on the original equations, compared with the
+/// others.
 mod solution;
 
-/// All of it for one instance, with a second attempt at twice the precision if solutions are missing.
+/// All stages for one instance, with a second attempt at twice the precision if solutions are
+/// missing.
 mod driver;
 
 #[doc(hidden)]
@@ -55,10 +59,11 @@ pub use num_complex::Complex;
 pub use number::Scalar;
 pub use solutions::{IntoIter, Solutions};
 
-/// Includes the solver of that name, which the build script wrote: the emitted file holds `pub mod NAME { .. }`.
+/// Includes the solver of that name, which the build script wrote. The file holds `pub mod NAME {
+/// .. }`.
 ///
 /// ```text
-/// // lib.rs, with problems/five_point.rs and a build script that runs eliminant_generator::Generator:
+/// // lib.rs; a build script runs eliminant_generator::Generator on problems/five_point.rs:
 /// eliminant::include_solver!("five_point");
 /// let solutions = five_point::solve(&points)?;
 /// ```

@@ -1,12 +1,14 @@
-//! How many entries vectors have, and where they are kept: one kernel serves constant and run-time sizes.
+//! The number of entries of vectors, and where they are kept. One kernel serves constant and
+//! run-time sizes.
 //!
 //! | size | vector of `T` | who uses it |
 //! |---|---|---|
 //! | [`Fixed<N>`] | `[T; N]` | emitted solvers: loops have bounds that the compiler knows |
-//! | [`AtMost<C>`] | `[T; C]`, the leading ones in use | second attempts: one compiled copy serves many sizes |
-//! | `Dynamic` (feature `alloc`) | `Vec<T>` | interpreted plans, whose sizes are known at run time |
+//! | [`AtMost<C>`] | `[T; C]`, partly in use | spectra at twice the precision: one copy, many sizes |
+//! | `Dynamic` (feature `alloc`) | `Vec<T>` | interpreted plans, with sizes known at run time |
 //!
-//! A kernel does the same operations in the same order for all three, so the results have the same bits.
+//! A kernel does the same operations in the same order for all three sizes, so the results have the
+//! same bits.
 
 use core::ops::{Deref, DerefMut, Index, IndexMut};
 
@@ -17,19 +19,19 @@ pub trait Vector<T>: Clone + AsRef<[T]> + AsMut<[T]> + Index<usize, Output = T> 
 
 impl<T, V: Clone + AsRef<[T]> + AsMut<[T]> + Index<usize, Output = T> + IndexMut<usize>> Vector<T> for V {}
 
-/// Up to a number of entries, which is the size that the list was made for.
+/// A list with room for a limited number of entries.
 pub trait List<T>: Deref<Target = [T]> + DerefMut {
-    /// Appends an entry; false, and nothing happens, if the list is full.
+    /// Appends an entry. If the list is full, it stays as it is, and the result is false.
     fn push(&mut self, entry: T) -> bool;
 }
 
-/// How many entries a vector has. A type for each way to keep them.
+/// The number of entries of a vector. Each type that implements it keeps them in its own way.
 pub trait Size: Copy {
     /// Vectors of this size.
     type Vector<T: Clone>: Vector<T>;
     /// Lists of at most this size.
     type List<T>: List<T>;
-    /// How many entries are in use.
+    /// The number of entries in use.
     fn get(self) -> usize;
     /// A vector with the same entry everywhere.
     fn filled<T: Clone>(self, entry: T) -> Self::Vector<T>;
@@ -49,7 +51,7 @@ pub fn filled_matrix<R: Size, C: Size, T: Clone>(rows: R, columns: C, entry: T) 
     rows.filled(columns.filled(entry))
 }
 
-/// N entries, a number that the compiler knows.
+/// N entries; the compiler knows N.
 #[derive(Clone, Copy, Debug)]
 pub struct Fixed<const N: usize>;
 
@@ -70,10 +72,14 @@ impl<const N: usize> Size for Fixed<N> {
     }
 }
 
-/// The leading entries of an array of C. The others stay as they were filled, which is zero in all kernels.
+/// The leading entries of an array of C. The other entries stay zero. Lists have room for C
+/// entries.
+///
+/// This size serves the kernels of the second attempt: reduction, eigenvalues and eigenvectors.
+/// Other kernels read all entries of a vector.
 #[derive(Clone, Copy, Debug)]
 pub struct AtMost<const C: usize>(
-    /// How many are in use.
+    /// The number of entries in use.
     pub usize,
 );
 
@@ -114,7 +120,7 @@ mod dynamic {
     /// A number of entries that is known at run time.
     #[derive(Clone, Copy, Debug)]
     pub struct Dynamic(
-        /// The number.
+        /// The number of entries.
         pub usize,
     );
 
@@ -132,7 +138,7 @@ mod dynamic {
         }
     }
 
-    /// A `Vec` that holds at most a number of entries.
+    /// A `Vec` that holds a limited number of entries.
     #[derive(Clone, Debug)]
     pub struct BoundedVec<T> {
         entries: Vec<T>,

@@ -4,28 +4,30 @@ use arrayvec::ArrayVec;
 use core::iter::FusedIterator;
 use core::ops::{Deref, DerefMut};
 
-/// Up to `MAX` solutions, stored in place; `MAX` is the number of complex solutions of the problem, so it suffices.
+/// Up to `MAX` solutions, stored in place. `MAX` is the number of complex solutions of general
+/// data, so there is room for all.
 ///
-/// Reads like a slice (`len`, `iter`, indexing, ..) and iterates by value or by reference. With the feature `serde` it is
-/// serialised as a sequence.
+/// The list reads like a slice (`len`, `iter`, indexing, ..) and iterates by value or by reference.
+/// With the feature `serde` it is serialised as a sequence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solutions<T, const MAX: usize>(ArrayVec<T, MAX>);
 
 impl<T, const MAX: usize> Solutions<T, MAX> {
-    /// No solutions.
+    /// An empty list.
     #[inline]
     #[must_use]
     pub fn new() -> Self {
         Solutions(ArrayVec::new_const())
     }
 
-    /// Appends a solution; false, and nothing happens, if there are `MAX` already.
+    /// Appends a solution. If there are `MAX` already, the list stays as it is, and the result is
+    /// false.
     #[inline]
     pub fn push(&mut self, solution: T) -> bool {
         self.0.try_push(solution).is_ok()
     }
 
-    /// The images of all solutions, in their order.
+    /// The images of all solutions, in the order of the solutions.
     #[inline]
     #[must_use]
     pub fn map<U>(&self, f: impl Fn(T) -> U) -> Solutions<U, MAX>
@@ -35,7 +37,7 @@ impl<T, const MAX: usize> Solutions<T, MAX> {
         Solutions::from_points(&self.0, f)
     }
 
-    /// The images of the solutions that have one, in their order.
+    /// The images of the solutions that have an image, in the order of the solutions.
     #[inline]
     #[must_use]
     pub fn filter_map<U>(&self, f: impl Fn(T) -> Option<U>) -> Solutions<U, MAX>
@@ -50,7 +52,7 @@ impl<T, const MAX: usize> Solutions<T, MAX> {
         Solutions(images)
     }
 
-    /// The images of what the kernels found, in their order.
+    /// The images of the points that the kernels found, in the order of the points.
     #[doc(hidden)]
     #[inline]
     #[must_use]
@@ -85,7 +87,7 @@ impl<T, const MAX: usize> DerefMut for Solutions<T, MAX> {
     }
 }
 
-/// The solutions by value, see [`Solutions::into_iter`].
+/// The solutions by value, in their order: see [`Solutions::into_iter`].
 #[derive(Clone, Debug)]
 pub struct IntoIter<T, const MAX: usize>(arrayvec::IntoIter<T, MAX>);
 
@@ -129,7 +131,7 @@ impl<'a, T, const MAX: usize> IntoIterator for &'a Solutions<T, MAX> {
     }
 }
 
-/// A sequence.
+/// The list is serialised as a sequence.
 #[cfg(feature = "serde")]
 impl<T: serde::Serialize, const MAX: usize> serde::Serialize for Solutions<T, MAX> {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -137,7 +139,7 @@ impl<T: serde::Serialize, const MAX: usize> serde::Serialize for Solutions<T, MA
     }
 }
 
-/// A sequence of at most `MAX` solutions; a longer one is an error.
+/// A sequence of at most `MAX` solutions is read; a longer one is an error.
 #[cfg(feature = "serde")]
 impl<'de, T: serde::Deserialize<'de>, const MAX: usize> serde::Deserialize<'de> for Solutions<T, MAX> {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

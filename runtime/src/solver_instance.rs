@@ -1,4 +1,4 @@
-//! What differs between solvers.
+//! The trait that tells one solver from another.
 
 use num_complex::Complex;
 
@@ -11,18 +11,18 @@ use crate::solution::sign_changes::SignChanges;
 /// The sizes of a solver.
 #[derive(Clone, Copy, Debug)]
 pub struct Sizes<B, N, K, M> {
-    /// |B|: basis monomials, which are the rows of the action matrix.
+    /// |B|: the number of basis monomials, which is the order of the action matrix.
     pub basis: B,
-    /// Unknowns.
+    /// The number of unknowns.
     pub unknowns: N,
-    /// Monomials whose values follow from an eigenpair.
+    /// The number of monomials whose values follow from an eigenpair.
     pub values: K,
-    /// Complex solutions of general data, which are all that a solver returns.
+    /// The number of complex solutions of general data. A solver returns no more.
     pub solutions: M,
 }
 
 impl<const B: usize, const N: usize, const K: usize, const M: usize> Sizes<Fixed<B>, Fixed<N>, Fixed<K>, Fixed<M>> {
-    /// Sizes that the compiler knows.
+    /// All sizes, known to the compiler.
     pub const FIXED: Self = Sizes { basis: Fixed, unknowns: Fixed, values: Fixed, solutions: Fixed };
 }
 
@@ -47,16 +47,16 @@ pub type Points<I, S> = <<I as SolverInstance>::Solutions as Size>::List<Point<I
 pub(crate) type Found<I, S> =
     <<I as SolverInstance>::Solutions as Size>::List<Candidate<S, <I as SolverInstance>::Unknowns>>;
 
-/// A problem with data and a template. Emitted solvers implement it with constant sizes, interpreted plans with sizes
-/// known at run time; all that is computed from it is computed by one kernel.
+/// A problem with data and a template. Emitted solvers implement this trait with constant sizes,
+/// interpreted plans with sizes known at run time. The same kernels compute everything else.
 pub trait SolverInstance {
     /// |B|.
     type Basis: Size;
-    /// Number of unknowns.
+    /// The number of unknowns.
     type Unknowns: Size;
-    /// Number of monomials whose values follow from an eigenpair.
+    /// The number of monomials whose values follow from an eigenpair.
     type Values: Size;
-    /// Number of solutions.
+    /// The number of solutions.
     type Solutions: Size;
 
     /// All sizes.
@@ -64,51 +64,56 @@ pub trait SolverInstance {
     where
         Self: Sized;
 
-    /// For an unknown x the positions of (m, x m) among the monomial values; empty if
-    /// [`SolverInstance::recover`] gives the unknown.
+    /// For an unknown x: the positions of (m, x m) among the monomial values. The list is empty if
+    /// [`SolverInstance::recover`] computes the unknown.
     fn ratios(&self, unknown: usize) -> &[(u16, u16)];
 
-    /// Whether all unknowns 0 is a solution, whatever the data. It is known, and the eigenpairs need not give it.
+    /// Whether the origin is a solution for all data. It is then known beforehand, and no eigenpair
+    /// needs to belong to it.
     fn has_origin(&self) -> bool {
         false
     }
 
-    /// How unknowns follow from their ratios if the template tells them up to sign.
+    /// How unknowns follow from their ratios if the template determines them only up to sign.
     fn sign_changes(&self) -> Option<SignChanges<'_>> {
         None
     }
 
-    /// Whether [`SolverInstance::action_matrix`] computes the coefficients in its own precision, too. A template that
-    /// is singular to `f64` is then eliminated at twice the precision: exactly degenerate data are singular to both,
-    /// and of data that are so up to rounding the solutions as they are result.
+    /// Whether [`SolverInstance::action_matrix`] computes the coefficients in the precision of `R`,
+    /// too. If so, a template that is singular in `f64` is eliminated again at twice the precision.
+    /// Exactly degenerate data are singular in both precisions. Data that are degenerate up to
+    /// rounding are solved as they are given.
     fn has_precise_coefficients(&self) -> bool {
         false
     }
 
-    /// The action matrix, |B| rows: T with a b = T b at every solution, b being the values of the basis and a that of
-    /// the action monomial. What [`SolverInstance::monomial_values`] reads besides is kept.
+    /// The action matrix T, |B| rows: a b = T b at every solution, where b are the values of the
+    /// basis and a is the value of the action monomial. The solver keeps what
+    /// [`SolverInstance::monomial_values`] reads besides.
     ///
     /// # Errors
-    /// [`SolveError::Degenerate`] if the template is singular up to rounding, [`SolveError::Overflow`] if a number is
-    /// not finite.
+    /// [`SolveError::Degenerate`] if the template is singular up to rounding,
+    /// [`SolveError::Overflow`] if a number is not finite.
     fn action_matrix<R: Real>(&mut self) -> Result<Square<Self::Basis, R>, SolveError>;
 
-    /// The values of the monomials that unknowns are read from, from an eigenpair: linear in the vector; those of the
-    /// image are value times vector, and only those depend on the value.
+    /// The values of the monomials from which unknowns are read. They are linear in the vector of
+    /// the eigenpair. The values of the image are value times vector, and only they depend on the
+    /// value.
     fn monomial_values<S: Scalar>(&self, value: S, vector: &BasisVector<Self, S>) -> <Self::Values as Size>::Vector<S>;
 
-    /// Fills in the unknowns that follow from those that were read.
+    /// Computes the unknowns that follow from those that were read.
     fn recover<S: Scalar>(&self, unknowns: &mut Point<Self, S>);
 
-    /// Polishes on the original equations by at most `steps` steps and returns the relative residual.
+    /// Polishes on the original equations by at most `steps` steps and returns the relative
+    /// residual.
     fn polish<S: Scalar>(&self, unknowns: &mut Point<Self, S>, steps: usize) -> f64;
 
-    /// Whether no factor that was stated to be nonzero vanishes.
+    /// Whether no factor vanishes that was stated to be nonzero.
     fn is_admissible<S: Scalar>(&self, unknowns: &Point<Self, S>) -> bool;
 }
 
-/// Where eigenvectors of the action matrix come from: for an eigenvalue that the source lists, the value of the action
-/// monomial and an eigenvector.
+/// A source of eigenvectors of the action matrix. For an eigenvalue that the source lists it
+/// returns the value of the action monomial and an eigenvector.
 pub(crate) trait EigenpairSource<B: Size> {
     /// The eigenpair of a real eigenvalue.
     fn real(&self, value: f64) -> (f64, B::Vector<f64>);

@@ -2,22 +2,34 @@
 
 use std::cell::Cell;
 
-use eliminant::{
-    ActionMethod, Complex, Hessenberg, Real, Scalar, Solutions, SolveError, complex_solutions, real_solutions,
+use eliminant::emitted::{
+    Fixed, Hessenberg, Real, Sizes, SizesOf, SolverInstance, complex_solutions, real_solutions,
     real_solutions_by_polynomial,
 };
+use eliminant::{Scalar, SolveError};
 
-/// Solutions (x, y) with y = 1, 2; basis 1, y, x; action y. Excluded where x = 0.
-struct TwoPoints {
+/// Solutions (x, y) with y = 1, 2; basis 1, y; action y. Solutions with x = 0 are excluded. MAX solutions are known.
+struct TwoPoints<const MAX: usize = B> {
     x: [f64; 2],
-    /// How often the action matrix was asked for.
+    /// How often the action matrix was computed.
     calls: usize,
 }
 
 const B: usize = 2;
 
-impl ActionMethod<B, 2, 3> for TwoPoints {
-    const PAIRS: [&'static [(u16, u16)]; 2] = [&[(0, 2)], &[(0, 1)]];
+impl<const MAX: usize> SolverInstance for TwoPoints<MAX> {
+    type Basis = Fixed<B>;
+    type Unknowns = Fixed<2>;
+    type Values = Fixed<3>;
+    type Solutions = Fixed<MAX>;
+
+    fn sizes(&self) -> SizesOf<Self> {
+        Sizes::FIXED
+    }
+
+    fn ratios(&self, unknown: usize) -> &[(u16, u16)] {
+        [&[(0, 2)], &[(0, 1)]][unknown]
+    }
 
     fn action_matrix<R: Real>(&mut self) -> Result<[[R; B]; B], SolveError> {
         self.calls += 1;
@@ -25,7 +37,7 @@ impl ActionMethod<B, 2, 3> for TwoPoints {
         Ok([[0.0, 1.0], [-2.0, 3.0]].map(|row| row.map(R::from_f64)))
     }
 
-    fn known<S: Scalar>(&self, _value: S, vector: &[S; B]) -> [S; 3] {
+    fn monomial_values<S: Scalar>(&self, _value: S, vector: &[S; B]) -> [S; 3] {
         // x is linear in 1 and y.
         let [first, second] = self.x;
         let x = vector[0].scale(2.0 * first - second) + vector[1].scale(second - first);
@@ -50,34 +62,57 @@ impl ActionMethod<B, 2, 3> for TwoPoints {
 #[test]
 fn noise_of_zero_is_excluded_where_zero_is() {
     for (x, count) in [([1.0, 3.0], 2), ([1.0, 0.0], 1), ([1.0, 1e-20], 1), ([-1e-17, 1e-20], 0), ([1.0, 1e-6], 2)] {
-        let mut points = TwoPoints { x, calls: 0 };
-        let real: Solutions<[f64; 2], B> = real_solutions(&mut points).unwrap();
-        let all: Solutions<[Complex<f64>; 2], B> = complex_solutions(&mut points).unwrap();
+        let mut points = TwoPoints::<B> { x, calls: 0 };
+        let real = real_solutions(&mut points).unwrap();
+        let all = complex_solutions(&mut points).unwrap();
         assert_eq!((real.len(), all.len()), (count, count), "{x:?}: {real:?}");
     }
 }
 
 /// x = 1, .., 16, by the companion matrix of their polynomial: rounding errors leave ten digits of few of its eigenvalues
 /// (Wilkinson 1963). Action x; basis 1, x, .., x^15. The polish improves nothing.
-struct Wilkinson<const PRECISE: bool = false> {
+struct Wilkinson<const MAX: usize = ROOTS> {
+    /// Whether the elimination can be repeated with precise coefficients.
+    is_precise: bool,
     /// Whether `f64` does not suffice for the action matrix.
-    singular: bool,
-    /// How often the action matrix was asked for.
+    is_singular: bool,
+    /// How often the action matrix was computed.
     calls: usize,
-    /// Solutions that are not above this are excluded.
+    /// Smaller solutions are excluded.
     above: f64,
 }
 
 const ROOTS: usize = 16;
 
-impl<const PRECISE: bool> ActionMethod<ROOTS, 1, ROOTS> for Wilkinson<PRECISE> {
-    const PAIRS: [&'static [(u16, u16)]; 1] = [&[(0, 1)]];
-    const HAS_PRECISE_COEFFICIENTS: bool = PRECISE;
+impl<const MAX: usize> Wilkinson<MAX> {
+    /// Regular, with the solutions above that number.
+    fn above(above: f64) -> Self {
+        Self { is_precise: false, is_singular: false, calls: 0, above }
+    }
+}
+
+impl<const MAX: usize> SolverInstance for Wilkinson<MAX> {
+    type Basis = Fixed<ROOTS>;
+    type Unknowns = Fixed<1>;
+    type Values = Fixed<ROOTS>;
+    type Solutions = Fixed<MAX>;
+
+    fn sizes(&self) -> SizesOf<Self> {
+        Sizes::FIXED
+    }
+
+    fn ratios(&self, _unknown: usize) -> &[(u16, u16)] {
+        &[(0, 1)]
+    }
+
+    fn has_precise_coefficients(&self) -> bool {
+        self.is_precise
+    }
 
     fn action_matrix<R: Real>(&mut self) -> Result<[[R; ROOTS]; ROOTS], SolveError> {
         self.calls += 1;
-        if self.singular && R::EPSILON == f64::EPSILON {
-            return Err(SolveError::Degenerate { column: 3 });
+        if self.is_singular && R::EPSILON == f64::EPSILON {
+            return Err(DEGENERATE);
         }
         // (x - 1) .. (x - 16) has integer coefficients below 2^53.
         let mut lower = [0.0; ROOTS];
@@ -97,7 +132,7 @@ impl<const PRECISE: bool> ActionMethod<ROOTS, 1, ROOTS> for Wilkinson<PRECISE> {
         Ok(action)
     }
 
-    fn known<S: Scalar>(&self, _value: S, vector: &[S; ROOTS]) -> [S; ROOTS] {
+    fn monomial_values<S: Scalar>(&self, _value: S, vector: &[S; ROOTS]) -> [S; ROOTS] {
         *vector
     }
 
@@ -113,84 +148,96 @@ impl<const PRECISE: bool> ActionMethod<ROOTS, 1, ROOTS> for Wilkinson<PRECISE> {
     }
 }
 
+/// What the singular examples report.
+const DEGENERATE: SolveError = SolveError::Degenerate { block: 3 };
+
 #[test]
 fn what_rounding_errors_lose_is_found_at_twice_the_precision() {
-    let once = Hessenberg::reduce(
-        &Wilkinson::<false> { singular: false, calls: 0, above: 0.0 }.action_matrix::<f64>().unwrap(),
-    )
-    .unwrap();
+    let action = Wilkinson::<ROOTS>::above(0.0).action_matrix::<f64>().unwrap();
+    let once = Hessenberg::reduce(&action).unwrap();
     let lost = once.eigenvalues().unwrap().iter().filter(|x| (x.re - x.re.round()).abs() > 1e-6).count();
     assert!(lost > 4, "the example is too easy: {lost}");
 
-    let mut problem = Wilkinson::<false> { singular: false, calls: 0, above: 0.0 };
-    let all: Solutions<[Complex<f64>; 1], ROOTS> = complex_solutions(&mut problem).unwrap();
+    let mut problem = Wilkinson::<ROOTS>::above(0.0);
+    let all = complex_solutions(&mut problem).unwrap();
     assert_eq!((all.len(), problem.calls), (ROOTS, 2), "{all:?}");
 
     // Of real ones 2 is found at first, and an odd number of others cannot all be complex.
-    let mut problem = Wilkinson::<false> { singular: false, calls: 0, above: 1.5 };
-    let real: Solutions<[f64; 1], ROOTS> = real_solutions(&mut problem).unwrap();
+    let mut problem = Wilkinson::<ROOTS>::above(1.5);
+    let real = real_solutions(&mut problem).unwrap();
     assert_eq!((real.len(), problem.calls), (ROOTS - 1, 2), "{real:?}");
 }
 
 #[test]
 fn what_is_singular_to_rounding_is_solved_with_precise_coefficients_only() {
-    let degenerate = SolveError::Degenerate { column: 3 };
-    let mut rounded = Wilkinson::<false> { singular: true, calls: 0, above: 0.0 };
-    assert_eq!(complex_solutions::<_, _, _, ROOTS>(&mut rounded), Err(degenerate));
-    assert_eq!(real_solutions::<_, _, _, ROOTS>(&mut rounded), Err(degenerate));
+    let mut rounded = Wilkinson::<ROOTS> { is_singular: true, ..Wilkinson::above(0.0) };
+    assert_eq!(complex_solutions(&mut rounded), Err(DEGENERATE));
+    assert_eq!(real_solutions(&mut rounded), Err(DEGENERATE));
     assert_eq!(rounded.calls, 2);
 
-    let mut precise = Wilkinson::<true> { singular: true, calls: 0, above: 0.0 };
-    let all: Solutions<[Complex<f64>; 1], ROOTS> = complex_solutions(&mut precise).unwrap();
-    let real: Solutions<[f64; 1], ROOTS> = real_solutions(&mut precise).unwrap();
+    let mut precise = Wilkinson::<ROOTS> { is_precise: true, ..rounded };
+    precise.calls = 0;
+    let all = complex_solutions(&mut precise).unwrap();
+    let real = real_solutions(&mut precise).unwrap();
     assert_eq!((all.len(), real.len(), precise.calls), (ROOTS, ROOTS, 4));
 }
 
-/// Where B exceeds the number of solutions all eigenvalues are tried, and what is missing need not be odd: x = 1 is none, and of the other
-/// fifteen fourteen are lost at first.
+/// Where |B| exceeds the number of solutions all eigenvalues are tried, and the number of missing solutions need not be
+/// odd: x = 1 is excluded, and of the other fifteen fourteen are lost at first.
 #[test]
 fn solutions_are_counted_where_some_eigenvalues_belong_to_none() {
-    let mut problem = Wilkinson::<false> { singular: false, calls: 0, above: 1.5 };
-    let real: Solutions<[f64; 1], { ROOTS - 1 }> = real_solutions(&mut problem).unwrap();
+    let mut problem = Wilkinson::<{ ROOTS - 1 }>::above(1.5);
+    let real = real_solutions(&mut problem).unwrap();
     assert_eq!((real.len(), problem.calls), (ROOTS - 1, 2), "{real:?}");
 }
 
 #[test]
 fn what_is_complete_is_not_done_twice() {
-    let mut points = TwoPoints { x: [1.0, 3.0], calls: 0 };
-    let real: Solutions<[f64; 2], B> = real_solutions(&mut points).unwrap();
+    let mut points = TwoPoints::<B> { x: [1.0, 3.0], calls: 0 };
+    let real = real_solutions(&mut points).unwrap();
     assert_eq!((real.len(), points.calls), (B, 1));
-    let all: Solutions<[Complex<f64>; 2], B> = complex_solutions(&mut points).unwrap();
+    let all = complex_solutions(&mut points).unwrap();
     assert_eq!((all.len(), points.calls), (B, 2));
-    // Of fewer solutions than eigenvalues.
-    let mut points = TwoPoints { x: [1.0, 0.0], calls: 0 };
-    let real: Solutions<[f64; 2], 1> = real_solutions(&mut points).unwrap();
+    // There are fewer solutions than eigenvalues.
+    let mut points = TwoPoints::<1> { x: [1.0, 0.0], calls: 0 };
+    let real = real_solutions(&mut points).unwrap();
     assert_eq!((real.len(), points.calls), (1, 1));
 }
 
-/// Solutions x = 2 + i, 2 - i; action x; basis 1, x, x^2, with 1 as a third eigenvalue.
-struct Spurious {
+/// Solutions x = 2 + i, 2 - i; action x; basis 1, x, x^2, with 1 as a third eigenvalue. MAX solutions are known.
+struct Spurious<const MAX: usize> {
     /// At 1, before the polish and after it.
     residual: f64,
     /// How often 1 was polished.
     polished: Cell<usize>,
 }
 
-impl Spurious {
+impl<const MAX: usize> Spurious<MAX> {
     fn new(residual: f64) -> Self {
         Self { residual, polished: Cell::new(0) }
     }
 }
 
-impl ActionMethod<3, 1, 3> for Spurious {
-    const PAIRS: [&'static [(u16, u16)]; 1] = [&[(0, 1)]];
+impl<const MAX: usize> SolverInstance for Spurious<MAX> {
+    type Basis = Fixed<3>;
+    type Unknowns = Fixed<1>;
+    type Values = Fixed<3>;
+    type Solutions = Fixed<MAX>;
+
+    fn sizes(&self) -> SizesOf<Self> {
+        Sizes::FIXED
+    }
+
+    fn ratios(&self, _unknown: usize) -> &[(u16, u16)] {
+        &[(0, 1)]
+    }
 
     fn action_matrix<R: Real>(&mut self) -> Result<[[R; 3]; 3], SolveError> {
         // x^3 = 5 x^2 - 9 x + 5.
         Ok([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [5.0, -9.0, 5.0]].map(|row| row.map(R::from_f64)))
     }
 
-    fn known<S: Scalar>(&self, _value: S, vector: &[S; 3]) -> [S; 3] {
+    fn monomial_values<S: Scalar>(&self, _value: S, vector: &[S; 3]) -> [S; 3] {
         *vector
     }
 
@@ -214,24 +261,24 @@ impl ActionMethod<3, 1, 3> for Spurious {
 
 #[test]
 fn of_too_many_solutions_that_with_the_largest_residual_is_none() {
-    let spurious = &mut Spurious::new(1e-11);
-    let all: Solutions<[Complex<f64>; 1], 2> = complex_solutions(spurious).unwrap();
+    let spurious = &mut Spurious::<2>::new(1e-11);
+    let all = complex_solutions(spurious).unwrap();
     assert!(all.len() == 2 && all.iter().all(|[x]| x.im != 0.0), "{all:?}");
-    let real: Solutions<[f64; 1], 2> = real_solutions(spurious).unwrap();
+    let real = real_solutions(spurious).unwrap();
     assert!(real.is_empty(), "{real:?}");
-    let real: Solutions<[f64; 1], 3> = real_solutions(spurious).unwrap();
+    let real = real_solutions(&mut Spurious::<3>::new(1e-11)).unwrap();
     assert_eq!(real.len(), 1, "{real:?}");
 }
 
 #[test]
 fn what_belongs_to_no_solution_is_not_polished_once_all_are_found() {
-    let polished = |residual, solve: fn(&mut Spurious) -> usize| {
+    let polished = |residual, solve: fn(&mut Spurious<2>) -> usize| {
         let mut spurious = Spurious::new(residual);
         let found = solve(&mut spurious);
         (found, spurious.polished.get() > 0)
     };
-    let complex = |spurious: &mut Spurious| complex_solutions::<3, 1, 3, 2>(spurious).unwrap().len();
-    let real = |spurious: &mut Spurious| real_solutions::<3, 1, 3, 2>(spurious).unwrap().len();
+    let complex = |spurious: &mut Spurious<2>| complex_solutions(spurious).unwrap().len();
+    let real = |spurious: &mut Spurious<2>| real_solutions(spurious).unwrap().len();
     assert_eq!([polished(1e-2, complex), polished(1e-2, real)], [(2, false), (0, false)]);
     assert_eq!([polished(1e-8, complex), polished(1e-8, real)], [(2, true), (0, true)]);
 }
@@ -239,16 +286,30 @@ fn what_belongs_to_no_solution_is_not_polished_once_all_are_found() {
 /// Solutions x = 0, 1 and 2; action x; basis x, x^2. The origin is known to be one.
 struct ThroughOrigin;
 
-impl ActionMethod<B, 1, B> for ThroughOrigin {
-    const PAIRS: [&'static [(u16, u16)]; 1] = [&[(0, 1)]];
-    const HAS_ORIGIN: bool = true;
+impl SolverInstance for ThroughOrigin {
+    type Basis = Fixed<B>;
+    type Unknowns = Fixed<1>;
+    type Values = Fixed<B>;
+    type Solutions = Fixed<3>;
+
+    fn sizes(&self) -> SizesOf<Self> {
+        Sizes::FIXED
+    }
+
+    fn ratios(&self, _unknown: usize) -> &[(u16, u16)] {
+        &[(0, 1)]
+    }
+
+    fn has_origin(&self) -> bool {
+        true
+    }
 
     fn action_matrix<R: Real>(&mut self) -> Result<[[R; B]; B], SolveError> {
         // x^3 = 3 x^2 - 2 x.
         Ok([[0.0, 1.0], [-2.0, 3.0]].map(|row| row.map(R::from_f64)))
     }
 
-    fn known<S: Scalar>(&self, _value: S, vector: &[S; B]) -> [S; B] {
+    fn monomial_values<S: Scalar>(&self, _value: S, vector: &[S; B]) -> [S; B] {
         *vector
     }
 
@@ -270,10 +331,10 @@ fn the_origin_is_returned_without_an_eigenpair() {
         found.sort_by(f64::total_cmp);
         found.len() == 3 && found.iter().zip([0.0, 1.0, 2.0]).all(|(x, root)| (x - root).abs() < 1e-14)
     };
-    let all = complex_solutions::<_, _, _, 3>(&mut ThroughOrigin).unwrap();
+    let all = complex_solutions(&mut ThroughOrigin).unwrap();
     assert!(is_all(&mut all.iter().map(|[x]| x.re)), "{all:?}");
     for solve in [real_solutions, real_solutions_by_polynomial] {
-        let real: Solutions<[f64; 1], 3> = solve(&mut ThroughOrigin).unwrap();
+        let real = solve(&mut ThroughOrigin).unwrap();
         assert!(is_all(&mut real.iter().map(|[x]| *x)), "{real:?}");
     }
 }

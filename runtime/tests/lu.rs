@@ -1,7 +1,7 @@
 //! Elimination against exact answers, backward errors and nalgebra.
 mod support;
 
-use eliminant::{SolveError, solve_block, solve_block_trailing};
+use eliminant::emitted::{BlockError, BlockMemory, solve_block, solve_block_trailing, solve_large_block};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use support::Random;
@@ -76,7 +76,7 @@ fn integer_matrices_with_integer_solutions_agree_with_nalgebra() {
             }
             // The determinant of an integer matrix is an integer: singular means zero.
             Err(error) => {
-                assert!(matches!(error, SolveError::Degenerate { .. }));
+                assert!(matches!(error, BlockError::Singular { .. }));
                 assert!(oracle.determinant().abs() < 0.5, "{oracle}");
             }
         }
@@ -147,7 +147,7 @@ fn reported_rank_losses<const N: usize>(lost: usize, trials: usize) -> usize {
         x[0] = [1.0];
         match solve_block(&mut a, &mut x) {
             Err(error) => {
-                assert!(matches!(error, SolveError::Degenerate { .. }));
+                assert!(matches!(error, BlockError::Singular { .. }));
                 reported += 1;
             }
             // What slips through is rounding noise above the threshold: it shows in the size of X.
@@ -165,8 +165,20 @@ fn rank_loss_is_reported() {
     assert!(reported_rank_losses::<4>(1, 500) > 450);
     assert!(reported_rank_losses::<10>(1, 500) > 450);
     assert!(reported_rank_losses::<25>(1, 500) > 400);
-    assert_eq!(solve_block(&mut [[0.0]], &mut [[1.0]]), Err(SolveError::Degenerate { column: 0 }));
-    assert!(solve_block(&mut [[1.0, 2.0], [3.0, 4.0]], &mut [[1.0]]).is_err(), "too few right-hand rows");
+    assert_eq!(solve_block(&mut [[0.0]], &mut [[1.0]]), Err(BlockError::Singular { column: 0 }));
+}
+
+#[test]
+fn slices_whose_lengths_do_not_belong_together_are_refused() {
+    assert_eq!(solve_block(&mut [[1.0, 2.0], [3.0, 4.0]], &mut [[1.0]]), Err(BlockError::Shape));
+    for (entries, rows, columns) in [(4, 2, 2), (3, 2, 2), (5, 2, 2), (4, 1, 2), (4, 2, 1), (4, 3, 2), (4, 2, 3)] {
+        let (matrix, row_scale, smallest) = (&mut vec![1.0; entries], &mut vec![0.0; rows], &mut vec![0.0; columns]);
+        matrix[0] = 2.0;
+        let right: &mut [[f64; 1]] = &mut [[1.0], [1.0]];
+        let memory = BlockMemory { matrix, row_scale, smallest };
+        let expected = if (entries, rows, columns) == (4, 2, 2) { Ok(()) } else { Err(BlockError::Shape) };
+        assert_eq!(solve_large_block(memory, right, 2), expected, "{entries} entries, {rows} rows, {columns} columns");
+    }
 }
 
 #[test]
@@ -180,8 +192,8 @@ fn nearly_singular_but_regular_is_solved() {
 
 #[test]
 fn empty_blocks() {
-    solve_block::<f64, 0, 3>(&mut [], &mut []).unwrap();
-    solve_block::<f64, 2, 0>(&mut [[0.0, 1.0], [1.0, 0.0]], &mut [[], []]).unwrap();
+    solve_block::<f64, [f64; 3], 0>(&mut [], &mut []).unwrap();
+    solve_block::<f64, [f64; 0], 2>(&mut [[0.0, 1.0], [1.0, 0.0]], &mut [[], []]).unwrap();
 }
 
 /// The same cases every time.
@@ -200,7 +212,7 @@ proptest! {
         let mut random = Random::new(seed);
         let (mut a, mut b): ([[f64; 6]; 6], [[f64; 4]; 6]) = (random.matrix(), random.matrix());
         if entry < 36 { a[entry / 6][entry % 6] = bad } else { b[(entry - 36) / 4][entry % 4] = bad }
-        prop_assert_eq!(solve_block(&mut a, &mut b), Err(SolveError::NonFiniteInput));
+        prop_assert_eq!(solve_block(&mut a, &mut b), Err(BlockError::NonFinite));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Real roots against polynomials whose roots are known exactly.
 mod support;
 
-use eliminant::{Hessenberg, real_roots, real_roots_monic};
+use eliminant::emitted::{Fixed, Hessenberg, real_roots, real_roots_monic};
 use support::Random;
 
 /// Coefficients, lowest first, over the integers.
@@ -209,10 +209,10 @@ fn zero_roots_constants_and_bad_coefficients() {
             assert!(real_roots(&c).is_empty());
             let mut lower = [1.0, -2.0, 3.0, 0.5];
             lower[k % 4] = bad;
-            assert!(real_roots_monic(&lower).is_empty());
+            assert!(real_roots_monic(Fixed::<4>, &lower).is_empty());
         }
     }
-    assert!(real_roots_monic::<0>(&[]).is_empty());
+    assert!(real_roots_monic(Fixed::<0>, &[]).is_empty());
 }
 
 #[test]
@@ -252,7 +252,7 @@ fn monic_and_general_agree() {
         let lower: [f64; 9] = std::array::from_fn(|_| random.symmetric());
         let mut all = [1.0; 10];
         all[..9].copy_from_slice(&lower);
-        assert_eq!(real_roots_monic(&lower).as_slice(), real_roots(&all).as_slice());
+        assert_eq!(real_roots_monic(Fixed::<9>, &lower).as_slice(), real_roots(&all).as_slice());
     }
 }
 
@@ -265,7 +265,7 @@ fn real_eigenvalues_by_the_characteristic_polynomial() {
         let mut by_iteration: Vec<f64> =
             h.eigenvalues().unwrap().iter().filter(|v| v.im == 0.0).map(|v| v.re).collect();
         by_iteration.sort_by(f64::total_cmp);
-        let by_roots = real_roots_monic(&h.characteristic_polynomial());
+        let by_roots = real_roots_monic(Fixed::<10>, &h.characteristic_polynomial());
         let same = by_roots.len() == by_iteration.len()
             && by_roots.iter().zip(&by_iteration).all(|(x, y)| (x - y).abs() < 1e-6);
         different += usize::from(!same);

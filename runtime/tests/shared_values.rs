@@ -1,7 +1,8 @@
 //! Solutions that share a value of the action monomial, on action matrices made from solutions.
 mod support;
 
-use eliminant::{ActionMethod, Complex, Real, Scalar, Solutions, SolveError, complex_solutions, real_solutions};
+use eliminant::emitted::{Fixed, Real, Sizes, SizesOf, SolverInstance, complex_solutions, real_solutions};
+use eliminant::{Complex, Scalar, SolveError};
 use nalgebra::SMatrix;
 use support::{Random, distance_to_next};
 
@@ -14,22 +15,36 @@ const BASIS: [(i32, i32); B] = [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), 
 /// Ten points of the plane.
 struct Points([Point; B]);
 
-/// Points with the values that the action has there. Its polish improves nothing and gives the distance to the next of them: solutions are as
-/// good as the eigenvectors, and found where those are good to 10 digits.
+/// Points with the values that the action has there. The polish improves nothing: it returns the distance to the nearest
+/// point. So solutions are as accurate as the eigenvectors, and are found where those have 10 digits.
 struct Given<'a> {
     points: &'a Points,
     values: &'a [Complex<f64>; B],
 }
 
-impl ActionMethod<B, 2, B> for Given<'_> {
-    const PAIRS: [&'static [(u16, u16)]; 2] =
-        [&[(0, 1), (1, 3), (2, 4), (3, 6), (4, 7), (5, 8)], &[(0, 2), (1, 4), (2, 5), (3, 7), (4, 8), (5, 9)]];
+/// The positions of (m, x m) and of (m, y m) in the basis.
+const RATIOS: [&[(u16, u16)]; 2] =
+    [&[(0, 1), (1, 3), (2, 4), (3, 6), (4, 7), (5, 8)], &[(0, 2), (1, 4), (2, 5), (3, 7), (4, 8), (5, 9)]];
+
+impl SolverInstance for Given<'_> {
+    type Basis = Fixed<B>;
+    type Unknowns = Fixed<2>;
+    type Values = Fixed<B>;
+    type Solutions = Fixed<B>;
+
+    fn sizes(&self) -> SizesOf<Self> {
+        Sizes::FIXED
+    }
+
+    fn ratios(&self, unknown: usize) -> &[(u16, u16)] {
+        RATIOS[unknown]
+    }
 
     fn action_matrix<R: Real>(&mut self) -> Result<[[R; B]; B], SolveError> {
         Ok(action_matrix(&self.points.0, self.values).map(|row| row.map(R::from_f64)))
     }
 
-    fn known<S: Scalar>(&self, _value: S, vector: &[S; B]) -> [S; B] {
+    fn monomial_values<S: Scalar>(&self, _value: S, vector: &[S; B]) -> [S; B] {
         *vector
     }
 
@@ -74,11 +89,12 @@ fn draw(random: &mut Random, pairs: usize) -> Points {
     Points(points)
 }
 
-/// How many of the points with real coordinates `real_solutions` finds, and of all `complex_solutions`; both must find nothing else.
+/// How many points with real coordinates `real_solutions` finds, and how many points `complex_solutions` finds. Both
+/// must find nothing else.
 fn found(points: &Points, values: &[Complex<f64>; B]) -> [usize; 2] {
     let mut given = Given { points, values };
-    let real: Solutions<[f64; 2], B> = real_solutions(&mut given).unwrap();
-    let all: Solutions<Point, B> = complex_solutions(&mut given).unwrap();
+    let real = real_solutions(&mut given).unwrap();
+    let all = complex_solutions(&mut given).unwrap();
     let is = |p: &Point, x: &Point| (0..2).all(|j| (p[j] - x[j]).modulus() < 1e-9);
     [real.iter().map(|x| x.map(Complex::from)).collect::<Vec<_>>(), all.to_vec()].map(|list| {
         let known: Vec<&Point> = points.0.iter().filter(|p| list.iter().any(|x| is(p, x))).collect();

@@ -1,9 +1,8 @@
 //! Solutions that differ by signs only, on an action matrix made from solutions up to sign.
 mod support;
 
-use eliminant::{
-    ActionMethod, Complex, Real, Scalar, Solutions, SolveError, Symmetry, complex_solutions, real_solutions,
-};
+use eliminant::emitted::{Fixed, Real, SignChanges, Sizes, SizesOf, SolverInstance, complex_solutions, real_solutions};
+use eliminant::{Complex, Scalar, SolveError};
 use nalgebra::SMatrix;
 use support::distance_to_next;
 
@@ -13,7 +12,8 @@ const B: usize = 4;
 const MAX: usize = 8;
 type Point = [Complex<f64>; 2];
 
-/// Points of the plane up to the sign of both coordinates; action x^2. Its polish improves nothing and gives the distance to the next of them.
+/// Points of the plane up to the sign of both coordinates; action x^2. The polish improves nothing: it returns the
+/// distance to the nearest point.
 struct UpToSign([Point; B]);
 
 impl UpToSign {
@@ -32,15 +32,29 @@ impl UpToSign {
     }
 }
 
-impl ActionMethod<B, 2, B> for UpToSign {
-    const PAIRS: [&'static [(u16, u16)]; 2] = [&[(0, 1)], &[(0, 2)]];
-    const SYMMETRY: Option<Symmetry<2>> = Some(Symmetry { steps: [[2, 0], [1, 1]], flips: &[[true, true]] });
+impl SolverInstance for UpToSign {
+    type Basis = Fixed<B>;
+    type Unknowns = Fixed<2>;
+    type Values = Fixed<B>;
+    type Solutions = Fixed<MAX>;
+
+    fn sizes(&self) -> SizesOf<Self> {
+        Sizes::FIXED
+    }
+
+    fn ratios(&self, unknown: usize) -> &[(u16, u16)] {
+        [&[(0, 1)], &[(0, 2)]][unknown]
+    }
+
+    fn sign_changes(&self) -> Option<SignChanges<'_>> {
+        Some(SignChanges { steps: &[&[2, 0], &[1, 1]], flips: &[&[true, true]] })
+    }
 
     fn action_matrix<R: Real>(&mut self) -> Result<[[R; B]; B], SolveError> {
         Ok(self.matrix().map(|row| row.map(R::from_f64)))
     }
 
-    fn known<S: Scalar>(&self, _value: S, vector: &[S; B]) -> [S; B] {
+    fn monomial_values<S: Scalar>(&self, _value: S, vector: &[S; B]) -> [S; B] {
         *vector
     }
 
@@ -68,11 +82,11 @@ fn every_sign_of_every_solution_is_found() {
     let mut points = UpToSign([real, imaginary, complex, complex.map(|x| x.conj())]);
     let is = |p: &Point, x: &Point| (0..2).all(|j| (p[j] - x[j]).norm() < 1e-9);
 
-    let found: Solutions<Point, MAX> = complex_solutions(&mut points).unwrap();
+    let found = complex_solutions(&mut points).unwrap();
     assert_eq!(found.len(), MAX);
     assert!(points.all().iter().all(|p| found.iter().any(|x| is(p, x))), "{found:?}");
 
-    let found: Solutions<[f64; 2], MAX> = real_solutions(&mut points).unwrap();
+    let found = real_solutions(&mut points).unwrap();
     let found: Vec<Point> = found.iter().map(|x| x.map(Complex::from)).collect();
     assert_eq!(found.len(), 2);
     assert!([real, real.map(|x| -x)].iter().all(|p| found.iter().any(|x| is(p, x))), "{found:?}");

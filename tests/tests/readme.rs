@@ -5,7 +5,11 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::{env, fs};
 
+use eliminant_generator::algebra::Random;
 use eliminant_tests::cases;
+use eliminant_tests::statistics::{log10, quantile};
+
+eliminant::include_solver!("gps");
 
 const UPDATE: &str = "UPDATE_GOLDEN=1 cargo test --release -p eliminant-tests --test readme";
 
@@ -83,9 +87,9 @@ fn generated_parts_are_up_to_date() {
     panic!("README.md is out of date. Now:\n{}\nAccept with\n    {UPDATE}", changed.collect::<Vec<_>>().join("\n"));
 }
 
-/// The problem shown in README.md is one that the language takes, and has as many solutions as it says.
+/// The example solves the problem that README.md shows.
 #[test]
-fn the_problem_shown_is_good() {
+fn the_example_is_the_problem_shown() {
     let text = fs::read_to_string(root().join("README.md")).expect("README.md");
     let (_, rest) = text.split_once("```rust problem\n").expect("a fenced problem");
     let (problem, _) = rest.split_once("```").expect("its end");
@@ -94,6 +98,41 @@ fn the_problem_shown_is_good() {
         text.lines().filter(|line| !line.trim_start().starts_with("//")).map(str::to_owned).collect::<Vec<_>>()
     };
     assert_eq!(code(problem), code(&committed), "README.md shows another problem than the example solves");
+}
+
+/// Receivers on a sphere of radius 1, satellites on one of radius 4, clocks off by up to 1: the position and the offset are
+/// found. The solver is emitted by the build script from the text of README.md.
+#[test]
+fn the_problem_shown_is_solved() {
+    const RECEIVERS: usize = 10_000;
+    let (mut errors, mut both) = (Vec::new(), 0);
+    for k in 0..RECEIVERS as u64 {
+        let mut random = Random::new(70_000_000 + k);
+        let mut on_sphere = |radius: f64| {
+            let point: [f64; 3] = std::array::from_fn(|_| random.symmetric_unit());
+            point.map(|x| x * radius / length(point))
+        };
+        let receiver = on_sphere(1.0);
+        let satellites: [[f64; 3]; 4] = std::array::from_fn(|_| on_sphere(4.0));
+        let offset = random.symmetric_unit();
+        let pseudoranges =
+            satellites.map(|satellite| length(std::array::from_fn(|i| satellite[i] - receiver[i])) + offset);
+        let solutions = gps::solve(&satellites, &pseudoranges).expect("four satellites in general position");
+        both += usize::from(solutions.len() == 2);
+        let error = |s: &[f64; 4]| {
+            length([s[0] - receiver[0], s[1] - receiver[1], s[2] - receiver[2]]).max((s[3] - offset).abs())
+        };
+        errors.push(solutions.iter().map(|s| error(&[s.x, s.y, s.z, s.offset])).fold(f64::INFINITY, f64::min));
+    }
+    let found = errors.iter().filter(|&&error| error <= 1e-9).count();
+    let quantiles = [0.5, 0.99, 0.999, 1.0].map(|q| log10(quantile(&mut errors, q)));
+    println!("{found} of {RECEIVERS} receivers found, two solutions on {both}, log10 error {quantiles:.1?}");
+    assert!(both == RECEIVERS, "two solutions on {both} only");
+    assert!(found * 1000 >= RECEIVERS * 999 && quantiles[0] <= -14.0, "{found} found, log10 error {quantiles:.1?}");
+}
+
+fn length(x: [f64; 3]) -> f64 {
+    x.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
 /// The catalogue has every problem with its template as it is now; its measurements are only as old as the template.

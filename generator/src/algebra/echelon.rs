@@ -1,9 +1,16 @@
 //! Row echelon form over Z_p, for sparse and dense rows alike.
 //!
-//! A row is reduced in a dense accumulator of 64-bit integers kept in `0..p^2`: subtracting `c v` with `c, v < p` and adding p^2 back
-//! where the result is negative needs no division, so an entry is reduced modulo p once per row and not once per step (the delayed reduction
-//! of F4 implementations; Monagan & Pearce, "A compact parallel implementation of F4", PASCO 2015). Finished
-//! rows are stored sparse, or dense from their pivot on where they have filled in.
+//! A row is reduced in a dense accumulator of 64-bit integers, with the delayed reduction of F4
+//! implementations (Monagan & Pearce, "A compact parallel implementation of F4", PASCO 2015).
+//! Entries are kept in `0..p^2`, which is below 2^62:
+//!
+//! ```text
+//!   entry - c v            c, v < p, so c v < p^2: the result is above -p^2, and fits 64 bits
+//!   + p^2 if negative      no division: p^2 is 0 modulo p, and the entry is in 0..p^2 again
+//! ```
+//!
+//! So an entry is divided by p once per row, and not once for each row that is subtracted. Finished
+//! rows are stored sparse, or dense from their pivot on if they have filled in.
 
 use super::PrimeField;
 
@@ -16,15 +23,17 @@ use super::PrimeField;
 ///  pivot at 4      [         1 * * ]
 /// ```
 ///
-/// Every row has leading entry 1 and no two rows lead in the same column. After [`Echelon::back_reduce`] a pivot column is zero
-/// outside its own row: the reduced row echelon form, which depends on the row space only.
+/// Every row has leading entry 1, and no two rows lead in the same column. After
+/// [`Echelon::back_reduce`] a pivot column is zero outside its own row: the reduced row echelon
+/// form, which depends on the row space only.
 #[derive(Clone, Debug)]
 pub struct Echelon {
     field: PrimeField,
     /// The pivot row that leads in a column, an index into `rows`, or [`NO_ROW`].
     row_of_column: Vec<u32>,
     rows: Vec<PivotRow>,
-    /// The row in hand: one entry in `0..p^2` per column. All zero between calls.
+    /// The row that is being reduced: one entry in `0..p^2` per column. All entries are zero
+    /// between calls.
     accumulator: Vec<i64>,
 }
 
@@ -63,11 +72,12 @@ impl PivotRow {
         }
     }
 
-    /// accumulator -= factor * row, entries staying in `0..square` where `square` is p^2.
+    /// accumulator -= factor * row. Entries stay in `0..square`, where `square` is p^2.
     #[inline]
     fn subtract_from(&self, accumulator: &mut [i64], factor: u32, square: i64) {
         let factor = u64::from(factor);
         let update = |entry: &mut i64, value: u32| {
+            // The shifted sign is all ones for a negative difference and 0 otherwise: no branch.
             let difference = *entry - (factor * u64::from(value)) as i64;
             *entry = difference + ((difference >> 63) & square);
         };
@@ -89,9 +99,9 @@ impl PivotRow {
 /// How far a row is reduced before it is stored.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Reduction {
-    /// Until its leading entry is in no pivot column.
+    /// A row is reduced until its leading entry is in no pivot column.
     Head,
-    /// Until none of its entries is in a pivot column.
+    /// A row is reduced until none of its entries is in a pivot column.
     Full,
 }
 
@@ -126,8 +136,9 @@ impl Echelon {
         (0..self.columns()).filter(|&column| self.is_pivot(column)).collect()
     }
 
-    /// Reduces a row, given by distinct columns in any order with values in `0..p`, against the rows present. If it is independent of them
-    /// it becomes a row, and the column in which it leads is returned.
+    /// Reduces a row by the rows present. It is given by distinct columns in any order, with values
+    /// in `0..p`. If it is independent of them it becomes a row, and the column in which it leads
+    /// is returned.
     pub fn insert_sparse(&mut self, row: &[(u32, u32)]) -> Option<usize> {
         self.load_sparse(row);
         self.insert_accumulator(Reduction::Head)
@@ -139,13 +150,15 @@ impl Echelon {
         self.insert_accumulator(Reduction::Head)
     }
 
-    /// As [`Echelon::insert_sparse`], but the row stored has no entry in the other rows' pivot columns.
+    /// As [`Echelon::insert_sparse`], but the stored row has no entry in the pivot columns of the
+    /// others.
     pub fn insert_sparse_reduced(&mut self, row: &[(u32, u32)]) -> Option<usize> {
         self.load_sparse(row);
         self.insert_accumulator(Reduction::Full)
     }
 
-    /// Adds a row as it stands: increasing columns with nonzero values, the first of them 1 and in no pivot column.
+    /// Adds a row without reducing it. Its columns increase, its values are not zero, and the first
+    /// is 1 and in no pivot column.
     #[cfg(feature = "search")]
     pub(super) fn push_pivot(&mut self, columns: Vec<u32>, values: Vec<u32>) {
         debug_assert!(columns.windows(2).all(|pair| pair[0] < pair[1]) && values.first() == Some(&1));
@@ -156,7 +169,8 @@ impl Echelon {
         }
     }
 
-    /// Replaces a row of [`Echelon::columns`] values by its remainder modulo the row space, which is zero in all pivot columns.
+    /// Replaces a row of [`Echelon::columns`] values by its remainder modulo the row space, which
+    /// is zero in all pivot columns.
     pub fn reduce_dense(&mut self, row: &mut [u32]) {
         self.load_dense(row);
         self.reduce_accumulator(Reduction::Full);
@@ -181,6 +195,7 @@ impl Echelon {
         let mut touched = false;
         self.rows[row as usize].for_each(|at, _| touched |= at != column && self.row_of_column[at] != NO_ROW);
         if touched {
+            // The row is taken out of the echelon meanwhile, or it would be subtracted from itself.
             let accumulator = &mut self.accumulator;
             self.rows[row as usize].for_each(|at, value| accumulator[at] = i64::from(value));
             self.row_of_column[column] = NO_ROW;
@@ -190,8 +205,8 @@ impl Echelon {
         }
     }
 
-    /// The entries of the row that leads in `column`: increasing columns and nonzero values, the first of which is 1.
-    /// Empty where no row leads there.
+    /// The entries of the row that leads in `column`: increasing columns and nonzero values, the
+    /// first of which is 1. The list is empty if no row leads there.
     pub fn row(&self, column: usize) -> Vec<(u32, u32)> {
         let mut entries = Vec::new();
         if let Some(row) = self.rows.get(self.row_of_column[column] as usize) {
@@ -222,8 +237,8 @@ impl Echelon {
         Some(column)
     }
 
-    /// Subtracts pivot rows from the accumulator, left to right. Returns the column in which the remainder leads; to the left of it, and
-    /// everywhere after a full reduction, entries are below p.
+    /// Subtracts pivot rows from the accumulator, from left to right. Returns the column in which
+    /// the remainder leads. Entries to the left of it, and all after a full reduction, are below p.
     fn reduce_accumulator(&mut self, reduction: Reduction) -> Option<usize> {
         let square = i64::from(self.field.modulus()).pow(2);
         let mut leading = None;
@@ -237,6 +252,8 @@ impl Echelon {
                 continue;
             }
             if let Some(row) = self.rows.get(self.row_of_column[column] as usize) {
+                // The pivot row has 1 in this column and zeros before it: columns to the left stay
+                // final.
                 row.subtract_from(&mut self.accumulator, value, square);
                 debug_assert_eq!(self.accumulator[column], 0);
             } else if leading.is_none() {
@@ -249,7 +266,8 @@ impl Echelon {
         leading
     }
 
-    /// Moves the accumulator, nonzero first in column `first`, into a row with leading entry 1, and leaves it all zero.
+    /// Moves the accumulator, whose first entry that is not zero is in column `first`, into a row
+    /// with leading entry 1, and leaves it all zero.
     fn take_accumulator(&mut self, first: usize) -> PivotRow {
         let field = self.field;
         let scale = field.inverse(field.reduce(self.accumulator[first] as u64)).unwrap_or(1);

@@ -1,15 +1,16 @@
 //! Eigenvalues and eigenvectors of a matrix over Z_p, all at once and without leaving the field.
 //!
-//! Eigenvalues lie in extensions of Z_p. None is computed: they stay the roots of a polynomial, and an
-//! eigenvector is a vector of polynomials v(t) that is an eigenvector at each root t.
+//! Eigenvalues lie in extensions of Z_p. None is computed: they stay the roots of a polynomial, and
+//! an eigenvector is a vector of polynomials v(t) that is an eigenvector at each root t.
 
 use super::hessenberg::CyclicBlocks;
 use super::{DenseMatrix, PrimeField, Random, Univariate};
 
 /// The eigenvectors of a matrix T that have one eigenvalue each, as polynomials in the eigenvalue.
 ///
-/// Let w be a random vector and m(t) = t^d + .. + m_1 t + m_0 the polynomial of least degree with m(T) w = 0.
-/// With probability about 1 - n / p it is the minimal polynomial of T, and its roots are all eigenvalues. Then
+/// Let w be a random vector and m(t) = t^d + .. + m_1 t + m_0 the polynomial of least degree with
+/// m(T) w = 0. With probability about 1 - n / p it is the minimal polynomial of T, and its roots
+/// are all eigenvalues. Then
 ///
 /// ```text
 ///   v(t) = sum over i of t^i sum over j of m_(i+j+1) T^j w
@@ -17,8 +18,9 @@ use super::{DenseMatrix, PrimeField, Random, Univariate};
 ///   (t - T) v(t) = m(t) w - m(T) w = m(t) w
 /// ```
 ///
-/// so that v(t) is an eigenvector at each root t of m. It is not 0 there: a polynomial in T of a degree below d
-/// would annihilate w. Where an eigenvalue has one eigenvector up to a factor, this is it.
+/// so that v(t) is an eigenvector at each root t of m. It is not 0 there: a polynomial in T of a
+/// degree below d would annihilate w. Where an eigenvalue has one eigenvector up to a factor, this
+/// is it.
 #[derive(Clone, Debug)]
 pub struct Eigenpair {
     field: PrimeField,
@@ -51,8 +53,8 @@ impl Eigenpair {
         &self.minimal
     }
 
-    /// Further polynomials, such that no eigenvalue has more independent eigenvectors than 1 plus the number of
-    /// these of which it is a root.
+    /// Further polynomials, such that no eigenvalue has more independent eigenvectors than 1 plus
+    /// the number of these of which it is a root.
     pub fn others(&self) -> &[Univariate] {
         &self.others
     }

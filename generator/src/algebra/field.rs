@@ -1,7 +1,7 @@
 //! The prime field Z_p, p below 2^31.
 //!
-//! Elements are `u32` in `0..p`; a product of two fits a `u64` with two bits to spare, which is what lets the row
-//! echelon code delay its reductions.
+//! Elements are `u32` in `0..p`. A product of two fits a `u64` with two bits to spare, so that sums
+//! of products can be reduced modulo p late (see [`super::Echelon`]).
 
 /// Primes just below 2^31, largest first. Searches use the first, checks the others.
 pub const PRIMES: [u32; 6] = [2147483647, 2147483629, 2147483587, 2147483579, 2147483563, 2147483549];
@@ -15,7 +15,8 @@ pub struct PrimeField {
 }
 
 impl PrimeField {
-    /// The field with `prime` elements. `prime` must be a prime below 2^31, such as one of [`PRIMES`].
+    /// The field with `prime` elements. `prime` must be a prime below 2^31, such as one of
+    /// [`PRIMES`].
     pub const fn new(prime: u32) -> Self {
         assert!(prime > 2 && prime < 1 << 31);
         Self { modulus: prime, reciprocal: u64::MAX / prime as u64 }
@@ -67,7 +68,8 @@ impl PrimeField {
 
     /// a += factor b, entry by entry.
     ///
-    /// The quotient by p is estimated with one precomputed value for the factor (Shoup), in 32-bit steps that a compiler can vectorise.
+    /// The quotient of factor * b by p is estimated by floor(factor 2^32 / p) b / 2^32 (Shoup): one
+    /// precomputed value for all entries, and 32-bit steps that a compiler can vectorise.
     pub fn add_multiple(self, a: &mut [u32], factor: u32, b: &[u32]) {
         let p = self.modulus;
         let ratio = ((u64::from(factor) << 32) / u64::from(p)) as u32;

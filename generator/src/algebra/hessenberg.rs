@@ -11,8 +11,8 @@ use super::{DenseMatrix, Random, Univariate};
 ///                                          [ 0  0  +  * ]
 /// ```
 ///
-/// H_1 is T on the space of w, T w, T^2 w, .. for a random vector w, which is the first column of S. The others
-/// are T on such spaces of the quotients.
+/// H_1 is T on the space of w, T w, T^2 w, .. for a random vector w, which is the first column of
+/// S. The others are T on such spaces of the quotients.
 #[derive(Clone, Debug)]
 pub(super) struct CyclicBlocks {
     /// w.
@@ -51,8 +51,9 @@ impl CyclicBlocks {
     }
 }
 
-/// S^-1 h S for S = I + f e^T, where e is the unit vector `at` and f holds the factors, 0 up to this position:
-/// multiples of row `at` are subtracted from the rows below, and those columns added to column `at`.
+/// S^-1 h S for S = I + f e^T, where e is the unit vector `at` and f holds the factors, 0 up to
+/// this position: multiples of row `at` are subtracted from the rows below, and those columns added
+/// to column `at`.
 fn conjugate(h: &mut DenseMatrix, at: usize, factors: &[u32]) {
     let (field, size) = (h.field(), h.rows());
     let pivot = h.row(at).to_vec();
@@ -68,7 +69,8 @@ fn conjugate(h: &mut DenseMatrix, at: usize, factors: &[u32]) {
     }
 }
 
-/// Makes the entries of a column below the one just below the diagonal 0; returns whether that one is not.
+/// Makes the entries of a column below the one just below the diagonal 0; returns whether that one
+/// is not.
 fn clear_below_subdiagonal(h: &mut DenseMatrix, column: usize) -> bool {
     let (field, size) = (h.field(), h.rows());
     let below = column + 1;
@@ -87,7 +89,8 @@ fn clear_below_subdiagonal(h: &mut DenseMatrix, column: usize) -> bool {
     true
 }
 
-/// det(t I - H) for the diagonal block `first..end` of a Hessenberg matrix, by expansion along its last column:
+/// det(t I - H) for the diagonal block `first..end` of a Hessenberg matrix, by expansion along its
+/// last column:
 ///
 /// p_(k+1) = (t - h_kk) p_k - sum over i < k of h_ik h_(i+1,i) .. h_(k,k-1) p_i
 fn characteristic_polynomial(h: &DenseMatrix, first: usize, end: usize) -> Univariate {

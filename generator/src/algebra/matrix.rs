@@ -32,7 +32,8 @@ impl DenseMatrix {
         matrix
     }
 
-    /// From rows of `columns` values each; shorter rows are filled up with zeros, longer ones cut.
+    /// The matrix with these rows of `columns` values each. Shorter rows are filled up with zeros,
+    /// longer ones cut.
     pub fn from_rows<R: AsRef<[u32]>>(field: PrimeField, columns: usize, rows: &[R]) -> Self {
         let mut matrix = Self::zeros(field, rows.len(), columns);
         for (i, row) in rows.iter().enumerate() {
@@ -75,7 +76,7 @@ impl DenseMatrix {
         self.row(row)[column]
     }
 
-    /// The matrix product; `None` where the shapes do not fit.
+    /// The matrix product; `None` if the shapes do not fit.
     pub fn times(&self, other: &Self) -> Option<Self> {
         if self.columns != other.rows {
             return None;
@@ -87,11 +88,12 @@ impl DenseMatrix {
         Some(product)
     }
 
-    /// The product of a row vector with as many values as the matrix has rows, from the left, with the matrix.
+    /// The product of a row vector with as many values as the matrix has rows, from the left, with
+    /// the matrix.
     pub fn row_vector_times(&self, vector: &[u32]) -> Vec<u32> {
         debug_assert_eq!(vector.len(), self.rows);
         let square = u64::from(self.field.modulus()).pow(2);
-        // Sums stay below p^2 < 2^62; one reduction modulo p at the end.
+        // Sums stay below p^2 < 2^62: one reduction modulo p for each entry, at the end.
         let mut sums = vec![0u64; self.columns];
         for (k, &factor) in vector.iter().enumerate().filter(|&(_, &factor)| factor != 0) {
             for (sum, &value) in sums.iter_mut().zip(self.row(k)) {
@@ -132,10 +134,12 @@ impl DenseMatrix {
         Some(inverse)
     }
 
-    /// Brings the matrix to reduced row echelon form: leading entries 1, pivot columns zero elsewhere, rows by increasing pivot
-    /// column, zero rows removed. Returns the pivot columns; the matrix keeps as many rows.
+    /// Brings the matrix to reduced row echelon form: leading entries are 1, pivot columns zero
+    /// elsewhere, rows sorted by pivot column and zero rows removed. Returns the pivot columns, one
+    /// for each row that is left.
     pub fn reduce_to_echelon(&mut self) -> Vec<usize> {
-        // The result does not depend on the order of the rows; short rows make cheap pivots.
+        // The result does not depend on the order of the rows. Short rows first: they make cheap
+        // pivots.
         let mut order: Vec<(usize, usize)> =
             (0..self.rows).map(|i| (self.row(i).iter().filter(|&&value| value != 0).count(), i)).collect();
         order.sort_unstable();

@@ -1,5 +1,5 @@
-//! Algebra over Z_p: the prime field, monomials, polynomials, row echelon form, eigenpairs; Gröbner bases and
-//! quotient rings with the feature `search`.
+//! Algebra over Z_p: the prime field, monomials, polynomials, row echelon form, eigenpairs; Gröbner
+//! bases and quotient rings with the feature `search`.
 
 mod echelon;
 mod eigenpair;

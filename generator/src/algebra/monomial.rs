@@ -7,9 +7,11 @@ use std::hash::{BuildHasherDefault, Hash, Hasher};
 /// The largest number of unknowns of a problem.
 pub const MAX_UNKNOWNS: usize = 16;
 
-/// x_0^e_0 ... x_15^e_15. Exponents may be negative (Laurent monomials); the algebra of ideals uses non-negative ones.
+/// x_0^e_0 ... x_15^e_15. Exponents may be negative (Laurent monomials); the algebra of ideals uses
+/// non-negative ones.
 ///
-/// `Ord` is the graded reverse lexicographic order with x_0 > x_1 > ...: it is the canonical order of terms everywhere.
+/// `Ord` is the graded reverse lexicographic order with x_0 > x_1 > ...: it is the canonical order
+/// of terms everywhere.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Monomial {
     exponents: [i8; MAX_UNKNOWNS],
@@ -18,9 +20,9 @@ pub struct Monomial {
 /// The sign bit of each byte.
 const SIGNS: u128 = 0x8080_8080_8080_8080_8080_8080_8080_8080;
 
-/// A set of monomials that is asked often.
+/// A set of monomials that is looked up often.
 pub type MonomialSet = HashSet<Monomial, BuildHasherDefault<MonomialHasher>>;
-/// What belongs to monomials and is asked for often.
+/// Values of monomials that are looked up often.
 pub type MonomialMap<V> = HashMap<Monomial, V, BuildHasherDefault<MonomialHasher>>;
 
 impl Hash for Monomial {
@@ -30,14 +32,15 @@ impl Hash for Monomial {
     }
 }
 
-/// Mixes all exponents by one multiplication: most of the time to grow sets of shifts goes into looking up monomials.
+/// Mixes all exponents by one multiplication: sets of shifts grow mostly by looking up monomials.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct MonomialHasher(u64);
 
 impl Hasher for MonomialHasher {
     #[inline]
     fn write_u128(&mut self, exponents: u128) {
-        // The fractional digits of pi, odd: exponents are small numbers, and often half of them zero.
+        // Odd numbers from the digits of pi. Exponents are small and half of them may be 0: without
+        // the constants the product would be 0.
         const MIX: [u64; 2] = [0x243f_6a88_85a3_08d3, 0x1319_8a2e_0370_7345];
         let (low, high) = (exponents as u64 ^ self.0 ^ MIX[0], (exponents >> 64) as u64 ^ MIX[1]);
         let product = u128::from(low) * u128::from(high);
@@ -88,7 +91,7 @@ impl Monomial {
     /// Sum of the exponents.
     #[inline]
     pub fn degree(&self) -> i32 {
-        // A plain loop: build scripts run unoptimised, and there this is called more often than anything else.
+        // A plain loop: an unoptimised build script calls this more often than anything else.
         let mut degree = 0;
         for exponent in self.exponents {
             degree += i32::from(exponent);
@@ -101,7 +104,7 @@ impl Monomial {
         self.exponents.iter().zip(weights).map(|(&e, &w)| i32::from(e) * w).sum()
     }
 
-    /// The product, or `None` where an exponent leaves the range of `i8`.
+    /// The product, or `None` if an exponent leaves the range of `i8`.
     pub fn checked_mul(&self, other: &Self) -> Option<Self> {
         let mut exponents = [0; MAX_UNKNOWNS];
         for i in 0..MAX_UNKNOWNS {
@@ -127,7 +130,7 @@ impl Monomial {
         Self::unpacked(((a | SIGNS) - (b & !SIGNS)) ^ ((a ^ !b) & SIGNS))
     }
 
-    /// What [`Ord`] compares, for sorting many.
+    /// A key that sorts as [`Ord`] does, for sorting many monomials.
     pub fn rank(&self) -> (i32, u128) {
         (self.degree(), !(self.packed() ^ SIGNS))
     }

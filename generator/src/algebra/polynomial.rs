@@ -4,8 +4,8 @@ use super::Monomial;
 
 /// A sparse polynomial with coefficients `C`.
 ///
-/// Terms are sorted by decreasing [`Monomial`] (graded reverse lexicographic) and no monomial occurs twice; whoever builds
-/// one drops zero coefficients.
+/// Terms are sorted by decreasing [`Monomial`], in graded reverse lexicographic order, and no
+/// monomial occurs twice. Code that makes a polynomial drops zero coefficients.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Polynomial<C> {
     terms: Vec<(Monomial, C)>,
@@ -15,7 +15,8 @@ impl<C> Polynomial<C> {
     /// The polynomial 0.
     pub const ZERO: Self = Self { terms: Vec::new() };
 
-    /// From terms in any order. Monomials must be distinct and coefficients nonzero.
+    /// The polynomial with these terms, in any order. Monomials must be distinct and coefficients
+    /// not zero.
     pub fn from_terms(mut terms: Vec<(Monomial, C)>) -> Self {
         terms.sort_by_key(|&(monomial, _)| std::cmp::Reverse(monomial));
         debug_assert!(terms.windows(2).all(|pair| pair[0].0 != pair[1].0));

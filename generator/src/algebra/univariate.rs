@@ -14,7 +14,8 @@ impl Univariate {
     /// The polynomial 0.
     pub const ZERO: Self = Self { coefficients: Vec::new() };
 
-    /// The polynomial with these coefficients, the constant one first. Zeros at the end are dropped.
+    /// The polynomial with these coefficients, the constant one first. Zeros at the end are
+    /// dropped.
     pub fn new(mut coefficients: Vec<u32>) -> Self {
         while coefficients.last() == Some(&0) {
             coefficients.pop();
@@ -131,8 +132,8 @@ impl Univariate {
 
     /// 1 / self modulo a polynomial; `None` if the two have a common factor.
     pub fn inverse_modulo(&self, field: PrimeField, modulus: &Self) -> Option<Self> {
-        // Extended Euclid on (modulus, self). Each remainder is a multiple of self modulo the modulus; only
-        // the factors by which self is multiplied are kept.
+        // Extended Euclid on (modulus, self). Each remainder is a multiple of self modulo the
+        // modulus; only the factors by which self is multiplied are kept.
         let (mut a, mut b) = (modulus.clone(), self.modulo(field, modulus));
         let (mut of_a, mut of_b) = (Self::ZERO, Self::constant(1));
         while !b.is_zero() {
@@ -157,8 +158,8 @@ impl Univariate {
 
     /// The product of the different irreducible factors, each once, for a degree below p.
     ///
-    /// With f = product of f_i^e_i the derivative f' holds each f_i just e_i - 1 times, because e_i is not
-    /// divisible by p. So f / gcd(f, f') holds each once.
+    /// With f = product of f_i^e_i the derivative f' holds each f_i just e_i - 1 times, because e_i
+    /// is not divisible by p. So f / gcd(f, f') holds each once.
     #[must_use]
     pub fn squarefree_part(&self, field: PrimeField) -> Self {
         let repeated = self.gcd(field, &self.derivative(field));

@@ -25,7 +25,7 @@ pub(super) struct Arguments {
 }
 
 #[derive(Serialize)]
-struct Report {
+struct ProblemReport {
     problem: String,
     unknowns: usize,
     unknown_names: Vec<String>,
@@ -37,19 +37,19 @@ struct Report {
     /// Number of scalars in all data.
     data: usize,
     solutions: usize,
-    /// How many of them are different.
+    /// Number of different solutions.
     different: usize,
-    /// Unknowns that change their signs together from a solution to another.
+    /// Groups of unknowns: changing the signs of a group turns a solution into another.
     sign_changes: Vec<Vec<String>>,
-    /// Whether all equations vanish where all unknowns are 0 and no factor excludes it.
+    /// Whether all unknowns 0 is a solution that no factor excludes.
     origin: bool,
-    presolve: Vec<Form>,
+    presolve: Vec<PresolvedForm>,
     seconds: f64,
 }
 
-/// What is left after one way to presolve.
+/// What one way to presolve leaves.
 #[derive(Serialize)]
-struct Form {
+struct PresolvedForm {
     kind: &'static str,
     eliminated: Vec<String>,
     kept: Vec<String>,
@@ -61,9 +61,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     let problem = read_problem(&arguments.file)?;
     let progress = spinner();
     progress.set_message("counting solutions");
-    let algebra = check(&problem)?;
+    let count = check(&problem)?;
     progress.finish_and_clear();
-    Ok(Output::of(&Report {
+    Ok(Output::of(&ProblemReport {
         problem: problem.name.clone(),
         unknowns: problem.unknowns.len(),
         unknown_names: problem.unknowns.clone(),
@@ -71,8 +71,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         degrees: degrees(&problem),
         nonzero: problem.nonzero.len(),
         data: problem.input_count(),
-        solutions: algebra.solutions,
-        different: algebra.different,
+        solutions: count.solutions,
+        different: count.different,
         sign_changes: sign_changes(&problem),
         origin: problem.has_origin(),
         presolve: forms(&problem),
@@ -90,18 +90,18 @@ fn sign_changes(problem: &Problem) -> Vec<Vec<String>> {
 }
 
 /// The ways to presolve that eliminate an unknown or lower a degree.
-fn forms(problem: &Problem) -> Vec<Form> {
-    let mut forms: Vec<Form> = Vec::new();
+fn forms(problem: &Problem) -> Vec<PresolvedForm> {
+    let mut forms: Vec<PresolvedForm> = Vec::new();
     for how in [Presolve::Constant, Presolve::Linear, Presolve::Combined, Presolve::CombinedLinear] {
         let reduced = presolve(problem, how);
         let names = |indices: &[usize]| indices.iter().map(|&at| problem.unknowns[at].clone()).collect::<Vec<_>>();
-        let form = Form {
+        let form = PresolvedForm {
             kind: how.name(),
             eliminated: names(&reduced.recoveries.iter().map(|recovery| recovery.unknown).collect::<Vec<_>>()),
             kept: names(&reduced.kept),
             degrees: degrees(&reduced.problem),
         };
-        let is_known = |known: &Form| known.kept == form.kept && known.degrees == form.degrees;
+        let is_known = |known: &PresolvedForm| known.kept == form.kept && known.degrees == form.degrees;
         let changes = !form.eliminated.is_empty() || form.degrees != degrees(problem);
         if changes && !forms.iter().any(is_known) {
             forms.push(form);
@@ -110,7 +110,7 @@ fn forms(problem: &Problem) -> Vec<Form> {
     forms
 }
 
-impl fmt::Display for Report {
+impl fmt::Display for ProblemReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let list = |degrees: &[i32]| degrees.iter().map(i32::to_string).collect::<Vec<_>>().join(", ");
         writeln!(f, "problem    {}", self.problem)?;
@@ -123,7 +123,7 @@ impl fmt::Display for Report {
         if self.presolve.is_empty() {
             writeln!(f, "presolve   no unknown can be eliminated beforehand")?;
         }
-        for Form { kind, eliminated, kept, degrees } in &self.presolve {
+        for PresolvedForm { kind, eliminated, kept, degrees } in &self.presolve {
             write!(f, "presolve   {kind}: ")?;
             if !eliminated.is_empty() {
                 write!(f, "eliminates {}; ", eliminated.join(", "))?;
@@ -136,10 +136,7 @@ impl fmt::Display for Report {
         }
         if self.origin {
             let name = self.unknown_names.first().map_or("x", String::as_str);
-            writeln!(
-                f,
-                "origin     all unknowns 0 is a solution and counted; where it is not wanted, add `{name} != 0;`"
-            )?;
+            writeln!(f, "origin     all unknowns 0 is a solution, and is counted. Exclude it with `{name} != 0;`")?;
         }
         for unknowns in &self.sign_changes {
             writeln!(f, "symmetry   changing the sign of {} gives another solution", unknowns.join(", "))?;

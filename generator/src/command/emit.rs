@@ -29,10 +29,10 @@ pub(super) struct Arguments {
 }
 
 #[derive(Serialize)]
-struct Report {
+struct EmitReport {
     #[serde(flatten)]
     summary: Summary,
-    /// The source, where it does not go to a file.
+    /// The source, if it is not written to a file.
     #[serde(skip_serializing_if = "Option::is_none")]
     source: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -48,7 +48,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     if let Some(out) = &arguments.out {
         write(out, &source)?;
     }
-    Ok(Output::of(&Report {
+    Ok(Output::of(&EmitReport {
         summary: Summary::new(&loaded.problem, &loaded.file.template, &loaded.planned.plan),
         source: arguments.out.is_none().then_some(source),
         file: arguments.out.as_ref().map(|out| out.display().to_string()),
@@ -56,7 +56,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     }))
 }
 
-impl fmt::Display for Report {
+impl fmt::Display for EmitReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (&self.source, &self.file) {
             (Some(source), _) => write!(f, "{source}"),

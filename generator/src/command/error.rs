@@ -1,4 +1,4 @@
-//! What stops the command, each with the file at fault and the way out.
+//! Why the command stops. Each message names the file at fault and a way out.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -8,28 +8,28 @@ use crate::problem::diagnostic::Diagnostics;
 use crate::problem::{Problem, Statement};
 use crate::search::{MOST_COLUMNS, SearchError};
 
-/// Why the command failed. All of these are the fault of the problem, the template or a file.
+/// Why the command failed. In all cases the problem, the template or a file is at fault.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum CommandError {
-    /// Missing, a folder, not readable.
+    /// A file is missing, a folder, or not readable.
     #[error("error: cannot read `{}`: {reason}", path.display())]
     Read { path: PathBuf, reason: String },
-    /// No folder, no permission, no space.
+    /// A file cannot be written: no folder, no permission or no space.
     #[error("error: cannot write `{}`: {source}", path.display())]
     Write { path: PathBuf, source: io::Error },
-    /// `new` overwrites nothing.
-    #[error("error: `{}` exists already, and is left as it is", path.display())]
+    /// `eliminant new` overwrites no file.
+    #[error("error: `{}` exists already and is left unchanged", path.display())]
     Exists { path: PathBuf },
-    /// The name of a file is the name of its problem, so that a template finds its problem.
+    /// A problem file must be named after its problem, so that a template finds its problem.
     #[error("error: `{}` states the problem `{name}`: name the file `{name}.rs`", path.display())]
     FileName { path: PathBuf, name: String },
-    /// The problem file is at fault; its own message says where.
+    /// The problem file is at fault. Its message says where.
     #[error("{0}")]
     Problem(#[from] Diagnostics),
     /// No template was found.
     #[error("error: {}: {error}{hint}", path.display())]
     Search { path: PathBuf, error: SearchError, hint: String },
-    /// A file that `search --shard` wrote is none, or does not belong to the others.
+    /// A file given to `search --merge` is not a file of a shard, or does not belong to the others.
     #[error("error: `{}`: {reason}", path.display())]
     Shard { path: PathBuf, reason: String },
     /// `search --check` was ended by Ctrl-C.
@@ -41,10 +41,10 @@ pub(super) enum CommandError {
     /// There is no template file yet.
     #[error("error: there is no template file `{}`\nhelp: search one: `eliminant search {}`", template.display(), problem.display())]
     NoTemplate { template: PathBuf, problem: PathBuf },
-    /// The template file does not hold or does not belong to the problem.
+    /// The template does not hold, or does not belong to the problem.
     #[error("error: {}: {error}\nhelp: search a template for the problem as it is now: `eliminant search {}`", template.display(), problem.display())]
     Template { template: PathBuf, problem: PathBuf, error: Box<GenerateError> },
-    /// No solver can be made although the template is good.
+    /// No solver can be made although the template holds.
     #[error("error: {}: {error}", problem.display())]
     Generate { problem: PathBuf, error: Box<GenerateError> },
 }
@@ -59,7 +59,7 @@ impl CommandError {
         }
         let is_sum = |factor: &Statement| factor.polynomial.terms().len() > 1;
         if problem.nonzero.iter().any(is_sum) {
-            hint += "\nhelp: rows can be divided by a factor that must not vanish where it is an unknown of its own: `w == FACTOR; w != 0;`";
+            hint += "\nhelp: rows can be divided by a factor that must not vanish if it is an unknown of its own: `w == FACTOR; w != 0;`";
         }
         Self::Search { path: path.to_owned(), error, hint }
     }

@@ -10,7 +10,7 @@ use crate::generate::{GenerateError, Planned, plan};
 use crate::problem::Problem;
 use crate::template::file::TemplateFile;
 
-/// No problem or template is longer; a device may have no end.
+/// Most bytes of a problem or a template. A device may have no end.
 const MAX_BYTES: u64 = 16 << 20;
 
 pub(super) fn read_text(path: &Path) -> Result<String, CommandError> {
@@ -34,12 +34,12 @@ pub(super) fn read_text(path: &Path) -> Result<String, CommandError> {
     })
 }
 
-/// The problem of a file.
+/// Reads a problem.
 pub(super) fn read_problem(path: &Path) -> Result<Problem, CommandError> {
     Ok(Problem::parse(&path.display().to_string(), &read_text(path)?)?)
 }
 
-/// The problem of a file that is named after it.
+/// Reads a problem from a file that must be named after it.
 pub(super) fn read_named_problem(path: &Path) -> Result<Problem, CommandError> {
     let problem = read_problem(path)?;
     match path.file_stem().is_some_and(|stem| stem == problem.name.as_str()) {
@@ -61,7 +61,7 @@ pub(super) struct Loaded {
 }
 
 impl Loaded {
-    /// Reads a problem and its template, which stands beside it unless said otherwise.
+    /// Reads a problem and its template, which stands beside it unless `template` is given.
     pub(super) fn read(path: &Path, template: Option<&Path>) -> Result<Self, CommandError> {
         let problem = read_named_problem(path)?;
         let template = template.map_or_else(|| template_path(path), Path::to_owned);
@@ -82,11 +82,12 @@ impl Loaded {
     }
 }
 
-/// Writes all of a file or nothing; where it fails, an old file is untouched. Only files are replaced: no folder, no device.
+/// Writes all of a file or nothing: if it fails, an old file is untouched. Folders and devices are
+/// not replaced.
 pub(super) fn write(path: &Path, content: &str) -> Result<(), CommandError> {
     let fail = |source: io::Error| CommandError::Write { path: path.to_owned(), source };
     if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
-        return Err(fail(io::Error::other("it is no regular file")));
+        return Err(fail(io::Error::other("it is not a regular file")));
     }
     write_if_changed(path, content).map_err(fail)
 }

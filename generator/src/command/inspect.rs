@@ -31,7 +31,7 @@ pub(super) struct Arguments {
 }
 
 #[derive(Serialize)]
-struct Report {
+struct TemplateReport {
     #[serde(flatten)]
     summary: Summary,
     /// Entries that are not zero for general data.
@@ -66,7 +66,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         write(path, &svg(&picture, &problem.name, &subtitle))?;
     }
     let eliminated = planned.plan.recoveries.iter().map(|recovery| problem.unknowns[recovery.unknown].clone());
-    Ok(Output::of(&Report {
+    Ok(Output::of(&TemplateReport {
         summary: Summary::new(&problem, template, &planned.plan),
         entries: picture.entries(),
         blocks: picture.blocks.clone(),
@@ -78,7 +78,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     }))
 }
 
-impl fmt::Display for Report {
+impl fmt::Display for TemplateReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.summary)?;
         if !self.eliminated.is_empty() {

@@ -1,4 +1,5 @@
-//! The `eliminant` command: argument types and dispatch. Only here and in [`crate::build`] are files read and written.
+//! The `eliminant` command: argument types and dispatch. Only here and in [`crate::build`] are
+//! files read and written.
 //!
 //! Exit status: 0 good; 1 the problem, its template or a file is at fault; 2 usage.
 
@@ -69,7 +70,7 @@ impl Command {
     }
 }
 
-/// The exit status where the problem, its template or a file is at fault.
+/// The exit status if the problem, its template or a file is at fault.
 pub const AT_FAULT: u8 = 1;
 /// The exit status of a wrong command line.
 pub const USAGE: u8 = 2;
@@ -85,11 +86,11 @@ pub fn run(
     let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
         Err(error) => {
-            // `--help` and `--version` are such errors too.
+            // `--help` and `--version` are errors of clap, too.
             let text = error.render().to_string();
             return match error.use_stderr() {
                 true => {
-                    // Nobody is left to tell where even this cannot be written.
+                    // If even this cannot be written, there is nobody to tell.
                     let _ = stderr.write_all(text.as_bytes());
                     USAGE
                 }
@@ -113,7 +114,7 @@ pub fn run(
     }
 }
 
-/// A reader that has had enough, such as `head`, is no fault.
+/// A reader that stops reading, such as `head`, is no fault.
 fn status_of(written: io::Result<()>) -> u8 {
     match written {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => AT_FAULT,

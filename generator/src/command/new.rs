@@ -25,18 +25,18 @@ pub(super) struct Arguments {
 }
 
 #[derive(Serialize)]
-struct Report {
+struct NewProblemReport {
     problem: String,
     file: String,
 }
 
-impl fmt::Display for Report {
+impl fmt::Display for NewProblemReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "wrote {0}\nnext: eliminant check {0}", self.file)
     }
 }
 
-/// The language itself says which names it takes.
+/// A name is valid if the language takes a problem of that name.
 fn problem_name(name: &str) -> Result<String, String> {
     syn::parse_str::<syn::Ident>(name)
         .map_err(|_| "expected a Rust identifier that is no keyword, such as `two_circles`".to_owned())?;
@@ -56,37 +56,42 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         _ => CommandError::Write { path: path.clone(), source },
     })?;
     file.write_all(starter(&arguments.name).as_bytes()).map_err(|source| {
-        // Half a file is worse than none; where it cannot be removed, the error to report is still the first one.
+        // No file is better than half a file. If it cannot be removed either, the first error is
+        // still the one to report.
         let _ = fs::remove_file(&path);
         CommandError::Write { path: path.clone(), source }
     })?;
-    Ok(Output::of(&Report { problem: arguments.name.clone(), file: path.display().to_string() }))
+    Ok(Output::of(&NewProblemReport { problem: arguments.name.clone(), file: path.display().to_string() }))
 }
 
 fn starter(name: &str) -> String {
     format!(
         "\
-//! A problem file is Rust syntax, so editors and rustfmt work on it, but it is never compiled: the body is interpreted
-//! symbolically. Parameters are the data, known when the solver runs; the names in the return type are the unknowns,
-//! scalars as here or arrays such as `v: [f64; 3]`.
+//! A problem file is Rust syntax, so editors and rustfmt work on it. It is never compiled: the body
+//! is interpreted symbolically. Parameters are the data, known when the solver runs. The names in
+//! the return type are the unknowns, scalars as here or arrays such as `v: [f64; 3]`.
 //!
-//! `eliminant check {name}.rs` counts the solutions, `eliminant search {name}.rs` finds an elimination template.
+//! `eliminant check {name}.rs` counts the solutions.
+//! `eliminant search {name}.rs` finds an elimination template.
 
 /// The intersection of two conics: 4 solutions.
 ///
-/// These lines become the documentation of the solver: what is solved, what the data are, where it comes from.
-/// `p` and `q` hold the coefficients of x^2, x y, y^2, x, y, 1.
+/// These lines become the documentation of the solver: what is solved, what the data are, and where
+/// the problem comes from. `p` and `q` hold the coefficients of x^2, x y, y^2, x, y, 1.
 ///
-/// Data that satisfy a condition say so: `#[symmetric] m: [[f64; 3]; 3]`, `#[rotation] r: [[f64; 3]; 3]`,
-/// `#[unit] u: [f64; 3]`, `#[plucker] l: [[f64; 3]; 2]`, `#[integer] n: f64`, `#[rank(2)] f: [[f64; 3]; 3]`.
+/// If data satisfy a condition, an attribute states it:
+/// `#[symmetric] m: [[f64; 3]; 3]`, `#[rotation] r: [[f64; 3]; 3]`, `#[unit] u: [f64; 3]`,
+/// `#[plucker] l: [[f64; 3]; 2]`, `#[integer] n: f64`, `#[rank(2)] f: [[f64; 3]; 3]`.
 fn {name}(p: [f64; 6], q: [f64; 6]) -> (x, y) {{
-    // `let` names an intermediate value: here an array of six polynomials. Powers are `x * x` or `x.pow(2)`.
+    // `let` names an intermediate value, here an array of six polynomials.
+    // Powers are written `x * x` or `x.pow(2)`.
     let monomials = [x.pow(2), x * y, y.pow(2), x, y, 1];
-    // A statement with `==` is an equation; between arrays it holds for every element. Other functions of the
-    // language: det, trace, cross, skew, identity, gradient, and `.t()` for the transpose of a matrix.
+    // A statement with `==` is an equation. Between arrays it holds for every element. Other
+    // functions of the language are det, trace, cross, skew, identity and gradient; `.t()`
+    // transposes a matrix.
     dot(p, monomials) == 0;
     dot(q, monomials) == 0;
-    // A factor that must not vanish excludes solutions that are not wanted, such as those with x = 0: `x != 0;`.
+    // `x != 0;` would exclude the solutions with x = 0.
 }}
 "
     )

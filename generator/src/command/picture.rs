@@ -2,9 +2,11 @@
 //!
 //! ```text
 //!                    excess E   reducible R   basis B
-//! f1 * x*y         |  # .     |  . . # .    | o . o . |   rows and pivot columns in the order of solution;
-//! f2               |  + #     |  + . . #    | . o . o |   # in a diagonal block, + at a pivot solved before, o in the basis
+//! f1 * x*y         |  # .     |  . . # .    | o . o . |   # in a diagonal block
+//! f2               |  + #     |  + . . #    | . o . o |   + at a pivot solved before, o in the basis
 //! ```
+//!
+//! Rows and pivot columns stand in the order of solution.
 
 use crate::algebra::Monomial;
 use crate::plan::Plan;
@@ -30,16 +32,16 @@ impl Part {
     }
 }
 
-/// What stands where a row meets a column.
+/// The entry of a row in a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Cell {
-    /// Zero for every instance.
+    /// The entry is zero for every instance.
     Empty,
-    /// In a diagonal block.
+    /// The entry is in a diagonal block.
     Diagonal,
-    /// At a pivot that an earlier block has solved.
+    /// The entry is at a pivot that an earlier block has solved.
     Coupling,
-    /// In a basis column.
+    /// The entry is in a basis column.
     Right,
 }
 

@@ -1,10 +1,10 @@
-//! Progress of long work, on standard error and only where that is a terminal.
+//! Progress of long work, on standard error and only if that is a terminal.
 
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// Says in words what goes on, with the time that it has taken.
+/// Shows what goes on in words, with the time that it has taken.
 pub(super) fn spinner() -> ProgressBar {
     styled(ProgressBar::new_spinner(), "{spinner} [{elapsed_precise}] {msg}")
 }
@@ -15,7 +15,7 @@ pub(super) fn bar(length: usize) -> ProgressBar {
 }
 
 fn styled(bar: ProgressBar, template: &str) -> ProgressBar {
-    // The bar draws nothing where standard error is no terminal.
+    // The bar draws nothing if standard error is not a terminal.
     bar.set_style(ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar()));
     bar.enable_steady_tick(Duration::from_millis(100));
     bar

@@ -9,7 +9,7 @@ use crate::plan::Plan;
 use crate::problem::Problem;
 use crate::template::EliminationTemplate;
 
-/// A result in both forms, each with its final line break.
+/// A result as text and as JSON, each with its final line break.
 pub(super) struct Output {
     pub(super) text: String,
     pub(super) json: String,
@@ -18,7 +18,7 @@ pub(super) struct Output {
 }
 
 impl Output {
-    /// Both forms of a report.
+    /// A report as text and as JSON.
     pub(super) fn of(report: &(impl Serialize + fmt::Display)) -> Self {
         Self { text: report.to_string(), json: to_json(report), is_at_fault: false }
     }
@@ -36,11 +36,11 @@ pub(super) fn error_json(error: &CommandError) -> String {
 
 /// Numbers that are not finite become `null`.
 pub(super) fn to_json(value: &impl Serialize) -> String {
-    // Only maps whose keys are no strings, and writers, can fail.
+    // Only a map with keys other than strings, or a writer, can fail.
     serde_json::to_string_pretty(value).unwrap_or_default() + "\n"
 }
 
-/// What every report on a template begins with.
+/// The beginning of every report on a template.
 #[derive(Debug, Serialize)]
 pub(super) struct Summary {
     problem: String,
@@ -54,7 +54,8 @@ pub(super) struct Summary {
     reducible: usize,
     /// |B|.
     basis: usize,
-    /// Rows and columns at run time, without the constant rows and their pivots, which are eliminated beforehand.
+    /// Rows and columns at run time, without the constant rows and their pivots, which are
+    /// eliminated beforehand.
     online_rows: usize,
     online_columns: usize,
     basis_monomials: Vec<String>,
@@ -135,12 +136,13 @@ pub(super) fn seconds(seconds: f64) -> String {
     format!("{seconds:.3} s")
 }
 
-/// A number to one decimal, or `-` where there is none.
+/// A number to one decimal, or `-` if there is no number.
 pub(super) fn one_decimal(value: Option<f64>) -> String {
     value.map_or_else(|| "-".to_owned(), |value| format!("{value:.1}"))
 }
 
-/// Rows of cells under a head, columns aligned: the first `left` of them to the left, the others to the right.
+/// Rows of cells under a head, columns aligned: the first `left` of them to the left, the others to
+/// the right.
 pub(super) fn table(head: &[&str], rows: &[Vec<String>], left: usize) -> String {
     let head: Vec<String> = head.iter().map(|&cell| cell.to_owned()).collect();
     let all = || std::iter::once(&head).chain(rows);

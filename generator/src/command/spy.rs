@@ -7,7 +7,7 @@ use super::picture::{Cell, Part, Picture};
 /// The plot with its labels and a legend.
 pub(super) fn spy(picture: &Picture) -> String {
     let label_width = picture.rows.iter().map(|label| label.chars().count()).max().unwrap_or(0);
-    // No part is narrower than its name.
+    // A part is at least as wide as its name.
     let parts: Vec<(Part, Vec<usize>, usize)> = Part::ALL
         .into_iter()
         .map(|part| (part, picture.columns_of(part).collect::<Vec<_>>()))

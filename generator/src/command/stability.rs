@@ -16,8 +16,8 @@ use crate::search::measuring::stability;
 #[derive(clap::Args, Debug)]
 #[command(
     after_help = "Interprets the planned solver on instances drawn on the variety of the data. The relative residual of a solution is
-max over the equations of |f| / sum of the moduli of its terms. Where solutions are missing a second attempt is made at twice the precision, as in
-emitted code.
+max over the equations of |f| / sum of the moduli of its terms. If solutions are missing, a second
+attempt is made at twice the precision, as in emitted code.
 
 Example:
   eliminant stability problems/two_circles.rs --trials 10000 --seed 7"
@@ -37,25 +37,25 @@ pub(super) struct Arguments {
 }
 
 #[derive(Serialize)]
-struct Report {
+struct StabilityReport {
     #[serde(flatten)]
     summary: Summary,
     trials: usize,
     seed: u64,
     residual_log10: Quantiles,
-    /// Complex solutions found over all instances.
+    /// Number of complex solutions found over all instances.
     found: usize,
     expected: usize,
-    /// Instances that took a second attempt.
+    /// Number of instances that took a second attempt.
     repeated: usize,
-    /// Instances that lack a solution.
+    /// Number of instances that lack a solution.
     incomplete: usize,
-    /// Instances on which a step failed.
+    /// Number of instances on which a step failed.
     failures: usize,
     seconds: f64,
 }
 
-/// Of the log10 relative residual; `null` where nothing was found.
+/// Quantiles of the log10 relative residual; `null` if nothing was found.
 #[derive(Serialize)]
 struct Quantiles {
     median: Option<f64>,
@@ -71,7 +71,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     let progress = bar(trials);
     let measured = stability(&loaded.planned.plan, trials, arguments.seed, &|| progress.inc(1));
     progress.finish_and_clear();
-    Ok(Output::of(&Report {
+    Ok(Output::of(&StabilityReport {
         summary: Summary::new(&loaded.problem, &loaded.file.template, &loaded.planned.plan),
         trials,
         seed: arguments.seed,
@@ -90,7 +90,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     }))
 }
 
-impl fmt::Display for Report {
+impl fmt::Display for StabilityReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Quantiles { median, p99, p999, max } = self.residual_log10;
         write!(f, "{}", self.summary)?;

@@ -4,7 +4,7 @@
 //! title
 //! subtitle           column monomials, upwards
 //!                  +--------+-----------+-------+
-//! row shifts       | excess | reducible | basis |   tinted bands with a filled square for each entry
+//! row shifts       | excess | reducible | basis |   bands with a square for each entry
 //!                  +--------+-----------+-------+
 //!                  legend
 //! ```
@@ -13,7 +13,8 @@ use std::fmt::Write as _;
 
 use super::picture::{Cell, Part, Picture};
 
-/// Colours that people with impaired colour vision tell apart (Okabe and Ito): in a diagonal block or the basis, coupling, band.
+/// Colours that people with impaired colour vision tell apart (Okabe and Ito): in a diagonal block
+/// or the basis, coupling, band.
 fn colours(part: Part) -> [&'static str; 3] {
     match part {
         Part::Excess => ["#0072b2", "#7fb8d8", "#eef5fa"],
@@ -24,13 +25,14 @@ fn colours(part: Part) -> [&'static str; 3] {
 
 /// Width of a character of the labels, as a share of the size of the font.
 const CHARACTER: f64 = 0.61;
-/// Between the parts, and between the drawing and the edge of the picture.
+/// Space between the parts.
 const GAP: f64 = 6.0;
+/// Space between the drawing and the edge of the picture.
 const MARGIN: f64 = 20.0;
 const TITLE: f64 = 17.0;
 const SUBTITLE: f64 = 12.0;
 
-/// The sizes that everything is placed by, in pixels.
+/// The sizes by which everything is placed, in pixels.
 struct Layout<'a> {
     picture: &'a Picture,
     cell: f64,
@@ -74,7 +76,7 @@ impl<'a> Layout<'a> {
     }
 }
 
-/// The picture; `title` and `subtitle` stand above it.
+/// The picture, with `title` and `subtitle` above it.
 pub(super) fn svg(picture: &Picture, title: &str, subtitle: &str) -> String {
     let layout = Layout::new(picture, title, subtitle);
     let mut text = format!(

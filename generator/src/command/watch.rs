@@ -1,4 +1,4 @@
-//! Watches a search: shows what it does, and ends it when its time is up or at Ctrl-C.
+//! Watches a search: shows what it does, and ends it when its time is up or Ctrl-C is pressed.
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -9,23 +9,23 @@ use indicatif::ProgressBar;
 use super::progress::spinner;
 use crate::search::monitor::{Monitor, Stage};
 
-/// How often Ctrl-C was pressed since the process began to listen.
+/// How often Ctrl-C was pressed since the last search began.
 static INTERRUPTS: AtomicUsize = AtomicUsize::new(0);
 /// The exit status of a process that Ctrl-C ended.
 const INTERRUPTED: i32 = 130;
-/// The part of a budget that is for searching; the rest is for measuring.
+/// The part of a budget that is for searching. The rest is for measuring.
 const SEARCHING: f64 = 0.7;
-/// After Ctrl-C the best found so far is still measured, for so long at most.
+/// After Ctrl-C the best candidates so far are still measured, for this time at most.
 const LAST_MEASUREMENTS: Duration = Duration::from_secs(10);
 
-/// What ended a search before its end.
+/// Why a search stopped early.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum End {
     /// `--budget`.
     Budget,
     /// Ctrl-C.
     Interrupt,
-    /// The end of shards of it, which were merged.
+    /// Shards of the search stopped early, and were merged.
     Shards,
 }
 
@@ -50,10 +50,11 @@ pub(super) struct Watch {
 }
 
 impl Watch {
-    /// Begins to listen to Ctrl-C. The first ends the search, which keeps the best found so far; the second ends the process, and no file is touched.
+    /// Begins to listen to Ctrl-C. The first one ends the search, which keeps the best found so
+    /// far. The second one ends the process, and no file is touched.
     pub(super) fn new(budget: Option<Duration>) -> Self {
         static LISTENS: OnceLock<bool> = OnceLock::new();
-        // Where no handler can be set, Ctrl-C ends the process as usual.
+        // If no handler can be set, Ctrl-C ends the process as usual.
         LISTENS.get_or_init(|| {
             let interrupt = || {
                 if INTERRUPTS.fetch_add(1, Ordering::SeqCst) > 0 {
@@ -66,7 +67,7 @@ impl Watch {
         Self { spinner: spinner(), start: Instant::now(), budget, interrupted: OnceLock::new() }
     }
 
-    /// Clears what is displayed.
+    /// Clears the display.
     pub(super) fn finish(&self) {
         self.spinner.finish_and_clear();
     }
@@ -76,7 +77,7 @@ impl Watch {
         self.start.elapsed().as_secs_f64()
     }
 
-    /// What would end the search, were it still going on.
+    /// What has ended the search, or would end it if it were still going on.
     pub(super) fn end(&self) -> Option<End> {
         if self.interrupted_at().is_some() {
             return Some(End::Interrupt);

@@ -8,7 +8,7 @@ pub trait Arithmetic: Copy {
     /// An element.
     type Value: Copy + PartialEq + std::fmt::Debug;
 
-    /// The image of a constant; `None` where its denominator is 0 in this field.
+    /// The image of a constant; `None` if its denominator is 0 in this field.
     fn constant(self, value: Rational) -> Option<Self::Value>;
     /// a + b.
     fn add(self, a: Self::Value, b: Self::Value) -> Self::Value;
@@ -18,9 +18,9 @@ pub trait Arithmetic: Copy {
     fn mul(self, a: Self::Value, b: Self::Value) -> Self::Value;
     /// a / b; `None` for b = 0.
     fn div(self, a: Self::Value, b: Self::Value) -> Option<Self::Value>;
-    /// How good a pivot the value is: 0 for zero, larger is better. |a| over the reals, 0 or 1 over Z_p.
+    /// The size of a value as a pivot, larger being better: |a| over the reals, 0 or 1 over Z_p.
     fn pivot_size(self, a: Self::Value) -> f64;
-    /// The relative rounding error of one operation: 0 where there is none.
+    /// The relative rounding error of one operation; 0 for exact arithmetic.
     fn rounding(self) -> f64;
 
     /// 0.

@@ -1,4 +1,4 @@
-//! The graph of coefficient expressions: each value is one node.
+//! The graph of coefficient expressions, in which each value is one node.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -35,21 +35,29 @@ pub enum Expression {
     Divide(ExpressionId, ExpressionId),
     /// -a
     Negate(ExpressionId),
-    /// A coefficient of one of the sums of products of polynomials ([`ExpressionGraph::product_sums`]).
+    /// A coefficient of one of the sums of products of polynomials
+    /// ([`ExpressionGraph::product_sums`]).
     Coefficient {
-        /// Which sum.
+        /// The number of the sum.
         sum: u32,
-        /// Which of its coefficients.
+        /// The number of the coefficient in the sum.
         at: u32,
     },
 }
 
 type Fingerprint = [u32; 2];
 
-/// The fields in which fingerprints are taken: not the primes that searches and checks use first.
+/// The fields in which fingerprints are taken. Searches and checks use other primes first.
 pub(crate) const FINGERPRINT_FIELDS: [PrimeField; 2] = [PrimeField::new(PRIMES[4]), PrimeField::new(PRIMES[5])];
 
-/// Expressions in the data, each value once. Nodes are in topological order.
+/// Expressions in the data, each value once. Nodes are in topological order: operands before their
+/// users.
+///
+/// ```text
+///   node            0    1    2        3        4              5
+///   expression      0    1    input 0  input 1  2 * 3          4 - 1
+///   fingerprints    the values modulo two primes at one point each: equal ones are one node
+/// ```
 #[derive(Clone, Debug)]
 pub struct ExpressionGraph {
     nodes: Vec<Expression>,
@@ -60,8 +68,8 @@ pub struct ExpressionGraph {
 }
 
 impl ExpressionGraph {
-    /// The graph of the constants 0 and 1 and the inputs. `points[k]` are the values of all inputs at the k-th
-    /// fingerprint point, see [`crate::problem::instance::fingerprint_points`].
+    /// The graph of the constants 0 and 1 and the inputs. `points[k]` holds the values of all
+    /// inputs at the k-th fingerprint point, see [`crate::problem::instance::fingerprint_points`].
     pub fn new(points: &[Vec<u32>; 2]) -> Self {
         let mut graph = Self {
             nodes: Vec::new(),
@@ -94,12 +102,13 @@ impl ExpressionGraph {
         &self.nodes
     }
 
-    /// Sums of products of polynomials, by their coefficients. All operands of a sum have smaller ids than its coefficients.
+    /// Sums of products of polynomials, by their coefficients. All operands of a sum have smaller
+    /// ids than its coefficients.
     pub fn product_sums(&self) -> &[ProductSum<ExpressionId>] {
         &self.product_sums
     }
 
-    /// What a node is.
+    /// The expression of a node.
     pub fn node(&self, id: ExpressionId) -> Expression {
         self.nodes[id.index()]
     }
@@ -129,7 +138,7 @@ impl ExpressionGraph {
         let image = FINGERPRINT_FIELDS.map(|field| field.constant(value));
         match image {
             [Some(a), Some(b)] => self.push(Expression::Constant(value), [a, b]),
-            // The denominator is one of the fingerprint primes: no sharing for such a constant.
+            // A fingerprint prime divides the denominator: such a constant is not shared.
             _ => self.push_unshared(Expression::Constant(value), [0, 0]),
         }
     }
@@ -142,7 +151,7 @@ impl ExpressionGraph {
             return self.constant(sum);
         }
         let fingerprint = self.combine(a, b, PrimeField::add);
-        // a + (-b) is a - b: one operation instead of two.
+        // a + (-b) is a - b, one operation instead of two.
         match (self.node(a), self.node(b)) {
             (_, Expression::Negate(c)) => self.push(Expression::Subtract(a, c), fingerprint),
             (Expression::Negate(c), _) => self.push(Expression::Subtract(b, c), fingerprint),
@@ -194,7 +203,7 @@ impl ExpressionGraph {
         self.push(Expression::Multiply(a.min(b), a.max(b)), fingerprint)
     }
 
-    /// a / b, or `None` where b is zero for all data.
+    /// a / b, or `None` if b is zero for all data.
     pub fn div(&mut self, a: ExpressionId, b: ExpressionId) -> Option<ExpressionId> {
         let inverses = [0, 1].map(|k| FINGERPRINT_FIELDS[k].inverse(self.fingerprints[b.index()][k]));
         let [Some(x), Some(y)] = inverses else { return None };
@@ -230,7 +239,8 @@ impl ExpressionGraph {
         self.fingerprints[id.index()] == [0, 0]
     }
 
-    /// The value at the two fingerprint points: what identifies an expression, however it was written.
+    /// The values at the two fingerprint points. They identify an expression, however it was
+    /// written.
     pub fn fingerprint(&self, id: ExpressionId) -> [u32; 2] {
         self.fingerprints[id.index()]
     }
@@ -259,7 +269,7 @@ impl ExpressionGraph {
         needed
     }
 
-    /// The values of all nodes for the given values of the inputs; `None` where a divisor is zero there.
+    /// The values of all nodes for the given values of the inputs; `None` if a divisor is zero.
     pub fn evaluate<A: Arithmetic>(&self, arithmetic: A, inputs: &[A::Value]) -> Option<Vec<A::Value>> {
         let mut values: Vec<A::Value> = Vec::with_capacity(self.nodes.len());
         let mut sums: Vec<Vec<A::Value>> = vec![Vec::new(); self.product_sums.len()];
@@ -319,7 +329,7 @@ impl ExpressionGraph {
         id
     }
 
-    /// The coefficients of a new sum; those that depend on constants only are constants.
+    /// The coefficients of a new sum. Those that depend on constants only become constants.
     pub(super) fn push_sum(&mut self, sum: ProductSum<ExpressionId>) -> Vec<ExpressionId> {
         let is_constant = |id: ExpressionId| self.as_constant(id).is_some();
         let mut depends = vec![false; sum.length];

@@ -45,7 +45,7 @@ impl ExpressionGraph {
         p.map(|&a| Some(self.mul(a, c)).filter(|&product| !self.is_zero(product)))
     }
 
-    /// p q, or `None` where an exponent overflows.
+    /// p q, or `None` if an exponent overflows.
     pub fn polynomial_mul(&mut self, p: &SymbolicPolynomial, q: &SymbolicPolynomial) -> Option<SymbolicPolynomial> {
         let mut terms = Vec::with_capacity(p.terms().len() * q.terms().len());
         for &(m, a) in p.terms() {
@@ -56,7 +56,8 @@ impl ExpressionGraph {
         Some(self.sum_terms(terms))
     }
 
-    /// p q ± p' q' ± .. as one [`ProductSum`]: for factors of many terms. `None` where an exponent overflows.
+    /// p q ± p' q' ± .. as one [`ProductSum`], for factors of many terms. `None` if an exponent
+    /// overflows.
     pub fn polynomial_product_sum(&mut self, products: &[SignedProduct<'_>]) -> Option<SymbolicPolynomial> {
         let mut monomials_of = Vec::with_capacity(products.len());
         for (_, p, q) in products {
@@ -94,7 +95,8 @@ impl ExpressionGraph {
 
     /// Collects equal monomials and drops coefficients that are zero for all data.
     fn sum_terms(&mut self, mut terms: Vec<(Monomial, ExpressionId)>) -> SymbolicPolynomial {
-        // Stable: equal monomials stay in order, so that the sums are built the same way every time.
+        // A stable sort: equal monomials stay in order, so that sums are built in the same way
+        // every time.
         terms.sort_by_cached_key(|(monomial, _)| std::cmp::Reverse(monomial.rank()));
         let mut sums: Vec<(Monomial, ExpressionId)> = Vec::with_capacity(terms.len());
         for (monomial, coefficient) in terms {

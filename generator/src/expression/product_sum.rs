@@ -1,11 +1,14 @@
-//! Sums of products of polynomials, kept whole: a few loops instead of thousands of scalar operations.
+//! Sums of products of polynomials, kept whole: a few loops instead of thousands of scalar
+//! operations.
 
 use super::arithmetic::Arithmetic;
 
-/// The coefficients of a polynomial p q ± p' q' ± .., where p, q, .. are given by the values of their coefficients.
+/// The coefficients of a polynomial p q ± p' q' ± .., where p, q, .. are given by the values of
+/// their coefficients.
 ///
 /// ```text
-///   coefficient k = sum over all products, i and j with places[i * |right| + j] = k  of  ± left[i] * right[j]
+///   coefficient k = sum of ± left[i] * right[j]
+///                   over all products, i and j with places[i * |right| + j] = k
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ProductSum<Id> {
@@ -24,13 +27,14 @@ pub struct Product<Id> {
     pub left: Vec<Id>,
     /// The coefficients of the right factor.
     pub right: Vec<Id>,
-    /// For each coefficient of the left factor, the positions in the sum of its products with those of the right
-    /// factor.
+    /// For each coefficient of the left factor, the positions in the sum of its products with those
+    /// of the right factor.
     pub places: Vec<u32>,
 }
 
 impl<Id: Copy> Product<Id> {
-    /// (k, left\[i\], right\[j\]): the products of coefficients, each with the coefficient of the sum that it is added to.
+    /// (k, left\[i\], right\[j\]): the products of coefficients, each with the coefficient of the
+    /// sum that it is added to.
     pub fn pairs(&self) -> impl Iterator<Item = (usize, Id, Id)> + '_ {
         let factors = self.left.iter().flat_map(|&left| self.right.iter().map(move |&right| (left, right)));
         factors.zip(&self.places).map(|((left, right), &place)| (place as usize, left, right))
@@ -57,7 +61,8 @@ impl<Id: Copy> ProductSum<Id> {
         })
     }
 
-    /// The values of the coefficients. The first product of each is taken as it is, the others are added one after another.
+    /// The values of the coefficients. The first product of each is taken as it is, the others are
+    /// added one after another.
     pub fn evaluate<A: Arithmetic>(&self, f: A, value: impl Fn(Id) -> A::Value) -> Vec<A::Value> {
         let mut sums: Vec<Option<A::Value>> = vec![None; self.length];
         for product in &self.products {

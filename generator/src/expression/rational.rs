@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-/// A fraction in lowest terms with positive denominator. Operations return `None` on overflow or division by zero.
+/// A fraction in lowest terms with positive denominator. Operations return `None` on overflow or
+/// division by zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Rational {
     numerator: i64,

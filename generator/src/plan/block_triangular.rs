@@ -1,17 +1,35 @@
-//! Block-triangular form of a sparse square matrix: maximum matching, then strongly connected components
-//! (Duff and Reid, "An implementation of Tarjan's algorithm for the block triangularization of a matrix", 1978).
+//! Block-triangular form of a sparse square matrix (Duff and Reid, "An implementation of Tarjan's
+//! algorithm for the block triangularization of a matrix", 1978).
+//!
+//! 1. A perfect matching gives each row a column of its own, in which it has an entry: a
+//!    permutation to a matrix without zeros on the diagonal.
+//! 2. Row i needs row j solved before if it has an entry in the column of row j. Rows that need
+//!    each other in a circle, the strongly connected components of this graph, form a diagonal
+//!    block.
+//! 3. A component comes after those that it needs, so the blocks can be solved in order.
+//!
+//! ```text
+//!   rows in any order         blocks in order of solution
+//!   [ x . x . ]                 [ x x | . . ]
+//!   [ . x . x ]      -->        [ x x | . . ]
+//!   [ x . x . ]                 [ . . | x x ]
+//!   [ x x . x ]                 [ x . | x x ]
+//! ```
+//!
+//! The blocks do not depend on the matching (Dulmage and Mendelsohn, "Coverings of bipartite
+//! graphs", 1958).
 
-/// Rows and columns of one diagonal block.
+/// The rows and columns of one diagonal block.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct DiagonalBlock {
     /// Row indices.
     pub(crate) rows: Vec<usize>,
-    /// Column indices, as many.
+    /// Column indices, as many as rows.
     pub(crate) columns: Vec<usize>,
 }
 
-/// The diagonal blocks in an order of solution: block k has entries only in columns of blocks 0..=k. `None` where the pattern is
-/// structurally singular.
+/// The diagonal blocks in an order of solution: block k has entries only in columns of blocks 0 to
+/// k. `None` if the pattern is structurally singular.
 ///
 /// `pattern[row]` lists the columns of the nonzero entries of a square matrix.
 pub(crate) fn block_triangular_form(pattern: &[Vec<usize>]) -> Option<Vec<DiagonalBlock>> {
@@ -35,13 +53,16 @@ pub(crate) fn block_triangular_form(pattern: &[Vec<usize>]) -> Option<Vec<Diagon
 
 const UNMATCHED: usize = usize::MAX;
 
-/// Row matched to each column, by augmenting paths (depth-first, iterative).
+/// The row matched to each column; `None` if there is no perfect matching.
+///
+/// A new row takes a free column, or one whose row can move to another: an augmenting path. Paths
+/// are searched depth-first with a stack of their own, because they can be as long as the matrix.
 fn perfect_matching(pattern: &[Vec<usize>]) -> Option<Vec<usize>> {
     let n = pattern.len();
     let mut row_of_column = vec![UNMATCHED; n];
     let mut seen = vec![UNMATCHED; n];
     for start in 0..n {
-        // Path of (row, next entry to try).
+        // The path: rows, each with the next of its entries to try. An empty path has tried all.
         let mut path = vec![(start, 0)];
         let mut chosen = Vec::new();
         loop {
@@ -52,6 +73,7 @@ fn perfect_matching(pattern: &[Vec<usize>]) -> Option<Vec<usize>> {
                 continue;
             };
             *next += 1;
+            // A column that this path tried before leads nowhere again.
             if column >= n || seen[column] == start {
                 continue;
             }
@@ -62,6 +84,7 @@ fn perfect_matching(pattern: &[Vec<usize>]) -> Option<Vec<usize>> {
             }
             path.push((row_of_column[column], 0));
         }
+        // Every row of the path moves to the column that was chosen for it.
         for (&(row, _), &column) in path.iter().zip(&chosen) {
             row_of_column[column] = row;
         }
@@ -69,7 +92,12 @@ fn perfect_matching(pattern: &[Vec<usize>]) -> Option<Vec<usize>> {
     Some(row_of_column)
 }
 
-/// Components of the graph row -> row matched to a column of the row; a component comes after all that it points to (Tarjan, iterative).
+/// The strongly connected components of the graph of rows, each after those that it needs (Tarjan's
+/// algorithm, with a stack of its own).
+///
+/// `index` numbers the rows in the order in which they are met, and `low` is the least index that a
+/// row reaches by rows which are still on the stack. A row with `low` = `index` is the first of its
+/// component, which is then the top of the stack.
 fn strongly_connected_components(pattern: &[Vec<usize>], row_of_column: &[usize]) -> Vec<Vec<usize>> {
     let n = pattern.len();
     let mut index = vec![UNMATCHED; n];

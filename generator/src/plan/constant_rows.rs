@@ -1,6 +1,7 @@
 //! Elimination of constant rows before run time.
 //!
-//! A multiple of an equation whose coefficients are constants expresses one of its excess monomials in its others, whatever the data are:
+//! A row with constant entries, a multiple of an equation without data, expresses an excess
+//! monomial in its other monomials, whatever the data are:
 //!
 //! ```text
 //!                 pivot  others                          others
@@ -8,7 +9,8 @@
 //!   other rows   [  a      s   ]   -->   other rows [ s - (a / c) r ]     (Schur complement)
 //! ```
 //!
-//! The row and the column of the pivot are then gone, and nothing is left to do for them at run time but the coefficients s - (a / c) r.
+//! The row and the column of the pivot are then gone. At run time only the coefficients s - (a / c)
+//! r are left to compute.
 
 use std::collections::BTreeMap;
 
@@ -17,9 +19,10 @@ use crate::expression::{ExpressionGraph, ExpressionId};
 /// A row of the template.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Row {
-    /// Which of the template's shifts it is.
+    /// The number of its shift in the template.
     pub(crate) shift: usize,
-    /// The entries that are not zero for all data, by column: excess, reducible and basis columns, numbered in this order.
+    /// The entries that are not zero for all data, by column. Columns are numbered: excess,
+    /// reducible, basis.
     pub(crate) entries: BTreeMap<usize, ExpressionId>,
 }
 
@@ -29,16 +32,18 @@ impl Row {
     }
 }
 
-/// Eliminates constant rows as long as one has an entry in the first `excess` columns; returns the pivot columns, which no row has any more.
+/// Eliminates constant rows as long as one has an entry in the first `excess` columns. Returns the
+/// pivot columns; no row has an entry there any more.
 ///
-/// The pivot is always one with the least product of other entries in its row and its column, so that few entries are changed
-/// (Markowitz, "The Elimination Form of the Inverse and Its Application to Linear Programming", 1957).
+/// With r entries in its row and c in its column a pivot changes at most (r - 1)(c - 1) entries.
+/// The pivot is always one for which this is least (Markowitz, "The elimination form of the inverse
+/// and its application to linear programming", 1957).
 pub(crate) fn eliminate_constant_rows(rows: &mut Vec<Row>, excess: usize, graph: &mut ExpressionGraph) -> Vec<usize> {
     let mut pivots = Vec::new();
     while let Some((at, column)) = cheapest_pivot(rows, excess, graph) {
         let mut pivot_row = rows.remove(at);
         let Some(ratios) = ratios_to_pivot(&mut pivot_row, column, graph) else {
-            // A ratio beyond 64 bits: the row stays for the run time.
+            // A ratio has more than 64 bits: the row is eliminated at run time.
             rows.insert(at, pivot_row);
             break;
         };
@@ -61,7 +66,7 @@ pub(crate) fn eliminate_constant_rows(rows: &mut Vec<Row>, excess: usize, graph:
     pivots
 }
 
-/// Position of a constant row and one of its excess columns.
+/// The cheapest pivot: the position of a constant row and one of its excess columns.
 fn cheapest_pivot(rows: &[Row], excess: usize, graph: &ExpressionGraph) -> Option<(usize, usize)> {
     let mut count = vec![0usize; excess];
     for &column in rows.iter().flat_map(|row| row.entries.keys()).filter(|&&column| column < excess) {
@@ -74,7 +79,8 @@ fn cheapest_pivot(rows: &[Row], excess: usize, graph: &ExpressionGraph) -> Optio
     candidates.min().map(|(_, at, column)| (at, column))
 }
 
-/// The other entries of a constant row over that in `column`; `None` where one cannot be written.
+/// The other entries of a constant row divided by that in `column`; `None` if one has more than 64
+/// bits.
 fn ratios_to_pivot(row: &mut Row, column: usize, graph: &mut ExpressionGraph) -> Option<Vec<(usize, ExpressionId)>> {
     let pivot = graph.as_constant(*row.entries.get(&column)?)?;
     let ratio =
@@ -120,7 +126,8 @@ mod tests {
             setting(&[&[1, 2, 0, 3, 1], &[100, 0, 5, 101, 0], &[0, 0, 0, 2, 2], &[4, 1, 1, 0, 101]]);
         let before = values(&graph, &rows, 5);
         let pivots = eliminate_constant_rows(&mut rows, 3, &mut graph);
-        // Row 2 has no entry in columns 0 to 2, rows 1 and 3 are not constant; column 1 changes one row only.
+        // Row 2 has no entry in columns 0 to 2, and rows 1 and 3 are not constant. Column 1 changes
+        // one row only.
         assert_eq!((pivots, rows.iter().map(|row| row.shift).collect::<Vec<_>>()), (vec![1], vec![1, 2, 3]));
         let after = values(&graph, &rows, 5);
         assert_eq!((&after[0], &after[1]), (&before[1], &before[2]));
@@ -139,7 +146,8 @@ mod tests {
     #[test]
     fn rows_that_become_constant_are_eliminated_too() {
         let (mut graph, mut rows) = setting(&[&[1, 1, 0, 0], &[100, 100, 1, 0], &[0, 3, 101, 1]]);
-        // Less a multiple of row 0, row 1 is 1 in column 2; less a multiple of that, row 2 is constant.
+        // After row 0 is subtracted row 1 is 1 in column 2; after that is subtracted row 2 is
+        // constant.
         let pivots = eliminate_constant_rows(&mut rows, 3, &mut graph);
         assert_eq!((pivots, rows), (vec![0, 2, 1], vec![]));
     }

@@ -1,9 +1,11 @@
-//! Executes a [`crate::plan::Plan`] in any field, step by step as the emitted code does: exactly over Z_p, in `f64`, and at twice its precision.
+//! Executes a [`crate::plan::Plan`] in any field, step by step as the emitted code does: exactly
+//! over Z_p, or in `f64`.
 
 use super::{ActionRow, Block, CoefficientId, Elimination, PivotId, Plan, Term};
 use crate::expression::arithmetic::Arithmetic;
 
-/// The values of all coefficients; `None` where a divisor is zero, or an input or a coefficient is not finite.
+/// The values of all coefficients; `None` if a divisor is zero, or an input or a coefficient is not
+/// finite.
 pub fn coefficients<A: Arithmetic>(plan: &Plan, f: A, inputs: &[A::Value]) -> Option<Vec<A::Value>> {
     if !all_finite(f, inputs) {
         return None;
@@ -13,12 +15,12 @@ pub fn coefficients<A: Arithmetic>(plan: &Plan, f: A, inputs: &[A::Value]) -> Op
     all_finite(f, &coefficients).then_some(coefficients)
 }
 
-/// Over Z_p everything is.
+/// Whether all values are finite; over Z_p they are.
 fn all_finite<A: Arithmetic>(f: A, values: &[A::Value]) -> bool {
     values.iter().all(|&value| f.pivot_size(value).is_finite())
 }
 
-/// What the elimination leaves, as rows of |B| values.
+/// The result of the elimination, as rows of |B| values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Eliminated<V> {
     /// The action matrix T, |B| rows: a B = T B at every solution.
@@ -27,7 +29,7 @@ pub struct Eliminated<V> {
     pub read: Vec<Vec<V>>,
 }
 
-/// Fills and eliminates the template. `None` where a block is singular or a value overflows.
+/// Fills and eliminates the template. `None` if a block is singular or a value overflows.
 pub fn eliminate<A: Arithmetic>(plan: &Plan, f: A, coefficients: &[A::Value]) -> Option<Eliminated<A::Value>> {
     let solved = solve_blocks(&plan.elimination, f, coefficients)?;
     let expressed = |pivot: &PivotId| solved[usize::from(pivot.0)].iter().map(|&value| f.neg(value)).collect();
@@ -42,7 +44,7 @@ pub fn eliminate<A: Arithmetic>(plan: &Plan, f: A, coefficients: &[A::Value]) ->
     Some(Eliminated { action: plan.action.iter().map(row).collect(), read: plan.read.iter().map(expressed).collect() })
 }
 
-/// M_ER^-1 M_B, block by block. Rows that nothing reads are of no use.
+/// Computes M_ER^-1 M_B, block by block. Rows of pivots that are not needed are left unfinished.
 fn solve_blocks<A: Arithmetic>(plan: &Elimination, f: A, coefficients: &[A::Value]) -> Option<Vec<Vec<A::Value>>> {
     let coefficient = |id: CoefficientId| coefficients[usize::from(id.0)];
     let mut right = vec![vec![f.zero(); plan.basis]; plan.rows];
@@ -70,7 +72,8 @@ fn subtract_multiple<A: Arithmetic>(f: A, row: &mut [A::Value], factor: A::Value
     }
 }
 
-/// Gaussian elimination with partial pivoting in rows scaled by their 1-norm, as the run-time kernel does it, summation order included.
+/// Gaussian elimination with partial pivoting, in rows that are scaled by their 1-norm. The
+/// run-time kernel does the same operations in the same order.
 fn solve_block<A: Arithmetic>(
     f: A,
     block: &Block,
@@ -125,7 +128,7 @@ fn solve_block<A: Arithmetic>(
     right[n - block.needed..].iter().all(|row| all_finite(f, row)).then_some(())
 }
 
-/// Sum of sizes, in four interleaved partial sums.
+/// The sum of the sizes, in four interleaved partial sums, as the run-time kernel adds them.
 fn one_norm<A: Arithmetic>(f: A, row: &[A::Value]) -> f64 {
     let mut partial = [0.0; 4];
     let (quads, rest) = row.as_chunks::<4>();

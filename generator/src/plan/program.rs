@@ -1,4 +1,4 @@
-//! Straight-line program: arithmetic from the data to the coefficients.
+//! Straight-line programs: arithmetic from the data to the coefficients, without branches or loops.
 
 use crate::expression::arithmetic::Arithmetic;
 use crate::expression::product_sum::ProductSum;
@@ -8,7 +8,7 @@ use crate::expression::rational::Rational;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ValueId(pub u32);
 
-/// One step of the straight-line code; its result is the value with the step's own position.
+/// One operation of a program. Its result is the value with the operation's own position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Operation {
     /// A constant.
@@ -25,11 +25,12 @@ pub enum Operation {
     Divide(ValueId, ValueId),
     /// -a
     Negate(ValueId),
-    /// A coefficient of one of [`Program::product_sums`]. All coefficients of a sum follow one another, in order.
+    /// A coefficient of one of [`Program::product_sums`]. All coefficients of a sum follow one
+    /// another, in order.
     Coefficient {
-        /// Which sum.
+        /// The number of the sum.
         sum: u32,
-        /// Which of its coefficients.
+        /// The number of the coefficient in the sum.
         at: u32,
     },
 }
@@ -46,19 +47,25 @@ impl Operation {
 pub enum ProgramForm {
     /// A statement for each step.
     Statements,
-    /// A table that the run-time library executes. The constants come first, then the inputs; a run of steps of the same operation is read
-    /// by later runs only.
+    /// A table that the run-time library executes. The constants come first, then the inputs. The
+    /// results of a run of equal operations are read by later runs only.
     Table,
 }
 
-/// From the data to the coefficients.
+/// Operations from the data to the coefficients, each after those whose values it reads.
+///
+/// ```text
+///   position      0      1      2          3          4                    5
+///   operation     3      a      b          0 * 1      (sum 0, at 0)        (sum 0, at 1)
+///   value         3      a      b          3 a        the coefficients of a product of polynomials
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Program {
     /// The steps, operands before their users.
     pub operations: Vec<Operation>,
     /// Sums of products of polynomials, by their coefficients.
     pub product_sums: Vec<ProductSum<ValueId>>,
-    /// How it is emitted.
+    /// How the program is emitted.
     pub form: ProgramForm,
     /// What the problem calls values, `scale` or `m[0][1]`. Only for people: no step reads it.
     pub names: Vec<(ValueId, String)>,
@@ -78,7 +85,8 @@ impl Program {
         scalars.into_iter().flatten().chain(sum.into_iter().flat_map(ProductSum::operands))
     }
 
-    /// The values whose values one value is computed from: of a coefficient, the factors of its own products only.
+    /// The values that one operation needs. A coefficient needs the factors of its own products
+    /// only, unlike in [`Program::operands`].
     pub fn read_by(&self, operation: Operation) -> Vec<ValueId> {
         match operation {
             Operation::Coefficient { sum, at } => {
@@ -107,7 +115,7 @@ impl Program {
                     values.extend(sums);
                     continue;
                 }
-                // All of its sum are already there.
+                // The first coefficient of the sum has brought all others.
                 Operation::Coefficient { .. } => continue,
             };
             values.push(value);
@@ -115,7 +123,7 @@ impl Program {
         Some(values)
     }
 
-    /// Arithmetic operations.
+    /// The number of arithmetic operations.
     pub fn steps(&self) -> usize {
         let scalar =
             |operation: &&Operation| operation.is_step() && !matches!(operation, Operation::Coefficient { .. });
@@ -123,7 +131,8 @@ impl Program {
         self.operations.iter().filter(scalar).count() + sums
     }
 
-    /// Whether every value is written before it is read, every sum is there and in one piece, and no input lies beyond `inputs`.
+    /// Whether every value is written before it is read, the coefficients of every sum follow one
+    /// another in order, and no input lies beyond `inputs`.
     pub(crate) fn is_ordered(&self, inputs: usize) -> bool {
         self.operations.iter().enumerate().all(|(position, &operation)| match operation {
             Operation::Input(input) => (input as usize) < inputs,

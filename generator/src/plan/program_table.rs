@@ -6,7 +6,7 @@ use super::Plan;
 use super::program::{Operation, Program, ValueId};
 use crate::expression::rational::Rational;
 
-/// What all steps of a run do.
+/// The operation of all steps of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StepKind {
     /// a + b
@@ -28,11 +28,11 @@ pub enum StepKind {
 pub struct ProductEntry {
     /// Whether it is subtracted.
     pub negative: bool,
-    /// Which of the factors is on the left.
+    /// The number of the left factor.
     pub left: u32,
-    /// Which is on the right.
+    /// The number of the right factor.
     pub right: u32,
-    /// Which of the lists of places it has.
+    /// The number of its list of places.
     pub places: u32,
 }
 
@@ -40,14 +40,14 @@ pub struct ProductEntry {
 ///
 /// ```text
 ///   values     [ constants | data, one parameter after another | result of step 0, of step 1, .. ]
-///   operands   the positions in values of the operands of each step, all before its own run's results
+///   operands   the positions in values of the operands of each step, all before its own run
 ///   results    the positions in values of the coefficients
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ProgramTable {
     /// Numbers that do not depend on the data.
     pub constants: Vec<Rational>,
-    /// Consecutive steps of one kind that do not read each other's results, and how many they are.
+    /// Consecutive steps of one kind that do not read each other's results, and their number.
     pub runs: Vec<(StepKind, u32)>,
     /// (a, b) of each step with scalar operands; a twice for a negation.
     pub operands: Vec<(u32, u32)>,
@@ -57,16 +57,17 @@ pub struct ProgramTable {
     pub products: Vec<ProductEntry>,
     /// Polynomials: the positions in values of their coefficients. Equal ones are listed once.
     pub factors: Vec<Vec<u32>>,
-    /// The coefficients of a sum that the products of two factors' coefficients are added to. Equal ones are listed once.
+    /// For each product of two factors' coefficients, the coefficient of the sum that it is added
+    /// to. Equal lists are kept once.
     pub places: Vec<Vec<u32>>,
-    /// Where the coefficients are.
+    /// The positions in values of the coefficients.
     pub results: Vec<u32>,
-    /// How many values there are.
+    /// The number of values.
     pub values: usize,
 }
 
 impl ProgramTable {
-    /// The table of a plan's program. All data take their places, also those that no step reads.
+    /// The table of a plan's program. All data have a position, also those that no step reads.
     pub fn of(plan: &Plan) -> Self {
         let program = &plan.program;
         let as_constant = |operation: &Operation| match operation {
@@ -117,7 +118,7 @@ impl ProgramTable {
     }
 }
 
-/// Different lists of numbers, each kept once.
+/// Lists of numbers, each kept once and numbered.
 #[derive(Default)]
 struct Lists {
     numbers: BTreeMap<Vec<u32>, u32>,
@@ -136,7 +137,7 @@ impl Lists {
     }
 }
 
-/// Where the table keeps each value of the program.
+/// The position in the table's values of each value of the program.
 fn positions(program: &Program, constants: usize, inputs: usize) -> Vec<u32> {
     let (mut next_constant, mut next_step) = (0, (constants + inputs) as u32);
     let take = |next: &mut u32| {
@@ -151,7 +152,10 @@ fn positions(program: &Program, constants: usize, inputs: usize) -> Vec<u32> {
     program.operations.iter().map(position).collect()
 }
 
-/// The runs of steps, a sum of products being one step; no step reads a result of its own run.
+/// The runs of steps; a sum of products is one step.
+///
+/// A run ends where the kind changes, or where a step reads a result of its own run: a run is
+/// executed as a loop.
 fn runs(program: &Program) -> Vec<(StepKind, u32)> {
     let mut runs: Vec<(StepKind, u32)> = Vec::new();
     let mut start = 0;
@@ -173,8 +177,8 @@ fn is_step(program: &Program, id: ValueId) -> bool {
     program.operations.get(id.0 as usize).is_some_and(|operation| operation.is_step())
 }
 
-/// What a step does; `None` for values that are no steps, and for all but the first coefficient of a sum of products,
-/// which are computed with it.
+/// The kind of a step. `None` for constants and data, and for all coefficients of a sum of products
+/// but the first, which are computed with it.
 fn kind(operation: Operation) -> Option<StepKind> {
     Some(match operation {
         Operation::Constant(_) | Operation::Input(_) | Operation::Coefficient { at: 1.., .. } => return None,

@@ -96,7 +96,8 @@ impl Residues {
         a.times(self.field, b).modulo(self.field, &self.modulus)
     }
 
-    /// The part of the modulus at whose roots an element vanishes, for all signs of the square roots.
+    /// The part of the modulus at whose roots an element vanishes, for all signs of the square
+    /// roots.
     pub(super) fn zeros(&self, element: &Element) -> Univariate {
         element.residues().fold(self.modulus.clone(), |zeros, residue| zeros.gcd(self.field, residue))
     }

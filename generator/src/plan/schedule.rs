@@ -25,7 +25,8 @@ pub enum ScheduleError {
     /// The square part of the template is singular for every instance.
     #[error("the template is structurally singular")]
     Singular,
-    /// An unknown is no ratio of monomials in the basis, its image, and the other reducible columns.
+    /// No two monomials of the basis, its image and the other reducible columns have the unknown as
+    /// their ratio.
     #[error("the unknown `{0}` cannot be read from the template's monomials")]
     Unreadable(String),
     /// More coefficients, rows or basis monomials than the tables can index.
@@ -36,9 +37,10 @@ pub enum ScheduleError {
     Plan(#[from] PlanError),
 }
 
-/// Plans the solver of `problem` from a template for its presolved form. `solutions` is the number of complex solutions.
+/// Plans the solver of `problem` from a template for its presolved form. `solutions` is the number
+/// of different complex solutions.
 ///
-/// Constant rows are eliminated here where the plan then has fewer operations.
+/// Constant rows are eliminated here if the plan then has fewer operations.
 pub fn schedule(
     problem: &Problem,
     reduced: &ReducedProblem,
@@ -67,7 +69,8 @@ fn is_constant(reduced: &ReducedProblem, coefficient: ExpressionId) -> bool {
     reduced.problem.graph.as_constant(coefficient).is_some()
 }
 
-/// Monomials that are no column cancel in every combination that is read, and are left out.
+/// The rows of the template. Monomials that are no column cancel in every combination that is read,
+/// and are left out.
 fn template_rows(reduced: &ReducedProblem, template: &EliminationTemplate) -> Vec<Row> {
     let columns = template.excess.iter().chain(&template.reducible).chain(&template.basis);
     let position: HashMap<Monomial, usize> = columns.enumerate().map(|(at, &m)| (m, at)).collect();
@@ -79,7 +82,7 @@ fn template_rows(reduced: &ReducedProblem, template: &EliminationTemplate) -> Ve
     template.shifts.iter().enumerate().map(row).collect()
 }
 
-/// What all plans for one template have in common.
+/// The input that all plans for one template have in common.
 struct Scheduler<'a> {
     problem: &'a Problem,
     reduced: &'a ReducedProblem,
@@ -89,7 +92,7 @@ struct Scheduler<'a> {
 }
 
 impl Scheduler<'_> {
-    /// The plan with these rows of the template; `graph` holds their entries.
+    /// The plan with these rows of the template, whose entries are in `graph`.
     fn plan(&self, rows: &[Row], graph: &ExpressionGraph) -> Result<Plan, ScheduleError> {
         let Self { problem, reduced, template, .. } = self;
         let mut coefficients = Coefficients { ids: HashMap::new(), used: Vec::new() };
@@ -177,7 +180,7 @@ impl Coefficients {
         if id == next {
             self.used.push(expression);
         }
-        // More than 65,535 are refused at the end.
+        // A number that does not fit is refused at the end, before anything reads the plan.
         CoefficientId(id as u16)
     }
 
@@ -196,7 +199,7 @@ fn plan_elimination(
     coefficients: &mut Coefficients,
 ) -> Result<(Elimination, HashMap<Monomial, PivotId>), ScheduleError> {
     let (excess, left) = (template.excess.len(), template.excess.len() + template.reducible.len());
-    // Columns of which a constant row was the pivot have no entry any more.
+    // The pivot columns of constant rows have no entry any more.
     let mut used: Vec<bool> = (0..left).map(|column| column >= excess).collect();
     rows.iter().flat_map(|row| row.entries.range(..left)).for_each(|(&column, _)| used[column] = true);
     let columns: Vec<usize> = (0..left).filter(|&column| used[column]).collect();
@@ -224,7 +227,7 @@ fn plan_elimination(
     };
     for (block, needed) in diagonal.iter().zip(needed) {
         let first = elimination.blocks.last().map_or(0, |last: &Block| last.first + last.size);
-        let planned = plan_block(block, first, rows, &pivot_of_column, coefficients, &mut elimination.right);
+        let planned = plan_block(block, first, (rows, &pivot_of_column), coefficients, &mut elimination.right);
         elimination.blocks.push(Block { needed, ..planned });
     }
     let reducible = template.reducible.iter().zip(&pivot_of_column[excess..]);
@@ -232,8 +235,10 @@ fn plan_elimination(
     Ok((elimination, pivots))
 }
 
-/// Reorders the columns of each block so that those which something else reads come last; returns their number for each block. `is_read` says
-/// which are read after the elimination.
+/// Reorders the columns of each block so that those which something else reads come last, and
+/// returns their number for each block. `is_read` says which are read after the elimination.
+///
+/// Back-substitution runs from the last pivot upwards and stops after the last one that is needed.
 fn needed_last(blocks: &mut [DiagonalBlock], pattern: &[Vec<usize>], mut is_read: Vec<bool>) -> Vec<usize> {
     let mut block_of_column = vec![0; pattern.len()];
     for (at, block) in blocks.iter().enumerate() {
@@ -253,11 +258,12 @@ fn needed_last(blocks: &mut [DiagonalBlock], pattern: &[Vec<usize>], mut is_read
         .collect()
 }
 
+/// The tables of one block, whose first pivot is `first`; its entries in basis columns are added to
+/// `right`.
 fn plan_block(
     block: &DiagonalBlock,
     first: usize,
-    rows: &[Row],
-    pivot_of_column: &[usize],
+    (rows, pivot_of_column): (&[Row], &[usize]),
     coefficients: &mut Coefficients,
     right: &mut Vec<Entry>,
 ) -> Block {
@@ -295,8 +301,7 @@ fn plan_action(
     template.basis.iter().map(|b| row(b).ok_or_else(missing)).collect()
 }
 
-/// All pairs (m, x m) among the basis monomials; where there are none, among basis and image, and then `extra` monomials too.
-/// By the first of the ways to read the unknowns that reads all of them.
+/// How the unknowns are read: in the first of the `ways` that reads all of them.
 fn plan_extractions(
     problem: &Problem,
     template: &EliminationTemplate,
@@ -319,7 +324,9 @@ fn plan_extractions(
     Err(ScheduleError::Unreadable(missing.map_or_else(String::new, |unknown| problem.unknowns[unknown].clone())))
 }
 
-/// The unknown where it cannot be read.
+/// Reads an unknown from all pairs (m, s m) among the basis monomials. If there are none, they are
+/// searched among basis and image, and then among the `extra` monomials too. The error is the
+/// unknown.
 fn plan_extraction(
     template: &EliminationTemplate,
     extra: &[Monomial],
@@ -340,7 +347,7 @@ fn plan_extraction(
     };
     let most_pairs = |known: &[(Monomial, KnownMonomial)]| {
         let all = reading.steps.iter().map(|step| extraction(known, step)).filter(|x| !x.pairs.is_empty());
-        // Of equals the first.
+        // Of steps with equally many pairs, the first is taken: `max_by_key` returns the last.
         all.rev().max_by_key(|x| x.pairs.len())
     };
     [&basis, &image, &all].into_iter().find_map(|known| most_pairs(known)).ok_or(reading.unknown)

@@ -1,25 +1,28 @@
 //! How many solutions a template gives, counted over Z_p without a Gröbner basis.
 //!
-//! Each solution z gives an eigenpair of the action matrix T. The eigenvalue is the value a(z) of the action monomial,
-//! and the eigenvector holds the values of the basis monomials. Other eigenpairs belong to no solution; an emitted
-//! solver finds out by the equations. The same is done here exactly, for all eigenpairs at once:
+//! Each solution z gives an eigenpair of the action matrix T. The eigenvalue is the value a(z) of
+//! the action monomial, and the eigenvector holds the values of the basis monomials. Other
+//! eigenpairs belong to no solution; an emitted solver finds out by the equations. The same is done
+//! here exactly, for all eigenpairs at once:
 //!
-//! 1. [`Eigenpair`] gives polynomials v(t) that are the eigenvector at each eigenvalue t with one eigenvector.
-//!    s(t) is the polynomial whose roots are these eigenvalues, each once.
-//! 2. An unknown x is the ratio v_(xm)(t) / v_m(t) modulo s, a division by extended Euclid. Where v_m has a factor in
-//!    common with s, x is read from another pair at its roots. s is then split, and each part is treated by itself (the D5
-//!    principle: Della Dora, Dicrescenzo, Duval, "About a new method for computing in algebraic number fields",
-//!    EUROCAL 1985).
-//! 3. Unknowns that presolve eliminated follow. All equations as stated are evaluated modulo s. The greatest common
-//!    divisor of s and their values has the solutions for roots; those where a factor that must not vanish does are
-//!    divided out.
-//! 4. Where signs can be changed some unknowns are square roots x of residues X(t). Values are then sums of residues
-//!    times products of roots ([`super::residues`]). A root t stands for a solution for each choice of the signs of
-//!    the x that are not 0.
-//! 5. The origin is a solution that needs no eigenpair. It is counted once, and divided out where an eigenpair gives it.
+//! 1. [`Eigenpair`] gives polynomials v(t) that are the eigenvector at each eigenvalue t with one
+//!    eigenvector. s(t) is the polynomial whose roots are these eigenvalues, each once.
+//! 2. An unknown x is the ratio v_(xm)(t) / v_m(t) modulo s, a division by extended Euclid. Where
+//!    v_m has a factor in common with s, x is read from another pair at its roots. s is then split,
+//!    and each part is treated by itself (the D5 principle: Della Dora, Dicrescenzo, Duval, "About
+//!    a new method for computing in algebraic number fields", EUROCAL 1985).
+//! 3. Unknowns that presolve eliminated follow. All equations as stated are evaluated modulo s. The
+//!    greatest common divisor of s and their values has the solutions for roots; those where a
+//!    factor that must not vanish does are divided out.
+//! 4. Where signs can be changed some unknowns are square roots x of residues X(t). Values are then
+//!    sums of residues times products of roots ([`super::residues`]). A root t stands for a
+//!    solution for each choice of the signs of the x that are not 0.
+//! 5. The origin is a solution that needs no eigenpair. It is counted once, and divided out where
+//!    an eigenpair gives it.
 //!
-//! An eigenvalue with several eigenvectors may belong to as many solutions, which share a value of a. These are not
-//! looked into: they make the number uncertain, as do eigenpairs from which an unknown cannot be read.
+//! An eigenvalue with several eigenvectors may belong to as many solutions, which share a value of
+//! a. These are not looked into: they make the number uncertain, as do eigenpairs from which an
+//! unknown cannot be read.
 
 use std::fmt;
 
@@ -29,7 +32,8 @@ use super::system_table::SystemTable;
 use super::{Extraction, KnownMonomial, Plan, Term};
 use crate::algebra::{DenseMatrix, Eigenpair, Monomial, PrimeField, Random, Univariate};
 
-/// Bounds on the number of different solutions. They are equal unless an eigenvalue has several eigenvectors.
+/// Bounds on the number of different solutions. They are equal unless an eigenvalue has several
+/// eigenvectors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SolutionBounds {
     /// The solutions that are certain.
@@ -62,8 +66,8 @@ impl SolutionBounds {
 /// The seed of the random vector and of the random combination of the equations; any constant does.
 const SEED: u64 = 0x636f_756e_7465_6421;
 
-/// Counts the solutions that a plan gives on an instance over Z_p, of which the values of the coefficients and the result
-/// of the elimination are given. `action` is the action monomial.
+/// Counts the solutions that a plan gives on an instance over Z_p, of which the values of the
+/// coefficients and the result of the elimination are given. `action` is the action monomial.
 ///
 /// Random choices can make it wrong with a probability of about |B| / p, below 10^-6.
 pub fn count_solutions(
@@ -125,7 +129,8 @@ impl Counter<'_> {
         let mut count = SolutionBounds { least: origin, most: origin + all_signs * shared };
         let residues = Residues { field: self.field, modulus, squares: Vec::new() };
         let mut branches = vec![Branch { residues, unknowns: vec![Element::default(); self.plan.unknowns.len()] }];
-        // An unknown that no extraction and no recovery gives does not occur: the plan is checked for that.
+        // An unknown that no extraction and no recovery gives does not occur: the plan is checked
+        // for that.
         for extraction in &self.plan.extractions {
             let mut read = Vec::new();
             for branch in branches {
@@ -143,7 +148,8 @@ impl Counter<'_> {
         count
     }
 
-    /// The polynomial of the eigenvalues with one eigenvector, and how many eigenvectors the others have at most.
+    /// The polynomial of the eigenvalues with one eigenvector, and how many eigenvectors the others
+    /// have at most.
     fn split_by_eigenvectors(&self) -> (Univariate, usize) {
         let field = self.field;
         let all = self.eigenpair.minimal().squarefree_part(field);
@@ -158,8 +164,8 @@ impl Counter<'_> {
         (single, shared.degree() + further)
     }
 
-    /// Reads an unknown from the first pair that can be divided, on each part of a branch. Returns at how many roots
-    /// there is no such pair.
+    /// Reads an unknown from the first pair that can be divided, on each part of a branch. Returns
+    /// at how many roots there is no such pair.
     fn read(&self, mut branch: Branch, extraction: &Extraction, read: &mut Vec<Branch>) -> usize {
         for &(from, to) in &extraction.pairs {
             if branch.is_empty() {
@@ -201,7 +207,8 @@ impl Counter<'_> {
         let mut value = branch.residues.element(ratio);
         for (root, exponent) in extraction.others() {
             let factor = match exponent {
-                // A root that is 0 has no reciprocal; then the monomials of the pair vanish, and no ratio is there.
+                // A root that is 0 has no reciprocal; then the monomials of the pair vanish, and no
+                // ratio is there.
                 1 => branch.residues.inverse_root(root).unwrap_or_default(),
                 _ => branch.unknowns[root].clone(),
             };
@@ -211,7 +218,8 @@ impl Counter<'_> {
         read.push(branch);
     }
 
-    /// Sets an unknown to the square root of a ratio. Where the ratio is 0 the unknown is 0 and has one sign only.
+    /// Sets an unknown to the square root of a ratio. Where the ratio is 0 the unknown is 0 and has
+    /// one sign only.
     fn assign_root(&self, branch: &Branch, unknown: usize, ratio: &Univariate, read: &mut Vec<Branch>) {
         let zeros = ratio.gcd(self.field, &branch.residues.modulus);
         let mut other = branch.restricted_to(branch.residues.modulus.over(self.field, &zeros));
@@ -251,7 +259,8 @@ impl Counter<'_> {
             });
             solutions = solutions.over(field, &origin);
         }
-        // An eigenvector of no solution may give a solution all the same: that of another eigenvalue.
+        // An eigenvector of no solution may give a solution all the same: that of another
+        // eigenvalue.
         let (mut difference, denominator) = self.action_parts(branch);
         let product = residues.product(&denominator, &residues.element(&Univariate::t()));
         residues.add_multiple(&mut difference, field.neg(1), &product);

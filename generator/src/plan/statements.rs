@@ -1,4 +1,5 @@
-//! Which values of a straight-line program are statements of the emitted program, and which are parts of others.
+//! Which values of a straight-line program are statements of the emitted code, and which are parts
+//! of others.
 
 use std::collections::BTreeMap;
 
@@ -25,15 +26,15 @@ pub enum Place {
 
 /// The statements that a program is emitted as.
 ///
-/// A value that is read once is part of the expression that reads it: the order of operations is the same. A value that
-/// is read more often is kept in one array. Each type that the compiler must find costs time, and thousands of
-/// variables, each with its debug information, overflow its stack. So only values that the problem names are variables.
-/// Constants and data need no place.
+/// A value that is read once is part of the expression that reads it: the order of operations is
+/// the same. A value that is read more often is kept in one array. Each type that the compiler must
+/// find costs time, and thousands of variables, each with its debug information, overflow its
+/// stack. So only values that the problem names are variables. Constants and data need no place.
 ///
 /// ```text
-///   program       v0 = a; v1 = b; v2 = v0 v1; v3 = v2 + v0; v4 = v2 v2; v5 = v3 - v4      coefficients [v5]
-///   places        -       -       slot 0      inline        inline      inline
-///   emitted       v[0] = a * b;  [v[0] + a - v[0] * v[0]]
+///   program    v0 = a;  v1 = b;  v2 = v0 v1;  v3 = v2 + v0;  v4 = v2 v2;  v5 = v3 - v4
+///   places     inline   inline   slot 0       inline         inline       inline
+///   emitted    v[0] = a * b;  [v[0] + a - v[0] * v[0]]       for the coefficients [v5]
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Statements {

@@ -3,15 +3,17 @@
 use super::program::{Operation, Program, ProgramForm, ValueId};
 use crate::expression::{Expression, ExpressionGraph, ExpressionId};
 
-/// A program of more steps than this becomes a table. A step takes 0.7 ns in a table and 0.3 ns as a statement. But the
-/// time to compile statements grows faster than their number: solvers of 3,700, 13,400 and 17,100 steps take 3.4 s, 11 s
-/// and 47 s as statements, and 4 s as tables.
+/// A program of more steps than this becomes a table. A step takes 0.7 ns in a table and 0.3 ns as
+/// a statement. But the time to compile statements grows faster than their number: solvers of
+/// 3,700, 13,400 and 17,100 steps take 3.4 s, 11 s and 47 s as statements, and 4 s as tables.
 const MOST_STATEMENTS: usize = 4096;
-/// The program for a template of more rows than this becomes a table, too. Beside the elimination its time does not
-/// matter, and a table can be executed at twice the precision, which finds solutions close to a degenerate instance.
+/// The program for a template of more rows than this becomes a table, too. Beside the elimination
+/// its time does not matter, and a table can be executed at twice the precision, which finds
+/// solutions close to a degenerate instance.
 const MOST_ROWS: usize = 40;
 
-/// The program that computes `used`, and the value of each. `rows` is the number of rows of the template.
+/// The program that computes `used`, and the value of each. `rows` is the number of rows of the
+/// template.
 pub(crate) fn straight_line_program(
     graph: &ExpressionGraph,
     used: &[ExpressionId],
@@ -27,7 +29,8 @@ pub(crate) fn straight_line_program(
 
 /// The nodes that `used` depends on, in the order of the graph, and the position of each used one.
 ///
-/// A sum of products is taken whole, even if only some of its coefficients are used: it is computed in one loop.
+/// A sum of products is taken whole, even if only some of its coefficients are used: it is computed
+/// in one loop.
 fn in_order_of_the_graph(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Program, Vec<ValueId>) {
     let needed = graph.needed(used);
     let mut position = vec![ValueId(0); needed.len()];
@@ -68,8 +71,8 @@ fn in_order_of_the_graph(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Pro
 
 /// The same program in an order of long runs of equal operations, which a table executes as loops.
 ///
-/// The level of a value is the length of the longest chain of steps that leads to it. Values of one level do not depend
-/// on each other, so they may be sorted by operation:
+/// The level of a value is the length of the longest chain of steps that leads to it. Values of one
+/// level do not depend on each other, so they may be sorted by operation:
 ///
 /// ```text
 ///   level    0                    1                      2

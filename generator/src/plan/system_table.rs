@@ -12,16 +12,16 @@ use crate::algebra::Monomial;
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SystemTable {
-    /// (parent, unknown) for each monomial.
+    /// The (parent, unknown) of each monomial.
     pub chain: Vec<(u16, u16)>,
     /// Where the terms of each polynomial end.
     pub ends: Vec<u32>,
-    /// (coefficient, monomial) for each term.
+    /// The (coefficient, monomial) of each term.
     pub terms: Vec<(u16, u16)>,
 }
 
 impl SystemTable {
-    /// The table of some polynomials in so many unknowns.
+    /// The table of polynomials in this number of unknowns.
     pub fn of(polynomials: &[Vec<Term>], unknowns: usize) -> Self {
         let monomials = closed(polynomials, unknowns);
         let find = |monomial: &[u8]| monomials.iter().position(|m| m == monomial).unwrap_or(0) as u16;
@@ -47,7 +47,8 @@ impl SystemTable {
     }
 }
 
-/// All monomials of some polynomials and the products that lead to them, by degree, then exponents. The first is 1.
+/// All monomials of the polynomials with the chain of products that leads from 1 to each. They are
+/// sorted by degree, then exponents; the first is 1.
 fn closed(polynomials: &[Vec<Term>], unknowns: usize) -> Vec<Vec<u8>> {
     let mut monomials: Vec<Vec<u8>> = polynomials.iter().flatten().map(|term| term.exponents.clone()).collect();
     monomials.push(vec![0; unknowns]);

@@ -1,4 +1,4 @@
-//! Where the values of the monomials stand that unknowns are read from.
+//! The positions of the values of monomials that unknowns are read from.
 
 use super::{KnownMonomial, Plan};
 
@@ -13,7 +13,7 @@ pub struct ValueLayout {
     pub basis: usize,
     /// Whether an unknown is read from the image of the basis.
     pub has_image: bool,
-    /// How many pivots are read besides.
+    /// The number of pivots that are read besides.
     pub read: usize,
 }
 
@@ -26,17 +26,17 @@ impl ValueLayout {
         Self { basis: plan.elimination.basis, has_image, read: plan.read.len() }
     }
 
-    /// How many values there are.
+    /// The number of values.
     pub fn len(&self) -> usize {
         self.basis * (1 + usize::from(self.has_image)) + self.read
     }
 
-    /// Whether there are no values, which no plan has.
+    /// Whether there are no values. No plan has none.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Where a monomial's value stands.
+    /// The position of a monomial's value.
     pub fn position(&self, monomial: KnownMonomial) -> u16 {
         let position = match monomial {
             KnownMonomial::Basis(b) => usize::from(b.0),
@@ -46,7 +46,7 @@ impl ValueLayout {
         position as u16
     }
 
-    /// The pairs of positions from which an unknown is read.
+    /// The pairs of positions of (m, s m) from which an unknown is read.
     pub fn ratios(&self, plan: &Plan, unknown: usize) -> Vec<(u16, u16)> {
         let extractions = plan.extractions.iter().filter(|x| x.unknown == unknown);
         extractions.flat_map(|x| &x.pairs).map(|&(m, xm)| (self.position(m), self.position(xm))).collect()

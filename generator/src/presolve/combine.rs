@@ -1,20 +1,30 @@
 //! Subtracts constant multiples of equations from others, so that their highest terms cancel.
 //!
-//! The equations of two spheres, `dot(x - a, x - a) == r * r`, share all terms of degree two: their difference is linear. Otherwise a template would
-//! hold both where the difference does, and an unknown that the difference gives would not be eliminated.
+//! The equations of two spheres, `dot(x - a, x - a) == r * r`, share all terms of degree two: their
+//! difference is linear.
+//!
+//! ```text
+//!   f = c m + ..       f and g have the highest monomial m in common, with constants c and d;
+//!   g = d m + ..       f is the shortest such equation:   g  ->  g - (d / c) f,   without m
+//! ```
+//!
+//! Without this a template needs rows of both equations to form the difference, and an unknown that
+//! the difference gives is not eliminated.
 
 use crate::algebra::Monomial;
 use crate::expression::SymbolicPolynomial;
 use crate::problem::Problem;
 
-/// Gaussian elimination on the terms of degree two and more, highest first, as far as they have constant coefficients: of the equations with the same
-/// highest term the shortest is subtracted from all others.
+/// Gaussian elimination on the terms of degree two and more, highest first, as far as they have
+/// constant coefficients. Of the equations with the same highest term, the shortest is subtracted
+/// from all others: this keeps the others short.
 pub(super) fn combine(problem: &mut Problem) {
     let mut monomials: Vec<Monomial> = problem.polynomials().flat_map(|p| p.monomials()).collect();
     monomials.sort_by_key(|m| std::cmp::Reverse(rank(m)));
     monomials.dedup();
     for monomial in monomials.into_iter().take_while(|m| m.degree() > 1) {
         let graph = &mut problem.graph;
+        // Only a constant pivot is safe: one that depends on data may be 0.
         let is_led = |p: &SymbolicPolynomial| {
             p.monomials().max_by_key(rank) == Some(monomial)
                 && p.coefficient(&monomial).is_some_and(|&c| graph.as_constant(c).is_some())
@@ -38,7 +48,7 @@ pub(super) fn combine(problem: &mut Problem) {
     problem.equations.retain(|statement| !statement.polynomial.is_zero());
 }
 
-/// Higher degrees lead.
+/// The order of terms: by degree, then canonical.
 fn rank(m: &Monomial) -> (i32, Monomial) {
     (m.degree(), *m)
 }

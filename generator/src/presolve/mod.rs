@@ -1,8 +1,9 @@
-//! Combines equations, and eliminates unknowns that some equation gives explicitly.
+//! Combines equations, and eliminates unknowns that an equation gives explicitly.
 //!
-//! An equation `c x + rest = 0`, where x occurs in no other term and c depends on the data only, gives `x = -rest / c`. The
-//! unknown is substituted away in all other equations and recovered after the solve. Substitution can also hurt (degrees grow, coefficients swell): a
-//! search judges all of [`crate::presolve::Presolve`] side by side.
+//! An equation `c x + rest = 0`, where x occurs in no other term and c depends on the data only,
+//! gives `x = -rest / c`. The unknown is substituted in all other equations, and recovered after
+//! the solve. Substitution can also hurt, because degrees and coefficients grow: a search judges
+//! all of [`crate::presolve::Presolve`] side by side.
 
 mod combine;
 mod reduced;
@@ -19,7 +20,11 @@ use crate::algebra::Monomial;
 use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
 use crate::problem::Problem;
 
-/// Eliminates unknowns until none qualifies. Constant coefficients go first, then short right-hand sides.
+/// Presolves a problem: combines equations, eliminates unknowns as long as an equation gives one,
+/// and divides by squares. Each step is done only if `presolve` asks for it.
+///
+/// Unknowns with constant coefficients are eliminated first, then those with short right-hand
+/// sides.
 pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
     let mut reduced = ReducedProblem {
         problem: problem.clone(),
@@ -36,7 +41,7 @@ pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
             break;
         }
     }
-    // Recovery runs backwards: what was eliminated last depends on kept unknowns only.
+    // Recovery runs backwards: the unknown that was eliminated last depends on kept unknowns only.
     reduced.recoveries.reverse();
     if presolve.divides() {
         divide_by_squares(&mut reduced);
@@ -44,6 +49,7 @@ pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
     reduced
 }
 
+/// An unknown that an equation gives explicitly.
 struct Candidate {
     equation: usize,
     unknown: usize,
@@ -52,6 +58,7 @@ struct Candidate {
     preference: (bool, usize, usize, usize),
 }
 
+/// The unknowns that can be eliminated: each occurs in one term of the equation only, by itself.
 fn candidates(reduced: &ReducedProblem, presolve: Presolve) -> Vec<Candidate> {
     let mut found = Vec::new();
     if presolve == Presolve::None {
@@ -73,7 +80,8 @@ fn candidates(reduced: &ReducedProblem, presolve: Presolve) -> Vec<Candidate> {
     found
 }
 
-/// Substitutes one unknown everywhere; false (and no change) where an equation would grow too long or overflow.
+/// Substitutes one unknown everywhere. Returns false, and changes nothing, if an equation would
+/// grow too long or an exponent overflow.
 fn eliminate(reduced: &mut ReducedProblem, candidate: &Candidate) -> bool {
     let mut problem = reduced.problem.clone();
     let equation = problem.equations.remove(candidate.equation);
@@ -97,7 +105,7 @@ fn eliminate(reduced: &mut ReducedProblem, candidate: &Candidate) -> bool {
     true
 }
 
-/// p with x replaced by `value`.
+/// p with x replaced by `value`; `None` if it grows too long or an exponent overflows.
 fn substitute(
     graph: &mut ExpressionGraph,
     p: &SymbolicPolynomial,
@@ -108,7 +116,8 @@ fn substitute(
     if p.monomials().any(|m| m.exponent(unknown) < 0) {
         return None;
     }
-    // Horner in x: ((p_n value + p_(n-1)) value + ...) + p_0.
+    // With p = p_n x^n + .. + p_0, p_k free of x, by Horner: (..(p_n value + p_(n-1)) value + ..) +
+    // p_0.
     let mut result = SymbolicPolynomial::ZERO;
     for power in (0..=highest).rev() {
         result = graph.polynomial_mul(&result, value)?;

@@ -1,4 +1,4 @@
-//! How far a problem is presolved, and what it is then.
+//! How far a problem is presolved, and the result.
 
 use crate::expression::SymbolicPolynomial;
 use crate::problem::Problem;
@@ -8,18 +8,19 @@ use crate::problem::Problem;
 pub enum Presolve {
     /// Keep every unknown.
     None,
-    /// Only where the coefficient is a constant.
+    /// Eliminate an unknown if its coefficient is a constant.
     Constant,
-    /// Wherever the coefficient depends on data only.
+    /// Eliminate an unknown if its coefficient depends on data only.
     Linear,
-    /// As [`Presolve::Linear`]; then all other equations are divided by those that give the square of an unknown, which keeps the unknowns
-    /// and takes these equations away.
+    /// As [`Presolve::Linear`]. Then all other equations are divided by those that give the square
+    /// of an unknown: the unknowns are kept, and these equations go.
     Square,
-    /// As [`Presolve::Constant`], after constant multiples of equations were subtracted from others with the same highest term.
+    /// As [`Presolve::Constant`], after constant multiples of equations are subtracted from others
+    /// with the same highest term.
     Combined,
-    /// As [`Presolve::Linear`], after the same.
+    /// As [`Presolve::Linear`], after the same subtractions.
     CombinedLinear,
-    /// As [`Presolve::Square`], after the same.
+    /// As [`Presolve::Square`], after the same subtractions.
     CombinedSquare,
 }
 
@@ -50,7 +51,7 @@ impl Presolve {
         matches!(self, Self::Square | Self::CombinedSquare)
     }
 
-    /// Whether an unknown is eliminated only where its coefficient is a constant.
+    /// Whether an unknown is eliminated only if its coefficient is a constant.
     pub(super) fn is_constant(self) -> bool {
         matches!(self, Self::Constant | Self::Combined)
     }
@@ -65,14 +66,15 @@ pub struct Recovery {
     pub value: SymbolicPolynomial,
 }
 
-/// A problem with some unknowns substituted away. Monomials keep the indices of the original unknowns.
+/// A problem with some unknowns substituted away. Monomials keep the indices of the original
+/// unknowns.
 #[derive(Clone, Debug)]
 pub struct ReducedProblem {
     /// The problem with the remaining equations; `unknowns` still lists all of them.
     pub problem: Problem,
-    /// Indices of the unknowns that are left, increasing.
+    /// Indices of the unknowns that are left, in increasing order.
     pub kept: Vec<usize>,
-    /// How to recover the others, in the order in which it can be done.
+    /// The values of the eliminated unknowns, each in terms of kept ones and of those before it.
     pub recoveries: Vec<Recovery>,
 }
 

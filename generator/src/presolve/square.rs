@@ -1,28 +1,34 @@
-//! Divides by equations that give the square of an unknown, such as that of a unit vector or quaternion, or of a sine and a cosine.
+//! Divides by equations that give the square of an unknown: of a unit vector or quaternion, or of a
+//! sine and a cosine.
 //!
-//! With `c x^2 + rest = 0`, where x is nowhere else in it and c is a constant, every polynomial has a remainder E + x O with E and O free of x.
-//! An equation f and its multiple x f leave
+//! Let `c x^2 + rest = 0` be such an equation: c is a constant, and x does not occur in the rest.
+//! Modulo it every polynomial is E + x O with E and O free of x, because x^2 can be replaced by r =
+//! -rest / c. An equation f and its multiple x f have the remainders
 //!
 //! ```text
-//!   f  ->  E + x O
-//!   x f -> r O + x E        r = -rest / c = x^2
+//!   f    ->  E + x O
+//!   x f  ->  r O + x E
 //! ```
 //!
-//! Both are in the ideal, and their multiples by the other unknowns give, modulo the equation, all multiples of f: the equation itself needs no rows any more,
-//! which is what an offline Schur complement of its multiples achieves too (Martyushev, Bhayani, Pajdla, arXiv 2307.00320).
+//! Both are in the ideal. As x^2 f leaves r times the first, their multiples by the other unknowns
+//! give all multiples of f modulo the equation. The equation itself needs no rows of the template
+//! any more. An offline Schur complement of its multiples achieves the same (Martyushev, Bhayani,
+//! Pajdla, arXiv 2307.00320).
 //!
-//! Several such equations, as of the sines and cosines of several angles, divide one after another.
+//! Several such equations, as for the sines and cosines of several angles, divide one after
+//! another.
 
 use super::reduced::{MAX_TERMS, ReducedProblem};
 use crate::algebra::{MAX_UNKNOWNS, Monomial};
 use crate::expression::{ExpressionGraph, SymbolicPolynomial};
 use crate::problem::Problem;
 
-/// No further division where there are more equations: each makes up to twice as many.
+/// With more equations than this there is no further division: each doubles their number at most.
 const MOST_EQUATIONS: usize = 60;
 
-/// Replaces the other equations by their remainders and those of their multiples, for one divisor after another; no change where no equation gives a square,
-/// or one would grow too long.
+/// Replaces the other equations by their remainders and those of their multiples, for one divisor
+/// after another. Nothing changes if no equation gives a square, or if an equation would grow too
+/// long.
 pub(super) fn divide_by_squares(reduced: &mut ReducedProblem) {
     let mut divided_by = Vec::new();
     while reduced.problem.equations.len() <= MOST_EQUATIONS
@@ -34,7 +40,8 @@ pub(super) fn divide_by_squares(reduced: &mut ReducedProblem) {
     }
 }
 
-/// The shortest equation with an unknown whose square alone it holds, and none that was divided by before.
+/// The divisor: the shortest equation that holds an unknown only as its square, and no unknown of
+/// an earlier divisor.
 fn square(reduced: &ReducedProblem, divided_by: &[usize]) -> Option<(usize, usize)> {
     let graph = &reduced.problem.graph;
     let mut found = Vec::new();
@@ -54,11 +61,13 @@ fn square(reduced: &ReducedProblem, divided_by: &[usize]) -> Option<(usize, usiz
             }
         }
     }
-    // Divided by the only equation nothing would be left.
+    // After division by the only equation none would be left.
     let (_, equation, unknown) = found.into_iter().min()?;
     (reduced.problem.equations.len() > 1).then_some((equation, unknown))
 }
 
+/// The problem divided by an equation that gives the square of an unknown; `None` if an equation
+/// grows too long.
 fn divided(reduced: &ReducedProblem, equation: usize, unknown: usize) -> Option<Problem> {
     let mut problem = reduced.problem.clone();
     let divisor = problem.equations.remove(equation).polynomial;
@@ -77,7 +86,7 @@ fn divided(reduced: &ReducedProblem, equation: usize, unknown: usize) -> Option<
         let remainder = graph.polynomial_add(&even, &odd_times_x);
         let (constant, linear) = (graph.polynomial_mul(&odd, &square)?, graph.polynomial_mul(&even, &x)?);
         let of_multiple = graph.polynomial_add(&constant, &linear);
-        // Without x the remainder can be multiplied by it as it is.
+        // A remainder without x needs no second one: x times it is its own remainder.
         let both = if odd.is_zero() { vec![remainder] } else { vec![remainder, of_multiple] };
         for polynomial in both.into_iter().filter(|polynomial| !polynomial.is_zero()) {
             if polynomial.terms().len() > MAX_TERMS {
@@ -92,7 +101,8 @@ fn divided(reduced: &ReducedProblem, equation: usize, unknown: usize) -> Option<
     Some(problem)
 }
 
-/// The terms of even (`parity` 0) or odd (1) degree in x, divided by x^parity, with `square` for x^2.
+/// E for `parity` 0, or O for 1: the terms of even or odd degree in x, divided by x^parity, with
+/// `square` for x^2.
 fn half(
     graph: &mut ExpressionGraph,
     p: &SymbolicPolynomial,
@@ -104,7 +114,7 @@ fn half(
     if p.monomials().any(|m| m.exponent(unknown) < 0) {
         return None;
     }
-    // Horner in x^2.
+    // Horner's scheme in x^2.
     let mut result = SymbolicPolynomial::ZERO;
     for power in (0..=highest).rev().filter(|power| power % 2 == parity) {
         result = graph.polynomial_mul(&result, square)?;

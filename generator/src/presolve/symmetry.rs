@@ -1,14 +1,20 @@
 //! Sign changes of unknowns that map solutions to solutions.
 //!
-//! Where all terms of each equation have the same parity in some unknowns, these may change their signs together:
-//! x y + z^2 = 1 holds for (-x, -y, z) if it does for (x, y, z). Monomials fall into classes of equal parity, which no multiple of an equation
-//! mixes, and an action monomial that keeps its sign stays in one class. A template then needs one class only, and |B| may be the number of
-//! solutions up to sign. (Larsson and Åström, "Uncovering symmetries in polynomial systems", ECCV 2016, section 3, for p = 2.)
+//! If all terms of each equation have the same parity in some unknowns, these may change their
+//! signs together: x y + z^2 = 1 holds for (-x, -y, z) if it holds for (x, y, z). Monomials fall
+//! into classes of equal parity. No multiple of an equation mixes classes, and an action monomial
+//! that keeps its sign maps each class to itself. A template then needs one class only, and |B| may
+//! be the number of solutions up to sign (Larsson and Åström, "Uncovering symmetries in polynomial
+//! systems", ECCV 2016, section 3, for p = 2).
+//!
+//! Sign changes are vectors over Z_2 with a bit for each unknown, and a sign change multiplies a
+//! monomial by (-1)^(sum of flip bit times exponent): the group of those that keep all equations is
+//! the kernel of a matrix of parities.
 //!
 //! ```text
 //!           x y z w
-//! flips   [ 1 1 0 1 ]   reduced echelon form: an unknown that is a pivot is changed by one flip only, so that the signs
-//!         [ 0 0 1 1 ]   of the pivots can be chosen one by one and decide all others
+//! flips   [ 1 1 0 1 ]   reduced echelon form: a pivot (here x and z) is changed by one flip only,
+//!         [ 0 0 1 1 ]   so the signs of the pivots can be chosen freely, and decide all others
 //! ```
 
 use crate::algebra::{MAX_UNKNOWNS, Monomial};
@@ -17,16 +23,18 @@ use crate::problem::Problem;
 /// Unknowns that change their sign, by bits.
 type Flip = u16;
 
-/// A group of sign changes.
+/// A group of sign changes: the space over Z_2 that its generators span.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Symmetry {
     /// Generators in reduced echelon form.
     flips: Vec<Flip>,
 }
 
-/// How an unknown is read from monomials of one class: from two of them that differ by one of `steps`.
+/// How an unknown is read from monomials of one class: from two whose ratio is one of `steps`.
 ///
-/// A step is x^2 for a pivot x, and for any other unknown itself times pivots or their reciprocals; without symmetry, the unknown itself.
+/// The step of a pivot x is x^2. A step of any other unknown is the unknown times pivots or their
+/// reciprocals, such that no sign change affects it. Without symmetry the step is the unknown
+/// itself.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reading {
     /// The unknown.
@@ -39,7 +47,8 @@ impl Symmetry {
     /// No sign change.
     pub const NONE: Self = Self { flips: Vec::new() };
 
-    /// The sign changes that map every equation, and every factor that must not vanish, to itself up to sign.
+    /// The sign changes that map every equation, and every factor that must not vanish, to itself
+    /// up to sign.
     pub fn of_problem(problem: &Problem) -> Self {
         let unknowns = problem.unknowns.len();
         let mut symmetry = Self { flips: (0..unknowns).map(|unknown| 1 << unknown).collect() };
@@ -50,7 +59,8 @@ impl Symmetry {
         symmetry
     }
 
-    /// The sign changes that keep the sign of an action monomial and do not tell the monomials of a basis apart.
+    /// The sign changes that keep the sign of the action monomial, and change the signs of all
+    /// basis monomials or of none.
     #[must_use]
     pub fn of_template(&self, action: &Monomial, basis: &[Monomial]) -> Self {
         let mut symmetry = self.clone();
@@ -59,7 +69,8 @@ impl Symmetry {
         symmetry
     }
 
-    /// Without the sign changes of none of the unknowns that are `kept`: nothing tells their solutions apart.
+    /// The sign changes without those that change no unknown of `kept`: such do not lead to another
+    /// solution there.
     #[must_use]
     pub fn on(&self, kept: &[usize]) -> Self {
         let others = (0..MAX_UNKNOWNS).filter(|unknown| !kept.contains(unknown));
@@ -67,6 +78,12 @@ impl Symmetry {
         Self { flips: echelon.into_iter().filter(|(pivot, _)| kept.contains(pivot)).map(|(_, flip)| flip).collect() }
     }
 
+    /// Restricts the group to the sign changes that change the signs of all these monomials or of
+    /// none.
+    ///
+    /// A generator with odd product with a difference of parities changes one of two monomials
+    /// only. It is removed, and added to the other such generators: the sum of two odd products is
+    /// even.
     fn keep_one_class(&mut self, mut monomials: impl Iterator<Item = Monomial>) {
         let Some(first) = monomials.next().map(|m| parity(&m)) else { return };
         for difference in monomials.map(|m| parity(&m) ^ first) {
@@ -76,7 +93,8 @@ impl Symmetry {
         }
     }
 
-    /// Pivots and flips; the unknowns become pivots in this order.
+    /// The generators in reduced echelon form, each with its pivot. Unknowns become pivots in the
+    /// given order.
     fn echelon(&self, order: impl Iterator<Item = usize>) -> Vec<(usize, Flip)> {
         let mut left = self.flips.clone();
         let mut done: Vec<(usize, Flip)> = Vec::new();
@@ -96,7 +114,8 @@ impl Symmetry {
         self.flips.is_empty()
     }
 
-    /// How many sign changes there are, with that of no unknown: so many solutions go together.
+    /// The number of sign changes, that of no unknown included. It is the number of solutions that
+    /// go together.
     pub fn order(&self) -> usize {
         1 << self.flips.len()
     }
@@ -106,12 +125,12 @@ impl Symmetry {
         self.flips.iter().all(|&flip| !is_odd(flip & parity(monomial)))
     }
 
-    /// Sign changes that generate all: for each, which unknowns it changes.
+    /// Generators of all sign changes: for each, the unknowns that it changes.
     pub fn generators(&self) -> Vec<Vec<usize>> {
         self.flips.iter().map(|&flip| unknowns_of(flip).collect()).collect()
     }
 
-    /// All sign changes but that of no unknown: for each, which unknowns it changes.
+    /// All sign changes except that of no unknown: for each, the unknowns that it changes.
     pub fn all(&self) -> Vec<Vec<usize>> {
         let sum = |combination: usize| {
             let chosen = self.flips.iter().enumerate().filter(move |(at, _)| combination >> at & 1 == 1);
@@ -120,7 +139,7 @@ impl Symmetry {
         (1..self.order()).map(|combination| unknowns_of(sum(combination)).collect()).collect()
     }
 
-    /// Ways to read all of the unknowns, which differ in the pivots.
+    /// Ways to read all unknowns, one for each choice of pivots that comes first for some unknown.
     pub fn readings(&self, unknowns: &[usize]) -> Vec<Vec<Reading>> {
         let mut echelons: Vec<Vec<(usize, Flip)>> = Vec::new();
         for first in 0..unknowns.len().max(1) {
@@ -137,7 +156,7 @@ impl Symmetry {
     }
 }
 
-/// What monomials differ by from which an unknown is read.
+/// The ratios of monomials from which an unknown is read.
 fn steps(unknown: usize, echelon: &[(usize, Flip)]) -> Vec<Monomial> {
     let x = Monomial::unknown(unknown);
     if echelon.iter().any(|&(pivot, _)| pivot == unknown) {

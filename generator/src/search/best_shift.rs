@@ -1,23 +1,28 @@
 //! The shift that adds most rows for its columns (Martyushev, Bhayani, Pajdla, arXiv 2307.00320).
 //!
-//! A shift brings monomials that no accepted shift holds. Others become free, which hold no monomials but those and accepted ones. Of the neighbours of the
-//! accepted shifts the best one leaves the smallest excess of columns over rows, with what it frees. What a neighbour brings and frees is kept from step to step,
-//! and found anew only where a monomial that it depends on was accepted.
+//! A neighbour of the accepted shifts *brings* the monomials that no accepted shift has. With them
+//! other shifts become *free*: shifts all of whose monomials are brought or accepted. They are rows
+//! that cost no column, so all of them are accepted with the neighbour. The best neighbour is the
+//! one with the smallest difference of columns brought and rows added.
 //!
 //! ```text
 //!                accepted monomials | brought by c
 //! accepted      [ *  *  *  *  *  *  |             ]
-//! neighbour c   [ *        *        |  *     *    ]
-//! freed by it   [    *     *  *     |  *          ]
+//! neighbour c   [ *        *        |  *     *    ]    2 columns - 3 rows = -1
+//! freed by c    [    *     *  *     |  *          ]
 //!               [       *        *  |  *     *    ]
 //! ```
+//!
+//! To count what all neighbours free takes most of the time, and changes for few of them in a step.
+//! What each neighbour brings and frees is therefore kept, and found anew only if a monomial that
+//! it depends on was accepted.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::algebra::{Monomial, MonomialMap, MonomialSet, Polynomial};
 use crate::template::Shift;
 
-/// Shifts and their monomials.
+/// The accepted shifts and their monomials.
 #[derive(Clone, Debug)]
 pub(super) struct Accepted<'a> {
     pub(super) equations: &'a [Polynomial<u32>],
@@ -32,7 +37,8 @@ impl Accepted<'_> {
         self.shifts.insert(shift);
     }
 
-    /// The monomials of a shift that are not there, in the order of its terms; `None` for more than `most`.
+    /// The monomials that a shift brings, in the order of its terms; `None` if there are more than
+    /// `most`.
     fn brought_by(&self, shift: &Shift, most: usize) -> Option<Vec<Monomial>> {
         let mut brought = Vec::new();
         for monomial in shift.monomials(self.equations) {
@@ -46,20 +52,22 @@ impl Accepted<'_> {
         Some(brought)
     }
 
-    /// All shifts with a given monomial.
+    /// All shifts that have a monomial.
     fn shifts_with(&self, monomial: Monomial) -> impl Iterator<Item = Shift> + '_ {
         self.equations.iter().enumerate().flat_map(move |(equation, f)| {
             f.monomials().map(move |term| Shift { equation, multiplier: monomial.over(&term) })
         })
     }
 
-    /// The shifts that become free with new monomials: those that bring some of these and nothing else, each once. None of them was accepted before.
+    /// The shifts that become free with new monomials: those that bring some of these and nothing
+    /// else, each once. None of them was accepted before, because an accepted shift brings nothing.
     fn freed_by<'s>(&'s self, new: &'s [Monomial]) -> impl Iterator<Item = Shift> + 's {
         new.iter().flat_map(move |&monomial| self.shifts_with(monomial).map(move |shift| (monomial, shift))).filter_map(
             move |(monomial, shift)| {
                 let mut is_first = true;
                 for m in shift.monomials(self.equations) {
-                    // It is met once for each new monomial, and taken for the first.
+                    // The shift is met once for each new monomial that it has, and counted for its
+                    // first one.
                     if is_first && m == monomial {
                         is_first = false;
                     } else if !self.support.contains(&m) && (is_first || !new.contains(&m)) {
@@ -75,9 +83,9 @@ impl Accepted<'_> {
 /// A neighbour of the accepted shifts.
 #[derive(Clone, Debug)]
 struct Neighbour {
-    /// The monomials that it brings.
+    /// The monomials that the neighbour brings.
     brought: Vec<Monomial>,
-    /// How many shifts it frees, with itself; `None` where that must be found anew.
+    /// Number of shifts that it frees, itself included; `None` if that must be found anew.
     freed: Option<usize>,
 }
 
@@ -86,12 +94,13 @@ struct Neighbour {
 pub(super) struct Neighbours {
     steps: Vec<Monomial>,
     all: BTreeMap<Shift, Neighbour>,
-    /// Those that bring a monomial.
+    /// The neighbours that bring each monomial.
     bringing: MonomialMap<Vec<Shift>>,
 }
 
 impl Neighbours {
-    /// Multipliers differ by one of `steps` from that of an accepted shift.
+    /// The neighbours of the accepted shifts: their multiplier is that of an accepted shift times
+    /// one of `steps`.
     pub(super) fn new(accepted: &Accepted<'_>, steps: Vec<Monomial>) -> Self {
         let mut neighbours = Self { steps, ..Self::default() };
         accepted.shifts.iter().for_each(|shift| neighbours.add_around(shift, accepted));
@@ -110,10 +119,10 @@ impl Neighbours {
         }
     }
 
-    /// Accepts the best neighbour with all that it frees.
+    /// Accepts the best neighbour with all shifts that it frees.
     pub(super) fn accept_best(&mut self, accepted: &mut Accepted<'_>) {
         for neighbour in self.all.values_mut().filter(|neighbour| neighbour.freed.is_none()) {
-            // With itself, which is not among them where it brings nothing.
+            // A neighbour that brings nothing is a row by itself, which `freed_by` does not count.
             neighbour.freed = Some(accepted.freed_by(&neighbour.brought).count().max(1));
         }
         let score = |(shift, neighbour): &(&Shift, &Neighbour)| {
@@ -130,7 +139,7 @@ impl Neighbours {
         self.update(&shifts, &brought, accepted);
     }
 
-    /// After some shifts were accepted that brought some monomials.
+    /// Updates what is kept after some shifts were accepted that brought some monomials.
     fn update(&mut self, shifts: &[Shift], brought: &[Monomial], accepted: &Accepted<'_>) {
         self.all.retain(|shift, _| !accepted.shifts.contains(shift));
         for monomial in brought {
@@ -142,7 +151,8 @@ impl Neighbours {
             }
         }
         let most = self.all.values().map(|neighbour| neighbour.brought.len()).max().unwrap_or(0);
-        // What brings less now may be freed by a neighbour that brings that and more.
+        // A shift that brings less than before may now be freed by a neighbour that brings at least
+        // that much. A shift that brings more than any neighbour does cannot.
         for shift in brought.iter().flat_map(|&monomial| accepted.shifts_with(monomial)) {
             let Some(rest) = accepted.brought_by(&shift, most) else { continue };
             let with_first = rest.first().and_then(|first| self.bringing.get(first));
@@ -163,7 +173,7 @@ mod tests {
     use super::*;
     use crate::algebra::Random;
 
-    /// As it is defined, with nothing kept.
+    /// The definition, with nothing kept.
     fn accept_best(accepted: &mut Accepted<'_>, steps: &[Monomial]) {
         let around = |shift: &Shift| {
             let shift = *shift;
@@ -199,7 +209,7 @@ mod tests {
             };
             let equations = [polynomial(), polynomial(), polynomial()];
             let mut kept = Accepted { equations: &equations, shifts: BTreeSet::new(), support: MonomialSet::default() };
-            // Not closed: some shifts around bring nothing.
+            // The set is not closed: some neighbours bring nothing.
             let first = (0..3).map(|equation| Shift { equation, multiplier: Monomial::ONE });
             first.clone().for_each(|shift| kept.accept(shift));
             first.for_each(|shift| kept.accept(Shift { multiplier: unknowns[0], ..shift }));

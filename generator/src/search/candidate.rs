@@ -1,8 +1,9 @@
-//! A template with its solver, as a search finds it.
+//! A template with its plan, as a search finds it.
 
+use super::formulation::SEARCH_FIELD;
 use super::options::SearchOptions;
 use super::preference::Cost;
-use super::starts::SEARCH_FIELD;
+
 use crate::plan::Plan;
 use crate::presolve::Presolve;
 use crate::problem::Problem;
@@ -11,21 +12,21 @@ use crate::template::file::TemplateFile;
 
 /// A template with how it was found and what it costs.
 #[derive(Clone, Debug)]
-pub struct Candidate {
-    /// Which unknowns were eliminated before.
+pub struct TemplateCandidate {
+    /// How the problem was presolved.
     pub presolve: Presolve,
-    /// Position of the way in which its shifts were grown among all ways to grow.
-    pub way: usize,
-    /// The way in words.
+    /// Position of the strategy that found it among all strategies.
+    pub strategy: usize,
+    /// How that strategy grew the set of shifts, in words.
     pub growth: String,
     /// The template.
     pub template: EliminationTemplate,
-    /// The solver.
+    /// The plan of its solver.
     pub plan: Plan,
 }
 
-impl Candidate {
-    /// The file that records it.
+impl TemplateCandidate {
+    /// The template file of the candidate. Its provenance holds the options of the search.
     pub fn to_file(&self, problem: &Problem, options: &SearchOptions) -> TemplateFile {
         let mut provenance = vec![
             ("generator".to_owned(), env!("CARGO_PKG_VERSION").to_owned()),
@@ -49,7 +50,7 @@ impl Candidate {
         }
     }
 
-    /// What it costs.
+    /// The cost of the solver.
     pub fn cost(&self) -> Cost {
         let operations = self.plan.operations().total();
         Cost { operations, rows: self.template.rows(), basis: self.template.basis.len() }

@@ -1,21 +1,22 @@
-//! All templates that the ways to grow lead to, planned and in order.
+//! All templates that the strategies lead to, planned and in order.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
-use super::attempt::Attempt;
-use super::candidate::Candidate;
+use super::cache::Cache;
+use super::candidate::TemplateCandidate;
 use super::error::SearchError;
-use super::explore::{Explored, Memory, explore};
-use super::grow::Growth;
+use super::failed_strategy::FailedStrategy;
+use super::formulation::formulations;
 use super::monitor::{Monitor, Stage};
 use super::options::SearchOptions;
 use super::preference::Preference;
-use super::starts::{Form, forms, growths, obstacle};
+use super::reduce_strategy::{StrategyContext, StrategyTemplates, reduce_strategy};
+use super::seed_sets::obstacle;
+use super::strategy::{Strategy, strategies};
 use crate::check::SolutionCount;
 use crate::plan::schedule::{ScheduleError, schedule};
-use crate::presolve::Presolve;
 use crate::problem::Problem;
 use crate::template::verify::verify;
 use crate::template::{EliminationTemplate, RootMethod};
@@ -23,129 +24,121 @@ use crate::template::{EliminationTemplate, RootMethod};
 /// What a search found.
 #[derive(Clone, Debug)]
 pub struct Found {
-    /// At least one, all different, in the order of the preference.
-    pub candidates: Vec<Candidate>,
-    /// Ways to grow sets of shifts, those of other shares not counted.
-    pub ways: usize,
+    /// The candidates in the order of the preference. There is at least one, and all are different.
+    pub candidates: Vec<TemplateCandidate>,
+    /// Number of strategies, those of other shards not counted.
+    pub strategies: usize,
     /// How many of them the monitor did not let begin.
     pub untried: usize,
-    /// Templates that the monitor did not let plan.
+    /// Number of templates that the monitor did not let plan.
     pub unplanned: usize,
-    /// Whether the monitor ended the search: what was tried last may have been cut short.
+    /// Whether the monitor ended the search. The last strategies that began may then have been cut
+    /// short.
     pub is_cut: bool,
 }
 
-/// A way to grow sets of shifts.
-struct Way<'a> {
-    form: &'a Form,
-    growth: Growth,
+/// A strategy with its position among all strategies of all shards.
+struct Numbered<'a> {
+    at: usize,
+    strategy: Strategy<'a>,
 }
 
-impl Way<'_> {
-    fn describe(&self) -> String {
-        let combined = if self.form.presolve.combines() { "equations combined, " } else { "" };
-        let presolve = match self.form.presolve {
-            Presolve::None => "",
-            Presolve::Constant | Presolve::Combined => "after presolve with constant coefficients, ",
-            Presolve::Linear | Presolve::CombinedLinear => "after presolve, ",
-            Presolve::Square | Presolve::CombinedSquare => "after presolve and division by squares, ",
-        };
-        let symmetry = if self.form.symmetry.is_none() { "" } else { "up to sign, " };
-        format!("{combined}{presolve}{symmetry}{}", self.growth)
-    }
-}
-
-/// All ways to grow, what is quick and general first.
-fn ways(forms: &[Form]) -> Vec<Way<'_>> {
-    let of = |form| growths(form).into_iter().map(move |growth| Way { form, growth });
-    let mut ways: Vec<Way<'_>> = forms.iter().flat_map(of).collect();
-    ways.sort_by_key(|way| match &way.growth {
-        Growth::Degree(weights) if weights.iter().all(|&weight| weight == 1) => 0,
-        Growth::Degree(_) => 2,
-        _ => 1,
-    });
-    ways
-}
-
-/// All templates of a share of the ways to grow; `algebra` is what [`crate::check::check`] tells of the problem.
+/// All templates of a shard of the strategies. `count` is what [`crate::check::check`] tells of the
+/// problem.
 pub fn candidates(
     problem: &Problem,
-    algebra: &SolutionCount,
+    count: &SolutionCount,
     options: &SearchOptions,
     monitor: &dyn Monitor,
 ) -> Result<Found, SearchError> {
-    // The origin takes no row.
-    let solutions = algebra.solutions - algebra.at_origin;
-    let forms = forms(problem, options)?;
-    let ways: Vec<(usize, Way<'_>)> =
-        ways(&forms).into_iter().enumerate().filter(|(at, _)| options.share.holds(*at)).collect();
-    monitor.say(&format!("{} solutions; growing shifts in {} ways", algebra.solutions, ways.len()));
+    // The origin is a solution that takes no row: the solver knows it without an eigenvalue.
+    let solutions = count.solutions - count.at_origin;
+    let formulations = formulations(problem, options)?;
+    let all = strategies(&formulations).into_iter().enumerate();
+    let strategies: Vec<Numbered<'_>> =
+        all.filter(|(at, _)| options.shard.holds(*at)).map(|(at, strategy)| Numbered { at, strategy }).collect();
+    monitor.say(&format!("{} solutions; growing shifts by {} strategies", count.solutions, strategies.len()));
     let is_over = || monitor.is_over(Stage::Searching);
-    let memory = Memory::default();
-    let explored =
-        map(&ways, |(_, way)| explore(way.form, &way.growth, solutions, options, &memory, monitor), &is_over);
-    let untried = explored.iter().filter(|explored| explored.is_none()).count();
-    let mut work: Vec<(usize, &Way<'_>, &EliminationTemplate)> = Vec::new();
-    for ((at, way), explored) in ways.iter().zip(&explored) {
-        work.extend(explored.iter().flat_map(|explored| &explored.templates).map(|template| (*at, way, template)));
+    let context = StrategyContext { solutions, options, cache: &Cache::default(), monitor };
+    let reduced = map(&strategies, |numbered| reduce_strategy(&numbered.strategy, &context), &is_over);
+    let untried = reduced.iter().filter(|reduced| reduced.is_none()).count();
+    let mut work: Vec<(&Numbered<'_>, &EliminationTemplate)> = Vec::new();
+    for (numbered, reduced) in strategies.iter().zip(&reduced) {
+        work.extend(reduced.iter().flat_map(|reduced| &reduced.templates).map(|template| (numbered, template)));
     }
-    work.sort_by_key(|(_, _, template)| (template.rows(), template.basis.len()));
+    // If planning ends early, only large templates are left out.
+    work.sort_by_key(|(_, template)| (template.rows(), template.basis.len()));
     monitor.say(&format!("planning {} templates", work.len()));
-    let plan = |&(at, way, template): &(usize, &Way<'_>, &EliminationTemplate)| {
-        candidate(problem, way, at, template, algebra.different)
+    let plan = |&(numbered, template): &(&Numbered<'_>, &EliminationTemplate)| {
+        candidate(problem, numbered, template, count.different)
     };
     let planned = map(&work, plan, &|| monitor.is_over(Stage::Measuring));
     let unplanned = planned.iter().filter(|planned| planned.is_none()).count();
     let candidates = in_order(planned.into_iter().flatten().flatten().collect(), options.prefer);
     if candidates.is_empty() {
-        let attempt = |((_, way), explored): (&(usize, Way<'_>), Option<Explored>)| {
-            let explored = explored?;
-            let obstacle = explored.unsolved.map(|matrix| obstacle(way.form, &matrix, solutions));
-            Some(Attempt::new(way.describe(), explored.tried, explored.largest, obstacle.as_ref(), &problem.unknowns))
-        };
-        let attempts = ways.iter().zip(explored).filter_map(attempt).collect();
-        return Err(SearchError::NotFound { max_columns: options.max_columns, attempts, untried, is_over: is_over() });
+        let failed = failed_strategies(&strategies, reduced, solutions, &problem.unknowns);
+        return Err(SearchError::NotFound { max_columns: options.max_columns, failed, untried, is_over: is_over() });
     }
     monitor.say(&format!("{} different templates", candidates.len()));
-    Ok(Found { candidates, ways: ways.len(), untried, unplanned, is_cut: is_over() })
+    Ok(Found { candidates, strategies: strategies.len(), untried, unplanned, is_cut: is_over() })
 }
 
-/// Different candidates in the order of the preference. Ties are broken by content and by the way that they were found, so that the order depends
-/// neither on how the search ran nor on how it was shared.
-pub fn in_order(mut candidates: Vec<Candidate>, preference: Preference) -> Vec<Candidate> {
+/// Different candidates in the order of the preference.
+///
+/// Ties are broken by content, and then by the strategy that found the template. The order
+/// therefore depends neither on how the search ran nor on how it was sharded.
+pub fn in_order(mut candidates: Vec<TemplateCandidate>, preference: Preference) -> Vec<TemplateCandidate> {
     candidates.sort_by_cached_key(|candidate| {
         let content = format!("{:?} {:?}", candidate.presolve, candidate.template);
-        (preference.key(&candidate.cost()), content, candidate.way)
+        (preference.key(&candidate.cost()), content, candidate.strategy)
     });
     candidates.dedup_by(|a, b| a.template == b.template && a.presolve == b.presolve);
     candidates
 }
 
-/// A solver that finds so many solutions; `None` if the template does not hold at the other prime, or no unknown can be read.
+/// A template with its plan, for a solver that finds this number of solutions. `None` if the
+/// template does not hold at the other prime, or an unknown cannot be read.
 fn candidate(
     problem: &Problem,
-    way: &Way<'_>,
-    at: usize,
+    numbered: &Numbered<'_>,
     template: &EliminationTemplate,
     solutions: usize,
-) -> Option<Candidate> {
-    let form = way.form;
-    verify(template, form.check.field, &form.check.equations).ok()?;
-    let plan = schedule(problem, &form.reduced, template, solutions, RootMethod::Eigenvalues);
+) -> Option<TemplateCandidate> {
+    let Numbered { at, strategy } = numbered;
+    let formulation = strategy.formulation;
+    verify(template, formulation.check.field, &formulation.check.equations).ok()?;
+    let plan = schedule(problem, &formulation.reduced, template, solutions, RootMethod::Eigenvalues);
     debug_assert!(!matches!(plan, Err(ScheduleError::Plan(_))), "{plan:?}");
-    let (growth, template) = (way.growth.to_string(), template.clone());
-    Some(Candidate { presolve: form.presolve, way: at, growth, template, plan: plan.ok()? })
+    let (growth, template) = (strategy.growth.to_string(), template.clone());
+    Some(TemplateCandidate { presolve: formulation.presolve, strategy: *at, growth, template, plan: plan.ok()? })
 }
 
-/// Maps one item after the other in parallel until it is over. The first item is mapped in any case; what is not is
-/// `None`. The order of the results is that of the items.
+/// The strategies that began, none of which found a template.
+fn failed_strategies(
+    strategies: &[Numbered<'_>],
+    reduced: Vec<Option<StrategyTemplates>>,
+    solutions: usize,
+    unknowns: &[String],
+) -> Vec<FailedStrategy> {
+    let failed = |(numbered, reduced): (&Numbered<'_>, Option<StrategyTemplates>)| {
+        let StrategyTemplates { tried, largest, unsolved, .. } = reduced?;
+        let strategy = &numbered.strategy;
+        let obstacle = unsolved.map(|matrix| obstacle(strategy.formulation, &matrix, solutions));
+        Some(FailedStrategy::new(strategy.describe(), tried, largest, obstacle.as_ref(), unknowns))
+    };
+    strategies.iter().zip(reduced).filter_map(failed).collect()
+}
+
+/// Maps items in parallel until it is over. Items begin in their order, and the first one begins in
+/// any case. Results are in the order of the items; an item that did not begin has none.
 fn map<T: Sync, R: Send>(
     items: &[T],
     f: impl Fn(&T) -> R + Sync + Send,
     is_over: &(dyn Fn() -> bool + Sync),
 ) -> Vec<Option<R>> {
     let next = AtomicUsize::new(0);
-    // Each thread takes the next item that is left, so that items begin in their order.
+    // Each thread takes the next item that is left. Rayon's own parallel map would begin in the
+    // middle of the list, and an early end would then skip items of all kinds.
     let work = || -> Vec<(usize, R)> {
         let mut mine = Vec::new();
         loop {

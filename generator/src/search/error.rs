@@ -1,6 +1,6 @@
 //! Why a search finds nothing.
 
-use super::attempt::{Attempt, Attempts};
+use super::failed_strategy::{FailedStrategies, FailedStrategy};
 
 /// Why a search found nothing.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -9,13 +9,17 @@ pub enum SearchError {
     #[error("no random instance has the support of the problem: a coefficient vanishes for most data")]
     NoInstance,
     /// No set of shifts within the limits solves.
-    #[error("no elimination template within {max_columns} columns{}: {}", ended(*.untried, *.is_over), Attempts(attempts))]
+    #[error(
+        "no elimination template within {max_columns} columns{}: {}",
+        ended(*.untried, *.is_over),
+        FailedStrategies(failed)
+    )]
     NotFound {
-        /// The limit.
+        /// The limit on the number of columns.
         max_columns: usize,
-        /// The ways to grow that were tried.
-        attempts: Vec<Attempt>,
-        /// How many others there are.
+        /// The strategies that were tried.
+        failed: Vec<FailedStrategy>,
+        /// Number of strategies that were not tried.
         untried: usize,
         /// Whether the monitor ended the search.
         is_over: bool,
@@ -24,7 +28,7 @@ pub enum SearchError {
 
 fn ended(untried: usize, is_over: bool) -> String {
     match is_over {
-        true => format!(", and the search ended early, with {untried} ways to grow not tried"),
+        true => format!(", and the search ended early, with {untried} strategies not tried"),
         false => String::new(),
     }
 }

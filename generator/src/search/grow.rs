@@ -1,12 +1,17 @@
 //! Sets of shifts to try, smallest first.
 //!
-//! Five ways to grow, which lead to different templates:
-//! - by degree: all multiples up to a weighted degree (total degree, or weights fitted to the Newton polytopes);
-//! - by two degrees: the degree in some unknowns is bounded, the degree in the others grows;
+//! There are five ways to grow, which lead to different templates:
+//! - by degree: all multiples up to a weighted degree (total degree, or weights 1 and 2);
+//! - by two degrees: the degree in a group of unknowns is bounded, and the degree in the others
+//!   grows;
 //! - by neighbours: every accepted multiplier times every unknown;
-//! - by the best single shift: add the shift whose support, with every shift that becomes free in it, leaves the smallest
-//!   excess of columns over rows (Martyushev, Bhayani, Pajdla, arXiv 2307.00320), from the start or after some levels of neighbours;
-//! - the same among Laurent monomials.
+//! - by the best single shift: the shift whose monomials, with all shifts that become free in them,
+//!   leave the smallest excess of columns over rows (Martyushev, Bhayani, Pajdla, arXiv
+//!   2307.00320), from the start or after some levels of neighbours;
+//! - by the best single shift among Laurent monomials.
+//!
+//! A set solves once its row space expresses some aB \ B in B. Rows must outnumber the excess
+//! columns for that, which is why the number of columns per row is what the last two ways watch.
 
 use std::collections::BTreeSet;
 
@@ -17,21 +22,24 @@ use crate::template::Shift;
 /// A way to grow sets of shifts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Growth {
-    /// All shifts up to a weighted degree. Weights belong to the unknowns of the problem; those of eliminated unknowns are ignored.
+    /// All shifts up to a weighted degree. There is a weight for every unknown of the problem;
+    /// those of eliminated unknowns are ignored.
     Degree(Vec<i32>),
-    /// All shifts up to a total degree in all but some unknowns, whose total degree in these exceeds that of the equations by no more than `beyond`.
-    Graded {
-        /// Indices of the unknowns that are counted on their own.
-        apart: Vec<usize>,
-        /// By how much the degree in these may grow.
-        beyond: i32,
+    /// Two degrees: the total degree in a group of unknowns exceeds that of the equations by at
+    /// most `extra_degree`, and the total degree in the other unknowns grows.
+    Bigraded {
+        /// Indices of the unknowns of the group.
+        group: Vec<usize>,
+        /// By how much the degree in the group may exceed that of the equations.
+        extra_degree: i32,
     },
     /// All multiples of the accepted shifts by an unknown.
     Neighbours,
-    /// One shift at a time with its closure, after this many levels of neighbours.
+    /// One shift at a time, with all shifts that it frees, after this many levels of neighbours.
     BestShift(i32),
-    /// As [`Growth::BestShift`], among Laurent monomials: multipliers are divided by unknowns, too, and every equation is first multiplied by the unknowns that
-    /// it lacks, which is up to a common monomial the same as division by those that it holds.
+    /// As [`Growth::BestShift`], among Laurent monomials: multipliers are also divided by unknowns.
+    /// Every equation is first multiplied by the unknowns that it lacks, which is up to a common
+    /// monomial the same as division by those that it has.
     Laurent(i32),
 }
 
@@ -39,7 +47,9 @@ impl std::fmt::Display for Growth {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Degree(weights) => write!(f, "degree with weights {weights:?}"),
-            Self::Graded { apart, beyond } => write!(f, "degree, {beyond} more in the unknowns {apart:?}"),
+            Self::Bigraded { group, extra_degree } => {
+                write!(f, "degree, {extra_degree} more in the unknowns {group:?}")
+            }
             Self::Neighbours => write!(f, "neighbours"),
             Self::BestShift(0) => write!(f, "best shift"),
             Self::BestShift(levels) => write!(f, "best shift after {levels} levels of neighbours"),
@@ -59,16 +69,16 @@ pub struct Shifts<'a> {
     /// Upper bound on the number of columns.
     limit: usize,
     level: i32,
-    /// Once shifts are added one at a time.
+    /// The neighbours of the accepted shifts, once shifts are added one at a time.
     neighbours: Option<Neighbours>,
 }
 
 impl<'a> Shifts<'a> {
-    /// Before the first set.
+    /// The iterator before its first set.
     pub fn new(equations: &'a [Polynomial<u32>], unknowns: &'a [usize], growth: Growth, limit: usize) -> Self {
         let level = match &growth {
             Growth::Degree(weights) => highest(equations, weights) - 1,
-            Growth::Graded { apart, .. } => highest(equations, &outside(unknowns, apart)) - 1,
+            Growth::Bigraded { group, .. } => highest(equations, &outside(unknowns, group)) - 1,
             Growth::Neighbours | Growth::BestShift(_) | Growth::Laurent(_) => -1,
         };
         let is_laurent = matches!(growth, Growth::Laurent(_));
@@ -92,12 +102,12 @@ impl<'a> Shifts<'a> {
         }
     }
 
-    fn grow_by_two_degrees(&mut self, apart: &[usize], beyond: i32) {
-        let (inside, outside) = (inside(apart), outside(self.unknowns, apart));
-        let rest: Vec<usize> = self.unknowns.iter().copied().filter(|unknown| !apart.contains(unknown)).collect();
-        let most = highest(self.accepted.equations, &inside) + beyond;
+    fn grow_by_two_degrees(&mut self, group: &[usize], extra_degree: i32) {
+        let (inside, outside) = (inside(group), outside(self.unknowns, group));
+        let rest: Vec<usize> = self.unknowns.iter().copied().filter(|unknown| !group.contains(unknown)).collect();
+        let most = highest(self.accepted.equations, &inside) + extra_degree;
         for (equation, f) in self.accepted.equations.iter().enumerate() {
-            let few = monomials_up_to(apart, &inside, most - weighted_degree(f, &inside));
+            let few = monomials_up_to(group, &inside, most - weighted_degree(f, &inside));
             let many = monomials_up_to(&rest, &outside, self.level - weighted_degree(f, &outside));
             for multiplier in few.iter().flat_map(|a| many.iter().map(|b| a.times(b))) {
                 self.accepted.accept(Shift { equation, multiplier });
@@ -105,7 +115,7 @@ impl<'a> Shifts<'a> {
         }
     }
 
-    /// What multipliers of neighbours differ by.
+    /// The quotients of the multipliers of neighbours.
     fn steps(&self) -> Vec<Monomial> {
         let unknowns = self.unknowns.iter().map(|&unknown| Monomial::unknown(unknown));
         match self.growth {
@@ -138,7 +148,8 @@ impl Iterator for Shifts<'_> {
         self.level += 1;
         match self.growth.clone() {
             Growth::Degree(weights) => self.grow_by_degree(&weights),
-            Growth::Graded { apart, beyond } => self.grow_by_two_degrees(&apart, beyond),
+            Growth::Bigraded { group, extra_degree } => self.grow_by_two_degrees(&group, extra_degree),
+            // The equations themselves, with all other shifts that fit into their monomials.
             _ if self.level == 0 => {
                 let within = shifts_within(self.accepted.equations, &self.accepted.support);
                 self.accepted.shifts.extend(within);
@@ -147,10 +158,11 @@ impl Iterator for Shifts<'_> {
             Growth::BestShift(after) | Growth::Laurent(after) if self.level <= after => self.grow_by_neighbours(),
             Growth::BestShift(_) | Growth::Laurent(_) => self.grow_by_best_shift(),
         }
+        // A level of a degree may hold no new shift although the next one does.
         let grown =
-            self.accepted.shifts.len() > before || matches!(self.growth, Growth::Degree(_) | Growth::Graded { .. });
+            self.accepted.shifts.len() > before || matches!(self.growth, Growth::Degree(_) | Growth::Bigraded { .. });
         let Accepted { shifts, support, .. } = &self.accepted;
-        // Exponents are i8; far below that no template is of use any more.
+        // Exponents are i8. No template of use comes near this bound.
         let in_range =
             support.iter().all(|m| m.exponents().iter().all(|&e| (-60..60).contains(&e))) && self.level < 1000;
         (grown && in_range && support.len() <= self.limit).then(|| shifts.iter().copied().collect())
@@ -158,6 +170,9 @@ impl Iterator for Shifts<'_> {
 }
 
 /// All shifts whose monomials lie in `support`.
+///
+/// The first term of such a shift is in the support, so each pair of an equation and a monomial of
+/// the support is one shift to look at.
 pub fn shifts_within(equations: &[Polynomial<u32>], support: &MonomialSet) -> BTreeSet<Shift> {
     let mut shifts = BTreeSet::new();
     for (equation, f) in equations.iter().enumerate() {
@@ -168,14 +183,14 @@ pub fn shifts_within(equations: &[Polynomial<u32>], support: &MonomialSet) -> BT
     shifts
 }
 
-/// Weight 1 for some unknowns, 0 for the others.
+/// Weight 1 for these unknowns, 0 for all others.
 fn inside(unknowns: &[usize]) -> Vec<i32> {
     (0..MAX_UNKNOWNS).map(|unknown| i32::from(unknowns.contains(&unknown))).collect()
 }
 
-/// Weight 1 for `unknowns` that are not `apart`, 0 for all others.
-fn outside(unknowns: &[usize], apart: &[usize]) -> Vec<i32> {
-    (0..MAX_UNKNOWNS).map(|unknown| i32::from(unknowns.contains(&unknown) && !apart.contains(&unknown))).collect()
+/// Weight 1 for `unknowns` outside of the group, 0 for all others.
+fn outside(unknowns: &[usize], group: &[usize]) -> Vec<i32> {
+    (0..MAX_UNKNOWNS).map(|unknown| i32::from(unknowns.contains(&unknown) && !group.contains(&unknown))).collect()
 }
 
 /// The largest weighted degree of the equations.
@@ -183,7 +198,10 @@ fn highest(equations: &[Polynomial<u32>], weights: &[i32]) -> i32 {
     equations.iter().map(|f| weighted_degree(f, weights)).max().unwrap_or(0)
 }
 
-/// Largest groups of unknowns in which, taken together, all equations are linear: no term holds two of them, nor one squared.
+/// The largest groups of unknowns in which, taken together, all equations are linear: no term holds
+/// two of them, or one of them squared.
+///
+/// Every subset of such a group is one, so groups are found by adding one unknown at a time.
 pub fn linear_groups(equations: &[Polynomial<u32>], unknowns: &[usize]) -> Vec<Vec<usize>> {
     let degree = |m: &Monomial, group: &[usize]| group.iter().map(|&u| i32::from(m.exponent(u))).sum::<i32>();
     let is_linear = |group: &[usize]| equations.iter().flat_map(Polynomial::monomials).all(|m| degree(&m, group) <= 1);
@@ -244,13 +262,13 @@ mod tests {
         let unknowns = [0, 1, 2, 3];
         let groups = linear_groups(&equations, &unknowns);
         assert_eq!(groups, [vec![0, 1], vec![1, 2], vec![0, 3], vec![2, 3]]);
-        let growth = Growth::Graded { apart: groups[0].clone(), beyond: 0 };
+        let growth = Growth::Bigraded { group: groups[0].clone(), extra_degree: 0 };
         let mut sets = Shifts::new(&equations, &unknowns, growth, 100);
         assert_eq!(sets.next().map(|shifts| shifts.len()), Some(1));
         // 1, u, v; then 6 of degree two.
         assert_eq!(sets.next().map(|shifts| shifts.len()), Some(3));
         assert_eq!(sets.next().map(|shifts| shifts.len()), Some(6));
-        let growth = Growth::Graded { apart: groups[0].clone(), beyond: 1 };
+        let growth = Growth::Bigraded { group: groups[0].clone(), extra_degree: 1 };
         assert_eq!(Shifts::new(&equations, &unknowns, growth, 100).nth(1).map(|shifts| shifts.len()), Some(9));
     }
 

@@ -1,4 +1,10 @@
-//! Makes a template smaller by going back and forth: some rows more, then as few as possible in another order.
+//! Makes a template smaller by going back and forth: add some rows, then delete as many as possible
+//! in another order.
+//!
+//! A template of which no row can be deleted is a local minimum only: whether a row can go depends
+//! on which rows are there. The rows that are added need not bring new columns, so a template with
+//! exchanged rows is often found for the same columns. A round costs one reduction of a set of rows
+//! that is a little larger than the template, which is far less than the reduction of a seed set.
 
 use super::grow::shifts_within;
 use super::monitor::{Monitor, Stage};
@@ -9,10 +15,10 @@ use crate::algebra::{Monomial, MonomialSet, Polynomial, PrimeField};
 use crate::template::shift_matrix::ShiftMatrix;
 use crate::template::{EliminationTemplate, Shift};
 
-/// Exponents of the monomials that are taken in: far from where they overflow.
+/// Exponents of the monomials that are added: far from the bounds of `i8`.
 const EXPONENTS: std::ops::Range<i8> = -60..60;
 
-/// What a template is improved with.
+/// The choices by which a template is improved.
 #[derive(Clone, Debug)]
 pub struct Improvement<'a> {
     /// The field of the coefficients.
@@ -21,19 +27,20 @@ pub struct Improvement<'a> {
     pub equations: &'a [Polynomial<u32>],
     /// Action monomials to try besides that of the template.
     pub actions: &'a [Monomial],
-    /// What multipliers of neighbouring shifts differ by, or by its reciprocal.
-    pub steps: &'a [Monomial],
-    /// How often.
+    /// The multipliers of neighbouring shifts differ by one of these, or by its reciprocal.
+    pub steps: Vec<Monomial>,
+    /// Number of rounds.
     pub rounds: u64,
     /// Seed of the choices.
     pub seed: u64,
 }
 
 impl Improvement<'_> {
-    /// A template with at most as many rows, and among those with as many the smallest basis that was found.
+    /// A template with at most as many rows, and with the smallest basis that was found for that
+    /// number of rows.
     ///
-    /// Each round takes all shifts that fit into the monomials of the template, mostly with some neighbours of its shifts more, and reduces
-    /// them in another order.
+    /// Each round takes all shifts that fit into the monomials of the template and, in three rounds
+    /// of four, of some neighbours of its shifts, and reduces them in another order.
     pub fn of(
         &self,
         template: EliminationTemplate,
@@ -46,6 +53,7 @@ impl Improvement<'_> {
             if monitor.is_over(Stage::Searching) {
                 break;
             }
+            // Another action monomial has another image aB, and so needs other rows.
             let action = match random.below(3) {
                 0 => self.actions[random.below(self.actions.len() as u64) as usize],
                 _ => current.action,
@@ -57,6 +65,7 @@ impl Improvement<'_> {
                 1 => DeletionOrder::RarestFirst,
                 _ => DeletionOrder::Shuffled(random.bits()),
             };
+            // A template of the same size is taken too: the next round then starts from other rows.
             let size = |t: &EliminationTemplate| (t.rows(), t.basis.len());
             current = reduce(&matrix, &action, requirements, order, monitor)
                 .filter(|next| size(next) <= size(&current))
@@ -76,7 +85,8 @@ impl Improvement<'_> {
                 0 => shift.multiplier.times(&step),
                 _ => shift.multiplier.over(&step),
             };
-            // A template may drift by a monomial from round to round; exponents are i8.
+            // A template is determined up to a common monomial, and may drift by it from round to
+            // round.
             let in_range = |m: &Monomial| m.exponents().iter().all(|e| EXPONENTS.contains(e));
             let monomials: Vec<Monomial> = (Shift { multiplier, ..shift }).monomials(self.equations).collect();
             if in_range(&multiplier) && monomials.iter().all(in_range) {
@@ -114,9 +124,8 @@ mod tests {
         let template =
             reduce(&matrix, &actions[0], &requirements(4), DeletionOrder::HighestFirst, &Unmonitored).unwrap();
         assert_eq!((template.rows(), template.basis.len()), (6, 4));
-        let steps = [0, 1].map(Monomial::unknown);
-        let improvement =
-            Improvement { field, equations: &equations, actions: &actions, steps: &steps, rounds: 8, seed: 1 };
+        let steps = [0, 1].map(Monomial::unknown).to_vec();
+        let improvement = Improvement { field, equations: &equations, actions: &actions, steps, rounds: 8, seed: 1 };
         let improved = improvement.of(template, &requirements(5), &Unmonitored);
         assert_eq!((improved.rows(), improved.basis.len()), (4, 5));
         assert!(verify(&improved, field, &equations).is_ok());

@@ -1,6 +1,7 @@
 //! Sets of small indices.
 
-/// A set of indices below a bound that is fixed when it is made, one bit each. Ordered by content, so that sets can be sorted and compared.
+/// A set of indices below a fixed bound, one bit each. Sets with the same bound can be sorted: the
+/// order is that of their words.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct IndexSet {
     words: Vec<u64>,
@@ -12,7 +13,7 @@ impl IndexSet {
         Self { words: vec![0; bound.div_ceil(64)] }
     }
 
-    /// Whether the index was not there before.
+    /// Adds an index. Returns whether it is new.
     pub(super) fn insert(&mut self, index: usize) -> bool {
         let bit = 1 << (index % 64);
         let is_new = self.words[index / 64] & bit == 0;
@@ -24,7 +25,7 @@ impl IndexSet {
         self.words[index / 64] & 1 << (index % 64) != 0
     }
 
-    /// Takes in all of a set with the same bound.
+    /// Adds all of a set with the same bound.
     pub(super) fn extend(&mut self, other: &Self) {
         self.words.iter_mut().zip(&other.words).for_each(|(a, b)| *a |= b);
     }

@@ -1,30 +1,73 @@
-//! Searches elimination templates: many ways to grow, act and reduce, judged by the planned work and, where it is measured, by stability.
+//! Searches elimination templates: many strategies are grown and reduced, judged by the planned
+//! work and, if measured, by stability.
 //!
-//! The result depends on the problem and the options only: not on the number of threads, and not on time unless the monitor ends the search early. Work is done in an
-//! order that depends on the problem and the options only, so that what is left out then is the end of it.
+//! The result depends on the problem and the options only, not on the number of threads, and not on
+//! time unless the monitor ends the search early. If interrupted, only the last items are skipped,
+//! because items begin in an order that depends on the problem and the options only.
+//!
+//! The modules stand in the order of use:
+//!
+//! ```text
+//! formulation ─ strategy ─ grow ─ seed_sets ─ reduce ─ improve ─ candidates ─ measuring ─ choose
+//!                          best_shift   solving_set, tableau
+//! ```
 
-pub mod attempt;
-mod best_shift;
-mod candidate;
-mod candidates;
-pub mod choose;
-mod error;
-mod explore;
-pub mod grow;
-pub mod improve;
-mod index_set;
-pub mod measuring;
-pub mod monitor;
+// Limits, seeds and preference of a search; what is heard of it; a part of it.
 mod options;
+
+pub mod monitor;
 pub mod pareto;
 pub mod preference;
-pub mod reduce;
-pub mod share;
+pub mod shard;
+
+// Problem to formulations: presolved, on random instances, with or without the use of sign
+// changes.
+mod formulation;
+
+// Formulations to strategies: in which order multiples of the equations are stacked.
+mod strategy;
+
+// Sets of shifts, each a superset of the one before.
+pub mod grow;
+
+mod best_shift;
+
+// A set of shifts to a basis B on which multiplication by the action monomial is known.
 pub mod solving_set;
-mod starts;
+
+mod index_set;
+
 pub mod tableau;
 
-pub use candidate::Candidate;
+// A strategy to the sets of shifts that solve.
+mod seed_sets;
+
+// A set of shifts that solves to a template none of whose rows can be deleted.
+pub mod reduce;
+
+// A template to one with fewer rows, by a new start in its surroundings.
+pub mod improve;
+
+mod cache;
+
+mod reduce_strategy;
+
+// All strategies to candidates: different, planned, and in the order of the preference.
+mod candidate;
+
+mod candidates;
+
+mod error;
+
+pub mod failed_strategy;
+
+// A plan to what it does on random real instances, by the kernels that ship.
+pub mod measuring;
+
+// Candidates to one choice.
+pub mod choose;
+
+pub use candidate::TemplateCandidate;
 pub use candidates::{Found, candidates, in_order};
 pub use error::SearchError;
 pub use options::{MOST_COLUMNS, SearchOptions};

@@ -1,9 +1,9 @@
 //! What a search is asked for.
 
 use super::preference::Preference;
-use super::share::Share;
+use super::shard::Shard;
 
-/// The largest limit on the number of columns that can be asked for.
+/// The largest limit on the number of columns that can be set.
 pub const MOST_COLUMNS: usize = 20_000;
 
 /// Limits and seeds of a search.
@@ -11,20 +11,20 @@ pub const MOST_COLUMNS: usize = 20_000;
 pub struct SearchOptions {
     /// Seed of the instances and of the shuffled deletion orders.
     pub seed: u64,
-    /// No template has more columns before it is reduced.
+    /// Most columns of a template before it is reduced.
     pub max_columns: usize,
-    /// No template has a larger basis, where a smaller one can hold all solutions.
+    /// Largest |B|, unless the solutions need more.
     pub max_basis: Option<usize>,
     /// How often each of the smallest templates is enlarged and reduced anew in a shuffled order.
     pub shuffles: u64,
     /// What is looked for first.
     pub prefer: Preference,
-    /// Which of the ways to grow are tried.
-    pub share: Share,
+    /// Which of the strategies are tried.
+    pub shard: Shard,
 }
 
 impl SearchOptions {
-    /// The bounds of the search that a build script makes for a problem without a template file.
+    /// The bounds of the search that a build script makes if a problem has no template file.
     pub fn for_a_build() -> Self {
         Self { max_columns: 150, shuffles: 0, ..Self::default() }
     }
@@ -38,7 +38,7 @@ impl Default for SearchOptions {
             max_basis: None,
             shuffles: 12,
             prefer: Preference::default(),
-            share: Share::ALL,
+            shard: Shard::ALL,
         }
     }
 }

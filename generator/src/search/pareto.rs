@@ -1,7 +1,7 @@
-//! The Pareto front: what no other choice beats in every respect.
+//! The Pareto front: the points that no other point beats in every coordinate.
 
-/// For each point whether it is on the front: no other one is at least as good, that is small, in every coordinate and better in one. Of equal points only the
-/// first is.
+/// For each point, whether it is on the front: no other point is at most as large in every
+/// coordinate and smaller in one. Of equal points only the first is on the front.
 pub fn front<const N: usize>(points: &[[f64; N]]) -> Vec<bool> {
     let beats = |a: &[f64; N], b: &[f64; N], is_earlier: bool| {
         let not_worse = a.iter().zip(b).all(|(a, b)| a <= b);

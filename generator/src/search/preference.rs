@@ -1,4 +1,5 @@
-//! What is preferred among templates that solve well, and the order in which candidates are considered.
+//! What is preferred among templates that solve well, and the order in which candidates are
+//! considered.
 
 /// What a search looks for first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -14,7 +15,7 @@ pub enum Preference {
     Size,
 }
 
-/// What a candidate costs.
+/// The cost of a candidate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cost {
     /// Operations of one solve.
@@ -26,7 +27,8 @@ pub struct Cost {
 }
 
 impl Preference {
-    /// The cheapest candidate in this sense has the least key. Stability does not follow from cost: it considers cheap ones first.
+    /// The key by which candidates are ordered, least first. Stability does not follow from cost
+    /// and is measured: cheap candidates are measured first.
     pub fn key(self, cost: &Cost) -> [usize; 3] {
         match self {
             Self::Speed | Self::Stability => [cost.operations, cost.rows, cost.basis],

@@ -1,11 +1,26 @@
-//! From a set of shifts that solves to a template with as few rows as possible.
+//! From a set of shifts that solves to a template none of whose rows can be deleted.
+//!
+//! Rows are offered for deletion one after another. A trial asks whether the rows that are left
+//! still express all reducible monomials R = aB \ B of some B in terms of B. Let r be the number of
+//! rows, n that of columns. A new elimination for each trial would cost r^2 n, and r trials r^3 n.
+//! The [`Dependencies`] keep the reduced echelon form instead, where a deletion costs one row
+//! operation for each row that is kept, about |R| n.
+//!
+//! Deleting rows shrinks the row space, so that what is not expressible stays so. If all closed
+//! sets of monomials were looked at, a row that cannot be deleted now could never be deleted later.
+//! But only the closures of single columns and rows are looked at, and these change with the rows.
+//! Passes are therefore repeated until one deletes nothing.
+//!
+//! The number of rows of a template is |E| + |R|, where E are the excess columns: a row can be
+//! deleted together with a column of E that nothing else needs, or with a column of R if B changes.
+//! Which rows go first decides which columns can go later. Multipliers of the highest degree bring
+//! monomials that no other row has, so they are offered first.
 
 use std::rc::Rc;
 
 use super::monitor::{Monitor, Stage};
 use super::solving_set::{Dependencies, Requirements, SolvingSet};
-use crate::algebra::Random;
-use crate::algebra::{Echelon, Monomial};
+use crate::algebra::{Echelon, Monomial, Random};
 use crate::template::shift_matrix::ShiftMatrix;
 use crate::template::{EliminationTemplate, Shift};
 
@@ -20,10 +35,11 @@ pub enum DeletionOrder {
     Shuffled(u64),
 }
 
-/// Deletes rows one by one, searching the solving set anew where it no longer holds, as long as |B| does not grow beyond
+/// Deletes rows one by one, and chooses a new solving set after each, as long as |B| stays within
 /// `requirements.max_basis`.
 ///
-/// After a full pass over the rows without a deletion the template cannot lose a row, unless the monitor ended the search. `None` if the shifts do not solve.
+/// Ends after a full pass over the rows without a deletion: no single row of the template can then
+/// be deleted, unless the monitor ended the search. Returns `None` if the shifts do not solve.
 pub fn reduce(
     matrix: &ShiftMatrix,
     action: &Monomial,
@@ -33,7 +49,7 @@ pub fn reduce(
 ) -> Option<EliminationTemplate> {
     let mut current = Reduction::start(matrix.clone(), action, requirements, order)?;
     let mut queue = deletion_queue(&current.matrix, order);
-    // Blocks of rows first, halved on failure: a large template loses most rows in a few trials.
+    // Blocks of rows first, halved after each pass: a large set loses most rows in a few trials.
     let mut block = (queue.len() / 8).max(1);
     loop {
         let mut deleted = false;
@@ -48,6 +64,9 @@ pub fn reduce(
                     current = smaller;
                     queue.retain(|&row| current.alive[row]);
                     deleted = true;
+                    // Deleted rows and empty columns still take space in the tableau. A new
+                    // elimination costs r^2 n; after a quarter of the rows it pays, and happens a
+                    // logarithmic number of times.
                     if queue.len() * 4 < current.alive.len() * 3 {
                         let shifts: Vec<Shift> = queue.iter().map(|&row| current.matrix.shifts[row]).collect();
                         current = current.compacted(action, requirements, order)?;
@@ -65,18 +84,30 @@ pub fn reduce(
     }
 }
 
-/// A matrix that loses rows, and a solving set of those that are left.
+/// A matrix that loses rows, and a solving set of the rows that are left.
+///
+/// ```text
+///            E        R      B
+/// alive    [ * * .    * .    * * ]
+/// alive    [ . * *    . *    . * ]
+/// deleted  [ - - -    - -    - - ]
+/// alive    [ * . *    . .    * . ]
+/// ```
+///
+/// Invariant: the alive rows are independent, the solving set (B, R) meets the requirements, and every
+/// alive row has a part in expressing R in B.
 #[derive(Clone)]
 struct Reduction {
     matrix: Rc<ShiftMatrix>,
-    /// Which rows of the matrix are left.
+    /// Whether each row of the matrix is left.
     alive: Vec<bool>,
     dependencies: Dependencies,
     set: SolvingSet,
 }
 
 impl Reduction {
-    /// Starts with the rows that the best solving set needs. Of dependent rows those are left out that are offered for deletion first.
+    /// Starts with the rows that the best solving set needs. Of dependent rows, those are left out
+    /// that would be offered for deletion first.
     fn start(
         mut matrix: ShiftMatrix,
         action: &Monomial,
@@ -88,6 +119,7 @@ impl Reduction {
             let dependencies = Dependencies::new(&matrix, action, &rows, requirements.readings)?;
             let set = dependencies.best(&matrix, requirements)?;
             let needed = dependencies.rows_of(&set);
+            // On fewer rows another set may be best, which needs fewer rows still.
             if needed.len() == matrix.rows.len() {
                 let alive = vec![true; needed.len()];
                 return Some(Self { matrix: Rc::new(matrix), alive, dependencies, set });
@@ -96,14 +128,18 @@ impl Reduction {
         }
     }
 
-    /// What is left without some rows, and without those that are then of no use; `None` if that does not solve.
+    /// The reduction without some rows, and without the rows that are then of no use. `None` if the
+    /// rest does not solve.
     fn without(&self, rows: &[usize], requirements: &Requirements<'_>) -> Option<Self> {
-        // Most trials end here.
+        // Most trials fail, and end here. This test updates only the columns and the part of the
+        // combinations that belongs to these rows; all combinations are needed only to choose the
+        // rows of the next set.
         if !self.dependencies.solves_without(rows, &self.matrix, requirements) {
             return None;
         }
         let mut rest = self.clone();
         rows.iter().for_each(|&row| rest.delete(row));
+        // The test above says that enough permissible columns are left.
         rest.dependencies.settle(requirements.solutions);
         rest.set = rest.dependencies.best(&rest.matrix, requirements)?;
         let needed = rest.dependencies.rows_of(&rest.set);
@@ -115,7 +151,7 @@ impl Reduction {
         Some(rest)
     }
 
-    /// The same on a matrix of the rows that are left.
+    /// The same reduction on a matrix of the rows that are left.
     fn compacted(&self, action: &Monomial, requirements: &Requirements<'_>, order: DeletionOrder) -> Option<Self> {
         Self::start(self.matrix.retain_rows(&self.set.basis, |row| self.alive[row]), action, requirements, order)
     }
@@ -125,7 +161,9 @@ impl Reduction {
         self.dependencies.delete_row(row);
     }
 
-    /// The template of the solving set; all rows are needed. Excess columns without a pivot cancel.
+    /// The template of the solving set. Its matrix (E R) must be square: excess columns without a
+    /// pivot cancel in the rows that express R, so that only those with a pivot are columns of the
+    /// template.
     fn template(&self, action: &Monomial) -> Option<EliminationTemplate> {
         let matrix = self.matrix.retain_rows(&self.set.basis, |row| self.alive[row]);
         let monomials = |columns: &[usize]| -> Vec<Monomial> {
@@ -145,7 +183,10 @@ impl Reduction {
     }
 }
 
-/// Rows of which none depends on others, as many as there can be; those are preferred that are offered for deletion late.
+/// A largest set of independent rows. Rows that are offered for deletion late are preferred.
+///
+/// The row space is all that decides what solves, so the other rows are of no use. Greedy choice
+/// gives a largest set because independent rows form a matroid.
 pub fn independent_rows(matrix: &ShiftMatrix, order: DeletionOrder) -> Vec<usize> {
     let mut echelon = Echelon::new(matrix.field, matrix.monomials.len());
     let mut rows: Vec<usize> = deletion_queue(matrix, order)
@@ -161,7 +202,7 @@ pub fn independent_rows(matrix: &ShiftMatrix, order: DeletionOrder) -> Vec<usize
     rows
 }
 
-/// The rows in the order in which they are offered.
+/// The rows in the order in which they are offered for deletion.
 fn deletion_queue(matrix: &ShiftMatrix, order: DeletionOrder) -> Vec<usize> {
     let mut rows: Vec<usize> = (0..matrix.rows.len()).collect();
     let shift = |row: usize| (matrix.shifts[row].multiplier, matrix.shifts[row].equation);

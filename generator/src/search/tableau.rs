@@ -1,53 +1,68 @@
-//! A reduced echelon form that is kept up to date while rows of the matrix are deleted and columns are given up.
+//! A reduced echelon form that is kept up to date while rows of the matrix are deleted and columns
+//! are given up.
 //!
-//! Both changes cost one row operation for each row, where a new elimination would cost one for each pair of rows.
+//! Each change costs one row operation for each row that is kept. A new elimination would cost one
+//! for each pair of rows of the matrix.
 
 use super::index_set::IndexSet;
 use crate::algebra::{Echelon, PrimeField};
 use crate::template::shift_matrix::ShiftMatrix;
 
-/// The part of the reduced echelon form of a [`ShiftMatrix`] that is left when the rows are gone that lead in a column of the excess, and each
-/// row as a combination of the shifts.
+/// The rows of the reduced echelon form of a [`ShiftMatrix`] that do not lead in the excess, each
+/// with the combination of shifts that gives it.
 ///
 /// ```text
-///              columns                                       shifts
-///   row k    [ 0 at other pivots, 1 at its own, * .. * ]  [   U[k]   ]      U M = the left part
+///            excess      other columns, by rank          shifts
+///   row 1  [ 0 ... 0  |  1  0  *  0  *  *  ...  *  |  u11  u12  ...  ]
+///   row 2  [ 0 ... 0  |  0  1  *  0  *  *  ...  *  |  u21  u22  ...  ]
+///   row 3  [ 0 ... 0  |  0  0  0  1  *  *  ...  *  |  u31  u32  ...  ]
+///                        ^  ^     ^  pivots
 /// ```
 ///
-/// The excess columns come first. A row leads at its pivot: every other column with an entry has a larger rank. Rows that lead in
-/// the excess are of no use for any other row, neither now nor after further changes, and are not kept; that is most of the matrix. The row
-/// space decides everything, so whether a monomial t can be expressed by others B that are no pivots is read off: it can if t is a pivot and the other
-/// entries of its row are in B.
+/// With M for the rows of the matrix, U M is the left part.
+///
+/// The columns are ordered by rank, and the excess comes first. A row leads at its pivot: it is 1
+/// there, all other entries of the row have a larger rank, and all other rows are 0 in that column.
+/// Such a form is determined by the row space and the order. It tells what is expressible: a
+/// monomial t is a combination of monomials B that are no pivots if and only if t is a pivot and
+/// all other entries of its row are in B.
+///
+/// Rows that lead in the excess are not kept, and they are most of the matrix. They are of no use
+/// for the others: a row that is kept is 0 in all excess columns, and each change adds kept rows to
+/// kept rows only.
 #[derive(Clone, Debug)]
 pub struct Tableau {
     field: PrimeField,
-    /// The columns of the matrix that have an entry in some row of the beginning, by their position here.
+    /// The columns of the matrix that have an entry in some row at the start, by their position
+    /// here. Changes only add rows to rows, so no other column ever gets an entry.
     columns: Vec<usize>,
     /// Position of each column of the matrix among `columns`.
     place: Vec<Option<usize>>,
-    /// The shifts by their position behind the columns.
+    /// The shifts, by their position behind the columns.
     shifts: Vec<usize>,
     /// Position of each shift, counted from the first column.
     place_of_shift: Vec<Option<usize>>,
-    /// Rows of `columns` and `shifts` values, one after another.
+    /// The rows one after another, each with a value for every one of `columns` and `shifts`.
     data: Vec<u32>,
     /// Pivot column of each row.
     pivots: Vec<usize>,
     /// The row that leads in each column.
     row_of: Vec<Option<usize>>,
-    /// Where each column stands in the order.
+    /// Rank of each column.
     ranks: Vec<usize>,
 }
 
 impl Tableau {
-    /// Of some rows of the matrix, which must be independent; columns in the order of their ranks, which must differ; those of rank below
-    /// `excess` are the excess.
+    /// The tableau of some rows of the matrix, which must be independent. Ranks must differ;
+    /// columns of rank below `excess` are the excess.
     pub fn new(matrix: &ShiftMatrix, rows: &[usize], ranks: Vec<usize>, excess: usize) -> Self {
         let count = matrix.monomials.len();
         let mut order: Vec<usize> = (0..count).collect();
         order.sort_unstable_by_key(|&column| ranks[column]);
         let mut position = vec![0; count];
         order.iter().enumerate().for_each(|(at, &column)| position[column] = at);
+        // Each row carries a unit vector behind its columns, which elimination turns into its
+        // combination of shifts.
         let width = count + rows.len();
         let mut echelon = Echelon::new(matrix.field, width);
         for (at, &row) in rows.iter().enumerate() {
@@ -58,7 +73,8 @@ impl Tableau {
         }
         let is_kept = |at: &usize| *at < count && ranks[order[*at]] >= excess;
         let leading: Vec<usize> = echelon.pivot_columns().into_iter().filter(is_kept).collect();
-        // From the last row up, so that each is reduced by all that lead behind it.
+        // Back substitution, from the last row up: each row is reduced by all that lead behind it.
+        // Only kept rows take part, which is what makes it cheap.
         let mut reduced = Echelon::new(matrix.field, width);
         for &at in leading.iter().rev() {
             reduced.insert_sparse_reduced(&echelon.row(at));
@@ -94,8 +110,11 @@ impl Tableau {
         tableau
     }
 
-    /// The same, with the part of the combinations that belongs to these shifts. The columns decide what is expressed; most of the work of a change is
-    /// in the combinations.
+    /// The same tableau with the combinations of these shifts only.
+    ///
+    /// The left part decides what is expressible, and deleting a shift needs only that shift's part
+    /// of the combinations. Most of the work of a change is in the combinations, so a deletion can
+    /// be tested on this part much faster.
     pub(super) fn narrowed(&self, shifts: &[usize]) -> Self {
         let shifts: Vec<usize> = shifts.iter().copied().filter(|&shift| self.place_of_shift[shift].is_some()).collect();
         let mut data = Vec::with_capacity(self.rows() * (self.columns.len() + shifts.len()));
@@ -135,14 +154,16 @@ impl Tableau {
         self.row_of[column].is_some()
     }
 
-    /// The other columns with an entry in the row that leads in `column`; `None` where none leads.
+    /// The other columns with an entry in the row that leads in `column`; `None` if no row leads
+    /// there.
     pub fn dependence(&self, column: usize) -> Option<impl Iterator<Item = usize> + '_> {
         let entries = &self.row(self.row_of[column]?)[..self.columns.len()];
         let others = entries.iter().zip(&self.columns).filter(|&(value, _)| *value != 0).map(|(_, &other)| other);
         Some(others.filter(move |&other| other != column))
     }
 
-    /// The shifts that the row that leads in `column` is made of; none where none leads.
+    /// The shifts that the row that leads in `column` is a combination of. The set is empty if no
+    /// row leads there.
     pub(super) fn shifts_of(&self, column: usize) -> IndexSet {
         let mut shifts = self.no_shifts();
         if let Some(row) = self.row_of[column] {
@@ -154,7 +175,7 @@ impl Tableau {
         shifts
     }
 
-    /// No shift.
+    /// The empty set of shifts.
     pub(super) fn no_shifts(&self) -> IndexSet {
         IndexSet::new(self.place_of_shift.len())
     }
@@ -163,22 +184,34 @@ impl Tableau {
         &self.data[row * self.width()..(row + 1) * self.width()]
     }
 
-    /// Takes a shift out: of the rows that hold it the one that leads last is subtracted from the others and goes. Nothing happens if none does.
+    /// Deletes a shift.
+    ///
+    /// The rows that are left span the combinations in which the shift has coefficient 0. The row
+    /// that leads last among those with the shift is subtracted from the others and removed. It
+    /// must be the last one: subtracting it changes the other rows at and behind its pivot only, so
+    /// that they still lead where they did.
     pub fn delete_shift(&mut self, shift: usize) {
         if let Some(at) = self.place_of_shift[shift] {
             self.remove_last_row_with(at, None);
         }
     }
 
-    /// Puts a column at the end of the excess: the row that leads there is not kept.
+    /// Moves a column to the end of the excess.
+    ///
+    /// If a row leads there it is removed: it leads in the excess now. Otherwise the last row with
+    /// an entry in the column is subtracted from the others, which makes them 0 there, and is
+    /// removed.
     pub fn give_up(&mut self, column: usize) {
         if let Some(at) = self.place[column] {
             self.remove_last_row_with(at, self.row_of[column]);
         }
     }
 
-    /// Moves a column that is not of the excess forward in the order. If it was no pivot and rows that lead behind its new place have
-    /// an entry there, the last of them leads there from now on.
+    /// Moves a column that is not in the excess forward in the order.
+    ///
+    /// If the column is no pivot, and rows that lead behind its new place have an entry in it, the
+    /// last of these rows leads there from now on. Rows that lead before the new place keep their
+    /// pivots.
     pub fn move_forward(&mut self, column: usize, rank: usize) {
         debug_assert!(rank <= self.ranks[column]);
         self.ranks[column] = rank;
@@ -198,7 +231,8 @@ impl Tableau {
         }
     }
 
-    /// The row that leads last, behind `rank` or there, among those with an entry at position `at`.
+    /// The row that leads last among those with an entry at position `at` and a pivot of at least
+    /// this rank.
     fn last_row_with(&self, at: usize, rank: usize) -> Option<usize> {
         let width = self.width();
         let candidates = (0..self.rows()).filter(|&row| self.data[row * width + at] != 0);
@@ -245,14 +279,13 @@ fn inverse(list: &[usize], first: usize, count: usize) -> Vec<Option<usize>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::algebra::Random;
-    use crate::algebra::{PRIMES, Polynomial};
+    use crate::algebra::{PRIMES, Polynomial, Random};
     use crate::problem::instance::Draw;
     use crate::search::grow::{Growth, Shifts, monomials_up_to};
 
     const UNKNOWNS: [usize; 2] = [0, 1];
 
-    /// Two quadrics and their multiples by the unknowns: rows that are independent.
+    /// Two quadrics and their multiples by the unknowns. The rows are independent.
     fn matrix(random: &mut Random) -> ShiftMatrix {
         let field = PrimeField::new(PRIMES[0]);
         let mut quadric = || {
@@ -284,7 +317,8 @@ mod tests {
             let mut matrix = matrix(&mut random);
             let columns = matrix.monomials.len();
             let all: Vec<usize> = (0..matrix.rows.len()).collect();
-            // Ranks below `columns` are the excess, those from 2 * columns on have not moved yet.
+            // Columns of rank below `columns` are the excess. Columns of rank 2 * columns and above
+            // have not moved yet.
             let mut ranks: Vec<usize> =
                 (0..columns).map(|at| if at % 7 == 0 { at } else { 2 * columns + at }).collect();
             let mut tableau = Tableau::new(&matrix, &all, ranks.clone(), columns);
@@ -324,7 +358,7 @@ mod tests {
                     sum[column] = matrix.field.add(sum[column], matrix.field.mul(factor, value));
                 }
             }
-            // The column that was given up is eliminated, and zero at first.
+            // The column that was given up is 0 in all rows, and so is the excess.
             let entries = (0..columns).map(|column| tableau.place[column].map_or(0, |at| tableau.row(row)[at]));
             assert!(sum.iter().copied().eq(entries));
             assert!(tableau.shifts_of(tableau.pivots[row]).iter().all(|shift| shift != 3));

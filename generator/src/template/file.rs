@@ -1,4 +1,4 @@
-//! `NAME.template.toml`: an elimination template as a person reads it.
+//! The file `NAME.template.toml`: an elimination template as a person reads it.
 
 use std::fmt::Write as _;
 
@@ -8,14 +8,14 @@ use super::{EliminationTemplate, RootMethod, Shift};
 use crate::algebra::{MAX_UNKNOWNS, Monomial};
 use crate::presolve::Presolve;
 
-/// What a template file holds.
+/// The content of a template file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TemplateFile {
     /// Name of the problem.
     pub problem: String,
     /// [`crate::problem::Problem::fingerprint`] of the problem that the template was found for.
     pub fingerprint: u64,
-    /// Number of different complex solutions.
+    /// Number of different complex solutions; verified by [`crate::generate::plan`].
     pub solutions: usize,
     /// The presolved form that the template is for.
     pub presolve: Presolve,
@@ -23,22 +23,22 @@ pub struct TemplateFile {
     pub roots: RootMethod,
     /// The template.
     pub template: EliminationTemplate,
-    /// How it was found: (key, value), written as they are and not interpreted.
+    /// How the template was found: keys and values, which nothing interprets.
     pub provenance: Vec<(String, String)>,
 }
 
 /// Why a template file cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum TemplateFileError {
-    /// Not TOML of the right form; the message names line and column.
+    /// The text is not TOML of the right form; the message names line and column.
     #[error("{0}")]
     Syntax(String),
-    /// A monomial that is none.
-    #[error("`{key}` holds `{text}`, which is no monomial in {unknowns} (such as `x^2*y` or `1/x`)")]
+    /// A malformed monomial.
+    #[error("`{key}` holds `{text}`, which is not a monomial in {unknowns} (such as `x^2*y` or `1/x`)")]
     Monomial {
-        /// Where it stands.
+        /// The key of the file.
         key: &'static str,
-        /// What stands there.
+        /// Its value in the file.
         text: String,
         /// The names of the unknowns.
         unknowns: String,
@@ -46,26 +46,26 @@ pub enum TemplateFileError {
     /// A count that contradicts the lists.
     #[error("`{key}` is {found}, but the lists of the file {expected}")]
     Count {
-        /// Where it stands.
+        /// The key of the file.
         key: &'static str,
-        /// What stands there.
+        /// Its value in the file.
         found: usize,
-        /// What the lists say.
+        /// The counts of the lists.
         expected: String,
     },
-    /// A word that is none of those allowed.
+    /// A word that is not allowed.
     #[error("`{key}` is `{text}`; expected one of {expected}")]
     Word {
-        /// Where it stands.
+        /// The key of the file.
         key: &'static str,
-        /// What stands there.
+        /// Its value in the file.
         text: String,
-        /// What may stand there.
+        /// The values that are allowed.
         expected: String,
     },
 }
 
-/// The file as it is, before its monomials are read.
+/// The file before its monomials are read.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Raw {
@@ -179,7 +179,7 @@ impl TemplateFile {
     }
 }
 
-/// The counts that stand in the file for its readers must be true.
+/// Checks the counts that stand in the file for its readers.
 fn check_counts(raw: &Raw, template: &EliminationTemplate) -> Result<(), TemplateFileError> {
     let (rows, columns, basis) = (template.rows(), template.columns(), template.basis.len());
     let count = |key, found, is_true: bool, expected: String| match is_true {
@@ -188,7 +188,8 @@ fn check_counts(raw: &Raw, template: &EliminationTemplate) -> Result<(), Templat
     };
     count("rows", raw.rows, raw.rows == rows, format!("have {rows} multipliers"))?;
     count("columns", raw.columns, raw.columns == columns, format!("have {columns} monomials"))?;
-    // Where signs can be changed a basis monomial stands for several solutions; the plan checks how many.
+    // With sign changes a basis monomial stands for several solutions. The exact number is verified
+    // with the plan.
     let possible = (1..=basis << MAX_UNKNOWNS).contains(&raw.solutions);
     count("solutions", raw.solutions, possible, format!("have {basis} basis monomials"))
 }
@@ -207,7 +208,7 @@ fn name_of<T: PartialEq>(value: T, choices: &[(&'static str, T)]) -> &'static st
     choices.iter().find(|(_, choice)| *choice == value).map_or("", |(name, _)| name)
 }
 
-/// `x^2*y/z` or `1/x`, as [`Monomial::display`] prints it.
+/// Reads a monomial such as `x^2*y/z` or `1/x`, as [`Monomial::display`] prints it.
 fn parse_monomial(text: &str, unknowns: &[String]) -> Option<Monomial> {
     let mut exponents = [0i8; MAX_UNKNOWNS];
     for (at, quotient) in text.split('/').enumerate() {

@@ -1,4 +1,4 @@
-//! Elimination templates: which multiples of the equations to stack, and what to read off after elimination.
+//! Elimination templates: the multiples of the equations to stack, and the monomials to eliminate.
 //!
 //! ```text
 //!                     excess E   reducible R = aB \ B   basis B
@@ -9,8 +9,9 @@
 //!                   +----------+----------------------+---------+
 //! ```
 //!
-//! After elimination every monomial of E and R is a combination of B: (E; R) = -M_ER^-1 M_B B. With the unit rows for those a b
-//! that are in B already this is the matrix of multiplication by the action monomial a: T B = a B at every solution.
+//! After elimination every monomial of E and R is a combination of B: (E; R) = -M_ER^-1 M_B B. The
+//! rows of R, and unit rows for those a b that are in B themselves, are the matrix of
+//! multiplication by the action monomial a: T B = a B at every solution.
 
 pub mod file;
 pub mod shift_matrix;
@@ -21,9 +22,9 @@ use crate::algebra::{Monomial, Polynomial};
 /// The polynomial `multiplier * equation`: one row of a template.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Shift {
-    /// Index of the equation in the (reduced) problem.
+    /// Index of the equation in the presolved problem.
     pub equation: usize,
-    /// What it is multiplied by.
+    /// The monomial by which the equation is multiplied.
     pub multiplier: Monomial,
 }
 
@@ -38,15 +39,17 @@ impl Shift {
 /// An elimination template, drawn at the top of this module.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct EliminationTemplate {
-    /// The rows, |E| + |R| of them.
+    /// The rows; there are |E| + |R|.
     pub shifts: Vec<Shift>,
     /// The action monomial a; it may be a Laurent monomial such as 1/x.
     pub action: Monomial,
     /// The excess columns E.
     pub excess: Vec<Monomial>,
-    /// The reducible columns R = aB \ B, and monomials that are expressed in B only for an unknown to be read from them.
+    /// The reducible columns R = aB \ B, and monomials that are expressed in B only so that an
+    /// unknown can be read from them.
     pub reducible: Vec<Monomial>,
-    /// The basis columns B; at least as many as there are solutions.
+    /// The basis columns B. At each solution up to sign changes their values are an eigenvector;
+    /// there may be more eigenvectors than solutions.
     pub basis: Vec<Monomial>,
 }
 
@@ -61,9 +64,10 @@ impl EliminationTemplate {
         self.excess.len() + self.reducible.len() + self.basis.len()
     }
 
-    /// The same times a monomial, such that the least exponent of each unknown in the rows and columns is 0. `equations` are those that are shifted.
+    /// The template times a monomial, such that the least exponent of each unknown in its rows and
+    /// columns is 0. `equations` are those that are shifted.
     ///
-    /// Templates that differ by a monomial are the same, but at solutions where that vanishes.
+    /// Templates that differ by a monomial are the same, except at solutions where it vanishes.
     #[must_use]
     pub fn in_lowest_terms<C>(mut self, equations: &[Polynomial<C>]) -> Self {
         let of_rows = |shift: &Shift| {

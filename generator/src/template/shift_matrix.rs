@@ -4,7 +4,7 @@ use super::Shift;
 use crate::algebra::{Echelon, Monomial, MonomialMap, Polynomial, PrimeField};
 use crate::presolve::symmetry::Reading;
 
-/// Rows of `m * f` for a set of shifts, sparse, with their monomials.
+/// The sparse rows of a set of shifts `m * f`, and their monomials as columns.
 ///
 /// ```text
 ///              monomials[0]  monomials[1]  ...      (decreasing)
@@ -15,7 +15,7 @@ use crate::presolve::symmetry::Reading;
 pub struct ShiftMatrix {
     /// The field of the entries.
     pub field: PrimeField,
-    /// The rows' shifts.
+    /// The shift of each row.
     pub shifts: Vec<Shift>,
     /// The columns, decreasing.
     pub monomials: Vec<Monomial>,
@@ -41,7 +41,8 @@ impl ShiftMatrix {
         Self { field, shifts: shifts.to_vec(), monomials, column_of, rows }
     }
 
-    /// The monomials apart from `reducible` and `basis` in which a row leads when the columns stand in the order: others, `reducible`, `basis`.
+    /// The pivots of the echelon form with columns in the order: others, `reducible`, `basis`.
+    /// Returned are those among the others.
     pub fn pivots_before(&self, reducible: &[Monomial], basis: &[Monomial]) -> Vec<Monomial> {
         let mut part = vec![0; self.monomials.len()];
         let mut mark = |monomials: &[Monomial], number| {
@@ -62,12 +63,13 @@ impl ShiftMatrix {
         pivots.filter(|&column| part[column] == 0).map(|column| self.monomials[column]).collect()
     }
 
-    /// The columns that are a step away from a column.
+    /// The columns whose monomial is that of `column` times a step of the reading.
     pub fn steps_from<'a>(&'a self, column: usize, reading: &'a Reading) -> impl Iterator<Item = usize> + 'a {
         reading.steps.iter().filter_map(move |step| self.column_of.get(&self.monomials[column].times(step)).copied())
     }
 
-    /// The same without some rows. Columns that become empty go too, but those of `basis`: b of B may be in no row when a b is in B.
+    /// The matrix of the rows that are kept. Columns that become empty are dropped, except those of
+    /// `basis`: b of B may be in no row when a b is in B.
     #[must_use]
     pub fn retain_rows(&self, basis: &[usize], keep: impl Fn(usize) -> bool) -> Self {
         let kept: Vec<usize> = (0..self.rows.len()).filter(|&row| keep(row)).collect();

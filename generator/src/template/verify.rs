@@ -1,4 +1,5 @@
-//! Proof that a template holds on an instance: its rows do express every reducible monomial in the basis.
+//! Proof that a template holds on an instance: its rows express every reducible monomial in the
+//! basis.
 
 use super::EliminationTemplate;
 use super::shift_matrix::ShiftMatrix;
@@ -7,7 +8,7 @@ use crate::algebra::{DenseMatrix, Monomial, Polynomial, PrimeField};
 /// Why a template does not hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum VerifyError {
-    /// Some multiplier times a monomial leaves the range of exponents, or a shift names no equation.
+    /// A multiplier times a monomial leaves the range of exponents, or a shift names no equation.
     #[error("a shift is out of range")]
     Shift,
     /// Columns are repeated, or the image of a basis monomial is missing.
@@ -16,12 +17,15 @@ pub enum VerifyError {
     /// The square part is singular.
     #[error("the square part of the template is singular")]
     Singular,
-    /// A monomial outside the template does not cancel.
+    /// A monomial that is no column of the template does not cancel.
     #[error("a monomial outside the template's columns does not cancel")]
     Remainder,
 }
 
 /// Eliminates over Z_p and returns the action matrix, |B| x |B|.
+///
+/// Monomials that are no columns of the template stand before the basis. If the template holds, the
+/// reducible rows are 0 there, whatever the excess rows are:
 ///
 /// ```text
 ///   | excess | reducible | all other monomials |  basis  |
@@ -89,6 +93,7 @@ pub fn verify(
     Ok(action)
 }
 
+/// Gives the column of a monomial the next position.
 fn place(
     matrix: &ShiftMatrix,
     monomial: &Monomial,

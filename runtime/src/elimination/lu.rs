@@ -26,11 +26,11 @@ pub struct BlockMemory<'a, R> {
     pub matrix: &'a mut [R],
     /// N entries: 1 / 1-norm of each row.
     pub row_scale: &'a mut [f64],
-    /// N entries, zero before: the smallest size that a pivot of each column may have.
+    /// N entries, zero before the call: the smallest size that a pivot of each column may have.
     pub smallest: &'a mut [f64],
 }
 
-/// Solves `matrix * X = right`: on success `right[..N]` holds X, and `matrix` its LU factors.
+/// Solves `matrix * X = right`. On success `right[..N]` holds X, and `matrix` its LU factors.
 ///
 /// ```text
 ///            N columns        M columns                  M columns
@@ -38,17 +38,18 @@ pub struct BlockMemory<'a, R> {
 ///                           [ untouched ]              [ untouched ]
 /// ```
 ///
-/// Gaussian elimination with partial pivoting. Pivots are compared after dividing each row by its 1-norm (implicit
-/// row equilibration), so a row may be scaled by any factor without changing the choice. Zero multipliers are
-/// skipped: templates are sparse.
+/// Gaussian elimination with partial pivoting. Pivots are compared after each row is divided by its
+/// 1-norm (implicit row equilibration), so the scale of a row does not change the choice. Zero
+/// multipliers are skipped, because templates are sparse.
 ///
 /// # Errors
-/// [`BlockError::NonFinite`] if an entry is infinite or NaN. [`BlockError::Singular`] if all candidates
-/// for a pivot are below N * epsilon times the largest entry that their column had before elimination (in equilibrated
-/// rows): what is left of the column is then rounding noise. Noise can also exceed that: of exactly singular matrices
-/// of 25 rows that lack one dimension about one in eight passes, with a solution above 1e8.
-/// [`BlockError::Overflow`] if the solution overflows, [`BlockError::Shape`] if `right` has fewer than N rows.
-/// `matrix` and `right` are of no use after an error.
+/// [`BlockError::NonFinite`] if an entry is infinite or NaN. [`BlockError::Singular`] if all
+/// candidates for a pivot are below N * epsilon times the largest entry that their column had
+/// before elimination (in equilibrated rows): what is left of the column is then rounding noise.
+/// Noise can exceed that bound: of exactly singular matrices of 25 rows and rank 24, about one in
+/// eight passes, with a solution above 1e8. [`BlockError::Overflow`] if the solution overflows.
+/// [`BlockError::Shape`] if `right` has fewer than N rows. After an error the contents of `matrix`
+/// and `right` are undefined.
 #[inline]
 pub fn solve_block<R: Real, V: Vector<R>, const N: usize>(
     matrix: &mut [[R; N]; N],
@@ -57,9 +58,9 @@ pub fn solve_block<R: Real, V: Vector<R>, const N: usize>(
     solve_block_trailing(matrix, right, N)
 }
 
-/// Like [`solve_block`], but back-substitutes only the last `needed` rows of X: with the excess columns first and the
-/// reducible columns last, those are the rows that the action matrix reads. The other rows of `right[..N]` are of no
-/// use.
+/// Like [`solve_block`], but back-substitutes only the last `needed` rows of X. If excess columns
+/// come first and reducible columns last, those are the rows that the action matrix reads. The
+/// contents of the other rows of `right[..N]` are undefined.
 ///
 /// # Errors
 /// As [`solve_block`].
@@ -73,8 +74,8 @@ pub fn solve_block_trailing<R: Real, V: Vector<R>, const N: usize>(
     solve_rows(BlockMemory { matrix: matrix.as_flattened_mut(), row_scale, smallest }, right, needed)
 }
 
-/// [`solve_block_trailing`] with a size that is known at run time. Compiled once for all N: large blocks gain
-/// little from a known N.
+/// Like [`solve_block_trailing`], with a size that is known at run time. The code is compiled once
+/// for all N: large blocks gain little from a constant N.
 ///
 /// # Errors
 /// As [`solve_block`].
@@ -111,7 +112,7 @@ fn solve_rows<R: Real, V: Vector<R>>(
 /// True if no entry is infinite or NaN. There is no early exit, so that the loop vectorises.
 #[inline]
 pub(crate) fn all_finite<R: Real, V: Vector<R>>(rows: &[V]) -> bool {
-    /// Independent sums: a single one could not be vectorised.
+    /// Independent sums: the loop over a single sum could not be vectorised.
     const LANES: usize = 8;
     // x * 0 is 0 for finite x and NaN otherwise.
     let mut sums = [0.0; LANES];
@@ -129,7 +130,8 @@ pub(crate) fn all_finite<R: Real, V: Vector<R>>(rows: &[V]) -> bool {
     sums.iter().all(|&sum| sum == 0.0)
 }
 
-/// Row scales (1 / 1-norm) and, per column, the smallest size that a pivot in equilibrated rows may have.
+/// Computes row scales (1 / 1-norm) and, per column, the smallest size that a pivot in equilibrated
+/// rows may have.
 #[inline(always)]
 fn equilibrate<R: Real>(matrix: &[R], row_scale: &mut [f64], smallest: &mut [f64]) -> Result<(), BlockError> {
     let n = row_scale.len();
@@ -157,7 +159,7 @@ fn equilibrate<R: Real>(matrix: &[R], row_scale: &mut [f64], smallest: &mut [f64
     Ok(())
 }
 
-/// Forward elimination of matrix and right together, rows physically swapped.
+/// Eliminates forward in matrix and right together; rows are swapped in memory.
 #[inline(always)]
 fn eliminate<R: Real, V: Vector<R>>(
     matrix: &mut [R],
@@ -175,7 +177,8 @@ fn eliminate<R: Real, V: Vector<R>>(
                 (pivot, size) = (i, candidate);
             }
         }
-        // Also false for NaN, which a row without entries leaves behind.
+        // The comparison is also false for NaN, the size in a row of zeros, whose scale is
+        // infinite.
         if !(size > smallest[k]) {
             return Err(BlockError::Singular { column: k });
         }
@@ -205,7 +208,7 @@ fn eliminate<R: Real, V: Vector<R>>(
     Ok(())
 }
 
-/// Rows `first..` of U^-1 * right, from the last row up.
+/// Computes rows `first..` of U^-1 * right, from the last row up.
 #[inline(always)]
 fn back_substitute<R: Real, V: Vector<R>>(matrix: &[R], right: &mut [V], first: usize) {
     let n = right.len();

@@ -1,6 +1,6 @@
 //! From the data to the action matrix.
 //!
-//! 1. [`program`] computes the coefficients of large problems; those of small ones are emitted as statements.
+//! 1. [`program`] computes the coefficients of large problems; small problems emit statements.
 //! 2. [`template`] fills the elimination template, and [`lu`] eliminates its diagonal blocks.
 
 pub(crate) mod lu;

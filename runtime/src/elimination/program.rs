@@ -1,8 +1,8 @@
-//! Coefficients of large problems: arithmetic on the data as a table instead of statements.
+//! Coefficients of large problems: arithmetic on the data from a table instead of statements.
 
 use crate::number::Real;
 
-/// What every step of a [`Run`] does with its operands a and b.
+/// The operation of every step of a [`Run`] on its operands a and b.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Operation {
     /// a + b
@@ -19,12 +19,13 @@ pub enum Operation {
     ProductSum,
 }
 
-/// Consecutive steps that do the same and do not read each other's results: one decision for all of them.
+/// Consecutive steps with the same operation that do not read each other's results. The operation
+/// is decoded once for all of them.
 #[derive(Clone, Copy, Debug)]
 pub struct Run {
-    /// What they do.
+    /// The operation of the steps.
     pub operation: Operation,
-    /// How many they are.
+    /// The number of steps.
     pub steps: u32,
 }
 
@@ -33,38 +34,41 @@ pub struct Run {
 pub struct ProductSums<'a> {
     /// The sums.
     pub sums: &'a [ProductSum],
-    /// The products of all of them, one sum after another.
+    /// The products of all sums, one sum after another.
     pub products: &'a [PolynomialProduct],
-    /// Polynomials: the positions in values of their coefficients.
+    /// Polynomials: the positions of their coefficients in `values`.
     pub factors: &'a [&'a [u32]],
-    /// For each coefficient of a left factor, the coefficients of the sum that its products with those of the right factor are added to.
+    /// For each coefficient of a left factor: the coefficients of the sum to which its products
+    /// with the coefficients of the right factor are added.
     pub places: &'a [&'a [u32]],
 }
 
-/// One of [`ProductSums`].
+/// One sum of [`ProductSums`].
 #[derive(Clone, Copy, Debug)]
 pub struct ProductSum {
-    /// How many products it has.
+    /// The number of products.
     pub products: u32,
-    /// How many coefficients it has.
+    /// The number of coefficients.
     pub length: u32,
 }
 
-/// A product of two polynomials, `coefficient[places[i |right| + j]] += left[i] right[j]` for all i and j.
+/// A product of two polynomials, `coefficient[places[i |right| + j]] += left[i] right[j]` for all i
+/// and j.
 #[derive(Clone, Copy, Debug)]
 pub struct PolynomialProduct {
-    /// Whether it is subtracted.
+    /// Whether the product is subtracted.
     pub negative: bool,
-    /// Which of the factors is on the left.
+    /// The position of the left factor in the list of factors.
     pub left: u32,
-    /// Which is on the right.
+    /// The position of the right factor.
     pub right: u32,
-    /// Which of the lists of places it has.
+    /// The position of its list of places.
     pub places: u32,
 }
 
 impl<'a> ProductSums<'a> {
-    /// Computes the next sums, leaving those behind them. `known` are the values before this run, `open` takes its results; how many there are.
+    /// Computes the next sums and removes them from the lists. `known` are the values before this
+    /// run, `open` receives the results. Returns the number of results.
     fn run<R: Real>(&mut self, steps: u32, known: &[R], open: &mut [R]) -> usize {
         let mut written = 0;
         for _ in 0..steps {
@@ -82,7 +86,7 @@ impl<'a> ProductSums<'a> {
         written
     }
 
-    /// Adds a product to `sum`. `known` are the values before this run.
+    /// Adds a product to `sum`; `known` are the values before this run.
     fn add<R: Real>(&self, product: &PolynomialProduct, known: &[R], sum: &mut [R]) {
         let list = |lists: &'a [&'a [u32]], at: u32| lists.get(at as usize).copied().unwrap_or(&[]);
         let (left, right) = (list(self.factors, product.left), list(self.factors, product.right));
@@ -102,28 +106,29 @@ impl<'a> ProductSums<'a> {
 /// Straight-line arithmetic from the data to the coefficients.
 ///
 /// ```text
-///   values   [ constants | data, one parameter after another | result of step 0, of step 1, .. ]  (a sum of products has several)
-///   operands   the positions in values of the operands of each step, all before its own run's results
-///   results    the positions in values of the coefficients
+///   values     [ constants | data, one parameter after another | results of step 0, of step 1, .. ]
+///   operands   positions in values of the operands of each step, before the results of its run
+///   results    positions in values of the coefficients
 /// ```
 ///
-/// Statements run in half the time, but the time to compile them grows faster than their number.
+/// Statements run twice as fast, but the time to compile them grows faster than their number.
 #[derive(Clone, Copy, Debug)]
 pub struct Program<'a> {
     /// Numbers that do not depend on the data.
     pub constants: &'a [f64],
-    /// The steps, grouped.
+    /// The steps, grouped into runs.
     pub runs: &'a [Run],
-    /// (a, b) of each step; a twice for [`Operation::Negate`].
+    /// The operands (a, b) of each step; (a, a) for [`Operation::Negate`].
     pub operands: &'a [(u32, u32)],
-    /// What the runs of [`Operation::ProductSum`] execute, one after another.
+    /// The sums that the runs of [`Operation::ProductSum`] execute, one after another.
     pub product_sums: ProductSums<'a>,
-    /// Where the coefficients are.
+    /// The positions of the coefficients in `values`.
     pub results: &'a [u32],
 }
 
 impl Program<'_> {
-    /// The coefficients, C of them, in the precision of `R`. V counts all constants, data and steps; so many numbers are on the stack meanwhile.
+    /// Computes the C coefficients in the precision of `R`. V is the number of constants, data and
+    /// results; that many numbers are on the stack meanwhile.
     #[inline(never)]
     #[must_use]
     pub fn evaluate<R: Real, const V: usize, const C: usize>(&self, data: &[&[f64]]) -> [R; C] {
@@ -132,8 +137,9 @@ impl Program<'_> {
         coefficients
     }
 
-    /// The coefficients on slices: `values` has an entry for each constant, datum and step, and is overwritten.
-    /// What would be out of range is left out or NaN; the generator's tables fit.
+    /// Computes the coefficients on slices. `values` has an entry for each constant, datum and
+    /// result, and is overwritten. A position out of range reads as NaN, and a result out of range
+    /// is dropped; the generator's tables stay in range.
     #[inline(never)]
     pub fn run<R: Real>(&self, data: &[&[f64]], values: &mut [R], coefficients: &mut [R]) {
         let nan = R::from_f64(f64::NAN);
@@ -166,7 +172,7 @@ impl Program<'_> {
     }
 }
 
-/// All data in one array, one parameter after another; what would be too much is left out.
+/// All data in one array, one parameter after another; data beyond I entries are dropped.
 #[inline]
 #[must_use]
 pub fn joined<const I: usize>(data: &[&[f64]]) -> [f64; I] {

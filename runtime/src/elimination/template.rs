@@ -1,4 +1,4 @@
-//! Filling and eliminating a block-triangular elimination template from tables.
+//! Fills and eliminates a block-triangular elimination template from tables.
 
 use crate::elimination::lu::{BlockError, BlockMemory, solve_block_trailing, solve_large_block};
 use crate::error::SolveError;
@@ -8,7 +8,8 @@ use crate::size::{Matrix, Size, Square, Vector, filled_matrix};
 /// A table entry: row, column, slot of the coefficient.
 pub type Entry = (u16, u16, u16);
 
-/// Writes the coefficients to their places. Entries out of range are ignored; the generator makes none.
+/// Writes the coefficients to their places. Entries out of range are ignored; the generator's
+/// tables stay in range.
 #[inline]
 pub fn fill<R: Real + Over<C>, C: Copy, V: Vector<R>>(matrix: &mut [V], entries: &[Entry], coefficients: &[C]) {
     for &(row, column, slot) in entries {
@@ -28,11 +29,11 @@ pub fn fill<R: Real + Over<C>, C: Copy, V: Vector<R>>(matrix: &mut [V], entries:
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Block<'a> {
-    /// Which block it is, in the order of elimination.
+    /// The position of the block in the order of elimination.
     pub number: u16,
     /// The first row, which is also the first pivot.
     pub first: u16,
-    /// How many of the last pivots are read later.
+    /// The number of trailing pivots that are read later.
     pub needed: u16,
     /// The square block; rows and columns count from `first`.
     pub diagonal: &'a [Entry],
@@ -41,11 +42,12 @@ pub struct Block<'a> {
 }
 
 impl Block<'_> {
-    /// Solves for the pivots of a small block: rows `first..first + N` of `right` become its solved rows.
+    /// Solves for the pivots of a small block: rows `first..first + N` of `right` become its solved
+    /// rows.
     ///
     /// # Errors
-    /// [`SolveError::Degenerate`] if the block is singular up to rounding, [`SolveError::Overflow`] if a value is
-    /// not finite.
+    /// [`SolveError::Degenerate`] if the block is singular up to rounding, [`SolveError::Overflow`]
+    /// if a value is not finite.
     #[inline]
     pub fn eliminate<R: Real + Over<C>, C: Copy, V: Vector<R>, const N: usize>(
         &self,
@@ -59,8 +61,8 @@ impl Block<'_> {
         solved.map_err(|error| self.solve_error(error))
     }
 
-    /// Like [`Block::eliminate`], for a large block: code of which little is compiled for each N. Its matrix is on
-    /// the stack while it runs, 8 N^2 bytes.
+    /// Like [`Block::eliminate`], for a large block: little code is compiled for each N. The matrix
+    /// takes 8 N^2 bytes of the stack.
     ///
     /// # Errors
     /// As [`Block::eliminate`].
@@ -76,7 +78,8 @@ impl Block<'_> {
         self.eliminate_in(memory, right, coefficients)
     }
 
-    /// Like [`Block::eliminate`], with a size that is known at run time. All of `memory` is zero before.
+    /// Like [`Block::eliminate`], with a size that is known at run time. All of `memory` must be
+    /// zero before the call.
     ///
     /// # Errors
     /// As [`Block::eliminate`].
@@ -99,7 +102,8 @@ impl Block<'_> {
         solved.map_err(|error| self.solve_error(error))
     }
 
-    /// Subtracts what the pivots solved before contribute; returns the rows from the block's first on.
+    /// Subtracts the contribution of the pivots solved before; returns the rows from the block's
+    /// first on.
     #[inline]
     fn couple<'r, R: Real + Over<C>, C: Copy, V: Vector<R>>(
         &self,
@@ -124,24 +128,25 @@ impl Block<'_> {
     fn solve_error(&self, error: BlockError) -> SolveError {
         match error {
             BlockError::Singular { .. } => SolveError::Degenerate { block: usize::from(self.number) },
-            // The coefficients are finite: sums or products of them overflowed.
+            // The coefficients are finite, so sums or products of them overflowed.
             BlockError::NonFinite | BlockError::Overflow => SolveError::Overflow,
             BlockError::Shape => SolveError::TooLarge,
         }
     }
 }
 
-/// Where a row of the action matrix comes from.
+/// The source of a row of the action matrix: the product of the action monomial and a basis
+/// monomial.
 #[derive(Clone, Copy, Debug)]
 pub enum ActionRow {
     /// The product is the basis monomial at this position.
     Unit(u16),
-    /// It is this pivot: minus its solved row.
+    /// The product is this pivot, whose row is minus its solved row.
     Solved(u16),
 }
 
-/// The action matrix of a solved template, a row for each of `rows`. What is out of range leaves a row of zeros;
-/// the generator's tables fit.
+/// The action matrix of a solved template, a row for each of `rows`. A position out of range leaves
+/// a row of zeros; the generator's tables stay in range.
 #[inline]
 #[must_use]
 pub fn action_matrix<R: Real, B: Size>(basis: B, rows: &[ActionRow], right: &[B::Vector<R>]) -> Square<B, R> {
@@ -159,7 +164,7 @@ pub fn action_matrix<R: Real, B: Size>(basis: B, rows: &[ActionRow], right: &[B:
     action
 }
 
-/// Minus the solved rows of these pivots.
+/// The pivots as combinations of the basis: minus their solved rows.
 #[inline]
 #[must_use]
 pub fn solved_rows<R: Real, K: Size, B: Size>(
@@ -188,7 +193,8 @@ fn negate_into<R: Real, S: core::ops::Neg<Output = S>, V: Vector<R>>(
     }
 }
 
-/// Refuses data that are not finite, also those that no equation reads, and coefficients that are not.
+/// Refuses data that are not finite, even if no equation reads them, and coefficients that are not
+/// finite.
 ///
 /// # Errors
 /// [`SolveError::NonFiniteInput`] or [`SolveError::Overflow`].

@@ -1,4 +1,4 @@
-//! Numbers of twice the precision, for the rare instance on which `f64` loses solutions.
+//! Numbers of twice the precision, for the rare instances on which `f64` loses solutions.
 
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 use num_complex::Complex;
@@ -7,11 +7,13 @@ use super::float;
 use super::scalar::{Over, Real, Scalar, sealed};
 use crate::size::Size;
 
-/// The sum of two `f64`, the second at most half a unit in the last place of the first: about 31 digits.
+/// The sum of two `f64`, the second at most half a unit in the last place of the first: about 31
+/// digits.
 ///
-/// Algorithms of Dekker (1971) and Knuth as collected by Hida, Li and Bailey, "Algorithms for quad-double precision floating point
-/// arithmetic", ARITH 2001. The range is that of `f64`; products are exact to the last digits only where their parts neither overflow nor
-/// underflow. Operations are calls and not inlined: what runs rarely should be small.
+/// Algorithms of Dekker (1971) and Knuth as collected by Hida, Li and Bailey, "Algorithms for
+/// quad-double precision floating point arithmetic", ARITH 2001. The range is that of `f64`;
+/// products are exact to the last digits only if their parts neither overflow nor underflow.
+/// Operations are calls and not inlined, because code that runs rarely should be small.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct DoubleDouble {
     high: f64,
@@ -33,7 +35,7 @@ fn renormalized(a: f64, b: f64) -> DoubleDouble {
     DoubleDouble { high, low: b - (high - a) }
 }
 
-/// a in two parts of 26 bits.
+/// Splits a into two parts of 26 bits.
 #[inline]
 fn split(a: f64) -> (f64, f64) {
     const FACTOR: f64 = 134_217_729.0; // 2^27 + 1
@@ -42,7 +44,7 @@ fn split(a: f64) -> (f64, f64) {
     (high, a - high)
 }
 
-/// a b and its rounding error, without a fused multiply-add, which not all machines have.
+/// a b and its rounding error, without a fused multiply-add, which some machines lack.
 #[inline]
 fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
@@ -91,7 +93,7 @@ impl Neg for DoubleDouble {
     }
 }
 
-/// The operators that follow from others.
+/// The operators that follow from addition, multiplication and negation.
 macro_rules! derived_operators {
     ($number:ty) => {
         impl Sub for $number {
@@ -125,7 +127,7 @@ macro_rules! derived_operators {
 
 derived_operators!(DoubleDouble);
 
-/// Sizes are those of the first part.
+/// Moduli are those of the first part.
 impl Scalar for DoubleDouble {
     const ZERO: Self = Self { high: 0.0, low: 0.0 };
     const ONE: Self = Self { high: 1.0, low: 0.0 };
@@ -198,7 +200,8 @@ impl Real for DoubleDouble {
     }
 }
 
-/// A complex number of [`DoubleDouble`] parts. (`num_complex` wants remainders and parsing of its parts.)
+/// A complex number with [`DoubleDouble`] parts. (`num_complex` requires remainders and parsing of
+/// its parts.)
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct DoubleComplex {
     re: DoubleDouble,
@@ -246,7 +249,7 @@ impl Mul for DoubleComplex {
 impl Div for DoubleComplex {
     type Output = Self;
     #[inline]
-    // A quotient is a product.
+    // A quotient is a product with the reciprocal.
     #[allow(clippy::suspicious_arithmetic_impl)]
     fn div(self, other: Self) -> Self {
         self * other.reciprocal()
@@ -263,7 +266,7 @@ impl Neg for DoubleComplex {
 
 derived_operators!(DoubleComplex);
 
-/// Sizes are those of the first parts.
+/// Moduli are those of the first parts.
 impl Scalar for DoubleComplex {
     const ZERO: Self = Self { re: DoubleDouble::ZERO, im: DoubleDouble::ZERO };
     const ONE: Self = Self { re: DoubleDouble::ONE, im: DoubleDouble::ZERO };

@@ -14,7 +14,7 @@ pub(crate) fn sqrt(x: f64) -> f64 {
     libm::sqrt(x)
 }
 
-/// sqrt(x^2 + y^2) without overflow or harmful underflow; a few units in the last place.
+/// sqrt(x^2 + y^2) without overflow or harmful underflow, to a few units in the last place.
 #[inline]
 pub(crate) fn hypot(x: f64, y: f64) -> f64 {
     let square = x * x + y * y;

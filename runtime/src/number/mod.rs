@@ -1,4 +1,4 @@
-//! The numbers that all kernels compute with: real and complex, of usual and of twice the precision.
+//! The numbers of all kernels: real and complex, of usual precision and of twice that.
 
 pub(crate) mod double_double;
 pub(crate) mod float;

@@ -1,4 +1,5 @@
-//! Real and complex numbers under one trait, for code that serves `solve` and `solve_complex` alike.
+//! Real and complex numbers under one trait, for code that serves `solve` and `solve_complex`
+//! alike.
 
 use super::float;
 use crate::size::Size;
@@ -12,7 +13,7 @@ pub(crate) mod sealed {
     impl Sealed for num_complex::Complex<f64> {}
 }
 
-/// `f64` or `Complex<f64>`, or such a number of twice the precision.
+/// `f64` or `Complex<f64>`, or a real or complex number of twice the precision.
 pub trait Scalar:
     sealed::Sealed
     + Copy
@@ -36,11 +37,11 @@ pub trait Scalar:
     fn from_f64(x: f64) -> Self;
     /// The number `x`, or its real part where `Self` is real.
     fn from_complex(x: Complex<f64>) -> Self;
-    /// As a complex number of usual precision.
+    /// The number as a complex number of usual precision.
     fn to_complex(self) -> Complex<f64>;
     /// The real part.
     fn real(self) -> f64;
-    /// The complex conjugate; of a real number, itself.
+    /// The complex conjugate; a real number is its own.
     fn conj(self) -> Self;
     /// |x|, without overflow.
     fn modulus(self) -> f64;
@@ -50,11 +51,11 @@ pub trait Scalar:
     fn magnitude(self) -> f64;
     /// Product with a real number.
     fn scale(self, factor: f64) -> Self;
-    /// 1/x, without overflow in between.
+    /// 1/x, without overflow of intermediate results.
     fn reciprocal(self) -> Self;
     /// The principal square root; NaN for a negative real number.
     fn sqrt(self) -> Self;
-    /// Neither infinite nor NaN.
+    /// Whether the number is neither infinite nor NaN.
     fn is_finite(self) -> bool;
 }
 
@@ -62,7 +63,7 @@ pub trait Scalar:
 pub trait Real: Scalar + Over<Self> {
     /// The distance from 1 to the next number.
     const EPSILON: f64;
-    /// Numbers of this precision: those known in `f64`, or else computed anew.
+    /// Returns the `known` numbers if this is their precision; otherwise computes them anew.
     fn of<Z: Size>(known: &Z::Vector<f64>, compute: impl FnOnce() -> Z::Vector<Self>) -> Z::Vector<Self>;
     /// |self| with the sign of `other`.
     fn with_sign_of(self, other: Self) -> Self;
@@ -82,12 +83,12 @@ impl Real for f64 {
 
 /// The vector of f(x) for every entry x.
 ///
-/// What the standard library's `map` makes of it is several times as much code, for each closure and size.
+/// The standard library's `map` compiles to several times as much code, for each closure and size.
 #[inline]
 pub(crate) fn mapped<Z: Size, A: Copy, S: Scalar>(size: Z, x: &Z::Vector<A>, f: impl Fn(A) -> S) -> Z::Vector<S> {
     let mut mapped = size.filled(S::ZERO);
-    for (image, &entry) in mapped.as_mut().iter_mut().zip(x.as_ref()) {
-        *image = f(entry);
+    for j in 0..size.get() {
+        mapped[j] = f(x[j]);
     }
     mapped
 }
@@ -205,7 +206,7 @@ impl Scalar for Complex<f64> {
     }
     #[inline]
     fn reciprocal(self) -> Self {
-        // Smith 1962: divide by the larger part first.
+        // Smith 1962: the larger part is divided by first.
         if self.re.abs() >= self.im.abs() {
             let quotient = self.im / self.re;
             let denominator = self.re + self.im * quotient;
@@ -218,7 +219,8 @@ impl Scalar for Complex<f64> {
     }
     #[inline]
     fn sqrt(self) -> Self {
-        // The part that is a sum of what has one sign; the other follows from im = 2 re' im'.
+        // The larger part is a sum of terms of one sign. The smaller part follows from im = 2 re'
+        // im'.
         let large = float::sqrt(0.5 * (self.modulus() + self.re.abs()));
         let small = if large > 0.0 { 0.5 * self.im.abs() / large } else { 0.0 };
         let (re, im) = if self.re >= 0.0 { (large, small) } else { (small, large) };

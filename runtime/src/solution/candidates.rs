@@ -1,4 +1,5 @@
-//! From an eigenpair to the list of solutions: read off, polished, kept if it is a new solution.
+//! From an eigenpair to the list of solutions: unknowns are read off, polished, and kept if the
+//! solution is new.
 
 use num_complex::Complex;
 
@@ -14,21 +15,23 @@ use crate::solver_instance::{BasisVector, EigenpairSource, Found, Point, Points,
 /// A solution is kept only if its relative residual is at most this after the polish.
 pub const MAX_RESIDUAL: f64 = 1e-10;
 
-/// An eigenvalue whose imaginary part is at most this, relative to its modulus, may belong to a real solution:
-/// rounding splits a pair of close real eigenvalues into a complex one. If |B| exceeds the number of solutions any
-/// eigenvalue may: those that belong to no solution are often close together, far less precise, and take others along.
+/// An eigenvalue whose imaginary part is at most this, relative to its modulus, may belong to a
+/// real solution, because rounding splits a pair of close real eigenvalues into a complex one. If
+/// |B| exceeds the number of solutions, any eigenvalue may belong to a real solution: spurious
+/// eigenvalues are often close together and far less precise, and perturb others.
 const NEARLY_REAL: f64 = 1e-3;
 
-/// Where the solutions of a solve are collected: [`AllSolutions`] or [`RealSolutions`].
+/// The collected solutions of a solve: [`AllSolutions`] or [`RealSolutions`].
 pub(crate) trait Collection<I: SolverInstance> {
-    /// Whether an eigenvalue may belong to a solution that is collected.
+    /// Whether an eigenvalue may belong to a collected solution.
     fn wants(&self, value: &Complex<f64>) -> bool;
 
-    /// Adds the solutions of an eigenvalue with im >= 0, whose conjugate stands for the conjugate solutions. False if
-    /// an eigenpair gave nothing new, and so may share its eigenvalue with another one.
+    /// Adds the solutions of an eigenvalue with im >= 0; its conjugate stands for the conjugate
+    /// solutions. Returns false if an eigenpair gave nothing new, and so may share its eigenvalue
+    /// with another one.
     fn add(&mut self, solver: &I, source: &dyn EigenpairSource<I::Basis>, value: Complex<f64>) -> bool;
 
-    /// Whether as many complex solutions were counted as there are for general data.
+    /// Whether as many complex solutions were counted as general data have.
     fn has_all(&self) -> bool;
 
     /// Whether the number of solutions shows that some are missing.
@@ -48,7 +51,7 @@ impl<I: SolverInstance> AllSolutions<I> {
         Self { found: known_beforehand(solver), most: solver.sizes().solutions.get() }
     }
 
-    /// The solutions at which no factor vanishes.
+    /// The solutions at which no excluded factor vanishes.
     #[inline]
     pub(crate) fn admissible(self, solver: &I) -> Points<I, Complex<f64>> {
         admissible(solver, &self.found)
@@ -69,7 +72,8 @@ impl<I: SolverInstance> Collection<I> for AllSolutions<I> {
         }
         let mut candidate = polished(solver, source.real(value.re)).map(|real| as_complex(solver, &real));
         if candidate.is_none() && !flips(solver).is_empty() {
-            // The square of an unknown may be real and negative. A conjugate then differs by signs only.
+            // The square of an unknown may be real and negative. The conjugate solution then
+            // differs by signs only.
             candidate = polished(solver, source.complex(value));
         }
         let Some(candidate) = candidate else { return false };
@@ -90,8 +94,8 @@ impl<I: SolverInstance> Collection<I> for AllSolutions<I> {
 /// The real solutions.
 pub(crate) struct RealSolutions<I: SolverInstance> {
     real: Found<I, f64>,
-    /// All complex ones, if they are counted: |B| then exceeds the number of solutions, and only the count tells
-    /// whether an eigenpair that is no solution stands for a missing one.
+    /// All complex solutions, if they are counted: |B| then exceeds the number of solutions, and
+    /// only the count tells whether a spurious eigenpair replaces a missing solution.
     all: Option<AllSolutions<I>>,
     most: usize,
 }
@@ -107,8 +111,8 @@ impl<I: SolverInstance> RealSolutions<I> {
         }
     }
 
-    /// The solutions at which no factor vanishes. If all complex solutions are known, a real one that is none of
-    /// them is spurious.
+    /// The solutions at which no excluded factor vanishes. If all complex solutions are known, a
+    /// real solution that is not among them is spurious.
     #[inline]
     pub(crate) fn admissible(mut self, solver: &I) -> Points<I, f64> {
         if let Some(all) = self.all.as_ref().filter(|all| all.found.len() == self.most) {
@@ -130,7 +134,8 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
         self.all.is_some() || value.im.abs() <= NEARLY_REAL * value.re.abs()
     }
 
-    /// False also for a complex eigenvalue, because its conjugate may stand for one more solution.
+    /// The result is also false for a complex eigenvalue, because its conjugate may stand for one
+    /// more solution.
     #[inline(never)]
     fn add(&mut self, solver: &I, source: &dyn EigenpairSource<I::Basis>, value: Complex<f64>) -> bool {
         if value.im == 0.0 {
@@ -164,7 +169,8 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
         self.all.as_ref().is_some_and(|all| all.has_all())
     }
 
-    /// Solutions that are not real come in pairs: if they are not counted, an odd number of others is missing.
+    /// Solutions that are not real come in pairs. If they are not counted, an odd number of missing
+    /// real solutions shows that one is lost.
     #[inline]
     fn lacks_some(&self) -> bool {
         match &self.all {
@@ -190,7 +196,7 @@ fn known_beforehand<S: Scalar, I: SolverInstance>(solver: &I) -> Found<I, S> {
     known
 }
 
-/// Final filter: merging two solutions can produce an excluded one.
+/// Final filter: merging two solutions can produce an excluded solution.
 #[inline]
 fn admissible<S: Scalar, I: SolverInstance>(solver: &I, found: &Found<I, S>) -> Points<I, S> {
     let mut solutions = solver.sizes().solutions.list();
@@ -211,7 +217,7 @@ fn as_complex<I: SolverInstance>(
     Candidate { unknowns, residual: real.residual }
 }
 
-/// Adds a solution and its conjugate; false if one of them is not new.
+/// Adds a solution and its conjugate. Returns false if one of them is not new.
 #[inline]
 fn push_both<I: SolverInstance>(
     solver: &I,
@@ -231,13 +237,13 @@ fn conjugate<I: SolverInstance>(
     Candidate { unknowns, residual: candidate.residual }
 }
 
-/// The sign changes that connect solutions of one eigenpair.
+/// The sign changes that connect the solutions of one eigenpair.
 #[inline]
 pub(crate) fn flips<I: SolverInstance>(solver: &I) -> &[&[bool]] {
     solver.sign_changes().map_or(&[], |changes| changes.flips)
 }
 
-/// Adds a solution and those that differ from it by signs only; false if none of them is new.
+/// Adds a solution and its images under the sign changes. Returns false if all of them are known.
 #[inline]
 fn push_all_signs<S: Scalar, I: SolverInstance>(
     solver: &I,
@@ -253,8 +259,9 @@ fn push_all_signs<S: Scalar, I: SolverInstance>(
     is_new
 }
 
-/// The real solution that belongs to a complex one close to its conjugate, if there is one. Halfway between the two is
-/// their real part: what shows a double solution in [`push_distinct`] does so here.
+/// The real solution that belongs to a complex solution close to its conjugate, if there is one.
+/// Their midpoint is their real part, and the same test as in [`push_distinct`] shows a double
+/// solution.
 #[inline]
 fn nearly_real<I: SolverInstance>(
     solver: &I,
@@ -275,15 +282,15 @@ fn polished<S: Scalar, I: SolverInstance>(
     polish_from(solver, unknowns(solver, value, &vector)?)
 }
 
-/// Whether no factor vanishes. A factor that is an unknown, or a product of some, is never small relative to its terms:
-/// it vanishes if the unknown cannot be told from zero.
+/// Whether no excluded factor vanishes. A factor that is an unknown or a product of unknowns is
+/// never small relative to its terms. It vanishes if an unknown cannot be told from zero.
 #[inline]
 fn is_admissible<S: Scalar, I: SolverInstance>(solver: &I, candidate: &Candidate<S, I::Unknowns>) -> bool {
     let unknowns = solver.sizes().unknowns;
     solver.is_admissible(&zero_below_accuracy(unknowns, &candidate.unknowns, candidate.residual))
 }
 
-/// The solution that the polish of a point leads to.
+/// The solution that the polish of a point converges to, if there is one.
 #[inline]
 fn polish_from<S: Scalar, I: SolverInstance>(
     solver: &I,

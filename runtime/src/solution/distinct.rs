@@ -1,25 +1,27 @@
-//! Drops solutions that were found more than once.
+//! Removes solutions that were found more than once.
 
 use crate::number::Scalar;
 use crate::size::{List, Size};
 use crate::solution::polish::{POLISH_STEPS, largest};
 
-/// Two solutions are the same when every unknown agrees to this relative distance (or to [`FLOOR`]). Simple solutions
-/// are found to 1e-12 or better after polish, double ones to about 1e-8; solutions closer than this are taken for one.
+/// Two solutions are the same if every unknown agrees to this relative distance (or to [`FLOOR`]).
+/// After the polish, simple solutions are accurate to 1e-12 or better, double ones to about 1e-8.
+/// Solutions closer than this count as one.
 pub(crate) const TOLERANCE: f64 = 1e-8;
 
-/// An unknown this small relative to the largest one may be the rounding noise of zero: it is not compared to be
-/// closer.
+/// An unknown this small relative to the largest unknown may be rounding noise of zero. Unknowns
+/// need not agree to less than this.
 pub(crate) const FLOOR: f64 = 1e-13;
 
-/// Two solutions may be one double solution when every unknown agrees to this relative distance, or to
-/// [`CLOSE_FLOOR`] of the largest.
+/// Two solutions may be one double solution if every unknown agrees to this relative distance, or
+/// to [`CLOSE_FLOOR`] of the largest unknown.
 const CLOSE: f64 = 1e-3;
 /// See [`CLOSE`].
 const CLOSE_FLOOR: f64 = 1e-6;
 
-/// A relative residual at most this, halfway between two close solutions, shows a double one. At a double solution the
-/// residual grows with the square of the distance: this is reached about 1e-6 away from it, relative to the unknowns.
+/// A relative residual at most this, halfway between two close solutions, shows a double solution.
+/// The residual grows with the square of the distance from a double solution, and reaches this at
+/// about 1e-6, relative to the unknowns.
 pub(crate) const DOUBLE: f64 = 1e-12;
 
 /// A polished solution and its relative residual.
@@ -58,13 +60,14 @@ impl<S: Scalar, N: Size> Candidate<S, N> {
     }
 }
 
-/// Adds `candidate` unless its solution is there already; true when it was new and there was room. Of two that are the
-/// same the one with the smaller residual stays. If there is no room, one of all must be spurious: the one with the
-/// largest residual goes.
+/// Adds `candidate` unless its solution is in the list already. Returns true if it was added. Of
+/// two equal solutions the one with the smaller residual stays. If the list is full, one solution
+/// must be spurious: the one with the largest residual goes.
 ///
-/// A double solution is found twice, to about half of the digits, and the two may be further apart than
-/// [`TOLERANCE`]. They are taken for one where the residual halfway between them is at most [`DOUBLE`] or no larger than
-/// theirs. `polish(x, steps)` improves a point and returns its relative residual.
+/// A double solution is found twice, to about half of the digits, and the two may be further apart
+/// than `TOLERANCE`. They count as one if the residual halfway between them is at most `DOUBLE`
+/// or not larger than theirs. `polish(x, steps)` improves a point and returns its relative
+/// residual.
 #[inline]
 pub fn push_distinct<S: Scalar, N: Size>(
     found: &mut impl List<Candidate<S, N>>,
@@ -74,10 +77,11 @@ pub fn push_distinct<S: Scalar, N: Size>(
     !is_among(found, &candidate, &polish) && (found.push(candidate.clone()) || replace_worst(found, candidate))
 }
 
-/// A reference to the polish, so that comparisons are compiled once for all problems with as many unknowns.
+/// A reference to the polish, so that comparisons are compiled once for all problems with the same
+/// number of unknowns.
 type Polish<'a, S, N> = &'a dyn Fn(&mut <N as Size>::Vector<S>, usize) -> f64;
 
-/// Whether a candidate is one of the solutions, which are improved by it.
+/// Whether a candidate is one of the solutions. If so, that solution is improved by it.
 #[inline(never)]
 fn is_among<S: Scalar, N: Size>(
     found: &mut [Candidate<S, N>],
@@ -92,7 +96,8 @@ fn is_among<S: Scalar, N: Size>(
     false
 }
 
-/// Puts `candidate` in place of the solution with the largest residual; false where its own is not smaller.
+/// Puts `candidate` in place of the solution with the largest residual. Returns false if the
+/// candidate's residual is not smaller.
 #[cold]
 #[inline(never)]
 fn replace_worst<S: Scalar, N: Size>(found: &mut [Candidate<S, N>], candidate: Candidate<S, N>) -> bool {
@@ -111,7 +116,7 @@ fn replace_worst<S: Scalar, N: Size>(found: &mut [Candidate<S, N>], candidate: C
     }
 }
 
-/// Makes one of two close solutions; false where they are two.
+/// Merges two close solutions into one. Returns false if they are two.
 #[cold]
 #[inline(never)]
 fn merge<S: Scalar, N: Size>(

@@ -4,7 +4,7 @@ use crate::number::Scalar;
 use crate::size::{Size, Vector};
 use crate::solver_instance::{BasisVector, Point, SolverInstance};
 
-/// The unknowns from an eigenpair; `None` if they cannot be read.
+/// Reads the unknowns off an eigenpair; `None` if they cannot be read.
 #[inline]
 pub(crate) fn unknowns<S: Scalar, I: SolverInstance>(
     solver: &I,
@@ -33,13 +33,13 @@ pub(crate) fn unknowns<S: Scalar, I: SolverInstance>(
 ///
 /// x = sum over k of conj(v\[m_k\]) v\[x m_k\] / sum over k of |v\[m_k\]|^2
 ///
-/// `values` is an eigenvector v of the action matrix: the values of the basis monomials at a solution, up to a common
-/// factor. `pairs` lists the positions (m_k, x m_k) of monomials that differ by the factor x; all of them are used,
-/// weighted by their size.
+/// `values` are the values of monomials at a solution, up to a common factor. `pairs` lists the
+/// positions (m_k, x m_k) of monomials that differ by the factor x. All pairs are used, weighted by
+/// their size.
 ///
-/// `None` if all |v\[m_k\]| vanish, the result is not finite, or a position is out of range. Whether the v\[m_k\] are
-/// more than rounding errors of v does not show in their size, which depends on the units of the unknowns; it shows in
-/// the residual.
+/// `None` if all |v\[m_k\]| vanish, the result is not finite, or a position is out of range.
+/// Whether the v\[m_k\] exceed the rounding errors of v does not show in their size, which depends
+/// on the units of the unknowns. It shows in the residual.
 #[inline]
 #[must_use]
 pub fn ratio<S: Scalar>(values: &[S], pairs: &[(u16, u16)]) -> Option<S> {
@@ -54,7 +54,7 @@ pub fn ratio<S: Scalar>(values: &[S], pairs: &[(u16, u16)]) -> Option<S> {
     (denominator > 0.0 && quotient.is_finite()).then_some(quotient)
 }
 
-/// The values of monomials from an eigenpair (a, v), as many as `count`:
+/// The first `count` of these values of monomials, from an eigenpair (a, v):
 ///
 /// ```text
 ///   [ v | a v (if `has_image`) | R v ]      R: the rows of `read`
@@ -82,4 +82,42 @@ pub fn monomial_values<S: Scalar, K: Size>(
         }
     }
     values
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::size::Fixed;
+    use num_complex::Complex;
+
+    #[test]
+    fn ratios_of_monomial_values() {
+        // v = (1, x, y, x y, x^2) times a common factor.
+        let (x, y) = (Complex::new(2.0, -1.0), Complex::new(0.5, 3.0));
+        let common = Complex::new(-0.3, 0.1);
+        let v = [Complex::ONE, x, y, x * y, x * x].map(|value| value * common);
+        let found = ratio(&v, &[(0, 1), (2, 3), (1, 4)]).unwrap();
+        assert!((found - x).modulus() < 1e-15);
+        assert_eq!(ratio(&[1.0, 3.0, 2.0, 6.0], &[(0, 1), (2, 3)]), Some(3.0));
+        assert!((ratio(&[1e-60, 1.0], &[(0, 1)]).unwrap() - 1e60).abs() < 1e46, "whatever the units");
+        assert_eq!(ratio(&[0.0, 0.0], &[(0, 1)]), None);
+        assert_eq!(ratio(&[f64::NAN, 1.0], &[(0, 1)]), None);
+        assert_eq!(ratio(&[1.0, f64::INFINITY], &[(0, 1)]), None);
+        assert_eq!(ratio::<f64>(&[], &[]), None);
+        assert_eq!(ratio(&[1.0], &[(0, 7)]), None);
+    }
+
+    #[test]
+    fn monomials_are_those_of_the_basis_of_its_image_and_the_read_rows() {
+        let (value, vector) = (Complex::new(0.0, 2.0), [Complex::ONE, Complex::new(3.0, -1.0)]);
+        let image = [value, Complex::new(2.0, 6.0)];
+        let read = [[1.0, 2.0], [-1.0, 0.5]];
+        let known = [Complex::new(7.0, -2.0), Complex::new(0.5, -0.5)];
+        let found: [_; 6] = monomial_values(Fixed, (value, &vector), true, &read);
+        assert_eq!(found, [vector, image, known].concat()[..]);
+        let found: [_; 4] = monomial_values(Fixed, (value, &vector), false, &read);
+        assert_eq!(found, [vector, known].concat()[..]);
+        let found: [_; 2] = monomial_values(Fixed, (value, &vector), false, &[[0.0; 2]; 0]);
+        assert_eq!(found, vector);
+    }
 }

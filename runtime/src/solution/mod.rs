@@ -1,10 +1,12 @@
 //! From an eigenpair to a solution.
 //!
-//! 1. [`extract`] reads unknowns off an eigenvector, by [`sign_changes`] if it gives them up to sign.
-//! 2. [`mod@polish`] improves a solution on the original equations, which [`system`] evaluates from tables.
-//! 3. [`distinct`] drops what was found more than once.
+//! 1. [`extract`] reads unknowns off an eigenvector; [`sign_changes`] resolves unknowns that are
+//!    known up to sign.
+//! 2. [`mod@polish`] improves a solution on the original equations, which [`system`] evaluates from
+//!    tables.
+//! 3. [`distinct`] removes solutions that were found more than once.
 //! 4. `shared_value` tells apart the solutions that share an eigenvalue.
-//! 5. `candidates` collects real solutions, or all.
+//! 5. `candidates` collects real solutions, or all solutions.
 
 pub(crate) mod candidates;
 pub(crate) mod distinct;

@@ -5,15 +5,16 @@ use crate::number::{Scalar, float};
 use crate::size::{Matrix, Size, filled_matrix};
 use crate::solution::system::{System, Values};
 
-/// Steps at most; nearly always one or two lower the residual and the next one stops.
+/// The largest number of steps. One or two steps usually lower the residual, and the next one
+/// stops.
 pub const POLISH_STEPS: usize = 24;
 
-/// A step that does not lower a high residual is shortened by this factor..
+/// A step that does not lower a high residual is shortened by this factor.
 const SHORTER: f64 = 0.35;
-/// .. at most this many times.
+/// A step is shortened at most this many times.
 const SHORTER_STEPS: usize = 6;
 
-/// A relative residual at most this is rounding: no step could lower it by much.
+/// A relative residual at most this is rounding: a step could hardly lower it.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// A relative residual above this after the last step has a cause other than rounding.
@@ -21,43 +22,47 @@ const STALLED: f64 = 1e-12;
 
 /// An unknown this small relative to the largest one may be the rounding noise of zero.
 const NOISE: f64 = 1e-12;
-/// An unknown below this times the relative residual, relative to the largest unknown, cannot be told from zero. The
-/// polish converges slowly towards solutions that are not isolated, such as those at which an excluded factor vanishes.
+/// An unknown below this times the relative residual, relative to the largest unknown, cannot be
+/// told from zero. The polish converges slowly towards solutions that are not isolated, such as
+/// solutions at which an excluded factor vanishes.
 const UNCERTAIN: f64 = 1e3;
 
-/// A step that changes an unknown by more than this part of it shows that no solution is near, if the residual has a
-/// cause other than rounding or stays below [`FLAT`].
+/// A step that changes an unknown by more than this part of it shows that no solution is near, if
+/// the residual has a cause other than rounding or stays below [`FLAT`].
 const FAR: f64 = 0.1;
 
-/// A relative residual below this after a long step away from x shows a direction in which the equations are nearly
-/// constant, and no solution. Away from a double solution the residual grows with the square of the distance.
+/// If the relative residual is below this after a long step away from x, the equations are nearly
+/// constant in that direction, and no solution is near. Away from a double solution the residual
+/// grows with the square of the distance.
 const FLAT: f64 = 1e-6;
 
-/// Unknowns at least this large may be on the way to infinity: they are if half of them gives a residual that is
-/// rounding, too. (So far out steps are rounding errors and show nothing.)
+/// Unknowns at least this large may be on the way to infinity. They are if the residual of half of
+/// them is rounding, too. (At such points steps are rounding errors and show nothing.)
 const LARGE: f64 = 1e6;
 
 /// Improves x by at most `steps` Gauss-Newton steps and returns its relative residual,
 ///
-/// max over equations e of |f_e(x)| / (sum of the moduli of the terms of f_e at x), 0/0 counting as 0.
+/// max over equations e of |f_e(x)| / (sum of the moduli of the terms of f_e at x), where 0/0 = 0.
 ///
-/// Equations are weighted by one over that sum, which makes the result independent of their scaling; scaling an unknown
-/// does not matter to Householder QR. A step is kept only if it lowers the residual, if need be a fraction of it. The
-/// iteration ends if no fraction does, at a residual at rounding level, and at a rank-deficient Jacobian. If x or a value
-/// at x is not finite, x stays and the result is infinity.
+/// Equations are weighted by one over that sum, so their scaling does not matter; the scaling of
+/// unknowns does not matter to Householder QR. A step is kept only if it lowers the residual; if it
+/// does not, a fraction of it is tried. The iteration ends if no fraction lowers the residual, at a
+/// residual at rounding level, and at a rank-deficient Jacobian. If x or a value at x is not
+/// finite, x stays and the result is infinity.
 ///
-/// The result is also infinity if the last step, taken or not, changes an unknown by a tenth and the residual is no
-/// rounding error, or stays small however long the step is: no solution is near. Far out, where the terms of highest
-/// degree alone are nearly zero, the residual is small without a solution near by.
+/// The result is also infinity if the last step, taken or not, changes an unknown by more than a
+/// tenth, and the residual is above rounding or stays small along the whole step: no solution is
+/// near. Far out, where the terms of highest degree alone nearly vanish, the residual is small
+/// although no solution is near.
 ///
-/// If every term of an equation holds an unknown that is zero at the solution, noise in that unknown keeps the relative
-/// residual high however small it is. A step that does not lower a high residual is therefore tried again with unknowns
-/// at the level of noise set to zero.
+/// If every term of an equation holds an unknown that is zero at the solution, noise in that
+/// unknown keeps the relative residual high, however small the noise is. A step that does not lower
+/// a high residual is therefore tried again with unknowns at noise level set to zero.
 #[inline]
 pub fn polish<S: Scalar, N: Size, E: Size>(
     x: &mut N::Vector<S>,
     (unknowns, equations): (N, E),
-    system: &dyn System<S, N, E>,
+    system: &impl System<S, N, E>,
     steps: usize,
 ) -> f64 {
     let mut polish = Polish { unknowns, equations, system, at: Values::zero(equations) };
@@ -68,14 +73,14 @@ pub fn polish<S: Scalar, N: Size, E: Size>(
 }
 
 /// One polish: the system, and memory for its values.
-struct Polish<'a, S: Scalar, N: Size, E: Size> {
+struct Polish<'a, S: Scalar, N: Size, E: Size, Y> {
     unknowns: N,
     equations: E,
-    system: &'a dyn System<S, N, E>,
+    system: &'a Y,
     at: Values<S, E>,
 }
 
-/// How an iteration ended.
+/// The end of an iteration.
 struct Ended<S: Scalar, N: Size> {
     /// The residual of the point.
     best: f64,
@@ -85,7 +90,7 @@ struct Ended<S: Scalar, N: Size> {
     flat: bool,
 }
 
-impl<S: Scalar, N: Size, E: Size> Polish<'_, S, N, E> {
+impl<S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'_, S, N, E, Y> {
     /// The relative residual at x.
     #[inline]
     fn residual(&mut self, x: &N::Vector<S>) -> f64 {
@@ -123,7 +128,8 @@ impl<S: Scalar, N: Size, E: Size> Polish<'_, S, N, E> {
             }
             best = residual;
             *x = moved;
-            // After a long step the next one tells a badly determined solution, which it leaves in place, from none.
+            // After a long step one more is taken: it stays near x if the solution is badly
+            // determined, and leads away if there is no solution.
             if best <= ROUNDING && !self.is_far(x, &correction).as_ref().contains(&true) {
                 break;
             }
@@ -131,8 +137,8 @@ impl<S: Scalar, N: Size, E: Size> Polish<'_, S, N, E> {
         Ended { best, correction, flat }
     }
 
-    /// The point that a step from x leads to, and its residual. A step that does not lower a high residual is tried
-    /// again with noise set to zero, and then shortened.
+    /// The point that a step from x leads to, and its residual. A step that does not lower a high
+    /// residual is tried again with noise set to zero, and then shortened.
     #[inline]
     fn step(&mut self, x: &N::Vector<S>, correction: &N::Vector<S>, best: f64) -> (N::Vector<S>, f64) {
         let mut moved = x.clone();
@@ -158,7 +164,7 @@ impl<S: Scalar, N: Size, E: Size> Polish<'_, S, N, E> {
         (moved, residual)
     }
 
-    /// The residual, or infinity if no solution is near.
+    /// Returns the residual, or infinity if no solution is near.
     #[inline]
     fn verdict(&mut self, x: &N::Vector<S>, ended: &Ended<S, N>) -> f64 {
         let best = ended.best;
@@ -173,14 +179,16 @@ impl<S: Scalar, N: Size, E: Size> Polish<'_, S, N, E> {
         if !far.as_ref().contains(&true) {
             return best;
         }
-        // An unknown that is zero up to noise is free to change by as much.
+        // An unknown that is zero up to noise may change by as much as it likes: the residual
+        // without it decides.
         let mut without = x.clone();
         let unknowns = without.as_mut().iter_mut().zip(far.as_ref());
         unknowns.filter(|(_, far)| **far).for_each(|(value, _)| *value = S::ZERO);
         if best > STALLED || (ended.flat && self.residual(&without) > STALLED) { f64::INFINITY } else { best }
     }
 
-    /// Which unknowns a step changes by more than the part [`FAR`], other than rounding noise of zero.
+    /// The unknowns that a step changes by more than the part [`FAR`], apart from rounding noise of
+    /// zero.
     #[inline]
     fn is_far(&self, x: &N::Vector<S>, step: &N::Vector<S>) -> N::Vector<bool> {
         let noise = NOISE * largest(x.as_ref());
@@ -192,13 +200,13 @@ impl<S: Scalar, N: Size, E: Size> Polish<'_, S, N, E> {
     }
 }
 
-/// A polished x of this relative residual, with the unknowns that cannot be told from zero set to zero.
+/// A polished x of this relative residual, with unknowns that cannot be told from zero set to zero.
 #[inline]
 pub(crate) fn zero_below_accuracy<S: Scalar, N: Size>(unknowns: N, x: &N::Vector<S>, residual: f64) -> N::Vector<S> {
     zero_below(unknowns, x, NOISE.max(UNCERTAIN * residual))
 }
 
-/// x with the unknowns that are at most this small relative to the largest one set to zero.
+/// x, with unknowns of at most this magnitude, relative to the largest unknown, set to zero.
 #[inline]
 fn zero_below<S: Scalar, N: Size>(unknowns: N, x: &N::Vector<S>, level: f64) -> N::Vector<S> {
     let smallest = level * largest(x.as_ref());
@@ -227,7 +235,7 @@ fn relative_residual<S: Scalar>(values: &[S], scale: &[f64]) -> f64 {
     worst
 }
 
-/// Divides each equation by its scale; if all its terms vanish, by the size of its gradient.
+/// Divides each equation by its scale, or by the size of its gradient if all its terms vanish.
 #[inline]
 fn weigh<S: Scalar, N: Size, E: Size>(at: &mut Values<S, E>, jacobian: &mut Matrix<E, N, S>) {
     let equations = at.residual.as_mut().iter_mut().zip(at.scale.as_ref());
@@ -240,9 +248,9 @@ fn weigh<S: Scalar, N: Size, E: Size>(at: &mut Values<S, E>, jacobian: &mut Matr
     }
 }
 
-/// The least-squares solution of `matrix * y = right`, E equations in N <= E unknowns, by Householder QR; both
-/// arguments are overwritten. `None` if the matrix has lost rank (a diagonal entry of R below N epsilon times its
-/// column) or something is not finite.
+/// The least-squares solution of `matrix * y = right`, E equations in N <= E unknowns, by
+/// Householder QR. Both arguments are overwritten. `None` if the matrix has lost rank (a diagonal
+/// entry of R is below N epsilon times its column) or a number is not finite.
 #[inline]
 fn least_squares<S: Scalar, N: Size, E: Size>(
     (unknowns, equations): (N, E),
@@ -269,11 +277,11 @@ fn least_squares<S: Scalar, N: Size, E: Size>(
         let length = float::sqrt(square);
         let head = matrix[k][k];
         let size = head.modulus();
-        // R[k][k] has the direction opposite to the head, so that head - diagonal does not cancel.
+        // R[k][k] points opposite to the head, so that head - diagonal does not cancel.
         let diagonal = if size > 0.0 { -head.scale(length / size) } else { S::from_f64(-length) };
         inverse_diagonal[k] = diagonal.reciprocal();
         matrix[k][k] = head - diagonal;
-        // The reflection I - v v^H / factor, v the column k.. as it is now.
+        // The reflection is I - v v^H / factor, where v is the column from k on as it is now.
         let inverse_factor = 1.0 / (square + length * size);
         let mut product = unknowns.filled(S::ZERO);
         let mut product_right = S::ZERO;

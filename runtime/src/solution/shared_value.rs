@@ -1,17 +1,20 @@
 //! Solutions that share a value of the action monomial.
 //!
-//! They share an eigenvalue, whose eigenvectors are arbitrary combinations of theirs. Other monomials tell them apart
-//! (as in Möller and Stetter 1995; here only on the subspace in question):
+//! Such solutions share an eigenvalue, whose eigenvectors are arbitrary combinations of theirs.
+//! Other monomials tell them apart (as in Möller and Stetter 1995; here only on the subspace in
+//! question):
 //!
 //! ```text
-//!       [ | .. | ]   basis of the invariant subspace             V_m:  its values at monomials m
-//!   V = [ v1.. vk]   v = V u for every solution              V_(x m):  its values at the monomials x m
+//!       [ | .. | ]   basis of the invariant subspace    V_m:  its values at monomials m
+//!   V = [ v1.. vk]   v = V u for every solution         V_(x m):  its values at the monomials x m
 //!       [ | .. | ]
-//!                    V_(x m) = V_m A_x    (least squares):  u is an eigenvector of A_x for the eigenvalue x
+//!                    V_(x m) = V_m A_x (least squares): u is an eigenvector of A_x
+//!                                                       for the eigenvalue x
 //! ```
 //!
-//! All A_x have the same eigenvectors, so a combination of them over the unknowns x tells apart solutions that differ in
-//! any of them. V and A_x are real; u is complex where the solution is.
+//! All A_x have the same eigenvectors, so a combination of them over the unknowns x tells apart
+//! solutions that differ in any unknown. V and A_x are real; u is complex if the solution is
+//! complex.
 
 use num_complex::Complex;
 
@@ -22,11 +25,12 @@ use crate::solver_instance::{EigenpairSource, SolverInstance};
 use crate::spectrum::hessenberg::Hessenberg;
 use crate::spectrum::invariant_subspace::Cluster;
 
-/// An unknown takes part only where V_m has no singular value below about the square root of this, relative to the
-/// largest: otherwise rounding errors would make up its A_x.
+/// An unknown takes part only if V_m has no singular value below about the square root of this,
+/// relative to the largest. Otherwise A_x would consist of rounding errors.
 const RANK: f64 = 1e-10;
 
-/// What u to try, as 1, w, w^2, .., where the values of monomials do not determine them: in all directions.
+/// The vectors u = 1, w, w^2, .. that are tried if the values of monomials do not determine u:
+/// these are the values w, in all directions.
 const PROBES: [Complex<f64>; 12] = [
     Complex { re: 0.2, im: 0.0 },
     Complex { re: -0.2, im: 0.0 },
@@ -42,21 +46,26 @@ const PROBES: [Complex<f64>; 12] = [
     Complex { re: -1.0, im: 1.0 },
 ];
 
-/// The solutions with one value of the action monomial, or with conjugate values.
+/// The function that is called for each eigenvalue of a source.
+type Solve<'a, B> = dyn FnMut(&dyn EigenpairSource<B>, Complex<f64>) + 'a;
+
+/// The solutions with one value of the action monomial, or with a value and its conjugate.
 pub(crate) struct SharedValue<'a, B: Size> {
     size: B,
     action: &'a Square<B, f64>,
     /// V, transposed; `dimension` rows.
     basis: &'a mut Square<B, f64>,
     dimension: usize,
-    /// A combination of the A_x in the leading rows and columns; behind it a diagonal matrix with no eigenvalue of it.
+    /// A combination of the A_x in the leading rows and columns. Behind it is a diagonal matrix
+    /// that shares no eigenvalue with it.
     combination: &'a mut Hessenberg<B>,
-    /// Whether some A_x is not determined.
+    /// Whether some A_x is undetermined.
     incomplete: bool,
 }
 
 impl<'a, B: Size> SharedValue<'a, B> {
-    /// No solutions yet. `basis` and `combination` are memory for one cluster after the other.
+    /// No solutions yet. `basis` and `combination` are memory that serves one cluster after
+    /// another.
     #[inline]
     pub(crate) fn new(
         size: B,
@@ -67,10 +76,10 @@ impl<'a, B: Size> SharedValue<'a, B> {
         SharedValue { size, action, basis, dimension: 0, combination, incomplete: false }
     }
 
-    /// Finds what the solutions of a cluster are combinations of.
+    /// Finds the subspace and the combined A_x of the solutions of a cluster.
     ///
     /// # Errors
-    /// As [`Hessenberg::reduce`], where values overflow.
+    /// As [`Hessenberg::reduce`], if values overflow.
     #[inline(never)]
     pub(crate) fn find<I: SolverInstance<Basis = B>>(
         &mut self,
@@ -112,7 +121,8 @@ impl<'a, B: Size> SharedValue<'a, B> {
                     }
                 }
                 total += weight;
-                // Neither equal nor of a rational ratio, which differences of solutions could have, too.
+                // Weights are neither equal nor in a rational ratio, as differences of solutions
+                // could be.
                 weight *= 0.786_151_377_757_423_3;
             }
         }
@@ -124,8 +134,8 @@ impl<'a, B: Size> SharedValue<'a, B> {
 
     /// The values of the monomials on the basis, a row for each basis vector.
     ///
-    /// They are linear in the vector, those of the image also in the action's value, which here is the matrix:
-    /// K0 V + K1 T V, where K(value, v) = K0 v + value K1 v.
+    /// They are linear in the vector; those of the image are linear in the action's value, too,
+    /// which here is the matrix: K0 V + K1 T V, where K(value, v) = K0 v + value K1 v.
     fn monomial_values<I: SolverInstance<Basis = B>>(&self, solver: &I) -> MonomialValues<B, I::Values> {
         let count = solver.sizes().values;
         let mut rows = filled_matrix(self.size, count, 0.0);
@@ -143,15 +153,16 @@ impl<'a, B: Size> SharedValue<'a, B> {
         MonomialValues { rows }
     }
 
-    /// Calls `solve` for the eigenpairs of all solutions, as a source and what it lists them under.
+    /// Calls `solve` for the eigenpair of each solution, given as a source and the value under
+    /// which the source lists it.
     ///
-    /// Where the known monomials do not determine the A_x of all unknowns, also for some other combinations of the
-    /// solutions, from which the polish may find them.
+    /// If the known monomials do not determine the A_x of all unknowns, `solve` is also called for
+    /// some other combinations of the solutions, from which the polish may find them.
     #[inline(never)]
-    pub(crate) fn for_each(&self, solve: &mut dyn FnMut(&dyn EigenpairSource<B>, Complex<f64>)) {
+    pub(crate) fn for_each(&self, solve: &mut Solve<'_, B>) {
         if let Ok(values) = self.combination.eigenvalues() {
             let separated = Combinations { shared: self, separated: true };
-            // Eigenvalues of diagonal blocks come in the order of the blocks.
+            // The eigenvalues of diagonal blocks come in the order of the blocks.
             for &value in &values.as_ref()[..self.dimension] {
                 solve(&separated, value);
             }
@@ -165,8 +176,8 @@ impl<'a, B: Size> SharedValue<'a, B> {
     }
 }
 
-/// Combinations V u of the solutions with a shared value: for an eigenvalue of the combined A_x its eigenvector u, or
-/// u = 1, w, w^2, ..
+/// Combinations V u of the solutions with a shared value: u is an eigenvector of the combined A_x,
+/// or 1, w, w^2, ..
 struct Combinations<'a, B: Size> {
     shared: &'a SharedValue<'a, B>,
     separated: bool,
@@ -201,7 +212,7 @@ impl<B: Size> Combinations<'_, B> {
                 vector[i] += u[k].scale(basis[k][i]);
             }
         }
-        // The Rayleigh quotient.
+        // The value of the action is the Rayleigh quotient.
         let (mut numerator, mut denominator) = (S::ZERO, 0.0);
         for i in 0..n {
             let image = (0..n).fold(S::ZERO, |sum, j| sum + vector[j].scale(action[i][j]));
@@ -224,7 +235,8 @@ impl<B: Size, K: Size> MonomialValues<B, K> {
     }
 }
 
-/// A matrix of any size behind a reference, so that what runs rarely is compiled once for all solvers.
+/// A matrix of any size behind a reference, so that code that runs rarely is compiled once for all
+/// solvers.
 trait Entries {
     fn at(&mut self, row: usize, column: usize) -> &mut f64;
 }
@@ -237,9 +249,10 @@ impl<B: Size> Entries for Rows<'_, B> {
     }
 }
 
-/// A_x in the leading rows and columns of `right`, by the normal equations V_m^T V_m A_x = V_m^T V_(x m) and Cholesky's
-/// factorisation; false if V_m lacks rank. The polish gives back the digits that this costs. `value(row, monomial)` is
-/// the value of a monomial on a basis vector; `gram` is working memory; both matrices are zero before.
+/// Computes A_x in the leading rows and columns of `right`, by the normal equations V_m^T V_m A_x =
+/// V_m^T V_(x m) and Cholesky's factorisation. Returns false if V_m lacks rank. The polish recovers
+/// the digits that normal equations lose. `value(row, monomial)` is the value of a monomial on a
+/// basis vector; `gram` is working memory. Both matrices must be zero before the call.
 #[inline(never)]
 fn multiplication(
     value: &dyn Fn(usize, u16) -> f64,
@@ -256,7 +269,7 @@ fn multiplication(
             }
         }
     }
-    // gram = L L^T, L over its lower half; right := L^-1 right.
+    // gram = L L^T, with L in its lower half; right := L^-1 right.
     for i in 0..dimension {
         let size = *gram.at(i, i);
         for j in 0..i {

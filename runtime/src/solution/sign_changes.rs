@@ -1,21 +1,23 @@
-//! Solutions that differ by signs only and share an eigenpair.
+//! Solutions that share an eigenpair and differ by signs only.
 
 use crate::number::Scalar;
 use crate::size::Vector;
 
-/// Changes of sign that map solutions to solutions. The template does not tell these solutions apart: an eigenpair gives
-/// them up to the changes.
+/// Changes of sign that map solutions to solutions. The template does not tell these solutions
+/// apart: an eigenpair determines them up to the changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SignChanges<'a> {
-    /// For each unknown x, one exponent per unknown: those of the monomial by which its pairs differ. It is x^2, or x
-    /// times unknowns whose squares are known, or their reciprocals. All zero for an unknown that is not read.
+    /// For each unknown x one exponent per unknown: the monomial by which the pairs of x differ.
+    /// The monomial is x^2, or x times unknowns whose squares are known, or times their
+    /// reciprocals. All exponents are zero for an unknown that is not read.
     pub steps: &'a [&'a [i8]],
-    /// All changes but the one of no unknown: for each, which unknowns it changes.
+    /// All changes except the identity. For each change: which unknowns it negates.
     pub flips: &'a [&'a [bool]],
 }
 
 impl SignChanges<'_> {
-    /// The unknowns from the ratios of their pairs. Not finite if there is no real root, or if a factor is zero.
+    /// Computes the unknowns from the ratios of their pairs. The result is not finite if there is
+    /// no real root, or if a factor is zero.
     #[inline]
     pub(crate) fn resolve<S: Scalar>(&self, ratios: &mut [S]) {
         let step = |unknown: usize, of: usize| {
@@ -40,7 +42,7 @@ impl SignChanges<'_> {
     }
 }
 
-/// The same with the signs of some unknowns changed.
+/// The unknowns, with the signs of some of them changed.
 #[inline]
 pub(crate) fn flipped<S: Scalar, V: Vector<S>>(unknowns: &V, flip: &[bool]) -> V {
     let mut flipped = unknowns.clone();

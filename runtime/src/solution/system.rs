@@ -1,4 +1,4 @@
-//! Evaluation of the original equations from tables, so that emitted code is data, not arithmetic.
+//! Evaluates the original equations from tables, so that emitted code is data, not arithmetic.
 
 use crate::number::Scalar;
 use crate::number::scalar::mapped;
@@ -9,7 +9,7 @@ pub trait System<S: Scalar, N: Size, E: Size> {
     /// Evaluates the system at the point x.
     fn evaluate(&self, x: &N::Vector<S>, values: &mut Values<S, E>, jacobian: &mut Matrix<E, N, S>);
 
-    /// Like [`System::evaluate`], without gradients.
+    /// Like [`System::evaluate`], without the Jacobian.
     fn residual(&self, x: &N::Vector<S>, values: &mut Values<S, E>);
 }
 
@@ -22,16 +22,10 @@ pub struct Values<S: Scalar, E: Size> {
 }
 
 impl<S: Scalar, E: Size> Values<S, E> {
-    /// All zero.
+    /// All values are zero.
     #[inline]
     pub fn zero(equations: E) -> Self {
         Values { residual: equations.filled(S::ZERO), scale: equations.filled(0.0) }
-    }
-
-    #[inline]
-    fn clear(&mut self) {
-        self.residual.as_mut().fill(S::ZERO);
-        self.scale.as_mut().fill(0.0);
     }
 }
 
@@ -40,7 +34,7 @@ impl<S: Scalar, E: Size> Values<S, E> {
 pub struct Product {
     /// The position of the earlier monomial in the chain.
     pub parent: u16,
-    /// The unknown it is multiplied by.
+    /// The unknown by which it is multiplied.
     pub unknown: u16,
 }
 
@@ -56,19 +50,21 @@ pub struct Term {
 /// The support of E polynomial equations in N unknowns over K monomials and C coefficient slots.
 ///
 /// ```text
-///   chain     monomial 0 is 1 (chain[0] is not read); monomial k is monomial chain[k].parent * x[chain[k].unknown]
+///   chain     monomial 0 is 1 (chain[0] is not read);
+///             monomial k is monomial chain[k].parent * x[chain[k].unknown]
 ///   terms     [ equation 0 .. | equation 1 .. |   ..   | equation E-1 .. ]
 ///   ends                      ^ ends[0]       ^ ends[1]                  ^ ends[E-1]
 /// ```
 ///
-/// Every monomial value costs one multiplication, and its N derivatives one multiplication each, by the product rule
-/// along the chain; the chain must therefore hold the parents of every monomial that the equations use.
+/// Every monomial value costs one multiplication, and its N derivatives one multiplication each, by
+/// the product rule along the chain. The chain must therefore hold the parents of every monomial
+/// that the equations use.
 pub struct Tables<'a, N: Size, E: Size, K: Size> {
     /// N, E and K.
     pub sizes: (N, E, K),
     /// The monomials.
     pub chain: &'a K::Vector<Product>,
-    /// Where the terms of each equation end.
+    /// The end of each equation's terms.
     pub ends: &'a E::Vector<u32>,
     /// The terms of all equations.
     pub terms: &'a [Term],
@@ -78,11 +74,12 @@ pub struct Tables<'a, N: Size, E: Size, K: Size> {
 pub type FixedTables<const N: usize, const E: usize, const K: usize> = Tables<'static, Fixed<N>, Fixed<E>, Fixed<K>>;
 
 impl<const N: usize, const E: usize, const K: usize> FixedTables<N, E, K> {
-    /// Checks the tables: parents come before their products, unknowns and monomials exist, coefficients are among the
-    /// first C, ends ascend to the number of terms. Written for constants: a failed check is a compile error.
+    /// Checks the tables: parents come before their products, unknowns and monomials exist,
+    /// coefficients are among the first C, ends ascend to the number of terms. In a constant, a
+    /// failed check is a compile error.
     ///
     /// # Panics
-    /// If a check fails: call it in a `const`.
+    /// If a check fails.
     #[must_use]
     pub const fn new<const C: usize>(
         chain: &'static [Product; K],
@@ -121,7 +118,7 @@ impl<N: Size, E: Size, K: Size> Clone for Tables<'_, N, E, K> {
     }
 }
 
-// Derived, it would want arrays of all types to be `Copy`.
+// A derived `Copy` would require that arrays of all types are `Copy`.
 impl<N: Size, E: Size, K: Size> Copy for Tables<'_, N, E, K> {}
 
 impl<'a, N: Size, E: Size, K: Size> Tables<'a, N, E, K> {
@@ -141,23 +138,22 @@ impl<'a, N: Size, E: Size, K: Size> Tables<'a, N, E, K> {
     }
 }
 
-/// [`Tables`] with coefficients: a system that can be evaluated.
+/// A system that can be evaluated: [`Tables`] with coefficients.
 pub struct PolynomialSystem<'a, N: Size, E: Size, K: Size> {
     tables: Tables<'a, N, E, K>,
     coefficients: &'a [f64],
 }
 
 impl<N: Size, E: Size, K: Size> PolynomialSystem<'_, N, E, K> {
-    /// Calls `visit(equation, coefficient, monomial)` for every term, equation by equation.
+    /// The terms of each equation.
     #[inline]
-    fn for_each_term(&self, mut visit: impl FnMut(usize, f64, usize)) {
-        let mut start = 0;
-        for (equation, &end) in self.tables.ends.as_ref().iter().enumerate() {
-            for term in &self.tables.terms[start..end as usize] {
-                visit(equation, self.coefficients[usize::from(term.coefficient)], usize::from(term.monomial));
-            }
-            start = end as usize;
-        }
+    fn equations(&self) -> impl Iterator<Item = &[Term]> {
+        let terms = self.tables.terms;
+        self.tables.ends.as_ref().iter().scan(0, move |start, &end| {
+            let of_equation = &terms[*start..end as usize];
+            *start = end as usize;
+            Some(of_equation)
+        })
     }
 
     /// The values of the chain.
@@ -172,7 +168,8 @@ impl<N: Size, E: Size, K: Size> PolynomialSystem<'_, N, E, K> {
         values
     }
 
-    /// Whether the modulus of every polynomial exceeds `level`, relative to the sum of the moduli of its terms.
+    /// Whether the modulus of every polynomial exceeds `level`, relative to the sum of the moduli
+    /// of its terms.
     #[inline]
     pub fn exceeds<S: Scalar>(&self, x: &N::Vector<S>, level: f64) -> bool {
         let (_, count, _) = self.tables.sizes;
@@ -196,26 +193,35 @@ impl<S: Scalar, N: Size, E: Size, K: Size> System<S, N, E> for PolynomialSystem<
             gradients[k] = mapped(unknowns, &gradients[parent], |derivative: S| derivative * factor);
             gradients[k][unknown] += values[parent];
         }
-        at.clear();
-        jacobian.as_mut().iter_mut().for_each(|row| row.as_mut().fill(S::ZERO));
-        self.for_each_term(|equation, coefficient, monomial| {
-            let term = values[monomial].scale(coefficient);
-            at.residual[equation] += term;
-            at.scale[equation] += term.modulus();
-            for (entry, derivative) in jacobian[equation].as_mut().iter_mut().zip(gradients[monomial].as_ref()) {
-                *entry += derivative.scale(coefficient);
+        for (equation, terms) in self.equations().enumerate() {
+            // Sums in locals, which stay in registers.
+            let (mut value, mut size, mut gradient) = (S::ZERO, 0.0, unknowns.filled(S::ZERO));
+            for term in terms {
+                let (coefficient, monomial) = (self.coefficients[usize::from(term.coefficient)], term.monomial);
+                let product = values[usize::from(monomial)].scale(coefficient);
+                value += product;
+                size += product.modulus();
+                let derivatives = &gradients[usize::from(monomial)];
+                for j in 0..unknowns.get() {
+                    gradient[j] += derivatives[j].scale(coefficient);
+                }
             }
-        });
+            (at.residual[equation], at.scale[equation], jacobian[equation]) = (value, size, gradient);
+        }
     }
 
     #[inline]
     fn residual(&self, x: &N::Vector<S>, at: &mut Values<S, E>) {
         let values = self.monomials(x);
-        at.clear();
-        self.for_each_term(|equation, coefficient, monomial| {
-            let term = values[monomial].scale(coefficient);
-            at.residual[equation] += term;
-            at.scale[equation] += term.modulus();
-        });
+        for (equation, terms) in self.equations().enumerate() {
+            let (mut value, mut size) = (S::ZERO, 0.0);
+            for term in terms {
+                let coefficient = self.coefficients[usize::from(term.coefficient)];
+                let product = values[usize::from(term.monomial)].scale(coefficient);
+                value += product;
+                size += product.modulus();
+            }
+            (at.residual[equation], at.scale[equation]) = (value, size);
+        }
     }
 }

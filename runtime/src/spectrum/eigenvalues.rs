@@ -1,8 +1,10 @@
-//! Eigenvalues by the double-shift QR iteration (Francis 1961), with a bound on the number of iterations.
+//! Eigenvalues by the double-shift QR iteration (Francis 1961), with a bound on the number of
+//! iterations.
 //!
-//! Deflation (Ahues and Tisseur 1997), the two exceptional shifts and the start of the bulge at two small consecutive
-//! subdiagonals follow the description of LAPACK's `dlahqr`. Only eigenvalues are wanted, so a sweep touches only the
-//! active diagonal block; eigenvectors come one at a time from inverse iteration.
+//! Deflation (Ahues and Tisseur 1997), the two exceptional shifts and the start of the bulge at two
+//! small consecutive subdiagonals follow the description of LAPACK's `dlahqr`. Only eigenvalues are
+//! wanted, so a sweep touches only the active diagonal block. Eigenvectors come one at a time from
+//! inverse iteration.
 
 use crate::error::SolveError;
 use crate::number::{Real, float};
@@ -10,11 +12,12 @@ use crate::size::{Size, Square};
 use crate::spectrum::hessenberg::Hessenberg;
 use num_complex::Complex;
 
-/// The iteration gives up after this many sweeps per eigenvalue on the average; two or three are usual.
+/// The iteration stops after this many sweeps per eigenvalue on average; two or three are usual.
 const SWEEPS_PER_EIGENVALUE: usize = 30;
 
 impl<Z: Size, R: Real> Hessenberg<Z, R> {
-    /// All eigenvalues of A, and zeros beyond its order; complex ones in conjugate pairs, one after the other, positive imaginary part first.
+    /// All eigenvalues of A, followed by zeros beyond its order. Complex eigenvalues come in
+    /// conjugate pairs, the one with positive imaginary part first.
     ///
     /// # Errors
     /// [`SolveError::NoConvergence`] after 30 max(N, 10) sweeps.
@@ -30,9 +33,9 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
                 1 => values[low] = h[low][low].to_complex(),
                 2 => {
                     let pair = eigenvalues_2x2(h[low][low], h[low][low + 1], h[low + 1][low], h[low + 1][low + 1]);
-                    for (k, (re, im)) in pair.into_iter().enumerate() {
-                        values[low + k] = Complex { re: re.real(), im: im.real() };
-                    }
+                    let [first, second] = pair;
+                    values[low] = Complex { re: first.0.real(), im: first.1.real() };
+                    values[low + 1] = Complex { re: second.0.real(), im: second.1.real() };
                 }
                 _ => {
                     if remaining == 0 {
@@ -55,8 +58,9 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
     }
 }
 
-/// The first row of the last unreduced diagonal block of the leading `high` rows. A subdiagonal entry counts as zero
-/// when setting it to zero moves the eigenvalues of the 2x2 block around it by less than rounding (Ahues and Tisseur).
+/// The first row of the last unreduced diagonal block of the leading `high` rows. A subdiagonal
+/// entry counts as zero if setting it to zero moves the eigenvalues of the 2x2 block around it by
+/// less than rounding (Ahues and Tisseur).
 #[inline]
 fn active_block<Z: Size, R: Real>(h: &Square<Z, R>, high: usize) -> usize {
     let mut k = high - 1;
@@ -89,13 +93,14 @@ fn active_block<Z: Size, R: Real>(h: &Square<Z, R>, high: usize) -> usize {
     k
 }
 
-/// The larger, the smaller.
+/// The larger number and the smaller one.
 #[inline]
 fn ordered(x: f64, y: f64) -> (f64, f64) {
     if x > y { (x, y) } else { (y, x) }
 }
 
-/// Eigenvalues of [[a, b], [c, d]] without needless cancellation or overflow: real and imaginary parts.
+/// Eigenvalues of [[a, b], [c, d]] as real and imaginary parts, without needless cancellation or
+/// overflow.
 #[inline]
 fn eigenvalues_2x2<R: Real>(a: R, b: R, c: R, d: R) -> [(R, R); 2] {
     let half = (a - d).scale(0.5);
@@ -110,14 +115,15 @@ fn eigenvalues_2x2<R: Real>(a: R, b: R, c: R, d: R) -> [(R, R); 2] {
         let (mean, root) = (d + half, scale.sqrt() * (-discriminant).sqrt());
         return [(mean, root), (mean, -root)];
     }
-    // The eigenvalue further from d, then the other from their product.
+    // The eigenvalue further from d comes first; the other one follows from their product.
     let shift = half + (scale.sqrt() * discriminant.sqrt()).with_sign_of(half);
     let other = if shift == R::ZERO { d } else { d - (large / shift) * small };
     [(d + shift, R::ZERO), (other, R::ZERO)]
 }
 
-/// The two shifts of a sweep: the eigenvalues of the trailing 2x2 block, the nearer one twice when they are real; after
-/// ten sweeps without a deflation exceptional ones, because on some matrices (orthogonal ones) the usual shifts stall.
+/// The two shifts of a sweep: the eigenvalues of the trailing 2x2 block, or twice the nearer one if
+/// they are real. After ten sweeps without a deflation, exceptional shifts are taken, because the
+/// usual ones stall on some matrices (orthogonal ones).
 #[inline]
 fn choose_shifts<Z: Size, R: Real>(h: &Square<Z, R>, low: usize, high: usize, stalled: usize) -> [(R, R); 2] {
     let last = high - 1;
@@ -199,7 +205,8 @@ fn sweep<Z: Size, R: Real>(h: &mut Square<Z, R>, low: usize, high: usize, shifts
     }
 }
 
-/// Where the bulge starts, and its first column: that of (H - s1)(H - s2), scaled.
+/// The row in which the bulge starts, and its first column: the first column of (H - s1)(H - s2),
+/// scaled.
 #[inline]
 fn bulge_start<Z: Size, R: Real>(h: &Square<Z, R>, low: usize, high: usize, [s1, s2]: [(R, R); 2]) -> (usize, [R; 3]) {
     let mut m = high - 3;
@@ -214,7 +221,8 @@ fn bulge_start<Z: Size, R: Real>(h: &Square<Z, R>, low: usize, high: usize, [s1,
         ];
         let size = v[0].modulus() + v[1].modulus() + v[2].modulus();
         if size > 0.0 {
-            v = v.map(|x| x / R::from_f64(size));
+            let size = R::from_f64(size);
+            v = [v[0] / size, v[1] / size, v[2] / size];
         }
         if m == low {
             return (m, v);
@@ -227,13 +235,15 @@ fn bulge_start<Z: Size, R: Real>(h: &Square<Z, R>, low: usize, high: usize, [s1,
     }
 }
 
-/// The reflection I - tau w w^T, w = (1, w1, w2), that maps v to (beta, 0, 0): beta, tau, w1, w2.
+/// The reflection I - tau w w^T, w = (1, w1, w2), that maps v to (beta, 0, 0). Returns beta, tau,
+/// w1, w2.
 #[inline]
 fn reflection<R: Real>(v: [R; 3]) -> (R, R, R, R) {
     let size = v[0].modulus().max(v[1].modulus()).max(v[2].modulus());
-    // Squares of numbers of usual size need no scaling, tiny ones do.
+    // Squares of numbers of usual size need no scaling; tiny numbers need it.
     let scale = if size < 1e-140 && size > 0.0 { float::power_of_two(float::exponent(size).max(-1021)) } else { 1.0 };
-    let [x, y, z] = v.map(|entry| entry / R::from_f64(scale));
+    let unit = R::from_f64(scale);
+    let [x, y, z] = [v[0] / unit, v[1] / unit, v[2] / unit];
     let tail = y * y + z * z;
     if tail == R::ZERO {
         return (v[0], R::ZERO, R::ZERO, R::ZERO);

@@ -16,33 +16,36 @@ use crate::size::{Fixed, Size, Square, Vector, filled_matrix};
 ///                                 [       x x ]
 /// ```
 ///
-/// Balancing (Parlett and Reinsch 1969, with 2-norms as James, Langou and Lowery 2014 recommend; no permutation) makes
-/// the norms of row i and column i of D^-1 A D comparable, so that the errors of the eigenvalue iteration are relative
-/// to the small entries, too. It is kept where it takes much off the norm: elsewhere it gains nothing and can lose all,
-/// because it scales up rows and columns that are rounding errors (Watkins 2006). Where |B| exceeds the number of
-/// solutions there are such. The QR iteration and the characteristic polynomial start from H; eigenvectors are found
-/// on H and taken back through Q and D.
+/// Balancing (Parlett and Reinsch 1969, with 2-norms as James, Langou and Lowery 2014 recommend; no
+/// permutation) makes the norms of row i and column i of D^-1 A D comparable, so that the errors of
+/// the eigenvalue iteration are relative to the small entries, too. It is kept only if it lowers
+/// the norm much. Otherwise it gains nothing and can lose all digits, because it scales up rows and
+/// columns that are rounding errors (Watkins 2006). Such rows and columns exist if |B| exceeds the
+/// number of solutions. The QR iteration and the characteristic polynomial start from H.
+/// Eigenvectors are found on H and taken back through Q and D.
 pub struct Hessenberg<Z: Size, R: Clone = f64> {
-    /// How many rows and columns are in use.
+    /// The number of rows and columns in use.
     pub(crate) size: Z,
     /// H: zero below the subdiagonal.
     pub(crate) matrix: Square<Z, R>,
-    /// The power of two taken out of A, so that its largest entry is near 1 when it was far from it.
+    /// The power of two taken out of A. It brings the largest entry near 1 if that was far from it.
     pub(crate) unit: f64,
     /// The diagonal of D.
     balance: Z::Vector<f64>,
-    /// Row k: the reflection I - tau v v^T that cleared column k; v lives in k+1..N, v[k+1] = 1.
+    /// Row k: the vector v of the reflection I - tau v v^T that cleared column k; v lives in
+    /// k+1..N, v[k+1] = 1.
     reflectors: Square<Z, R>,
-    /// The tau of each reflection; 0 where the column was clear already.
+    /// The tau of each reflection; 0 if the column was clear already.
     tau: Z::Vector<R>,
     /// The largest sum of moduli in a row of H.
     pub(crate) norm: f64,
 }
 
-/// How many rows are reflected side by side. Each sum waits for its last addition; four do not wait for each other.
+/// The number of rows that are reflected side by side. Each sum waits for its last addition; four
+/// sums do not wait for each other.
 const ROWS_AT_ONCE: usize = 4;
 
-/// row -= tau (row v) v^T for some rows.
+/// Reflects M rows: row -= tau (row v) v^T.
 #[inline]
 fn reflect<R: Real, V: Vector<R>, const M: usize>(rows: &mut [V; M], columns: core::ops::Range<usize>, v: &V, tau: R) {
     let mut dots = [R::ZERO; M];
@@ -59,7 +62,8 @@ fn reflect<R: Real, V: Vector<R>, const M: usize>(rows: &mut [V; M], columns: co
     }
 }
 
-/// Sweeps of balancing: each multiplies by powers of two only, so a few suffice and stopping early is harmless.
+/// Sweeps of balancing. Each sweep multiplies by powers of two only, so a few suffice, and stopping
+/// early is harmless.
 const BALANCE_SWEEPS: usize = 16;
 /// Balancing is kept only if it lowers the norm a thousandfold.
 const WORTHWHILE: f64 = 1e3;
@@ -79,7 +83,8 @@ impl<const N: usize> Hessenberg<Fixed<N>> {
 }
 
 impl<Z: Size, R: Real> Hessenberg<Z, R> {
-    /// A zero matrix. A large one is filled in where it stands, and then reduced, to take its place on the stack once.
+    /// A zero matrix. A large matrix is filled in and reduced in place, so that it takes its size
+    /// from the stack once.
     #[inline]
     pub(crate) fn zero(size: Z) -> Self {
         Hessenberg {
@@ -103,7 +108,8 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
         self.norm = 0.0;
     }
 
-    /// Balances and reduces the matrix, which was filled in. Entries that are not in use are zero.
+    /// Balances and reduces the matrix, which was filled in before. Entries that are not in use are
+    /// zero.
     ///
     /// # Errors
     /// [`SolveError::Overflow`] if an entry is infinite or NaN.
@@ -121,7 +127,8 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
         Ok(())
     }
 
-    /// Takes out a power of two where squares of entries could overflow, or vanish although they matter.
+    /// Takes out a power of two if squares of entries could overflow, or underflow although they
+    /// matter.
     #[inline]
     fn normalize(&mut self) {
         let mut largest = 0.0_f64;
@@ -133,7 +140,7 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
         if largest == 0.0 || (1e-60..1e60).contains(&largest) {
             return;
         }
-        // Clamped for subnormal entries: the inverse must be a normal number, too.
+        // The exponent is clamped for subnormal entries: the inverse must be a normal number, too.
         self.unit = float::power_of_two(float::exponent(largest).clamp(-1021, 1021));
         let inverse = 1.0 / self.unit;
         for row in self.matrix.as_mut() {
@@ -141,13 +148,13 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
         }
     }
 
-    /// matrix := D^-1 matrix D, unless its norm stays of the same size.
+    /// matrix := D^-1 matrix D, unless this leaves the norm at the same size.
     #[inline]
     fn balance(&mut self) {
         let before = self.squares();
         self.scale_rows_and_columns();
         if before < WORTHWHILE * WORTHWHILE * self.squares() {
-            // Back again: powers of two round nothing.
+            // The scaling is undone without rounding, because its factors are powers of two.
             let inverse = mapped(self.size, &self.balance, |factor: f64| 1.0 / factor);
             for (row, factor) in self.matrix.as_mut().iter_mut().zip(self.balance.as_ref()) {
                 for (entry, inverse) in row.as_mut().iter_mut().zip(inverse.as_ref()) {
@@ -179,7 +186,7 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
                 if !(column > 1e-250 && row > 1e-250) {
                     continue;
                 }
-                // Squared norms: a factor of RADIX in D moves their ratio by RADIX^4.
+                // The norms are squared: a factor of RADIX in D moves their ratio by RADIX^4.
                 let sum = column + row;
                 let mut factor = 1.0;
                 let mut scaled = column;
@@ -216,7 +223,8 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
         let n = self.size.get();
         let h = &mut self.matrix;
         let tail = (k + 2..n).map(|i| h[i][k] * h[i][k]).fold(R::ZERO, |sum, square| sum + square);
-        // Exactly zero or below 1e-154 of the largest entry, whose square underflowed: dropped.
+        // The tail is exactly zero, or below 1e-154 of the largest entry, so that its square
+        // underflowed. It is dropped.
         if tail == R::ZERO {
             for i in k + 2..n {
                 h[i][k] = R::ZERO;
@@ -235,7 +243,7 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
         }
         h[k + 1][k] = beta;
 
-        // From the left: H -= tau v (v^T H), columns k+1.. only, the others are done.
+        // From the left: H -= tau v (v^T H). Only columns from k+1 on change; the others are done.
         let mut product = self.size.filled(R::ZERO);
         for i in k + 1..n {
             for j in k + 1..n {
@@ -285,24 +293,29 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
 }
 
 impl<Z: Size> Hessenberg<Z> {
-    /// The coefficients of the characteristic polynomial det(x I - A) = x^N + c\[N-1\] x^(N-1) + .. + c\[0\], by La
-    /// Budde's recurrence on H (Wilkinson 1965, chapter 7, section 11; Rehman and Ipsen 2011):
+    /// The coefficients of the characteristic polynomial det(x I - A) = x^N + c\[N-1\] x^(N-1) + ..
+    /// + c\[0\], by La Budde's recurrence on H (Wilkinson 1965, chapter 7, section 11; Rehman and
+    /// Ipsen 2011):
     ///
-    /// p_i = (x - h_ii) p_(i-1) - sum over m of h_(i-m,i) b_i .. b_(i-m+1) p_(i-m-1),  b_i = h_(i,i-1).
+    /// p_i = (x - h_ii) p_(i-1) - sum over m of h_(i-m,i) b_i .. b_(i-m+1) p_(i-m-1)
     ///
-    /// For N up to about 10, to find real eigenvalues alone by [`real_roots_monic`](crate::spectrum::polynomial_roots::real_roots_monic); the
-    /// coefficients lose digits as N grows. They overflow to infinity when A is very large.
+    /// with b_i = h_(i,i-1).
+    ///
+    /// It serves to find real eigenvalues alone, by
+    /// [`real_roots_monic`](crate::spectrum::polynomial_roots::real_roots_monic), for N up to about
+    /// 10: the coefficients lose digits as N grows. They overflow to infinity if A is very large.
     #[must_use]
     pub fn characteristic_polynomial(&self) -> Z::Vector<f64> {
         let n = self.size.get();
         let h = &self.matrix;
-        // partial[i]: the characteristic polynomial of the leading i x i block, monic, coefficients below i.
+        // partial[i] is the characteristic polynomial of the leading i x i block: monic, with the
+        // coefficients below degree i.
         let mut partial = filled_matrix(self.size, self.size, 0.0);
         let mut next = self.size.filled(0.0);
         for i in 0..n {
             let previous = partial[i].clone();
             next.as_mut().fill(0.0);
-            // x * p_(i-1): the leading coefficient of p_(i-1) is an implicit 1 at degree i.
+            // This is x * p_(i-1): the leading coefficient of p_(i-1) is an implicit 1 at degree i.
             next.as_mut()[1..=i].copy_from_slice(&previous.as_ref()[..i]);
             for j in 0..i {
                 next[j] -= h[i][i] * previous[j];

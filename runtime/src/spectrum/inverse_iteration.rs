@@ -4,19 +4,20 @@ use crate::number::{Over, Real, Scalar, float};
 use crate::size::{Size, Square, filled_matrix};
 use crate::spectrum::hessenberg::Hessenberg;
 
-/// Solves with each factorisation: the first finds the direction, the second cleans it. More only when the start was
-/// unlucky.
+/// Solves with each factorisation: the first solve finds the direction, the second improves it.
+/// More solves are needed only if the start was nearly orthogonal to the left eigenvector.
 const LEAST_SOLVES: usize = 2;
 const MOST_SOLVES: usize = 5;
-/// Entries above this are scaled down during back substitution: repeated tiny pivots must not overflow.
+/// Larger entries are scaled down during back substitution, so that repeated tiny pivots do not
+/// overflow.
 const LARGE: f64 = 1e120;
 
 /// P (H - value I) = L U with interchanges of neighbouring rows.
 ///
 /// ```text
-///       [ u u u u ]     multiplier[i]: what row i was multiplied by when it cleared the entry below it
+///       [ u u u u ]     multiplier[i]: the factor of row i when it cleared the entry below it
 ///   U = [   u u u ]     swapped[i]: rows i and i+1 changed places first
-///       [     u u ]     inverse_pivot[i] = 1 / U[i][i], where pivots at rounding level are replaced by it
+///       [     u u ]     inverse_pivot[i] = 1 / U[i][i]; pivots below rounding are replaced by it
 ///       [       u ]
 /// ```
 pub(crate) struct ShiftedLu<S: Clone, Z: Size> {
@@ -25,7 +26,7 @@ pub(crate) struct ShiftedLu<S: Clone, Z: Size> {
     inverse_pivot: Z::Vector<S>,
     multiplier: Z::Vector<S>,
     swapped: Z::Vector<bool>,
-    /// What replaces a pivot that is smaller.
+    /// The replacement for smaller pivots.
     smallest: f64,
 }
 
@@ -43,7 +44,7 @@ impl<S: Scalar, Z: Size> ShiftedLu<S, Z> {
         }
     }
 
-    /// Factors H - value I, of the order that this was made for.
+    /// Factors H - value I. H has the order for which this memory was made.
     #[inline]
     pub(crate) fn factor<R: Real>(&mut self, form: &Hessenberg<Z, R>, value: S)
     where
@@ -90,7 +91,7 @@ impl<S: Scalar, Z: Size> ShiftedLu<S, Z> {
         }
     }
 
-    /// x := U^-1 x up to a factor, normalised to length 1. Returns how much longer than x it was.
+    /// x := U^-1 x, scaled to length 1. Returns the factor by which the length had grown.
     #[inline]
     pub(crate) fn backward(&self, x: &mut Z::Vector<S>) -> f64 {
         let n = self.size.get();
@@ -114,13 +115,13 @@ impl<S: Scalar, Z: Size> ShiftedLu<S, Z> {
     }
 }
 
-/// 1/x, of `smallest` in place of x when |x| is below it.
+/// 1/x, or 1/`smallest` if |x| is below that.
 #[inline]
 fn guarded_reciprocal<S: Scalar>(x: S, smallest: f64) -> S {
     if x.magnitude() > smallest { x.reciprocal() } else { S::from_f64(1.0 / smallest) }
 }
 
-/// Scales x to length 1; returns its length before.
+/// Scales x to length 1. Returns the length before.
 #[inline]
 pub(crate) fn normalize<S: Scalar>(x: &mut [S]) -> f64 {
     let largest = x.iter().map(|entry| entry.magnitude()).fold(0.0, f64::max);
@@ -138,18 +139,19 @@ pub(crate) fn normalize<S: Scalar>(x: &mut [S]) -> f64 {
 }
 
 impl<Z: Size, R: Real> Hessenberg<Z, R> {
-    /// What replaces a pivot of H - value I that is smaller: the rounding level of H.
+    /// The replacement for smaller pivots of H - value I: the rounding level of H.
     #[inline]
     fn smallest_pivot(&self) -> f64 {
         let norm = self.norm;
         if norm > 0.0 { R::EPSILON * norm } else { R::EPSILON }
     }
 
-    /// A unit vector v with A v = value * v up to rounding, for an eigenvalue of A: a real vector for a real one.
+    /// A unit vector v with A v = value * v up to rounding, for an eigenvalue of A. It is real for
+    /// a real eigenvalue.
     ///
-    /// Wilkinson's inverse iteration, O(N^2) per solve: the residual on the balanced H is at most a small multiple of
-    /// N epsilon |H|. Vectors of equal or nearly equal eigenvalues may be nearly parallel. The result is not finite
-    /// only if `value` is not.
+    /// Wilkinson's inverse iteration, O(N^2) per solve. The residual on the balanced H is at most a
+    /// small multiple of N epsilon |H|. Vectors of equal or nearly equal eigenvalues may be nearly
+    /// parallel. The result is not finite only if `value` is not.
     #[must_use]
     pub fn eigenvector<S: Over<R>>(&self, value: S) -> Z::Vector<S> {
         let n = self.size.get();
@@ -160,7 +162,8 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
 
         let mut x = self.size.filled(S::ZERO);
         x.as_mut()[..n].fill(S::ONE);
-        // The first right-hand side is L times a vector of ones, which spares its forward half.
+        // The first right-hand side is L times a vector of ones, so that its forward half is not
+        // needed.
         normalize(x.as_mut());
         let mut best = (x.clone(), 0.0);
         for solve in 1..=MOST_SOLVES {
@@ -168,8 +171,9 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
                 lu.forward(&mut x);
             }
             let growth = lu.backward(&mut x);
-            // Near a defective eigenvalue a second solve undoes the first, because the left and right eigenvectors are
-            // orthogonal (Ipsen 1997, section 5): it replaces a good vector only by a good one.
+            // Near a defective eigenvalue a second solve undoes the first, because the left and
+            // right eigenvectors are orthogonal (Ipsen 1997, section 5). So a good vector is
+            // replaced only by a good one.
             if growth > best.1 || growth >= enough {
                 best = (x.clone(), growth);
             }
@@ -177,7 +181,8 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
                 if best.1 >= enough {
                     break;
                 }
-                // The start was nearly orthogonal to the left eigenvector: leave it along an axis.
+                // The start was nearly orthogonal to the left eigenvector. A step along an axis
+                // leaves it.
                 x[(n - 1 + solve) % n.max(1)] += S::ONE;
             }
         }

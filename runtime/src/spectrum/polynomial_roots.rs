@@ -1,35 +1,41 @@
 //! Real roots of univariate polynomials.
 //!
-//! Between two neighbouring critical points a polynomial is monotone and has at most one root, which a sign change
-//! shows and safeguarded Newton finds. The critical points are the roots of the derivative, found the same way, down to
-//! a quadratic (Yuksel, "High-Performance Polynomial Root Finding for Graphics", 2022). Departures from it:
-//! the variable is scaled by a power of two; roots with |x| > 1 are found as 1/y on the reversed polynomial, so that
-//! nothing overflows and small and large roots have the same relative accuracy; and a critical point where the
-//! polynomial vanishes to rounding counts as a root, so that double roots are not lost.
+//! Between two neighbouring critical points a polynomial is monotone and has at most one root. A
+//! sign change shows it, and safeguarded Newton iteration finds it. The critical points are the
+//! roots of the derivative, found the same way, down to a quadratic (Yuksel, "High-Performance
+//! Polynomial Root Finding for Graphics", 2022). This implementation departs from the paper in
+//! three points. The variable is scaled by a power of two. Roots with |x| > 1 are found as 1/y on
+//! the reversed polynomial, so that nothing overflows and small and large roots have the same
+//! relative accuracy. A critical point at which the polynomial vanishes up to rounding counts as a
+//! root, so that double roots are not lost.
 
 use crate::number::float;
 use crate::size::{Fixed, List, Size};
 use arrayvec::ArrayVec;
 
-/// Newton falls back to bisection, so about 60 steps end at neighbouring numbers unless the root is tiny; at this many
-/// the best point so far is taken.
+/// The largest number of Newton steps. They fall back to bisection, so about 60 end at neighbouring
+/// numbers unless the root is tiny. After this many the best point so far is taken.
 const MOST_STEPS: usize = 200;
 
-/// Newton steps after which a value at rounding level ends the search: a multiple root gets no better.
+/// After this many Newton steps, a value at rounding level ends the search: a multiple root gets no
+/// better.
 const PATIENCE: usize = 8;
 
-/// The last step to a critical point, relative to it. The polynomial there is off by the square of the error that is
-/// left, which after a step of this size is far below rounding.
+/// The last step to a critical point, relative to it. The polynomial there is off by the square of
+/// the remaining error, which after a step of this size is far below rounding.
 const CRITICAL_TOLERANCE: f64 = 1e-7;
 
-/// A leading coefficient whose root would be more than 2^52 times the bound on all others is taken for zero.
+/// A leading coefficient counts as zero if its root would exceed the bound on all other roots by
+/// more than 2 to this power.
 const VANISHING: i32 = 52;
 
-/// The real roots of c\[0\] + c\[1\] x + .. + c\[D1-1\] x^(D1-1), ascending; D1 is the degree plus one.
+/// The real roots of c\[0\] + c\[1\] x + .. + c\[D1-1\] x^(D1-1), ascending. D1 is the degree plus
+/// one.
 ///
-/// A multiple root comes out once or as several close ones. A leading coefficient that is zero, or so small that its
-/// root would exceed the bound on all others 2^52 times, lowers the degree. Nothing is returned for constants, the zero
-/// polynomial, and when a coefficient is infinite or NaN; a root that overflows is left out.
+/// A multiple root comes out once or as several close ones. The degree is lowered if the leading
+/// coefficient is zero, or so small that its root would exceed the bound on all others 2^52 times.
+/// The result is empty for constants, for the zero polynomial, and if a coefficient is infinite or
+/// NaN. A root that overflows is left out.
 #[must_use]
 pub fn real_roots<const D1: usize>(coefficients: &[f64; D1]) -> ArrayVec<f64, D1> {
     match coefficients.split_last() {
@@ -38,18 +44,19 @@ pub fn real_roots<const D1: usize>(coefficients: &[f64; D1]) -> ArrayVec<f64, D1
     }
 }
 
-/// The real roots of the monic polynomial c\[0\] + c\[1\] x + .. + c\[D-1\] x^(D-1) + x^D, ascending; for the rest see
-/// [`real_roots`]. [`Hessenberg::characteristic_polynomial`](crate::spectrum::hessenberg::Hessenberg::characteristic_polynomial) gives such
-/// coefficients.
+/// The real roots of the monic polynomial c\[0\] + c\[1\] x + .. + c\[D-1\] x^(D-1) + x^D,
+/// ascending; otherwise as [`real_roots`].
+/// `Hessenberg::characteristic_polynomial` gives such coefficients.
 #[must_use]
 pub fn real_roots_monic<Z: Size>(size: Z, lower: &Z::Vector<f64>) -> Z::List<f64> {
     Polynomial { size, lower: lower.clone(), leading: 1.0, degree: size.get() }.real_roots()
 }
 
-/// lower\[0\] + .. + lower\[degree-1\] x^(degree-1) + leading x^degree; what lies in `lower` from `degree` on is not
-/// read.
+/// lower\[0\] + .. + lower\[degree-1\] x^(degree-1) + leading x^degree. Entries of `lower` from
+/// `degree` on are not read.
 ///
-/// The leading coefficient is stored apart because arrays of CAPACITY + 1 are beyond stable const generics.
+/// The leading coefficient is stored apart because arrays of D + 1 entries are beyond stable const
+/// generics.
 struct Polynomial<Z: Size> {
     size: Z,
     lower: Z::Vector<f64>,
@@ -116,7 +123,8 @@ impl<Z: Size> Polynomial<Z> {
         roots
     }
 
-    /// Lowers the degree past leading coefficients that are zero or vanish relative to the rest.
+    /// Lowers the degree past leading coefficients that are zero or negligible relative to the
+    /// rest.
     fn drop_vanishing_leading(&mut self) {
         while self.degree > 0 && self.leading == 0.0 {
             self.truncate(self.degree - 1);
@@ -131,9 +139,9 @@ impl<Z: Size> Polynomial<Z> {
         self.leading = self.lower[degree];
     }
 
-    /// Whether all coefficients above degree m are negligible: the roots that they add, of size |c[m] /
-    /// c[j]|^(1/(j-m)), exceed Fujiwara's bound 2 max |c[k] / c[m]|^(1/(m-k)) on the others 2^52 times. In binary
-    /// exponents.
+    /// Whether all coefficients above degree m are negligible: the roots that they add, of size
+    /// |c[m] / c[j]|^(1/(j-m)), exceed Fujiwara's bound 2 max |c[k] / c[m]|^(1/(m-k)) on the others
+    /// 2^52 times. The comparison is one of binary exponents.
     fn vanishes_above(&self, m: usize) -> bool {
         let exponent = |k: usize| float::exponent(if k == self.degree { self.leading } else { self.lower[k] });
         let middle = exponent(m);
@@ -143,13 +151,13 @@ impl<Z: Size> Polynomial<Z> {
         (m + 1..=self.degree).all(|j| {
             (0..m).rev().filter(|&k| self.lower[k] != 0.0).all(|k| {
                 let (above, below) = ((j - m) as i32, (m - k) as i32);
-                // 2 for the factor of the bound and the exponents rounded down.
+                // The 2 covers the factor of the bound and the exponents rounded down.
                 (middle - exponent(j)) * below > above * ((VANISHING + 2) * below + exponent(k) - middle)
             })
         })
     }
 
-    /// Divides by the largest power of x; false when the constant term is not zero.
+    /// Divides by the largest power of x. Returns false if the constant term is not zero.
     fn divide_by_power_of_x(&mut self) -> bool {
         let power = self.below().iter().take_while(|&&c| c == 0.0).count();
         self.lower.as_mut().copy_within(power..self.degree, 0);
@@ -157,8 +165,9 @@ impl<Z: Size> Polynomial<Z> {
         power > 0
     }
 
-    /// Substitutes x = 2^shift y, which brings the geometric mean of the moduli of the roots to about 1, and scales
-    /// the largest coefficient to about 1. Without rounding, up to underflow of coefficients that do not matter.
+    /// Substitutes x = 2^shift y, which brings the geometric mean of the moduli of the roots to
+    /// about 1, and scales the largest coefficient to about 1. Nothing is rounded, except
+    /// coefficients that underflow and do not matter.
     fn scale_variable(&mut self) -> i32 {
         let degree = self.degree as i32;
         let shift = (float::exponent(self.lower[0]) - float::exponent(self.leading)).div_euclid(degree);
@@ -186,7 +195,7 @@ impl<Z: Size> Polynomial<Z> {
         reversed
     }
 
-    /// A constant multiple of the derivative, of the size of p.
+    /// A constant multiple of the derivative, with coefficients of the size of those of p.
     fn derivative(&self) -> Self {
         let mut derivative = Self::zero(self.size);
         let inverse = 1.0 / self.degree as f64;
@@ -209,7 +218,7 @@ impl<Z: Size> Polynomial<Z> {
         (value, slope)
     }
 
-    /// A bound on the rounding error of p(x), including coefficients rounded once.
+    /// A bound on the rounding error of p(x), with coefficients that were rounded once.
     #[inline]
     fn rounding(&self, x: f64) -> f64 {
         let x = x.abs();
@@ -217,8 +226,9 @@ impl<Z: Size> Polynomial<Z> {
         sum * (self.degree as f64 * f64::EPSILON)
     }
 
-    /// The roots between -1 and 1, for a degree of at least 3. `ends` are p(-1) and p(1): given, so that p and its
-    /// reverse agree about their signs and no root falls between the two or is found by both.
+    /// The roots between -1 and 1, for a degree of at least 3. `ends` are p(-1) and p(1). They are
+    /// arguments, so that p and its reverse agree about their signs, and no root falls between the
+    /// two or is found by both.
     fn roots_in_unit_interval(&self, ends: [f64; 2]) -> UnitInterval<Z> {
         // derivatives[k] is the k-th one, down to the quadratic.
         let mut derivatives = self.size.filled(Self::zero(self.size));
@@ -250,7 +260,8 @@ impl<Z: Size> Polynomial<Z> {
         for (k, right) in critical.iter().copied().chain([1.0]).enumerate() {
             let right_value = if k < critical.len() { self.value(right).0 } else { ends[1] };
             let crosses = (left_value < 0.0 && right_value > 0.0) || (left_value > 0.0 && right_value < 0.0);
-            // A double root to rounding: the curve touches zero at a critical point without crossing on either side.
+            // A double root up to rounding: the curve touches zero at a critical point without
+            // crossing on either side.
             if !crossed && !crosses && left_value.abs() <= self.rounding(left) {
                 push(&mut result.roots, left);
             }
@@ -266,12 +277,13 @@ impl<Z: Size> Polynomial<Z> {
         result
     }
 
-    /// The root between two points where p has opposite signs: Newton's method, bisection where it leaves the bracket
-    /// or does not halve its step, until a step is at most `tolerance` of the root.
+    /// The root between two points at which p has opposite signs. Newton's method, with bisection
+    /// if a step leaves the bracket or does not halve the step before, until a step is at most
+    /// `tolerance` of the root.
     #[inline]
     fn refine(&self, (mut a, a_value): (f64, f64), (mut b, b_value): (f64, f64), tolerance: f64) -> f64 {
         let rising = a_value < 0.0;
-        // The secant of the bracket, kept off its ends.
+        // The start is the secant of the bracket, kept off its ends.
         let fraction = (a_value / (a_value - b_value)).clamp(0.05, 0.95);
         let mut x = a + (b - a) * fraction;
         let mut previous = b - a;
@@ -287,7 +299,7 @@ impl<Z: Size> Polynomial<Z> {
             }
             let correction = value / slope;
             let newton = x - correction;
-            // Written so that a NaN from slope zero falls through to bisection.
+            // The comparisons are written so that a NaN from slope zero leads to bisection.
             let next = if newton > a && newton < b && 2.0 * correction.abs() < previous.abs() {
                 previous = correction;
                 newton
@@ -304,22 +316,23 @@ impl<Z: Size> Polynomial<Z> {
     }
 }
 
-/// What [`Polynomial::roots_between`] finds.
+/// The result of [`Polynomial::roots_between`].
 struct UnitInterval<Z: Size> {
-    /// Ascending.
+    /// The roots, ascending.
     roots: Z::List<f64>,
     /// Whether p changes sign in the first and in the last interval, next to -1 and to 1.
     at_end: [bool; 2],
 }
 
-/// x * 2^exponent, also where 2^exponent itself is out of range.
+/// x * 2^exponent, even if 2^exponent itself is out of range.
 #[inline]
 fn scaled(x: f64, exponent: i32) -> f64 {
     let half = exponent / 2;
     x * float::power_of_two(half) * float::power_of_two(exponent - half)
 }
 
-/// Appends a root; not one that overflowed, and none beyond the capacity, which rounding could only fill with copies.
+/// Appends a root. A root that overflowed is dropped, and so are roots beyond the capacity, which
+/// can only be copies due to rounding.
 #[inline]
 fn push(roots: &mut impl List<f64>, root: f64) {
     if root.is_finite() {
@@ -327,8 +340,8 @@ fn push(roots: &mut impl List<f64>, root: f64) {
     }
 }
 
-/// The real roots of a x^2 + b x + c; coefficients of moderate size. A discriminant that is zero to rounding gives the
-/// double root.
+/// The real roots of a x^2 + b x + c, for coefficients of moderate size. A discriminant that is
+/// zero up to rounding gives the double root.
 #[inline]
 fn quadratic_roots(a: f64, b: f64, c: f64) -> ArrayVec<f64, 2> {
     let mut roots = ArrayVec::new_const();

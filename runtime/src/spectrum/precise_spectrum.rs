@@ -1,16 +1,18 @@
 //! Eigenpairs at twice the precision, for the second attempt of all solvers.
 //!
-//! What runs rarely should be small: the code is compiled for a few sizes of arrays and not for each |B|.
+//! Code that runs rarely should be small: it is compiled for a few sizes of arrays and not for each
+//! |B|.
 
 use num_complex::Complex;
 
 use crate::error::SolveError;
 use crate::number::Scalar;
 use crate::number::double_double::{DoubleComplex, DoubleDouble};
-use crate::size::{AtMost, Vector};
+use crate::size::AtMost;
 use crate::spectrum::hessenberg::Hessenberg;
 
-/// The spectrum of a matrix; its eigenvectors in the usual precision, which is enough for what is read off them.
+/// The spectrum of a matrix. Its eigenvectors are returned in the usual precision, which suffices
+/// to read off unknowns.
 pub(crate) struct PreciseSpectrum<'a> {
     pub(crate) eigenvalues: &'a [Complex<f64>],
     eigenvectors: &'a dyn Eigenvectors,
@@ -36,17 +38,21 @@ impl<const C: usize> Eigenvectors for Hessenberg<AtMost<C>, DoubleDouble> {
     }
 }
 
-/// Calls `with` for the spectrum of the square matrix with these rows. Its stack is that of the next larger of
-/// the sizes listed below.
+/// The rows of a matrix, wherever they are kept: the code below is compiled once, and not for each
+/// solver.
+pub(crate) type Row<'a> = &'a dyn Fn(usize) -> &'a [DoubleDouble];
+
+/// Calls `with` for the spectrum of the square matrix with these rows. It takes the stack of the
+/// next larger of the sizes listed below.
 ///
 /// # Errors
-/// As [`Hessenberg::reduce`] and [`Hessenberg::eigenvalues`]; [`SolveError::TooLarge`] beyond 256 rows, for which
-/// no memory is set aside.
-pub(crate) fn with_precise_spectrum<V: Vector<DoubleDouble>>(
-    rows: &[V],
+/// As [`Hessenberg::reduce`] and [`Hessenberg::eigenvalues`]; [`SolveError::TooLarge`] beyond 256
+/// rows, for which no memory is reserved.
+pub(crate) fn with_precise_spectrum(
+    order: usize,
+    row: Row<'_>,
     with: &mut dyn FnMut(&PreciseSpectrum<'_>),
 ) -> Result<(), SolveError> {
-    let (order, row) = (rows.len(), &|at: usize| rows[at].as_ref());
     match order {
         0..=16 => at_capacity::<16>(order, row, with),
         17..=32 => at_capacity::<32>(order, row, with),
@@ -60,11 +66,11 @@ pub(crate) fn with_precise_spectrum<V: Vector<DoubleDouble>>(
     }
 }
 
-/// A function of its own, so that only the size that is called takes its memory from the stack.
+/// A function of its own, so that only the size in use takes its memory from the stack.
 #[inline(never)]
-fn at_capacity<'a, const C: usize>(
+fn at_capacity<const C: usize>(
     order: usize,
-    row: &dyn Fn(usize) -> &'a [DoubleDouble],
+    row: Row<'_>,
     with: &mut dyn FnMut(&PreciseSpectrum<'_>),
 ) -> Result<(), SolveError> {
     let mut form = Hessenberg::<AtMost<C>, DoubleDouble>::zero(AtMost(order));
@@ -98,7 +104,7 @@ mod tests {
             let matrix = &mut memory[..n];
             companion(n, matrix);
             let mut found = 0;
-            with_precise_spectrum(matrix, &mut |spectrum| {
+            with_precise_spectrum(n, &|at| &matrix[at], &mut |spectrum| {
                 for &value in spectrum.eigenvalues {
                     assert!((value.powi(n as i32) - 2.0).norm() < 1e-12, "{n}: {value}");
                     let mut vector = [Complex::ZERO; LARGEST];
@@ -115,6 +121,6 @@ mod tests {
             .unwrap();
             assert_eq!(found, n);
         }
-        assert_eq!(with_precise_spectrum(&[[DoubleDouble::ZERO; 257]; 257], &mut |_| ()), Err(SolveError::TooLarge));
+        assert_eq!(with_precise_spectrum(257, &|_| &[], &mut |_| ()), Err(SolveError::TooLarge));
     }
 }

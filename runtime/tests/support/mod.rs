@@ -2,6 +2,10 @@
 #![allow(missing_docs)]
 #![allow(dead_code)]
 
+pub(crate) mod conics;
+#[cfg(feature = "alloc")]
+pub(crate) mod two_conics;
+
 use eliminant::{Complex, Scalar};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};

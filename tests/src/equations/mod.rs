@@ -44,6 +44,9 @@ pub struct Refined {
     pub residual: f64,
 }
 
+/// An unknown this small, relative to the largest one, is the noise of 0: no term of an equation is known to
+/// less, and the relative residual of an equation without larger terms means nothing.
+const NOISE: f64 = 1e-25;
 /// Steps of Newton's method at most. Two reach 31 digits from a point with 16 correct ones.
 const STEPS: usize = 12;
 /// A step this short, relative to the point, is the last one.
@@ -109,16 +112,16 @@ impl Equations {
             for (x, &step) in point.iter_mut().zip(&step) {
                 *x = *x - step.into();
             }
-            last_step = norm(&step) / norm(&rounded);
-            let is_last = last_step <= SHORTEST_STEP || !last_step.is_finite();
-            if is_last {
+            without_noise(&mut point);
+            last_step = relative(norm(&step), &rounded);
+            if last_step <= SHORTEST_STEP {
                 break;
             }
         }
         let residual = relative_residual(&self.values(&point));
         let rounded: Point = point.iter().map(|x| x.rounded()).collect();
         let change: Point = point.iter().zip(x).map(|(&x, &start)| (x - start.into()).rounded()).collect();
-        Refined { moved: norm(&change) / norm(&rounded), last_step, residual, point: rounded }
+        Refined { moved: relative(norm(&change), &rounded), last_step, residual, point: rounded }
     }
 
     /// The smallest singular value of the Jacobian, its rows divided by the sums of the moduli of the
@@ -206,6 +209,18 @@ impl Monomials {
 fn relative_residual(values: &[(Wide, f64)]) -> f64 {
     let relative = |&(value, size): &(Wide, f64)| if size == 0.0 { 0.0 } else { value.rounded().norm() / size };
     crate::statistics::worst(values.iter().map(relative))
+}
+
+/// Sets unknowns at the level of noise to 0.
+fn without_noise(x: &mut [Wide]) {
+    let largest = x.iter().map(|x| x.rounded().norm()).fold(0.0, f64::max);
+    x.iter_mut().filter(|x| x.rounded().norm() <= NOISE * largest).for_each(|x| *x = Wide::ZERO);
+}
+
+/// A length relative to that of a point; as it is at the origin.
+fn relative(length: f64, point: &[Complex<f64>]) -> f64 {
+    let size = norm(point);
+    if size > 0.0 { length / size } else { length }
 }
 
 fn norm(x: &[Complex<f64>]) -> f64 {

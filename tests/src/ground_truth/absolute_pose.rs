@@ -7,7 +7,9 @@ use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
 
 use super::cameras::{camera, distorted, image, in_ball, quaternion};
-use super::{KnownInstance, Maker, combination, null_space, projective_error, relative_error, solved, uniform};
+use super::{
+    KnownInstance, Maker, combination, null_space, projective_error, relative_error, solved, uniform, weights,
+};
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![
@@ -55,7 +57,10 @@ pub(super) fn makers() -> Vec<Maker> {
         Maker {
             name: "pose_4pt_generalized_scale",
             make: generalized_camera,
-            error: |data, s, truth| projective_error(&combination(data, &[s, &[1.0]].concat()), truth),
+            error: |data, s, truth| {
+                let [s, truth] = [s, truth].map(|x| combination(data, &[x, &[1.0]].concat()));
+                projective_error(&s, &truth)
+            },
         },
         Maker {
             name: "pose_4pt_upright_error_bound",
@@ -164,8 +169,9 @@ fn generalized_camera(random: &mut Random) -> KnownInstance {
         }
     }
     rows.pop();
-    let data = null_space(&rows).iter().flat_map(|vector| vector[..9].to_vec()).collect();
-    KnownInstance { data, truths: vec![rotation.transpose().as_slice().to_vec()] }
+    let data: Vec<f64> = null_space(&rows).iter().flat_map(|vector| vector[..9].to_vec()).collect();
+    let weights = weights(&data, rotation.transpose().as_slice());
+    KnownInstance { data, truths: vec![weights[..5].iter().map(|weight| weight / weights[5]).collect()] }
 }
 
 /// A camera 2 to 6 units from the centre of the unit ball, turned about its first axis, and points of the ball, each seen with an

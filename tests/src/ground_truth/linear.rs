@@ -1,11 +1,19 @@
 //! Random numbers, null spaces and linear equations: what the makers of all families need.
 
 use eliminant_generator::algebra::Random;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 /// Sum of weight times matrix, the matrices 3x3 and stored one after another.
 pub fn combination(matrices: &[f64], weights: &[f64]) -> Vec<f64> {
     (0..9).map(|i| weights.iter().zip(matrices.chunks(9)).map(|(w, m)| w * m[i]).sum()).collect()
+}
+
+/// The weights with which [`combination`] gives the matrix, by least squares.
+pub(super) fn weights(matrices: &[f64], matrix: &[f64]) -> Vec<f64> {
+    let columns = DMatrix::from_column_slice(9, matrices.len() / 9, matrices);
+    let right = DVector::from_column_slice(matrix);
+    let solution = columns.svd(true, true).solve(&right, 0.0).expect("asked for");
+    solution.as_slice().to_vec()
 }
 
 /// A uniform number in [low, high).

@@ -12,7 +12,7 @@ pub const FOUND: f64 = 1e-6;
 pub struct KnownInstance {
     /// Flat data, as a [`crate::Case`] takes them.
     pub data: Vec<f64>,
-    /// What the solver must find, in the terms of [`Maker::error`]; not always all solutions.
+    /// Values of all unknowns for solutions that are known; not always all solutions.
     pub truths: Vec<Vec<f64>>,
 }
 

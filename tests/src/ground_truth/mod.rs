@@ -16,8 +16,8 @@ mod relative_pose;
 mod triangulation;
 
 pub use circles::{Circle, Line, gram, minimal_conic, minimal_data, normalised};
-use linear::solved;
 pub use linear::{combination, null_space, uniform};
+use linear::{solved, weights};
 pub use maker::{FOUND, KnownInstance, Maker, largest_relative_error, projective_error, relative_error};
 
 /// One maker for every problem, by name.

@@ -8,12 +8,13 @@ use nalgebra::{Matrix2, Matrix3, Rotation3, Vector2, Vector3};
 use super::cameras::{camera, cayley, distorted, image, in_ball, quaternion, two_cameras};
 use super::{
     KnownInstance, Maker, combination, largest_relative_error, null_space, projective_error, relative_error, uniform,
+    weights,
 };
 
 pub(super) fn makers() -> Vec<Maker> {
     let focal_error = |data: &[f64], s: &[f64], truth: &[f64]| {
-        let fundamental = projective_error(&combination(data, &[1.0, s[0], s[1]]), &truth[..9]);
-        fundamental.max(relative_error(&s[2..], &truth[9..]))
+        let [solved, known] = [s, truth].map(|x| combination(data, &[1.0, x[0], x[1]]));
+        projective_error(&solved, &known).max(relative_error(&s[2..], &truth[2..]))
     };
     vec![
         Maker {
@@ -34,7 +35,10 @@ pub(super) fn makers() -> Vec<Maker> {
         Maker {
             name: "relpose_5pt",
             make: five_points,
-            error: |data, s, truth| projective_error(&combination(data, &[s[0], s[1], s[2], 1.0]), truth),
+            error: |data, s, truth| {
+                let [solved, known] = [s, truth].map(|x| combination(data, &[x, &[1.0]].concat()));
+                projective_error(&solved, &known)
+            },
         },
         Maker {
             name: "relpose_5pt_semi_generalized_focal",
@@ -87,21 +91,26 @@ fn epipolar(random: &mut Random, count: usize, focal: [f64; 2]) -> (Vec<f64>, Ve
 
 fn five_points(random: &mut Random) -> KnownInstance {
     let (data, essential) = epipolar(random, 5, [1.0; 2]);
-    KnownInstance { data, truths: vec![essential] }
+    let weights = weights(&data, &essential);
+    KnownInstance { data, truths: vec![weights[..3].iter().map(|weight| weight / weights[3]).collect()] }
 }
 
 /// Focal lengths of 0.5 to 3 times the unit of the image coordinates, which reach up to about one focal length.
 fn six_points(random: &mut Random) -> KnownInstance {
     let focal = uniform(random, 0.5, 3.0);
-    let (data, mut truth) = epipolar(random, 6, [focal; 2]);
-    truth.push(1.0 / (focal * focal));
-    KnownInstance { data, truths: vec![truth] }
+    let (data, fundamental) = epipolar(random, 6, [focal; 2]);
+    with_focal(data, &fundamental, focal)
 }
 
 fn six_points_one_side(random: &mut Random) -> KnownInstance {
     let focal = uniform(random, 0.5, 3.0);
-    let (data, mut truth) = epipolar(random, 6, [focal, 1.0]);
-    truth.push(1.0 / (focal * focal));
+    let (data, fundamental) = epipolar(random, 6, [focal, 1.0]);
+    with_focal(data, &fundamental, focal)
+}
+
+fn with_focal(data: Vec<f64>, fundamental: &[f64], focal: f64) -> KnownInstance {
+    let weights = weights(&data, fundamental);
+    let truth = vec![weights[1] / weights[0], weights[2] / weights[0], 1.0 / (focal * focal)];
     KnownInstance { data, truths: vec![truth] }
 }
 

@@ -7,6 +7,7 @@
 //! that declares and re-exports its children does not depend on them, and its children may name what it
 //! defines. If the code of that `mod.rs` also calls an item of a child, that is an import.
 
+use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use proc_macro2::{TokenStream, TokenTree};
@@ -111,8 +112,8 @@ impl Imports {
                     circle.dedup();
                     return if circle.len() == 1 { vec![start, start] } else { circle };
                 }
-                if !before.contains_key(&to) {
-                    before.insert(to, at);
+                if let Entry::Vacant(place) = before.entry(to) {
+                    place.insert(at);
                     open.push_back(to);
                 }
             }

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use super::{GroebnerError, MonomialOrder};
 use crate::algebra::{MAX_UNKNOWNS, Monomial, Polynomial, PrimeField};
 
-/// A polynomial of a Gröbner basis: terms by decreasing monomial in the order of the basis, leading coefficient 1.
+/// A polynomial of a Gröbner basis: terms by decreasing monomial in the order of the basis, leading
+/// coefficient 1.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BasisElement {
     terms: Vec<(Monomial, u32)>,
@@ -37,8 +38,8 @@ impl BasisElement {
     }
 }
 
-/// The reduced Gröbner basis of an ideal: leading coefficients 1, and no monomial divisible by another element's leading monomial.
-/// It depends on the ideal and the order only.
+/// The reduced Gröbner basis of an ideal: leading coefficients 1, and no monomial divisible by
+/// another element's leading monomial. It depends on the ideal and the order only.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GroebnerBasis {
     field: PrimeField,
@@ -47,7 +48,7 @@ pub struct GroebnerBasis {
 }
 
 impl GroebnerBasis {
-    /// From the elements of a reduced basis, by increasing leading monomial.
+    /// The basis with these elements of a reduced basis, by increasing leading monomial.
     pub(super) fn from_elements(field: PrimeField, order: MonomialOrder, elements: Vec<BasisElement>) -> Self {
         debug_assert!(elements.is_sorted_by_key(|element| order.key(&element.leading_monomial())));
         Self { field, order, elements }
@@ -83,14 +84,17 @@ impl GroebnerBasis {
         self.elements.iter().any(|element| element.leading_monomial() == Monomial::ONE)
     }
 
-    /// Whether a leading monomial divides the monomial, so that its normal form is not the monomial itself.
+    /// Whether a leading monomial divides the monomial, so that its normal form is not the monomial
+    /// itself.
     pub fn is_reducible(&self, monomial: &Monomial) -> bool {
         self.elements.iter().any(|element| element.leading_monomial().divides(monomial))
     }
 
-    /// The dimension of the solution set in the given number of unknowns; `None` where there are no solutions.
+    /// The dimension of the solution set in the given number of unknowns; `None` if there are no
+    /// solutions.
     ///
-    /// It is the largest number of unknowns no monomial in which is a leading monomial (Cox, Little & O'Shea, section 9.3).
+    /// It is the size of the largest set of unknowns such that no leading monomial is a monomial in
+    /// these only (Cox, Little & O'Shea, "Ideals, Varieties, and Algorithms", section 9.3).
     pub fn dimension(&self, unknowns: usize) -> Option<usize> {
         let unknowns = self.count_unknowns(unknowns);
         let support = |element: &BasisElement| {
@@ -102,7 +106,7 @@ impl GroebnerBasis {
         (0u32..1 << unknowns).filter(independent).map(|set| set.count_ones() as usize).max()
     }
 
-    /// The number of unknowns of the ring: those announced, and those that occur.
+    /// The number of unknowns of the ring: at least those announced and those that occur.
     pub(super) fn count_unknowns(&self, announced: usize) -> usize {
         let monomials = || self.elements.iter().flat_map(BasisElement::terms).map(|(monomial, _)| monomial);
         let occurs = |i: &usize| monomials().any(|monomial| monomial.exponent(*i) != 0);
@@ -110,14 +114,15 @@ impl GroebnerBasis {
         announced.clamp(occurring, MAX_UNKNOWNS)
     }
 
-    /// The monomials that no leading monomial divides, increasing: a basis of the quotient ring as a vector space. `None` where there are more than
-    /// `limit` of them, in particular where the ideal is not zero-dimensional.
+    /// The monomials that no leading monomial divides, increasing: a basis of the quotient ring as
+    /// a vector space. `None` if there are more than `limit`, as for every ideal that is not
+    /// zero-dimensional.
     pub fn quotient_basis(&self, unknowns: usize, limit: usize) -> Option<Vec<Monomial>> {
         if self.is_unit() {
             return Some(Vec::new());
         }
         let unknowns = self.count_unknowns(unknowns);
-        // Each monomial is reached once: from its quotient by the last unknown in it.
+        // Each monomial is reached once, from its quotient by the last unknown in it.
         let mut basis = vec![(Monomial::ONE, 0)];
         let mut next = 0;
         while let Some(&(monomial, last)) = basis.get(next) {
@@ -137,7 +142,8 @@ impl GroebnerBasis {
         Some(basis)
     }
 
-    /// The remainder of division by the basis: the one polynomial that is congruent to the given one and has no reducible monomial.
+    /// The remainder of the division by the basis: the only polynomial without reducible monomials
+    /// that is congruent to the given one.
     ///
     /// # Errors
     /// [`GroebnerError::ExponentOutOfRange`] as in [`super::groebner_basis`].

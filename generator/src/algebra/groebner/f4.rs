@@ -1,7 +1,17 @@
 //! The F4 algorithm: Gröbner bases by row reduction of matrices of polynomials.
 //!
-//! Faugère, "A new efficient algorithm for computing Gröbner bases (F4)", JPAA 1999, without its `Simplify`. All pairs of least degree
-//! (the sugar degree of Giovini et al., ISSAC 1991, for orders that are not graded) are reduced in one matrix.
+//! Faugère, "A new efficient algorithm for computing Gröbner bases (F4)", JPAA 1999, without its
+//! `Simplify`.
+//!
+//! 1. The polynomials are brought to echelon form; their critical pairs are formed.
+//! 2. All pairs of least degree are taken (the sugar degree of Giovini et al., ISSAC 1991, for
+//!    orders that are not graded). Both halves of each S-polynomial become rows of a matrix.
+//! 3. Symbolic preprocessing adds a multiple of a basis element for each monomial that one can
+//!    reduce.
+//! 4. After row reduction, rows that lead in a new column are new elements: no old leading monomial
+//!    divides theirs. They form new pairs.
+//! 5. Without pairs left the basis is a Gröbner basis, by Buchberger's criterion. Its tails are
+//!    reduced.
 
 use super::basis::BasisElement;
 use super::monomial_table::{MonomialId, MonomialTable};
@@ -64,7 +74,7 @@ struct F4<'a> {
     table: MonomialTable,
     /// Per element: its monomials, largest first.
     supports: Vec<Vec<MonomialId>>,
-    /// Per element: the coefficients of `supports`, the first of which is 1.
+    /// Per element: the coefficients of its monomials, the first of which is 1.
     values: Vec<Vec<u32>>,
     /// Per element: its leading monomial.
     leads: Vec<Lead>,
@@ -137,6 +147,7 @@ impl F4<'_> {
     ) -> Vec<InternedPolynomial> {
         let columns = Columns::new(&self.table, columns);
         let mut echelon = Echelon::new(self.field, columns.monomials.len());
+        // Pivot rows need no reduction: they lead in different columns, and only reduce the others.
         for row in pivots {
             echelon.push_pivot(columns.of(&row.monomials), self.values[row.element].clone());
         }
@@ -149,7 +160,8 @@ impl F4<'_> {
         interreduced(&mut echelon, leading, &columns)
     }
 
-    /// Adds polynomials, by increasing leading monomial. `sugar` is theirs where the order is not graded.
+    /// Adds polynomials, by increasing leading monomial. `sugar` gives their sugar if the order is
+    /// not graded.
     fn add_elements(
         &mut self,
         polynomials: Vec<InternedPolynomial>,
@@ -181,6 +193,7 @@ impl F4<'_> {
         let mut echelon = Echelon::new(self.field, columns.monomials.len());
         let active = self.leads.iter().filter(|lead| !lead.redundant).count();
         let mut leading = Vec::with_capacity(active);
+        // The elements come first; the multiples behind them only reduce their tails.
         for (i, row) in pivots.into_iter().enumerate() {
             let row_columns = columns.of(&row.monomials);
             if i < active {
@@ -198,7 +211,7 @@ impl F4<'_> {
 /// The rows that lead in the given columns, reduced by all rows, by increasing leading monomial.
 fn interreduced(echelon: &mut Echelon, mut leading: Vec<usize>, columns: &Columns) -> Vec<InternedPolynomial> {
     leading.sort_unstable_by(|a, b| b.cmp(a));
-    // Right to left, so that each row is reduced by reduced rows.
+    // From right to left, so that each row is reduced by rows that are reduced themselves.
     leading
         .into_iter()
         .map(|column| {

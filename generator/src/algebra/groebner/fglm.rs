@@ -1,17 +1,26 @@
-//! Change of order of a zero-dimensional ideal, and elimination, by linear algebra in the quotient ring.
+//! Change of order of a zero-dimensional ideal, and elimination, by linear algebra in the quotient
+//! ring.
 
 use std::collections::BTreeMap;
 
 use super::{BasisElement, GroebnerBasis, GroebnerError, MonomialOrder, QuotientRing};
 use crate::algebra::{Echelon, Monomial};
 
-/// The reduced Gröbner basis, in another order, of the polynomials of the ideal in the first `unknowns` unknowns only.
+/// The reduced Gröbner basis, in another order, of the polynomials of the ideal in the first
+/// `unknowns` unknowns only.
 ///
-/// Monomials are visited in increasing order; one whose normal form depends linearly on those of smaller ones gives an element, the others are
-/// the standard monomials of the new order (Faugère, Gianni, Lazard & Mora, JSC 1993).
+/// Monomials are visited in increasing order of the new one (Faugère, Gianni, Lazard & Mora,
+/// "Efficient computation of zero-dimensional Gröbner bases by change of ordering", JSC 1993). With
+/// nf(m) the normal form of a monomial m in the quotient ring:
+///
+/// ```text
+///   a leading monomial divides m        m is skipped
+///   nf(m) depends on earlier nf(m_k)    m - sum of c_k m_k is in the ideal: a new element
+///   nf(m) is independent of them        m is a standard monomial; its multiples are visited later
+/// ```
 ///
 /// # Errors
-/// [`GroebnerError::ExponentOutOfRange`] where a leading monomial needs an exponent beyond 127.
+/// [`GroebnerError::ExponentOutOfRange`] if a leading monomial needs an exponent beyond 127.
 pub fn change_order(
     ring: &QuotientRing,
     unknowns: usize,
@@ -20,7 +29,8 @@ pub fn change_order(
     let dimension = ring.dimension();
     let field = ring.field();
     let unknowns = unknowns.min(ring.unknowns());
-    // Rows [ normal form | which standard monomials it was combined from ]; at most d are independent.
+    // Rows [ normal form | combination of standard monomials that gives it ]; at most d are
+    // independent.
     let mut echelon = Echelon::new(field, 2 * dimension + 1);
     let mut standard: Vec<Monomial> = Vec::new();
     let mut elements: Vec<BasisElement> = Vec::new();
@@ -36,7 +46,8 @@ pub fn change_order(
         row[dimension + standard.len()] = 1;
         echelon.reduce_dense(&mut row);
         if row[..dimension].iter().all(|&value| value == 0) {
-            // The relation has coefficient 1 at the monomial itself, and involves earlier standard monomials.
+            // The reduced row is the relation: 1 at the monomial itself, the others at standard
+            // monomials, which are smaller.
             let combination = standard.iter().copied().zip(row[dimension..].iter().copied());
             let mut terms = vec![(monomial, 1)];
             terms.extend(combination.rev().filter(|&(_, value)| value != 0));

@@ -1,4 +1,4 @@
-//! Bounds on the work of Gröbner bases, and why there is none.
+//! Bounds on the work of Gröbner bases, and the errors where one is reached.
 
 use crate::algebra::MAX_UNKNOWNS;
 
@@ -11,7 +11,7 @@ pub struct Limits {
     pub max_pairs: usize,
     /// Nonzero entries of one F4 matrix before elimination.
     pub max_matrix_entries: usize,
-    /// F4 matrices.
+    /// The number of F4 matrices.
     pub max_rounds: usize,
     /// The dimension of a quotient ring: the number of solutions.
     pub max_quotient_dimension: usize,
@@ -30,13 +30,13 @@ impl Default for Limits {
     }
 }
 
-/// Why there is no Gröbner basis, normal form or quotient ring.
+/// Why a Gröbner basis, normal form or quotient ring cannot be computed.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum GroebnerError {
     /// A bound of [`Limits`] was reached.
     #[error("the Gröbner basis needs more than the limit of {limit} {what}")]
     LimitReached {
-        /// What there was too much of.
+        /// The quantity that is bounded.
         what: &'static str,
         /// The bound.
         limit: usize,

@@ -109,7 +109,8 @@ impl MonomialTable {
     }
 
     fn insert(&mut self, monomial: Monomial, hash: MonomialHash, slot: usize) -> Result<MonomialId, GroebnerError> {
-        // A product that wrapped around has a negative exponent, and so is never found in the table.
+        // A product that wrapped around has a negative exponent: it is not in the table, and ends
+        // here.
         if !monomial.is_polynomial() {
             return Err(GroebnerError::ExponentOutOfRange);
         }

@@ -9,9 +9,10 @@ use crate::algebra::{MAX_UNKNOWNS, Monomial};
 pub enum MonomialOrder {
     /// Total degree, ties by reverse lexicographic order.
     GrevLex,
-    /// Weighted degree, ties as [`MonomialOrder::GrevLex`]. Unknowns may have weight 0; those of positive weight are then eliminated: a polynomial
-    /// whose leading monomial is free of them is free of them altogether (Bayer & Stillman, "A theorem on refining division orders
-    /// by the reverse lexicographic order", 1987).
+    /// Weighted degree, ties as [`MonomialOrder::GrevLex`]. Unknowns may have weight 0; those of
+    /// positive weight are then eliminated: a polynomial whose leading monomial is free of them is
+    /// free of them altogether (Bayer & Stillman, "A theorem on refining division orders by the
+    /// reverse lexicographic order", 1987).
     Weighted([u16; MAX_UNKNOWNS]),
     /// Lexicographic.
     Lex,
@@ -25,7 +26,8 @@ impl MonomialOrder {
         Self::Weighted(all)
     }
 
-    /// The order that eliminates the given unknowns: their joint degree, ties as [`MonomialOrder::GrevLex`].
+    /// The order that eliminates the given unknowns: their joint degree, ties as
+    /// [`MonomialOrder::GrevLex`].
     pub fn eliminating(unknowns: impl IntoIterator<Item = usize>) -> Self {
         let mut weights = [0; MAX_UNKNOWNS];
         for unknown in unknowns {
@@ -42,7 +44,7 @@ impl MonomialOrder {
     /// A key that sorts as the monomials do.
     #[inline]
     pub fn key(&self, monomial: &Monomial) -> OrderKey {
-        // |total degree| < 2^11, so that the weighted degree and it do not overlap.
+        // |total degree| < 2^11: it does not reach the bits of the weighted degree.
         let degree = || i64::from(monomial.degree());
         match self {
             Self::GrevLex => OrderKey { degrees: degree(), exponents: reverse_key(monomial) },
@@ -55,8 +57,8 @@ impl MonomialOrder {
         }
     }
 
-    /// The degree by which S-pairs are selected where it is the first thing the order compares; `None` for orders that are not
-    /// graded by positive weights.
+    /// The degree that the order compares first, by which S-pairs are selected; `None` for orders
+    /// that are not graded by positive weights.
     pub(super) fn grade(&self, monomial: &Monomial) -> Option<i32> {
         match self {
             Self::GrevLex => Some(monomial.degree()),

@@ -1,21 +1,22 @@
 //! Critical pairs and the criteria of Gebauer and Möller.
 //!
-//! Gebauer & Möller, "On an installation of Buchberger's algorithm", JSC 1988, in the form of Becker & Weispfenning, "Gröbner Bases",
-//! algorithm GRÖBNERNEW2.
+//! Gebauer & Möller, "On an installation of Buchberger's algorithm", JSC 1988, in the form of
+//! Becker & Weispfenning, "Gröbner Bases", algorithm GRÖBNERNEW2.
 
 use super::GroebnerError;
 use crate::algebra::Monomial;
 
-/// What the criteria know of an element of the growing basis.
+/// An element of the growing basis, as far as the criteria look at it.
 #[derive(Clone, Debug)]
 pub(super) struct Lead {
     /// The leading monomial.
     pub(super) monomial: Monomial,
-    /// The degree of the element as if the input had been homogeneous, or what stands for it; see [`Lead::pair_degree`].
+    /// The sugar: the degree that the element would have if the input had been homogenised.
     pub(super) sugar: i32,
     /// The degree of the leading monomial in the grading that `sugar` is measured in.
     pub(super) degree: i32,
-    /// Whether another leading monomial divides this one: the element forms no new pairs and reduces nothing.
+    /// Whether another leading monomial divides this one: the element forms no new pairs and
+    /// reduces nothing.
     pub(super) redundant: bool,
 }
 
@@ -33,11 +34,11 @@ pub(super) struct Pair {
     pub(super) elements: [usize; 2],
     /// The least common multiple of the leading monomials.
     pub(super) lcm: Monomial,
-    /// Pairs of least degree go first.
+    /// The sugar of the S-polynomial; pairs of least degree are reduced first.
     pub(super) degree: i32,
 }
 
-/// The pairs that are left.
+/// The pairs that are still to be reduced.
 #[derive(Debug, Default)]
 pub(super) struct PairQueue {
     pairs: Vec<Pair>,
@@ -52,7 +53,7 @@ struct Candidate {
 }
 
 impl PairQueue {
-    /// Removes and returns all pairs of the least degree; empty when none are left.
+    /// Removes and returns all pairs of the least degree; the list is empty if no pair is left.
     pub(super) fn take_least_degree(&mut self) -> Vec<Pair> {
         let Some(least) = self.pairs.iter().map(|pair| pair.degree).min() else {
             return Vec::new();
@@ -62,8 +63,9 @@ impl PairQueue {
         taken
     }
 
-    /// Forms the pairs of the newest of `leads` with the others, drops those and older ones that a criterion shows to be unnecessary, and
-    /// marks the leads that have become redundant. `degree` is the grading of monomials.
+    /// Forms the pairs of the newest of `leads` with the others, and drops new and old pairs that a
+    /// criterion shows to be unnecessary. Marks the leads that have become redundant. `degree` is
+    /// the grading of monomials.
     pub(super) fn update(
         &mut self,
         leads: &mut [Lead],
@@ -73,7 +75,8 @@ impl PairQueue {
         let Some((new, older)) = leads.split_last_mut() else {
             return Ok(());
         };
-        // The chain criterion on old pairs: both pairs with the new element have a smaller lcm.
+        // The chain criterion on an old pair (i, j): the new leading monomial divides its lcm, and
+        // both pairs with the new element have a smaller lcm. They make (i, j) superfluous.
         self.pairs.retain(|pair| {
             !new.monomial.divides(&pair.lcm)
                 || pair.elements.iter().any(|&i| older[i].monomial.lcm(&new.monomial) == pair.lcm)
@@ -99,7 +102,8 @@ impl PairQueue {
     }
 }
 
-/// The pairs of a new element that neither the chain criterion among themselves nor the product criterion dismisses.
+/// The pairs of a new element that neither the chain criterion among themselves nor the product
+/// criterion dismisses.
 fn necessary(new: &Monomial, older: &[Lead]) -> impl Iterator<Item = Candidate> {
     let mut candidates: Vec<Candidate> = (0..older.len())
         .filter(|&i| !older[i].redundant)
@@ -110,7 +114,9 @@ fn necessary(new: &Monomial, older: &[Lead]) -> impl Iterator<Item = Candidate> 
         .collect();
     for i in 0..candidates.len() {
         let Candidate { lcm, coprime, .. } = candidates[i];
-        // Coprime pairs stay until the end: they dismiss others. Of equal lcms the last one stays.
+        // A pair with coprime leading monomials reduces to 0 (the product criterion). It is dropped
+        // at the end only, because it dismisses others whose lcm its own divides. Of pairs with
+        // equal lcm the last stays.
         let dismissed =
             !coprime && candidates.iter().enumerate().any(|(j, other)| j != i && other.kept && other.lcm.divides(&lcm));
         candidates[i].kept = !dismissed;

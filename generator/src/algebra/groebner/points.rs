@@ -5,13 +5,15 @@ use crate::algebra::{Echelon, Univariate};
 
 /// The number of different solutions, in an extension of the field.
 ///
-/// At different solutions the linear form with the given coefficients, one per unknown, takes different values for all but few choices of them.
-/// The different roots of its minimal polynomial in the quotient ring are then as many as the solutions.
+/// At different solutions the linear form with the given coefficients, one per unknown, takes
+/// different values for all but few choices of them. The different roots of its minimal polynomial
+/// in the quotient ring are then as many as the solutions.
 pub fn count_points(ring: &QuotientRing, form: &[u32]) -> usize {
     minimal_polynomial(ring, form).squarefree_part(ring.field()).degree()
 }
 
-/// The minimal polynomial of a linear form: its first power that depends linearly on lower ones, less the combination.
+/// The minimal polynomial of a linear form: its first power that depends linearly on lower ones,
+/// less the combination.
 fn minimal_polynomial(ring: &QuotientRing, form: &[u32]) -> Univariate {
     let (field, dimension) = (ring.field(), ring.dimension());
     // Rows [ normal form of a combination of powers | the combination ].

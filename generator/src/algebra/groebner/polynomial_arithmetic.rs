@@ -6,7 +6,7 @@ use super::GroebnerError;
 use crate::algebra::{Monomial, Polynomial, PrimeField};
 
 impl Polynomial<u32> {
-    /// From terms in any order; equal monomials are added up and zero coefficients dropped.
+    /// The sum of terms in any order: equal monomials are added up and zero coefficients dropped.
     pub fn collect(field: PrimeField, terms: impl IntoIterator<Item = (Monomial, u32)>) -> Self {
         let mut sums = BTreeMap::new();
         for (monomial, value) in terms {
@@ -24,7 +24,7 @@ impl Polynomial<u32> {
     /// The multiple by a term.
     ///
     /// # Errors
-    /// [`GroebnerError::ExponentOutOfRange`] where an exponent leaves the range of [`Monomial`].
+    /// [`GroebnerError::ExponentOutOfRange`] if an exponent leaves the range of [`Monomial`].
     pub fn times_term(&self, field: PrimeField, monomial: &Monomial, factor: u32) -> Result<Self, GroebnerError> {
         let mut terms = Vec::with_capacity(self.terms().len());
         for (term, value) in self.terms() {

@@ -1,4 +1,5 @@
-//! The quotient ring of a zero-dimensional ideal: normal forms as vectors, multiplication as matrices.
+//! The quotient ring of a zero-dimensional ideal: normal forms as vectors, multiplication as
+//! matrices.
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::OnceLock;
@@ -6,7 +7,8 @@ use std::sync::OnceLock;
 use super::{BasisElement, GroebnerBasis, GroebnerError, Limits};
 use crate::algebra::{DenseMatrix, Monomial, Polynomial, PrimeField};
 
-/// `K[x]/I` as a vector space over its standard monomials b_0 = 1, .., b_{d-1}, with multiplication by the unknowns.
+/// `K[x]/I` as a vector space over its standard monomials b_0 = 1, .., b_{d-1}, with multiplication
+/// by the unknowns.
 ///
 /// ```text
 ///   M_x (d x d):  row k holds the normal form of x b_k       nf(x b_k) = sum_j M_x[k][j] b_j
@@ -17,26 +19,29 @@ use crate::algebra::{DenseMatrix, Monomial, Polynomial, PrimeField};
 ///   x b_2  [  *    *    *  ]     x b_2 is not: its normal form
 /// ```
 ///
-/// At a solution the vector of the b_k is an eigenvector of M_x, whose eigenvalue is the value of x.
+/// At a solution the vector of the b_k is an eigenvector of M_x, whose eigenvalue is the value of
+/// x.
 #[derive(Clone, Debug)]
 pub struct QuotientRing {
     field: PrimeField,
     standard: Vec<Monomial>,
     /// Per unknown x: M_x.
     multiplication: Vec<DenseMatrix>,
-    /// Per unknown x: the inverse of M_x, if it has one, once it has been asked for.
+    /// Per unknown x: the inverse of M_x, or `None` if it is singular. It is computed when it is
+    /// needed first.
     inverses: Vec<OnceLock<Option<DenseMatrix>>>,
 }
 
 impl QuotientRing {
-    /// The quotient by the ideal of a Gröbner basis in the given number of unknowns. It is the zero ring, of dimension 0,
-    /// where there are no solutions.
+    /// The quotient by the ideal of a Gröbner basis in the given number of unknowns. If there are
+    /// no solutions it is the zero ring, of dimension 0.
     ///
-    /// The normal forms of the products of unknowns and standard monomials are found in increasing order, each from earlier ones
-    /// (Faugère, Gianni, Lazard & Mora, JSC 1993, section 2).
+    /// The normal forms of the products of unknowns and standard monomials are found in increasing
+    /// order, each from earlier ones (Faugère, Gianni, Lazard & Mora, JSC 1993, section 2).
     ///
     /// # Errors
-    /// [`GroebnerError::NotZeroDimensional`], or [`GroebnerError::LimitReached`] for more than [`Limits::max_quotient_dimension`] solutions.
+    /// [`GroebnerError::NotZeroDimensional`], or [`GroebnerError::LimitReached`] for more than
+    /// [`Limits::max_quotient_dimension`] solutions.
     pub fn new(basis: &GroebnerBasis, unknowns: usize, limits: &Limits) -> Result<Self, GroebnerError> {
         let unknowns = basis.count_unknowns(unknowns);
         if let Some(dimension @ 1..) = basis.dimension(unknowns) {
@@ -75,15 +80,17 @@ impl QuotientRing {
         self.multiplication[unknown].row_vector_times(vector)
     }
 
-    /// The normal forms of monomials, one per row, as coefficients of [`QuotientRing::standard_monomials`]. Laurent monomials have one where
-    /// the unknowns with negative exponents vanish at no solution; `None` otherwise, or where a monomial has unknowns beyond those of the ring.
+    /// The normal forms of monomials, one per row, as coefficients of
+    /// [`QuotientRing::standard_monomials`]. A Laurent monomial has one if its unknowns with
+    /// negative exponents vanish at no solution. `None` if it does not, or if a monomial has
+    /// unknowns beyond those of the ring.
     pub fn normal_forms(&self, monomials: &[Monomial]) -> Option<DenseMatrix> {
         let mut one = vec![0; self.dimension()];
         one.iter_mut().take(1).for_each(|value| *value = 1);
         let mut known = HashMap::from([(Monomial::ONE, one)]);
         let mut forms = DenseMatrix::zeros(self.field, monomials.len(), self.dimension());
         for (i, monomial) in monomials.iter().enumerate() {
-            // Down to a monomial already known, by single unknowns, and up again.
+            // Divide by single unknowns down to a monomial that is known, and multiply up again.
             let mut at = *monomial;
             let mut steps = Vec::new();
             while !known.contains_key(&at) {
@@ -103,14 +110,16 @@ impl QuotientRing {
         Some(forms)
     }
 
-    /// The normal form of a polynomial as coefficients of the standard monomials; `None` as in [`QuotientRing::normal_forms`].
+    /// The normal form of a polynomial as coefficients of the standard monomials; `None` as in
+    /// [`QuotientRing::normal_forms`].
     pub fn normal_form(&self, polynomial: &Polynomial<u32>) -> Option<Vec<u32>> {
         let monomials: Vec<Monomial> = polynomial.monomials().collect();
         let coefficients: Vec<u32> = polynomial.terms().iter().map(|&(_, value)| value).collect();
         Some(self.normal_forms(&monomials)?.row_vector_times(&coefficients))
     }
 
-    /// The matrix of multiplication by a monomial: row k holds the normal form of it times b_k. `None` as in [`QuotientRing::normal_forms`].
+    /// The matrix of multiplication by a monomial: row k holds the normal form of it times b_k.
+    /// `None` as in [`QuotientRing::normal_forms`].
     pub fn multiplication_matrix(&self, monomial: &Monomial) -> Option<DenseMatrix> {
         let mut matrix = DenseMatrix::identity(self.field, self.dimension());
         for (unknown, &exponent) in monomial.exponents().iter().enumerate().filter(|&(_, &exponent)| exponent != 0) {
@@ -153,7 +162,7 @@ fn multiplication_by_unknowns(basis: &GroebnerBasis, unknowns: usize, standard: 
     let index: HashMap<Monomial, usize> = standard.iter().enumerate().map(|(k, &monomial)| (monomial, k)).collect();
     let leading: HashMap<Monomial, &BasisElement> =
         basis.elements().iter().map(|element| (element.leading_monomial(), element)).collect();
-    // The products x_i b_k, increasing, each with all its factorisations (i, k).
+    // The products x_i b_k in increasing order, each with all its factorisations (i, k).
     let mut products = BTreeMap::new();
     for (k, monomial) in standard.iter().enumerate() {
         for i in 0..unknowns {
@@ -170,10 +179,12 @@ fn multiplication_by_unknowns(basis: &GroebnerBasis, unknowns: usize, standard: 
             for (monomial, value) in element.terms().iter().skip(1) {
                 index.get(monomial).into_iter().for_each(|&k| form[k] = field.neg(*value));
             }
-        } else if let Some((x_j, form_over_x_j)) =
-            smaller_product(&product, &factorisations, basis, standard, &index, &matrices)
+        } else if let Some((x_j, form_over_x_j)) = factorisations
+            .first()
+            .and_then(|first| smaller_product(&product, first, basis, (standard, &index), &matrices))
         {
-            // Its standard monomials times x_j are smaller than the product: those rows of M_j are there.
+            // nf(x_i b_k) = M_j applied to nf(x_i b_k / x_j). The monomials of that normal form
+            // times x_j are smaller than the product: their rows of M_j are known.
             form = matrices[x_j].row_vector_times(&form_over_x_j);
         }
         for (i, k) in factorisations {
@@ -183,20 +194,19 @@ fn multiplication_by_unknowns(basis: &GroebnerBasis, unknowns: usize, standard: 
     matrices
 }
 
-/// For x_i b_k that some leading monomial divides properly: an unknown x_j such that x_i b_k / x_j is still reducible, and the normal form of
-/// that quotient, which is x_i (b_k / x_j) and so has been treated before.
+/// For a product x_i b_k that a leading monomial divides properly: an unknown x_j such that x_i b_k
+/// / x_j is still reducible, and the normal form of this quotient. It is x_i (b_k / x_j), which was
+/// treated before.
 fn smaller_product(
     product: &Monomial,
-    factorisations: &[(usize, usize)],
+    &(i, k): &(usize, usize),
     basis: &GroebnerBasis,
-    standard: &[Monomial],
-    index: &HashMap<Monomial, usize>,
+    (standard, index): (&[Monomial], &HashMap<Monomial, usize>),
     matrices: &[DenseMatrix],
 ) -> Option<(usize, Vec<u32>)> {
     let divisor =
         basis.elements().iter().map(BasisElement::leading_monomial).find(|leading| leading.divides(product))?;
     let j = product.over(&divisor).exponents().iter().position(|&e| e > 0)?;
-    let &(i, k) = factorisations.first()?;
     let quotient = index.get(&standard[k].over(&Monomial::unknown(j)))?;
     Some((j, matrices[i].row(*quotient).to_vec()))
 }

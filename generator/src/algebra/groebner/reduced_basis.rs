@@ -1,4 +1,4 @@
-//! The reduced Gröbner basis in any order: directly, or by way of the grevlex basis.
+//! The reduced Gröbner basis in any order, by F4 or from the grevlex basis.
 
 use super::f4;
 use super::{GroebnerBasis, GroebnerError, Limits, MonomialOrder, QuotientRing, change_order};
@@ -6,11 +6,13 @@ use crate::algebra::{Monomial, Polynomial, PrimeField};
 
 /// The reduced Gröbner basis of the ideal that the polynomials generate.
 ///
-/// Orders that are not graded by positive weights go by way of the grevlex basis: where the solutions are finitely many, by a change of
-/// order, since there the direct computation meets huge intermediate degrees.
+/// In an order that is not graded by positive weights, F4 meets huge intermediate degrees. The
+/// grevlex basis is computed first then; if the solutions are finitely many, the order is changed
+/// by linear algebra.
 ///
 /// # Errors
-/// [`GroebnerError::LimitReached`], or [`GroebnerError::ExponentOutOfRange`] where an exponent is negative or grows beyond 127.
+/// [`GroebnerError::LimitReached`], or [`GroebnerError::ExponentOutOfRange`] if an exponent is
+/// negative or grows beyond 127.
 pub fn groebner_basis(
     field: PrimeField,
     polynomials: &[Polynomial<u32>],

@@ -5,18 +5,18 @@ use super::{
 };
 use crate::algebra::{MAX_UNKNOWNS, Monomial, Polynomial, PrimeField};
 
-/// The reduced Gröbner basis of I : (g_1 ... g_k)^infinity, where the polynomials generate I and `nonzero` are the g_i: the solutions are the
-/// closure of those at which no g_i vanishes.
+/// The reduced Gröbner basis of I : (g_1 ... g_k)^infinity, where the polynomials generate I and
+/// `nonzero` are the g_i. Its solutions are the closure of those at which no g_i vanishes.
 ///
-/// Rabinowitsch's trick: every g_i gets an extra unknown t_i and the equation t_i g_i = 1, and the t_i are eliminated; by linear algebra in the
-/// quotient ring where finitely many solutions are left, and by an elimination order otherwise.
+/// Rabinowitsch's trick: every g_i gets an extra unknown t_i and the equation t_i g_i = 1, which no
+/// zero of g_i satisfies. Then the t_i are eliminated: by linear algebra in the quotient ring if
+/// finitely many solutions are left, and by an elimination order otherwise.
 ///
 /// # Errors
-/// As [`groebner_basis`], and [`GroebnerError::TooManyUnknowns`] where the t_i do not fit.
+/// Those of [`groebner_basis`], and [`GroebnerError::TooManyUnknowns`] if the t_i do not fit.
 pub fn saturate(
     field: PrimeField,
-    polynomials: &[Polynomial<u32>],
-    nonzero: &[Polynomial<u32>],
+    (polynomials, nonzero): (&[Polynomial<u32>], &[Polynomial<u32>]),
     unknowns: usize,
     order: &MonomialOrder,
     limits: &Limits,
@@ -53,7 +53,7 @@ fn eliminate(
     let free = |element: &&BasisElement| eliminated.clone().all(|i| element.leading_monomial().exponent(i) == 0);
     let kept: Vec<BasisElement> = all.elements().iter().filter(free).cloned().collect();
     if *order == MonomialOrder::GrevLex {
-        // On monomials free of the eliminated unknowns the elimination order is this one.
+        // On monomials without the eliminated unknowns the elimination order is grevlex.
         return Ok(GroebnerBasis::from_elements(field, MonomialOrder::GrevLex, kept));
     }
     let polynomials: Vec<Polynomial<u32>> = kept.iter().map(BasisElement::to_polynomial).collect();

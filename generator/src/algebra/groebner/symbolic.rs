@@ -1,4 +1,4 @@
-//! Symbolic preprocessing: which multiples of which basis elements make up an F4 matrix.
+//! Symbolic preprocessing: the multiples of basis elements that make up an F4 matrix.
 
 use super::GroebnerError;
 use super::monomial_table::{MonomialId, MonomialTable};
@@ -32,7 +32,7 @@ pub(super) struct Symbolic<'a> {
     leads: &'a [Lead],
     /// The basis elements that are not redundant.
     active: Vec<usize>,
-    /// Per interned monomial: what the matrix holds of it.
+    /// Per interned monomial: whether it is a column of the matrix, and leads a pivot row.
     states: Vec<State>,
     entries: usize,
     max_entries: usize,
@@ -65,7 +65,8 @@ impl<'a> Symbolic<'a> {
         Self { table, supports, leads, active, states, entries: 0, max_entries, pivots, to_reduce, columns }
     }
 
-    /// Adds both halves of the S-polynomials of pairs: of all multiples with the same leading monomial one becomes a pivot row.
+    /// Adds both halves of the S-polynomials of pairs: of all multiples with the same leading
+    /// monomial one becomes a pivot row.
     pub(super) fn add_pairs(&mut self, pairs: &[Pair]) -> Result<(), GroebnerError> {
         let mut halves: Vec<(Monomial, usize)> =
             pairs.iter().flat_map(|pair| pair.elements.map(|element| (pair.lcm, element))).collect();
@@ -94,7 +95,8 @@ impl<'a> Symbolic<'a> {
         Ok(())
     }
 
-    /// Adds a pivot row for every column that a leading monomial divides and that has none yet, until there are no new ones.
+    /// Adds a pivot row for every column without one that a leading monomial divides. Its monomials
+    /// are new columns, which are treated in turn.
     pub(super) fn close(&mut self) -> Result<(), GroebnerError> {
         let mut next = 0;
         while let Some(&id) = self.columns.get(next) {

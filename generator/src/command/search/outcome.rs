@@ -12,7 +12,7 @@ use crate::problem::Problem;
 use crate::search::choose::{Choice, choose};
 use crate::search::measuring::Stability;
 use crate::search::monitor::Monitor;
-use crate::search::{Candidate, Found, SearchError, candidates};
+use crate::search::{Found, SearchError, TemplateCandidate, candidates};
 use crate::template::file::TemplateFile;
 
 /// A problem whose template is searched.
@@ -29,7 +29,7 @@ pub(super) struct Candidates {
     /// Different templates that were found. Those that several shards found count for each.
     pub(super) templates: usize,
     /// Measurements that were made before, by the shards of a search.
-    pub(super) known: Vec<(Candidate, Stability)>,
+    pub(super) known: Vec<(TemplateCandidate, Stability)>,
 }
 
 impl Candidates {
@@ -39,8 +39,8 @@ impl Candidates {
     }
 
     /// An earlier measurement of a candidate.
-    fn known(&self, candidate: &Candidate) -> Option<Stability> {
-        let is_same = |known: &&(Candidate, Stability)| {
+    fn known(&self, candidate: &TemplateCandidate) -> Option<Stability> {
+        let is_same = |known: &&(TemplateCandidate, Stability)| {
             known.0.template == candidate.template && known.0.presolve == candidate.presolve
         };
         self.known.iter().find(is_same).map(|(_, stability)| stability.clone())
@@ -66,8 +66,8 @@ pub(super) fn search(task: Task<'_>, settings: Settings) -> Result<Outcome, Comm
     conclude(task, settings, Candidates::of(found))
 }
 
-/// Searches within the first limit on columns, and within the wider one if nothing is found and the time is not over.
-/// Returns the settings of the last try.
+/// Searches within the first limit on columns, and within the wider one if nothing is found and the
+/// time is not over. Returns the settings of the last try.
 pub(super) fn find(task: Task<'_>, settings: Settings) -> Result<(Settings, Result<Found, SearchError>), CommandError> {
     let Task { problem, watch, .. } = task;
     watch.say("counting solutions");
@@ -89,11 +89,11 @@ pub(super) fn conclude(task: Task<'_>, settings: Settings, candidates: Candidate
     let found = &candidates.found;
     let nothing = || SearchError::NotFound {
         max_columns: settings.options.max_columns,
-        attempts: Vec::new(),
+        failed: Vec::new(),
         untried: found.untried,
         is_over: watch.end().is_some(),
     };
-    let known = |candidate: &Candidate| candidates.known(candidate);
+    let known = |candidate: &TemplateCandidate| candidates.known(candidate);
     let choice = choose(&found.candidates, settings.options.prefer, settings.measuring, &known, watch)
         .ok_or_else(|| CommandError::of_search(path, problem, nothing()))?;
     let end = watch.end().or(found.is_cut.then_some(End::Shards));

@@ -4,7 +4,7 @@
 
 use clap::Parser;
 
-use super::Arguments;
+use super::arguments::Arguments;
 use super::settings::Settings;
 use crate::command::report::one_decimal;
 use crate::command::watch::End;
@@ -32,8 +32,8 @@ const OPTIONS: [(&str, &str); 7] = [
 
 /// Every key that a search writes, in the order of the file.
 ///
-/// `max_basis` is written if the option is given, `nothing_within` and `ended_early` where they apply, all others by
-/// every search.
+/// `max_basis` is written if the option is given, `nothing_within` and `ended_early` where they
+/// apply, all others by every search.
 pub(super) const KEYS: [&str; 17] = [
     GENERATOR,
     "prefer",
@@ -59,7 +59,8 @@ pub(super) fn value_of<'a>(provenance: &'a [(String, String)], key: &str) -> Opt
     provenance.iter().find(|(name, _)| name == key).map(|(_, value)| value.as_str())
 }
 
-/// Adds what the command knows to the provenance of a candidate: how it was measured, and how the search went.
+/// Adds what the command knows to the provenance of a candidate: how it was measured, and how the
+/// search went.
 ///
 /// Figures are rounded, so that the last bits of a machine do not matter.
 pub(super) fn complete(

@@ -100,10 +100,9 @@ impl CheckedFile {
         // A search that Ctrl-C cut short says nothing about the one that was recorded.
         let found = if watch.end().is_some() { Err(CommandError::Interrupted) } else { found }?.file;
         self.found = Some(size(&found));
-        let differences = self.differences.len();
         self.compare_templates(&committed, &found, &problem);
         self.compare_keys(&committed, &found);
-        if self.differences.len() == differences && !is_same_text(&text, &committed, &found, &problem) {
+        if self.differences.is_empty() && !is_same_text(&text, &committed, &found, &problem) {
             self.differences.push("differs: the same template and keys, written in another layout".to_owned());
         }
         Ok(())
@@ -135,19 +134,22 @@ impl CheckedFile {
         self.differences.push(format!("differs: {difference}"));
     }
 
-    /// Compares the provenance. Values are compared only if the templates are the same: they follow from the template.
+    /// Compares the provenance. Values are compared only if the templates are the same, because
+    /// they follow from the template.
     fn compare_keys(&mut self, committed: &TemplateFile, found: &TemplateFile) {
         for (key, value) in &found.provenance {
             match value_of(&committed.provenance, key) {
-                None => {
-                    self.differences.push(format!("lacks key {key}"));
-                    self.lacks.push(key.clone());
-                }
+                None => self.lacks.push(key.clone()),
                 Some(old) if old != value && key != GENERATOR && committed.template == found.template => {
                     self.differences.push(format!("differs: {key} is committed as `{old}`, found as `{value}`"));
                 }
                 Some(_) => {}
             }
+        }
+        match self.lacks.as_slice() {
+            [] => {}
+            [key] => self.differences.push(format!("lacks key {key}")),
+            keys => self.differences.push(format!("lacks keys {}", keys.join(", "))),
         }
         for (key, _) in &committed.provenance {
             let is_written = value_of(&found.provenance, key).is_some();

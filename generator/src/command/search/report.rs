@@ -14,59 +14,60 @@ use crate::search::choose::{Choice, INCOMPLETE_ONE_IN, Measured, Verdict, expect
 use crate::search::pareto::front;
 use crate::search::preference::Preference;
 
-/// The object of `--json`: that of the chosen template as `eliminant inspect` prints it, and these.
+/// The object of `--json`: the summary of the chosen template as `eliminant inspect` prints it, and
+/// what follows.
 #[derive(Serialize)]
 pub(super) struct SearchReport {
     #[serde(flatten)]
     summary: Summary,
     prefer: Preference,
-    /// How many different templates were found.
+    /// Number of different templates that were found.
     found_templates: usize,
-    /// Index of the chosen one among the candidates.
+    /// Index of the chosen template among the candidates.
     chosen: usize,
-    /// Those that were measured, in the order of the preference.
+    /// The candidates that were measured, in the order of the preference.
     candidates: Vec<Row>,
-    /// What ended the search early and what it left out; `null` where nothing did.
+    /// What ended the search early and what was left out; `null` if nothing did.
     cut: Option<Cut>,
-    /// What is to be known about the result before it is used.
+    /// What a user must know about the result.
     warnings: Vec<String>,
     /// Where the template was written.
     file: String,
     seconds: f64,
 }
 
-/// What a search that was ended early left out.
+/// What a search that ended early left out.
 #[derive(Serialize)]
 pub(super) struct Cut {
-    /// `budget`, `interrupt`, or `shards` where shards of it were ended.
+    /// `budget`, `interrupt`, or `shards` if shards of it ended early.
     by: &'static str,
-    /// Ways to grow sets of shifts.
-    ways: usize,
-    /// How many of them were not tried; the last ones that were may have been cut short.
+    /// Number of strategies.
+    strategies: usize,
+    /// Number of these that were not tried. The last ones that were tried may have been cut short.
     untried: usize,
-    /// Templates that were found but not planned.
+    /// Number of templates that were found but not planned.
     unplanned: usize,
-    /// Different templates that were not measured.
+    /// Number of different templates that were not measured.
     unmeasured: usize,
 }
 
 impl Cut {
     pub(super) fn new(end: End, found: &Found, choice: &Choice) -> Self {
         let by = end.name();
-        let Found { ways, untried, unplanned, .. } = *found;
-        Self { by, ways, untried, unplanned, unmeasured: choice.unmeasured }
+        let Found { strategies, untried, unplanned, .. } = *found;
+        Self { by, strategies, untried, unplanned, unmeasured: choice.unmeasured }
     }
 }
 
 impl fmt::Display for Cut {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { ways, untried, unplanned, unmeasured, .. } = self;
+        let Self { strategies, untried, unplanned, unmeasured, .. } = self;
         let end = match self.by {
             "budget" => "the budget",
             "shards" => "the end of shards",
             _ => "Ctrl-C",
         };
-        write!(f, "{end} ended the search: {untried} of {ways} ways to grow sets of shifts not tried, ")?;
+        write!(f, "{end} ended the search: {untried} of {strategies} strategies not tried, ")?;
         write!(
             f,
             "{} not planned, {unmeasured} not measured; another run may give another result",
@@ -79,11 +80,11 @@ impl fmt::Display for Cut {
 #[derive(Serialize)]
 pub(super) struct ShardReport {
     shard: String,
-    /// How many different templates were found.
+    /// Number of different templates that were found.
     found_templates: usize,
-    /// Ways to grow sets of shifts in this shard.
-    ways: usize,
-    /// How many of them the budget or Ctrl-C left out.
+    /// Number of strategies of this shard.
+    strategies: usize,
+    /// Number of these that the budget or Ctrl-C left out.
     untried: usize,
     file: String,
     seconds: f64,
@@ -91,16 +92,16 @@ pub(super) struct ShardReport {
 
 impl ShardReport {
     pub(super) fn new(shard: &ShardFile, file: String, seconds: f64) -> Self {
-        let (ways, untried) = (shard.ways, shard.untried);
-        Self { shard: shard.shard.clone(), found_templates: shard.found, ways, untried, file, seconds }
+        let (strategies, untried) = (shard.strategies, shard.untried);
+        Self { shard: shard.shard.clone(), found_templates: shard.found, strategies, untried, file, seconds }
     }
 }
 
 impl fmt::Display for ShardReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { shard, ways, untried, .. } = self;
+        let Self { shard, strategies, untried, .. } = self;
         let found = counted(self.found_templates, "template");
-        writeln!(f, "shard {shard}: {found} found in {ways} ways to grow sets of shifts, {untried} of them not tried")?;
+        writeln!(f, "shard {shard}: {found} found by {strategies} strategies, {untried} of them not tried")?;
         writeln!(f, "wrote {} in {}", self.file, seconds(self.seconds))
     }
 }
@@ -119,13 +120,14 @@ struct Row {
     /// log10 of the relative residual.
     median: Option<f64>,
     p99: Option<f64>,
-    /// Instances that took a second attempt.
+    /// Number of instances that took a second attempt.
     repeated: usize,
     incomplete: usize,
     failures: usize,
     /// `accepted`, `screened` (neither accepted nor rejected) or `rejected`.
     verdict: &'static str,
-    /// Whether no other one has as few operations, those of second attempts included, as few rows, as small a 99 % quantile (to one decimal) and as small a share of unsolved instances.
+    /// Whether it is on the Pareto front of operations (second attempts included), rows, 99 %
+    /// quantile (to one decimal) and portion of unsolved instances.
     pareto: bool,
 }
 
@@ -164,8 +166,8 @@ fn warnings(problem: &Problem, choice: &Choice, cut: Option<&Cut>) -> Vec<String
     let mut warnings = Vec::new();
     if chosen.verdict == Verdict::Rejected {
         warnings.push(format!(
-            "no template that was measured fails on no instance and lacks a solution on at most one in {INCOMPLETE_ONE_IN}; of {trials} the chosen one \
-             lacks a solution on {} and fails on {}",
+            "no measured template is good enough: none that never fails lacks a solution on at most one instance in \
+             {INCOMPLETE_ONE_IN}. Of {trials}, the chosen one lacks a solution on {} and fails on {}",
             stability.incomplete, stability.failures
         ));
     } else if chosen.verdict == Verdict::Screened {
@@ -173,7 +175,7 @@ fn warnings(problem: &Problem, choice: &Choice, cut: Option<&Cut>) -> Vec<String
     }
     if let (true, Some(x)) = (problem.has_origin(), problem.unknowns.first()) {
         warnings.push(format!(
-            "all unknowns 0 is one of the solutions, and is returned with the others; where it is not wanted, exclude it: `{x} != 0;`"
+            "all unknowns 0 is one of the solutions, and is returned with the others. Exclude it with `{x} != 0;`"
         ));
     }
     warnings.extend(cut.map(Cut::to_string));
@@ -249,7 +251,7 @@ impl fmt::Display for SearchReport {
         write!(f, "{}", table(&HEAD, &rows, 6))?;
         writeln!(
             f,
-            "(* chosen; + on the Pareto front of operations with second attempts, rows, p99 and unsolved instances; median and p99 of the log10 relative residual)\n"
+            "(* chosen; + on the Pareto front of operations with second attempts, rows, p99 and unsolved instances;\n median and p99 of the log10 relative residual)\n"
         )?;
         for warning in &self.warnings {
             writeln!(f, "warning: {warning}")?;

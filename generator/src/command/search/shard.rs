@@ -11,12 +11,12 @@ use crate::command::files::read_text;
 use crate::command::report::to_json;
 use crate::generate::plan;
 use crate::problem::Problem;
-use crate::search::attempt::Attempt;
 use crate::search::choose::screen;
+use crate::search::failed_strategy::FailedStrategy;
 use crate::search::measuring::Stability;
 use crate::search::preference::Preference;
-use crate::search::share::Share;
-use crate::search::{Candidate, Found, SearchError, SearchOptions, in_order};
+use crate::search::shard::Shard;
+use crate::search::{Found, SearchError, SearchOptions, TemplateCandidate, in_order};
 use crate::template::file::TemplateFile;
 
 /// What one shard found; a JSON object.
@@ -27,18 +27,19 @@ pub(super) struct ShardFile {
     pub(super) shard: String,
     /// What all shards of a search must have in common.
     pub(super) common: Common,
-    /// Ways to grow sets of shifts in this shard, and how many of them were not tried for want of time.
-    pub(super) ways: usize,
+    /// Number of strategies of this shard, and number of these that were not tried because the time
+    /// was up.
+    pub(super) strategies: usize,
     pub(super) untried: usize,
-    /// Templates that were not planned for want of time.
+    /// Number of templates that were not planned because the time was up.
     pub(super) unplanned: usize,
-    /// Whether the time was up.
+    /// Whether the search of this shard ended early.
     pub(super) is_cut: bool,
-    /// Different templates found.
+    /// Number of different templates found.
     pub(super) found: usize,
-    /// What was tried, where nothing was found.
-    pub(super) attempts: Vec<Attempt>,
-    /// The first in the order of the preference.
+    /// The strategies that were tried, if nothing was found.
+    pub(super) failed: Vec<FailedStrategy>,
+    /// The first candidates in the order of the preference.
     pub(super) candidates: Vec<ShardCandidate>,
 }
 
@@ -50,25 +51,25 @@ impl ShardFile {
         found: Result<Found, SearchError>,
     ) -> Result<Self, CommandError> {
         let Task { path, problem, watch } = task;
-        let (found, attempts) = match found {
+        let (found, failed) = match found {
             Ok(found) => (found, Vec::new()),
-            Err(SearchError::NotFound { attempts, untried, .. }) => {
-                let ways = attempts.len() + untried;
-                (Found { candidates: Vec::new(), ways, untried, unplanned: 0, is_cut: untried > 0 }, attempts)
+            Err(SearchError::NotFound { failed, untried, .. }) => {
+                let strategies = failed.len() + untried;
+                (Found { candidates: Vec::new(), strategies, untried, unplanned: 0, is_cut: untried > 0 }, failed)
             }
             Err(error) => return Err(CommandError::of_search(path, problem, error)),
         };
         let screened = screen(&found.candidates, settings.options.prefer, settings.measuring, watch);
         let candidate = |(candidate, stability)| ShardCandidate::new(candidate, stability, problem, settings);
         Ok(Self {
-            shard: settings.options.share.to_string(),
+            shard: settings.options.shard.to_string(),
             common: Common::new(problem, settings),
-            ways: found.ways,
+            strategies: found.strategies,
             untried: found.untried,
             unplanned: found.unplanned,
             is_cut: found.is_cut,
             found: found.candidates.len(),
-            attempts,
+            failed,
             candidates: screened.into_iter().map(candidate).collect(),
         })
     }
@@ -118,7 +119,7 @@ impl Common {
             max_basis: self.max_basis,
             shuffles: self.shuffles,
             prefer: self.prefer,
-            share: Share::ALL,
+            shard: Shard::ALL,
         };
         Settings::new(options, self.trials, self.confirm)
     }
@@ -128,14 +129,14 @@ impl Common {
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct ShardCandidate {
-    way: usize,
+    strategy: usize,
     growth: String,
     /// The text of a template file.
     template: String,
     measured: Option<Measurement>,
 }
 
-/// [`Stability`] as it is written.
+/// A [`Stability`] as it is written.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Measurement {
@@ -150,7 +151,7 @@ struct Measurement {
 
 impl ShardCandidate {
     pub(super) fn new(
-        candidate: &Candidate,
+        candidate: &TemplateCandidate,
         measured: Option<Stability>,
         problem: &Problem,
         settings: &Settings,
@@ -160,22 +161,22 @@ impl ShardCandidate {
             Measurement { trials, found, expected, incomplete, failures, repeated, residuals_log10 }
         };
         Self {
-            way: candidate.way,
+            strategy: candidate.strategy,
             growth: candidate.growth.clone(),
             template: candidate.to_file(problem, &settings.options).to_text(&problem.unknowns),
             measured: measured.map(measurement),
         }
     }
 
-    fn read(self, problem: &Problem) -> Result<(Candidate, Option<Stability>), String> {
+    fn read(self, problem: &Problem) -> Result<(TemplateCandidate, Option<Stability>), String> {
         let file = TemplateFile::parse(&self.template, &problem.unknowns).map_err(|error| error.to_string())?;
         let plan = plan(problem, &file).map_err(|error| error.to_string())?.plan;
-        let (way, growth, presolve, template) = (self.way, self.growth, file.presolve, file.template);
+        let (strategy, growth, presolve, template) = (self.strategy, self.growth, file.presolve, file.template);
         let stability = |measurement: Measurement| {
             let Measurement { trials, found, expected, incomplete, failures, repeated, residuals_log10 } = measurement;
             Stability { residuals_log10, trials, found, expected, incomplete, failures, repeated }
         };
-        Ok((Candidate { presolve, way, growth, template, plan }, self.measured.map(stability)))
+        Ok((TemplateCandidate { presolve, strategy, growth, template, plan }, self.measured.map(stability)))
     }
 }
 
@@ -187,13 +188,13 @@ pub(super) fn merge(path: &Path, problem: &Problem, files: &[PathBuf]) -> Result
     };
     let settings = first.common.settings();
     let total = |count: fn(&ShardFile) -> usize| shards.iter().map(|(_, _, shard)| count(shard)).sum();
-    let (ways, untried) = (total(|shard| shard.ways), total(|shard| shard.untried));
+    let (strategies, untried) = (total(|shard| shard.strategies), total(|shard| shard.untried));
     let (unplanned, templates) = (total(|shard| shard.unplanned), total(|shard| shard.found));
     let is_cut = shards.iter().any(|(_, _, shard)| shard.is_cut);
-    let mut attempts = Vec::new();
+    let mut failed = Vec::new();
     let (mut candidates, mut known) = (Vec::new(), Vec::new());
     for (file, _, shard) in shards {
-        attempts.extend(shard.attempts);
+        failed.extend(shard.failed);
         for candidate in shard.candidates {
             let fail = |reason| CommandError::Shard { path: file.clone(), reason };
             let (candidate, stability) = candidate.read(problem).map_err(fail)?;
@@ -204,10 +205,10 @@ pub(super) fn merge(path: &Path, problem: &Problem, files: &[PathBuf]) -> Result
     let candidates = in_order(candidates, settings.options.prefer);
     if candidates.is_empty() {
         let max_columns = settings.options.max_columns;
-        let error = SearchError::NotFound { max_columns, attempts, untried, is_over: untried > 0 };
+        let error = SearchError::NotFound { max_columns, failed, untried, is_over: untried > 0 };
         return Err(CommandError::of_search(path, problem, error));
     }
-    let found = Found { candidates, ways, untried, unplanned, is_cut };
+    let found = Found { candidates, strategies, untried, unplanned, is_cut };
     Ok((settings, Candidates { found, templates, known }))
 }
 
@@ -216,14 +217,14 @@ fn read_all(
     path: &Path,
     problem: &Problem,
     files: &[PathBuf],
-) -> Result<Vec<(PathBuf, Share, ShardFile)>, CommandError> {
-    let mut shards: Vec<(PathBuf, Share, ShardFile)> = Vec::new();
+) -> Result<Vec<(PathBuf, Shard, ShardFile)>, CommandError> {
+    let mut shards: Vec<(PathBuf, Shard, ShardFile)> = Vec::new();
     for file in files {
         let fail = |reason: String| CommandError::Shard { path: file.clone(), reason };
         let text = read_text(file)?;
         let shard: ShardFile =
-            serde_json::from_str(&text).map_err(|error| fail(format!("no file of a shard: {error}")))?;
-        let share: Share = shard.shard.parse().map_err(|error| fail(format!("`{}`: {error}", shard.shard)))?;
+            serde_json::from_str(&text).map_err(|error| fail(format!("not a file of a shard: {error}")))?;
+        let share: Shard = shard.shard.parse().map_err(|error| fail(format!("`{}`: {error}", shard.shard)))?;
         let common = &shard.common;
         if common.problem != problem.name || common.fingerprint != format!("{:016x}", problem.fingerprint()) {
             return Err(fail(format!("found for another problem than `{}` as it is now", problem.name)));

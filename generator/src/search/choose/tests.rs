@@ -1,9 +1,11 @@
 //! The rule of the choice, on candidates that are made up.
 
+use super::rule::{BLOCK, at_least, is_rejected};
 use super::*;
 use crate::search::monitor::Unmonitored;
 
-/// A candidate: operations, rows, log10 of all its residuals, and every how many instances one lacks a solution (0: never).
+/// A candidate: operations, rows, log10 of all its residuals, and the period of instances that lack
+/// a solution (0: none does).
 type Made = (usize, usize, f64, usize);
 
 fn measure_made(made: &[Made], at: usize, instances: Range<usize>) -> Stability {
@@ -13,7 +15,7 @@ fn measure_made(made: &[Made], at: usize, instances: Range<usize>) -> Stability 
     Stability { residuals_log10: vec![residual; trials], trials, incomplete, ..Stability::default() }
 }
 
-/// Which of them is chosen, with the verdict, and the trials of each.
+/// The candidate that is chosen with its verdict, and the trials of each candidate.
 fn decide(preference: Preference, monitor: &dyn Monitor, made: &[Made]) -> (Option<(usize, Verdict)>, Vec<usize>) {
     decide_by(preference, monitor, made, &|at, instances| measure_made(made, at, instances))
 }
@@ -27,10 +29,10 @@ fn decide_by(
     let costs: Vec<Cost> = made.iter().map(|&(operations, rows, ..)| Cost { operations, rows, basis: 1 }).collect();
     let measuring = Measuring { trials: 300, confirm: 10_000, seed: 1 };
     let (entries, known) = (Vec::new(), |_| None);
-    let mut board = Board { costs: &costs, preference, measuring, known: &known, measure, monitor, entries };
-    let chosen = board.accept().or_else(|| board.least_bad());
-    let trials = board.entries.iter().map(|entry| entry.stability.trials).collect();
-    (chosen.map(|at| (at, board.entries[at].verdict)), trials)
+    let mut tournament = Tournament { costs: &costs, preference, measuring, known: &known, measure, monitor, entries };
+    let chosen = tournament.accept().or_else(|| tournament.least_bad());
+    let trials = tournament.entries.iter().map(|entry| entry.stability.trials).collect();
+    (chosen.map(|at| (at, tournament.entries[at].verdict)), trials)
 }
 
 fn chosen(preference: Preference, made: &[Made]) -> Option<(usize, Verdict)> {
@@ -154,7 +156,7 @@ fn without_an_acceptable_candidate_the_most_complete_wins_then_the_most_precise(
     assert_eq!(chosen(Speed, &made), Some((2, Rejected)));
 }
 
-/// Over after so many questions.
+/// A monitor that ends the search after this number of questions.
 struct Impatient(std::sync::atomic::AtomicUsize, usize);
 
 impl Monitor for Impatient {

@@ -10,7 +10,7 @@ use crate::plan::program::ProgramForm;
 use crate::plan::program_table::{ProgramTable, StepKind};
 use crate::plan::system_table::SystemTable;
 use crate::plan::value_layout::ValueLayout;
-use crate::plan::{ActionRow, Plan};
+use crate::plan::{ActionRow, Plan, PlannedRecovery};
 use crate::template::RootMethod;
 
 /// All tables of a solver, in the runtime's form.
@@ -29,8 +29,7 @@ pub struct InterpretedSolver {
     ratios: Vec<Vec<(u16, u16)>>,
     steps: Vec<Vec<i8>>,
     flips: Vec<Vec<bool>>,
-    /// (unknown, its terms: coefficient and exponents).
-    recoveries: Vec<(usize, Vec<(usize, Vec<u8>)>)>,
+    recoveries: Vec<PlannedRecovery>,
     equations: System,
     nonzero: System,
 }
@@ -81,9 +80,6 @@ impl InterpretedSolver {
     pub fn of(plan: &Plan) -> Self {
         let unknowns = plan.unknowns.len();
         let layout = ValueLayout::of(plan);
-        let terms = |terms: &[crate::plan::Term]| {
-            terms.iter().map(|term| (usize::from(term.coefficient.0), term.exponents.clone())).collect()
-        };
         Self {
             unknowns,
             solutions: plan.solutions,
@@ -96,7 +92,7 @@ impl InterpretedSolver {
             layout,
             steps: plan.steps(),
             flips: plan.flips.clone(),
-            recoveries: plan.recoveries.iter().map(|r| (r.unknown, terms(&r.terms))).collect(),
+            recoveries: plan.recoveries.clone(),
             equations: System::of(&plan.equations, unknowns),
             nonzero: System::of(&plan.nonzero, unknowns),
         }
@@ -354,13 +350,14 @@ impl SolverInstance for InterpretedInstance<'_> {
     }
 
     fn recover<S: Scalar>(&self, x: &mut Vec<S>) {
-        for (unknown, terms) in &self.solver.recoveries {
-            let product = |(coefficient, exponents): &(usize, Vec<u8>)| {
-                let factors = exponents.iter().zip(x.iter()).flat_map(|(&e, &x)| (0..e).map(move |_| x));
-                factors.fold(S::from_f64(self.coefficients[*coefficient]), |product, x| product * x)
+        for recovery in &self.solver.recoveries {
+            let product = |term: &crate::plan::Term| {
+                let factors = term.exponents.iter().zip(x.iter()).flat_map(|(&e, &x)| (0..e).map(move |_| x));
+                let coefficient = self.coefficients[usize::from(term.coefficient.0)];
+                factors.fold(S::from_f64(coefficient), |product, x| product * x)
             };
             // The first term is taken as it is, as emitted code does.
-            x[*unknown] = terms.iter().map(product).reduce(|sum, term| sum + term).unwrap_or(S::ZERO);
+            x[recovery.unknown] = recovery.terms.iter().map(product).reduce(|sum, term| sum + term).unwrap_or(S::ZERO);
         }
     }
 

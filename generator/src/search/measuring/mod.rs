@@ -1,5 +1,5 @@
-//! Runs an interpreted plan on random real instances and measures what it finds: the numbers are those of the emitted
-//! solver, bit by bit.
+//! Runs an interpreted plan on random real instances and measures what it finds: the numbers are
+//! those of the emitted solver, bit by bit.
 
 pub mod interpreted;
 
@@ -14,33 +14,34 @@ use crate::plan::Plan;
 use crate::problem::instance::draw_inputs;
 use interpreted::InterpretedSolver;
 
-/// What many instances gave.
+/// What a solver does on many instances.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stability {
     /// log10 of the relative residual of every solution found, to three decimals, increasing.
     pub residuals_log10: Vec<f64>,
-    /// Instances drawn.
+    /// Number of instances.
     pub trials: usize,
-    /// Different complex solutions found, over all instances.
+    /// Number of different complex solutions found, over all instances.
     pub found: usize,
-    /// Solutions there are: trials times the number of solutions of the problem.
+    /// Number of solutions there are: trials times the number of solutions of the problem.
     pub expected: usize,
-    /// Instances with fewer solutions than the problem has.
+    /// Number of instances with fewer solutions than the problem has.
     pub incomplete: usize,
-    /// Instances on which the elimination or the eigenvalue iteration failed.
+    /// Number of instances on which the solver returned an error.
     pub failures: usize,
-    /// Instances on which the first attempt failed or lacked a solution. What the second one found is in the others.
+    /// Instances on which the first attempt failed or lacked a solution. What the second one found
+    /// is in the others.
     pub repeated: usize,
 }
 
 impl Stability {
-    /// The q-quantile of the log10 relative residuals; `None` where nothing was found.
+    /// The q-quantile of the log10 relative residuals; `None` if nothing was found.
     pub fn quantile(&self, q: f64) -> Option<f64> {
         let last = self.residuals_log10.len().checked_sub(1)?;
         self.residuals_log10.get((q * last as f64).round() as usize).copied()
     }
 
-    /// Adds what other instances gave.
+    /// Adds the figures of other instances.
     pub fn join(&mut self, other: Self) {
         self.trials += other.trials;
         self.found += other.found;
@@ -73,7 +74,8 @@ pub fn stability(plan: &Plan, trials: usize, seed: u64, each: &(dyn Fn() + Sync)
     measure(plan, 0..trials, seed, each)
 }
 
-/// Solves instances drawn on the data's variety; instance k depends on (seed, k) only. `each` is called after each.
+/// Solves instances drawn on the data's variety; instance k depends on (seed, k) only. `each` is
+/// called after each.
 pub fn measure(plan: &Plan, instances: Range<usize>, seed: u64, each: &(dyn Fn() + Sync)) -> Stability {
     use rayon::prelude::*;
     let solver = InterpretedSolver::of(plan);
@@ -91,7 +93,7 @@ pub fn measure(plan: &Plan, instances: Range<usize>, seed: u64, each: &(dyn Fn()
     stability
 }
 
-/// What one instance gave.
+/// What the solver does on one instance.
 struct Solved {
     /// The relative residuals of all complex solutions; `None` if the solver returned an error.
     residuals: Option<Vec<f64>>,
@@ -108,13 +110,15 @@ impl Solved {
     }
 }
 
-/// Bytes of stack for each thread that solves. A second attempt with 256 basis monomials takes 8 MiB.
+/// Bytes of stack for each thread that solves. A second attempt with 256 basis monomials takes 8
+/// MiB.
 const STACK: usize = 32 << 20;
 
 /// Runs parallel work on threads with a stack that is large enough for every solver.
 fn in_pool<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     static POOL: OnceLock<Option<ThreadPool>> = OnceLock::new();
-    // If threads with such a stack cannot be had, the usual ones serve all but the largest problems.
+    // If threads with such a stack cannot be had, the usual ones serve all but the largest
+    // problems.
     match POOL.get_or_init(|| rayon::ThreadPoolBuilder::new().stack_size(STACK).build().ok()) {
         Some(pool) => pool.install(work),
         None => work(),

@@ -1,8 +1,22 @@
-//! Sets of monomials on which multiplication by the action monomial is known (redundant solving sets).
+//! Sets of monomials on which multiplication by the action monomial is known (redundant solving
+//! sets).
 //!
-//! Given the rows of a [`ShiftMatrix`] and an action monomial a, find B such that every a b is in B or is expressed by the
-//! row space in terms of B. B need not be a basis of the quotient ring: with |B| above the number of solutions some
-//! eigenvalues are spurious. (Martyushev, Bhayani, Pajdla, arXiv 2307.00320.)
+//! Given the rows of a [`ShiftMatrix`] and an action monomial a, find B such that every a b is in B
+//! or is expressed by the row space in terms of B. At every solution of the equations T B = a B
+//! then holds for a matrix T, so that the values of a at the solutions are eigenvalues of T. B need
+//! not be a basis of the quotient ring: if |B| exceeds the number of solutions, some eigenvalues
+//! are spurious. (Martyushev, Bhayani, Pajdla, arXiv 2307.00320.)
+//!
+//! # The method
+//! 1. P starts as all columns whose image under a is a column, and R = aP \ P. Each monomial of R
+//!    that the rows do not express in P becomes excess, which takes its preimages out of P, until
+//!    nothing changes ([`Dependencies::settle`]). The result is the largest P: the conditions on
+//!    two sets hold on their union.
+//! 2. P is mostly much larger than needed. The columns of P that are no pivots are *free*. The
+//!    closure of a free column m is the least set of free columns that holds m and, for each of its
+//!    members t, either a t or what the row of a t depends on. Closures of single columns and of
+//!    single rows are the candidates for B ([`Dependencies::best`]). All closed sets are unions of
+//!    closures of single columns, too many to look at.
 
 mod obstacle;
 
@@ -30,39 +44,46 @@ pub struct SolvingSet {
 /// What a solving set must satisfy to be of use.
 #[derive(Clone, Debug)]
 pub struct Requirements<'a> {
-    /// Ways to read the unknowns, as ratios of monomials that are in B or expressed in B; one of them must be possible.
+    /// Ways to read the unknowns, as ratios of monomials that are in B or expressed in B. One of
+    /// them must be possible.
     pub readings: &'a [Vec<Reading>],
-    /// Least size of B: the number of solutions, up to the signs that no monomial of B tells.
+    /// Least size of B: the number of solutions, up to the signs that no monomial of B tells. A
+    /// smaller T has too few eigenvalues.
     pub solutions: usize,
     /// Largest size of B.
     pub max_basis: usize,
 }
 
-/// So many of the lowest columns are kept for each unknown that may need one.
+/// Number of columns that are kept for each unknown that may need one, the lowest ones. Each kept
+/// column keeps a row in the tableau.
 const COLUMNS_TO_READ: usize = 3;
 
-/// Where a column stands.
+/// The part of the columns that a column belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Part {
     Excess,
-    /// Of the excess, but an unknown may be read from it.
+    /// Not in P or aP, but an unknown may be read from it.
     Reading,
     Reducible,
     Permissible,
 }
 
-/// For an action monomial a, how each reducible monomial depends on the permissible ones.
+/// How each reducible monomial depends on the permissible ones, for an action monomial a.
 ///
 /// ```text
-///   | excess | reading | reducible = aP \ P | permissible P |
-///   |   *    |    *    |         *          |       *       |   rows that only serve to eliminate the excess
-///   |   0    |    1    |         *          |       *       |   monomials from which an unknown may be read that P and aP do not give
-///   |   0    |    0    |         1          |       *       |   a row for each reducible column, all of which depend on P only
-///   |   0    |    0    |         0          |       *       |   relations within P
+///   | excess | reading | reducible R = aP \ P | permissible P |
+///   |   *    |    *    |          *          |       *       |   for the excess only, not kept
+///   |   0    |    1    |          *          |       *       |   for unknowns not read from P, aP
+///   |   0    |    0    |          1          |       *       |   one for each reducible column
+///   |   0    |    0    |          0          |       *       |   relations within P
 /// ```
 ///
-/// Columns that turn out not to be expressible become excess, which shrinks P, until nothing changes. With fewer rows less is expressible,
-/// so that what is excess stays excess when rows are deleted.
+/// Invariant after [`Dependencies::settle`]: the image of every permissible column is permissible
+/// or reducible, and the row of every reducible column has other entries in P only.
+///
+/// Deleting rows shrinks the row space, so less is expressible: what is excess stays excess. A
+/// column only ever moves from P to R and from either to the excess. This is what allows one
+/// tableau to be updated through a whole reduction.
 #[derive(Clone, Debug)]
 pub struct Dependencies {
     tableau: Tableau,
@@ -72,8 +93,8 @@ pub struct Dependencies {
 }
 
 impl Dependencies {
-    /// For some rows of `matrix`, which must be independent. `None` if no column is permissible. `readings` are the ways in which unknowns
-    /// will be read.
+    /// The dependencies by some rows of `matrix`, which must be independent. `readings` are the
+    /// ways in which unknowns will be read. Returns `None` if no column is permissible.
     pub fn new(matrix: &ShiftMatrix, action: &Monomial, rows: &[usize], readings: &[Vec<Reading>]) -> Option<Self> {
         let dependencies = Self::with_reading(matrix, action, rows, &[])?;
         match dependencies.columns_to_read(matrix, readings) {
@@ -82,6 +103,7 @@ impl Dependencies {
         }
     }
 
+    /// The dependencies with these columns kept outside of the excess.
     fn with_reading(matrix: &ShiftMatrix, action: &Monomial, rows: &[usize], reading: &[usize]) -> Option<Self> {
         let columns = matrix.monomials.len();
         let image: Vec<Option<usize>> =
@@ -97,7 +119,9 @@ impl Dependencies {
         dependencies.settle(1).then_some(dependencies)
     }
 
-    /// For each unknown without two columns outside the excess from which it can be read: columns of the excess that have a partner outside it.
+    /// Columns of the excess to keep, so that unknowns can be read. An unknown x is read as the
+    /// ratio of two monomials m and x m. If it has no such pair outside of the excess, these are
+    /// columns with their partner outside of it.
     fn columns_to_read(&self, matrix: &ShiftMatrix, readings: &[Vec<Reading>]) -> Vec<usize> {
         let is_outside = |column: usize| self.part[column] != Part::Excess;
         let mut columns = Vec::new();
@@ -115,12 +139,14 @@ impl Dependencies {
         columns
     }
 
-    /// Takes a row out of the matrix; call [`Dependencies::settle`] afterwards.
+    /// Deletes a row of the matrix. The caller must call [`Dependencies::settle`] before anything
+    /// else.
     pub fn delete_row(&mut self, row: usize) {
         self.tableau.delete_shift(row);
     }
 
-    /// Whether there is a solving set without some rows.
+    /// Whether there is a solving set without some rows. The row operations carry along only what
+    /// belongs to these rows.
     pub fn solves_without(&self, rows: &[usize], matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> bool {
         let mut rest =
             Self { tableau: self.tableau.narrowed(rows), image: self.image.clone(), part: self.part.clone() };
@@ -134,7 +160,12 @@ impl Dependencies {
         rest.closed_sets(requirements).into_iter().any(is_readable)
     }
 
-    /// Moves columns that have become inexpressible to the excess. False, and of no further use, if fewer than `least` permissible columns are left.
+    /// Moves columns that are no longer expressible to the excess, and their preimages with them,
+    /// until nothing changes. Returns false if fewer than `least` permissible columns are left; the
+    /// dependencies are then of no further use.
+    ///
+    /// Each round moves at least one column, and a column moves at most twice, so there are at most
+    /// twice as many rounds as columns. In practice there are two or three.
     pub fn settle(&mut self, least: usize) -> bool {
         loop {
             let mut part = self.part.clone();
@@ -167,7 +198,7 @@ impl Dependencies {
         }
     }
 
-    /// Whether the column is expressed by permissible ones.
+    /// Whether a row expresses the column by permissible columns.
     fn is_clean(&self, column: usize) -> bool {
         let mut others = self.tableau.dependence(column);
         others.as_mut().is_some_and(|others| others.all(|other| self.part[other] == Part::Permissible))
@@ -184,7 +215,11 @@ impl Dependencies {
         shifts
     }
 
-    /// The solving set with the fewest rows among those that meet the requirements, and among these the smallest; `None` if there is none.
+    /// The solving set with the fewest rows among those that meet the requirements, and among these
+    /// the smallest one.
+    ///
+    /// The number of rows is that of the shifts in the combinations that express R: this many rows
+    /// of the matrix are needed and no other.
     pub fn best(&self, matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> Option<SolvingSet> {
         let mut closed: Vec<(usize, usize, Vec<usize>)> = self
             .closed_sets(requirements)
@@ -194,7 +229,8 @@ impl Dependencies {
         closed.sort_unstable();
         let mut best: Option<SolvingSet> = None;
         for (rows, size, basis) in closed {
-            // Reading the unknowns may take more rows, never fewer.
+            // Sets are sorted by the rows that aB \ B takes. Reading the unknowns may take more
+            // rows, never fewer, so no later set can be better.
             if best.as_ref().is_some_and(|best| (best.rows, best.basis.len()) <= (rows, size)) {
                 break;
             }
@@ -208,8 +244,18 @@ impl Dependencies {
         best
     }
 
-    /// Sets of free columns that are closed under the action and of a size in the required range: the closure of each free column, and
-    /// of the columns that each single row depends on.
+    /// Sets of free columns that are closed under the action and have a size in the required range:
+    /// the closure of each free column, and of the columns that each single row depends on.
+    ///
+    /// The free columns are the vertices of a graph:
+    ///
+    /// ```text
+    /// m -> a m                     if a m is free
+    /// m -> t for all t in the row  if a m is a pivot, whose row is  a m + sum of c_t t = 0
+    /// ```
+    ///
+    /// A closed set is a set of vertices that no edge leaves. With k free columns the transitive
+    /// closure costs k^3 / 64 word operations.
     fn closed_sets(&self, requirements: &Requirements<'_>) -> BTreeSet<Vec<usize>> {
         let free: Vec<usize> = (0..self.part.len()).filter(|&column| self.is_free(column)).collect();
         let mut index_of = vec![usize::MAX; self.part.len()];
@@ -230,6 +276,7 @@ impl Dependencies {
                     set
                 }
                 Some(target) => dependence(target),
+                // The image of a permissible column is a column, so this does not happen.
                 None => IndexSet::new(free.len()),
             })
             .collect();
@@ -258,14 +305,16 @@ impl Dependencies {
         image
     }
 
-    /// Whether the column is in B or a row expresses it in B.
+    /// Whether the column is in B, or a row expresses it in B.
     fn is_expressed(&self, column: usize, basis: &[usize]) -> bool {
         let is_basis = |other: &usize| basis.binary_search(other).is_ok();
         is_basis(&column)
             || self.tableau.dependence(column).is_some_and(|mut others| others.all(|other| is_basis(&other)))
     }
 
-    /// The columns to express in a closed B if every unknown can then be read: aB \ B and what else it takes, increasing.
+    /// The columns to express in a closed B so that every unknown can be read, increasing: aB \ B,
+    /// and further columns for unknowns that B and aB do not give. `None` if an unknown cannot be
+    /// read.
     fn readable(&self, matrix: &ShiftMatrix, basis: &[usize], readings: &[Reading]) -> Option<Vec<usize>> {
         let mut reducible = self.image_outside(basis);
         for reading in readings {
@@ -275,7 +324,8 @@ impl Dependencies {
             if ready {
                 continue;
             }
-            // Columns decrease: the last pair is the lowest. One of the two is known.
+            // A ratio with one known monomial takes one column more. Columns decrease, so the last
+            // pair is the lowest.
             let expressed = |column: usize| self.is_expressed(column, basis);
             let one_of = |m: usize, sm: usize| match (known(m), known(sm)) {
                 (true, false) => expressed(sm).then_some(sm),
@@ -293,7 +343,11 @@ impl Dependencies {
     }
 }
 
-/// For each index all that are reached from it, with itself, where `next` is reached in one step (Warshall).
+/// The transitive and reflexive closure of `next`, the indices that are reached in one step
+/// (Warshall's algorithm).
+///
+/// After step k the set of each index holds all indices that are reached over intermediate indices
+/// up to k.
 fn closures(mut next: Vec<IndexSet>) -> Vec<IndexSet> {
     (0..next.len()).for_each(|at| {
         next[at].insert(at);
@@ -305,7 +359,10 @@ fn closures(mut next: Vec<IndexSet>) -> Vec<IndexSet> {
     next
 }
 
-/// Shrinks P and R until P = columns that are not excess and whose image is not, R = images of P outside P.
+/// Shrinks P and R until the image of every column of P is in P or R, and R holds only images of P.
+///
+/// A column of P whose image is excess leaves P. It stays as a column of R if it is itself an
+/// image. A column of R that is no image any more is excess.
 fn stabilise(part: &mut [Part], image: &[Option<usize>]) {
     let is_expressible = |part: Part| matches!(part, Part::Reducible | Part::Permissible);
     let mut is_stable = false;
@@ -330,7 +387,8 @@ fn stabilise(part: &mut [Part], image: &[Option<usize>]) {
     }
 }
 
-/// Excess columns first, those for reading last among them, then reducible, then permissible ones.
+/// The order of the columns: excess, reading, reducible, permissible, each from high to low
+/// monomials.
 fn rank(part: Part, column: usize, columns: usize) -> usize {
     column
         + columns

@@ -8,44 +8,45 @@ use crate::template::shift_matrix::ShiftMatrix;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Obstacle {
     /// No set of monomials is closed under the action.
-    NothingExpressed,
+    NoClosedSet,
     /// All closed sets are smaller than the number of solutions.
     TooFew {
-        /// |B| of the largest.
+        /// |B| of the largest closed set.
         basis: usize,
         /// The number of solutions.
         solutions: usize,
     },
-    /// All closed sets of enough monomials are larger than allowed.
+    /// All closed sets that are large enough are larger than allowed.
     TooMany {
-        /// |B| of the smallest.
+        /// |B| of the smallest of these.
         basis: usize,
-        /// The largest allowed.
+        /// The largest |B| allowed.
         limit: usize,
     },
     /// An unknown cannot be read from the closed sets of the right size.
     Unreadable {
-        /// Its index.
+        /// Index of the unknown.
         unknown: usize,
-        /// |B| of the smallest.
+        /// |B| of the smallest of these closed sets.
         basis: usize,
     },
 }
 
 impl Obstacle {
-    /// How far it is from a solving set: (kind, how much is missing); smaller is closer.
+    /// Distance from a solving set: (kind, how much is missing). Smaller is closer.
     pub fn distance(&self) -> (usize, usize) {
         match *self {
             Self::Unreadable { basis, .. } => (1, basis),
             Self::TooMany { basis, limit } => (2, basis.saturating_sub(limit)),
             Self::TooFew { basis, solutions } => (3, solutions.saturating_sub(basis)),
-            Self::NothingExpressed => (4, 0),
+            Self::NoClosedSet => (4, 0),
         }
     }
 }
 
 impl Dependencies {
-    /// What keeps the closed set that comes closest from meeting the requirements; of no use where one meets them.
+    /// What keeps the closest closed set from meeting the requirements. The answer is of use only
+    /// if no set meets them.
     pub fn obstacle(&self, matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> Obstacle {
         let Requirements { readings, solutions, max_basis: limit, .. } = *requirements;
         let any = Requirements { solutions: 1, max_basis: usize::MAX, ..requirements.clone() };
@@ -56,12 +57,13 @@ impl Dependencies {
             basis => {
                 let is_unreadable =
                     |reading: &&Reading| self.readable(matrix, &set, std::slice::from_ref(*reading)).is_none();
-                // All are readable one by one: the last one fails for the sake of the others.
+                // If each unknown can be read by itself, the last one fails because of columns
+                // added for the others.
                 let unreadable = first.iter().find(is_unreadable).or(first.last());
                 Obstacle::Unreadable { unknown: unreadable.map_or(0, |reading| reading.unknown), basis }
             }
         };
         let obstacles = self.closed_sets(&any).into_iter().map(obstacle);
-        obstacles.min_by_key(Obstacle::distance).unwrap_or(Obstacle::NothingExpressed)
+        obstacles.min_by_key(Obstacle::distance).unwrap_or(Obstacle::NoClosedSet)
     }
 }

@@ -1,31 +1,31 @@
-//! What a search tried where it found nothing, and how far it came.
+//! What a search tried if it found nothing, and how far it came.
 
 use std::fmt;
 
 use super::solving_set::Obstacle;
 
-/// A way to grow sets of shifts of which none solves.
+/// A strategy none of whose sets of shifts solves.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "command", derive(serde::Serialize, serde::Deserialize))]
-pub struct Attempt {
-    /// The way to grow, in words.
-    pub way: String,
+pub struct FailedStrategy {
+    /// The strategy in words.
+    pub strategy: String,
     /// Number of sets of shifts.
     pub sets: usize,
-    /// Rows of the largest.
+    /// Rows of the largest set.
     pub rows: usize,
-    /// Columns of the largest.
+    /// Columns of the largest set.
     pub columns: usize,
-    /// What the largest lacks, in words.
+    /// What the largest set lacks, in words.
     pub obstacle: String,
-    /// How far that is from a template: (kind of obstacle, distance), smaller is closer.
+    /// Distance from a template: (kind of obstacle, how much is missing). Smaller is closer.
     pub distance: (usize, usize),
 }
 
-impl Attempt {
+impl FailedStrategy {
     /// `unknowns` are the names of the problem; `largest` is (columns, rows).
     pub(crate) fn new(
-        way: String,
+        strategy: String,
         sets: usize,
         largest: (usize, usize),
         obstacle: Option<&Obstacle>,
@@ -37,13 +37,13 @@ impl Attempt {
             None if sets == 0 => ("the equations alone have more columns".to_owned(), (usize::MAX, 0)),
             None => ("no template that was found holds for other data".to_owned(), (0, 0)),
         };
-        Self { way, sets, rows, columns, obstacle, distance }
+        Self { strategy, sets, rows, columns, obstacle, distance }
     }
 }
 
 fn describe(obstacle: &Obstacle, unknowns: &[String]) -> String {
     match *obstacle {
-        Obstacle::NothingExpressed => "no set of monomials is closed under any action monomial".to_owned(),
+        Obstacle::NoClosedSet => "no set of monomials is closed under any action monomial".to_owned(),
         Obstacle::TooFew { basis, solutions } => {
             format!(
                 "the largest set of monomials that is closed under an action monomial has {basis}; there are {solutions} solutions"
@@ -63,25 +63,25 @@ fn describe(obstacle: &Obstacle, unknowns: &[String]) -> String {
     }
 }
 
-/// Ways that are listed; the others are counted.
+/// Number of strategies that are listed; the others are counted.
 const LISTED: usize = 8;
 
-/// The ways to grow, closest to a template first, as lines of a message.
-pub(crate) struct Attempts<'a>(pub(crate) &'a [Attempt]);
+/// Failed strategies as lines of a message, the closest to a template first.
+pub(crate) struct FailedStrategies<'a>(pub(crate) &'a [FailedStrategy]);
 
-impl fmt::Display for Attempts<'_> {
+impl fmt::Display for FailedStrategies<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let sets: usize = self.0.iter().map(|attempt| attempt.sets).sum();
-        let largest = self.0.iter().map(|attempt| (attempt.columns, attempt.rows)).max().unwrap_or_default();
+        let sets: usize = self.0.iter().map(|failed| failed.sets).sum();
+        let largest = self.0.iter().map(|failed| (failed.columns, failed.rows)).max().unwrap_or_default();
         write!(f, "tried {sets} sets of shifts, the largest {} x {}", largest.1, largest.0)?;
-        let mut attempts: Vec<&Attempt> = self.0.iter().collect();
-        attempts.sort_by_key(|attempt| attempt.distance);
-        for Attempt { way, rows, columns, obstacle, .. } in attempts.iter().take(LISTED) {
-            write!(f, "\n  {way}, up to {rows} x {columns}: {obstacle}")?;
+        let mut closest: Vec<&FailedStrategy> = self.0.iter().collect();
+        closest.sort_by_key(|failed| failed.distance);
+        for FailedStrategy { strategy, rows, columns, obstacle, .. } in closest.iter().take(LISTED) {
+            write!(f, "\n  {strategy}, up to {rows} x {columns}: {obstacle}")?;
         }
-        match attempts.len().saturating_sub(LISTED) {
+        match closest.len().saturating_sub(LISTED) {
             0 => Ok(()),
-            more => write!(f, "\n  and {more} ways that came no closer"),
+            more => write!(f, "\n  and {more} strategies that came no closer"),
         }
     }
 }

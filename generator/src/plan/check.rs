@@ -1,0 +1,122 @@
+//! Whether a plan contradicts itself: every table stays in range, and every value, pivot and
+//! unknown is written before it is read.
+
+use super::{ActionRow, Block, CoefficientId, Elimination, Entry, KnownMonomial, Plan, Term};
+use crate::problem::DataParameter;
+
+/// A plan that contradicts itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("inconsistent plan: {0}")]
+pub struct PlanError(pub &'static str);
+
+impl Plan {
+    /// Checks that every table stays in range and that every value and pivot is written before it
+    /// is read.
+    ///
+    /// # Errors
+    /// The first contradiction.
+    pub fn check(&self) -> Result<(), PlanError> {
+        self.check_program()?;
+        self.check_elimination()?;
+        self.check_monomials()?;
+        self.check_unknowns()
+    }
+
+    fn check_program(&self) -> Result<(), PlanError> {
+        let inputs = self.data.iter().map(DataParameter::len).sum();
+        require(self.program.is_ordered(inputs), "a value is read before it is written")?;
+        let has_value = self.coefficients.iter().all(|id| (id.0 as usize) < self.program.operations.len());
+        require(has_value, "a coefficient has no value")
+    }
+
+    fn check_elimination(&self) -> Result<(), PlanError> {
+        let e = &self.elimination;
+        let mut next = 0;
+        for block in &e.blocks {
+            let tiles = block.first == next && block.size > 0 && block.needed <= block.size;
+            require(tiles && self.fits(block), "the blocks do not tile the rows")?;
+            next += block.size;
+        }
+        require(next == e.rows, "the blocks do not tile the rows")?;
+        let named = e.row_shifts.len() == e.rows && e.pivot_columns.len() == e.rows;
+        require(named, "a row has no shift or no pivot column")?;
+        let coupled = e.blocks.iter().flat_map(|block| &block.coupling).all(|entry| e.solves(entry.column));
+        require(coupled, "a block reads a pivot that is not solved")?;
+        let right = e.right.iter().all(|entry| self.is_inside(entry, [e.rows, e.basis]));
+        require(right, "a basis entry is out of range")
+    }
+
+    /// Whether the entries of a block are in range.
+    fn fits(&self, block: &Block) -> bool {
+        let diagonal = |entry: &Entry| self.is_inside(entry, [block.size, block.size]);
+        let coupling = |entry: &Entry| self.is_inside(entry, [block.size, block.first]);
+        block.diagonal.iter().all(diagonal) && block.coupling.iter().all(coupling)
+    }
+
+    fn is_inside(&self, entry: &Entry, [rows, columns]: [usize; 2]) -> bool {
+        usize::from(entry.row) < rows && usize::from(entry.column) < columns && self.has(entry.coefficient)
+    }
+
+    fn has(&self, coefficient: CoefficientId) -> bool {
+        usize::from(coefficient.0) < self.coefficients.len()
+    }
+
+    /// The action matrix and the monomials that unknowns are read from.
+    fn check_monomials(&self) -> Result<(), PlanError> {
+        let e = &self.elimination;
+        let is_row = |row: &ActionRow| match row {
+            ActionRow::Unit(b) => usize::from(b.0) < e.basis,
+            ActionRow::Solved(pivot) => e.solves(pivot.0),
+        };
+        let action = self.action.len() == e.basis && self.action.iter().all(is_row);
+        require(action, "a row of the action matrix is out of range")?;
+        let is_known = |monomial: KnownMonomial| match monomial {
+            KnownMonomial::Basis(b) | KnownMonomial::Image(b) => usize::from(b.0) < e.basis,
+            KnownMonomial::Read(at) => usize::from(at) < self.read.len(),
+        };
+        let mut pairs = self.extractions.iter().flat_map(|x| &x.pairs);
+        let known =
+            self.read.iter().all(|pivot| e.solves(pivot.0)) && pairs.all(|&(m, xm)| is_known(m) && is_known(xm));
+        require(known, "an unknown is read from a monomial that is not known")
+    }
+
+    /// The unknowns, in the order in which they become known.
+    fn check_unknowns(&self) -> Result<(), PlanError> {
+        let mut known = vec![false; self.unknowns.len()];
+        for x in &self.extractions {
+            let own = x.is_square() || x.step.get(x.unknown) == Some(&1);
+            let others =
+                x.step.len() == known.len() && x.others().all(|(other, e)| known[other] && matches!(e, 1 | -1));
+            require(own && others, "an unknown is read with one that is not known")?;
+            known[x.unknown] |= !x.pairs.is_empty();
+        }
+        let flips = self.flips.iter().all(|flip| flip.len() == known.len());
+        require(flips, "a change of signs has another number of unknowns")?;
+        let most = self.elimination.basis * (1 + self.flips.len()) + usize::from(self.has_origin);
+        require(self.solutions <= most, "the basis is smaller than the number of solutions")?;
+        let is_term = |t: &Term| self.has(t.coefficient) && t.exponents.len() == self.unknowns.len();
+        for recovery in &self.recoveries {
+            let reads_known = |t: &Term| t.exponents.iter().zip(&known).all(|(&e, &known)| e == 0 || known);
+            let terms = recovery.terms.iter().all(|t| is_term(t) && reads_known(t));
+            require(terms, "a term reads something unknown")?;
+            known[recovery.unknown] = true;
+        }
+        let terms = self.equations.iter().chain(&self.nonzero).flatten().all(is_term);
+        require(terms, "a term reads something unknown")?;
+        require(known.into_iter().all(|known| known), "an unknown is never recovered")
+    }
+}
+
+impl Elimination {
+    /// Whether a pivot is among those that its block solves for.
+    fn solves(&self, pivot: u16) -> bool {
+        self.blocks.iter().any(|block| {
+            let end = block.first + block.size;
+            (end - block.needed..end).contains(&usize::from(pivot))
+        })
+    }
+}
+
+fn require(condition: bool, otherwise: &'static str) -> Result<(), PlanError> {
+    if condition { Ok(()) } else { Err(PlanError(otherwise)) }
+}

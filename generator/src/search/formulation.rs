@@ -1,0 +1,117 @@
+//! The formulations of a problem: what presolve leaves, with or without the use of sign changes.
+
+use super::error::SearchError;
+use super::options::SearchOptions;
+use super::solving_set::Requirements;
+use crate::algebra::{Monomial, PRIMES, PrimeField};
+use crate::presolve::symmetry::{Reading, Symmetry};
+use crate::presolve::{Presolve, ReducedProblem, presolve};
+use crate::problem::Problem;
+use crate::problem::instance::Instance;
+
+/// The field in which templates are searched.
+pub(crate) const SEARCH_FIELD: PrimeField = PrimeField::new(PRIMES[0]);
+/// Candidates must also hold at this prime, which was not used to find them: a coefficient or a
+/// pivot that vanishes modulo one prime by chance does not vanish modulo the other.
+pub(crate) const CHECK_FIELD: PrimeField = PrimeField::new(PRIMES[1]);
+
+/// Bounds on |B| that are tried, in percent of the number of solutions. A larger B takes fewer
+/// rows, but the eigenvalue problem grows with the cube of |B|.
+const BASIS_PERCENT: [usize; 6] = [100, 115, 130, 150, 175, 200];
+
+/// One way to state the problem for the search, with an instance to search on and one to check on.
+pub(crate) struct Formulation {
+    pub(crate) presolve: Presolve,
+    /// The sign changes that templates make use of.
+    pub(crate) symmetry: Symmetry,
+    /// The ways to read the unknowns then.
+    pub(crate) readings: Vec<Vec<Reading>>,
+    /// The action monomials to try.
+    pub(crate) actions: Vec<Monomial>,
+    pub(crate) reduced: ReducedProblem,
+    pub(crate) instance: Instance,
+    pub(crate) check: Instance,
+    /// Largest |B| that is wanted; the solutions may need more.
+    max_basis: Option<usize>,
+}
+
+/// What tells the formulations of a problem apart: the presolve, and whether sign changes are used.
+pub(crate) type FormulationKey = (Presolve, bool);
+
+impl Formulation {
+    pub(crate) fn key(&self) -> FormulationKey {
+        (self.presolve, self.symmetry.is_none())
+    }
+
+    /// What templates must satisfy. `solutions` is the number of solutions that are to be computed.
+    pub(crate) fn requirements(&self, solutions: usize, max_basis: usize) -> Requirements<'_> {
+        Requirements { readings: &self.readings, solutions: self.orbits(solutions), max_basis }
+    }
+
+    /// The different [`BASIS_PERCENT`] of the number of solutions up to sign, increasing, up to the
+    /// largest that is wanted.
+    pub(crate) fn basis_limits(&self, solutions: usize) -> Vec<usize> {
+        let orbits = self.orbits(solutions);
+        let mut limits: Vec<usize> = BASIS_PERCENT.iter().map(|percent| (orbits * percent).div_ceil(100)).collect();
+        if let Some(most) = self.max_basis {
+            limits.retain(|&limit| limit < most);
+            limits.push(most.max(orbits));
+        }
+        limits.dedup();
+        limits
+    }
+
+    /// Number of solutions up to sign: one eigenvalue gives all solutions of an orbit.
+    fn orbits(&self, solutions: usize) -> usize {
+        solutions.div_ceil(self.symmetry.order())
+    }
+}
+
+/// The different formulations of a problem.
+///
+/// If signs can be changed there are two of each presolved form, because a template that uses the
+/// sign changes loses the solutions that no sign change moves.
+pub(crate) fn formulations(problem: &Problem, options: &SearchOptions) -> Result<Vec<Formulation>, SearchError> {
+    let mut formulations: Vec<Formulation> = Vec::new();
+    let of_problem = Symmetry::of_problem(problem);
+    for (_, kind) in Presolve::ALL {
+        let reduced = presolve(problem, kind);
+        if formulations.iter().any(|known| is_same(&known.reduced, &reduced)) {
+            continue;
+        }
+        let draw = |field, seed| Instance::draw(&reduced.problem, field, seed).ok_or(SearchError::NoInstance);
+        let (instance, check) = (draw(SEARCH_FIELD, options.seed)?, draw(CHECK_FIELD, options.seed.wrapping_add(1))?);
+        let symmetry = of_problem.on(&reduced.kept);
+        let symmetries = [Some(symmetry.clone()).filter(|symmetry| !symmetry.is_none()), Some(Symmetry::NONE)];
+        for symmetry in symmetries.into_iter().flatten() {
+            let (readings, actions) = (symmetry.readings(&reduced.kept), actions(&symmetry, &reduced.kept));
+            let (reduced, instance, check) = (reduced.clone(), instance.clone(), check.clone());
+            let max_basis = options.max_basis;
+            let presolve = kind;
+            let next = Formulation { presolve, symmetry, readings, actions, reduced, instance, check, max_basis };
+            formulations.push(next);
+        }
+    }
+    Ok(formulations)
+}
+
+/// Whether two reduced problems have the same unknowns and the same monomials in the same
+/// equations. The search depends on nothing else, as coefficients are random.
+fn is_same(a: &ReducedProblem, b: &ReducedProblem) -> bool {
+    let monomials = |reduced: &ReducedProblem| -> Vec<Vec<Monomial>> {
+        reduced.problem.polynomials().map(|polynomial| polynomial.monomials().collect()).collect()
+    };
+    a.kept == b.kept && monomials(a) == monomials(b)
+}
+
+/// The action monomials to try: each unknown and its reciprocal. If sign changes are used, an
+/// action monomial must keep its sign, so that products and ratios of two unknowns that change
+/// their signs together take the place of these unknowns.
+fn actions(symmetry: &Symmetry, unknowns: &[usize]) -> Vec<Monomial> {
+    let unknowns: Vec<Monomial> = unknowns.iter().map(|&unknown| Monomial::unknown(unknown)).collect();
+    let (keep, change): (Vec<Monomial>, Vec<Monomial>) = unknowns.into_iter().partition(|x| symmetry.keeps(x));
+    let pairs = (0..change.len()).flat_map(|i| (i..change.len()).map(move |j| (i, j)));
+    let of_pairs = pairs.flat_map(|(i, j)| [change[i].times(&change[j]), change[i].over(&change[j])]);
+    let all = keep.iter().copied().chain(of_pairs.filter(|m| *m != Monomial::ONE && symmetry.keeps(m)));
+    all.flat_map(|m| [m, Monomial::ONE.over(&m)]).collect()
+}

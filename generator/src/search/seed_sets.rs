@@ -1,0 +1,112 @@
+//! Seed sets: the first sets of shifts of a strategy from which an action monomial solves.
+//!
+//! A set that solves is a template already, but mostly a large one. [`super::reduce`] deletes its
+//! rows.
+
+use super::formulation::Formulation;
+use super::grow::{Growth, Shifts};
+use super::monitor::{Monitor, Stage};
+use super::options::SearchOptions;
+use super::reduce::{DeletionOrder, independent_rows};
+use super::solving_set::{Dependencies, Obstacle};
+use super::strategy::Strategy;
+use crate::algebra::Monomial;
+use crate::template::shift_matrix::ShiftMatrix;
+
+/// Shifts from which an action monomial solves, to be reduced.
+pub(crate) struct SolvingShifts {
+    pub(crate) action: Monomial,
+    pub(crate) matrix: ShiftMatrix,
+    /// The bound on |B| for which they were found.
+    pub(crate) max_basis: usize,
+}
+
+/// What growing by one strategy gave.
+pub(crate) struct SeedSets {
+    /// For each level that solves, each action monomial and each bound on |B|.
+    pub(crate) solving: Vec<SolvingShifts>,
+    /// Number of sets of shifts that were looked at.
+    pub(crate) tried: usize,
+    /// (columns, rows) of the largest.
+    pub(crate) largest: (usize, usize),
+    /// The largest set if none solves.
+    pub(crate) unsolved: Option<ShiftMatrix>,
+}
+
+/// Levels to go on growing after the first that solves: larger sets sometimes reduce to smaller
+/// templates.
+const LEVELS_BEYOND_FIRST: usize = 1;
+/// If shifts are added one by one, a set is looked at after it has grown by one row in this many.
+const ROWS_BETWEEN_LOOKS: usize = 20;
+
+/// Grows the shifts of a strategy until an action monomial solves, and a little further.
+pub(crate) fn seed_sets(
+    strategy: &Strategy<'_>,
+    solutions: usize,
+    options: &SearchOptions,
+    monitor: &dyn Monitor,
+) -> SeedSets {
+    let Strategy { formulation, growth } = strategy;
+    let equations = &formulation.instance.equations;
+    let mut sets = SeedSets { solving: Vec::new(), tried: 0, largest: (0, 0), unsolved: None };
+    let mut levels_left = LEVELS_BEYOND_FIRST;
+    let mut last_look: usize = 0;
+    for shifts in Shifts::new(equations, &formulation.reduced.kept, growth.clone(), options.max_columns) {
+        // To look at a set is an elimination, to add a shift is not.
+        if matches!(growth, Growth::BestShift(_) | Growth::Laurent(_))
+            && shifts.len() < last_look + last_look.div_ceil(ROWS_BETWEEN_LOOKS)
+        {
+            continue;
+        }
+        last_look = shifts.len();
+        if monitor.is_over(Stage::Searching) {
+            break;
+        }
+        let matrix = ShiftMatrix::new(formulation.instance.field, equations, &shifts);
+        sets.tried += 1;
+        sets.largest = sets.largest.max((matrix.monomials.len(), matrix.rows.len()));
+        sets.solving.extend(solving_shifts(formulation, &matrix, solutions));
+        if !sets.solving.is_empty() {
+            sets.unsolved = None;
+            if levels_left == 0 {
+                break;
+            }
+            levels_left -= 1;
+        } else {
+            sets.unsolved = Some(matrix);
+        }
+    }
+    sets
+}
+
+/// For each action monomial and each bound on |B| the rows that the best solving set needs.
+fn solving_shifts(formulation: &Formulation, matrix: &ShiftMatrix, solutions: usize) -> Vec<SolvingShifts> {
+    let mut solving = Vec::new();
+    let limits = formulation.basis_limits(solutions);
+    // Which rows are independent depends on no action monomial.
+    let independent = independent_rows(matrix, DeletionOrder::HighestFirst);
+    for &action in &formulation.actions {
+        let Some(dependencies) = Dependencies::new(matrix, &action, &independent, &formulation.readings) else {
+            continue;
+        };
+        for &max_basis in &limits {
+            let requirements = formulation.requirements(solutions, max_basis);
+            let Some(set) = dependencies.best(matrix, &requirements) else { continue };
+            let needed = dependencies.rows_of(&set);
+            let matrix = matrix.retain_rows(&set.basis, |row| needed.binary_search(&row).is_ok());
+            solving.push(SolvingShifts { action, matrix, max_basis });
+        }
+    }
+    solving
+}
+
+/// What keeps the rows from solving, for the action monomial that comes closest.
+pub(crate) fn obstacle(formulation: &Formulation, matrix: &ShiftMatrix, solutions: usize) -> Obstacle {
+    let max_basis = formulation.basis_limits(solutions).last().copied().unwrap_or(solutions);
+    let requirements = formulation.requirements(solutions, max_basis);
+    let rows = independent_rows(matrix, DeletionOrder::HighestFirst);
+    let of = |action: &Monomial| Dependencies::new(matrix, action, &rows, &formulation.readings);
+    let dependencies = formulation.actions.iter().filter_map(of);
+    let obstacles = dependencies.map(|dependencies| dependencies.obstacle(matrix, &requirements));
+    obstacles.min_by_key(Obstacle::distance).unwrap_or(Obstacle::NoClosedSet)
+}
