@@ -2,13 +2,13 @@
 //! every version: people should not call it.
 
 pub use crate::driver::{VANISHING, complex_solutions, real_solutions, real_solutions_by_polynomial};
+#[cfg(feature = "alloc")]
+pub use crate::dynamic_size::{BoundedVec, Dynamic};
 pub use crate::elimination::lu::{BlockError, BlockMemory, solve_block, solve_block_trailing, solve_large_block};
 pub use crate::elimination::program::{Operation, PolynomialProduct, ProductSum, ProductSums, Program, Run, joined};
 pub use crate::elimination::template::{ActionRow, Block, Entry, action_matrix, check_coefficients, fill, solved_rows};
 pub use crate::number::{Over, Real};
 pub use crate::size::{AtMost, Fixed, List, Matrix, Size, Square, Vector, filled_matrix};
-#[cfg(feature = "alloc")]
-pub use crate::size::{BoundedVec, Dynamic};
 pub use crate::solution::candidates::MAX_RESIDUAL;
 pub use crate::solution::distinct::{Candidate, push_distinct};
 pub use crate::solution::extract::{monomial_values, ratio};

@@ -22,14 +22,14 @@
 // `!(x > y)` is written where a NaN must take the branch, too.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
-#[cfg(feature = "alloc")]
-extern crate alloc;
 #[cfg(feature = "std")]
 extern crate std;
 
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("eliminant needs one of its features `std` (default) and `libm` for square roots");
 
+#[cfg(feature = "alloc")]
+mod dynamic_size;
 mod error;
 mod number;
 mod size;

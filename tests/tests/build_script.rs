@@ -151,7 +151,7 @@ fn a_template_that_does_not_hold_is_refused() {
     let uncovered = uncovered.iter().fold(text.clone(), |text, (from, to)| text.replacen(from, to, 1));
     let dropped = text.replacen("multipliers = [\"1\", ", "multipliers = [", 1);
     for (fault, template, words) in [
-        ("no monomial", swapped(&basis[0], "\"q^2\""), ["`q^2`", "no monomial"]),
+        ("no monomial", swapped(&basis[0], "\"q^2\""), ["`q^2`", "not a monomial"]),
         ("another monomial in the basis", swapped(&basis[0], "\"x^7\""), ["does not hold", "columns"]),
         ("a repeated monomial", swapped(&basis[0], &basis[1]), ["does not hold", "columns"]),
         ("basis and excess exchanged", both, ["does not hold", "two_conics"]),
@@ -170,6 +170,11 @@ fn a_template_that_does_not_hold_is_refused() {
             "more solutions than basis monomials",
             text.replacen("solutions = 4", "solutions = 5", 1),
             ["solutions", "basis"],
+        ),
+        (
+            "too few solutions",
+            text.replacen("solutions = 4", "solutions = 3", 1),
+            ["says 3 solutions", "the template gives 4"],
         ),
         ("no solution", text.replacen("solutions = 4", "solutions = 0", 1), ["solutions", "two_conics"]),
     ] {

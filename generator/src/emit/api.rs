@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::names::Names;
-use super::{array_type, doc_line, indices, parameter};
+use super::shapes::{array_type, doc_line, indices, parameter};
 use crate::plan::Plan;
 use crate::template::RootMethod;
 

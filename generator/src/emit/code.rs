@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use super::names::Names;
-use super::{indices, parameter};
+use super::shapes::{indices, parameter};
 use crate::expression::rational::Rational;
 use crate::plan::program::{Operation, ValueId};
 use crate::plan::statements::{Place, Statements};

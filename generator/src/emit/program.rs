@@ -5,9 +5,10 @@ use std::collections::BTreeMap;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
+use super::code;
 use super::listing::Listings;
+use super::shapes::doc_line;
 use super::wrap::wrapped;
-use super::{code, doc_line};
 use crate::plan::Plan;
 use crate::plan::program::{Operation, ValueId};
 use crate::plan::program_table::ProgramTable;

@@ -15,7 +15,7 @@
 //!    greatest common divisor of s and their values has the solutions for roots; those where a
 //!    factor that must not vanish does are divided out.
 //! 4. Where signs can be changed some unknowns are square roots x of residues X(t). Values are then
-//!    sums of residues times products of roots ([`super::residues`]). A root t stands for a
+//!    sums of residues times products of roots (`super::residues`). A root t stands for a
 //!    solution for each choice of the signs of the x that are not 0.
 //! 5. The origin is a solution that needs no eigenpair. It is counted once, and divided out where
 //!    an eigenpair gives it.

@@ -293,9 +293,11 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
 }
 
 impl<Z: Size> Hessenberg<Z> {
-    /// The coefficients of the characteristic polynomial det(x I - A) = x^N + c\[N-1\] x^(N-1) + ..
-    /// + c\[0\], by La Budde's recurrence on H (Wilkinson 1965, chapter 7, section 11; Rehman and
-    /// Ipsen 2011):
+    /// The coefficients of the characteristic polynomial
+    ///
+    /// det(x I - A) = x^N + c\[N-1\] x^(N-1) + .. + c\[0\]
+    ///
+    /// by La Budde's recurrence on H (Wilkinson 1965, chapter 7, section 11; Rehman and Ipsen 2011):
     ///
     /// p_i = (x - h_ii) p_(i-1) - sum over m of h_(i-m,i) b_i .. b_(i-m+1) p_(i-m-1)
     ///

@@ -52,9 +52,9 @@ impl<Z: Size> Hessenberg<Z> {
     /// Writes an orthonormal basis of the real invariant subspace of A that belongs to a cluster to
     /// the first `dimension` rows of `basis`.
     ///
-    /// Block inverse iteration (Golub and Van Loan 2013, section 7.6) with the real operator Im (H
-    /// - s I)^-1, which has the eigenvectors of H and, for eigenvalues x near the shift s or its
-    /// conjugate, eigenvalues near 1 / |x - s| or above.
+    /// Block inverse iteration (Golub and Van Loan 2013, section 7.6) with the real operator
+    /// Im (H - s I)^-1, which has the eigenvectors of H and, for eigenvalues x near the shift s or
+    /// its conjugate, eigenvalues near 1 / |x - s| or above.
     #[inline(never)]
     pub(crate) fn invariant_subspace(&self, cluster: &Cluster, basis: &mut Square<Z, f64>) {
         let shift = cluster.centre + Complex { re: 0.0, im: cluster.shift };

@@ -1,15 +1,18 @@
 //! Tests: all kinds of sizes give the same bits, and so do the results of both precisions.
 
+extern crate alloc;
+
 use alloc::vec::Vec;
 
 use num_complex::Complex;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
+use crate::dynamic_size::Dynamic;
 use crate::error::SolveError;
 use crate::number::double_double::{DoubleComplex, DoubleDouble};
 use crate::number::{Over, Real, Scalar};
-use crate::size::{AtMost, Dynamic, Fixed, Size, filled_matrix};
+use crate::size::{AtMost, Fixed, Size, filled_matrix};
 use crate::spectrum::hessenberg::Hessenberg;
 use crate::spectrum::polynomial_roots::real_roots_monic;
 

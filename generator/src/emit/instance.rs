@@ -1,0 +1,247 @@
+//! Prints an instance: the coefficients for given data, and what the runtime asks of them.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::code;
+use super::names::Names;
+use super::shapes::{as_slice, parameter};
+use crate::plan::Plan;
+use crate::plan::program::ProgramForm;
+use crate::plan::value_layout::ValueLayout;
+
+/// The version of the runtime's hidden interface that is emitted for.
+pub const RUNTIME_VERSION: u32 = 1;
+
+/// That all unknowns 0 is a solution, if it is one.
+fn origin(plan: &Plan) -> TokenStream {
+    match plan.has_origin {
+        true => quote! {
+            fn has_origin(&self) -> bool {
+                true
+            }
+        },
+        false => quote!(),
+    }
+}
+
+/// How unknowns follow if a template stands for solutions up to sign; nothing if it does not.
+fn sign_changes(plan: &Plan) -> TokenStream {
+    if plan.flips.is_empty() {
+        return quote!();
+    }
+    let steps = plan.steps().into_iter().map(|exponents| {
+        let exponents = exponents.into_iter().map(Literal::i8_unsuffixed);
+        quote!(&[#(#exponents),*])
+    });
+    let flips = plan.flips.iter().map(|flip| quote!(&[#(#flip),*]));
+    quote! {
+        fn sign_changes(&self) -> Option<emitted::SignChanges<'_>> {
+            Some(emitted::SignChanges { steps: &[#(#steps),*], flips: &[#(#flips),*] })
+        }
+    }
+}
+
+/// A field for the data if an elimination at twice the precision needs them, and how the
+/// coefficients are computed when an instance is made. `given` is the list of all data as slices.
+fn coefficients_of_instance(plan: &Plan, given: &Ident) -> (TokenStream, TokenStream) {
+    if plan.program.form == ProgramForm::Statements {
+        let arguments = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name));
+        return (quote!(), quote!(coefficients: self::coefficients(#(#arguments),*),));
+    }
+    let inputs = Literal::usize_unsuffixed(plan.inputs());
+    let field = quote! {
+        /// All data, one parameter after another.
+        data: [f64; #inputs],
+    };
+    let coefficients = quote! {
+        coefficients: self::coefficients(&emitted::joined(&#given)),
+        data: emitted::joined(&#given),
+    };
+    (field, coefficients)
+}
+
+/// The coefficients for an elimination in the precision R. Tables can be executed at twice the
+/// precision, too.
+fn coefficients_of_precision(plan: &Plan) -> TokenStream {
+    if plan.program.form == ProgramForm::Statements {
+        return quote!(let coefficients = &self.coefficients;);
+    }
+    let count = Literal::usize_unsuffixed(plan.coefficients.len());
+    quote! {
+        let coefficients = &R::of::<emitted::Fixed<#count>>(&self.coefficients, || {
+            self::coefficients(&self.data)
+        });
+    }
+}
+
+/// The coefficients for given data, and what they are for.
+pub(super) fn instance(plan: &Plan) -> TokenStream {
+    let parameters: Vec<_> = plan.data.iter().map(parameter).collect();
+    let slices = plan.data.iter().map(as_slice);
+    let (count, count_given) =
+        (Literal::usize_unsuffixed(plan.coefficients.len()), Literal::usize_unsuffixed(plan.data.len()));
+    let mut names = Names::of(&plan.data);
+    let (given, instance) = (names.take("given"), names.take("instance"));
+    let (data_field, coefficients) = coefficients_of_instance(plan, &given);
+    let (basis, count_read) =
+        (Literal::usize_unsuffixed(plan.elimination.basis), Literal::usize_unsuffixed(plan.read.len()));
+    let (read_field, no_read) = match plan.read.is_empty() {
+        true => (quote!(), quote!()),
+        false => (
+            quote! {
+                /// Monomials that unknowns are read from, as combinations of the basis; known after
+                /// the elimination.
+                read: [[f64; #basis]; #count_read],
+            },
+            quote!(read: [[0.0; #basis]; #count_read],),
+        ),
+    };
+    let solver_instance = solver_instance(plan);
+    let version = Literal::u32_unsuffixed(RUNTIME_VERSION);
+    quote! {
+        /// A compile error if the runtime has another version.
+        const _: () = emitted::check_version(#version);
+
+        /// The coefficients of all equations for given data.
+        struct Instance {
+            coefficients: [f64; #count],
+            #data_field
+            #read_field
+        }
+
+        impl Instance {
+            fn new(#(#parameters),*) -> Result<Self, ::eliminant::SolveError> {
+                let #given: [&[f64]; #count_given] = [#(#slices),*];
+                let #instance = Self { #coefficients #no_read };
+                emitted::check_coefficients(&#instance.coefficients, &#given)?;
+                Ok(#instance)
+            }
+        }
+
+        #solver_instance
+    }
+}
+
+/// What the runtime asks of an instance.
+fn solver_instance(plan: &Plan) -> TokenStream {
+    let layout = ValueLayout::of(plan);
+    let [basis, unknowns, values, solutions] =
+        [plan.elimination.basis, plan.unknowns.len(), layout.len(), plan.solutions].map(Literal::usize_unsuffixed);
+    let (ratios, origin, sign_changes, action_matrix) =
+        (ratios(plan), origin(plan), sign_changes(plan), action_matrix(plan));
+    let precise = match plan.program.form {
+        ProgramForm::Statements => quote!(),
+        ProgramForm::Table => quote! {
+            fn has_precise_coefficients(&self) -> bool {
+                true
+            }
+        },
+    };
+    let has_image = layout.has_image;
+    let read = match plan.read.is_empty() {
+        true => quote!(&[[0.0; 0]; 0]),
+        false => quote!(&self.read),
+    };
+    let recover = match plan.recoveries.is_empty() {
+        true => quote!(let _ = x;),
+        false => plan.recoveries.iter().map(code::recovery).collect(),
+    };
+    let admissible = match plan.nonzero.is_empty() {
+        true => quote! {
+            let _ = x;
+            true
+        },
+        false => quote!(NONZERO.bind(&self.coefficients).exceeds(x, emitted::VANISHING)),
+    };
+    quote! {
+        impl emitted::SolverInstance for Instance {
+            type Basis = emitted::Fixed<#basis>;
+            type Unknowns = emitted::Fixed<#unknowns>;
+            type Values = emitted::Fixed<#values>;
+            type Solutions = emitted::Fixed<#solutions>;
+
+            fn sizes(&self) -> emitted::SizesOf<Self> {
+                emitted::Sizes::FIXED
+            }
+            #ratios
+            #origin
+            #sign_changes
+            #precise
+            #action_matrix
+
+            fn monomial_values<S: ::eliminant::Scalar>(&self, value: S, vector: &[S; #basis]) -> [S; #values] {
+                emitted::monomial_values(emitted::Fixed, (value, vector), #has_image, #read)
+            }
+
+            fn recover<S: ::eliminant::Scalar>(&self, x: &mut [S; #unknowns]) {
+                #recover
+            }
+
+            fn polish<S: ::eliminant::Scalar>(&self, x: &mut [S; #unknowns], steps: usize) -> f64 {
+                emitted::polish(x, EQUATIONS.polynomials(), &EQUATIONS.bind(&self.coefficients), steps)
+            }
+
+            fn is_admissible<S: ::eliminant::Scalar>(&self, x: &[S; #unknowns]) -> bool {
+                #admissible
+            }
+        }
+    }
+}
+
+/// Where unknowns are read from.
+fn ratios(plan: &Plan) -> TokenStream {
+    let layout = ValueLayout::of(plan);
+    let pairs = (0..plan.unknowns.len()).map(|unknown| {
+        let pairs = layout.ratios(plan, unknown).into_iter().map(|(m, xm)| {
+            let [m, xm] = [m, xm].map(Literal::u16_unsuffixed);
+            quote!((#m, #xm))
+        });
+        quote!(&[#(#pairs),*])
+    });
+    let unknowns = Literal::usize_unsuffixed(plan.unknowns.len());
+    quote! {
+        fn ratios(&self, unknown: usize) -> &[(u16, u16)] {
+            const RATIOS: [&[(u16, u16)]; #unknowns] = [#(#pairs),*];
+            RATIOS[unknown]
+        }
+    }
+}
+
+/// Fill and elimination.
+fn action_matrix(plan: &Plan) -> TokenStream {
+    let [rows, basis, count_read] =
+        [plan.elimination.rows, plan.elimination.basis, plan.read.len()].map(Literal::usize_unsuffixed);
+    let refined = coefficients_of_precision(plan);
+    let precision = match plan.program.form {
+        ProgramForm::Statements => quote!(f64),
+        ProgramForm::Table => quote!(R),
+    };
+    let blocks = plan.elimination.blocks.iter().enumerate().map(|(at, block)| {
+        let (at, size) = (Literal::usize_unsuffixed(at), Literal::usize_unsuffixed(block.size));
+        let eliminate = if block.is_large() { quote!(eliminate_large) } else { quote!(eliminate) };
+        quote!(BLOCKS[#at].#eliminate::<_, #precision, _, #size>(&mut right, coefficients)?;)
+    });
+    let read = match plan.read.is_empty() {
+        true => quote!(),
+        false => quote! {
+            self.read = emitted::solved_rows(
+                (emitted::Fixed::<#count_read>, emitted::Fixed::<#basis>),
+                &READ,
+                &right,
+            );
+        },
+    };
+    quote! {
+        fn action_matrix<R: emitted::Real>(
+            &mut self,
+        ) -> Result<[[R; #basis]; #basis], ::eliminant::SolveError> {
+            let mut right = [[R::ZERO; #basis]; #rows];
+            #refined
+            emitted::fill::<_, #precision, _>(&mut right, RIGHT, coefficients);
+            #(#blocks)*
+            #read
+            Ok(emitted::action_matrix(emitted::Fixed::<#basis>, &ACTION, &right))
+        }
+    }
+}
