@@ -87,7 +87,8 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
     };
     quote! {
         #(#[doc = #docs])*
-        /// Returns the real solutions, polished on the equations of the problem: `Ok` and empty if there is none.
+        /// Returns the real solutions, polished on the equations of the problem: `Ok` and empty if
+        /// there is none.
         ///
         /// # Errors
         /// The data are not finite, or degenerate: see [`SolveError`](::eliminant::SolveError).
@@ -99,9 +100,9 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
             Ok(::eliminant::Solutions::from_points(&points, Solution::from))
         }
 
-        /// Like [`solve`], with all complex solutions. Where solutions are missing, all is computed once more at twice
-        /// the precision, which takes many times as long. Solutions are missing, too, where data make some of them
-        /// coincide or move to infinity.
+        /// Like [`solve`], with all complex solutions. Where solutions are missing, all is computed
+        /// once more at twice the precision, which takes many times as long. Solutions are missing,
+        /// too, where data make some of them coincide or move to infinity.
         ///
         /// # Errors
         /// As [`solve`].
@@ -116,7 +117,8 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
             Ok(::eliminant::Solutions::from_points(&points, Solution::from))
         }
 
-        /// The matrix of multiplication by the action monomial on the basis, as the elimination gives it.
+        /// The matrix of multiplication by the action monomial on the basis, as the elimination
+        /// gives it.
         ///
         /// # Errors
         /// As [`solve`].
@@ -124,8 +126,8 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
             emitted::SolverInstance::action_matrix(&mut Instance::new(#(#arguments),*)?)
         }
 
-        /// The relative residual of a solution: the largest |f| / (sum of the moduli of the terms of f) of all
-        /// equations f = 0.
+        /// The relative residual of a solution: the largest |f| / (sum of the moduli of the terms
+        /// of f) of all equations f = 0.
         ///
         /// # Errors
         /// As [`solve`], for the data.

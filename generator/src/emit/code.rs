@@ -174,7 +174,8 @@ fn elements(parameter: &DataParameter) -> Vec<TokenStream> {
     indices(&parameter.shape).map(element).collect()
 }
 
-/// A constant in parentheses where it is not a plain positive number; fractions are divided as the interpreter does.
+/// A constant in parentheses where it is not a plain positive number; fractions are divided as the
+/// interpreter does.
 pub(super) fn constant(value: Rational) -> TokenStream {
     let magnitude = Literal::f64_unsuffixed((value.numerator() as f64).abs());
     let signed = if value.numerator() < 0 { quote!(-#magnitude) } else { quote!(#magnitude) };

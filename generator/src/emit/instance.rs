@@ -42,8 +42,8 @@ fn sign_changes(plan: &Plan) -> TokenStream {
     }
 }
 
-/// A field for the data if an elimination at twice the precision needs them, and how the coefficients are computed when an
-/// instance is made. `given` is the list of all data as slices.
+/// A field for the data if an elimination at twice the precision needs them, and how the
+/// coefficients are computed when an instance is made. `given` is the list of all data as slices.
 fn coefficients_of_instance(plan: &Plan, given: &Ident) -> (TokenStream, TokenStream) {
     if plan.program.form == ProgramForm::Statements {
         let arguments = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name));
@@ -61,7 +61,8 @@ fn coefficients_of_instance(plan: &Plan, given: &Ident) -> (TokenStream, TokenSt
     (field, coefficients)
 }
 
-/// The coefficients for an elimination in the precision R. Tables can be executed at twice the precision, too.
+/// The coefficients for an elimination in the precision R. Tables can be executed at twice the
+/// precision, too.
 fn coefficients_of_precision(plan: &Plan) -> TokenStream {
     if plan.program.form == ProgramForm::Statements {
         return quote!(let coefficients = &self.coefficients;);
@@ -89,7 +90,8 @@ pub(super) fn instance(plan: &Plan) -> TokenStream {
         true => (quote!(), quote!()),
         false => (
             quote! {
-                /// Monomials that unknowns are read from, as combinations of the basis; known after the elimination.
+                /// Monomials that unknowns are read from, as combinations of the basis; known after
+                /// the elimination.
                 read: [[f64; #basis]; #count_read],
             },
             quote!(read: [[0.0; #basis]; #count_read],),

@@ -1,5 +1,6 @@
-//! Long tables, printed beside the syntax tree: to parse and format their numbers as expressions takes longer than all
-//! else, above all in build scripts, which are compiled without optimisation. The formatter would also drop their comments.
+//! Long tables, printed beside the syntax tree: to parse and format their numbers as expressions
+//! takes longer than all else, above all in build scripts, which are compiled without optimisation.
+//! The formatter would also drop their comments.
 
 use proc_macro2::Ident;
 use quote::format_ident;
@@ -81,7 +82,8 @@ impl Listings {
 }
 
 impl Listing {
-    /// An upper bound for the columns that it takes on one line; with comments it needs lines of its own.
+    /// An upper bound for the columns that it takes on one line; with comments it needs lines of
+    /// its own.
     fn length(&self) -> usize {
         match self {
             Self::Plain(elements) => elements.iter().map(|element| element.len() + 2).sum(),
@@ -114,7 +116,8 @@ impl Listing {
     }
 }
 
-/// Writes the elements, separated by commas, on lines with this indentation. An element that is too long for a line is itself broken at its commas.
+/// Writes the elements, separated by commas, on lines with this indentation. An element that is too
+/// long for a line is itself broken at its commas.
 fn wrap(elements: &[String], indent: usize, text: &mut String) {
     let mut column = indent;
     for (at, element) in elements.iter().enumerate() {

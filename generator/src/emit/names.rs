@@ -1,8 +1,8 @@
 //! Names in the emitted code that differ from those of the problem.
 //!
-//! The problem names the module, the parameters of its functions and the fields of the solution, all in lower case. Items
-//! of the module are in upper case or are called by path, so that only local names of functions with these parameters
-//! could collide.
+//! The problem names the module, the parameters of its functions and the fields of the solution,
+//! all in lower case. Items of the module are in upper case or are called by path, so that only
+//! local names of functions with these parameters could collide.
 
 use std::collections::BTreeSet;
 

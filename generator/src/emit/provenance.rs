@@ -29,7 +29,8 @@ pub struct Provenance {
 }
 
 impl Provenance {
-    /// Of the solver of `problem` that is planned from `file`; `reduced` is the form that the template is for.
+    /// The provenance of the solver of `problem` that is planned from `file`. `reduced` is the form
+    /// of the problem that the template is for.
     pub fn of(problem: &Problem, file: &TemplateFile, reduced: &ReducedProblem, plan: &Plan) -> Self {
         let stated = |statements: &[Statement]| statements.iter().map(|statement| quoted(problem, statement)).collect();
         let t = &file.template;

@@ -8,7 +8,7 @@ use super::program::{Operation, Program, ValueId};
 /// Operations that a statement holds at most.
 const MOST_OPERATIONS: usize = 64;
 
-/// Values of the problem's own names are variables, but at most so many.
+/// The largest number of variables. Values that the problem names are variables up to this limit.
 const MOST_VARIABLES: usize = 256;
 
 /// Where a value of the program is in the emitted program.

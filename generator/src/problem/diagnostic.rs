@@ -13,7 +13,8 @@ pub struct Diagnostic {
     pub span: Span,
     /// What the underlined part is or what was expected there; may be empty.
     pub label: String,
-    /// Other places that matter, with what they are: the operands of a product, the call that led here.
+    /// Other places that matter, with what they are: the operands of a product, the call that led
+    /// here.
     pub context: Vec<(Span, String)>,
     /// How to mend it, each a line of its own.
     pub hints: Vec<String>,

@@ -407,7 +407,8 @@ fn mistaken_power(binary: &ExprBinary) -> Option<Diagnostic> {
     Some(diagnostic.label("powers are written `.pow(n)`").hint(hint))
 }
 
-/// The operand next to an operator, whatever the precedence: the last of `a * x`, the first of `2 + y`.
+/// The operand next to an operator, whatever the precedence: the last of `a * x`, or the first
+/// of `2 + y`.
 fn outer_operand(mut expression: &Expr, side: impl Fn(&ExprBinary) -> &Expr) -> &Expr {
     while let Expr::Binary(binary) = expression {
         expression = side(binary);

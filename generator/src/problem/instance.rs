@@ -1,4 +1,5 @@
-//! Random data on the variety that the attributes of a problem describe, and the polynomials they give.
+//! Random data on the variety that the attributes of a problem describe, and the polynomials they
+//! give.
 
 use super::{DataAttribute, DataParameter, Problem};
 use crate::algebra::{Polynomial, PrimeField, Random};
@@ -81,7 +82,8 @@ fn draw_parameter<A: Draw>(parameter: &DataParameter, f: A, random: &mut Random,
 /// Limit on redraws of a parametrisation whose denominator vanished (probability about 1/p each).
 const MAX_REDRAWS: usize = 64;
 
-/// A rotation by the Cayley map of three drawn parameters: the quaternion (1, x, y, z), not normalised.
+/// A rotation by the Cayley map of three drawn parameters: the quaternion (1, x, y, z), not
+/// normalised.
 fn draw_rotation<A: Draw>(f: A, random: &mut Random) -> [A::Value; 9] {
     for _ in 0..MAX_REDRAWS {
         let q = [f.one(), f.draw(random), f.draw(random), f.draw(random)];
@@ -109,7 +111,8 @@ fn draw_rotation<A: Draw>(f: A, random: &mut Random) -> [A::Value; 9] {
     [o, z, z, z, o, z, z, z, o]
 }
 
-/// A unit vector of length n by stereographic projection of n - 1 drawn parameters t: (2 t, |t|^2 - 1) / (|t|^2 + 1).
+/// A unit vector of length n by stereographic projection of n - 1 drawn parameters t:
+/// (2 t, |t|^2 - 1) / (|t|^2 + 1).
 fn draw_unit<A: Draw>(f: A, random: &mut Random, n: usize, inputs: &mut Vec<A::Value>) {
     for _ in 0..MAX_REDRAWS {
         let t: Vec<_> = (1..n).map(|_| f.draw(random)).collect();
@@ -164,8 +167,9 @@ pub struct Instance {
 }
 
 impl Instance {
-    /// Draws one. The support equals that of the problem: an instance on which a coefficient that depends on the data vanishes is drawn
-    /// again; `None` if that never ends (for tiny domains such as `#[integer]` data it may).
+    /// Draws one. The support equals that of the problem: an instance on which a coefficient that
+    /// depends on the data vanishes is drawn again; `None` if that never ends (for tiny domains
+    /// such as `#[integer]` data it may).
     pub fn draw(problem: &Problem, field: PrimeField, seed: u64) -> Option<Self> {
         let mut random = Random::new(seed);
         (0..MAX_REDRAWS).find_map(|_| {

@@ -1,7 +1,7 @@
 //! Statements: what they bind and which equations they state.
 //!
-//! A statement that fails is reported once, the names it would have bound are marked, and interpretation goes on, so
-//! that one run shows all mistakes and no mistake twice.
+//! A statement that fails is reported once, the names it would have bound are marked, and
+//! interpretation goes on, so that one run shows all mistakes and no mistake twice.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -180,7 +180,8 @@ impl<'a> Interpreter<'a> {
                     );
                     return;
                 }
-                // What changes is not what the name says in the end; names of helpers say nothing to a reader.
+                // What changes is not what the name says in the end; names of helpers say nothing
+                // to a reader.
                 if name.mutability.is_none() && self.calls.is_empty() {
                     self.name_values(&text, &value);
                 }
@@ -219,7 +220,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Remembers the names of values that depend on data only, so that they appear in the emitted code.
+    /// Remembers the names of values that depend on data only, so that they appear in the emitted
+    /// code.
     fn name_values(&mut self, name: &str, value: &Outcome<Value>) {
         let (Some(name), Ok(value)) = (emitted_name(name), value) else { return };
         for (index, polynomial) in value.elements().iter().enumerate() {

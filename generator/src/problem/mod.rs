@@ -1,4 +1,5 @@
-//! A polynomial problem: unknowns, data with their variety, equations with coefficients in the data.
+//! A polynomial problem: unknowns, data with their variety, equations with coefficients in the
+//! data.
 
 pub mod diagnostic;
 mod evaluate;
@@ -41,11 +42,13 @@ pub enum DataAttribute {
     Rotation,
     /// `#[unit]`: a vector of length 1 (or an array of them).
     Unit,
-    /// `#[plucker]`: direction and moment of a line, orthogonal vectors of length 3 (or an array of such pairs).
+    /// `#[plucker]`: direction and moment of a line, orthogonal vectors of length 3 (or an array of
+    /// such pairs).
     Plucker,
     /// `#[integer]`: small integers.
     Integer,
-    /// `#[rank(2)]`: a matrix of that rank, less than the number of its rows and of its columns (or an array of them).
+    /// `#[rank(2)]`: a matrix of that rank, less than the number of its rows and of its columns (or
+    /// an array of them).
     Rank(usize),
 }
 
@@ -81,7 +84,8 @@ impl DataParameter {
     }
 }
 
-/// A name of the return type, which is a field of the solution: an unknown, or an array of unknowns.
+/// A name of the return type, which is a field of the solution: an unknown, or an array of
+/// unknowns.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SolutionField {
     /// Its name.
@@ -145,7 +149,8 @@ pub struct Problem {
     pub docs: Vec<String>,
     /// The data.
     pub data: Vec<DataParameter>,
-    /// Names of the unknowns, elements of arrays one by one: `x`, `v[0]`, `v[1]`. Monomials index into this.
+    /// Names of the unknowns, elements of arrays one by one: `x`, `v[0]`, `v[1]`. Monomials index
+    /// into this.
     pub unknowns: Vec<String>,
     /// The same as the solver returns them, with their shapes.
     pub fields: Vec<SolutionField>,
@@ -178,8 +183,8 @@ impl Problem {
         self.polynomials().all(vanishes) && !self.nonzero.iter().any(|factor| vanishes(&factor.polynomial))
     }
 
-    /// A hash (FNV-1a, 64 bit) of what the problem states: names, shapes, equations by value. Comments and the way an
-    /// equation is written do not matter.
+    /// A hash (FNV-1a, 64 bit) of what the problem states: names, shapes, equations by value.
+    /// Comments and the way an equation is written do not matter.
     pub fn fingerprint(&self) -> u64 {
         let mut words = vec![self.name.clone(), self.unknowns.join(",")];
         words.extend(self.data.iter().map(|d| format!("{}:{:?}:{:?}", d.name, d.shape, d.attribute)));

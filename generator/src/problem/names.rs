@@ -31,7 +31,8 @@ pub(super) fn refuse(ident: &Ident, what: &str) -> Option<Diagnostic> {
 fn is_snake_case(name: &str) -> bool {
     let starts_well = name.starts_with(|c: char| c.is_ascii_lowercase());
     let letters_fit = name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
-    // Rust warns of two underscores in a row: the warning would appear in the crate that includes the solver.
+    // Rust warns of two underscores in a row: the warning would appear in the crate that includes
+    // the solver.
     starts_well && letters_fit && !name.trim_end_matches('_').contains("__")
 }
 
@@ -42,9 +43,11 @@ pub(super) fn emitted_name(name: &str) -> Option<String> {
     (is_snake_case(&name) && is_free).then_some(name)
 }
 
-/// The message for the name of a problem that cannot name a module beside `eliminant::include_solver!`.
+/// The message for the name of a problem that cannot name a module beside
+/// `eliminant::include_solver!`.
 pub(super) fn refuse_module(ident: &Ident) -> Option<Diagnostic> {
-    // A module from a macro hides no crate: Rust calls all paths ambiguous that begin with the name.
+    // A module from a macro hides no crate: Rust calls all paths ambiguous that begin with the
+    // name.
     (ident == "eliminant").then(|| {
         Diagnostic::new("`eliminant` is the name of the run-time crate", place(ident))
             .label("the module of the solver would make `eliminant::include_solver!` ambiguous")

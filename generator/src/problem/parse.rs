@@ -17,7 +17,8 @@ use crate::expression::{ExpressionGraph, ExpressionId};
 use crate::problem::diagnostic::{Diagnostic, Diagnostics};
 use crate::problem::instance::fingerprint_points;
 
-/// Stack of the thread that parses, so that the longest expression allowed fits whatever the caller's stack is.
+/// Stack of the thread that parses, so that the longest expression allowed fits whatever the
+/// caller's stack is.
 const STACK: usize = 256 << 20;
 
 impl Problem {
@@ -53,7 +54,8 @@ fn parse_source(source: &SourceFile) -> Result<Problem, Vec<Diagnostic>> {
     let (items, messages) = sort_items(&file.items);
     let Some(function) = items.problem.filter(|_| messages.is_empty()) else { return Err(messages) };
 
-    // Shapes may use constants, and coefficients need the data: constants are evaluated once for each.
+    // Shapes may use constants, and coefficients need the data: constants are evaluated once for
+    // each.
     let mut signature = Interpreter::new(ExpressionGraph::new(&[vec![], vec![]]), &items.helpers);
     declare_constants(&mut signature, &items.constants);
     let types = unknown_list(&function.sig.output).unwrap_or_default();
@@ -221,7 +223,8 @@ fn declare_signature(interpreter: &mut Interpreter<'_>, data: &[DataParameter], 
     interpreter.unknowns = unknowns.iter().flat_map(SolutionField::names).collect();
 }
 
-/// Every parameter must be read: by a coefficient of some equation or exclusion, at least one of its elements.
+/// Every parameter must be read: by a coefficient of some equation or exclusion, at least one of
+/// its elements.
 fn check_data(body: &mut Interpreter<'_>, data: &[DataParameter]) {
     if body.has_messages() {
         // The statements that read it may have failed.

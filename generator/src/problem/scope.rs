@@ -54,7 +54,8 @@ impl Scopes {
         self.blocks.pop();
     }
 
-    /// Enters a function, whose body sees constants only; returns what [`Scopes::leave_function`] needs.
+    /// Enters a function, whose body sees constants only; returns what [`Scopes::leave_function`]
+    /// needs.
     pub(super) fn enter_function(&mut self) -> Vec<BTreeMap<String, Binding>> {
         std::mem::replace(&mut self.blocks, vec![BTreeMap::new()])
     }

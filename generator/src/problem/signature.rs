@@ -1,4 +1,5 @@
-//! Signatures: the data with their shapes and attributes, the unknowns, and the shapes that types stand for.
+//! Signatures: the data with their shapes and attributes, the unknowns, and the shapes that types
+//! stand for.
 
 use proc_macro2::Ident;
 use syn::{Attribute, Expr, ExprLit, FnArg, ItemFn, Lit, LitInt, Meta, Pat, PatType, ReturnType, Type};
@@ -52,7 +53,8 @@ impl ShapePattern {
     }
 }
 
-/// The names in a return type that lists unknowns, `(x, y)` or `x`; `None` for any other return type.
+/// The names in a return type that lists unknowns, `(x, y)` or `x`; `None` for any other return
+/// type.
 pub(super) fn unknown_list(output: &ReturnType) -> Option<Vec<&Type>> {
     let ReturnType::Type(_, ty) = output else { return None };
     let mut ty = &**ty;
@@ -277,7 +279,8 @@ impl Interpreter<'_> {
         Err(self.report(diagnostic.label("expected such as `points: [[f64; 2]; 5]`")))
     }
 
-    /// Checks the form of the parameters of a helper, whose shapes are known only when it is called.
+    /// Checks the form of the parameters of a helper, whose shapes are known only when it is
+    /// called.
     pub(super) fn check_helper_parameters(&mut self, function: &ItemFn) -> Outcome<()> {
         let mut outcome = Ok(());
         for parameter in &function.sig.inputs {

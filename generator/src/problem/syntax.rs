@@ -1,4 +1,5 @@
-//! Text to syntax tree: limits that keep the parser safe on any input, and syntax errors in the words of the language.
+//! Text to syntax tree: limits that keep the parser safe on any input, and syntax errors in the
+//! words of the language.
 
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use syn::spanned::Spanned;
@@ -10,8 +11,8 @@ use crate::problem::diagnostic::Diagnostic;
 /// Longest text of a problem file, in bytes.
 const MAX_TEXT: usize = 1 << 20;
 
-/// Longest path of tokens that may lie around or before a token in one expression. The parser, the evaluator and the
-/// destructor of the tree recurse at most once per token of that path.
+/// Longest path of tokens that may lie around or before a token in one expression. The parser, the
+/// evaluator and the destructor of the tree recurse at most once per token of that path.
 const MAX_EXPRESSION_TOKENS: usize = 2000;
 
 /// The bytes a part of the syntax tree came from.
@@ -19,7 +20,8 @@ pub(super) fn place(node: &impl Spanned) -> Span {
     node.span().byte_range()
 }
 
-/// Parses the text, which must not begin with a byte order mark, and takes the shapes of unknowns out.
+/// Parses the text, which must not begin with a byte order mark, and takes the shapes of unknowns
+/// out.
 pub(super) fn parse_file(text: &str) -> Result<(syn::File, Shapes), Diagnostic> {
     if text.len() > MAX_TEXT {
         let message = format!("the file has {} bytes, at most {MAX_TEXT} are allowed", text.len());
@@ -41,7 +43,8 @@ fn check_lengths(tokens: &TokenStream, before: usize) -> Result<(), Diagnostic> 
         // Attributes, doc comments among them, do not nest.
         let hash = matches!(&token, TokenTree::Punct(punct) if punct.as_char() == '#');
         let attribute = std::mem::replace(&mut after_hash, hash) || hash;
-        // A new statement, argument or item starts the count anew; `else` and operators continue after a block.
+        // A new statement, argument or item starts the count anew; `else` and operators continue
+        // after a block.
         let continues = match &token {
             TokenTree::Ident(ident) => ident == "else" || ident == "as",
             TokenTree::Punct(_) => !hash,
@@ -79,8 +82,8 @@ fn lexical_error(error: &proc_macro2::LexError, text: &str) -> Diagnostic {
         .label("neither a name, nor a number, nor an operator")
 }
 
-/// The first bracket without its partner. Only called on text that does not tokenise, so that brackets in comments
-/// can at worst make this message less apt.
+/// The first bracket without its partner. Only called on text that does not tokenise, so that
+/// brackets in comments can at worst make this message less apt.
 fn unmatched_bracket(text: &str) -> Option<Diagnostic> {
     let mut open = Vec::new();
     let mut at = 0;
@@ -147,7 +150,8 @@ fn syntax_error(error: &syn::Error, text: &str) -> Diagnostic {
     diagnostic.label("unexpected here").hint("a product needs `*`: `2 * x`, `a * (b + c)`")
 }
 
-/// A keyword of Rust where a name is meant: at the place of a syntax error or right before it, between what can only surround a value.
+/// A keyword of Rust where a name is meant: at the place of a syntax error or right before it,
+/// between what can only surround a value.
 fn keyword_for_name(text: &str, at: usize) -> Option<Diagnostic> {
     let is_letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let word_from = |start: usize| start..text[start..].find(|c| !is_letter(c)).map_or(text.len(), |end| start + end);

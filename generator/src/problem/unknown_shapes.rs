@@ -1,6 +1,7 @@
 //! Shapes in a list of unknowns: `-> (v: [f64; 3], s)`.
 //!
-//! This is no type of Rust. The shapes are taken out before the text is parsed, so that the list is a tuple of names.
+//! Rust has no such type. The shapes are taken out before the text is parsed, so that the list is
+//! a tuple of names.
 
 use std::collections::BTreeMap;
 

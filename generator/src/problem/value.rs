@@ -14,8 +14,9 @@ pub(super) const MAX_DEGREE: i32 = 32;
 /// Largest number of term operations of one problem file: seconds, not hours.
 const MAX_WORK: usize = 5_000_000;
 
-/// Products of polynomials with so many products of coefficients that depend on data stay one operation. Fewer are cheaper as
-/// scalar operations, because equal ones are shared.
+/// A product of polynomials stays one operation if it has at least this many products of
+/// coefficients that depend on data. Fewer are cheaper as scalar operations, because equal ones are
+/// shared.
 const LONG_PRODUCT: usize = 100;
 
 /// An array of polynomials in the unknowns; a scalar has no dimensions.
@@ -27,7 +28,8 @@ pub(super) struct Value {
     elements: Vec<SymbolicPolynomial>,
 }
 
-/// An operation that the shapes, the degree or the amount of work forbid: a message whose place the caller knows.
+/// An operation that the shapes, the degree or the amount of work forbid: a message whose place the
+/// caller knows.
 pub(super) type Checked<T> = Result<T, Diagnostic>;
 
 /// A message without its place.
@@ -96,7 +98,8 @@ impl Value {
         rows.chunks(size).map(move |row| Self::array(inner.to_vec(), row.to_vec()))
     }
 
-    /// First element and shape of the sub-array at `indices`; or the position of the offending index and why.
+    /// First element and shape of the sub-array at `indices`; or the position of the offending
+    /// index and why.
     pub(super) fn locate(&self, indices: &[i64]) -> Result<(usize, &[usize]), (usize, Diagnostic)> {
         let mut first = 0;
         let mut shape = &self.shape[..];
@@ -278,7 +281,8 @@ impl Algebra {
         self.add(a, &negative)
     }
 
-    /// a b: scaling, or the product of matrices and vectors; a vector on the left is a row, on the right a column.
+    /// a b: scaling, or the product of matrices and vectors; a vector on the left is a row, on the
+    /// right a column.
     pub(super) fn multiply(&mut self, a: &Value, b: &Value) -> Checked<Value> {
         if let Some(factor) = a.as_scalar() {
             let scaled = b.elements.iter().map(|p| self.multiply_polynomials(factor, p)).collect::<Checked<_>>()?;
@@ -330,8 +334,8 @@ impl Algebra {
         Ok(self.graph.polynomial_derivative(p, unknown))
     }
 
-    /// The determinant of an n x n matrix: n 2^(n-1) products. Minors of the first k rows, one for each set of k
-    /// columns, are expanded along their last row.
+    /// The determinant of an n x n matrix: n 2^(n-1) products. Minors of the first k rows, one for
+    /// each set of k columns, are expanded along their last row.
     pub(super) fn determinant(&mut self, matrix: &[SymbolicPolynomial], n: usize) -> Checked<SymbolicPolynomial> {
         let mut minors: Vec<(u32, SymbolicPolynomial)> = vec![(0, self.constant(Rational::ONE))];
         for row in 0..n {
