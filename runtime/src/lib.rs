@@ -47,6 +47,9 @@ mod solution;
 /// All of it for one instance, with a second attempt at twice the precision if solutions are missing.
 mod driver;
 
+/// The points of the eigenpairs before the polish, for measurements.
+mod unpolished;
+
 #[doc(hidden)]
 pub mod emitted;
 
