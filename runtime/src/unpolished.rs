@@ -3,7 +3,6 @@
 use num_complex::Complex;
 
 use crate::error::SolveError;
-use crate::size::Size;
 use crate::solution::candidates::flips;
 use crate::solution::extract::unknowns;
 use crate::solution::sign_changes::flipped;
