@@ -17,7 +17,7 @@ use crate::spectrum::hessenberg::Hessenberg;
 /// Those of the action matrix and of the QR iteration.
 pub fn unpolished_points<I: SolverInstance>(
     solver: &mut I,
-    each: &mut dyn FnMut(&Point<I, Complex<f64>>),
+    mut each: impl FnMut(&Point<I, Complex<f64>>),
 ) -> Result<(), SolveError> {
     let mut spectrum = Hessenberg::zero(solver.sizes().basis);
     spectrum.matrix = solver.action_matrix::<f64>()?;

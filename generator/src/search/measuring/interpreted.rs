@@ -290,7 +290,7 @@ impl InterpretedInstance<'_> {
     /// Those of the elimination and of the eigenvalues.
     pub fn unpolished_points(&mut self) -> Result<Vec<Vec<Complex<f64>>>, SolveError> {
         let mut points = Vec::new();
-        emitted::unpolished_points(self, &mut |point| points.push(point.clone()))?;
+        emitted::unpolished_points(self, |point| points.push(point.clone()))?;
         Ok(points)
     }
 
