@@ -18,6 +18,7 @@ pub use crate::solution::system::{FixedTables, PolynomialSystem, Product, System
 pub use crate::solver_instance::{BasisVector, Point, Points, Sizes, SizesOf, SolverInstance};
 pub use crate::spectrum::hessenberg::Hessenberg;
 pub use crate::spectrum::polynomial_roots::{real_roots, real_roots_monic};
+pub use crate::unpolished::unpolished_points;
 
 /// The version of this interface. Emitted code states the one that it was written for.
 pub const VERSION: u32 = 1;

@@ -51,6 +51,9 @@ mod solution;
 /// missing.
 mod driver;
 
+/// The points of the eigenpairs before the polish, for measurements.
+mod unpolished;
+
 #[doc(hidden)]
 pub mod emitted;
 

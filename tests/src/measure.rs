@@ -1,11 +1,14 @@
 //! What an emitted solver does on random instances, judged by the plan's equations and not by the emitted code.
 
+use std::collections::BTreeSet;
+
 use eliminant::Complex;
 use eliminant_generator::algebra::Random;
 use eliminant_generator::expression::arithmetic::Float64;
 use eliminant_generator::plan::interpret;
 use eliminant_generator::plan::{Plan, Term};
 use eliminant_generator::problem::instance::draw_inputs;
+use eliminant_generator::search::measuring::interpreted::InterpretedSolver;
 use rayon::prelude::*;
 
 use crate::Case;
@@ -76,4 +79,68 @@ pub fn measure(case: &Case, plan: &Plan, instances: u64, first_seed: u64) -> Mea
     let mut residuals_log10: Vec<f64> = solved.into_iter().flat_map(|(_, residuals)| residuals).collect();
     residuals_log10.sort_by(f64::total_cmp);
     Measurement { residuals_log10, failures, instances: instances as usize }
+}
+
+/// An instance counts as failed before the polish if the error of one of its points is larger, as in the published figures.
+const FAILED: f64 = 1e-3;
+
+/// What the eigenpairs give before the polish, by the formula of the statistics that are shipped with the solvers of
+/// Martyushev, Bhayani and Pajdla. With the equations C m(x) = 0, where m(x) are all monomials of the system, a point has the
+/// error
+///
+/// e(x) = |C m(x)| / |m(x)|, both norms Euclidean,
+///
+/// and an instance the norm of the smallest errors, as many as there are solutions. Points with larger errors belong to no
+/// solution, because |B| may exceed the number of solutions.
+pub struct Unpolished {
+    /// log10 of the error of every instance on which some point was read off.
+    pub errors_log10: Vec<f64>,
+    /// Instances on which one of these points has an error above 1e-3, or no point was read off.
+    pub failures: usize,
+    /// Instances.
+    pub instances: usize,
+}
+
+/// Reads the points of `instances` instances off the eigenpairs, instance k drawn as in [`measure`]. The plan is
+/// interpreted: the emitted solver computes the same bits, but returns polished solutions only.
+pub fn measure_unpolished(plan: &Plan, instances: u64, first_seed: u64) -> Unpolished {
+    let solver = InterpretedSolver::of(plan);
+    let monomials = monomials(plan);
+    let errors = |k| -> Option<Vec<f64>> {
+        let data = draw_inputs(&plan.data, Float64, &mut Random::new(first_seed + k));
+        let coefficients = interpret::coefficients(plan, Float64, &data)?;
+        let points = solver.instance(&data).and_then(|mut instance| instance.unpolished_points()).ok()?;
+        let mut errors: Vec<f64> = points.iter().map(|x| published_error(plan, &monomials, &coefficients, x)).collect();
+        errors.sort_by(f64::total_cmp);
+        // A solution that is known beforehand has no eigenpair.
+        errors.truncate(plan.solutions - usize::from(plan.has_origin));
+        (!errors.is_empty()).then_some(errors)
+    };
+    let solved: Vec<Option<Vec<f64>>> = (0..instances).into_par_iter().map(errors).collect();
+    let is_failed =
+        |errors: &Option<Vec<f64>>| errors.as_ref().is_none_or(|errors| !errors.iter().all(|&e| e <= FAILED));
+    let norm = |errors: &Vec<f64>| errors.iter().map(|e| e * e).sum::<f64>().sqrt();
+    Unpolished {
+        failures: solved.iter().filter(|errors| is_failed(errors)).count(),
+        errors_log10: solved.iter().flatten().map(|errors| log10(norm(errors))).collect(),
+        instances: instances as usize,
+    }
+}
+
+/// All monomials of the equations, each once.
+fn monomials(plan: &Plan) -> Vec<&[u8]> {
+    let all = plan.equations.iter().flatten().map(|term| term.exponents.as_slice());
+    all.collect::<BTreeSet<_>>().into_iter().collect()
+}
+
+/// |C m(x)| / |m(x)|.
+fn published_error(plan: &Plan, monomials: &[&[u8]], coefficients: &[f64], x: &[Complex<f64>]) -> f64 {
+    let power =
+        |exponents: &[u8]| -> Complex<f64> { exponents.iter().zip(x).map(|(&e, x)| x.powu(u32::from(e))).product() };
+    let norm =
+        |values: &mut dyn Iterator<Item = Complex<f64>>| values.map(|value| value.norm_sqr()).sum::<f64>().sqrt();
+    let value = |terms: &Vec<Term>| -> Complex<f64> {
+        terms.iter().map(|term| power(&term.exponents) * coefficients[usize::from(term.coefficient.0)]).sum()
+    };
+    norm(&mut plan.equations.iter().map(value)) / norm(&mut monomials.iter().map(|exponents| power(exponents)))
 }

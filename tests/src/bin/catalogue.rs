@@ -2,6 +2,7 @@
 //!
 //! With `--update` the page `templates/README.md` is written anew.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
@@ -9,8 +10,8 @@ use clap::{Parser, ValueEnum};
 use comfy_table::{CellAlignment, Table, presets};
 use eliminant_generator::algebra::Random;
 use eliminant_tests::ground_truth::{FOUND, Maker, makers};
-use eliminant_tests::measure::{WORK_OF_MEASURING, affordable, measure};
-use eliminant_tests::published::{Published, published, published_name};
+use eliminant_tests::measure::{WORK_OF_MEASURING, affordable, measure, measure_unpolished};
+use eliminant_tests::published::{Published, fewest_rows, published, published_name};
 use eliminant_tests::statistics::quantile;
 use eliminant_tests::{Case, cases, templates_folder};
 use rayon::prelude::*;
@@ -18,7 +19,7 @@ use rayon::prelude::*;
 /// The catalogue of problems, measured, beside published templates.
 #[derive(Parser)]
 struct Arguments {
-    /// Only these problems; with `--update` the rows of all others stay as they are.
+    /// Only these problems; with `--update` the measured cells of all others stay as they are.
     problems: Vec<String>,
     /// The form in which it is printed.
     #[arg(long, value_enum, default_value_t)]
@@ -42,26 +43,79 @@ enum Format {
     Markdown,
 }
 
-const HEAD: [&str; 16] = [
-    "problem",
-    "published as",
+/// One table of the page.
+struct Group {
+    title: &'static str,
+    /// What its columns mean.
+    definitions: &'static str,
+    columns: &'static [&'static str],
+    /// The first columns are words, the others figures.
+    words: usize,
+}
+
+const PROBLEM: &str = "problem";
+
+const GROUPS: [Group; 4] = [
+    Group {
+        title: "Templates",
+        definitions: include_str!("../catalogue_text/templates.md"),
+        columns: &[
+            PROBLEM,
+            "published as",
+            "solutions",
+            "template",
+            "basis",
+            "operations",
+            "fewest rows",
+            "Larsson 2017",
+            "greedy 2022",
+            "redundant 2023",
+        ],
+        words: 2,
+    },
+    Group {
+        title: "Solutions that are returned",
+        definitions: include_str!("../catalogue_text/returned.md"),
+        columns: &[PROBLEM, "n", "median", "p99", "failures", "recovered"],
+        words: 1,
+    },
+    Group {
+        title: "Before the polish",
+        definitions: include_str!("../catalogue_text/unpolished.md"),
+        columns: &[PROBLEM, "unpolished n", "unpolished median", "unpolished p99", "unpolished failures"],
+        words: 1,
+    },
+    Group {
+        title: "Published solvers",
+        definitions: include_str!("../catalogue_text/published.md"),
+        columns: &[PROBLEM, "shipped 2023", "its basis", "its n", "its median", "its p99", "its failures"],
+        words: 1,
+    },
+];
+
+/// Columns that are measured. Of a problem that is not measured they stay as the page has them; all others follow from
+/// committed files.
+const MEASURED: [&str; 13] = [
     "solutions",
     "template",
     "basis",
     "operations",
+    "n",
     "median",
     "p99",
     "failures",
     "recovered",
-    "Larsson 2017",
-    "greedy 2022",
-    "redundant 2023",
-    "its median",
-    "its p99",
-    "its failures",
+    "unpolished n",
+    "unpolished median",
+    "unpolished p99",
+    "unpolished failures",
 ];
-/// The first columns are words, the others figures.
-const WORDS: usize = 2;
+
+/// Instances on which points before the polish are measured: as many as of published solvers.
+const UNPOLISHED: u64 = 1_000;
+
+/// The cells of a problem by the heads of their columns.
+type Row = BTreeMap<&'static str, String>;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments = Arguments::parse();
@@ -70,63 +124,109 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let written = if arguments.update { fs::read_to_string(&path)? } else { String::new() };
     let mut rows = Vec::new();
     for case in cases() {
-        if arguments.problems.is_empty() || arguments.problems.iter().any(|name| name == case.name) {
+        let measured = if arguments.problems.is_empty() || arguments.problems.iter().any(|name| name == case.name) {
             eprintln!("{}", case.name);
-            rows.push(row(&case, &published, &arguments));
+            measured(&case, &arguments)
         } else if arguments.update {
-            rows.push(written_row(&written, &case).ok_or_else(|| format!("{} is not in the page", case.name))?);
-        }
+            written_cells(&written, case.name).ok_or_else(|| format!("{} is not in the page", case.name))?
+        } else {
+            continue;
+        };
+        rows.push(with_published(measured, &case, &published)?);
     }
     if arguments.update {
-        return write(&path, &page(rows, &arguments));
+        return write(&path, &page(&rows, &arguments));
     }
     match arguments.format {
-        Format::Text => println!("{}", table(rows, presets::NOTHING)),
-        Format::Markdown => print!("{}", page(rows, &arguments)),
+        Format::Text => GROUPS.iter().for_each(|group| println!("{}\n", table(group, &rows, presets::NOTHING))),
+        Format::Markdown => print!("{}", page(&rows, &arguments)),
         Format::Csv => {
+            let mut heads: Vec<&str> = GROUPS.iter().flat_map(|group| group.columns).copied().collect();
+            let mut known = BTreeSet::new();
+            heads.retain(|head| known.insert(*head));
             let mut writer = csv::Writer::from_writer(std::io::stdout());
-            writer.write_record(HEAD)?;
-            rows.iter().try_for_each(|row| writer.write_record(row))?;
+            writer.write_record(&heads)?;
+            rows.iter().try_for_each(|row| writer.write_record(heads.iter().map(|head| cell(row, head))))?;
             writer.flush()?;
         }
     }
     Ok(())
 }
 
-fn row(case: &Case, published: &[Published], arguments: &Arguments) -> Vec<String> {
+fn cell<'a>(row: &'a Row, head: &str) -> &'a str {
+    row.get(head).map_or("", String::as_str)
+}
+
+/// The cells of [`MEASURED`].
+fn measured(case: &Case, arguments: &Arguments) -> Row {
     let (template, plan) = (case.template().template, case.planned().plan);
     let instances = affordable(&plan, arguments.instances, WORK_OF_MEASURING);
     let mut measured = measure(case, &plan, instances, arguments.seed);
-    let name = published_name(case).unwrap_or_default();
-    let theirs = published.iter().find(|p| p.name == name).cloned().unwrap_or_default();
+    let mut unpolished = measure_unpolished(&plan, instances.min(UNPOLISHED), arguments.seed);
+    let share = |failures: usize, instances: usize| format!("{:.4}", failures as f64 / instances as f64);
     let mut residual = |q: f64| format!("{:.1}", quantile(&mut measured.residuals_log10, q));
-    vec![
-        case.name.to_owned(),
-        name,
+    let mut error = |q: f64| format!("{:.1}", quantile(&mut unpolished.errors_log10, q));
+    let cells = [
         plan.solutions.to_string(),
         format!("{}x{}", template.rows(), template.columns()),
         template.basis.len().to_string(),
         plan.operations().total().to_string(),
+        measured.instances.to_string(),
         residual(0.5),
         residual(0.99),
-        format!("{:.4}", measured.failures as f64 / measured.instances as f64),
+        share(measured.failures, measured.instances),
         format!("{:.4}", recovered(case, instances, arguments.seed)),
-        theirs.larsson_2017,
-        theirs.greedy_2022,
-        theirs.redundant_2023,
-        theirs.median,
-        theirs.p99,
-        theirs.failure_rate,
-    ]
+        unpolished.instances.to_string(),
+        error(0.5),
+        error(0.99),
+        share(unpolished.failures, unpolished.instances),
+    ];
+    MEASURED.into_iter().zip(cells).collect()
 }
 
-/// The row of a problem in the page as it was written before.
-fn written_row(page: &str, case: &Case) -> Option<Vec<String>> {
-    let line = page.lines().find(|line| line.contains(&format!("({}.rs)", case.name)))?;
-    let cells: Vec<&str> = line.trim().strip_prefix('|')?.strip_suffix('|')?.split('|').map(str::trim).collect();
-    let mut row: Vec<String> = cells.into_iter().map(str::to_owned).collect();
-    *row.first_mut()? = case.name.to_owned();
-    (row.len() == HEAD.len()).then_some(row)
+/// Adds what follows from committed files.
+fn with_published(mut row: Row, case: &Case, published: &[Published]) -> Result<Row, csv::Error> {
+    let name = published_name(case).unwrap_or_default();
+    let theirs = published.iter().find(|p| p.name == name).cloned().unwrap_or_default();
+    row.extend([
+        (PROBLEM, case.name.to_owned()),
+        ("published as", name),
+        ("fewest rows", fewest_rows(case.name)?.unwrap_or_default()),
+        ("Larsson 2017", theirs.larsson_2017),
+        ("greedy 2022", theirs.greedy_2022),
+        ("redundant 2023", theirs.smallest_2023),
+        ("shipped 2023", theirs.shipped_2023),
+        ("its basis", theirs.basis),
+        ("its n", theirs.instances),
+        ("its median", theirs.median),
+        ("its p99", theirs.p99),
+        ("its failures", theirs.failure_rate),
+    ]);
+    Ok(row)
+}
+
+/// The cells of [`MEASURED`] of a problem in the page as it was written before, from all tables that have a row of it.
+/// A column is known by its head, so that it may stand elsewhere now.
+fn written_cells(page: &str, name: &str) -> Option<Row> {
+    let link = format!("({name}.rs)");
+    let (mut heads, mut found) = (Vec::new(), None);
+    for line in page.lines() {
+        let Some(line) = line.trim().strip_prefix('|').and_then(|line| line.strip_suffix('|')) else {
+            heads.clear();
+            continue;
+        };
+        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+        if heads.is_empty() {
+            heads = cells;
+        } else if cells[0].ends_with(&link) {
+            let row = found.get_or_insert_with(Row::new);
+            let is_measured = |head: &str| MEASURED.into_iter().find(|measured| *measured == head);
+            let known =
+                heads.iter().zip(&cells).filter_map(|(head, cell)| Some((is_measured(head)?, (*cell).to_owned())));
+            row.extend(known);
+        }
+    }
+    found
 }
 
 /// The share of scenes on which all known solutions are found.
@@ -139,32 +239,39 @@ fn recovered(case: &Case, instances: u64, first_seed: u64) -> f64 {
     found as f64 / instances as f64
 }
 
-fn table(rows: Vec<Vec<String>>, preset: &str) -> Table {
+fn table(group: &Group, rows: &[Row], preset: &str) -> Table {
+    let cells = |row: &Row| group.columns.iter().map(|head| cell(row, head).to_owned()).collect::<Vec<_>>();
     let mut table = Table::new();
-    table.load_preset(preset).set_header(HEAD).add_rows(rows);
-    table.column_iter_mut().skip(WORDS).for_each(|column| column.set_cell_alignment(CellAlignment::Right));
+    table.load_preset(preset).set_header(group.columns.iter().copied()).add_rows(rows.iter().map(cells));
+    table.column_iter_mut().skip(group.words).for_each(|column| column.set_cell_alignment(CellAlignment::Right));
     table
 }
 
 /// `templates/README.md`.
-fn page(mut rows: Vec<Vec<String>>, arguments: &Arguments) -> String {
-    for row in &mut rows {
-        row[0] = format!("[`{0}`]({0}.rs)", row[0]);
-    }
-    format!(
+fn page(rows: &[Row], arguments: &Arguments) -> String {
+    let linked = |row: &Row| {
+        let mut row = row.clone();
+        row.entry(PROBLEM).and_modify(|name| *name = format!("[`{name}`]({name}.rs)"));
+        row
+    };
+    let rows: Vec<Row> = rows.iter().map(linked).collect();
+    let mut text = format!(
         "# The catalogue\n\n\
-        Every problem with a committed template, beside published templates for the same problem. The table is written by\n\n\
+        Every problem with a committed template, beside published templates for the same problem. The tables are written by\n\n\
         ```sh\ncargo run --release -p eliminant-tests --bin catalogue -- --update\n```\n\n\
-        which solves {} random instances of each problem (fewer of the largest), drawn on the variety of its data, with the emitted solver (all\n\
-        complex solutions), and as many scenes whose solution is known.\n\
-        Templates are rows x columns; basis is the size of the eigenvalue problem; operations are floating-point operations of one solve before\n\
-        the polish. Median and p99 are quantiles of log10 of the relative residual over all solutions found. Failures are the share of instances on\n\
-        which a solution is missing, or found twice, or none is returned; those of the published solvers are as measured with their code.\n\
-        Recovered is the share of the scenes whose known solutions are among the real ones, to 1e-6.\n\
-        `tests/src/published.rs` cites the publications.\n\n{}\n",
-        arguments.instances,
-        table(rows, presets::ASCII_MARKDOWN)
-    )
+        which solves up to {} random instances of each problem, and as many scenes whose solution is known. With names of\n\
+        problems before `--update` the measured cells of all others stay as they are.\n",
+        arguments.instances
+    );
+    for group in &GROUPS {
+        text += &format!(
+            "\n## {}\n\n{}\n{}\n",
+            group.title,
+            group.definitions,
+            table(group, &rows, presets::ASCII_MARKDOWN)
+        );
+    }
+    text
 }
 
 /// Writes beside the file and renames, so that it is never half-written.

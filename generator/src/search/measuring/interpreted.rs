@@ -283,6 +283,17 @@ impl InterpretedInstance<'_> {
         Ok(emitted::complex_solutions(self)?.to_vec())
     }
 
+    /// The points of all eigenpairs of one attempt, neither polished nor judged: those of eigenpairs that
+    /// belong to no solution are among them, a solution known beforehand is not.
+    ///
+    /// # Errors
+    /// Those of the elimination and of the eigenvalues.
+    pub fn unpolished_points(&mut self) -> Result<Vec<Vec<Complex<f64>>>, SolveError> {
+        let mut points = Vec::new();
+        emitted::unpolished_points(self, |point| points.push(point.clone()))?;
+        Ok(points)
+    }
+
     /// The relative residual of a point.
     pub fn residual<S: Scalar>(&self, point: &[S]) -> f64 {
         self.polish(&mut point.to_vec(), 0)
