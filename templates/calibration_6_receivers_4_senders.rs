@@ -1,12 +1,14 @@
 /// Positions of six receivers and four senders from all ranges between them: 38 solutions.
 ///
-/// Kuang, Burgess, Torstensson, Åström, "A complete characterization and solution to the microphone position self-calibration problem", ICASSP 2013.
-/// Published as `toa_46`.
+/// Kuang, Burgess, Torstensson, Åström, "A complete characterization and solution to the microphone
+/// position self-calibration problem", ICASSP 2013. Published as `toa_46`.
 ///
-/// Relative to the first sender let G be the Gram matrix of the other three and K its inverse, [k11 v w; v k22 x; w x y]. A receiver with the
-/// squares r of its range to the first sender and s of those to the others satisfies 4 r = c K c + 2 c g + a with c_j = r - s_j, g = K n, a = n K n and
-/// n = diag(G). Six receivers give k11, k22, g and a as combinations, `linear`, of v, w, x, y and 1. With C = adj(K) and z = det(K), n is
-/// diag(C) / z. M = [K g; g a] is K times [1 n] from both sides: its adjugate is z times the square of (n, -1). The receivers follow from K.
+/// Relative to the first sender let G be the Gram matrix of the other three and K its inverse, [k11
+/// v w; v k22 x; w x y]. A receiver with the squares r of its range to the first sender and s of
+/// those to the others satisfies 4 r = c K c + 2 c g + a with c_j = r - s_j, g = K n, a = n K n and
+/// n = diag(G). Six receivers give k11, k22, g and a as combinations, `linear`, of v, w, x, y and
+/// 1. With C = adj(K) and z = det(K), n is diag(C) / z. M = [K g; g a] is K times [1 n] from both
+/// sides: its adjugate is z times the square of (n, -1). The receivers follow from K.
 fn calibration_6_receivers_4_senders(linear: [[f64; 5]; 6]) -> (v, w, x, y, z) {
     let [k11, k22, g1, g2, g3, a] = linear * [v, w, x, y, 1];
     let c11 = k22 * y - x * x;

@@ -1,9 +1,12 @@
-/// Circle tangent to n lines in the least-squares sense: the stationary points of the constrained dual conic, 9 solutions.
+/// Circle tangent to n lines in the least-squares sense: the stationary points of the constrained
+/// dual conic, 9 solutions.
 ///
-/// Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation", eq. (23)-(26): the Lagrangian as printed.
+/// Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation", eq. (23)-(26): the
+/// Lagrangian as printed.
 ///
-/// `gram` is the sum over all lines l = (a, b, c) of r r^T with r = (a^2, ab, ac, b^2, bc, c^2). The dual conic is
-/// [d1 d2 d3; d2 d4 d5; d3 d5 -1]: a circle with centre (-d3, -d5) and squared radius d1 + d3^2 = d4 + d5^2.
+/// `gram` is the sum over all lines l = (a, b, c) of r r^T with r = (a^2, ab, ac, b^2, bc, c^2).
+/// The dual conic is [d1 d2 d3; d2 d4 d5; d3 d5 -1]: a circle with centre (-d3, -d5) and squared
+/// radius d1 + d3^2 = d4 + d5^2.
 fn circle_least_squares(#[symmetric] gram: [[f64; 6]; 6]) -> (d1, d2, d3, d4, d5, lambda1, lambda2) {
     let d6 = -1;
     let d = [d1, 2 * d2, 2 * d3, d4, 2 * d5, d6];

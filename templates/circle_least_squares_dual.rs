@@ -1,7 +1,9 @@
-/// Circle tangent to n lines in the least-squares sense, in three unknowns of the dual conic, 9 solutions.
+/// Circle tangent to n lines in the least-squares sense, in three unknowns of the dual conic, 9
+/// solutions.
 ///
-/// Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation": the two constraints give d1 and d2, which
-/// leaves the cost as a polynomial in d3, d4, d5. Data and conic are those of `circle_least_squares`.
+/// Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation": the two constraints give d1
+/// and d2, which leaves the cost as a polynomial in d3, d4, d5. Data and conic are those of
+/// `circle_least_squares`.
 fn circle_least_squares_dual(#[symmetric] gram: [[f64; 6]; 6]) -> (d3, d4, d5) {
     let d1 = d4 + d5 * d5 - d3 * d3;
     let d2 = -d3 * d5;

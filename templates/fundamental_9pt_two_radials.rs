@@ -1,11 +1,14 @@
-/// Fundamental matrix and the two different radial distortions of two cameras from nine point correspondences: 24 solutions.
+/// Fundamental matrix and the two different radial distortions of two cameras from nine point
+/// correspondences: 24 solutions.
 ///
-/// Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal problems for cameras with radial
-/// distortion", CVIU 114, 2010. Published as `rdist9p`, with f13 and f23 eliminated in place of t and f13.
+/// Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
+/// problems for cameras with radial distortion", CVIU 114, 2010. Published as `rdist9p`, with f13
+/// and f23 eliminated in place of t and f13.
 ///
-/// A point x lies along (x, 1 + radial |x|^2), the division model: with s in the second image and t in the first. Then x2^T F x1 = 0 is,
-/// with f33 = 1, linear in f11, f12, f21, f22, t, f13, t f13, t f23, s t and in s f31, s f32, s, f31, f32, f23, 1: nine points give the former
-/// as combinations of these, the rows of `affine`.
+/// A point x lies along (x, 1 + radial |x|^2), the division model: with s in the second image and t
+/// in the first. Then x2^T F x1 = 0 is, with f33 = 1, linear in f11, f12, f21, f22, t, f13, t f13,
+/// t f23, s t and in s f31, s f32, s, f31, f32, f23, 1: nine points give the former as combinations
+/// of these, the rows of `affine`.
 fn fundamental_9pt_two_radials(affine: [[f64; 7]; 9]) -> (s, f_31, f_32, f_23) {
     let [f11, f12, f21, f22, t, f13, t_f13, t_f23, s_t] = affine * [s * f_31, s * f_32, s, f_31, f_32, f_23, 1];
     t * f13 == t_f13;

@@ -1,16 +1,18 @@
 /// Keplerian orbit from five lines of sight without times: 66 solutions.
 ///
-/// Mancini, Duff, Leykin, Christian, "Geometric solution to the angles-only initial orbit determination problem", 2023; Huang, Leykin, Mancini,
-/// "Projective plane subdivision method for initial orbit determination", arXiv 2509.14397, 2025. Published as `IOD`.
+/// Mancini, Duff, Leykin, Christian, "Geometric solution to the angles-only initial orbit
+/// determination problem", 2023; Huang, Leykin, Mancini, "Projective plane subdivision method for
+/// initial orbit determination", arXiv 2509.14397, 2025. Published as `IOD`.
 ///
-/// `sights` holds for each line the position of the observer and the direction; the Sun is the origin. The plane of the orbit has the normal
-/// n = (a, b, 1). It meets the line with direction d and moment m in x = n x m / n.d. The orbit is |x| = h - e.x, where e points to the pericentre
-/// and has the eccentricity as its length. With w = n x e / h = (-q, p, r), where (p, q, 0) is e / h up to a multiple of n, this is
-/// (n.d + w.m)^2 = |n x m|^2 / h^2, and `square` is 1 / h^2. The published unknowns are the entries of the orbit's dual
-/// quadric.
+/// `sights` holds for each line the position of the observer and the direction; the Sun is the
+/// origin. The plane of the orbit has the normal n = (a, b, 1). It meets the line with direction d
+/// and moment m in x = n x m / n.d. The orbit is |x| = h - e.x, where e points to the pericentre
+/// and has the eccentricity as its length. With w = n x e / h = (-q, p, r), where (p, q, 0) is e /
+/// h up to a multiple of n, this is (n.d + w.m)^2 = |n x m|^2 / h^2, and `square` is 1 / h^2. The
+/// published unknowns are the entries of the orbit's dual quadric.
 ///
-/// With directions and moments exchanged these are the cylinders that touch five lines: n is the direction of the axis, w its moment, and `square`
-/// that of the radius.
+/// With directions and moments exchanged these are the cylinders that touch five lines: n is the
+/// direction of the axis, w its moment, and `square` that of the radius.
 fn orbit_5_lines_of_sight(sights: [[[f64; 3]; 2]; 5]) -> (a, b, p, q, r, square) {
     let n = [a, b, 1];
     let w = [-q, p, r];

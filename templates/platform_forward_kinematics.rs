@@ -1,18 +1,23 @@
-/// Forward kinematics of the general Stewart-Gough platform, all poses with given lengths of its six legs: 40 solutions.
+/// Forward kinematics of the general Stewart-Gough platform, all poses with given lengths of its
+/// six legs: 40 solutions.
 ///
-/// Husty, "An algorithm for solving the direct kinematics of general Stewart-Gough-type platforms", Mechanism and Machine Theory 31, 1996. Published
-/// as `parallel_robot_66`.
+/// Husty, "An algorithm for solving the direct kinematics of general Stewart-Gough-type platforms",
+/// Mechanism and Machine Theory 31, 1996. Published as `parallel_robot_66`.
 ///
-/// The first leg joins the origins of base and platform. Let t be that leg in the base's coordinates, s = R^T t in the platform's. The length of
-/// the leg from X to x, less that of the first, gives x s - X t as a linear combination of the entries of R and 1: five equations for s and
-/// t, solved after base and platform are turned so that only the third coordinates remain together. R is that of the quaternion
-/// q = 1 + a i + b j + c k, so n s and n t, with n = |q|^2, are quadratic polynomials, with coefficients of 1, a, b, c, a a, a b, a c, b b, b c, c c:
-/// `sums` has those of s_i + t_i, `differences` those of s_i - t_i, for i = 1, 2, and s_3 + t_3 = (2 + `excess`) (s_3 - t_3) + `shift`. `excess` exceeds -1
-/// if the null vector of the five equations is longer in s than in t, as where the base is larger; else base and platform are exchanged. `square` is the square
-/// of the length of the first leg.
+/// The first leg joins the origins of base and platform. Let t be that leg in the base's
+/// coordinates, s = R^T t in the platform's. The length of the leg from X to x, less that of the
+/// first, gives x s - X t as a linear combination of the entries of R and 1: five equations for s
+/// and t, solved after base and platform are turned so that only the third coordinates remain
+/// together. R is that of the quaternion q = 1 + a i + b j + c k, so n s and n t, with n = |q|^2,
+/// are quadratic polynomials, with coefficients of 1, a, b, c, a a, a b, a c, b b, b c, c c: `sums`
+/// has those of s_i + t_i, `differences` those of s_i - t_i, for i = 1, 2, and s_3 + t_3 = (2 +
+/// `excess`) (s_3 - t_3) + `shift`. `excess` exceeds -1 if the null vector of the five equations is
+/// longer in s than in t, as where the base is larger; else base and platform are exchanged.
+/// `square` is the square of the length of the first leg.
 ///
-/// That t q = q s gives n (s_3 - t_3) times 1, a, b and c as cubic polynomials, and that |s| = |t| its square: with these |t|^2 = `square` and its product
-/// with n (s_3 - t_3) have degrees of four and six.
+/// That t q = q s gives n (s_3 - t_3) times 1, a, b and c as cubic polynomials, and that |s| = |t|
+/// its square: with these |t|^2 = `square` and its product with n (s_3 - t_3) have degrees of four
+/// and six.
 fn platform_forward_kinematics(
     sums: [[f64; 10]; 2],
     differences: [[f64; 10]; 2],
@@ -61,7 +66,8 @@ fn platform_forward_kinematics(
 /// |q|^2.
 const NORM: [f64; 10] = [1, 0, 0, 0, 1, 0, 0, 1, 0, 1];
 
-/// The quadratic polynomial with the given coefficients, times what has the given products with 1, a, b and c.
+/// The quadratic polynomial with the given coefficients, times what has the given products with 1,
+/// a, b and c.
 fn times(q: [f64; 10], products: [f64; 4], a: f64, b: f64, c: f64) -> f64 {
     let [by_1, by_a, by_b, by_c] = products;
     by_1 * (q[0] + q[1] * a + q[2] * b + q[3] * c)

@@ -1,10 +1,13 @@
-/// Pose and focal length of a camera from three points and one image coordinate of a fourth: 10 solutions.
+/// Pose and focal length of a camera from three points and one image coordinate of a fourth: 10
+/// solutions.
 ///
 /// Wu, "P3.5P: Pose estimation with unknown focal length", CVPR 2015. Published as `pose_35pt`.
 ///
-/// `points` holds the points, one a row; `horizontal` and `vertical` their image coordinates, centred at the principal point. The
-/// rotation is, up to scale, that about the optical axis times that of the quaternion (1, x, y, 0). Each row of the matrix eliminates the
-/// rotation about the optical axis, and what is unknown of the focal length, from three points: it annihilates (cos, sin, 1/f).
+/// `points` holds the points, one a row; `horizontal` and `vertical` their image coordinates,
+/// centred at the principal point. The rotation is, up to scale, that about the optical axis times
+/// that of the quaternion (1, x, y, 0). Each row of the matrix eliminates the rotation about the
+/// optical axis, and what is unknown of the focal length, from three points: it annihilates (cos,
+/// sin, 1/f).
 fn pose_35pt_focal(points: [[f64; 3]; 4], horizontal: [f64; 4], vertical: [f64; 3]) -> (x, y) {
     let rotation = [
         [1 + x * x - y * y, 2 * x * y, 2 * y],

@@ -1,11 +1,14 @@
-/// Pose, focal length and radial distortion of a camera from four points, without the degenerate solutions: 12 solutions.
+/// Pose, focal length and radial distortion of a camera from four points, without the degenerate
+/// solutions: 12 solutions.
 ///
-/// Larsson, Kukelova, Zheng, "Making minimal solvers for absolute pose estimation compact and robust", ICCV 2017. Published as
-/// `p4p_fr_iccv17`; `pose_4pt_focal_radial` is the older formulation of the same problem, with 16.
+/// Larsson, Kukelova, Zheng, "Making minimal solvers for absolute pose estimation compact and
+/// robust", ICCV 2017. Published as `p4p_fr_iccv17`; `pose_4pt_focal_radial` is the older
+/// formulation of the same problem, with 16.
 ///
-/// An image point (u, v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1, 1/f) \[R t\]. The first two rows
-/// of R, column by column, are `upper` (x, y, z, 1), the null space of four equations; the third row of P is, from the four points,
-/// `lower` (x, y, z, radial x, radial y, radial z, radial, 1), of which R takes the first three entries.
+/// An image point (u, v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with
+/// P = diag(1, 1, 1/f) \[R t\]. The first two rows of R, column by column, are `upper` (x, y, z,
+/// 1), the null space of four equations; the third row of P is, from the four points, `lower` (x,
+/// y, z, radial x, radial y, radial z, radial, 1), of which R takes the first three entries.
 fn pose_4pt_focal_radial_cut(upper: [[f64; 4]; 6], lower: [[f64; 8]; 3]) -> (radial, x, y, z) {
     let [p11, p21, p12, p22, p13, p23] = upper * [x, y, z, 1];
     let [p31, p32, p33] = lower * [x, y, z, radial * x, radial * y, radial * z, radial, 1];

@@ -1,10 +1,12 @@
 /// Pose and motion of a camera with rolling shutter from six points: 20 solutions.
 ///
-/// Albl, Kukelova, Pajdla, "R6P - rolling shutter absolute camera pose", CVPR 2015. Published as `r6p`.
+/// Albl, Kukelova, Pajdla, "R6P - rolling shutter absolute camera pose", CVPR 2015. Published as
+/// `r6p`.
 ///
-/// A point X is seen at q, in the row q\[0\], where (q, 1) and (I + q\[0\] \[(x, y, z)\]x) (I + \[(u, v, w)\]x) X + C + q\[0\] t are
-/// parallel: both rotations linearised, the first for an angular velocity. Three of the points, linear in the position C
-/// and the velocity t, give them as position m and velocity m, m being the products of x, y, z (slower) with u, v, w, and then u, v,
+/// A point X is seen at q, in the row q\[0\], where (q, 1) and (I + q\[0\] \[(x, y, z)\]x) (I +
+/// \[(u, v, w)\]x) X + C + q\[0\] t are parallel: both rotations linearised, the first for an
+/// angular velocity. Three of the points, linear in the position C and the velocity t, give them as
+/// position m and velocity m, m being the products of x, y, z (slower) with u, v, w, and then u, v,
 /// w, x, y, z, 1. `image` and `points` are the other three, one a row.
 fn pose_6pt_rolling_shutter(
     image: [[f64; 2]; 3],

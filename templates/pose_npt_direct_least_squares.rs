@@ -1,10 +1,13 @@
-/// Pose of a calibrated camera from n points, all stationary points of a least-squares cost in Cayley parameters: 27 solutions.
+/// Pose of a calibrated camera from n points, all stationary points of a least-squares cost in
+/// Cayley parameters: 27 solutions.
 ///
-/// Hesch, Roumeliotis, "A direct least-squares (DLS) method for PnP", ICCV 2011. Published as `opt_pnp_hesch`.
+/// Hesch, Roumeliotis, "A direct least-squares (DLS) method for PnP", ICCV 2011. Published as
+/// `opt_pnp_hesch`.
 ///
-/// For a given rotation the best translation is linear in the rotation. Without the common denominator 1 + x^2 + y^2 + z^2 of the rotation
-/// of the quaternion (1, x, y, z), the sum of squares that remains is a polynomial of degree four; its coefficients are data, those
-/// of one degree in lexicographic order. Of the constant nothing depends.
+/// For a given rotation the best translation is linear in the rotation. Without the common
+/// denominator 1 + x^2 + y^2 + z^2 of the rotation of the quaternion (1, x, y, z), the sum of
+/// squares that remains is a polynomial of degree four; its coefficients are data, those of one
+/// degree in lexicographic order. Of the constant nothing depends.
 fn pose_npt_direct_least_squares(
     linear: [f64; 3],
     quadratic: [f64; 6],

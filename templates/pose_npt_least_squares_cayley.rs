@@ -1,11 +1,13 @@
-/// Pose of a calibrated camera from n points, all stationary points of a least-squares cost over the rotations, by Cayley
-/// parameters: 40 solutions.
+/// Pose of a calibrated camera from n points, all stationary points of a least-squares cost over
+/// the rotations, by Cayley parameters: 40 solutions.
 ///
-/// Nakano, "Globally optimal DLS method for PnP problem with Cayley parameterization", BMVC 2015. Published as `opt_pnp_nakanoC`.
+/// Nakano, "Globally optimal DLS method for PnP problem with Cayley parameterization", BMVC 2015.
+/// Published as `opt_pnp_nakanoC`.
 ///
-/// With the best translation and the best depths the cost is r^T `cost` r, r being the entries of the rotation of the quaternion q = (1, x, y, z),
-/// row by row. With r times |q|^2 in its place the cost grows with the fourth power of the length of q, so q is stationary up to its length where the
-/// gradient d is parallel to it.
+/// With the best translation and the best depths the cost is r^T `cost` r, r being the entries of
+/// the rotation of the quaternion q = (1, x, y, z), row by row. With r times |q|^2 in its place the
+/// cost grows with the fourth power of the length of q, so q is stationary up to its length where
+/// the gradient d is parallel to it.
 fn pose_npt_least_squares_cayley(#[symmetric] cost: [[f64; 9]; 9]) -> (x, y, z) {
     let q = [1, x, y, z];
     let entries = [

@@ -1,14 +1,16 @@
-/// Pose of a calibrated camera from n points, all stationary points of a least-squares cost in a quaternion that is not
-/// normalised: 40 solutions.
+/// Pose of a calibrated camera from n points, all stationary points of a least-squares cost in a
+/// quaternion that is not normalised: 40 solutions.
 ///
-/// Zheng, Kuang, Sugimoto, Åström, Okutomi, "Revisiting the PnP problem: a fast, general and optimal solution", ICCV 2013. Published as
-/// `opt_pnp_zheng`.
+/// Zheng, Kuang, Sugimoto, Åström, Okutomi, "Revisiting the PnP problem: a fast, general and
+/// optimal solution", ICCV 2013. Published as `opt_pnp_zheng`.
 ///
-/// The quaternion q has the square of its length, the inverse of the mean depth, free. The rest of the pose is linear in the products of two of its
-/// entries, and the cost is |`rows` p|^2 with p = (1, w w, w x, w y, w z, x x, x y, x z, y y, y z, z z): `rows` are the equations of ten points,
-/// or, of another number of points, their triangular factor and zeros, since only the Gram matrix matters. Since q and -q are the same rotation,
-/// the unknowns are the ratios in q = s (w, 1, y, z). The derivatives, divided by s, are linear in the square of s, with the coefficients
-/// `cubic` and `linear` below: it follows from any of them, and is eliminated here.
+/// The quaternion q has the square of its length, the inverse of the mean depth, free. The rest of
+/// the pose is linear in the products of two of its entries, and the cost is |`rows` p|^2 with p =
+/// (1, w w, w x, w y, w z, x x, x y, x z, y y, y z, z z): `rows` are the equations of ten points,
+/// or, of another number of points, their triangular factor and zeros, since only the Gram matrix
+/// matters. Since q and -q are the same rotation, the unknowns are the ratios in q = s (w, 1, y,
+/// z). The derivatives, divided by s, are linear in the square of s, with the coefficients `cubic`
+/// and `linear` below: it follows from any of them, and is eliminated here.
 fn pose_npt_least_squares_quaternion(rows: [[f64; 11]; 20]) -> (w, y, z) {
     let q = [w, 1, y, z];
     let products = [0, w * w, w, w * y, w * z, 1, y, z, y * y, y * z, z * z];
@@ -21,7 +23,8 @@ fn pose_npt_least_squares_quaternion(rows: [[f64; 11]; 20]) -> (w, y, z) {
     }
 }
 
-/// The matrix of the quadratic form in q with the coefficients `form`, times 2; the first is of no product.
+/// The matrix of the quadratic form in q with the coefficients `form`, times 2; the first is of no
+/// product.
 fn derivatives(form: [f64; 11]) -> [[f64; 4]; 4] {
     [
         [2 * form[1], form[2], form[3], form[4]],

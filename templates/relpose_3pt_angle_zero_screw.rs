@@ -1,13 +1,15 @@
-/// Relative pose of two calibrated cameras from three point correspondences where the motion turns by a known angle about an axis
-/// without moving along it: 12 solutions.
+/// Relative pose of two calibrated cameras from three point correspondences where the motion turns
+/// by a known angle about an axis without moving along it: 12 solutions.
 ///
-/// Martyushev, Li, "Efficient relative pose estimation for cameras and generalized cameras in case of known relative rotation angle",
-/// JMIV 62, 2020. Published as `3pra_st0`.
+/// Martyushev, Li, "Efficient relative pose estimation for cameras and generalized cameras in case
+/// of known relative rotation angle", JMIV 62, 2020. Published as `3pra_st0`.
 ///
-/// `first` and `second` hold the rays of the points in either camera, one a row, and `half_angle` the cosine and the sine of half the
-/// angle: the rotation from the first camera to the second is that of the unit quaternion cosine + u i + v j + w k. The ratio of the two depths
-/// of a point follows from any other point, and from the translation being orthogonal to (u, v, w). All polynomials are written
-/// p + w q, with p and q in u and v only, and stated with their multiple by w.
+/// `first` and `second` hold the rays of the points in either camera, one a row, and `half_angle`
+/// the cosine and the sine of half the angle: the rotation from the first camera to the second is
+/// that of the unit quaternion cosine + u i + v j + w k. The ratio of the two depths of a point
+/// follows from any other point, and from the translation being orthogonal to (u, v, w). All
+/// polynomials are written p + w q, with p and q in u and v only, and stated with their multiple by
+/// w.
 fn relpose_3pt_angle_zero_screw(
     first: [[f64; 3]; 3],
     second: [[f64; 3]; 3],

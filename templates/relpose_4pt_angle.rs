@@ -1,13 +1,17 @@
-/// Relative pose of two calibrated cameras with a known angle of rotation from four point correspondences: 20 solutions.
+/// Relative pose of two calibrated cameras with a known angle of rotation from four point
+/// correspondences: 20 solutions.
 ///
-/// Li, Heng, Lee, Pollefeys, "A 4-point algorithm for relative pose estimation of a calibrated camera with a known relative rotation
-/// angle", IROS 2013. Published as `relpose_4pt`, with the translation among the unknowns; it is eliminated here as in Martyushev, Li,
-/// "Efficient relative pose estimation for cameras and generalized cameras in case of known relative rotation angle", JMIV 62, 2020.
+/// Li, Heng, Lee, Pollefeys, "A 4-point algorithm for relative pose estimation of a calibrated
+/// camera with a known relative rotation angle", IROS 2013. Published as `relpose_4pt`, with the
+/// translation among the unknowns; it is eliminated here as in Martyushev, Li, "Efficient relative
+/// pose estimation for cameras and generalized cameras in case of known relative rotation angle",
+/// JMIV 62, 2020.
 ///
-/// `first` and `second` hold the rays of the points in either camera, one a row, and `half_angle` the cosine and the sine of half the
-/// angle: the rotation from the first camera to the second is that of the unit quaternion cosine + u i + v j + w k. The ratio of the two depths
-/// of a point follows from any other point. All polynomials are written p + w q, with p and q in u and v only, and stated
-/// with their multiple by w.
+/// `first` and `second` hold the rays of the points in either camera, one a row, and `half_angle`
+/// the cosine and the sine of half the angle: the rotation from the first camera to the second is
+/// that of the unit quaternion cosine + u i + v j + w k. The ratio of the two depths of a point
+/// follows from any other point. All polynomials are written p + w q, with p and q in u and v only,
+/// and stated with their multiple by w.
 fn relpose_4pt_angle(first: [[f64; 3]; 4], second: [[f64; 3]; 4], #[unit] half_angle: [f64; 2]) -> (u, v, w) {
     let r = rotation(u, v, half_angle);
     let square = half_angle[1].pow(2) - u * u - v * v;

@@ -1,13 +1,16 @@
-/// Relative pose of two generalized cameras with a known angle of rotation from five point correspondences: 44 solutions.
+/// Relative pose of two generalized cameras with a known angle of rotation from five point
+/// correspondences: 44 solutions.
 ///
-/// Martyushev, Li, "Efficient relative pose estimation for cameras and generalized cameras in case of known relative rotation angle",
-/// JMIV 62, 2020. Published as `gen5pra`.
+/// Martyushev, Li, "Efficient relative pose estimation for cameras and generalized cameras in case
+/// of known relative rotation angle", JMIV 62, 2020. Published as `gen5pra`.
 ///
-/// `first` and `second` hold the rays of the points in either system of cameras: a point of the ray, and its direction. `half_angle` holds the
-/// cosine and the sine of half the angle: the rotation from the first system to the second is that of the unit quaternion
-/// cosine + u i + v j + w k. That the rays of one point meet gives the translation up to the depths of that point along either ray; that
-/// the rays of any three others meet, too, are linear equations for these depths. All polynomials are written p + w q, with p and q in u and v
-/// only, and stated with their multiple by w.
+/// `first` and `second` hold the rays of the points in either system of cameras: a point of the
+/// ray, and its direction. `half_angle` holds the cosine and the sine of half the angle: the
+/// rotation from the first system to the second is that of the unit quaternion cosine + u i + v j +
+/// w k. That the rays of one point meet gives the translation up to the depths of that point along
+/// either ray; that the rays of any three others meet, too, are linear equations for these depths.
+/// All polynomials are written p + w q, with p and q in u and v only, and stated with their
+/// multiple by w.
 fn relpose_5pt_generalized_angle(
     first: [[[f64; 3]; 2]; 5],
     second: [[[f64; 3]; 2]; 5],
@@ -27,7 +30,8 @@ fn relpose_5pt_generalized_angle(
     w * w == square;
 }
 
-/// The rays of point j meet where those of point i do: the coefficients of the depths of point i in the first and in the second system, and of 1.
+/// The rays of point j meet where those of point i do: the coefficients of the depths of point i in
+/// the first and in the second system, and of 1.
 fn meet(r: [[[f64; 3]; 3]; 2], first_i: _, second_i: _, first_j: _, second_j: _) -> [[f64; 2]; 3] {
     let [point, direction] = [first_j[0] - first_i[0], first_j[1]];
     let [second_point, second_direction] = [second_j[0] - second_i[0], second_j[1]];

@@ -1,13 +1,17 @@
-/// Pose and focal length of a camera from five points that calibrated cameras of known poses see, too, and one point of known position: 56 solutions.
+/// Pose and focal length of a camera from five points that calibrated cameras of known poses see,
+/// too, and one point of known position: 56 solutions.
 ///
-/// Bhayani, Sattler, Larsson, Heikkilä, Kukelova, "Partially calibrated semi-generalized pose from hybrid point correspondences", WACV 2023.
-/// Published as `hyb51f`.
+/// Bhayani, Sattler, Larsson, Heikkilä, Kukelova, "Partially calibrated semi-generalized pose from
+/// hybrid point correspondences", WACV 2023. Published as `hyb51f`.
 ///
-/// The known point is the origin; `centres` and `directions` are a point and the direction of the ray that a calibrated camera sees each of the
-/// others along. `images` are those of the other points, turned and scaled so that the image of the known point is (1, 0). Its depth is the unknown
-/// `depth`. The camera's rotation is that of the quaternion 1 + x i + y j, and a turn about its axis after it, by the angle of which c and s are
-/// cosine and sine, times the focal length. An image lies on that of the ray: det(M) M^-T, the cofactors of M, maps moments of rays to lines of
-/// the image where M maps directions to points of it. The squared norm of the quaternion, which divides all cofactors, is left out.
+/// The known point is the origin; `centres` and `directions` are a point and the direction of the
+/// ray that a calibrated camera sees each of the others along. `images` are those of the other
+/// points, turned and scaled so that the image of the known point is (1, 0). Its depth is the
+/// unknown `depth`. The camera's rotation is that of the quaternion 1 + x i + y j, and a turn about
+/// its axis after it, by the angle of which c and s are cosine and sine, times the focal length. An
+/// image lies on that of the ray: det(M) M^-T, the cofactors of M, maps moments of rays to lines of
+/// the image where M maps directions to points of it. The squared norm of the quaternion, which
+/// divides all cofactors, is left out.
 fn relpose_5pt_semi_generalized_focal(
     images: [[f64; 2]; 5],
     directions: [[f64; 3]; 5],

@@ -1,10 +1,12 @@
-/// Relative pose of a calibrated camera and one with unknown focal length from six point correspondences: 9 solutions.
+/// Relative pose of a calibrated camera and one with unknown focal length from six point
+/// correspondences: 9 solutions.
 ///
-/// Bujnak, Kukelova, Pajdla, "3D reconstruction from image collections with a single known focal length", ICCV 2009. Published as
-/// `focal6p_1s`.
+/// Bujnak, Kukelova, Pajdla, "3D reconstruction from image collections with a single known focal
+/// length", ICCV 2009. Published as `focal6p_1s`.
 ///
-/// `basis` spans the null space of the six epipolar equations x2^T F x1 = 0, the first camera having the unknown focal length f and the
-/// second none; the fundamental matrix is basis\[0\] + x basis\[1\] + y basis\[2\], and w = 1/f^2.
+/// `basis` spans the null space of the six epipolar equations x2^T F x1 = 0, the first camera
+/// having the unknown focal length f and the second none; the fundamental matrix is basis\[0\] + x
+/// basis\[1\] + y basis\[2\], and w = 1/f^2.
 fn relpose_6pt_focal_one_side(basis: [[[f64; 3]; 3]; 3]) -> (x, y, w) {
     let f = basis[0] + x * basis[1] + y * basis[2];
     let omega = [[1, 0, 0], [0, 1, 0], [0, 0, w]];

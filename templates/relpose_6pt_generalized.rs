@@ -1,10 +1,13 @@
 /// Relative pose of two generalized cameras from six point correspondences: 64 solutions.
 ///
-/// Stewénius, Nistér, Oskarsson, Åström, "Solutions to minimal generalized relative pose problems", OMNIVIS 2005. Published as `gen6p`.
+/// Stewénius, Nistér, Oskarsson, Åström, "Solutions to minimal generalized relative pose problems",
+/// OMNIVIS 2005. Published as `gen6p`.
 ///
-/// `first` and `second` hold the rays of the points in either system of cameras: a point of the ray, and its direction. The rotation from
-/// the first system to the second is that of the quaternion 1 + x i + y j + z k. That the rays of one point meet gives the translation up to the
-/// depths of that point along either ray; that the rays of any three others meet, too, are linear equations for these depths.
+/// `first` and `second` hold the rays of the points in either system of cameras: a point of the
+/// ray, and its direction. The rotation from the first system to the second is that of the
+/// quaternion 1 + x i + y j + z k. That the rays of one point meet gives the translation up to the
+/// depths of that point along either ray; that the rays of any three others meet, too, are linear
+/// equations for these depths.
 fn relpose_6pt_generalized(first: [[[f64; 3]; 2]; 6], second: [[[f64; 3]; 2]; 6]) -> (x, y, z) {
     let r = rotation(x, y, z);
     for i in 0..3 {
@@ -21,7 +24,8 @@ fn relpose_6pt_generalized(first: [[[f64; 3]; 2]; 6], second: [[[f64; 3]; 2]; 6]
     }
 }
 
-/// The rays of point j meet where those of point i do: the coefficients of the depths of point i in the first and in the second system, and of 1.
+/// The rays of point j meet where those of point i do: the coefficients of the depths of point i in
+/// the first and in the second system, and of 1.
 fn meet(r: [[f64; 3]; 3], first_i: _, second_i: _, first_j: _, second_j: _) -> [f64; 3] {
     let [point, direction] = [first_j[0] - first_i[0], first_j[1]];
     let [second_point, second_direction] = [second_j[0] - second_i[0], second_j[1]];

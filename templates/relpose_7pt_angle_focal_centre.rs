@@ -1,13 +1,16 @@
-/// Focal length and principal point common to two cameras from their fundamental matrix and the angle of rotation between them: 6 solutions.
+/// Focal length and principal point common to two cameras from their fundamental matrix and the
+/// angle of rotation between them: 6 solutions.
 ///
-/// Martyushev, "Self-calibration of cameras with Euclidean image plane in case of two views and known relative rotation angle", ECCV 2018.
-/// Published as `relpose_7p_fuv_angle`.
+/// Martyushev, "Self-calibration of cameras with Euclidean image plane in case of two views and
+/// known relative rotation angle", ECCV 2018. Published as `relpose_7p_fuv_angle`.
 ///
-/// The fundamental matrix, from seven points or more, is given as `left`\[0\] `right`\[0\]^T + `left`\[1\] `right`\[1\]^T, for example
-/// by its singular value decomposition; `half_angle` holds the cosine and the sine of half the angle. The principal point is (x, y), `z` the
-/// square of the focal length. With the matrix K of these K^T F K is an essential matrix: with the products A of the left vectors in the
-/// quadratic form K K^T, and B of the right ones, B A is a multiple of the identity. With z = 0 all points of a conic are solutions; four
-/// combinations of the equations that are divisible by z are stated divided.
+/// The fundamental matrix, from seven points or more, is given as `left`\[0\] `right`\[0\]^T +
+/// `left`\[1\] `right`\[1\]^T, for example by its singular value decomposition; `half_angle` holds
+/// the cosine and the sine of half the angle. The principal point is (x, y), `z` the square of the
+/// focal length. With the matrix K of these K^T F K is an essential matrix: with the products A of
+/// the left vectors in the quadratic form K K^T, and B of the right ones, B A is a multiple of the
+/// identity. With z = 0 all points of a conic are solutions; four combinations of the equations
+/// that are divisible by z are stated divided.
 fn relpose_7pt_angle_focal_centre(left: [[f64; 3]; 2], right: [[f64; 3]; 2], #[unit] half_angle: [f64; 2]) -> (x, y, z) {
     let rotation_trace = 4 * half_angle[0].pow(2) - 1;
     let centre = [x, y, 1];

@@ -1,18 +1,22 @@
-/// Relative pose, focal length and radial distortion common to two cameras from seven point correspondences: 68 solutions.
+/// Relative pose, focal length and radial distortion common to two cameras from seven point
+/// correspondences: 68 solutions.
 ///
-/// Jiang, Kuang, Solem, Åström, "A minimal solution to relative pose with unknown focal length and radial distortion", ACCV 2014.
-/// Published as `relpose_7p_fr`.
+/// Jiang, Kuang, Solem, Åström, "A minimal solution to relative pose with unknown focal length and
+/// radial distortion", ACCV 2014. Published as `relpose_7p_fr`.
 ///
-/// A point x lies along (x, 1 + radial |x|^2), the division model. Then x1^T F x2 = 0 is, with f33 = 1, linear in f11, f21, f12, f22,
-/// radial f31, radial^2, f31 and the monomials f32, radial f32, f13, radial f13, f23, radial f23, radial, 1: seven points give the former as
-/// combinations of these. The first image may be turned about its centre, which turns (f13, f23), and `radial` may have any unit: they are such
-/// that in f31 radial f23 has the coefficient 0 and radial f13 the coefficient 1. `affine` holds the coefficients of the first six, and
-/// `affine_f31` the other six of f31. With the focal length, diag(focal, focal, 1) F diag(focal, focal, 1) is an essential matrix; `w` is
-/// 1 / focal^2.
+/// A point x lies along (x, 1 + radial |x|^2), the division model. Then x1^T F x2 = 0 is, with f33
+/// = 1, linear in f11, f21, f12, f22, radial f31, radial^2, f31 and the monomials f32, radial f32,
+/// f13, radial f13, f23, radial f23, radial, 1: seven points give the former as combinations of
+/// these. The first image may be turned about its centre, which turns (f13, f23), and `radial` may
+/// have any unit: they are such that in f31 radial f23 has the coefficient 0 and radial f13 the
+/// coefficient 1. `affine` holds the coefficients of the first six, and `affine_f31` the other six
+/// of f31. With the focal length, diag(focal, focal, 1) F diag(focal, focal, 1) is an essential
+/// matrix; `w` is 1 / focal^2.
 ///
-/// Everything is p + radial q, two polynomials without `radial`, modulo the equation that gives radial^2, and most equations are stated times
-/// `radial`, too. There are points at infinity, near which residuals are small; there the factors that are stated not to vanish are
-/// small beside their terms.
+/// Everything is p + radial q, two polynomials without `radial`, modulo the equation that gives
+/// radial^2, and most equations are stated times `radial`, too. There are points at infinity, near
+/// which residuals are small; there the factors that are stated not to vanish are small beside
+/// their terms.
 fn relpose_7pt_focal_radial(affine: [[f64; 8]; 6], affine_f31: [f64; 6]) -> (w, f_32, f_13, f_23, radial) {
     let mut entries = [[0; 2]; 6];
     for i in 0..6 {
@@ -88,7 +92,8 @@ fn relpose_7pt_focal_radial(affine: [[f64; 8]; 6], affine_f31: [f64; 6]) -> (w, 
     dot([t[0] + radial * t[1], t[2] + radial * t[3], t[4] + radial * t[5]], [f_32, f_13, f_23]) != 0;
 }
 
-/// The product of a\[0\] + radial a\[1\] and b\[0\] + radial b\[1\], where radial^2 = square\[0\] + radial square\[1\].
+/// The product of a\[0\] + radial a\[1\] and b\[0\] + radial b\[1\], where radial^2 = square\[0\] +
+/// radial square\[1\].
 fn times(a: [f64; 2], b: [f64; 2], square: [f64; 2]) -> [f64; 2] {
     let both = a[1] * b[1];
     [a[0] * b[0] + both * square[0], a[0] * b[1] + a[1] * b[0] + both * square[1]]

@@ -1,14 +1,18 @@
-/// Relative pose and relative scale of two generalized cameras from seven point correspondences: 140 solutions.
+/// Relative pose and relative scale of two generalized cameras from seven point correspondences:
+/// 140 solutions.
 ///
-/// Kneip, Sweeney, Hartley, "The generalized relative pose and scale problem: View-graph fusion via 2D-2D registration", WACV 2016. Published as
-/// `gen_relpose_scale`.
+/// Kneip, Sweeney, Hartley, "The generalized relative pose and scale problem: View-graph fusion via
+/// 2D-2D registration", WACV 2016. Published as `gen_relpose_scale`.
 ///
-/// `first` and `second` hold the rays of the points in either system of cameras: a point of the ray, and its direction. The rotation from
-/// the first system to the second is that of the quaternion 1 + x i + y j + z k, and points of the second system are multiplied by its scale. That the
-/// rays of one point meet gives the translation up to the depths of that point along either ray and the scale; that the rays of any four others
-/// meet, too, are linear equations for these three. What is stated depends on these five points, not on which is the first.
+/// `first` and `second` hold the rays of the points in either system of cameras: a point of the
+/// ray, and its direction. The rotation from the first system to the second is that of the
+/// quaternion 1 + x i + y j + z k, and points of the second system are multiplied by its scale.
+/// That the rays of one point meet gives the translation up to the depths of that point along
+/// either ray and the scale; that the rays of any four others meet, too, are linear equations for
+/// these three. What is stated depends on these five points, not on which is the first.
 ///
-/// Call it in a thread with a stack of more than 2 MiB: a second attempt, at twice the precision, takes 2.3.
+/// Call it in a thread with a stack of more than 2 MiB: a second attempt, at twice the precision,
+/// takes 2.3.
 fn relpose_7pt_generalized_scale(first: [[[f64; 3]; 2]; 7], second: [[[f64; 3]; 2]; 7]) -> (x, y, z) {
     let r = rotation(x, y, z);
     for i in 0..3 {
@@ -29,8 +33,8 @@ fn relpose_7pt_generalized_scale(first: [[[f64; 3]; 2]; 7], second: [[[f64; 3]; 
     }
 }
 
-/// The rays of point j meet where those of point i do: the coefficients of the depths of point i in the first and in the second system, of the scale,
-/// and of 1.
+/// The rays of point j meet where those of point i do: the coefficients of the depths of point i in
+/// the first and in the second system, of the scale, and of 1.
 fn meet(r: [[f64; 3]; 3], first_i: _, second_i: _, first_j: _, second_j: _) -> [f64; 4] {
     let [direction, second_direction] = [first_j[1], second_j[1]];
     [

@@ -1,14 +1,19 @@
-/// Triangulation from three views, all stationary points of the sum of squared reprojection errors: 47 solutions.
+/// Triangulation from three views, all stationary points of the sum of squared reprojection errors:
+/// 47 solutions.
 ///
-/// Stewénius, Schaffalitzky, Nistér, "How hard is 3-view triangulation really?", ICCV 2005. Published as `3v_triang_laurent`.
+/// Stewénius, Schaffalitzky, Nistér, "How hard is 3-view triangulation really?", ICCV 2005.
+/// Published as `3v_triang_laurent`.
 ///
-/// The unknowns are projective coordinates (x, y, z, 1) of the point: x and y its depths in the first and second view over that in the third, each times a
-/// constant, and z its first error in the third view. Every image is turned so that its second error does not depend on z, and scales are chosen so that the
-/// first errors of the first two views are (`first`\[0\] + z) / x and (`second`\[0\] + z) / y, rows standing for linear forms in x, y and 1. The other errors
-/// are `first`\[1\] / x, `second`\[1\] / y and `third`.
+/// The unknowns are projective coordinates (x, y, z, 1) of the point: x and y its depths in the
+/// first and second view over that in the third, each times a constant, and z its first error in
+/// the third view. Every image is turned so that its second error does not depend on z, and scales
+/// are chosen so that the first errors of the first two views are (`first`\[0\] + z) / x and
+/// (`second`\[0\] + z) / y, rows standing for linear forms in x, y and 1. The other errors are
+/// `first`\[1\] / x, `second`\[1\] / y and `third`.
 ///
-/// Stated are derivatives towards seven points. Where the depth of a view vanishes, so does a power of it in the denominators; where the errors of a view
-/// vanish, too, at its centre, they do not change at all.
+/// Stated are derivatives towards seven points. Where the depth of a view vanishes, so does a power
+/// of it in the denominators; where the errors of a view vanish, too, at its centre, they do not
+/// change at all.
 fn triangulation_3view(first: [[f64; 3]; 2], second: [[f64; 3]; 2], third: [f64; 3]) -> (x, y, z) {
     let a = [[first[0][0], first[0][1], 1, first[0][2]], [first[1][0], first[1][1], 0, first[1][2]]];
     let b = [[second[0][0], second[0][1], 1, second[0][2]], [second[1][0], second[1][1], 0, second[1][2]]];
@@ -43,7 +48,8 @@ fn triangulation_3view(first: [[f64; 3]; 2], second: [[f64; 3]; 2], third: [f64;
     y != 0;
 }
 
-/// Half the derivative of the squared errors of a view towards a point at which its depth vanishes, times the square of the depth.
+/// Half the derivative of the squared errors of a view towards a point at which its depth vanishes,
+/// times the square of the depth.
 fn slope(view: [[f64; 4]; 2], to: [f64; 4], x: f64, y: f64, z: f64) -> f64 {
     dot(view * [x, y, z, 1], view * to)
 }

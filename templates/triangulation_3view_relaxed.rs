@@ -1,11 +1,17 @@
-/// Triangulation from three views with two of the three epipolar constraints, all stationary points of the least-squares cost: 31 solutions.
+/// Triangulation from three views with two of the three epipolar constraints, all stationary points
+/// of the least-squares cost: 27 solutions.
 ///
-/// Kukelova, Pajdla, Bujnak, "Fast and stable algebraic solution to L2 three-view triangulation", 3DV 2013. Published as `l2_3view_triang`.
+/// Kukelova, Pajdla, Bujnak, "Fast and stable algebraic solution to L2 three-view triangulation",
+/// 3DV 2013. Published as `l2_3view_triang`, for matrices of full rank, which give 31 solutions.
+/// Fundamental and essential matrices have rank 2, and with them four of the 31 are at infinity.
 ///
-/// `image` holds the measured image points, one a row. The corrected ones (x1, x2), (x3, x4) and (x5, x6) are the closest to these that
-/// satisfy p1^T `first` p2 = 0 and p2^T `second` p3 = 0, with the multipliers x7 and x8.
+/// `image` holds the measured image points, one a row. The corrected ones (x1, x2), (x3, x4) and
+/// (x5, x6) are the closest to these that satisfy p1^T `first` p2 = 0 and p2^T `second` p3 = 0,
+/// with the multipliers x7 and x8.
 fn triangulation_3view_relaxed(
+    #[rank(2)]
     first: [[f64; 3]; 3],
+    #[rank(2)]
     second: [[f64; 3]; 3],
     image: [[f64; 2]; 3],
 ) -> (x1, x2, x3, x4, x5, x6, x7, x8) {

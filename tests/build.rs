@@ -1,5 +1,6 @@
-//! Writes the table of all emitted solvers, a line `case!` for each problem of `templates/`, and emits the solver of the
-//! problem that README.md shows, with the template of `examples/own-problem`, so that a test can run what a reader sees.
+//! Writes the table of all emitted solvers, a line `case!` for each problem of `templates/`, and
+//! emits the solver of the problem that README.md shows, with the template of
+//! `examples/own-problem`, so that a test can run what a reader sees.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};

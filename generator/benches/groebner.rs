@@ -1,7 +1,7 @@
 //! Time of Gröbner bases, beside the crate `groebner` (on one thread too), in one run.
 //!
-//! Both compute the reduced grevlex basis over the same prime field. The calls alternate, so that a machine that slows down slows both, and
-//! the median of the ratios is what counts.
+//! Both compute the reduced grevlex basis over the same prime field. The calls alternate, so that a
+//! machine that slows down slows both, and the median of the ratios is what counts.
 
 #[allow(dead_code)] // the tests use the rest
 #[path = "../tests/systems/mod.rs"]

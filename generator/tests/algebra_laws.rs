@@ -213,7 +213,8 @@ proptest! {
     #[test]
     fn basis_laws(generators in prop::collection::vec(polynomial(4, 3), 2..4), which in 0..4usize) {
         let basis = groebner_basis(FIELD, &generators, &orders()[which], &Limits::default());
-        // A few systems leave the range of exponents or degrees on their way, above all under lex; too many of them fail the test.
+        // A few systems leave the range of exponents or degrees on their way, above all under lex;
+        // too many of them fail the test.
         let refused = matches!(basis, Err(GroebnerError::ExponentOutOfRange | GroebnerError::LimitReached { .. }));
         prop_assume!(!refused);
         check_basis(&basis.unwrap(), &generators);
@@ -227,7 +228,8 @@ proptest! {
         prop_assert!(form(&f).monomials().all(|monomial| !basis.is_reducible(&monomial)));
         let scaled = |p: &Polynomial<u32>| p.times_term(FIELD, &Monomial::ONE, c).unwrap();
         prop_assert_eq!(form(&scaled(&f).plus(FIELD, &g)), scaled(&form(&f)).plus(FIELD, &form(&g)));
-        // Multiplication in the quotient ring: the normal form of a product is that of the product of normal forms.
+        // Multiplication in the quotient ring: the normal form of a product is that of the product
+        // of normal forms.
         prop_assert_eq!(form(&f.times(FIELD, &g).unwrap()), form(&form(&f).times(FIELD, &form(&g)).unwrap()));
     }
 
@@ -363,7 +365,8 @@ fn saturation_drops_components() {
         let expected = basis(&[times(&linear(&[-1, 1]), &linear(&[-2, 1])), parabola], &order);
         assert_eq!(basis(&points, &order).quotient_basis(2, 10).map(|b| b.len()), Some(4));
         assert_eq!(saturate(FIELD, (&points, from_ref(&x)), 2, &order, &limits).unwrap(), expected);
-        // A line and a point: x (x - 1) = x (y - 1) = 0 without x = 0 leaves (1, 1); without (x - 1) leaves the line.
+        // A line and a point: x (x - 1) = x (y - 1) = 0 without x = 0 leaves (1, 1); without (x -
+        // 1) leaves the line.
         let mixed = [times(&x, &linear(&[-1, 1])), times(&x, &linear(&[-1, 0, 1]))];
         let point = basis(&[linear(&[-1, 1]), linear(&[-1, 0, 1])], &order);
         assert_eq!(basis(&mixed, &order).dimension(2), Some(1));

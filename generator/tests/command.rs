@@ -159,7 +159,8 @@ fn search_prefers_what_it_is_told() {
         let chosen = &candidates[figure(&report, "chosen") as usize];
         assert_eq!((&chosen["verdict"], &chosen["trials"]), (&"accepted".into(), &10_000.into()), "{report}");
         assert_eq!(report["warnings"], serde_json::json!([]), "{report}");
-        // Nothing on the front is beaten in all that counts by anything measured on as many instances.
+        // Nothing on the front is beaten in all that counts by anything measured on as many
+        // instances.
         let front: Vec<&Value> = candidates.iter().filter(|candidate| candidate["pareto"] == true).collect();
         assert!(!front.is_empty());
         for (a, b) in front.iter().flat_map(|a| candidates.iter().map(move |b| (a, b))) {
@@ -465,7 +466,8 @@ fn bad_input_is_named_and_nothing_is_written() {
     assert_eq!(fs::read_to_string(folder.join("two_conics.template.toml")).unwrap(), template);
 }
 
-/// A template found for an earlier text of the problem is refused, whatever changed in what the problem states.
+/// A template found for an earlier text of the problem is refused, whatever changed in what the
+/// problem states.
 #[test]
 fn an_edited_problem_needs_a_new_search() {
     let folder = searched("an_edited_problem_needs_a_new_search");

@@ -1,5 +1,5 @@
-//! Solvers are compiled and executed: with names of problems, data and unknowns that emitted code might use itself, and with arrays of
-//! unknowns.
+//! Solvers are compiled and executed: with names of problems, data and unknowns that emitted code
+//! might use itself, and with arrays of unknowns.
 
 use std::fs;
 use std::path::Path;
@@ -19,7 +19,8 @@ const WEAK_PERSPECTIVE: [&str; 2] = [
     include_str!("../../templates/pose_npt_weak_perspective.template.toml"),
 ];
 
-/// A problem that differs from a committed one in names only, and its solver by the committed template.
+/// A problem that differs from a committed one in names only, and its solver by the committed
+/// template.
 fn emitted(problem: &str, text: &str, committed: [&str; 2]) -> String {
     let problem = Problem::parse(&format!("{problem}.rs"), text).unwrap_or_else(|messages| panic!("{messages}"));
     let original = Problem::parse("original.rs", committed[0]).unwrap();
@@ -89,7 +90,8 @@ fn run(test: &str, modules: &[(&str, String)], checks: &str) {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
-/// What the program checks: the known solution is found, and all that are returned solve the problem.
+/// What the program checks: the known solution is found, and all that are returned solve the
+/// problem.
 fn check(module: &str, arguments: &str, unknowns: [&str; 2]) -> String {
     let [x, y] = unknowns;
     format!(
@@ -167,7 +169,8 @@ fn no_name_of_a_problem_collides() {
     run("emitted_names", &modules, &checks);
 }
 
-/// An array of unknowns is a field of array type, in template files its elements are `v[0]`, `v[1]`.
+/// An array of unknowns is a field of array type, in template files its elements are `v[0]`,
+/// `v[1]`.
 #[test]
 fn arrays_of_unknowns_are_fields() {
     let monomials = "let terms = [v[0].pow(2), v[0] * v[1], v[1].pow(2), v[0], v[1], 1];";
@@ -221,7 +224,8 @@ fn arrays_of_unknowns_are_fields() {
     run("emitted_arrays", &modules, &checks);
 }
 
-/// Values that the problem names are variables of these names, rows say which multiple of which equation they are.
+/// Values that the problem names are variables of these names, rows say which multiple of which
+/// equation they are.
 #[test]
 fn emitted_code_says_what_is_what() {
     let text = "/// Two conics, their equations multiplied by numbers.

@@ -217,7 +217,8 @@ mod interrupted {
     /// Nothing is found within minutes.
     const SLOWEST: &str = include_str!("../../templates/relpose_7pt_focal_radial.rs");
 
-    /// A search that takes long, begun, of the problem `name`, called `slow`, with an old template in its folder.
+    /// A search that takes long, begun, of the problem `name`, called `slow`, with an old template
+    /// in its folder.
     fn begin(folder: &Path, problem: &str, name: &str) -> Child {
         fs::write(folder.join("slow.rs"), problem.replace(name, "slow")).unwrap();
         fs::write(folder.join("slow.template.toml"), "old").unwrap();
@@ -239,7 +240,8 @@ mod interrupted {
             interrupt(&child);
         }
         let output = child.wait_with_output().unwrap();
-        // 1 if the first ended the search before the second came; no code at all if the command did not listen.
+        // 1 if the first ended the search before the second came; no code at all if the command did
+        // not listen.
         assert!(matches!(output.status.code(), Some(130 | 1)), "{}", stderr(&output));
         assert_eq!(names(&folder), ["slow.rs", "slow.template.toml"]);
         assert_eq!(fs::read_to_string(folder.join("slow.template.toml")).unwrap(), "old");

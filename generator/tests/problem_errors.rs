@@ -1,4 +1,5 @@
-//! Mistakes in problem files: `problem_errors/NAME.rs` holds one mistake (or a few), `NAME.txt` what the user sees.
+//! Mistakes in problem files: `problem_errors/NAME.rs` holds one mistake (or a few), `NAME.txt`
+//! what the user sees.
 
 #![cfg(feature = "search")]
 

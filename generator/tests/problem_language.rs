@@ -302,7 +302,8 @@ fn mirrored_and_empty_elements_state_nothing() {
             }
         }",
     );
-    // The commutator is skew: one element; the second is skew; the loop states one equation twice, up to its sign.
+    // The commutator is skew: one element; the second is skew; the loop states one equation twice,
+    // up to its sign.
     assert_eq!(sample.elements(), ["[0][1]", "[0][1]", ""]);
 }
 

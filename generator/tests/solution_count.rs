@@ -1,5 +1,5 @@
-//! The number of solutions in a template file is verified like everything else in it, without Gröbner bases: these tests
-//! also run without the feature `search`.
+//! The number of solutions in a template file is verified like everything else in it, without
+//! Gröbner bases: these tests also run without the feature `search`.
 
 use std::fs;
 use std::path::PathBuf;
@@ -62,8 +62,8 @@ fn every_committed_number_is_allowed_and_others_are_not() {
             shared.push(name.to_owned());
         }
     }
-    // An eigenvalue with several eigenvectors leaves bounds. Nearly always only what is no solution has one, and then
-    // no number that is too small is allowed.
+    // An eigenvalue with several eigenvectors leaves bounds. Nearly always only what is no solution
+    // has one, and then no number that is too small is allowed.
     println!("{exact} of {all} are exact; solutions share a value of the action in {shared:?}");
     assert!(3 * exact >= 2 * all, "{exact} of {all}");
     assert!(10 * shared.len() <= all, "{shared:?}");

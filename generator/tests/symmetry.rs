@@ -1,4 +1,5 @@
-//! Templates that make use of changes of sign: as many basis monomials as solutions up to sign, and all solutions found.
+//! Templates that make use of changes of sign: as many basis monomials as solutions up to sign, and
+//! all solutions found.
 #![cfg(feature = "search")]
 
 use eliminant_generator::check::check;
@@ -89,7 +90,8 @@ fn a_basis_of_the_solutions_up_to_sign_finds_all() {
     }
 }
 
-/// The origin is known beforehand, however often it counts: no template need give it, and signs can be changed at all other solutions.
+/// The origin is known beforehand, however often it counts: no template need give it, and signs can
+/// be changed at all other solutions.
 #[test]
 fn the_origin_takes_no_basis_monomial() {
     for (text, [solutions, different, at_origin, basis]) in [

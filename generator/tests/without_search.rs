@@ -1,4 +1,5 @@
-//! A build script without the feature `search`: `cargo test -p eliminant-generator --no-default-features --test without_search`.
+//! A build script without the feature `search`: `cargo test -p eliminant-generator
+//! --no-default-features --test without_search`.
 #![cfg(not(feature = "search"))]
 
 use std::fs;

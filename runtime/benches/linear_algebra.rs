@@ -1,5 +1,5 @@
-//! Elimination, eigenvalues, eigenvectors and real roots beside nalgebra, interleaved in one run, so that a drifting
-//! clock hits all alike; medians over rounds. `cargo bench -p eliminant`.
+//! Elimination, eigenvalues, eigenvectors and real roots beside nalgebra, interleaved in one run,
+//! so that a drifting clock hits all alike; medians over rounds. `cargo bench -p eliminant`.
 
 use eliminant::emitted::{Fixed, Hessenberg, real_roots_monic, solve_block, solve_block_trailing};
 use nalgebra::SMatrix;
@@ -32,7 +32,8 @@ fn matrices<const R: usize, const C: usize>(seed: u64) -> [[[f64; C]; R]; INSTAN
     })
 }
 
-/// N x N with M right-hand sides. A macro: nalgebra's static LU cannot be called with generic sizes.
+/// N x N with M right-hand sides. A macro: nalgebra's static LU cannot be called with generic
+/// sizes.
 macro_rules! elimination {
     ($contenders:ident, $n:literal, $m:literal) => {
         let (a, b) = (matrices::<$n, $n>(1), matrices::<$n, $m>(2));

@@ -1,18 +1,21 @@
-//! Solvers of polynomial problems, most of them minimal problems of computer vision, emitted by `eliminant-generator`.
+//! Solvers of polynomial problems, most of them minimal problems of computer vision, emitted by
+//! `eliminant-generator`.
 //!
-//! Each problem of `eliminant-templates` is a feature of the same name, off by default, and a module of the same name here:
+//! Each problem of `eliminant-templates` is a feature of the same name, off by default, and a
+//! module of the same name here:
 //!
 //! ```toml
 //! [dependencies]
 //! eliminant-solvers = { version = "0.1", features = ["relpose_5pt"] }
 //! ```
 //!
-//! The features `absolute-pose`, `relative-pose`, `circle`, `triangulation`, `radial-distortion`, `focal-length`,
-//! `generalized-camera`, `least-squares` and `ranging` enable families of problems, and `all` enables all of them. Only what
-//! is enabled is emitted and compiled. The documentation of a module states its problem: data, unknowns, source.
+//! The features `absolute-pose`, `relative-pose`, `circle`, `triangulation`, `radial-distortion`,
+//! `focal-length`, `generalized-camera`, `least-squares` and `ranging` enable families of problems,
+//! and `all` enables all of them. Only what is enabled is emitted and compiled. The documentation
+//! of a module states its problem: data, unknowns, source.
 //!
-//! Solvers neither allocate nor panic. Without the standard library, `default-features = false` and the feature `libm` give
-//! them a square root.
+//! Solvers neither allocate nor panic. Without the standard library, `default-features = false` and
+//! the feature `libm` give them a square root.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -24,8 +24,8 @@ pub struct Exception {
 const CLEARLY: f64 = 20.0;
 
 impl Bounds {
-    /// Adds a fault if the value measured for the problem is above its bound, or if the problem no longer needs
-    /// its exception. A value that is not a number is above every bound.
+    /// Adds a fault if the value measured for the problem is above its bound, or if the problem no
+    /// longer needs its exception. A value that is not a number is above every bound.
     pub fn check(&self, problem: &str, measured: f64, faults: &mut Vec<String>) {
         let exception = self.exceptions.iter().find(|exception| exception.problem == problem);
         let bound = exception.map_or(self.usual, |exception| exception.bound);
@@ -46,8 +46,8 @@ impl Bounds {
     }
 }
 
-/// The share of cases that are against a claim. One case is taken for chance: of a few hundred it says
-/// nothing about a share of 1 in 1000.
+/// The share of cases that are against a claim. One case is taken for chance: of a few hundred it
+/// says nothing about a share of 1 in 1000.
 pub fn share(against: usize, of: usize) -> f64 {
     against.saturating_sub(1) as f64 / of as f64
 }

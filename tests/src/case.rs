@@ -1,4 +1,5 @@
-//! The emitted solvers behind function pointers on flat data, with the problems and plans they came from.
+//! The emitted solvers behind function pointers on flat data, with the problems and plans they came
+//! from.
 
 use std::path::PathBuf;
 

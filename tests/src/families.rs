@@ -13,11 +13,13 @@ use crate::ground_truth::{KnownInstance, makers};
 pub enum Family {
     /// Random data on the variety that the attributes of the problem describe.
     Random,
-    /// Data of a scene: correspondences, ranges and matrices as the geometry of the problem makes them.
+    /// Data of a scene: correspondences, ranges and matrices as the geometry of the problem makes
+    /// them.
     Scene,
     /// Random data, each value times its own power of ten, with an exponent of up to so much.
     Scaled(f64),
-    /// Random data with zeros, ones and repeated values: singular blocks, pivots that tie, empty rows.
+    /// Random data with zeros, ones and repeated values: singular blocks, pivots that tie, empty
+    /// rows.
     Special,
     /// Random data with one value that is not finite.
     NotFinite,

@@ -3,8 +3,9 @@
 use crate::equations::{Equations, Point};
 use crate::statistics::distance;
 
-/// A returned point approximates a solution if Newton's method leads from it to one at most this far,
-/// relative to its norm. A point further away is spurious: the solver found it near no solution.
+/// A returned point approximates a solution if Newton's method leads from it to one at most this
+/// far, relative to its norm. A point further away is spurious: the solver found it near no
+/// solution.
 const NEAR: f64 = 1e-2;
 /// Exact solutions that are closer than this, relative to their norms, are one. They are known to
 /// about 1e-16, and two of them are this close on no data that are drawn.

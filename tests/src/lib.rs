@@ -1,7 +1,9 @@
-//! Every emitted solver under one signature, so that a test can run over all of them, and instances whose solutions are known.
+//! Every emitted solver under one signature, so that a test can run over all of them, and instances
+//! whose solutions are known.
 
 pub mod bounds;
 pub mod case;
+pub mod comparison;
 pub mod equations;
 pub mod families;
 pub mod ground_truth;

@@ -1,6 +1,8 @@
-//! What an emitted solver does on random instances, judged by the plan's equations and not by the emitted code.
+//! What an emitted solver does on random instances and on scenes, judged by the plan's equations
+//! and not by the emitted code.
 
-use std::collections::BTreeSet;
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet};
 
 use eliminant::Complex;
 use eliminant_generator::algebra::Random;
@@ -12,12 +14,15 @@ use eliminant_generator::search::measuring::interpreted::InterpretedSolver;
 use rayon::prelude::*;
 
 use crate::Case;
+use crate::families::{DataSource, Family};
+use crate::ground_truth::{FOUND, Maker, makers};
 use crate::statistics::{distance, log10, worst};
 
 /// Points closer than this are one solution.
 pub const SAME: f64 = 1e-8;
 
-/// max over the equations of |f| / sum of the moduli of its terms; 0/0, where all terms vanish, counts as 0.
+/// max over the equations of |f| / sum of the moduli of its terms; 0/0, where all terms vanish,
+/// counts as 0.
 pub fn residual(plan: &Plan, coefficients: &[f64], x: &[Complex<f64>]) -> f64 {
     let relative = |terms: &Vec<Term>| {
         let values = terms.iter().map(|term| {
@@ -30,17 +35,19 @@ pub fn residual(plan: &Plan, coefficients: &[f64], x: &[Complex<f64>]) -> f64 {
     worst(plan.equations.iter().map(relative))
 }
 
-/// Operations that solving all instances of one problem may take, without the polish, where they are measured.
+/// Operations that solving all instances of one problem may take, without the polish, where they
+/// are measured.
 pub const WORK_OF_MEASURING: u64 = 20_000_000_000;
 /// The same where they are tested: two cores run all tests in less than ten minutes.
 pub const WORK_OF_TESTING: u64 = 4_000_000_000;
-/// A solve that takes more operations counts as so many: even the largest templates are solved on some hundred instances.
+/// A solve that takes more operations counts as so many: even the largest templates are solved on
+/// some hundred instances.
 const MOST_OF_ONE_SOLVE: u64 = 40_000_000;
 /// Problems with at most so many solutions are solved on all instances whatever that takes.
 const FEW_SOLUTIONS: usize = 30;
 
-/// How many of the instances that a claim is made for are solved: all of a problem with at most 30 solutions, as many of the others as `work`
-/// operations allow.
+/// How many of the instances that a claim is made for are solved: all of a problem with at most 30
+/// solutions, as many of the others as `work` operations allow.
 pub fn affordable(plan: &Plan, wanted: u64, work: u64) -> u64 {
     match plan.solutions {
         ..=FEW_SOLUTIONS => wanted,
@@ -53,45 +60,85 @@ pub fn are_distinct(points: &[Vec<Complex<f64>>]) -> bool {
     points.iter().enumerate().all(|(i, x)| points[..i].iter().all(|y| distance(x, y) > SAME))
 }
 
-/// Over many instances.
+/// What a solver returns on many instances.
 pub struct Measurement {
     /// log10 of the relative residual of every complex solution found, increasing.
     pub residuals_log10: Vec<f64>,
-    /// Instances on which a solution is missing, or one is returned twice, or the solver returned an error.
+    /// The number of complex solutions that an instance has: of random data that of the plan; of
+    /// scenes, which may be special data, the number that is found most often.
+    pub solutions: usize,
+    /// Instances on which another number of solutions is found, or one is returned twice, or the
+    /// solver returned an error.
     pub failures: usize,
     /// Instances.
     pub instances: usize,
 }
 
-/// Solves `instances` instances drawn on the data's variety, instance k from the seed `first_seed` + k.
-pub fn measure(case: &Case, plan: &Plan, instances: u64, first_seed: u64) -> Measurement {
-    let solved: Vec<(bool, Vec<f64>)> = (0..instances)
-        .into_par_iter()
-        .map(|k| {
-            let data = draw_inputs(&plan.data, Float64, &mut Random::new(first_seed + k));
-            let Some(coefficients) = interpret::coefficients(plan, Float64, &data) else { return (false, Vec::new()) };
-            let found = (case.solve_complex)(&data).unwrap_or_default();
-            let complete = found.len() == plan.solutions && are_distinct(&found);
-            (complete, found.iter().map(|x| log10(residual(plan, &coefficients, x))).collect())
-        })
-        .collect();
-    let failures = solved.iter().filter(|(complete, _)| !complete).count();
-    let mut residuals_log10: Vec<f64> = solved.into_iter().flat_map(|(_, residuals)| residuals).collect();
+/// Solves `instances` instances of a family of data, instance k from the seed `first_seed` + k.
+pub fn measure(case: &Case, plan: &Plan, family: Family, instances: u64, first_seed: u64) -> Measurement {
+    let source = DataSource::new(case);
+    let solve = |k| -> Option<Vec<Vec<Complex<f64>>>> {
+        let found = (case.solve_complex)(&source.draw(family, first_seed + k)).ok()?;
+        are_distinct(&found).then_some(found)
+    };
+    let found: Vec<Option<Vec<Vec<Complex<f64>>>>> = (0..instances).into_par_iter().map(solve).collect();
+    let solutions = match family {
+        Family::Scene => most_frequent(found.iter().flatten().map(Vec::len)).unwrap_or(plan.solutions),
+        _ => plan.solutions,
+    };
+    let residuals = |(k, found): (usize, &Option<Vec<Vec<Complex<f64>>>>)| -> Vec<f64> {
+        let data = source.draw(family, first_seed + k as u64);
+        let coefficients = interpret::coefficients(plan, Float64, &data);
+        let pairs = coefficients.iter().zip(found);
+        pairs.flat_map(|(c, found)| found.iter().map(|x| log10(residual(plan, c, x))).collect::<Vec<f64>>()).collect()
+    };
+    let mut residuals_log10: Vec<f64> =
+        found.par_iter().enumerate().flat_map_iter(|(k, f)| residuals((k, f))).collect();
     residuals_log10.sort_by(f64::total_cmp);
-    Measurement { residuals_log10, failures, instances: instances as usize }
+    let is_complete = |found: &&Option<Vec<Vec<Complex<f64>>>>| found.as_ref().is_some_and(|f| f.len() == solutions);
+    let failures = found.iter().filter(|found| !is_complete(found)).count();
+    Measurement { residuals_log10, solutions, failures, instances: instances as usize }
 }
 
-/// An instance counts as failed before the polish if the error of one of its points is larger, as in the published figures.
+/// The value that occurs most often; of several the smallest.
+fn most_frequent(values: impl Iterator<Item = usize>) -> Option<usize> {
+    let mut counts: BTreeMap<usize, usize> = BTreeMap::new();
+    values.for_each(|value| *counts.entry(value).or_default() += 1);
+    counts.into_iter().max_by_key(|&(value, count)| (count, Reverse(value))).map(|(value, _)| value)
+}
+
+/// How far the solutions of scenes are from the known ones.
+pub struct ForwardErrors {
+    /// log10 of the error of the known solution that is found worst, of every scene, increasing; a
+    /// known solution that is missing has an infinite error.
+    pub log10: Vec<f64>,
+    /// Scenes whose known solutions are all found, each to [`FOUND`].
+    pub recovered: usize,
+}
+
+/// Solves `instances` scenes, scene k from the seed `first_seed` + k.
+pub fn measure_forward(case: &Case, instances: u64, first_seed: u64) -> ForwardErrors {
+    let makers: Vec<Maker> = makers().into_iter().filter(|maker| maker.name == case.name).collect();
+    let error = |k| worst(makers.iter().map(|maker| maker.worst_error(case, &mut Random::new(first_seed + k))));
+    let errors: Vec<f64> = (0..instances).into_par_iter().map(error).collect();
+    let recovered = errors.iter().filter(|&&error| error <= FOUND).count();
+    let mut log10: Vec<f64> = errors.into_iter().map(log10).collect();
+    log10.sort_by(f64::total_cmp);
+    ForwardErrors { log10, recovered }
+}
+
+/// An instance counts as failed before the polish if the error of one of its points is larger, as
+/// in the published figures.
 const FAILED: f64 = 1e-3;
 
-/// What the eigenpairs give before the polish, by the formula of the statistics that are shipped with the solvers of
-/// Martyushev, Bhayani and Pajdla. With the equations C m(x) = 0, where m(x) are all monomials of the system, a point has the
-/// error
+/// What the eigenpairs give before the polish, by the formula of the statistics that are shipped
+/// with the solvers of Martyushev, Bhayani and Pajdla. With the equations C m(x) = 0, where m(x)
+/// are all monomials of the system, a point has the error
 ///
 /// e(x) = |C m(x)| / |m(x)|, both norms Euclidean,
 ///
-/// and an instance the norm of the smallest errors, as many as there are solutions. Points with larger errors belong to no
-/// solution, because |B| may exceed the number of solutions.
+/// and an instance the norm of the smallest errors, as many as there are solutions. Points with
+/// larger errors belong to no solution, because |B| may exceed the number of solutions.
 pub struct Unpolished {
     /// log10 of the error of every instance on which some point was read off.
     pub errors_log10: Vec<f64>,
@@ -101,8 +148,9 @@ pub struct Unpolished {
     pub instances: usize,
 }
 
-/// Reads the points of `instances` instances off the eigenpairs, instance k drawn as in [`measure`]. The plan is
-/// interpreted: the emitted solver computes the same bits, but returns polished solutions only.
+/// Reads the points of `instances` instances off the eigenpairs, instance k drawn as in
+/// [`measure`]. The plan is interpreted: the emitted solver computes the same bits, but returns
+/// polished solutions only.
 pub fn measure_unpolished(plan: &Plan, instances: u64, first_seed: u64) -> Unpolished {
     let solver = InterpretedSolver::of(plan);
     let monomials = monomials(plan);

@@ -1,16 +1,18 @@
 //! Published elimination templates of the problems in `templates/`, to stand beside ours.
 //!
 //! `published.csv` holds, by published name, sizes as rows x columns:
-//! - `larsson_2017`: Larsson, Åström, Oskarsson, "Efficient solvers for minimal problems by syzygy-based reduction", CVPR 2017;
-//! - `greedy_2022`: Martyushev, Vráblíková, Pajdla, "Optimizing elimination templates by greedy parameter search", CVPR 2022,
-//!   the smaller of the standard and the non-standard one;
-//! - `smallest_2023`: Martyushev, Bhayani, Pajdla, "Automatic solver generator for systems of Laurent polynomial equations",
-//!   arXiv 2307.00320, 2023: the smallest template that is saved in the repository of that generator
-//!   (github.com/martyushev/eliminationTemplates). For some problems it is smaller than that of the solver which is shipped
-//!   there. In brackets stands the name of another published form of the same problem if its template is smaller;
-//! - `shipped_2023`: the template of the shipped solver, whose number of basis monomials, and on random instances of its own
-//!   the number of instances, median and 99 % quantile of the log10 error and rate of failures follow. The error is that of
-//!   [`crate::measure::Unpolished`].
+//! - `larsson_2017`: Larsson, Åström, Oskarsson, "Efficient solvers for minimal problems by
+//!   syzygy-based reduction", CVPR 2017;
+//! - `greedy_2022`: Martyushev, Vráblíková, Pajdla, "Optimizing elimination templates by greedy
+//!   parameter search", CVPR 2022, the smaller of the standard and the non-standard one;
+//! - `smallest_2023`: Martyushev, Bhayani, Pajdla, "Automatic solver generator for systems of
+//!   Laurent polynomial equations", arXiv 2307.00320, 2023: the smallest template that is saved in
+//!   the repository of that generator (github.com/martyushev/eliminationTemplates). For some
+//!   problems it is smaller than that of the solver which is shipped there. In brackets stands the
+//!   name of another published form of the same problem if its template is smaller;
+//! - `shipped_2023`: the template of the shipped solver, whose number of basis monomials, and on
+//!   random instances of its own the number of instances, median and 99 % quantile of the log10
+//!   error and rate of failures follow. The error is that of [`crate::measure::Unpolished`].
 
 use crate::Case;
 
@@ -47,7 +49,8 @@ pub fn published() -> Result<Vec<Published>, csv::Error> {
     csv::Reader::from_reader(include_str!("published.csv").as_bytes()).deserialize().collect()
 }
 
-/// The name under which the problem of `case` is published: its documentation says "Published as `name`".
+/// The name under which the problem of `case` is published: its documentation says "Published as
+/// `name`".
 pub fn published_name(case: &Case) -> Option<String> {
     let docs = case.problem().docs.join(" ");
     let words = docs.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -55,8 +58,8 @@ pub fn published_name(case: &Case) -> Option<String> {
     rest.split_once('`').map(|(name, _)| name.to_owned())
 }
 
-/// The template with the fewest rows that `eliminant search --prefer size` finds for a problem, rows x columns, from
-/// `fewest_rows.csv`; `None` where it was not searched.
+/// The template with the fewest rows that `eliminant search --prefer size` finds for a problem,
+/// rows x columns, from `fewest_rows.csv`; `None` where it was not searched.
 ///
 /// # Errors
 /// If the table is malformed.

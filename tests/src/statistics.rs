@@ -2,7 +2,8 @@
 
 use eliminant::Complex;
 
-/// The q-quantile of values in any order, by nearest rank; NaN where there are none, which passes no comparison.
+/// The q-quantile of values in any order, by nearest rank; NaN where there are none, which passes
+/// no comparison.
 pub fn quantile(values: &mut [f64], q: f64) -> f64 {
     values.sort_by(f64::total_cmp);
     match values.len() {
@@ -21,7 +22,8 @@ pub fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
     errors.into_iter().fold(0.0, |worst, error| if error.is_nan() { f64::INFINITY } else { error.max(worst) })
 }
 
-/// How far two points are apart: max over the unknowns of |x - y|, relative to the larger of the two points' norms.
+/// How far two points are apart: max over the unknowns of |x - y|, relative to the larger of the
+/// two points' norms.
 pub fn distance(x: &[Complex<f64>], y: &[Complex<f64>]) -> f64 {
     let norm = |v: &[Complex<f64>]| v.iter().map(|z| z.norm()).fold(0.0, f64::max);
     let difference: Vec<Complex<f64>> = x.iter().zip(y).map(|(a, b)| a - b).collect();
@@ -34,7 +36,8 @@ pub fn complex(point: &[f64]) -> Vec<Complex<f64>> {
     point.iter().map(|&x| Complex::new(x, 0.0)).collect()
 }
 
-/// Whether each point of either set has its own partner in the other, within `tolerance` by [`distance`].
+/// Whether each point of either set has its own partner in the other, within `tolerance` by
+/// [`distance`].
 pub fn same_set(left: &[Vec<Complex<f64>>], right: &[Vec<Complex<f64>>], tolerance: f64) -> bool {
     let mut free: Vec<&Vec<Complex<f64>>> = right.iter().collect();
     left.len() == right.len()

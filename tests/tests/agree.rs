@@ -1,5 +1,6 @@
-//! Emitted code and interpreted plan give the same action matrix, bit by bit, and refuse the same data. How many data
-//! are solved and how many refused is counted, so that the comparison compares something.
+//! Emitted code and interpreted plan give the same action matrix, bit by bit, and refuse the same
+//! data. How many data are solved and how many refused is counted, so that the comparison compares
+//! something.
 
 use eliminant_generator::expression::arithmetic::Float64;
 use eliminant_generator::plan::{Plan, interpret};
@@ -36,7 +37,8 @@ fn is_solved(case: &Case, plan: &Plan, inputs: &[f64]) -> bool {
     }
 }
 
-/// The shares of instances of a family that are solved, by problem. Problems without data are left out.
+/// The shares of instances of a family that are solved, by problem. Problems without data are left
+/// out.
 fn solved_shares(family: Family, first_seed: u64) -> Vec<(&'static str, f64)> {
     let share = |case: Case| {
         let (plan, source) = (case.planned().plan, DataSource::new(&case));
@@ -67,8 +69,8 @@ fn on_scenes() {
     assert_shares(&solved_shares(Family::Scene, 1_500_000), 0.99..=1.0);
 }
 
-/// Each input times its own power of ten, over ever wider ranges: from data that are solved like random ones to data whose
-/// coefficients overflow.
+/// Each input times its own power of ten, over ever wider ranges: from data that are solved like
+/// random ones to data whose coefficients overflow.
 #[test]
 fn on_badly_scaled_data() {
     for (range, each, mean) in [

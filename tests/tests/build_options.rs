@@ -1,4 +1,5 @@
-//! What a build script can ask for beside a folder: some problems only, templates of its own, an index of the solvers.
+//! What a build script can ask for beside a folder: some problems only, templates of its own, an
+//! index of the solvers.
 
 use std::fs;
 use std::path::Path;
@@ -71,7 +72,8 @@ fn the_index_cannot_have_the_name_of_a_problem() {
     assert!(read(out.path(), "two_conics.rs").contains("pub mod two_conics"));
 }
 
-/// The same template with other notes makes the same solver; one that does not hold stops the build; others are not read.
+/// The same template with other notes makes the same solver; one that does not hold stops the
+/// build; others are not read.
 #[test]
 fn templates_of_another_folder_go_first() {
     let (out, own) = (out(), tempfile::tempdir().expect("a folder"));

@@ -1,4 +1,5 @@
-//! What a build script meets: good problems, stale and broken templates, files that are none. No partial output, no panic.
+//! What a build script meets: good problems, stale and broken templates, files that are none. No
+//! partial output, no panic.
 
 use std::fs;
 use std::path::PathBuf;
@@ -187,7 +188,8 @@ fn a_template_that_does_not_hold_is_refused() {
     }
 }
 
-/// Cut off, lines dropped and repeated, characters exchanged: refused, or still a template that holds (`generate` verifies it).
+/// Cut off, lines dropped and repeated, characters exchanged: refused, or still a template that
+/// holds (`generate` verifies it).
 #[test]
 fn damaged_templates_never_panic() {
     let text = committed(CONICS[1]);
@@ -218,7 +220,8 @@ fn damaged_templates_never_panic() {
     assert!(refused * 2 > damaged.len());
 }
 
-/// Without a template file a bounded search runs: what is emitted is the solver of a candidate that solves.
+/// Without a template file a bounded search runs: what is emitted is the solver of a candidate that
+/// solves.
 #[test]
 fn a_problem_without_template_is_searched() {
     let text = "/// A circle and a parabola.\nfn meet(c: [f64; 3], p: [f64; 3]) -> (x, y) {\n    \

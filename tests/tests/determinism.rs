@@ -1,4 +1,5 @@
-//! The same problem, template and options give the same bytes, however often and on however many threads.
+//! The same problem, template and options give the same bytes, however often and on however many
+//! threads.
 
 use std::fs;
 
@@ -66,7 +67,8 @@ fn template_files_survive_a_round_trip() {
     }
 }
 
-/// All templates that a search finds, in order, or why it finds none, with one thread and with several.
+/// All templates that a search finds, in order, or why it finds none, with one thread and with
+/// several.
 #[test]
 fn searches_repeat_themselves_on_any_number_of_threads() {
     let options = SearchOptions { max_columns: 100, shuffles: 1, ..SearchOptions::default() };

@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 const EXTENSIONS: [&str; 8] = [".rs", ".toml", ".md", ".json", ".svg", ".png", ".csv", ".lock"];
 /// Folders that are not part of the project.
 const SKIPPED: [&str; 3] = ["target", ".git", "node_modules"];
-/// Words that stand for a name of the reader's own, as in `templates/NAME.rs`, and folders that cargo makes.
+/// Words that stand for a name of the reader's own, as in `templates/NAME.rs`, and folders that
+/// cargo makes.
 const PLACEHOLDERS: [&str; 6] = ["NAME", "FILE", "FOLDER", "OUT_DIR", "target", "problems"];
 
 fn root() -> PathBuf {
@@ -64,8 +65,8 @@ fn is_path(text: &str) -> bool {
     (named_file || text.contains('/') && !formula) && !components.iter().any(placeholder)
 }
 
-/// Beside the document, or in any folder above it up to the root of the project; a bare name, whose folder the sentence
-/// around it tells, anywhere.
+/// Beside the document, or in any folder above it up to the root of the project; a bare name, whose
+/// folder the sentence around it tells, anywhere.
 fn exists(path: &str, document: &Path, root: &Path, files: &[PathBuf]) -> bool {
     if !path.contains('/') && files.iter().any(|file| file.file_name().is_some_and(|name| name == path)) {
         return true;

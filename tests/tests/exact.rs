@@ -1,4 +1,5 @@
-//! Over Z_p nothing is rounded: every plan is compared with normal forms modulo the ideal of its problem, for equality.
+//! Over Z_p nothing is rounded: every plan is compared with normal forms modulo the ideal of its
+//! problem, for equality.
 
 use std::cell::Cell;
 
@@ -109,7 +110,8 @@ fn polynomial(terms: &[Term], field: PrimeField, coefficients: &[u32]) -> Polyno
     Polynomial::collect(field, terms.iter().map(term))
 }
 
-/// With a = n / d and c clearing the denominators of B: c n b = sum over j of T[b][j] c d b_j modulo the ideal, for every b in B.
+/// With a = n / d and c clearing the denominators of B: c n b = sum over j of T[b][j] c d b_j
+/// modulo the ideal, for every b in B.
 #[test]
 fn the_action_matrix_of_the_plan_equals_normal_forms() {
     for_each_setting(|s| {
@@ -149,8 +151,9 @@ fn the_rows_that_unknowns_are_read_from_equal_normal_forms() {
     assert!(rows.get() > 0, "some problem has such a row");
 }
 
-/// What is divided by has no zero in common with the problem (else solutions would be lost), and B spans the quotient ring,
-/// so that every solution gives an eigenvector; or the part of it whose monomials change their signs as those of B do.
+/// What is divided by has no zero in common with the problem (else solutions would be lost), and B
+/// spans the quotient ring, so that every solution gives an eigenvector; or the part of it whose
+/// monomials change their signs as those of B do.
 #[test]
 fn no_solution_is_lost_by_the_action_or_the_basis() {
     for_each_setting(|s| {
@@ -199,7 +202,8 @@ fn the_number_of_solutions_is_that_of_the_template() {
     });
 }
 
-/// unknown - value lies in the ideal of the problem as stated, by the symbolic recovery and by the plan's.
+/// unknown - value lies in the ideal of the problem as stated, by the symbolic recovery and by the
+/// plan's.
 #[test]
 fn eliminated_unknowns_are_recovered() {
     for_each_setting(|s| {
@@ -233,8 +237,8 @@ fn the_equations_of_the_plan_are_those_of_the_problem() {
     });
 }
 
-/// Every kept unknown is read from pairs of monomials that do differ by the factor that the plan says, and that factor decides the unknown up to
-/// the signs that the plan changes.
+/// Every kept unknown is read from pairs of monomials that do differ by the factor that the plan
+/// says, and that factor decides the unknown up to the signs that the plan changes.
 #[test]
 fn unknowns_are_ratios_of_known_monomials() {
     for_each_setting(|s| {

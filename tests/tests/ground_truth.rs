@@ -15,8 +15,9 @@ use rayon::prelude::*;
 const INSTANCES: u64 = 10_000;
 /// A returned solution at most this far from a known one is the known one with fewer digits.
 const COARSE: f64 = 1e-2;
-/// The smallest singular value of the scaled Jacobian below which a solution counts as ill-conditioned: an error of
-/// the equations at the level of rounding, 1e-15 of their terms, moves it by 1e-8 of its norm or more.
+/// The smallest singular value of the scaled Jacobian below which a solution counts as
+/// ill-conditioned: an error of the equations at the level of rounding, 1e-15 of their terms, moves
+/// it by 1e-8 of its norm or more.
 const ILL_CONDITIONED: f64 = 1e-7;
 
 const NOT_FOUND: Bounds = Bounds {
@@ -35,8 +36,8 @@ const NOT_FOUND_WITHOUT_REASON: Bounds = Bounds {
     exceptions: &[],
 };
 
-/// What became of a known solution. Errors are those of the solver: they are measured from the exact solution of the
-/// rounded data next to the known one.
+/// What became of a known solution. Errors are those of the solver: they are measured from the
+/// exact solution of the rounded data next to the known one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Fate {
     /// `solve` returns it, with an error of at most 1e-6.
@@ -53,8 +54,8 @@ enum Fate {
 #[derive(Clone, Copy, Debug)]
 struct Miss {
     fate: Fate,
-    /// The smallest singular value of the Jacobian there: rows in units of their equations' terms, columns in units of the
-    /// solution's norm.
+    /// The smallest singular value of the Jacobian there: rows in units of their equations' terms,
+    /// columns in units of the solution's norm.
     condition: f64,
     error: f64,
 }

@@ -20,7 +20,8 @@ const MAX_RESIDUAL: f64 = 1e-10;
 /// Data that satisfy these are no longer what they are when they are scaled.
 const HAVE_NO_SCALE: [DataAttribute; 2] = [DataAttribute::Unit, DataAttribute::Rotation];
 
-/// Operations that one test may take for one problem, without the polish; large templates see fewer cases.
+/// Operations that one test may take for one problem, without the polish; large templates see fewer
+/// cases.
 const WORK: usize = 200_000_000;
 
 /// Random instances at each scale, if they are affordable.
@@ -32,9 +33,10 @@ const SCALES: [i32; 11] = [-10, -8, -6, -4, -2, 0, 2, 4, 6, 8, 10];
 /// The share of instances that may lack a solution at each scale.
 const INCOMPLETE: f64 = 0.05;
 
-/// Problems whose data have a unit: the exponents between which they are solved, and the share of instances that are solved at the
-/// next exponents outside. A factor of the data is no factor of the equations: it moves the solutions, the monomials of the basis differ by
-/// powers of it, and an eigenvector in `f64` does not hold both.
+/// Problems whose data have a unit: the exponents between which they are solved, and the share of
+/// instances that are solved at the next exponents outside. A factor of the data is no factor of
+/// the equations: it moves the solutions, the monomials of the basis differ by powers of it, and an
+/// eigenvector in `f64` does not hold both.
 const UNITS: [(&str, i32, i32); 15] = [
     // 0.88 at -4 and 0.04 at 4.
     ("calibration_6_receivers_4_senders", -2, 2),
@@ -129,7 +131,8 @@ impl Subject {
         })
     }
 
-    /// What must hold whatever the data are; `Err` says what does not. The number of solutions otherwise.
+    /// What must hold whatever the data are; `Err` says what does not. The number of solutions
+    /// otherwise.
     fn check(&self, data: &[f64]) -> Result<usize, String> {
         let (real, all) = ((self.case.solve)(data), (self.case.solve_complex)(data));
         let finite = data.iter().all(|x| x.is_finite());
@@ -159,7 +162,8 @@ impl Subject {
         Ok(all.len())
     }
 
-    /// On how many random instances, all their data times a power of ten, all complex solutions are found.
+    /// On how many random instances, all their data times a power of ten, all complex solutions are
+    /// found.
     fn complete(&self, exponent: i32, instances: usize) -> usize {
         let factor = power_of_ten(exponent);
         let is_complete = |seed: &usize| {
@@ -191,7 +195,8 @@ fn a_value_that_is_not_finite_is_refused_wherever_it_stands() {
     }
 }
 
-/// The lower half is not read, so that a caller who fills the upper half only gets the right result.
+/// The lower half is not read, so that a caller who fills the upper half only gets the right
+/// result.
 #[test]
 fn the_upper_half_of_symmetric_data_is_enough() {
     let mut unread = 0;
@@ -231,7 +236,8 @@ fn degenerate_data_are_refused_or_solved() {
             hole[at] = 0.0;
             subject.assert("a zero", &hole);
         }
-        // Repeated measurements: the second half of the data repeats the first, exactly, scaled, and up to rounding.
+        // Repeated measurements: the second half of the data repeats the first, exactly, scaled,
+        // and up to rounding.
         for factor in [1.0, -1.0, 2.0, 1.0 + f64::EPSILON, 1.0 + 1e-12, 1.0 + 1e-8] {
             for period in (1..n).step_by(stride) {
                 let repeated: Vec<f64> =
@@ -264,7 +270,8 @@ fn power_of_ten(exponent: i32) -> f64 {
     10f64.powi(exponent / 2) * 10f64.powi(exponent - exponent / 2)
 }
 
-/// One common factor of all data but unit vectors and rotations, down to subnormal numbers and up to overflow.
+/// One common factor of all data but unit vectors and rotations, down to subnormal numbers and up
+/// to overflow.
 #[test]
 fn huge_and_tiny_data_are_refused_or_solved() {
     for subject in subjects() {
@@ -284,8 +291,9 @@ fn huge_and_tiny_data_are_refused_or_solved() {
     }
 }
 
-/// Up to ten orders of magnitude from the unit of random data, all complex solutions are found on nearly all instances, at
-/// every scale and for every problem. Where a problem has a unit this holds for the scales that [`UNITS`] states.
+/// Up to ten orders of magnitude from the unit of random data, all complex solutions are found on
+/// nearly all instances, at every scale and for every problem. Where a problem has a unit this
+/// holds for the scales that [`UNITS`] states.
 #[test]
 fn scaled_data_are_solved_completely() {
     let mut faults = Vec::new();

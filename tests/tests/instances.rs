@@ -1,5 +1,5 @@
-//! Random instances and scenes of every problem: what the solvers return is judged by the equations as
-//! stated, at twice the precision. The runtime's own residual decides nothing here.
+//! Random instances and scenes of every problem: what the solvers return is judged by the equations
+//! as stated, at twice the precision. The runtime's own residual decides nothing here.
 
 use eliminant::Complex;
 use eliminant_tests::bounds::{Bounds, Exception, share};
@@ -20,8 +20,8 @@ const WORK_OF_JUDGING: u64 = 700_000_000;
 /// An imaginary part that is rounding, relative to the largest unknown.
 const REAL: f64 = 1e-9;
 
-/// The claims on 10,000 instances: all complex solutions are found, the conjugate of each is one of them,
-/// and `solve` returns the real ones.
+/// The claims on 10,000 instances: all complex solutions are found, the conjugate of each is one of
+/// them, and `solve` returns the real ones.
 const CLAIMS: Bounds = Bounds { what: "share of random instances against a claim", usual: 1e-3, exceptions: &[] };
 
 /// What is demanded of the returned points of a family.

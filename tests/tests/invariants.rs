@@ -1,5 +1,5 @@
-//! What must not be there: dependencies between the wrong crates, input and output in the middle of the pipeline, words in
-//! code that must neither allocate nor panic.
+//! What must not be there: dependencies between the wrong crates, input and output in the middle of
+//! the pipeline, words in code that must neither allocate nor panic.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -107,7 +107,8 @@ const HEAVY: [&str; 17] = [
 fn the_runtime_neither_allocates_nor_panics() {
     let mut files = code_of("runtime");
     assert!(files.len() > 10, "{} files", files.len());
-    // Sizes known at run time live in `Vec`s. Solvers do not turn on the feature that compiles the file.
+    // Sizes known at run time live in `Vec`s. Solvers do not turn on the feature that compiles the
+    // file.
     let root_file = fs::read_to_string(root().join("runtime/src/lib.rs")).expect("UTF-8");
     assert!(root_file.contains("#[cfg(feature = \"alloc\")]\nmod dynamic_size;"));
     files.retain(|file| !file.path.ends_with("dynamic_size.rs"));

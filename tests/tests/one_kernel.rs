@@ -1,4 +1,5 @@
-//! Emitted solvers and interpreted plans are one kernel: the same bits, or the same error, second attempts included.
+//! Emitted solvers and interpreted plans are one kernel: the same bits, or the same error, second
+//! attempts included.
 //!
 //! So what a search measures on interpreted plans is what the emitted solver does.
 

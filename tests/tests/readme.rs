@@ -1,4 +1,5 @@
-//! The figures in README.md that a program can find out stand between markers, and are what it finds.
+//! The figures in README.md that a program can find out stand between markers, and are what it
+//! finds.
 
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -100,8 +101,9 @@ fn the_example_is_the_problem_shown() {
     assert_eq!(code(problem), code(&committed), "README.md shows another problem than the example solves");
 }
 
-/// Receivers on a sphere of radius 1, satellites on one of radius 4, clocks off by up to 1: the position and the offset are
-/// found. The solver is emitted by the build script from the text of README.md.
+/// Receivers on a sphere of radius 1, satellites on one of radius 4, clocks off by up to 1: the
+/// position and the offset are found. The solver is emitted by the build script from the text of
+/// README.md.
 #[test]
 fn the_problem_shown_is_solved() {
     const RECEIVERS: usize = 10_000;
@@ -135,7 +137,8 @@ fn length(x: [f64; 3]) -> f64 {
     x.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-/// The catalogue has every problem with its template as it is now; its measurements are only as old as the template.
+/// The catalogue has every problem with its template as it is now; its measurements are only as old
+/// as the template.
 #[test]
 fn the_catalogue_has_every_template() {
     let page = fs::read_to_string(root().join("templates/README.md")).expect("templates/README.md");

@@ -20,8 +20,8 @@ fn count_found(truths: &[Vec<f64>], points: &[Vec<f64>]) -> usize {
     truths.iter().filter(|truth| points.iter().any(|point| relative_error(point, truth) <= FOUND)).count()
 }
 
-/// The sides of an isosceles triangle, and the dual conics (d1, .., d5) of its incircle and its three excircles. The
-/// axis, on which two of the centres lie, has the direction `turn` * (0, 1).
+/// The sides of an isosceles triangle, and the dual conics (d1, .., d5) of its incircle and its
+/// three excircles. The axis, on which two of the centres lie, has the direction `turn` * (0, 1).
 fn isosceles(half_base: f64, height: f64, turn: Rotation2<f64>, shift: Vector2<f64>) -> (Vec<Line>, Vec<Vec<f64>>) {
     let leg = half_base.hypot(height);
     let corners = [[-half_base, 0.0], [half_base, 0.0], [0.0, height]].map(|[x, y]| turn * Vector2::new(x, y) + shift);
@@ -51,8 +51,8 @@ fn turn(random: &mut Random, exact: bool) -> Rotation2<f64> {
     }
 }
 
-/// Centres on an axis of symmetry that is parallel to a coordinate axis share a coordinate; with the stationary points
-/// that are no tangent circles up to five of the nine solutions do.
+/// Centres on an axis of symmetry that is parallel to a coordinate axis share a coordinate; with
+/// the stationary points that are no tangent circles up to five of the nine solutions do.
 #[test]
 fn all_circles_of_symmetric_triangles_are_found() {
     let solvers = ["circle_minimal", "circle_least_squares_dual", "circle_least_squares"].map(case);
@@ -88,19 +88,21 @@ fn all_circles_of_symmetric_triangles_are_found() {
         println!(
             "equilateral {equilateral}, quarter turns {exact}: [degenerate, incomplete] of {INSTANCES}: {counts:?}"
         );
-        // The least squares of an equilateral triangle are degenerate for these templates, whatever the rotation.
+        // The least squares of an equilateral triangle are degenerate for these templates, whatever
+        // the rotation.
         assert!(counts[0][0] == 0 && (equilateral || counts[1][0] + counts[2][0] == 0), "{counts:?}");
         assert!(counts.iter().all(|[_, incomplete]| *incomplete * 1000 <= INSTANCES as usize), "{counts:?}");
     }
 }
 
-/// Two conics of the pencil through two pairs of points, each pair with one x, real or conjugate; and the real ones of the points.
+/// Two conics of the pencil through two pairs of points, each pair with one x, real or conjugate;
+/// and the real ones of the points.
 fn conics_with_shared_x(random: &mut Random, pairs: [bool; 2]) -> (Vec<f64>, Vec<Vec<f64>>) {
     let (mut truths, mut rows) = (Vec::new(), Vec::new());
     for real in pairs {
         let [x, y, d] = [0; 3].map(|_| random.symmetric_unit());
-        // Half the sum and half the difference of (x^2, x y, y^2, x, y, 1) at y + d and y - d, or y + i d and y - i d,
-        // divided by d or i d.
+        // Half the sum and half the difference of (x^2, x y, y^2, x, y, 1) at y + d and y - d, or y
+        // + i d and y - i d, divided by d or i d.
         let square = if real { d * d } else { -d * d };
         rows.push(vec![x * x, x * y, y * y + square, x, y, 1.0]);
         rows.push(vec![0.0, x, 2.0 * y, 0.0, 1.0, 0.0]);
@@ -158,8 +160,8 @@ fn conics_that_touch_have_the_point_once() {
     assert!(counts[1] * 100 >= INSTANCES as usize * 99, "{counts:?}");
 }
 
-/// Known points at one height z: both solutions have the same x and y. Not too close to that height, where the two become
-/// a double one, to which the polish converges slowly.
+/// Known points at one height z: both solutions have the same x and y. Not too close to that
+/// height, where the two become a double one, to which the polish converges slowly.
 #[test]
 fn trilateration_from_points_at_one_height() {
     let solver = case("trilateration");
@@ -183,8 +185,8 @@ fn trilateration_from_points_at_one_height() {
     }
 }
 
-/// The interpreted solver, by which templates are judged, finds what the emitted one finds: with shared values, and with
-/// solutions that have an unknown zero.
+/// The interpreted solver, by which templates are judged, finds what the emitted one finds: with
+/// shared values, and with solutions that have an unknown zero.
 #[test]
 fn interpreted_and_emitted_find_the_same() {
     type Draw = fn(&mut Random) -> Vec<f64>;

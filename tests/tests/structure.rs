@@ -1,5 +1,5 @@
-//! The shape of the source: files without circles of imports, and functions and files of a size that
-//! can be read. There is no list of exceptions.
+//! The shape of the source: files without circles of imports, and functions and files of a size
+//! that can be read. There is no list of exceptions.
 
 use std::fs;
 use std::path::PathBuf;

@@ -1,4 +1,5 @@
-//! Where am I? A receiver whose position is known, four satellites, and the solver that the build script made.
+//! Where am I? A receiver whose position is known, four satellites, and the solver that the build
+//! script made.
 
 eliminant::include_solver!("gps");
 
@@ -15,7 +16,8 @@ const SATELLITES: [[f64; 3]; 4] = [
 const RECEIVER: [f64; 3] = [3_498.0, 820.0, 5_256.0];
 /// A clock that is 100 microseconds fast.
 const OFFSET: f64 = 299_792.458 * 1e-4;
-/// The pseudoranges below are rounded to some 1e-12 km; geometry makes that up to a hundred times larger.
+/// The pseudoranges below are rounded to some 1e-12 km; geometry makes that up to a hundred times
+/// larger.
 const TOLERANCE: f64 = 1e-9;
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {

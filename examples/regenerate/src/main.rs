@@ -1,7 +1,8 @@
 //! Two solvers of the catalogue, emitted by the build script of this crate.
 //!
-//! The template of `pose_35pt_focal` is its own: of those with at most 12 basis monomials the one with the fewest rows. The
-//! catalogue has another, which the default options find. In a copy of the problem's folder it was found by
+//! The template of `pose_35pt_focal` is its own: of those with at most 12 basis monomials the one
+//! with the fewest rows. The catalogue has another, which the default options find. In a copy of
+//! the problem's folder it was found by
 //!
 //! ```sh
 //! eliminant search pose_35pt_focal.rs --prefer size --max-basis 12
@@ -15,7 +16,8 @@ use std::error::Error;
 /// The size of the eigenvalue problem that this crate asks for.
 const BASIS: usize = 12;
 const POINTS: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [1.0, 0.2, -0.3], [-0.4, 0.9, 0.5], [0.6, -0.7, 0.8]];
-/// The camera turns by the quaternion (1, X, Y, 0), and then by the angle ROLL about its optical axis.
+/// The camera turns by the quaternion (1, X, Y, 0), and then by the angle ROLL about its optical
+/// axis.
 const X: f64 = 0.3;
 const Y: f64 = -0.2;
 const ROLL: f64 = 0.7;

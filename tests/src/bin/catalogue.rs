@@ -1,4 +1,5 @@
-//! Prints the catalogue: every problem in `templates/`, its template and what its solver does, beside what is published.
+//! Prints the catalogue: every problem in `templates/`, its template and what its solver does,
+//! beside what is published.
 //!
 //! With `--update` the page `templates/README.md` is written anew.
 
@@ -8,13 +9,12 @@ use std::path::Path;
 
 use clap::{Parser, ValueEnum};
 use comfy_table::{CellAlignment, Table, presets};
-use eliminant_generator::algebra::Random;
-use eliminant_tests::ground_truth::{FOUND, Maker, makers};
-use eliminant_tests::measure::{WORK_OF_MEASURING, affordable, measure, measure_unpolished};
+use eliminant_tests::comparison::comparison;
+use eliminant_tests::families::Family;
+use eliminant_tests::measure::{WORK_OF_MEASURING, affordable, measure, measure_forward, measure_unpolished};
 use eliminant_tests::published::{Published, fewest_rows, published, published_name};
 use eliminant_tests::statistics::quantile;
 use eliminant_tests::{Case, cases, templates_folder};
-use rayon::prelude::*;
 
 /// The catalogue of problems, measured, beside published templates.
 #[derive(Parser)]
@@ -54,10 +54,11 @@ struct Group {
 }
 
 const PROBLEM: &str = "problem";
+const TEMPLATES: &str = "Templates";
 
-const GROUPS: [Group; 4] = [
+const GROUPS: [Group; 5] = [
     Group {
-        title: "Templates",
+        title: TEMPLATES,
         definitions: include_str!("../catalogue_text/templates.md"),
         columns: &[
             PROBLEM,
@@ -74,9 +75,25 @@ const GROUPS: [Group; 4] = [
         words: 2,
     },
     Group {
-        title: "Solutions that are returned",
+        title: "Solutions of random data",
         definitions: include_str!("../catalogue_text/returned.md"),
-        columns: &[PROBLEM, "n", "median", "p99", "failures", "recovered"],
+        columns: &[PROBLEM, "n", "median", "p99", "failures"],
+        words: 1,
+    },
+    Group {
+        title: "Solutions of scenes",
+        definitions: include_str!("../catalogue_text/scenes.md"),
+        columns: &[
+            PROBLEM,
+            "scenes",
+            "of a scene",
+            "scene median",
+            "scene p99",
+            "scene failures",
+            "recovered",
+            "forward median",
+            "forward p99",
+        ],
         words: 1,
     },
     Group {
@@ -93,9 +110,9 @@ const GROUPS: [Group; 4] = [
     },
 ];
 
-/// Columns that are measured. Of a problem that is not measured they stay as the page has them; all others follow from
-/// committed files.
-const MEASURED: [&str; 13] = [
+/// Columns that are measured. Of a problem that is not measured they stay as the page has them; all
+/// others follow from committed files.
+const MEASURED: [&str; 20] = [
     "solutions",
     "template",
     "basis",
@@ -104,7 +121,14 @@ const MEASURED: [&str; 13] = [
     "median",
     "p99",
     "failures",
+    "scenes",
+    "of a scene",
+    "scene median",
+    "scene p99",
+    "scene failures",
     "recovered",
+    "forward median",
+    "forward p99",
     "unpolished n",
     "unpolished median",
     "unpolished p99",
@@ -134,12 +158,16 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         };
         rows.push(with_published(measured, &case, &published)?);
     }
+    let comparison = comparison(&cases())?;
     if arguments.update {
-        return write(&path, &page(&rows, &arguments));
+        return write(&path, &page(&rows, &comparison, &arguments));
     }
     match arguments.format {
-        Format::Text => GROUPS.iter().for_each(|group| println!("{}\n", table(group, &rows, presets::NOTHING))),
-        Format::Markdown => print!("{}", page(&rows, &arguments)),
+        Format::Text => {
+            GROUPS.iter().for_each(|group| println!("{}\n", table(group, &rows, presets::NOTHING)));
+            print!("{comparison}");
+        }
+        Format::Markdown => print!("{}", page(&rows, &comparison, &arguments)),
         Format::Csv => {
             let mut heads: Vec<&str> = GROUPS.iter().flat_map(|group| group.columns).copied().collect();
             let mut known = BTreeSet::new();
@@ -160,28 +188,50 @@ fn cell<'a>(row: &'a Row, head: &str) -> &'a str {
 /// The cells of [`MEASURED`].
 fn measured(case: &Case, arguments: &Arguments) -> Row {
     let (template, plan) = (case.template().template, case.planned().plan);
-    let instances = affordable(&plan, arguments.instances, WORK_OF_MEASURING);
-    let mut measured = measure(case, &plan, instances, arguments.seed);
-    let mut unpolished = measure_unpolished(&plan, instances.min(UNPOLISHED), arguments.seed);
-    let share = |failures: usize, instances: usize| format!("{:.4}", failures as f64 / instances as f64);
-    let mut residual = |q: f64| format!("{:.1}", quantile(&mut measured.residuals_log10, q));
-    let mut error = |q: f64| format!("{:.1}", quantile(&mut unpolished.errors_log10, q));
-    let cells = [
+    let (instances, seed) = (affordable(&plan, arguments.instances, WORK_OF_MEASURING), arguments.seed);
+    let random = measure(case, &plan, Family::Random, instances, seed);
+    let scenes = measure(case, &plan, Family::Scene, instances, seed);
+    let forward = measure_forward(case, instances, seed);
+    let mut unpolished = measure_unpolished(&plan, instances.min(UNPOLISHED), seed);
+    unpolished.errors_log10.sort_by(f64::total_cmp);
+    let size = [
         plan.solutions.to_string(),
         format!("{}x{}", template.rows(), template.columns()),
         template.basis.len().to_string(),
         plan.operations().total().to_string(),
-        measured.instances.to_string(),
-        residual(0.5),
-        residual(0.99),
-        share(measured.failures, measured.instances),
-        format!("{:.4}", recovered(case, instances, arguments.seed)),
+    ];
+    let returned = [
+        random.instances.to_string(),
+        at(&random.residuals_log10, 0.5),
+        at(&random.residuals_log10, 0.99),
+        share(random.failures, random.instances),
+    ];
+    let of_scenes = [
+        scenes.instances.to_string(),
+        scenes.solutions.to_string(),
+        at(&scenes.residuals_log10, 0.5),
+        at(&scenes.residuals_log10, 0.99),
+        share(scenes.failures, scenes.instances),
+        share(forward.recovered, scenes.instances),
+        at(&forward.log10, 0.5),
+        at(&forward.log10, 0.99),
+    ];
+    let before_polish = [
         unpolished.instances.to_string(),
-        error(0.5),
-        error(0.99),
+        at(&unpolished.errors_log10, 0.5),
+        at(&unpolished.errors_log10, 0.99),
         share(unpolished.failures, unpolished.instances),
     ];
-    MEASURED.into_iter().zip(cells).collect()
+    MEASURED.into_iter().zip(size.into_iter().chain(returned).chain(of_scenes).chain(before_polish)).collect()
+}
+
+fn share(part: usize, whole: usize) -> String {
+    format!("{:.4}", part as f64 / whole as f64)
+}
+
+/// A quantile of increasing values.
+fn at(values: &[f64], q: f64) -> String {
+    format!("{:.1}", quantile(&mut values.to_vec(), q))
 }
 
 /// Adds what follows from committed files.
@@ -205,8 +255,8 @@ fn with_published(mut row: Row, case: &Case, published: &[Published]) -> Result<
     Ok(row)
 }
 
-/// The cells of [`MEASURED`] of a problem in the page as it was written before, from all tables that have a row of it.
-/// A column is known by its head, so that it may stand elsewhere now.
+/// The cells of [`MEASURED`] of a problem in the page as it was written before, from all tables
+/// that have a row of it. A column is known by its head, so that it may stand elsewhere now.
 fn written_cells(page: &str, name: &str) -> Option<Row> {
     let link = format!("({name}.rs)");
     let (mut heads, mut found) = (Vec::new(), None);
@@ -229,16 +279,6 @@ fn written_cells(page: &str, name: &str) -> Option<Row> {
     found
 }
 
-/// The share of scenes on which all known solutions are found.
-fn recovered(case: &Case, instances: u64, first_seed: u64) -> f64 {
-    let makers = makers();
-    let makers = makers.iter().filter(|maker| maker.name == case.name);
-    let is_found = |maker: &&Maker, k| maker.worst_error(case, &mut Random::new(first_seed + k)) <= FOUND;
-    let found: usize =
-        makers.map(|maker| (0..instances).into_par_iter().filter(|&k| is_found(&maker, k)).count()).sum();
-    found as f64 / instances as f64
-}
-
 fn table(group: &Group, rows: &[Row], preset: &str) -> Table {
     let cells = |row: &Row| group.columns.iter().map(|head| cell(row, head).to_owned()).collect::<Vec<_>>();
     let mut table = Table::new();
@@ -248,7 +288,7 @@ fn table(group: &Group, rows: &[Row], preset: &str) -> Table {
 }
 
 /// `templates/README.md`.
-fn page(rows: &[Row], arguments: &Arguments) -> String {
+fn page(rows: &[Row], comparison: &str, arguments: &Arguments) -> String {
     let linked = |row: &Row| {
         let mut row = row.clone();
         row.entry(PROBLEM).and_modify(|name| *name = format!("[`{name}`]({name}.rs)"));
@@ -270,6 +310,9 @@ fn page(rows: &[Row], arguments: &Arguments) -> String {
             group.definitions,
             table(group, &rows, presets::ASCII_MARKDOWN)
         );
+        if group.title == TEMPLATES {
+            text += &format!("\n{comparison}");
+        }
     }
     text
 }

@@ -8,9 +8,9 @@ type Vector = Vec<Complex<f64>>;
 /// Orthogonalised columns of this length, relative to the column, are dependent.
 const DEPENDENT: f64 = 1e-15;
 
-/// The x that minimises |matrix x - right|, by modified Gram-Schmidt on the matrix with the right side as
-/// its last column, which is as stable as Householder's method (Björck 1967); `None` if there
-/// are fewer rows than columns, columns are dependent, or values are not finite.
+/// The x that minimises |matrix x - right|, by modified Gram-Schmidt on the matrix with the right
+/// side as its last column, which is as stable as Householder's method (Björck 1967); `None` if
+/// there are fewer rows than columns, columns are dependent, or values are not finite.
 pub(super) fn least_squares(mut matrix: Vec<Vector>, mut right: Vector) -> Option<Vector> {
     let columns = matrix.first().map(Vec::len).filter(|&columns| columns <= matrix.len())?;
     let product =

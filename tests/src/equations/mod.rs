@@ -1,5 +1,6 @@
-//! The equations of a problem as stated, evaluated at twice the precision of `f64`: what the emitted
-//! solvers are judged by. Neither the plan nor emitted code nor the runtime has a part in it.
+//! The equations of a problem as stated, evaluated at twice the precision of `f64`: what the
+//! emitted solvers are judged by. Neither the plan nor emitted code nor the runtime has a part in
+//! it.
 
 mod least_squares;
 mod twice;
@@ -44,8 +45,8 @@ pub struct Refined {
     pub residual: f64,
 }
 
-/// An unknown this small, relative to the largest one, is the noise of 0: no term of an equation is known to
-/// less, and the relative residual of an equation without larger terms means nothing.
+/// An unknown this small, relative to the largest one, is the noise of 0: no term of an equation is
+/// known to less, and the relative residual of an equation without larger terms means nothing.
 const NOISE: f64 = 1e-25;
 /// Steps of Newton's method at most. Two reach 31 digits from a point with 16 correct ones.
 const STEPS: usize = 12;
@@ -53,8 +54,8 @@ const STEPS: usize = 12;
 const SHORTEST_STEP: f64 = 1e-24;
 /// A step this short, relative to the point, shows that the method converges.
 const CONVERGED: f64 = 1e-12;
-/// The relative residual of a solution. It is not 0 if there are more equations than unknowns and the
-/// data satisfy a condition up to their rounding only, such as that of a rotation.
+/// The relative residual of a solution. It is not 0 if there are more equations than unknowns and
+/// the data satisfy a condition up to their rounding only, such as that of a rotation.
 const EXACT: f64 = 1e-13;
 
 impl Refined {
@@ -88,16 +89,16 @@ impl Equations {
         self.equations.is_empty()
     }
 
-    /// max over the equations of |f| / sum of the moduli of its terms. An equation whose terms all vanish
-    /// counts as 0.
+    /// max over the equations of |f| / sum of the moduli of its terms. An equation whose terms all
+    /// vanish counts as 0.
     pub fn residual(&self, x: &[Complex<f64>]) -> f64 {
         let x: Vec<Wide> = x.iter().map(|&x| x.into()).collect();
         relative_residual(&self.values(&x))
     }
 
     /// Newton's method from a point, by least squares where there are more equations than unknowns.
-    /// The values of the equations are computed at twice the precision, so that the point it converges
-    /// to is the solution with all its digits.
+    /// The values of the equations are computed at twice the precision, so that the point it
+    /// converges to is the solution with all its digits.
     pub fn refined(&self, x: &[Complex<f64>]) -> Refined {
         let mut point: Vec<Wide> = x.iter().map(|&x| x.into()).collect();
         let mut last_step = f64::INFINITY;
@@ -124,9 +125,9 @@ impl Equations {
         Refined { moved: relative(norm(&change), &rounded), last_step, residual, point: rounded }
     }
 
-    /// The smallest singular value of the Jacobian, its rows divided by the sums of the moduli of the
-    /// equations' terms, its columns multiplied by `scale`: a relative error e of each equation moves the
-    /// solution by about e over this value, in units of `scale`.
+    /// The smallest singular value of the Jacobian, its rows divided by the sums of the moduli of
+    /// the equations' terms, its columns multiplied by `scale`: a relative error e of each equation
+    /// moves the solution by about e over this value, in units of `scale`.
     pub fn smallest_singular_value(&self, x: &[Complex<f64>], scale: &[f64]) -> f64 {
         let wide: Vec<Wide> = x.iter().map(|&x| x.into()).collect();
         let (rows, _) = self.linearised(x, &self.values(&wide));
@@ -149,8 +150,8 @@ impl Equations {
         self.equations.iter().map(sum).collect()
     }
 
-    /// The rows of the Jacobian and the values of the equations, divided by the sums of the moduli of
-    /// their terms; where all terms of an equation vanish, by the largest entry of its gradient.
+    /// The rows of the Jacobian and the values of the equations, divided by the sums of the moduli
+    /// of their terms; where all terms of an equation vanish, by the largest entry of its gradient.
     fn linearised(&self, x: &[Complex<f64>], values: &[(Wide, f64)]) -> (Vec<Point>, Point) {
         let mut monomials = vec![Complex::ONE; self.monomials.len()];
         let mut gradients = vec![vec![Complex::ZERO; self.unknowns]; self.monomials.len()];
@@ -235,7 +236,8 @@ mod tests {
         Problem::parse("test.rs", text).unwrap_or_else(|messages| panic!("{}", messages.render()))
     }
 
-    /// The root of x^2 = 2 to 31 digits: the value at the rounded root shows the digits that it lacks.
+    /// The root of x^2 = 2 to 31 digits: the value at the rounded root shows the digits that it
+    /// lacks.
     #[test]
     fn residuals_below_the_precision_of_f64_are_seen() {
         let squares = problem("fn squares(a: f64, b: f64) -> (x, y) {\n    x * x == a;\n    x * y == b;\n}\n");
@@ -252,7 +254,8 @@ mod tests {
     #[test]
     fn a_point_without_a_solution_near_by_is_told() {
         let parallel = problem("fn parallel(a: f64) -> (x, y) {\n    x * y == 1;\n    x * x * y == a;\n}\n");
-        // The only solution is (a, 1/a). Far out with small residual: x y is nearly 0, and so is the first equation's part.
+        // The only solution is (a, 1/a). Far out with small residual: x y is nearly 0, and so is
+        // the first equation's part.
         let equations = Equations::new(&parallel, &[0.5]).expect("no divisor");
         assert!(equations.refined(&[0.6, 1.8].map(Complex::from)).is_solution());
         let none = problem("fn none(a: f64) -> (x) {\n    x * x == a;\n    x * x == a + 1;\n}\n");

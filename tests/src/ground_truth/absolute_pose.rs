@@ -91,7 +91,8 @@ fn three_depths(random: &mut Random) -> KnownInstance {
     KnownInstance { data: [cosines, squares].concat(), truths: vec![depths.to_vec(), depths.map(|d| -d).to_vec()] }
 }
 
-/// Points in the unit ball, their image coordinates for a focal length of 0.5 to 3; the rotation without its turn about the optical axis.
+/// Points in the unit ball, their image coordinates for a focal length of 0.5 to 3; the rotation
+/// without its turn about the optical axis.
 fn three_and_a_half_points(random: &mut Random) -> KnownInstance {
     let (rotation, translation) = camera(random);
     let focal = uniform(random, 0.5, 3.0);
@@ -108,9 +109,11 @@ fn three_and_a_half_points(random: &mut Random) -> KnownInstance {
 
 /// The camera P = diag(1, 1, 1/f) [R t], up to scale, by four distorted image points.
 struct RadialPose {
-    /// The first two rows of P, one after the other, are a combination of these, the last with coefficient 1.
+    /// The first two rows of P, one after the other, are a combination of these, the last with
+    /// coefficient 1.
     null_vectors: Vec<Vec<f64>>,
-    /// The first three entries of the third row, in the coefficients of the null vectors, then radial times these.
+    /// The first three entries of the third row, in the coefficients of the null vectors, then
+    /// radial times these.
     lower: Vec<Vec<f64>>,
     /// The coefficients of the first three null vectors.
     weights: [f64; 3],
@@ -132,7 +135,8 @@ impl RadialPose {
             .map(|(x, q)| [homogeneous(x).map(|x| q[1] * x), homogeneous(x).map(|x| -q[0] * x)].concat())
             .collect();
         let null_vectors = null_space(&rows);
-        // (third row) . X = (1 + radial |q|^2) (row of the larger image coordinate) . X / that coordinate.
+        // (third row) . X = (1 + radial |q|^2) (row of the larger image coordinate) . X / that
+        // coordinate.
         let right = |(x, q): (&Vector3<f64>, &Vector2<f64>)| {
             let larger = q.iamax();
             let terms: Vec<f64> = null_vectors
@@ -154,7 +158,8 @@ impl RadialPose {
     }
 }
 
-/// Rays from different centres in the unit ball: seven equations in the rotation, the translation and the scale.
+/// Rays from different centres in the unit ball: seven equations in the rotation, the translation
+/// and the scale.
 fn generalized_camera(random: &mut Random) -> KnownInstance {
     let (rotation, translation) = camera(random);
     let scale = uniform(random, 0.5, 2.0);
@@ -174,8 +179,8 @@ fn generalized_camera(random: &mut Random) -> KnownInstance {
     KnownInstance { data, truths: vec![weights[..5].iter().map(|weight| weight / weights[5]).collect()] }
 }
 
-/// A camera 2 to 6 units from the centre of the unit ball, turned about its first axis, and points of the ball, each seen with an
-/// error of the length of its bound.
+/// A camera 2 to 6 units from the centre of the unit ball, turned about its first axis, and points
+/// of the ball, each seen with an error of the length of its bound.
 struct ErrorsAtBounds {
     cosine: f64,
     sine: f64,
@@ -222,8 +227,9 @@ fn four_errors_at_bounds(random: &mut Random) -> KnownInstance {
     seen.known()
 }
 
-/// The third error has the direction in which the derivatives are dependent. With X and Y the point's image and (c, s) the direction from there to
-/// what is seen, the gradient of the point's cone by Y and Z is in proportion to (-s, c X + s Y).
+/// The third error has the direction in which the derivatives are dependent. With X and Y the
+/// point's image and (c, s) the direction from there to what is seen, the gradient of the point's
+/// cone by Y and Z is in proportion to (-s, c X + s Y).
 fn three_stationary_errors(random: &mut Random) -> KnownInstance {
     let mut seen = ErrorsAtBounds::draw(random);
     (0..2).for_each(|_| seen.see_anywhere(random));
@@ -243,7 +249,8 @@ fn three_stationary_errors(random: &mut Random) -> KnownInstance {
     seen.known()
 }
 
-/// The derivatives of a point's Y and Z in the camera by the shift along Z, the cosine and the sine.
+/// The derivatives of a point's Y and Z in the camera by the shift along Z, the cosine and the
+/// sine.
 fn by_y(point: &Vector3<f64>) -> Vector3<f64> {
     Vector3::new(0.0, point.y, -point.z)
 }
@@ -252,7 +259,8 @@ fn by_z(point: &Vector3<f64>) -> Vector3<f64> {
     Vector3::new(1.0, point.z, point.y)
 }
 
-/// A camera 1 to 3 units above water, Z = 0, that looks down at points up to 3 units deep, by Snell's law. Z points down.
+/// A camera 1 to 3 units above water, Z = 0, that looks down at points up to 3 units deep, by
+/// Snell's law. Z points down.
 fn through_water(random: &mut Random) -> KnownInstance {
     const INDEX: f64 = 1.33;
     let rotation = Rotation3::new(in_ball(random)).into_inner();
@@ -276,7 +284,8 @@ fn through_water(random: &mut Random) -> KnownInstance {
         let (leading, others): (Vec<_>, Vec<_>) = seen.iter().map(row).unzip();
         solved(&leading, &others).concat()
     };
-    // Every axis of the image as the third, up and down: the frame in which the coefficients are smallest.
+    // Every axis of the image as the third, up and down: the frame in which the coefficients are
+    // smallest.
     let axes = Matrix3::new(0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0);
     let over = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, -1.0));
     let frames = [Matrix3::identity(), axes, axes * axes].into_iter().flat_map(|frame| [frame, over * frame]);
@@ -290,15 +299,16 @@ fn through_water(random: &mut Random) -> KnownInstance {
     KnownInstance { data, truths: vec![vec![x / w, y / w, z / w]] }
 }
 
-/// The image of a point in the row in which it is exposed, by the linearised model: q[0] (A + q[0] B)[2] = (A + q[0] B)[0] has the
-/// root that goes to A[0] / A[2] where B goes to 0.
+/// The image of a point in the row in which it is exposed, by the linearised model: q[0] (A + q[0]
+/// B)[2] = (A + q[0] B)[0] has the root that goes to A[0] / A[2] where B goes to 0.
 fn exposed(a: &Vector3<f64>, b: &Vector3<f64>) -> Vector2<f64> {
     let half = 0.5 * (a.z - b.x);
     let row = a.x / (half + (half * half + b.z * a.x).sqrt());
     Vector2::new(row, (a.y + row * b.y) / (a.z + row * b.z))
 }
 
-/// Coefficients of (I + row [(x, y, z)]x) (I + [(u, v, w)]x) X: of the products of x, y, z with u, v, w, of u, v, w, of x, y, z, and of 1.
+/// Coefficients of (I + row [(x, y, z)]x) (I + [(u, v, w)]x) X: of the products of x, y, z with u,
+/// v, w, of u, v, w, of x, y, z, and of 1.
 fn turned(point: &Vector3<f64>, row: f64) -> [Vector3<f64>; 16] {
     let turn = |i: usize, x: &Vector3<f64>| Vector3::ith(i, 1.0).cross(x);
     from_fn(|at| match at {
@@ -309,7 +319,8 @@ fn turned(point: &Vector3<f64>, row: f64) -> [Vector3<f64>; 16] {
     })
 }
 
-/// Rotations of up to 0.3 from a frame in which the points are 3 to 5 units ahead, angular velocity and velocity of up to 0.3.
+/// Rotations of up to 0.3 from a frame in which the points are 3 to 5 units ahead, angular velocity
+/// and velocity of up to 0.3.
 fn rolling_shutter(random: &mut Random) -> KnownInstance {
     let [turn, spin, velocity] = [(); 3].map(|()| 0.3 * in_ball(random));
     let position = Vector3::new(random.symmetric_unit(), random.symmetric_unit(), uniform(random, 3.0, 5.0));
@@ -319,7 +330,8 @@ fn rolling_shutter(random: &mut Random) -> KnownInstance {
         (point, exposed(&(rotated + position), &(spin.cross(&rotated) + velocity)))
     };
     let seen: [(Vector3<f64>, Vector2<f64>); 6] = from_fn(|_| draw());
-    // Two equations of each of the last three points in the position and the velocity: the others have the 16 coefficients.
+    // Two equations of each of the last three points in the position and the velocity: the others
+    // have the 16 coefficients.
     let (mut leading, mut others) = (Vec::new(), Vec::new());
     for (point, q) in &seen[3..] {
         for normal in [Vector3::new(0.0, -1.0, q.y), Vector3::new(1.0, 0.0, -q.x)] {

@@ -5,8 +5,8 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector2, Vector3};
 
 use super::uniform;
 
-/// A camera 2 to 6 units from a ball of radius 1, looking at a point inside the ball of half its radius: x = rotation X + translation are
-/// the coordinates in the camera.
+/// A camera 2 to 6 units from a ball of radius 1, looking at a point inside the ball of half its
+/// radius: x = rotation X + translation are the coordinates in the camera.
 pub(super) fn camera(random: &mut Random) -> (Matrix3<f64>, Vector3<f64>) {
     let direction = in_ball(random).normalize();
     let centre = direction * uniform(random, 2.0, 6.0);
@@ -15,8 +15,8 @@ pub(super) fn camera(random: &mut Random) -> (Matrix3<f64>, Vector3<f64>) {
     (rotation, -rotation * centre)
 }
 
-/// Two cameras, so that their optical axes do not meet: rotation and translation from the first camera's coordinates to the second's, and
-/// points in the first's.
+/// Two cameras, so that their optical axes do not meet: rotation and translation from the first
+/// camera's coordinates to the second's, and points in the first's.
 pub(super) fn two_cameras(random: &mut Random, points: usize) -> (Matrix3<f64>, Vector3<f64>, Vec<Vector3<f64>>) {
     let ((r1, t1), (r2, t2)) = (camera(random), camera(random));
     let rotation = r2 * r1.transpose();

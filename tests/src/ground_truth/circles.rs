@@ -79,7 +79,8 @@ impl Circle {
     }
 }
 
-/// The null space of the tangency equations (a^2, 2ab, 2ac, b^2, 2bc, c^2) d = 0 of three lines: d_alpha, d_beta, d_gamma.
+/// The null space of the tangency equations (a^2, 2ab, 2ac, b^2, 2bc, c^2) d = 0 of three lines:
+/// d_alpha, d_beta, d_gamma.
 pub fn minimal_data(lines: &[Line]) -> Vec<f64> {
     let row = |line: &Line| {
         let (a, b, c) = (line.normal.x, line.normal.y, line.offset);
@@ -94,7 +95,8 @@ pub fn minimal_conic(data: &[f64], solution: &[f64]) -> Vec<f64> {
     d[..5].iter().map(|x| x / -d[5]).collect()
 }
 
-/// Lines moved to the point nearest to all of them and scaled to a root mean square distance of 1 from it, and the circle with them.
+/// Lines moved to the point nearest to all of them and scaled to a root mean square distance of 1
+/// from it, and the circle with them.
 pub fn normalised(lines: &[Line], circle: &Circle) -> (Vec<Line>, Circle) {
     let matrix: SMatrix<f64, 2, 2> = lines.iter().map(|line| line.normal * line.normal.transpose()).sum();
     let right: Vector2<f64> = lines.iter().map(|line| -line.normal * line.offset).sum();
@@ -118,7 +120,8 @@ pub fn gram(lines: &[Line]) -> Vec<f64> {
     gram
 }
 
-/// The least-squares problem of 5 to 20 exact tangents, normalised: the circle is a stationary point of cost 0.
+/// The least-squares problem of 5 to 20 exact tangents, normalised: the circle is a stationary
+/// point of cost 0.
 fn known_circle(random: &mut Random, unknowns: impl Fn(&[f64; 5]) -> Vec<f64>) -> KnownInstance {
     let circle = Circle::draw(random);
     let count = 5 + random.below(16) as usize;

@@ -30,7 +30,8 @@ pub fn null_space(rows: &[Vec<f64>]) -> Vec<Vec<f64>> {
     (rows.len()..columns).map(|i| right.row(i).iter().copied().collect()).collect()
 }
 
-/// The rows X with leading X = right for as many rows of each: the leading unknowns of linear equations in terms of the others.
+/// The rows X with leading X = right for as many rows of each: the leading unknowns of linear
+/// equations in terms of the others.
 pub(super) fn solved(leading: &[Vec<f64>], right: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let matrix = |rows: &[Vec<f64>]| DMatrix::from_fn(rows.len(), rows[0].len(), |i, j| rows[i][j]);
     let solution = matrix(leading).lu().solve(&matrix(right)).expect("random instances are not degenerate");

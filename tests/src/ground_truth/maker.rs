@@ -27,7 +27,8 @@ pub struct Maker {
 }
 
 impl Maker {
-    /// Draws an instance and solves it: the error of the truth that is found worst, infinite where a solution is missing altogether.
+    /// Draws an instance and solves it: the error of the truth that is found worst, infinite where
+    /// a solution is missing altogether.
     pub fn worst_error(&self, case: &Case, random: &mut Random) -> f64 {
         let instance = (self.make)(random);
         let Ok(found) = (case.solve)(&instance.data) else { return f64::INFINITY };

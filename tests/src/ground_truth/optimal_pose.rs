@@ -51,7 +51,8 @@ fn quaternion_error(solution: &[f64], truth: &[f64]) -> f64 {
     rotation.max(relative_error(&[scale(solution)], &[scale(truth)]))
 }
 
-/// The entries of a rotation, row by row, on the products (w w, w x, w y, w z, x x, x y, x z, y y, y z, z z) of its quaternion.
+/// The entries of a rotation, row by row, on the products (w w, w x, w y, w z, x x, x y, x z, y y,
+/// y z, z z) of its quaternion.
 #[rustfmt::skip]
 pub(super) const ENTRIES: [[f64; 10]; 9] = [
     [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, -1.0],
@@ -70,8 +71,9 @@ fn points(random: &mut Random) -> Vec<Vector3<f64>> {
     (0..6 + random.below(7)).map(|_| in_ball(random)).collect()
 }
 
-/// The mean squared distance of points from the rays by which a camera sees them, with the best translation, as a quadratic form in the
-/// entries of the rotation, row by row; and the rotation, which costs nothing.
+/// The mean squared distance of points from the rays by which a camera sees them, with the best
+/// translation, as a quadratic form in the entries of the rotation, row by row; and the rotation,
+/// which costs nothing.
 fn object_space_cost(random: &mut Random) -> (SMatrix<f64, 9, 9>, Matrix3<f64>) {
     let (rotation, translation) = camera(random);
     let points = points(random);
@@ -97,7 +99,8 @@ fn exponents(max_degree: usize) -> Vec<[usize; 3]> {
     (0..=max_degree).flat_map(of_degree).collect()
 }
 
-/// The coefficients of a cost in the Cayley parameters, times (1 + x^2 + y^2 + z^2)^2, in the order of [`exponents`].
+/// The coefficients of a cost in the Cayley parameters, times (1 + x^2 + y^2 + z^2)^2, in the order
+/// of [`exponents`].
 fn quartic(cost: &SMatrix<f64, 9, 9>) -> Vec<f64> {
     let entries = SMatrix::<f64, 9, 10>::from_fn(|i, j| ENTRIES[i][j]);
     let gram = entries.transpose() * cost * entries;
@@ -113,8 +116,9 @@ fn quartic(cost: &SMatrix<f64, 9, 9>) -> Vec<f64> {
     coefficients
 }
 
-/// Points and their images. With depths relative to their mean, and P the rotation over the mean depth, the image (u, v) of X satisfies
-/// (u, v) (1 + P3 X) = (P1 X, P2 X) + constants, X relative to the mean of the points.
+/// Points and their images. With depths relative to their mean, and P the rotation over the mean
+/// depth, the image (u, v) of X satisfies (u, v) (1 + P3 X) = (P1 X, P2 X) + constants, X relative
+/// to the mean of the points.
 fn relative_depths(random: &mut Random) -> KnownInstance {
     let (rotation, translation) = camera(random);
     let points = points(random);
@@ -147,7 +151,8 @@ fn relative_depths(random: &mut Random) -> KnownInstance {
     KnownInstance { data: root.resize_vertically(20, 0.0).transpose().as_slice().to_vec(), truths: vec![vec![w, y, z]] }
 }
 
-/// Points far away from a camera, in their principal axes: their standard deviations, and their image times whitened points, on average.
+/// Points far away from a camera, in their principal axes: their standard deviations, and their
+/// image times whitened points, on average.
 fn weak_perspective(random: &mut Random) -> KnownInstance {
     let (rotation, translation) = camera(random);
     let scale = 1.0 / translation.norm();

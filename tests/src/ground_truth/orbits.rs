@@ -16,7 +16,8 @@ pub(super) fn makers() -> Vec<Maker> {
     }]
 }
 
-/// Five points of an ellipse of eccentricity up to 0.6, seen from the unit circle around the Sun in the plane of the first two axes.
+/// Five points of an ellipse of eccentricity up to 0.6, seen from the unit circle around the Sun in
+/// the plane of the first two axes.
 fn five_sights(random: &mut Random) -> KnownInstance {
     let normal = loop {
         let normal = in_ball(random).normalize();

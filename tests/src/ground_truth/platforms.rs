@@ -17,7 +17,8 @@ pub(super) fn makers() -> Vec<Maker> {
     }]
 }
 
-/// Joints of base and platform relative to those of the first leg, and the pose x -> rotation x + translation of the platform.
+/// Joints of base and platform relative to those of the first leg, and the pose x -> rotation x +
+/// translation of the platform.
 struct Platform {
     base: [Vector3<f64>; 5],
     joints: [Vector3<f64>; 5],
@@ -26,7 +27,8 @@ struct Platform {
 }
 
 impl Platform {
-    /// Joints of the base in the unit ball, those of the platform in one of radius 0.4, one to two units apart.
+    /// Joints of the base in the unit ball, those of the platform in one of radius 0.4, one to two
+    /// units apart.
     fn draw(random: &mut Random) -> Self {
         let base: [Vector3<f64>; 6] = from_fn(|_| in_ball(random));
         let joints: [Vector3<f64>; 6] = from_fn(|_| 0.4 * in_ball(random));
@@ -55,7 +57,8 @@ impl Platform {
         }
     }
 
-    /// x s - X t of a leg, with s = R^T t, is (|leg|^2 - |t|^2 - |x|^2 - |X|^2) / 2 + X R x: the coefficients of s and t.
+    /// x s - X t of a leg, with s = R^T t, is (|leg|^2 - |t|^2 - |x|^2 - |X|^2) / 2 + X R x: the
+    /// coefficients of s and t.
     fn left(&self) -> SMatrix<f64, 5, 6> {
         SMatrix::from_fn(|k, j| if j < 3 { self.joints[k][j] } else { -self.base[k][j - 3] })
     }
@@ -116,7 +119,8 @@ fn known_pose(platform: &Platform) -> KnownInstance {
 mod tests {
     use super::*;
 
-    /// Both products of the differences of the third coordinates, with 1 and c, agree at the true pose, and so do those of the sums.
+    /// Both products of the differences of the third coordinates, with 1 and c, agree at the true
+    /// pose, and so do those of the sums.
     #[test]
     fn true_poses_satisfy_the_first_equations() {
         let mut random = Random::new(8);

@@ -27,7 +27,8 @@ pub(super) fn makers() -> Vec<Maker> {
     ]
 }
 
-/// Two conics of the pencil through four points in [-1, 1)^2: they meet in these points and nowhere else.
+/// Two conics of the pencil through four points in [-1, 1)^2: they meet in these points and nowhere
+/// else.
 fn conics_through_points(random: &mut Random) -> KnownInstance {
     let points: Vec<Vec<f64>> = (0..4).map(|_| (0..2).map(|_| random.symmetric_unit()).collect()).collect();
     let rows: Vec<Vec<f64>> =
@@ -39,7 +40,8 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
     (Vector3::from_column_slice(a) - Vector3::from_column_slice(b)).norm()
 }
 
-/// The sum of s v x v x v over three orthonormal v with weights s: x is the sum of v / s over any of them, or none.
+/// The sum of s v x v x v over three orthonormal v with weights s: x is the sum of v / s over any
+/// of them, or none.
 fn orthogonal_tensor(random: &mut Random) -> KnownInstance {
     let vectors = Matrix3::from_fn(|_, _| random.symmetric_unit()).qr().q();
     let parts = [0, 1, 2].map(|k| (vectors.column(k).into_owned(), uniform(random, 0.5, 1.5)));

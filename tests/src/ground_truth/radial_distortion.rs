@@ -77,7 +77,8 @@ impl Views {
         Self { fundamental: self.fundamental * turn.transpose(), points: self.points.iter().map(turn_point).collect() }
     }
 
-    /// leading unknowns = X others, row by row, where every point gives one equation (leading, others) . unknowns = 0.
+    /// leading unknowns = X others, row by row, where every point gives one equation (leading,
+    /// others) . unknowns = 0.
     fn affine(&self, equation: impl Fn(&Correspondence) -> (Vec<f64>, Vec<f64>)) -> Vec<f64> {
         let (leading, others): (Vec<_>, Vec<_>) = self.points.iter().map(equation).unzip();
         let right: Vec<Vec<f64>> = others.iter().map(|row| row.iter().map(|x| -x).collect()).collect();
@@ -90,7 +91,8 @@ fn radial(random: &mut Random) -> f64 {
     -uniform(random, 0.05, 0.5)
 }
 
-/// Image points of a norm of about 1 at most: what the cameras see is a sixth to a half of its distance wide.
+/// Image points of a norm of about 1 at most: what the cameras see is a sixth to a half of its
+/// distance wide.
 fn focal(random: &mut Random) -> f64 {
     uniform(random, 2.0, 4.0)
 }
@@ -140,8 +142,9 @@ fn fundamental_nine_points(random: &mut Random) -> KnownInstance {
     KnownInstance { data, truths: vec![vec![s, f[(2, 0)], f[(2, 1)], f[(1, 2)]]] }
 }
 
-/// Which camera is the first, and how its partner's image is turned, is free, but not every choice determines the unknowns that the points are
-/// solved for well: of 24 choices the one with the smallest data is taken.
+/// Which camera is the first, and how its partner's image is turned, is free, but not every choice
+/// determines the unknowns that the points are solved for well: of 24 choices the one with the
+/// smallest data is taken.
 fn with_smallest_data(views: &Views, normal_form: impl Fn(&Views) -> KnownInstance) -> KnownInstance {
     let mut best: Option<(f64, KnownInstance)> = None;
     for views in [views, &views.exchanged()] {
@@ -156,8 +159,9 @@ fn with_smallest_data(views: &Views, normal_form: impl Fn(&Views) -> KnownInstan
     best.expect("one of 24").1
 }
 
-/// A problem that states x1^T F x2 = 0 may turn the first image, and choose the unit of the distortion, so that f31 = radial f13 + ...: the views
-/// of which that is true, and the unit. `others` lists the monomials d, d first, a, a second, b, b second and further ones, and the last
+/// A problem that states x1^T F x2 = 0 may turn the first image, and choose the unit of the
+/// distortion, so that f31 = radial f13 + ...: the views of which that is true, and the unit.
+/// `others` lists the monomials d, d first, a, a second, b, b second and further ones, and the last
 /// of the leading unknowns is f31.
 fn with_unit(views: &Views, equation: impl Fn(&Correspondence) -> (Vec<f64>, Vec<f64>)) -> (Views, f64) {
     let (leading, others) = equation(&views.points[0]);

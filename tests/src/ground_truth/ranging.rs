@@ -23,8 +23,9 @@ pub(super) fn makers() -> Vec<Maker> {
     ]
 }
 
-/// Senders and receivers in the unit ball. Which sender is the first and which the last is free, but not every choice determines what the receivers
-/// are solved for well: the one with the smallest data is taken.
+/// Senders and receivers in the unit ball. Which sender is the first and which the last is free,
+/// but not every choice determines what the receivers are solved for well: the one with the
+/// smallest data is taken.
 fn six_receivers(random: &mut Random) -> KnownInstance {
     let senders: [Vector3<f64>; 4] = from_fn(|_| in_ball(random));
     let receivers: [Vector3<f64>; 6] = from_fn(|_| in_ball(random));
@@ -59,8 +60,9 @@ fn ranges(senders: &[Vector3<f64>; 4], receivers: &[Vector3<f64>; 6]) -> KnownIn
     KnownInstance { data: linear.transpose().iter().copied().collect(), truths: vec![truth] }
 }
 
-/// Senders and receivers in the unit ball: the cosines c of the angles at the receivers, and from them, with t = n C, the coefficients of
-/// c^2 |n|^2 |C|^2 - 2 c^2 |n|^2 U C = (n U)^2 - 2 t n U + t^2 - c^2 |n|^2 |U|^2 for five senders U: solved for what stands on the left, and without it.
+/// Senders and receivers in the unit ball: the cosines c of the angles at the receivers, and from
+/// them, with t = n C, the coefficients of c^2 |n|^2 |C|^2 - 2 c^2 |n|^2 U C = (n U)^2 - 2 t n U +
+/// t^2 - c^2 |n|^2 |U|^2 for five senders U: solved for what stands on the left, and without it.
 fn two_receivers(random: &mut Random) -> KnownInstance {
     let (centre, direction) = (in_ball(random), in_ball(random));
     let (mut left, mut right) = (SMatrix::<f64, 5, 4>::zeros(), SMatrix::<f64, 5, 10>::zeros());

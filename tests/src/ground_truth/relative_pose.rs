@@ -75,8 +75,8 @@ fn epipolar_row(x1: &Vector3<f64>, x2: &Vector3<f64>) -> Vec<f64> {
     (0..9).map(|at| x2[at / 3] * x1[at % 3]).collect()
 }
 
-/// `count` points seen by two cameras with focal lengths `focal`: the null space of the epipolar equations, and the
-/// fundamental matrix.
+/// `count` points seen by two cameras with focal lengths `focal`: the null space of the epipolar
+/// equations, and the fundamental matrix.
 fn epipolar(random: &mut Random, count: usize, focal: [f64; 2]) -> (Vec<f64>, Vec<f64>) {
     let (rotation, translation, points) = two_cameras(random, count);
     let row = |x: &Vector3<f64>| {
@@ -95,7 +95,8 @@ fn five_points(random: &mut Random) -> KnownInstance {
     KnownInstance { data, truths: vec![weights[..3].iter().map(|weight| weight / weights[3]).collect()] }
 }
 
-/// Focal lengths of 0.5 to 3 times the unit of the image coordinates, which reach up to about one focal length.
+/// Focal lengths of 0.5 to 3 times the unit of the image coordinates, which reach up to about one
+/// focal length.
 fn six_points(random: &mut Random) -> KnownInstance {
     let focal = uniform(random, 0.5, 3.0);
     let (data, fundamental) = epipolar(random, 6, [focal; 2]);
@@ -114,7 +115,8 @@ fn with_focal(data: Vec<f64>, fundamental: &[f64], focal: f64) -> KnownInstance 
     KnownInstance { data, truths: vec![truth] }
 }
 
-/// Rays in both cameras, then cosine and sine of half the angle; the imaginary part of the rotation's quaternion.
+/// Rays in both cameras, then cosine and sine of half the angle; the imaginary part of the
+/// rotation's quaternion.
 fn known_angle(rotation: &Matrix3<f64>, first: &[Vector3<f64>], second: &[Vector3<f64>]) -> KnownInstance {
     let rays = first.iter().chain(second).flat_map(|x| x.normalize().data.0[0]);
     let [w, x, y, z] = quaternion(rotation);
@@ -122,8 +124,8 @@ fn known_angle(rotation: &Matrix3<f64>, first: &[Vector3<f64>], second: &[Vector
     KnownInstance { data: rays.chain([w, sine]).collect(), truths: vec![vec![x, y, z]] }
 }
 
-/// The rays to points from cameras that are up to half a unit from the origins of two systems: a point of each, and its direction; and
-/// the rotation between the systems.
+/// The rays to points from cameras that are up to half a unit from the origins of two systems: a
+/// point of each, and its direction; and the rotation between the systems.
 fn generalized(random: &mut Random, count: usize) -> (Vec<f64>, Matrix3<f64>) {
     let (rotation, translation, points) = two_cameras(random, count);
     let second = points.iter().map(|x| rotation * x + translation);
@@ -156,8 +158,9 @@ fn seven_points_generalized(random: &mut Random) -> KnownInstance {
     KnownInstance { data, truths: vec![cayley(&rotation)] }
 }
 
-/// A camera of focal length 0.5 to 3, whose image is turned and scaled so that one of six points is seen at (1, 0), and the rays from other cameras,
-/// 2 to 6 units from that point, to the other five.
+/// A camera of focal length 0.5 to 3, whose image is turned and scaled so that one of six points is
+/// seen at (1, 0), and the rays from other cameras, 2 to 6 units from that point, to the other
+/// five.
 fn five_points_and_a_known_one(random: &mut Random) -> KnownInstance {
     let (rotation, translation) = camera(random);
     let (focal, origin) = (uniform(random, 0.5, 3.0), in_ball(random));
@@ -183,8 +186,9 @@ fn five_points_and_a_known_one(random: &mut Random) -> KnownInstance {
     KnownInstance { data: [images, directions, centres].concat(), truths: vec![truth] }
 }
 
-/// The fundamental matrix, of norm 1, of two cameras with focal length 0.7 to 2 and principal point in \[-0.2, 0.2\]^2, by its singular value
-/// decomposition; cosine and sine of half the angle between them.
+/// The fundamental matrix, of norm 1, of two cameras with focal length 0.7 to 2 and principal point
+/// in \[-0.2, 0.2\]^2, by its singular value decomposition; cosine and sine of half the angle
+/// between them.
 fn calibration_by_angle(random: &mut Random) -> KnownInstance {
     let (rotation, translation, _) = two_cameras(random, 0);
     let (focal, x, y) = (uniform(random, 0.7, 2.0), uniform(random, -0.2, 0.2), uniform(random, -0.2, 0.2));
@@ -206,7 +210,8 @@ fn four_points(random: &mut Random) -> KnownInstance {
     known_angle(&rotation, &points, &second)
 }
 
-/// The translation of two cameras without its part along the axis of the rotation, where the points stay in front of the second.
+/// The translation of two cameras without its part along the axis of the rotation, where the points
+/// stay in front of the second.
 fn three_points(random: &mut Random) -> KnownInstance {
     loop {
         let (rotation, translation, points) = two_cameras(random, 3);
@@ -262,7 +267,8 @@ const PANORAMA_MONOMIALS: [(usize, usize); 16] = [
     (0, 0),
 ];
 
-/// The angle between two rays is the same in both images: the coefficients of this equation, of largest modulus 1.
+/// The angle between two rays is the same in both images: the coefficients of this equation, of
+/// largest modulus 1.
 fn same_angle(first: [&Vector2<f64>; 2], second: [&Vector2<f64>; 2]) -> Vec<f64> {
     let side = |[p, q]: [&Vector2<f64>; 2], [r, s]: [&Vector2<f64>; 2]| {
         let inner = ray_product(p, q);
@@ -274,8 +280,9 @@ fn same_angle(first: [&Vector2<f64>; 2], second: [&Vector2<f64>; 2]) -> Vec<f64>
     coefficients.iter().map(|x| x / largest).collect()
 }
 
-/// Three directions within 35 degrees of the optical axes of both cameras, focal length 1 to 2, barrel distortion. The second camera is
-/// turned mostly sideways: a turn about the optical axis changes no angle, and leaves equations 0 = 0.
+/// Three directions within 35 degrees of the optical axes of both cameras, focal length 1 to 2,
+/// barrel distortion. The second camera is turned mostly sideways: a turn about the optical axis
+/// changes no angle, and leaves equations 0 = 0.
 fn panorama(random: &mut Random) -> KnownInstance {
     let (focal, radial) = (uniform(random, 1.0, 2.0), -uniform(random, 0.05, 0.5));
     let axis = in_ball(random).component_mul(&Vector3::new(1.0, 1.0, 0.2)).normalize();
@@ -309,7 +316,8 @@ mod tests {
                 let terms = coefficients.iter().zip(PANORAMA_MONOMIALS);
                 let terms = terms.map(|(c, (i, j))| c * radial.powi(i as i32) * square.powi(j as i32));
                 let (value, size) = terms.fold((0.0, 0.0), |(value, size), term| (value + term, size + term.abs()));
-                // The coefficients are differences that may be a thousandth of what is subtracted, or less.
+                // The coefficients are differences that may be a thousandth of what is subtracted,
+                // or less.
                 assert!(f64::abs(value) < 1e-10 * size);
             }
         }

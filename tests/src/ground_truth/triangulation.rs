@@ -33,7 +33,8 @@ fn seen_point(random: &mut Random) -> ([Camera; 3], Vector3<f64>, [Vector2<f64>;
     (cameras, point, exact.map(|q| q + 0.003 * Vector2::from_fn(|_, _| random.symmetric_unit())))
 }
 
-/// The point whose images are closest to what is seen, in coordinates in which two depths relative to the third are x and y.
+/// The point whose images are closest to what is seen, in coordinates in which two depths relative
+/// to the third are x and y.
 fn three_depths(random: &mut Random) -> KnownInstance {
     let (cameras, start, seen) = seen_point(random);
     let depth = |k: usize| {
@@ -48,7 +49,8 @@ fn three_depths(random: &mut Random) -> KnownInstance {
     };
     let depths: [RowVector4<f64>; 3] = from_fn(depth);
     let offsets: [SMatrix<f64, 2, 4>; 3] = from_fn(offset);
-    // The point at depth zero in all views, and images turned so that their second axis does not see it.
+    // The point at depth zero in all views, and images turned so that their second axis does not
+    // see it.
     let rows: Vec<Vec<f64>> = depths.iter().map(|row| row.iter().copied().collect()).collect();
     let axis = Vector4::from_row_slice(&null_space(&rows)[0]);
     let scales = offsets.map(|offset| (offset * axis).norm());
@@ -72,7 +74,8 @@ fn three_depths(random: &mut Random) -> KnownInstance {
     KnownInstance { data, truths: vec![(best.xyz() / best.w).as_slice().to_vec()] }
 }
 
-/// The stationary point of the squared residuals next to `start`, by the method of Gauss and Newton, which converges fast where they are small.
+/// The stationary point of the squared residuals next to `start`, by the method of Gauss and
+/// Newton, which converges fast where they are small.
 fn nearest(depths: &[RowVector4<f64>; 3], offsets: &[SMatrix<f64, 2, 4>; 3], start: Vector3<f64>) -> Vector3<f64> {
     let mut point = start;
     for _ in 0..20 {
@@ -91,11 +94,13 @@ fn nearest(depths: &[RowVector4<f64>; 3], offsets: &[SMatrix<f64, 2, 4>; 3], sta
     point
 }
 
-/// The image points that satisfy two epipolar constraints and are closest to what three cameras see.
+/// The image points that satisfy two epipolar constraints and are closest to what three cameras
+/// see.
 fn three_views(random: &mut Random) -> KnownInstance {
     let (cameras, point, seen) = seen_point(random);
     let exact = cameras.map(|(rotation, translation)| image(&(rotation * point + translation), 1.0));
-    // p^T [t]x R p' = 0 with the rotation and the translation from the second camera of a pair to the first.
+    // p^T [t]x R p' = 0 with the rotation and the translation from the second camera of a pair to
+    // the first.
     let essential = |(r1, t1): (Matrix3<f64>, Vector3<f64>), (r2, t2): (Matrix3<f64>, Vector3<f64>)| {
         let rotation = r1 * r2.transpose();
         (t1 - rotation * t2).normalize().cross_matrix() * rotation
@@ -107,8 +112,9 @@ fn three_views(random: &mut Random) -> KnownInstance {
     KnownInstance { data, truths: vec![truth] }
 }
 
-/// The points and the multipliers (a, b), by Newton's method on the derivatives of |p1 - m1|^2 + |p2 - m2|^2 + |p3 - m3|^2 + a p1^T `first` p2 + b p2^T `second` p3, the image points with a third
-/// coordinate of 1 in the products, from `start` and a = b = 0.
+/// The points and the multipliers (a, b), by Newton's method on the derivatives of |p1 - m1|^2 +
+/// |p2 - m2|^2 + |p3 - m3|^2 + a p1^T `first` p2 + b p2^T `second` p3, the image points with a
+/// third coordinate of 1 in the products, from `start` and a = b = 0.
 fn closest(
     first: &Matrix3<f64>,
     second: &Matrix3<f64>,

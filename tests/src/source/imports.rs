@@ -1,11 +1,12 @@
 //! Which file of a crate names items of which other file.
 //!
-//! File A imports file B if code of A, without its tests, names an item that B defines, by an imported
-//! name or by a path. A name is followed through re-exports to the file that defines the item, so that
-//! `crate::problem::Problem` counts as an import of the file with `struct Problem` and not of the files
-//! on the way. `mod child;` and a re-export (`pub use child::Item;`) alone are no imports: a `mod.rs`
-//! that declares and re-exports its children does not depend on them, and its children may name what it
-//! defines. If the code of that `mod.rs` also calls an item of a child, that is an import.
+//! File A imports file B if code of A, without its tests, names an item that B defines, by an
+//! imported name or by a path. A name is followed through re-exports to the file that defines the
+//! item, so that `crate::problem::Problem` counts as an import of the file with `struct Problem`
+//! and not of the files on the way. `mod child;` and a re-export (`pub use child::Item;`) alone are
+//! no imports: a `mod.rs` that declares and re-exports its children does not depend on them, and
+//! its children may name what it defines. If the code of that `mod.rs` also calls an item of a
+//! child, that is an import.
 
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
@@ -69,8 +70,8 @@ impl Imports {
         at(from).zip(at(to)).is_some_and(|(from, to)| self.edges[from].contains_key(&to))
     }
 
-    /// One shortest circle of imports for each set of files that all import each other, directly or not.
-    /// Empty if there is an order of the files in which each imports only files before it.
+    /// One shortest circle of imports for each set of files that all import each other, directly or
+    /// not. Empty if there is an order of the files in which each imports only files before it.
     pub fn circles(&self) -> Vec<String> {
         let reach: Vec<BTreeSet<usize>> = (0..self.paths.len()).map(|from| self.reachable(from)).collect();
         let mut seen: BTreeSet<usize> = BTreeSet::new();
@@ -97,7 +98,8 @@ impl Imports {
         reached
     }
 
-    /// A shortest way from a file back to itself, by breadth-first search. The file stands at both ends.
+    /// A shortest way from a file back to itself, by breadth-first search. The file stands at both
+    /// ends.
     fn shortest_circle(&self, start: usize) -> Vec<usize> {
         let mut before: BTreeMap<usize, usize> = BTreeMap::new();
         let mut open = VecDeque::from([start]);
@@ -156,8 +158,8 @@ impl Modules {
         self.0.entry(path).or_insert(module);
     }
 
-    /// The file that defines the item to which a path from the crate root leads; `None` if it leads to a
-    /// module or out of the crate.
+    /// The file that defines the item to which a path from the crate root leads; `None` if it leads
+    /// to a module or out of the crate.
     fn resolve(&self, path: &[String], depth: usize) -> Option<usize> {
         let mut at = 0;
         while at < path.len() && self.0.contains_key(&path[..=at]) {
@@ -182,7 +184,8 @@ impl Modules {
         module.uses.iter().filter(|import| import.name == "*").find_map(|import| follow(import, &path[at..]))
     }
 
-    /// A path as it is written in a module, from the crate root; `None` if it begins in another crate.
+    /// A path as it is written in a module, from the crate root; `None` if it begins in another
+    /// crate.
     fn absolute(&self, module: &[String], path: &[String]) -> Option<Names> {
         let (first, rest) = path.split_first()?;
         match first.as_str() {

@@ -17,8 +17,8 @@ pub struct Function {
     pub parameters: usize,
 }
 
-/// All functions of items: free ones, methods, provided methods of traits, and those inside of other
-/// functions. A closure belongs to the function in which it stands.
+/// All functions of items: free ones, methods, provided methods of traits, and those inside of
+/// other functions. A closure belongs to the function in which it stands.
 pub fn functions(items: &[Item]) -> Vec<Function> {
     let mut found = Functions(Vec::new());
     items.iter().for_each(|item| found.visit_item(item));

@@ -36,8 +36,8 @@ impl CrateSource {
     /// Follows the `mod` items from `lib.rs` and `main.rs` in the folder `src`.
     ///
     /// # Panics
-    /// If a file cannot be read or parsed, or if no `mod` item leads to a file of the folder: such a
-    /// file would escape every check.
+    /// If a file cannot be read or parsed, or if no `mod` item leads to a file of the folder: such
+    /// a file would escape every check.
     pub fn read(src: &Path) -> Self {
         let mut source = Self { files: Vec::new(), tests: Vec::new() };
         let all = rust_files(src);
@@ -48,7 +48,8 @@ impl CrateSource {
         };
         for root in all.iter().filter(is_root) {
             let folder = root.parent().expect("a file has a folder");
-            // A program is a crate of its own. Its root gets a name that no path of the library leads to.
+            // A program is a crate of its own. Its root gets a name that no path of the library
+            // leads to.
             let stem = root.file_stem().unwrap_or_default().to_string_lossy();
             let module = if stem == "lib" { Vec::new() } else { vec![format!("program {stem}")] };
             source.follow(src, [root, folder], module, false);
@@ -63,7 +64,8 @@ impl CrateSource {
         source
     }
 
-    /// Reads one file and those that its `mod` items name. The second path is the folder of its children.
+    /// Reads one file and those that its `mod` items name. The second path is the folder of its
+    /// children.
     fn follow(&mut self, src: &Path, [path, folder]: [&Path; 2], module: Vec<String>, only_tests: bool) {
         let text = fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         let file = syn::parse_file(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
@@ -123,7 +125,8 @@ pub fn without_tests(items: Vec<Item>) -> Vec<Item> {
     kept
 }
 
-/// Whether the attributes make an item part of the tests: `#[test]`, or a `#[cfg(..)]` that demands `test`.
+/// Whether the attributes make an item part of the tests: `#[test]`, or a `#[cfg(..)]` that demands
+/// `test`.
 fn is_test(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| {
         attribute.path().is_ident("test")
@@ -173,7 +176,8 @@ fn member_attributes(item: &syn::ImplItem) -> &[Attribute] {
     }
 }
 
-/// The identifiers of items with their lines. Comments and strings hold none, doc comments included.
+/// The identifiers of items with their lines. Comments and strings hold none, doc comments
+/// included.
 pub fn identifiers(items: &[Item]) -> Vec<(usize, String)> {
     let mut found = Vec::new();
     items.iter().for_each(|item| collect_identifiers(item.to_token_stream(), &mut found));
