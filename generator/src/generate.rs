@@ -1,7 +1,7 @@
 //! From a problem and its template to the source of a solver. Files and environment are not
 //! touched.
 
-use crate::algebra::{PRIMES, PrimeField};
+use crate::algebra::{Monomial, PRIMES, PrimeField};
 use crate::emit::{EmitError, Provenance, emit};
 use crate::plan::Plan;
 use crate::plan::interpret::{self, Eliminated};
@@ -104,15 +104,34 @@ pub fn plan(problem: &Problem, file: &TemplateFile) -> Result<Planned, GenerateE
     if !eliminated.action.iter().enumerate().all(|(row, values)| values.as_slice() == action.row(row)) {
         return Err(GenerateError::PlanDiffers);
     }
-    let count = |(coefficients, eliminated): (Vec<u32>, Eliminated<u32>)| {
-        count_solutions(&plan, &file.template.action, VERIFY_FIELD, &coefficients, &eliminated)
-    };
-    let found = count((coefficients, eliminated));
-    let mut others = VERIFY_SEEDS[1..].iter().filter_map(|&seed| interpreted(&plan, &draw(seed)?).map(count));
+    let found = count_solutions(&plan, &file.template.action, VERIFY_FIELD, &coefficients, &eliminated);
+    let mut others = counts(&plan, &file.template.action, &reduced, &VERIFY_SEEDS[1..]);
     if !found.allows(file.solutions) && !others.any(|other| other.allows(file.solutions)) {
         return Err(GenerateError::Solutions { file: file.solutions, found });
     }
+    drop(others);
     Ok(Planned { reduced, plan })
+}
+
+/// Whether a template gives as many solutions as its plan is for; a build refuses it otherwise. A
+/// template loses a solution at which all basis monomials vanish.
+#[cfg(feature = "search")]
+pub(crate) fn gives_its_solutions(plan: &Plan, action: &Monomial, reduced: &ReducedProblem) -> bool {
+    counts(plan, action, reduced, &VERIFY_SEEDS).any(|count| count.allows(plan.solutions))
+}
+
+/// The number of solutions on each of some instances.
+fn counts(
+    plan: &Plan,
+    action: &Monomial,
+    reduced: &ReducedProblem,
+    seeds: &[u64],
+) -> impl Iterator<Item = SolutionBounds> {
+    seeds.iter().filter_map(move |&seed| {
+        let instance = Instance::draw(&reduced.problem, VERIFY_FIELD, seed)?;
+        let (coefficients, eliminated) = interpreted(plan, &instance)?;
+        Some(count_solutions(plan, action, VERIFY_FIELD, &coefficients, &eliminated))
+    })
 }
 
 /// The coefficients of an instance, and what the elimination leaves; `None` where a divisor or a

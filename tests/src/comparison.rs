@@ -5,23 +5,48 @@ use std::cmp::Ordering;
 use crate::Case;
 use crate::published::{Published, fewest_rows, published, published_name};
 
-/// What holds of the problems that have a published template, as two bullets of Markdown: one on the committed templates,
-/// which are the fastest, and one on those with the fewest rows. The problems with more rows are listed below each.
-///
-/// # Errors
-/// If a committed table is malformed.
-pub fn comparison(cases: &[Case]) -> Result<String, csv::Error> {
-    let published = published()?;
-    let (mut committed, mut fewest) = (Tally::default(), Tally::default());
-    for case in cases {
-        let theirs = published.iter().find(|p| Some(&p.name) == published_name(case).as_ref()).and_then(smallest);
-        let Some(theirs) = theirs else { continue };
-        let rows = case.template().template.rows();
-        let found = fewest_rows(case.name)?.and_then(|size| rows_of(&size));
-        committed.count(case.name, rows, theirs);
-        fewest.count(case.name, found.map_or(rows, |found| found.min(rows)), theirs);
+/// How many rows templates have, of the problems for which one is published.
+#[derive(Default)]
+pub struct Comparison {
+    /// The committed templates, which are the fastest.
+    pub committed: Tally,
+    /// The templates with the fewest rows.
+    pub fewest: Tally,
+}
+
+impl Comparison {
+    /// Compares the templates of all cases.
+    ///
+    /// # Errors
+    /// If a committed table is malformed.
+    pub fn new(cases: &[Case]) -> Result<Self, csv::Error> {
+        let published = published()?;
+        let mut comparison = Self::default();
+        for case in cases {
+            let theirs = published.iter().find(|p| Some(&p.name) == published_name(case).as_ref()).and_then(smallest);
+            let Some(theirs) = theirs else { continue };
+            let rows = case.template().template.rows();
+            let found = fewest_rows(case.name)?.and_then(|size| rows_of(&size));
+            comparison.committed.count(case.name, rows, theirs);
+            comparison.fewest.count(case.name, found.map_or(rows, |found| found.min(rows)), theirs);
+        }
+        Ok(comparison)
     }
-    Ok(format!("{}{}", committed.bullet("The committed template"), fewest.bullet("The template with the fewest rows")))
+
+    /// Two bullets of Markdown, and below each a list of the problems with more rows.
+    pub fn listed(&self) -> String {
+        let part = |bullet: String, tally: &Tally| format!("{bullet}{}", tally.list());
+        let [committed, fewest] = self.bullets();
+        part(committed, &self.committed) + &part(fewest, &self.fewest)
+    }
+
+    /// Two bullets of Markdown.
+    pub fn bullets(&self) -> [String; 2] {
+        [
+            self.committed.bullet("The committed template, which is the fastest,"),
+            self.fewest.bullet("The template with the fewest rows"),
+        ]
+    }
 }
 
 /// The rows of the smallest published template.
@@ -35,12 +60,15 @@ fn rows_of(size: &str) -> Option<usize> {
     size.split_once('x')?.0.parse().ok()
 }
 
+/// For how many problems our template has fewer or as many rows as the smallest published one.
 #[derive(Default)]
-struct Tally {
-    fewer: usize,
-    same: usize,
-    /// Each with both numbers of rows.
-    more: Vec<String>,
+pub struct Tally {
+    /// Problems with fewer rows.
+    pub fewer: usize,
+    /// Problems with as many rows.
+    pub same: usize,
+    /// Problems with more rows, each with both numbers.
+    pub more: Vec<String>,
 }
 
 impl Tally {
@@ -53,15 +81,16 @@ impl Tally {
     }
 
     fn bullet(&self, which: &str) -> String {
-        let all = self.fewer + self.same + self.more.len();
         let (fewer, same, more) = (self.fewer, self.same, self.more.len());
-        let colon = if more == 0 { "." } else { ":" };
-        let mut text = format!(
-            "- {which} has fewer rows than the smallest published one for {fewer} of {all} problems,\n  \
-             as many for {same} and more for {more}{colon}\n"
-        );
-        self.more.iter().for_each(|line| text += &format!("  - {line}\n"));
-        text
+        format!(
+            "- {which} has fewer rows than the smallest published one\n  \
+             for {fewer} of {} problems, as many for {same} and more for {more}.\n",
+            fewer + same + more
+        )
+    }
+
+    fn list(&self) -> String {
+        self.more.iter().map(|line| format!("  - {line}\n")).collect()
     }
 }
 
@@ -77,10 +106,7 @@ mod tests {
         [("a", 1, 2), ("b", 2, 2), ("c", 3, 2)]
             .into_iter()
             .for_each(|(name, ours, theirs)| tally.count(name, ours, theirs));
-        let text = tally.bullet("Ours");
-        assert!(
-            text.contains("for 1 of 3 problems,\n  as many for 1 and more for 1:\n  - `c`: 3 rows, published 2\n"),
-            "{text}"
-        );
+        assert!(tally.bullet("Ours").ends_with("for 1 of 3 problems, as many for 1 and more for 1.\n"));
+        assert_eq!(tally.list(), "  - `c`: 3 rows, published 2\n");
     }
 }

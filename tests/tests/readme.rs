@@ -8,6 +8,7 @@ use std::{env, fs};
 
 use eliminant_generator::algebra::Random;
 use eliminant_tests::cases;
+use eliminant_tests::comparison::Comparison;
 use eliminant_tests::statistics::{log10, quantile};
 
 eliminant::include_solver!("gps");
@@ -64,6 +65,42 @@ fn build_cost() -> String {
     )
 }
 
+/// What the catalogue shows in numbers: rows against published templates, and missed solutions.
+fn measured() -> String {
+    let [committed, fewest] = Comparison::new(&cases()).expect("tables of the catalogue").bullets();
+    format!(
+        "{committed}{fewest}{}{}",
+        missed("failures", "Of random data, up to 10,000 instances of each problem"),
+        missed("scene failures", "Of scenes, which geometry makes, as many of each")
+    )
+}
+
+/// A bullet on a column of the catalogue that holds shares of instances with a missed solution.
+fn missed(column: &str, data: &str) -> String {
+    let page = catalogue();
+    let mut lines = page.lines().skip_while(|line| !cells(line).contains(&column));
+    let head = lines.next().unwrap_or_else(|| panic!("the catalogue lacks the column {column}"));
+    let at = cells(head).iter().position(|&cell| cell == column).expect("it was found");
+    let rows = lines.skip(1).take_while(|line| line.starts_with('|'));
+    let shares: Vec<f64> = rows.map(|row| cells(row)[at].parse().expect("a share")).collect();
+    assert_eq!(shares.len(), cases().len(), "column {column}");
+    let (none, most) =
+        (shares.iter().filter(|&&share| share == 0.0).count(), shares.iter().copied().fold(0.0, f64::max));
+    format!(
+        "- {data}, solutions are missing on no\n  instance for {none} of {} problems, and on at most {:.2} % for the others.\n",
+        shares.len(),
+        100.0 * most
+    )
+}
+
+fn catalogue() -> String {
+    fs::read_to_string(root().join("templates/README.md")).expect("templates/README.md")
+}
+
+fn cells(row: &str) -> Vec<&str> {
+    row.split('|').map(str::trim).collect()
+}
+
 /// Replaces what stands between `<!-- name:begin -->` and `<!-- name:end -->`.
 fn replaced(text: &str, name: &str, content: &str) -> String {
     let (begin, end) = (format!("<!-- {name}:begin -->\n"), format!("<!-- {name}:end -->"));
@@ -76,7 +113,8 @@ fn replaced(text: &str, name: &str, content: &str) -> String {
 fn generated_parts_are_up_to_date() {
     let path = root().join("README.md");
     let old = fs::read_to_string(&path).expect("README.md");
-    let new = replaced(&replaced(&old, "solvers", &solver_table()), "build-cost", &build_cost());
+    let parts = [("solvers", solver_table()), ("build-cost", build_cost()), ("measured", measured())];
+    let new = parts.iter().fold(old.clone(), |text, (name, content)| replaced(&text, name, content));
     if old == new {
         return;
     }
@@ -141,11 +179,11 @@ fn length(x: [f64; 3]) -> f64 {
 /// as the template.
 #[test]
 fn the_catalogue_has_every_template() {
-    let page = fs::read_to_string(root().join("templates/README.md")).expect("templates/README.md");
+    let page = catalogue();
     for case in cases() {
         let template = case.template().template;
         let row = page.lines().find(|line| line.contains(&format!("({}.rs)", case.name))).unwrap_or_default();
-        let cells: Vec<&str> = row.split('|').map(str::trim).collect();
+        let cells = cells(row);
         let (size, basis) = (format!("{}x{}", template.rows(), template.columns()), template.basis.len().to_string());
         let is_current = cells.contains(&size.as_str()) && cells.contains(&basis.as_str());
         assert!(is_current, "{}: run `cargo run --release -p eliminant-tests --bin catalogue -- --update`", case.name);

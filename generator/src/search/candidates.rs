@@ -16,6 +16,7 @@ use super::reduce_strategy::{StrategyContext, StrategyTemplates, reduce_strategy
 use super::seed_sets::obstacle;
 use super::strategy::{Strategy, strategies};
 use crate::check::SolutionCount;
+use crate::generate::gives_its_solutions;
 use crate::plan::schedule::{ScheduleError, schedule};
 use crate::problem::Problem;
 use crate::template::verify::verify;
@@ -97,7 +98,7 @@ pub fn in_order(mut candidates: Vec<TemplateCandidate>, preference: Preference) 
 }
 
 /// A template with its plan, for a solver that finds this number of solutions. `None` if the
-/// template does not hold at the other prime, or an unknown cannot be read.
+/// template does not hold at the other prime, an unknown cannot be read, or a solution is lost.
 fn candidate(
     problem: &Problem,
     numbered: &Numbered<'_>,
@@ -109,8 +110,9 @@ fn candidate(
     verify(template, formulation.check.field, &formulation.check.equations).ok()?;
     let plan = schedule(problem, &formulation.reduced, template, solutions, RootMethod::Eigenvalues);
     debug_assert!(!matches!(plan, Err(ScheduleError::Plan(_))), "{plan:?}");
+    let plan = plan.ok().filter(|plan| gives_its_solutions(plan, &template.action, &formulation.reduced))?;
     let (growth, template) = (strategy.growth.to_string(), template.clone());
-    Some(TemplateCandidate { presolve: formulation.presolve, strategy: *at, growth, template, plan: plan.ok()? })
+    Some(TemplateCandidate { presolve: formulation.presolve, strategy: *at, growth, template, plan })
 }
 
 /// The strategies that began, none of which found a template.

@@ -9,7 +9,7 @@ use std::path::Path;
 
 use clap::{Parser, ValueEnum};
 use comfy_table::{CellAlignment, Table, presets};
-use eliminant_tests::comparison::comparison;
+use eliminant_tests::comparison::Comparison;
 use eliminant_tests::families::Family;
 use eliminant_tests::measure::{WORK_OF_MEASURING, affordable, measure, measure_forward, measure_unpolished};
 use eliminant_tests::published::{Published, fewest_rows, published, published_name};
@@ -158,7 +158,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         };
         rows.push(with_published(measured, &case, &published)?);
     }
-    let comparison = comparison(&cases())?;
+    let comparison = Comparison::new(&cases())?.listed();
     if arguments.update {
         return write(&path, &page(&rows, &comparison, &arguments));
     }

@@ -37,7 +37,8 @@ pub(crate) struct Arguments {
     #[arg(long, default_value_t = SearchOptions::default().seed)]
     seed: u64,
     /// Most columns of a template before it is reduced
-    /// [default: 600, and then 1500 if nothing is found and the search is not sharded]
+    /// [default: 600, and then 1500 if nothing that solves well is found and the search is not
+    /// sharded]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(2..=MOST_COLUMNS as u64))]
     max_columns: Option<u64>,
     /// Largest basis, which is the size of the eigenvalue problem; never below the number of

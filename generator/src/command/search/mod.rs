@@ -14,9 +14,12 @@ use super::error::CommandError;
 use super::files::{read_named_problem, template_path, write};
 use super::report::Output;
 use super::watch::Watch;
+use crate::check::check;
+use crate::search::candidates;
+use crate::search::monitor::Monitor;
 use crate::search::shard::Shard;
 pub(super) use arguments::Arguments;
-use outcome::{Outcome, Task, conclude, find, search};
+use outcome::{Outcome, Task, conclude, search};
 use report::{SearchReport, ShardReport};
 use settings::Settings;
 use shard::{ShardFile, merge};
@@ -51,7 +54,8 @@ fn finish(task: Task<'_>, outcome: &Outcome, out: &Path) -> Result<Output, Comma
 /// its file.
 fn hand_over(task: Task<'_>, settings: Settings, shard: Shard, out: Option<&Path>) -> Result<Output, CommandError> {
     let Task { path, problem, watch } = task;
-    let (settings, found) = find(task, settings)?;
+    watch.say("counting solutions");
+    let found = candidates(problem, &check(problem)?, &settings.options, watch);
     let file = ShardFile::new(task, &settings, found)?;
     let name = format!("{}.shard-{}-of-{}.json", problem.name, shard.number(), shard.of());
     let out = out.map_or_else(|| path.with_file_name(name), Path::to_owned);

@@ -4,12 +4,12 @@ use std::path::Path;
 
 use super::provenance;
 use super::settings::Settings;
-use crate::check::check;
+use crate::check::{SolutionCount, check};
 use crate::command::error::CommandError;
 use crate::command::watch::{End, Watch};
 use crate::generate::plan;
 use crate::problem::Problem;
-use crate::search::choose::{Choice, choose};
+use crate::search::choose::{Choice, Verdict, choose};
 use crate::search::measuring::Stability;
 use crate::search::monitor::Monitor;
 use crate::search::{Found, SearchError, TemplateCandidate, candidates};
@@ -59,27 +59,61 @@ pub(super) struct Outcome {
     pub(super) file: TemplateFile,
 }
 
-/// Searches, measures and chooses.
+/// Searches, measures and chooses. If nothing that solves well is found within the first limit on
+/// columns and the time is not over, the wider limit is tried. What it gives is taken if it solves
+/// well, or if the first limit gave nothing.
 pub(super) fn search(task: Task<'_>, settings: Settings) -> Result<Outcome, CommandError> {
-    let (settings, found) = find(task, settings)?;
-    let found = found.map_err(|error| CommandError::of_search(task.path, task.problem, error))?;
-    conclude(task, settings, Candidates::of(found))
+    task.watch.say("counting solutions");
+    let count = check(task.problem)?;
+    let widened = settings.widened();
+    let limit = settings.options.max_columns;
+    let first = search_within(task, &count, settings)?;
+    let (Some(widened), false) = (widened, first.is_final()) else {
+        return first.result(task);
+    };
+    task.watch.say(&format!("nothing good within {limit} columns; trying {}", widened.options.max_columns));
+    let second = search_within(task, &count, widened)?;
+    if second.is_good() || first.is_nothing() { second.result(task) } else { first.result(task) }
 }
 
-/// Searches within the first limit on columns, and within the wider one if nothing is found and the
-/// time is not over. Returns the settings of the last try.
-pub(super) fn find(task: Task<'_>, settings: Settings) -> Result<(Settings, Result<Found, SearchError>), CommandError> {
-    let Task { problem, watch, .. } = task;
-    watch.say("counting solutions");
-    let count = check(problem)?;
-    let found = candidates(problem, &count, &settings.options, watch);
-    match (&found, settings.widened()) {
-        (Err(SearchError::NotFound { max_columns, is_over: false, .. }), Some(widened)) => {
-            watch.say(&format!("nothing within {max_columns} columns; trying {}", widened.options.max_columns));
-            let found = candidates(problem, &count, &widened.options, watch);
-            Ok((widened, found))
+/// What the search within one limit on columns came to.
+enum Attempt {
+    Chosen(Box<Outcome>),
+    Nothing(SearchError),
+}
+
+impl Attempt {
+    /// Whether a wider limit is pointless, or there is no time for it.
+    fn is_final(&self) -> bool {
+        match self {
+            Self::Chosen(outcome) => self.is_good() || outcome.end.is_some(),
+            Self::Nothing(error) => !matches!(error, SearchError::NotFound { is_over: false, .. }),
         }
-        _ => Ok((settings, found)),
+    }
+
+    fn is_good(&self) -> bool {
+        match self {
+            Self::Chosen(outcome) => outcome.choice.measured[outcome.choice.chosen].verdict != Verdict::Rejected,
+            Self::Nothing(_) => false,
+        }
+    }
+
+    fn is_nothing(&self) -> bool {
+        matches!(self, Self::Nothing(_))
+    }
+
+    fn result(self, task: Task<'_>) -> Result<Outcome, CommandError> {
+        match self {
+            Self::Chosen(outcome) => Ok(*outcome),
+            Self::Nothing(error) => Err(CommandError::of_search(task.path, task.problem, error)),
+        }
+    }
+}
+
+fn search_within(task: Task<'_>, count: &SolutionCount, settings: Settings) -> Result<Attempt, CommandError> {
+    match candidates(task.problem, count, &settings.options, task.watch) {
+        Ok(found) => Ok(Attempt::Chosen(Box::new(conclude(task, settings, Candidates::of(found))?))),
+        Err(error) => Ok(Attempt::Nothing(error)),
     }
 }
 
@@ -121,14 +155,15 @@ mod tests {
         let task = Task { path: Path::new("conics.rs"), problem: &problem, watch: &watch };
         let within = |max_columns: usize, wider: Option<usize>| {
             let options = SearchOptions { max_columns, ..SearchOptions::default() };
-            let (settings, found) = find(task, Settings { wider, ..Settings::new(options, 1, 1) }).unwrap();
-            let rows = found.map(|found| found.candidates[0].template.rows()).map_err(|error| error.to_string());
-            (rows, settings.options.max_columns, settings.nothing_within)
+            let outcome = search(task, Settings { wider, ..Settings::new(options, 1, 1) });
+            let outcome = outcome.map_err(|error| error.to_string())?;
+            let rows = outcome.file.template.rows();
+            Ok((rows, outcome.settings.options.max_columns, outcome.settings.nothing_within))
         };
-        assert_eq!(within(7, Some(20)), (Ok(6), 20, Some(7)));
-        assert_eq!(within(20, None), (Ok(6), 20, None));
-        assert_eq!(within(20, Some(30)), (Ok(6), 20, None));
-        let (nothing, ..) = within(6, Some(7));
+        assert_eq!(within(7, Some(20)), Ok((6, 20, Some(7))));
+        assert_eq!(within(20, None), Ok((6, 20, None)));
+        assert_eq!(within(20, Some(30)), Ok((6, 20, None)));
+        let nothing: Result<_, String> = within(6, Some(7));
         assert!(nothing.unwrap_err().contains("within 7 columns"));
         // The record says what to repeat.
         let options = SearchOptions { max_columns: 7, ..SearchOptions::default() };

@@ -34,7 +34,7 @@ pub const SCREENING_WORK: usize = 300_000_000;
 pub const CONFIRMING_WORK: usize = 10_000_000_000;
 /// Operations, second attempts included, after which no further candidate is confirmed and no more
 /// than [`SCREENED`] are screened. A few candidates that are rejected late take that many.
-pub const MEASURING_WORK: f64 = 5e10;
+pub const MEASURING_WORK: f64 = 1e11;
 /// Instances that are measured at once; after each block the candidate may be rejected.
 pub(super) const BLOCK: usize = 100;
 

@@ -80,8 +80,8 @@ fn large_candidates_are_measured_on_fewer_instances() {
 
 #[test]
 fn few_large_candidates_are_confirmed() {
-    // One in 400 lacks a solution, which rejects at about 1,600 instances.
-    let made: Vec<Made> = (0..SCREENED_AT_MOST).map(|k| (10_000_000 + k, 9, -15.0, 400)).collect();
+    // One in 400 lacks a solution, which rejects at about 800 instances.
+    let made: Vec<Made> = (0..SCREENED_AT_MOST).map(|k| (20_000_000 + k, 9, -15.0, 400)).collect();
     let (decision, trials) = decide(Speed, &Unmonitored, &made);
     assert!(matches!(decision, Some((_, Rejected | Screened))));
     assert_eq!(trials.len(), SCREENED);
