@@ -1,4 +1,5 @@
-//! Prose rots where it names paths: every path that a document names exists.
+//! Prose rots where it names paths: every path that a document names exists. And prose is read: its
+//! lines are short.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -93,6 +94,54 @@ fn paths_in_documents_exist() {
     println!("{checked} paths in {} documents", documents.len());
     assert!(missing.is_empty(), "{missing:#?}");
     assert!(checked > 0, "no document names a path");
+}
+
+/// The most characters of a line of prose.
+const COLUMNS: usize = 100;
+
+/// The numbers of the lines of prose that are too long: comments of a Rust file, text of a document
+/// without tables, code and markers. A line with an address cannot be broken.
+fn long_lines(text: &str, is_rust: bool) -> Vec<usize> {
+    let mut fenced = false;
+    let mut is_prose = |line: &str| {
+        let start = line.trim_start();
+        fenced ^= start.starts_with("```");
+        match is_rust {
+            true => start.starts_with("//"),
+            false => !(fenced || start.starts_with(['|', '<'])),
+        }
+    };
+    let lines = text.lines().map(|line| is_prose(line) && line.chars().count() > COLUMNS && !line.contains("://"));
+    lines.enumerate().filter(|(_, is_long)| *is_long).map(|(at, _)| at + 1).collect()
+}
+
+#[test]
+fn lines_of_prose_are_short() {
+    let root = root();
+    let mut all = Vec::new();
+    files(&root, &mut all);
+    let (mut checked, mut long) = (0, Vec::new());
+    for file in &all {
+        let is_rust = file.extension().is_some_and(|end| end == "rs");
+        if !is_rust && file.extension().is_none_or(|end| end != "md") {
+            continue;
+        }
+        let text = fs::read_to_string(file).expect("UTF-8");
+        let name = file.strip_prefix(&root).expect("inside").display();
+        long.extend(long_lines(&text, is_rust).iter().map(|line| format!("{name}:{line}")));
+        checked += 1;
+    }
+    assert!(checked > 0, "no file was read");
+    assert!(long.is_empty(), "over {COLUMNS} columns: {long:#?}");
+}
+
+#[test]
+fn long_lines_are_found() {
+    let (short, long) = ("x".repeat(COLUMNS - 3), "x".repeat(COLUMNS - 2));
+    let rust = format!("// {short}\n    // {short}\nlet s = \"{long}{long}\";\n// {long}\n// https://{long}\n");
+    assert_eq!(long_lines(&rust, true), [2, 4]);
+    let text = format!("{short}\n\n{long} x\n| {long} |\n```\n{long} x\n```\n{long} x\n");
+    assert_eq!(long_lines(&text, false), [3, 8]);
 }
 
 #[test]
