@@ -1,8 +1,7 @@
 //! What an emitted solver does on random instances and on scenes, judged by the plan's equations
 //! and not by the emitted code.
 
-use std::cmp::Reverse;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use eliminant::Complex;
 use eliminant_generator::algebra::Random;
@@ -16,7 +15,7 @@ use rayon::prelude::*;
 use crate::Case;
 use crate::families::{DataSource, Family};
 use crate::ground_truth::{FOUND, Maker, makers};
-use crate::statistics::{distance, log10, worst};
+use crate::statistics::{distance, log10, most_frequent, worst};
 
 /// Points closer than this are one solution.
 pub const SAME: f64 = 1e-8;
@@ -98,13 +97,6 @@ pub fn measure(case: &Case, plan: &Plan, family: Family, instances: u64, first_s
     let is_complete = |found: &&Option<Vec<Vec<Complex<f64>>>>| found.as_ref().is_some_and(|f| f.len() == solutions);
     let failures = found.iter().filter(|found| !is_complete(found)).count();
     Measurement { residuals_log10, solutions, failures, instances: instances as usize }
-}
-
-/// The value that occurs most often; of several the smallest.
-fn most_frequent(values: impl Iterator<Item = usize>) -> Option<usize> {
-    let mut counts: BTreeMap<usize, usize> = BTreeMap::new();
-    values.for_each(|value| *counts.entry(value).or_default() += 1);
-    counts.into_iter().max_by_key(|&(value, count)| (count, Reverse(value))).map(|(value, _)| value)
 }
 
 /// How far the solutions of scenes are from the known ones.

@@ -1,5 +1,8 @@
 //! Quantiles, and sets of solutions compared up to a tolerance.
 
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
+
 use eliminant::Complex;
 
 /// The q-quantile of values in any order, by nearest rank; NaN where there are none, which passes
@@ -20,6 +23,13 @@ pub fn log10(error: f64) -> f64 {
 /// The largest of some errors, 0 where there are none; NaN counts as infinite.
 pub fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
     errors.into_iter().fold(0.0, |worst, error| if error.is_nan() { f64::INFINITY } else { error.max(worst) })
+}
+
+/// The value that occurs most often; of several the smallest.
+pub fn most_frequent(values: impl Iterator<Item = usize>) -> Option<usize> {
+    let mut counts: BTreeMap<usize, usize> = BTreeMap::new();
+    values.for_each(|value| *counts.entry(value).or_default() += 1);
+    counts.into_iter().max_by_key(|&(value, count)| (count, Reverse(value))).map(|(value, _)| value)
 }
 
 /// How far two points are apart: max over the unknowns of |x - y|, relative to the larger of the
@@ -45,4 +55,16 @@ pub fn same_set(left: &[Vec<Complex<f64>>], right: &[Vec<Complex<f64>>], toleran
             let nearest = (0..free.len()).min_by(|&i, &j| distance(x, free[i]).total_cmp(&distance(x, free[j])));
             nearest.is_some_and(|at| distance(x, free.swap_remove(at)) <= tolerance)
         })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_most_frequent_value_is_the_smallest_of_several() {
+        assert_eq!(most_frequent([3, 2, 2, 3, 1].into_iter()), Some(2));
+        assert_eq!(most_frequent([1, 3, 3].into_iter()), Some(3));
+        assert_eq!(most_frequent(std::iter::empty()), None);
+    }
 }
