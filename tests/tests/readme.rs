@@ -60,7 +60,8 @@ fn build_cost() -> String {
     };
     let (all, linked) = (tree("normal,build"), tree("normal,no-proc-macro"));
     format!(
-        "A user's build compiles {all} crates, those of this project included; {} of them serve the build script only.\n",
+        "A user's build compiles {all} crates, those of this project included; {} of them serve the\n\
+         build script only.\n",
         all - linked
     )
 }
