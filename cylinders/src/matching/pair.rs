@@ -25,7 +25,7 @@
 
 use nalgebra::Vector2;
 
-use super::References;
+use super::options::References;
 use super::plan::{Plan, Support, ray};
 use crate::circle::Circle;
 

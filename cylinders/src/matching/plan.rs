@@ -23,7 +23,8 @@ use std::ops::Range;
 
 use nalgebra::{Point2, Point3, Unit, Vector2, Vector3};
 
-use super::{MatchError, MatchOptions};
+use super::error::MatchError;
+use super::options::MatchOptions;
 use crate::circle::Circle;
 use crate::cylinder::Side;
 use crate::rectify::{Rectification, TangentLine};

@@ -1,4 +1,4 @@
-//! Step 3: the circle of the cross-section, by constrained least squares on its dual conic.
+//! The circle of the cross-section by constrained least squares on its dual conic.
 //!
 //! The tangents of a circle with centre `(x, y)` and radius `r` are the lines `l = (a, b, c)` with `l^T C* l = 0`. Its
 //! dual conic, scaled so that `d6 = -1`, is
@@ -22,26 +22,15 @@
 //! lines are nearly parallel in pairs, and a very large circle behind one of the cameras touches all four almost as well as the small
 //! one between them, with noise better. `fit_circle_in_front` takes the best minimum in front of the cameras instead.
 
-use nalgebra::Point2;
-use thiserror::Error;
-
-use super::least_squares::StationaryCircles;
-use super::rectify::TangentLine;
-use super::section::SectionLine;
-use super::sight::Sight;
+use super::{Circle, CircleError};
+use crate::least_squares::StationaryCircles;
+use crate::rectify::TangentLine;
+use crate::section::SectionLine;
+use crate::sight::Sight;
 
 /// Root mean square distance of the lines from one point, relative to the extent of the scene, below which they count
 /// as meeting there. Far below what marking lines in an image can reach, above what rounding leaves.
 const CONCURRENT: f64 = 1e-9;
-
-/// A circle of the cross-section.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Circle {
-    /// Centre, world units.
-    pub centre: Point2<f64>,
-    /// Radius, world units.
-    pub radius: f64,
-}
 
 /// The least squares circle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,38 +41,6 @@ pub struct CircleFit {
     pub rms: f64,
     /// Number of stationary circles among which it was chosen.
     pub stationary_points: usize,
-}
-
-/// Why there is no circle.
-#[derive(Clone, Copy, Debug, Error, PartialEq)]
-pub enum CircleError {
-    /// All lines pass through one point: two distinct lines, or the axis marked instead of its silhouettes.
-    #[error(
-        "in the cross-section all lines meet in one point: there are fewer than three distinct tangents, or the lines are \
-         not silhouettes"
-    )]
-    Concurrent,
-    /// All lines are parallel; none is nearest to a point.
-    #[error("in the cross-section all lines are parallel")]
-    Parallel,
-    /// Several circles touch all lines exactly, as four do for three lines.
-    #[error(
-        "{circles} circles touch all lines of the cross-section exactly, as is the case for three lines; \
-         a fourth silhouette line decides"
-    )]
-    Ambiguous {
-        /// Number of circles.
-        circles: usize,
-    },
-    /// A coordinate is NaN, infinite or out of range.
-    #[error("the lines of the cross-section are out of range")]
-    OutOfRange,
-    /// No stationary point is a real circle.
-    #[error("no stationary point of the least squares problem is a circle")]
-    NoCircle,
-    /// The emitted solver refused the data.
-    #[error("the equations of the circle could not be solved: {0}")]
-    Solver(#[from] eliminant::SolveError),
 }
 
 /// The circle of least cost from at least three tangent lines; `extent` is the size of the scene in world units,
