@@ -1,7 +1,7 @@
 //! The cylinders that were found, with their silhouettes.
 
-use crate::cylinder::{Cylinder, LineResidual};
-use crate::scene::LineId;
+use crate::observations::scene::LineId;
+use crate::space::cylinder::{Cylinder, LineResidual};
 
 /// A cylinder and its silhouettes among the lines.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,10 +4,10 @@ use nalgebra::{Unit, Vector3};
 
 use super::found::MatchedCylinder;
 use super::plan::{Plan, PlanMatch};
-use crate::circle::{Circle, CircleFit, fit_circle};
-use crate::cylinder::{Cylinder, LineResidual};
-use crate::scene::LineId;
-use crate::view::View;
+use crate::cross_section::circle::{Circle, CircleFit, fit_circle};
+use crate::observations::scene::LineId;
+use crate::observations::view::View;
+use crate::space::cylinder::{Cylinder, LineResidual};
 
 /// Limit on the repetitions of fit and choice of matches; they agree after two or three.
 const REPETITIONS: usize = 10;

@@ -1,7 +1,7 @@
 //! How cylinders are searched for.
 
-use crate::silhouette_distance::DistanceUnit;
-use crate::view::View;
+use crate::observations::view::View;
+use crate::space::silhouette_distance::DistanceUnit;
 
 /// Default of the largest distance between a line and its silhouette: what an end point that is off by a pixel may reach.
 const THRESHOLD_PIXELS: f64 = 3.0;

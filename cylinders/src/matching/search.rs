@@ -14,9 +14,9 @@ use super::occlusion::hidden;
 use super::options::MatchOptions;
 use super::pair::{Hypothesis, Pair, pairs};
 use super::plan::Plan;
-use crate::circle::Circle;
-use crate::scene::LineId;
-use crate::view::View;
+use crate::cross_section::circle::Circle;
+use crate::observations::scene::LineId;
+use crate::observations::view::View;
 
 /// Three lines leave four circles; the fourth decides.
 const LEAST_SUPPORT: usize = 4;
