@@ -1,123 +1,81 @@
 //! Cylinder triangulation: silhouette lines and cameras in, a cylinder out.
 //!
-//! Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation". The list of modules is the pipeline.
+//! Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation". The folders are the pipeline
+//! in order: none depends on a later one.
 
-/// Tangent lines to the least squares circle: normalisation, and the best of the stationary circles.
-pub mod circle;
-/// Three tangent lines to their incircle and excircles, in closed form.
-pub mod closed_form;
-/// COLMAP models, text and binary: cameras of photographs, and points.
-pub mod colmap;
-/// The command `cylinders`: arguments to exit status and text.
-#[cfg(feature = "command")]
-pub mod command;
-/// Circle back to a cylinder in space; silhouettes and residuals.
-pub mod cylinder;
-/// Viewing planes to the direction of the axis; conditioned, or refused.
-pub mod direction;
-/// Lens distortion, and its inverse.
-pub mod distortion;
-/// A cylinder from any of the estimators.
-pub mod estimate;
-/// The experiments of the paper, on simulated scenes.
-#[cfg(feature = "command")]
-pub mod experiment;
-/// Which part of a cylinder the views show.
-pub mod extent;
-/// Scene files: JSON to views.
-pub mod input;
-/// Tangent lines to all stationary circles, the global minimum first.
-pub mod least_squares;
-/// Damped least squares on a manifold of few dimensions.
-mod levenberg_marquardt;
-/// Tangent lines to a conic that need not be a circle.
-pub mod linear_conic;
-/// Lines of which nobody says what they show to all cylinders of one direction.
+/// Damped least squares, RANSAC, random numbers.
+mod numerics;
+
+/// Files to views: cameras, silhouette lines and viewing planes, validated.
+mod observations;
+
+/// Viewing planes to the direction of the axis.
+mod axis;
+
+/// Viewing planes and direction to tangent lines, and these to the circle that they touch.
+mod cross_section;
+
+/// Circle and direction to the cylinder in space, its silhouettes and its residuals.
+mod space;
+
+/// Views to a cylinder, by all steps: least squares, refinement, RANSAC.
+mod estimation;
+
+/// Lines without labels to all cylinders of one direction.
 pub mod matching;
-/// Matches as text and as JSON.
-pub mod matching_report;
-/// Three tangent lines to the circles that touch them, by the emitted solver.
-pub mod minimal;
-/// Pairs of tangent lines to a circle: axis first, then radius.
-pub mod navab;
-/// Tangent lines to coordinates of order one, in which they are solved.
-mod normalise;
-/// Colours of pictures and models.
-mod palette;
-/// Several cylinders with one direction.
-pub mod parallel;
-/// The camera behind the pixels of a photograph, with its distortion.
-pub mod photograph;
-/// Cross-sections, silhouettes and plots as SVG and PNG files.
+
+/// Cylinders to text, JSON, models and pictures.
+mod output;
+
+/// Scenes whose truth is known.
 #[cfg(feature = "command")]
-pub mod picture;
-/// Lines in space by four parameters.
-mod plucker;
-/// Cylinders, cameras, lines and points as a PLY file.
-pub mod ply;
+pub mod simulation;
+
 /// Progress bars on standard error.
 #[cfg(feature = "command")]
 mod progress;
-/// The cylinder as quadric and dual quadric, and its outline from the dual.
-pub mod quadric;
-/// Seeded random numbers, for simulations.
-pub mod random;
-/// RANSAC for any model: samples, scores, local optimisation, termination.
-pub mod ransac;
-/// Viewing planes to tangent lines of the cross-section.
-pub mod rectify;
-/// A cylinder to the one whose silhouettes are nearest to the lines, with its covariance.
-pub mod refine;
-/// A result as text and as JSON.
-pub mod report;
-/// Lines, most of them wrong, to the cylinder on which the others agree.
-pub mod robust;
-/// Viewing planes, some of them wrong, to the direction of the axis.
-pub mod robust_direction;
-/// Views of one or several cylinders, with the points around them.
-pub mod scene;
-/// Tangent lines to conics: the trait of all methods.
-pub mod section;
-/// CSV files of line segments: end points to fitted lines.
-pub mod segments;
-/// Cameras in the cross-section: which circles are in front of them.
-pub mod sight;
-/// Signed, smooth distance of an image line from a silhouette.
-pub mod silhouette_distance;
-/// Scenes of which the truth is known.
-#[cfg(feature = "command")]
-pub mod simulation;
-/// Tangent lines to all stationary circles, by the emitted solver.
-mod stationary;
-/// All of it: views to a cylinder with its residuals.
-pub mod triangulate;
-/// Cameras, silhouette lines and viewing planes; validated.
-pub mod view;
 
-pub use circle::{Circle, CircleError, CircleFit};
-pub use closed_form::{ClosedForm, tangent_circles};
-pub use colmap::{ColmapError, read_colmap};
-pub use cylinder::{Cylinder, LineResidual, Side};
-pub use direction::{Direction, DirectionError, SharedDirection};
-pub use estimate::{Estimate, EstimateConsensus, EstimateError};
-pub use input::{InputError, parse_scene, read_scene};
-pub use least_squares::LeastSquares;
-pub use linear_conic::LinearConic;
+/// The experiments of the paper, on simulated scenes.
+#[cfg(feature = "command")]
+pub mod experiment;
+
+/// The command `cylinders`: arguments to exit status and text.
+#[cfg(feature = "command")]
+pub mod command;
+
+pub use axis::direction::{self, Direction, DirectionError, SharedDirection};
+pub use axis::robust_direction::{
+    self, RobustDirection, common_direction, default_direction_options, estimate_direction_robustly,
+};
+pub use cross_section::circle::{self, Circle, CircleError, CircleFit};
+pub use cross_section::closed_form::{self, ClosedForm, tangent_circles};
+pub use cross_section::least_squares::{self, LeastSquares};
+pub use cross_section::linear_conic::{self, LinearConic};
+pub use cross_section::minimal::{self, Minimal, minimal_circles};
+pub use cross_section::navab::{self, Navab};
+pub use cross_section::rectify;
+pub use cross_section::section::{self, Section, SectionError, SectionLine, SectionShape, SectionSolver};
+pub use cross_section::sight::{self, Sight};
+pub use estimation::estimate::{self, Estimate, EstimateConsensus, EstimateError};
+pub use estimation::parallel::{self, ParallelError, ParallelTriangulation, triangulate_parallel};
+pub use estimation::refine::{self, Deviation, Loss, RefineError, RefineOptions, Refinement, refine};
+pub use estimation::robust::{self, RobustError, RobustOptions, RobustTriangulation, triangulate_robustly};
+pub use estimation::triangulate::{self, TriangulateError, Triangulation, triangulate, triangulate_along};
 pub use matching::{
     MatchError, MatchOptions, MatchedCylinder, Matching, Progress, References, match_cylinders, match_cylinders_with,
 };
-pub use minimal::{Minimal, minimal_circles};
-pub use navab::Navab;
-pub use parallel::{ParallelError, ParallelTriangulation, triangulate_parallel};
-pub use quadric::silhouette_of_dual_quadric;
-pub use ransac::{RansacOptions, RansacOptionsError};
-pub use refine::{Deviation, Loss, RefineError, RefineOptions, Refinement, refine};
-pub use robust::{RobustError, RobustOptions, RobustTriangulation, triangulate_robustly};
-pub use robust_direction::{RobustDirection, common_direction, default_direction_options, estimate_direction_robustly};
-pub use scene::{CylinderLines, LineId, Scene};
-pub use section::{Section, SectionError, SectionLine, SectionShape, SectionSolver};
-pub use segments::{SegmentError, Segments, parse_segments, read_segments};
-pub use sight::Sight;
-pub use silhouette_distance::{DistanceUnit, Metric, MetricError};
-pub use triangulate::{TriangulateError, Triangulation, triangulate, triangulate_along};
-pub use view::{Calibration, Camera, View, ViewError, ViewingPlane};
+pub use numerics::random;
+pub use numerics::ransac::{self, RansacOptions, RansacOptionsError};
+pub use observations::colmap::{self, ColmapError, read_colmap};
+pub use observations::input::{self, InputError, parse_scene, read_scene};
+pub use observations::scene::{self, CylinderLines, LineId, Scene};
+pub use observations::segments::{self, SegmentError, Segments, parse_segments, read_segments};
+pub use observations::view::{self, Calibration, Camera, View, ViewError, ViewingPlane};
+pub use observations::{distortion, photograph};
+#[cfg(feature = "command")]
+pub use output::picture;
+pub use output::{matching_report, ply, report};
+pub use space::cylinder::{self, Cylinder, LineResidual, Side};
+pub use space::extent;
+pub use space::quadric::{self, silhouette_of_dual_quadric};
+pub use space::silhouette_distance::{self, DistanceUnit, Metric, MetricError};

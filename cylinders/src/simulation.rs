@@ -8,9 +8,9 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Matrix3x4, Point2, Point3, Rotation3, Unit, Vector2, Vector3};
 
-use super::cylinder::{Cylinder, Side};
-use super::random::Random;
-use super::view::{Calibration, Camera, View, ViewError};
+use crate::numerics::random::Random;
+use crate::observations::view::{Calibration, Camera, View, ViewError};
+use crate::space::cylinder::{Cylinder, Side};
 
 /// Focal length and principal point, pixels.
 const FOCAL: f64 = 1000.0;

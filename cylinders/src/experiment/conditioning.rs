@@ -3,12 +3,14 @@
 
 use nalgebra::{Matrix3, Point2};
 
+use super::error::ExperimentError;
 use super::instances::instances;
+use super::options::Options;
+use super::outcome::Outcome;
 use super::quantile::Sorted;
 use super::random::instance_seed;
 use super::section_scene::{Sight, errors};
 use super::table::Table;
-use super::{ExperimentError, Options, Outcome};
 use crate::picture::{Axis, ConicPicture, Plot, Series};
 use crate::random::Random;
 use crate::{Circle, LeastSquares, LinearConic, Section, SectionLine, SectionShape, SectionSolver};

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::Options;
+use super::options::Options;
 use super::random::instance_seed;
 use crate::progress::progress_bar;
 use crate::random::Random;

@@ -1,10 +1,12 @@
 //! `matching`: parallel cylinders among lines of which nobody says what they show, and how much clutter and noise the search
 //! endures.
 
+use super::error::ExperimentError;
 use super::instances::seeded_instances;
+use super::options::Options;
+use super::outcome::Outcome;
 use super::quantile::Sorted;
 use super::table::Table;
-use super::{ExperimentError, Options, Outcome};
 use crate::picture::{Axis, Plot, Series};
 use crate::simulation::{ParallelScene, ParallelSetup};
 use crate::{

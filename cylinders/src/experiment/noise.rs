@@ -2,11 +2,13 @@
 
 use nalgebra::Point2;
 
+use super::error::ExperimentError;
 use super::instances::instances;
+use super::options::Options;
+use super::outcome::Outcome;
 use super::quantile::Sorted;
 use super::section_scene::{Sight, least_errors};
 use super::table::Table;
-use super::{ExperimentError, Options, Outcome};
 use crate::picture::{Axis, Band, Plot, Series};
 use crate::random::Random;
 use crate::{Circle, LeastSquares, Minimal, Section, SectionLine, SectionSolver};

@@ -1,11 +1,13 @@
 //! `one_sided`: photographs that each show the left silhouette only.
 
 use super::can::{self, Can, Noise, PHOTOGRAPHS, RADIUS};
+use super::error::ExperimentError;
 use super::instances::instances;
+use super::options::Options;
+use super::outcome::Outcome;
 use super::quantile::Sorted;
 use super::random::some_of;
 use super::table::Table;
-use super::{ExperimentError, Options, Outcome};
 use crate::picture::{Axis, Band, Plot, Series};
 use crate::random::Random;
 use crate::{LeastSquares, LinearConic, SectionShape, SectionSolver};

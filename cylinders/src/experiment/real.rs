@@ -5,9 +5,11 @@ use std::path::{Path, PathBuf};
 
 use nalgebra::{Point3, Unit, Vector3};
 
+use super::error::ExperimentError;
+use super::options::Options;
+use super::outcome::Outcome;
 use super::quantile::Sorted;
 use super::table::Table;
-use super::{ExperimentError, Options, Outcome};
 use crate::picture::{Histogram, SectionPicture, SilhouettePicture};
 use crate::rectify::Rectification;
 use crate::{

@@ -5,11 +5,13 @@ use std::f64::consts::TAU;
 
 use nalgebra::Point2;
 
+use super::error::ExperimentError;
 use super::instances::instances;
+use super::options::Options;
+use super::outcome::Outcome;
 use super::quantile::Sorted;
 use super::section_scene::{least_errors, tangent};
 use super::table::Table;
-use super::{ExperimentError, Options, Outcome};
 use crate::picture::Histogram;
 use crate::random::Random;
 use crate::{Circle, ClosedForm, LeastSquares, LinearConic, Minimal, Section, SectionLine, SectionSolver};

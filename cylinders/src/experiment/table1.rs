@@ -3,11 +3,13 @@
 use nalgebra::Matrix3;
 
 use super::can::{self, Can, CrossSection, Noise, PHOTOGRAPHS};
+use super::error::ExperimentError;
 use super::instances::instances;
+use super::options::Options;
+use super::outcome::Outcome;
 use super::quantile::Sorted;
 use super::random::some_of;
 use super::table::Table;
-use super::{ExperimentError, Options, Outcome};
 use crate::circle::fit_circle_in_front;
 use crate::picture::{Axis, Plot, Series};
 use crate::random::Random;

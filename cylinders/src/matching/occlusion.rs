@@ -7,7 +7,7 @@
 
 use nalgebra::{Point2, Vector2};
 
-use crate::circle::Circle;
+use crate::cross_section::circle::Circle;
 
 /// Whether the left and the right silhouette of a circle are hidden from a camera; `None` where the camera is inside.
 pub(super) fn hidden(camera: &Point2<f64>, circle: &Circle, others: &[Circle]) -> Option<[bool; 2]> {

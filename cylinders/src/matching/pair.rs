@@ -25,9 +25,9 @@
 
 use nalgebra::Vector2;
 
-use super::References;
+use super::options::References;
 use super::plan::{Plan, Support, ray};
-use crate::circle::Circle;
+use crate::cross_section::circle::Circle;
 
 /// A pair of rays of one view that may be the two silhouettes of a cylinder.
 #[derive(Clone, Copy, Debug)]
@@ -218,7 +218,7 @@ impl Family {
 #[cfg(all(test, feature = "command"))]
 mod tests {
     use super::*;
-    use crate::closed_form::tangent_circles;
+    use crate::cross_section::closed_form::tangent_circles;
     use crate::matching::MatchOptions;
     use crate::simulation::ParallelSetup;
 

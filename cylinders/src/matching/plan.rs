@@ -23,13 +23,14 @@ use std::ops::Range;
 
 use nalgebra::{Point2, Point3, Unit, Vector2, Vector3};
 
-use super::{MatchError, MatchOptions};
-use crate::circle::Circle;
-use crate::cylinder::Side;
-use crate::rectify::{Rectification, TangentLine};
-use crate::scene::LineId;
-use crate::silhouette_distance::DistanceUnit;
-use crate::view::{Camera, View};
+use super::error::MatchError;
+use super::options::MatchOptions;
+use crate::cross_section::circle::Circle;
+use crate::cross_section::rectify::{Rectification, TangentLine};
+use crate::observations::scene::LineId;
+use crate::observations::view::{Camera, View};
+use crate::space::cylinder::Side;
+use crate::space::silhouette_distance::DistanceUnit;
 
 /// Largest sine of the angle between a viewing plane and the axis: far more than the end points of a short line leave open, far
 /// less than that of lines across the axis.

@@ -1,0 +1,136 @@
+//! Step 1: the direction of the axis.
+//!
+//! A viewing plane that is tangent to the cylinder is parallel to its axis, so its normal `n_i = R^T l_i` is orthogonal
+//! to the direction `w`. All of them together are a homogeneous linear system
+//!
+//! ```text
+//!       [ n_1^T ]
+//!       [  ...  ] w = 0,     sigma_1 >= sigma_2 >= sigma_3 its singular values
+//!       [ n_N^T ]
+//! ```
+//!
+//! whose least squares solution of unit length is the right singular vector of `sigma_3`.
+
+use nalgebra::{DMatrix, Unit, Vector3};
+use thiserror::Error;
+
+use crate::numerics::ransac::RansacOptionsError;
+use crate::observations::view::ViewingPlane;
+
+/// `sigma_2 / sigma_1` at and below which all planes count as parallel. The ratio is about the angle between the planes:
+/// a thousandth of a pixel in an image of some thousand pixels.
+const PARALLEL_PLANES: f64 = 1e-6;
+
+/// Iterations that the singular value decomposition may take; three columns need about ten.
+const SVD_ITERATIONS: usize = 500;
+
+/// Direction of the axis and how well the planes determine it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Direction {
+    /// Unit direction `w` in the world frame; its entry of largest magnitude is positive.
+    pub direction: Unit<Vector3<f64>>,
+    /// Singular values of the stacked unit normals, descending. `sigma_3 / sigma_2` is about the angle (radians) by
+    /// which `w` is uncertain.
+    pub singular_values: [f64; 3],
+}
+
+/// The direction that several parallel cylinders have in common.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SharedDirection {
+    /// Least squares direction of the planes of all cylinders.
+    pub direction: Direction,
+    /// Root mean square angle between the direction and the planes of each cylinder, radians (its sine). One that is much
+    /// larger than the others belongs to a cylinder that is not parallel to them.
+    pub deviations: Vec<f64>,
+}
+
+/// Why the planes determine no direction.
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+pub enum DirectionError {
+    /// All viewing planes are parallel: any direction in them would do.
+    #[error(
+        "all viewing planes are parallel (singular values {0:.3e}, {1:.3e}, {2:.3e}): they leave the axis direction open; \
+         add a view from another side",
+        singular_values[0], singular_values[1], singular_values[2]
+    )]
+    ParallelPlanes {
+        /// Singular values, descending.
+        singular_values: [f64; 3],
+    },
+    /// No direction lies in all planes, or noise drowns it: `sigma_3 > sigma_2 / 2`.
+    #[error(
+        "the viewing planes have no direction in common (singular values {0:.3e}, {1:.3e}, {2:.3e}): the lines are not \
+         silhouettes of one cylinder, or too noisy for so few views",
+        singular_values[0], singular_values[1], singular_values[2]
+    )]
+    NoCommonDirection {
+        /// Singular values, descending.
+        singular_values: [f64; 3],
+    },
+    /// Fewer than three planes, or a singular value decomposition that did not converge.
+    #[error("the singular values of the {planes} viewing planes could not be computed")]
+    NoDecomposition {
+        /// Number of planes.
+        planes: usize,
+    },
+    /// RANSAC found no direction in which three planes agree.
+    #[error(
+        "{inliers} of {planes} viewing planes agree on an axis direction, where three are needed; pass more lines, or a \
+         larger threshold"
+    )]
+    NoConsensus {
+        /// Number of planes that agree with the best direction.
+        inliers: usize,
+        /// Number of planes.
+        planes: usize,
+    },
+    /// An option of RANSAC is out of its range.
+    #[error(transparent)]
+    Options(#[from] RansacOptionsError),
+}
+
+/// Least squares direction of the axis from at least three tangent planes.
+///
+/// # Errors
+/// [`DirectionError`]. A direction is also refused when `sigma_2 - sigma_3 < sigma_3`: perturbations of the size seen
+/// in the data (`sigma_3`) can then turn the singular vector by any angle (Wedin's bound, perturbation over gap).
+pub fn estimate_direction(planes: &[ViewingPlane]) -> Result<Direction, DirectionError> {
+    let failure = DirectionError::NoDecomposition { planes: planes.len() };
+    if planes.len() < 3 {
+        return Err(failure);
+    }
+    let normals = DMatrix::from_fn(planes.len(), 3, |row, column| planes[row].normal[column]);
+    let svd = normals.try_svd(false, true, f64::EPSILON, SVD_ITERATIONS).ok_or(failure)?;
+    let (Some(right), [first, second, third]) = (&svd.v_t, svd.singular_values.as_slice()) else {
+        return Err(failure);
+    };
+    let singular_values = [*first, *second, *third];
+    // Also where a singular value is NaN.
+    let spans_a_plane = *second > PARALLEL_PLANES * first;
+    if !spans_a_plane {
+        return Err(DirectionError::ParallelPlanes { singular_values });
+    }
+    if *third > second / 2.0 {
+        return Err(DirectionError::NoCommonDirection { singular_values });
+    }
+    let direction = Vector3::new(right[(2, 0)], right[(2, 1)], right[(2, 2)]);
+    let sign = direction[direction.iamax()].signum();
+    Ok(Direction { direction: Unit::new_normalize(direction * sign), singular_values })
+}
+
+/// Least squares direction of several parallel cylinders, one list of planes for each: their joint normals determine it where
+/// those of one cylinder do not, as with a single view of each. Planes without labels need no lists:
+/// [`estimate_direction`] takes them together, and
+/// [`estimate_direction_robustly`](super::robust_direction::estimate_direction_robustly) where some are wrong.
+///
+/// # Errors
+/// As [`estimate_direction`].
+pub fn estimate_shared_direction(cylinders: &[Vec<ViewingPlane>]) -> Result<SharedDirection, DirectionError> {
+    let direction = estimate_direction(&cylinders.concat())?;
+    let deviation = |planes: &Vec<ViewingPlane>| {
+        let sum: f64 = planes.iter().map(|plane| plane.normal.dot(&direction.direction).powi(2)).sum();
+        // No planes, no deviation.
+        (sum / planes.len().max(1) as f64).sqrt()
+    };
+    Ok(SharedDirection { direction, deviations: cylinders.iter().map(deviation).collect() })
+}

@@ -1,0 +1,89 @@
+//! The direction of the axis from planes of which many are not tangent to the cylinder: RANSAC on pairs.
+//!
+//! Two tangent planes that are not parallel have one direction in common, `w ~ n1 x n2`. Planes of several cylinders with
+//! parallel axes, unlabelled, have the same one.
+
+use nalgebra::{Unit, Vector3};
+
+use super::direction::{Direction, DirectionError, estimate_direction};
+use crate::numerics::ransac::{Estimator, RansacOptions, ransac};
+use crate::observations::view::ViewingPlane;
+
+/// Sine of the angle between two planes at and below which they count as parallel: their direction would be a thousand
+/// times less certain than they are.
+pub(crate) const PARALLEL_PAIR: f64 = 1e-3;
+
+/// Default of the largest angle between axis and plane, radians: two pixels over the length of a line of 200 pixels.
+const THRESHOLD: f64 = 0.01;
+
+/// A direction and the planes that agree with it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RobustDirection {
+    /// Least squares direction of the inliers and the singular values of their normals.
+    pub direction: Direction,
+    /// Indices of the planes within the threshold, ascending.
+    pub inliers: Vec<usize>,
+    /// Number of samples drawn.
+    pub samples: usize,
+}
+
+/// Options for [`estimate_direction_robustly`] with a threshold of 0.01 radians.
+pub fn default_direction_options() -> RansacOptions {
+    RansacOptions::with_threshold(THRESHOLD)
+}
+
+/// The direction that two planes have in common, `None` where they are parallel.
+pub fn common_direction(first: &ViewingPlane, second: &ViewingPlane) -> Option<Unit<Vector3<f64>>> {
+    Unit::try_new(first.normal.cross(&second.normal), PARALLEL_PAIR)
+}
+
+/// The direction with which most planes agree; the threshold is the largest angle between axis and plane, radians.
+///
+/// # Errors
+/// [`DirectionError::NoConsensus`] where fewer than three planes agree, [`DirectionError::Options`], and for the inliers
+/// as [`estimate_direction`].
+pub fn estimate_direction_robustly(
+    planes: &[ViewingPlane],
+    options: &RansacOptions,
+) -> Result<RobustDirection, DirectionError> {
+    options.check()?;
+    let estimator = DirectionEstimator { planes };
+    let failure = |inliers| DirectionError::NoConsensus { inliers, planes: planes.len() };
+    let Some(consensus) = ransac(&estimator, options) else {
+        // All pairs were parallel, which the singular values show best.
+        return Err(estimate_direction(planes).err().unwrap_or(failure(0)));
+    };
+    if consensus.inliers.len() < 3 {
+        return Err(failure(consensus.inliers.len()));
+    }
+    let inliers: Vec<_> = consensus.inliers.iter().map(|&index| planes[index]).collect();
+    let direction = estimate_direction(&inliers)?;
+    Ok(RobustDirection { direction, inliers: consensus.inliers, samples: consensus.samples })
+}
+
+struct DirectionEstimator<'a> {
+    planes: &'a [ViewingPlane],
+}
+
+impl Estimator for DirectionEstimator<'_> {
+    type Model = Unit<Vector3<f64>>;
+    const SAMPLE: usize = 2;
+
+    fn count(&self) -> usize {
+        self.planes.len()
+    }
+
+    fn models(&self, sample: &[usize]) -> Vec<Self::Model> {
+        common_direction(&self.planes[sample[0]], &self.planes[sample[1]]).into_iter().collect()
+    }
+
+    /// Square of the sine of the angle.
+    fn square(&self, direction: &Self::Model, datum: usize) -> f64 {
+        self.planes[datum].normal.dot(direction).powi(2)
+    }
+
+    fn fitted(&self, _: &Self::Model, data: &[usize]) -> Option<Self::Model> {
+        let planes: Vec<_> = data.iter().map(|&index| self.planes[index]).collect();
+        estimate_direction(&planes).ok().map(|direction| direction.direction)
+    }
+}

@@ -1,0 +1,14 @@
+//! The whole way from views to a cylinder: by least squares, refined, or with RANSAC.
+
+/// A cylinder from any of the estimators.
+pub mod estimate;
+/// Several cylinders with one direction.
+pub mod parallel;
+/// Lines in space by four parameters.
+mod plucker;
+/// A cylinder to the one whose silhouettes are nearest to the lines, with its covariance.
+pub mod refine;
+/// Lines, most of them wrong, to the cylinder on which the others agree.
+pub mod robust;
+/// Views to a cylinder with its residuals.
+pub mod triangulate;

@@ -1,0 +1,135 @@
+//! The whole: views in, cylinder out.
+
+use nalgebra::{Point3, Unit, Vector3};
+use thiserror::Error;
+
+use crate::axis::direction::{Direction, DirectionError, estimate_direction};
+use crate::cross_section::circle::{CircleError, CircleFit, fit_circle_in_front};
+use crate::cross_section::rectify::Rectification;
+use crate::cross_section::sight::Sight;
+use crate::observations::scene::LineId;
+use crate::observations::view::{View, ViewingPlane};
+use crate::space::cylinder::{Cylinder, LineResidual};
+
+/// Largest distance between the axes through the camera centres, relative to the distance of the centres from the
+/// world's origin, at and below which all cameras count as standing at one place.
+const SINGLE_VIEWPOINT: f64 = 1e-9;
+
+/// A triangulated cylinder and how well the lines determine and fit it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Triangulation {
+    /// The cylinder.
+    pub cylinder: Cylinder,
+    /// Axis direction and singular values of its linear system.
+    pub direction: Direction,
+    /// The circle of the cross-section, with its cost.
+    pub fit: CircleFit,
+    /// One residual for each line, in the order of the views and lines.
+    pub residuals: Vec<LineResidual>,
+}
+
+/// Why the views determine no cylinder.
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+pub enum TriangulateError {
+    /// A cylinder needs three tangent planes.
+    #[error("{lines} silhouette line(s) given; a cylinder needs at least three, and four to be unique")]
+    TooFewLines {
+        /// Number of lines in all views.
+        lines: usize,
+    },
+    /// The axis direction is not determined.
+    #[error(transparent)]
+    Direction(#[from] DirectionError),
+    /// Seen along the axis, all camera centres coincide: every size of cylinder fits.
+    #[error(
+        "all cameras stand at one place, or above each other along the axis: the distance to the cylinder is unknown"
+    )]
+    SingleViewpoint,
+    /// A line whose viewing plane stands across the axis of all others.
+    #[error("views[{view}], line {line}: stands across the axis that the other lines have in common")]
+    AcrossAxis {
+        /// Index of the view.
+        view: usize,
+        /// Index of the line in its view.
+        line: usize,
+    },
+    /// The circle of the cross-section is not determined.
+    #[error(transparent)]
+    Circle(#[from] CircleError),
+    /// The best cylinder contains a camera, from where it has no silhouette.
+    #[error(
+        "the best cylinder (radius {radius:.6}) contains the camera of views[{view}]: the lines do not fit together"
+    )]
+    CameraInside {
+        /// Index of the view.
+        view: usize,
+        /// Radius of that cylinder, world units.
+        radius: f64,
+    },
+}
+
+/// Triangulates one cylinder from its silhouette lines in at least two views.
+///
+/// # Errors
+/// [`TriangulateError`].
+pub fn triangulate(views: &[View]) -> Result<Triangulation, TriangulateError> {
+    let planes: Vec<_> = views.iter().flat_map(View::planes).collect();
+    if planes.len() < 3 {
+        return Err(TriangulateError::TooFewLines { lines: planes.len() });
+    }
+    triangulate_along(views, estimate_direction(&planes)?)
+}
+
+/// Triangulates one cylinder of which the direction is known, as from other cylinders parallel to it.
+///
+/// # Errors
+/// [`TriangulateError`].
+pub fn triangulate_along(views: &[View], direction: Direction) -> Result<Triangulation, TriangulateError> {
+    let (cylinder, fit) = fit_cylinder(&identified_planes(views), &direction.direction)?;
+    let mut residuals = Vec::new();
+    for (view, content) in views.iter().enumerate() {
+        let inside = TriangulateError::CameraInside { view, radius: cylinder.radius };
+        residuals.extend(cylinder.residuals(view, content).ok_or(inside)?);
+    }
+    Ok(Triangulation { cylinder, direction, fit, residuals })
+}
+
+/// The viewing planes of all lines.
+pub(crate) fn identified_planes(views: &[View]) -> Vec<(LineId, ViewingPlane)> {
+    let planes = |(view, content): (usize, &View)| -> Vec<_> {
+        content.planes().enumerate().map(|(line, plane)| (LineId { view, line }, plane)).collect()
+    };
+    views.iter().enumerate().flat_map(planes).collect()
+}
+
+/// Constrained least squares cylinder of a direction, in front of the cameras if a minimum of the cost is.
+pub(crate) fn fit_cylinder(
+    planes: &[(LineId, ViewingPlane)],
+    direction: &Unit<Vector3<f64>>,
+) -> Result<(Cylinder, CircleFit), TriangulateError> {
+    if planes.len() < 3 {
+        return Err(TriangulateError::TooFewLines { lines: planes.len() });
+    }
+    let (origin, magnitude) = centroid(planes);
+    let rectification = Rectification::new(direction, origin);
+    let centre_distance = |(_, plane): &(LineId, ViewingPlane)| rectification.point(&plane.centre).coords.norm();
+    let extent = planes.iter().map(centre_distance).fold(0.0, f64::max);
+    if extent <= SINGLE_VIEWPOINT * magnitude {
+        return Err(TriangulateError::SingleViewpoint);
+    }
+    let line = |&(LineId { view, line }, plane): &(LineId, ViewingPlane)| {
+        rectification.line(&plane).ok_or(TriangulateError::AcrossAxis { view, line })
+    };
+    let lines = planes.iter().map(line).collect::<Result<Vec<_>, _>>()?;
+    let sights: Vec<_> = planes.iter().map(|(_, plane)| Sight::of(plane, direction, &rectification)).collect();
+    let fit = fit_circle_in_front(&lines, &sights, extent)?;
+    Ok((Cylinder::from_circle(&fit.circle, &rectification, *direction), fit))
+}
+
+/// Mean of the camera centres, each as often as it has lines, and their largest distance from the world's origin.
+fn centroid(planes: &[(LineId, ViewingPlane)]) -> (Point3<f64>, f64) {
+    let centres = planes.iter().map(|(_, plane)| plane.centre.coords);
+    let sum: Vector3<f64> = centres.clone().sum();
+    let magnitude = centres.map(|centre| centre.norm()).fold(0.0, f64::max);
+    (Point3::from(sum / planes.len() as f64), magnitude)
+}

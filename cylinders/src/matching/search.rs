@@ -1,0 +1,228 @@
+//! The search: pairs of silhouettes to circles, the best supported first.
+
+use std::collections::BinaryHeap;
+
+use nalgebra::{Unit, Vector3};
+#[cfg(feature = "parallel")]
+use rayon::prelude::*;
+
+use super::chance::{Chance, FALSE_ALARMS};
+use super::error::MatchError;
+use super::found::Matching;
+use super::model::{Model, fitted};
+use super::occlusion::hidden;
+use super::options::MatchOptions;
+use super::pair::{Hypothesis, Pair, pairs};
+use super::plan::Plan;
+use crate::cross_section::circle::Circle;
+use crate::observations::scene::LineId;
+use crate::observations::view::View;
+
+/// Three lines leave four circles; the fourth decides.
+const LEAST_SUPPORT: usize = 4;
+
+/// By how much less support is asked for where too few models were found, and than chance gives on silhouettes none of which is
+/// hidden.
+const SUPPORT_STEP: usize = 2;
+
+/// How far a search has come.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Progress {
+    /// So many pairs of lines are about to be searched, as again whenever less support is asked for.
+    Pairs(usize),
+    /// A pair has been searched.
+    Pair,
+    /// A cylinder has been found.
+    Cylinder,
+}
+
+/// Finds all cylinders of a direction among lines without labels, and the lines that are their silhouettes.
+///
+/// Lines that are not along the direction are left aside. The one that is best supported is taken first (most matches, then the
+/// least sum of their squared angles); its lines are matches of no other.
+///
+/// # Errors
+/// [`MatchError`].
+pub fn match_cylinders(
+    views: &[View],
+    direction: &Unit<Vector3<f64>>,
+    options: &MatchOptions,
+) -> Result<Matching, MatchError> {
+    match_cylinders_with(views, direction, options, &|_| {})
+}
+
+/// [`match_cylinders`] that says how far it has come, from all its threads.
+///
+/// # Errors
+/// [`MatchError`].
+pub fn match_cylinders_with(
+    views: &[View],
+    direction: &Unit<Vector3<f64>>,
+    options: &MatchOptions,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Matching, MatchError> {
+    if let Some(least_support) = options.least_support.filter(|&least| least < LEAST_SUPPORT) {
+        return Err(MatchError::LeastSupport { least_support });
+    }
+    let mut plan = Plan::new(views, direction, options)?;
+    let pairs = pairs(&plan, options.references);
+    if pairs.is_empty() {
+        return Err(MatchError::NoPair);
+    }
+    let (found, least_support) = search(&mut plan, &pairs, options, progress);
+
+    let lines = views.iter().map(|view| view.lines().len()).sum();
+    if found.is_empty() {
+        return Err(MatchError::NoCylinder { least_support, lines });
+    }
+    let mut unmatched: Vec<_> = views.iter().map(|view| vec![true; view.lines().len()]).collect();
+    for line in found.iter().flat_map(|model| &model.matches) {
+        let LineId { view, line } = plan.id(line.line);
+        unmatched[view][line] = false;
+    }
+    let cylinder = |model: &Model| model.in_space(views, &plan, direction, lines);
+    let ids = unmatched.iter().enumerate().flat_map(|(view, lines)| {
+        lines.iter().enumerate().filter(|(_, unmatched)| **unmatched).map(move |(line, _)| LineId { view, line })
+    });
+    Ok(Matching { cylinders: found.iter().map(cylinder).collect(), unmatched: ids.collect(), least_support })
+}
+
+/// Searches for models with ever less support, and returns them with the least support that was asked for at the end: the less
+/// is asked, the longer it takes, and the more models are taken, the less is reached by chance.
+fn search(
+    plan: &mut Plan,
+    pairs: &[Pair],
+    options: &MatchOptions,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> (Vec<Model>, usize) {
+    let count = options.count.unwrap_or(usize::MAX);
+    // Where the number of cylinders or of matches is known, chance is no reason to stop.
+    let floor = options.least_support.or(options.count.map(|_| LEAST_SUPPORT));
+    let false_alarms = if floor.is_some() { f64::INFINITY } else { FALSE_ALARMS };
+    let mut found: Vec<Model> = Vec::new();
+    let mut least = usize::MAX;
+    while found.len() < count {
+        let chance = Chance::of(plan, pairs).least_support();
+        let next = match floor {
+            Some(floor) => chance.min(least - SUPPORT_STEP).max(floor),
+            None => (chance - SUPPORT_STEP).max(LEAST_SUPPORT),
+        };
+        if next >= least {
+            break;
+        }
+        least = next;
+        let demand = Demand { least_support: least, false_alarms, count };
+        extract(plan, pairs, &demand, progress, &mut found);
+    }
+    (found, least)
+}
+
+/// What is asked of models.
+#[derive(Clone, Copy, Debug)]
+struct Demand {
+    least_support: usize,
+    /// Largest number of false alarms.
+    false_alarms: f64,
+    /// Number of models at which the search ends.
+    count: usize,
+}
+
+/// Takes the best supported models one after the other. Without its lines a pair's best hypothesis can only lose support: what
+/// was found before is a bound, and a pair is searched again only when it is the next by its bound.
+fn extract(
+    plan: &mut Plan,
+    pairs: &[Pair],
+    demand: &Demand,
+    progress: &(dyn Fn(Progress) + Sync),
+    found: &mut Vec<Model>,
+) {
+    progress(Progress::Pairs(pairs.len()));
+    let search = |(index, pair): (usize, &Pair)| {
+        let best = pair.best(plan, demand.least_support);
+        progress(Progress::Pair);
+        best.map(|best| (best, index))
+    };
+    #[cfg(feature = "parallel")]
+    let best: Vec<_> = pairs.par_iter().enumerate().map(search).collect();
+    #[cfg(not(feature = "parallel"))]
+    let best: Vec<_> = pairs.iter().enumerate().map(search).collect();
+
+    let mut round = found.len();
+    let mut chance = Chance::of(plan, pairs);
+    let mut queue: BinaryHeap<_> =
+        best.into_iter().flatten().map(|(best, pair)| Candidate { best, pair, round }).collect();
+    // What might be chance, until others are found: then there are fewer lines, and some of its silhouettes may be hidden.
+    let mut doubtful = Vec::new();
+    while found.len() < demand.count {
+        let Some(candidate) = queue.pop() else { break };
+        if candidate.round < round {
+            let again = pairs[candidate.pair].best(plan, demand.least_support);
+            queue.extend(again.map(|best| Candidate { best, round, ..candidate }));
+            continue;
+        }
+        let Some(model) = fitted(plan, candidate.best.circle) else { continue };
+        let false_alarms = false_alarms(plan, &chance, &model.fit.circle, found);
+        if false_alarms > demand.false_alarms {
+            doubtful.push(candidate);
+            continue;
+        }
+        plan.take(model.matches.iter().map(|line| line.line));
+        found.push(Model { false_alarms, ..model });
+        progress(Progress::Cylinder);
+        (round, chance) = (found.len(), Chance::of(plan, pairs));
+        queue.extend(doubtful.drain(..));
+    }
+}
+
+/// Expected number of circles like this one by chance: on all silhouettes, or on those that the models found do not hide, whichever
+/// is less, and twice that for the choice. Cylinders of finite length do not hide all that is behind them.
+fn false_alarms(plan: &Plan, chance: &Chance, circle: &Circle, found: &[Model]) -> f64 {
+    let circles: Vec<_> = found.iter().map(|model| model.fit.circle).collect();
+    let (mut all, mut visible) = ((Vec::new(), 0), (Vec::new(), 0));
+    for view in plan.views().iter().filter(|view| !view.lines.is_empty()) {
+        let Some((silhouettes, hidden)) = plan.silhouettes(view, circle).zip(hidden(&view.centre, circle, &circles))
+        else {
+            continue;
+        };
+        for (silhouette, hidden) in silhouettes.into_iter().zip(hidden) {
+            let distance = silhouette.map(|(_, cost)| cost.sqrt());
+            for (distances, count) in [Some(&mut all), Some(&mut visible).filter(|_| !hidden)].into_iter().flatten() {
+                distances.extend(distance);
+                *count += 1;
+            }
+        }
+    }
+    2.0 * [all, visible]
+        .map(|(distances, count)| chance.false_alarms(distances, count))
+        .into_iter()
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// A pair's best hypothesis after so many models had been taken.
+#[derive(Clone, Copy, Debug)]
+struct Candidate {
+    best: Hypothesis,
+    pair: usize,
+    round: usize,
+}
+
+impl Ord for Candidate {
+    /// By support; where that is equal, the pair that comes first is the greater.
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.best.support.cmp(&other.best.support).then(other.pair.cmp(&self.pair))
+    }
+}
+
+impl PartialOrd for Candidate {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Candidate {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Candidate {}

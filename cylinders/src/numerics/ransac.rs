@@ -1,0 +1,270 @@
+//! RANSAC with MSAC scores, local optimisation and confidence-based termination, for any model.
+//!
+//! A minimal sample of the data gives some models; a model costs `sum_i min(e_i^2 / t^2, 1)` over all data (Torr & Zisserman,
+//! "MLESAC", 2000). Those that are the best so far are optimised on their inliers at once (Chum, Matas & Kittler, "Locally
+//! optimized RANSAC", 2003). Models as they come from a sample are further from the inliers than the noise, so among
+//! them a wider threshold chooses. With the share `p` of samples that consist of inliers of the best model only, the search
+//! ends after
+//!
+//! ```text
+//!   n >= log(1 - confidence) / log(1 - p)    samples, so that all of them missed with the probability 1 - confidence
+//! ```
+
+use rand_xoshiro::Xoshiro256PlusPlus;
+use rand_xoshiro::rand_core::{Rng, SeedableRng};
+use thiserror::Error;
+
+/// Local optimisation takes the data within these multiples of the threshold in turn. By the first of them models from
+/// samples are compared.
+const WIDTHS: [f64; 3] = [3.0, 2.0, 1.0];
+
+/// Limit on the repetitions of local optimisation at the threshold itself, while the cost decreases.
+const REPETITIONS: usize = 10;
+
+/// How RANSAC searches.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RansacOptions {
+    /// Largest residual of an inlier, in the unit that the estimator names.
+    pub threshold: f64,
+    /// Start of the random numbers: the same seed gives the same result.
+    pub seed: u64,
+    /// Probability, between zero and one, with which a sample without outliers was among those drawn.
+    pub confidence: f64,
+    /// Limit on the number of samples.
+    pub max_samples: usize,
+}
+
+/// Why options are refused.
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+pub enum RansacOptionsError {
+    /// The threshold is not a positive number.
+    #[error("the inlier threshold must be a positive number (found {threshold})")]
+    Threshold {
+        /// The value.
+        threshold: f64,
+    },
+    /// The confidence is not between zero and one.
+    #[error("the confidence must be between 0 and 1, both excluded (found {confidence})")]
+    Confidence {
+        /// The value.
+        confidence: f64,
+    },
+}
+
+impl RansacOptions {
+    /// Seed 0, confidence 0.999, at most 100,000 samples.
+    pub fn with_threshold(threshold: f64) -> Self {
+        Self { threshold, seed: 0, confidence: 0.999, max_samples: 100_000 }
+    }
+
+    pub(crate) fn check(&self) -> Result<(), RansacOptionsError> {
+        let Self { threshold, confidence, .. } = *self;
+        if !(threshold > 0.0 && threshold.is_finite()) {
+            return Err(RansacOptionsError::Threshold { threshold });
+        }
+        if !(confidence > 0.0 && confidence < 1.0) {
+            return Err(RansacOptionsError::Confidence { confidence });
+        }
+        Ok(())
+    }
+}
+
+/// What RANSAC needs to know about data and model.
+pub(crate) trait Estimator {
+    /// The model.
+    type Model: Clone;
+
+    /// Size of a minimal sample.
+    const SAMPLE: usize;
+
+    /// Number of data.
+    fn count(&self) -> usize;
+
+    /// Models through a minimal sample.
+    fn models(&self, sample: &[usize]) -> Vec<Self::Model>;
+
+    /// Squared residual of a datum; infinite where the model cannot explain it.
+    fn square(&self, model: &Self::Model, datum: usize) -> f64;
+
+    /// The model of least squares on some data, `None` where they determine none. A first guess is given.
+    fn fitted(&self, model: &Self::Model, data: &[usize]) -> Option<Self::Model>;
+}
+
+/// The best model.
+#[derive(Clone, Debug)]
+pub(crate) struct Consensus<M> {
+    pub(crate) model: M,
+    /// Indices of the data within the threshold, ascending.
+    pub(crate) inliers: Vec<usize>,
+    /// Number of samples drawn.
+    pub(crate) samples: usize,
+}
+
+/// Searches for the model of least cost. `None` where no sample gives a model, or there are no more data than in a sample.
+pub(crate) fn ransac<E: Estimator>(estimator: &E, options: &RansacOptions) -> Option<Consensus<E::Model>> {
+    let count = estimator.count();
+    if count <= E::SAMPLE {
+        return None;
+    }
+    let search = Search { estimator, square_threshold: options.threshold * options.threshold };
+    let mut random = Xoshiro256PlusPlus::seed_from_u64(options.seed);
+    let (mut best, mut least_cost, mut least_wide_cost) = (None, f64::INFINITY, f64::INFINITY);
+    let (mut needed, mut samples) = (options.max_samples, 0);
+    while samples < needed {
+        samples += 1;
+        for model in estimator.models(&sample(&mut random, E::SAMPLE, count)) {
+            let Some(wide_cost) = search.cost(&model, WIDTHS[0], least_wide_cost) else { continue };
+            least_wide_cost = wide_cost;
+            let model = search.optimised(model);
+            if let Some(cost) = search.cost(&model, 1.0, least_cost) {
+                least_cost = cost;
+                needed = samples_needed(search.inliers(&model, 1.0).len(), count, E::SAMPLE, options);
+                best = Some(model);
+            }
+        }
+    }
+    let model = best?;
+    let inliers = search.inliers(&model, 1.0);
+    Some(Consensus { model, inliers, samples })
+}
+
+/// Number of samples after which one without outliers was drawn with the confidence that is asked for.
+fn samples_needed(inliers: usize, count: usize, size: usize, options: &RansacOptions) -> usize {
+    // Samples are drawn without repetition.
+    let share: f64 = (0..size).map(|drawn| inliers.saturating_sub(drawn) as f64 / (count - drawn) as f64).product();
+    let needed = (-options.confidence).ln_1p() / (-share).ln_1p();
+    // Infinite without inliers; the conversion saturates.
+    (needed.ceil() as usize).clamp(1, options.max_samples)
+}
+
+/// Different indices below `count`, by the high part of a product with a random number.
+fn sample(random: &mut Xoshiro256PlusPlus, size: usize, count: usize) -> Vec<usize> {
+    let mut sample = Vec::with_capacity(size);
+    while sample.len() < size {
+        let index = ((u128::from(random.next_u64()) * count as u128) >> 64) as usize;
+        if !sample.contains(&index) {
+            sample.push(index);
+        }
+    }
+    sample
+}
+
+struct Search<'a, E> {
+    estimator: &'a E,
+    square_threshold: f64,
+}
+
+impl<E: Estimator> Search<'_, E> {
+    /// The cost at a multiple of the threshold, or `None` as soon as it is known not to be below a limit.
+    fn cost(&self, model: &E::Model, width: f64, limit: f64) -> Option<f64> {
+        let scale = 1.0 / (width * width * self.square_threshold);
+        let mut cost = 0.0;
+        for datum in 0..self.estimator.count() {
+            // The minimum of NaN and one is one.
+            cost += (self.estimator.square(model, datum) * scale).min(1.0);
+            if cost >= limit {
+                return None;
+            }
+        }
+        Some(cost)
+    }
+
+    /// The data within a multiple of the threshold.
+    fn inliers(&self, model: &E::Model, width: f64) -> Vec<usize> {
+        let limit = width * width * self.square_threshold;
+        (0..self.estimator.count()).filter(|&datum| self.estimator.square(model, datum) < limit).collect()
+    }
+
+    /// Fits to inliers, first those of wide thresholds, while that lowers the cost.
+    fn optimised(&self, mut model: E::Model) -> E::Model {
+        let mut cost = self.cost(&model, 1.0, f64::INFINITY).unwrap_or(f64::INFINITY);
+        for width in WIDTHS.into_iter().chain([1.0; REPETITIONS]) {
+            let fitted = self.estimator.fitted(&model, &self.inliers(&model, width));
+            let lower = |fitted: E::Model| Some((self.cost(&fitted, 1.0, cost)?, fitted));
+            match fitted.and_then(lower) {
+                Some((lower, fitted)) => (model, cost) = (fitted, lower),
+                None if width > 1.0 => {}
+                None => break,
+            }
+        }
+        model
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A number and its scatter: the model is the number, a sample one datum.
+    struct Number(Vec<f64>);
+
+    impl Estimator for Number {
+        type Model = f64;
+        const SAMPLE: usize = 1;
+
+        fn count(&self) -> usize {
+            self.0.len()
+        }
+
+        fn models(&self, sample: &[usize]) -> Vec<f64> {
+            sample.iter().map(|&datum| self.0[datum]).collect()
+        }
+
+        fn square(&self, model: &f64, datum: usize) -> f64 {
+            (self.0[datum] - model).powi(2)
+        }
+
+        fn fitted(&self, _: &f64, data: &[usize]) -> Option<f64> {
+            (!data.is_empty()).then(|| data.iter().map(|&datum| self.0[datum]).sum::<f64>() / data.len() as f64)
+        }
+    }
+
+    #[test]
+    fn the_mean_of_the_inliers() {
+        let numbers = Number(vec![3.0, 90.0, 3.2, -50.0, 2.8, 70.0, 20.0, f64::NAN]);
+        let result = ransac(&numbers, &RansacOptions::with_threshold(0.5)).expect("a model");
+        assert_eq!(result.inliers, [0, 2, 4]);
+        assert!((result.model - 3.0).abs() < 1e-15);
+        // log(0.001) / log(5 / 8) = 14.7.
+        assert_eq!(result.samples, 15);
+    }
+
+    #[test]
+    fn no_more_data_than_a_sample() {
+        assert!(ransac(&Number(vec![1.0]), &RansacOptions::with_threshold(0.5)).is_none());
+    }
+
+    #[test]
+    fn the_limit_on_samples_holds() {
+        let numbers = Number((0..100).map(f64::from).collect());
+        let options = RansacOptions { max_samples: 7, ..RansacOptions::with_threshold(0.5) };
+        assert_eq!(ransac(&numbers, &options).expect("a model").samples, 7);
+    }
+
+    #[test]
+    fn samples_without_repetition_are_uniform() {
+        let mut random = Xoshiro256PlusPlus::seed_from_u64(1);
+        let mut seen = [0; 5];
+        for _ in 0..10_000 {
+            let sample = sample(&mut random, 3, 5);
+            assert!(sample[0] != sample[1] && sample[0] != sample[2] && sample[1] != sample[2]);
+            sample.into_iter().for_each(|index| seen[index] += 1);
+        }
+        // 6,000 each, with a standard deviation of 49.
+        assert!(seen.iter().all(|count: &i32| (count - 6000).abs() < 250), "{seen:?}");
+    }
+
+    #[test]
+    fn options_are_checked() {
+        for threshold in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(matches!(
+                RansacOptions::with_threshold(threshold).check(),
+                Err(RansacOptionsError::Threshold { .. })
+            ));
+        }
+        for confidence in [0.0, 1.0, -0.5, 1.5, f64::NAN] {
+            let options = RansacOptions { confidence, ..RansacOptions::with_threshold(1.0) };
+            assert!(matches!(options.check(), Err(RansacOptionsError::Confidence { .. })));
+        }
+    }
+}

@@ -1,0 +1,16 @@
+//! What is observed: cameras and image lines, and the files from which they are read.
+
+/// COLMAP models, text and binary: cameras of photographs, and points.
+pub mod colmap;
+/// Lens distortion, and its inverse.
+pub mod distortion;
+/// Scene files: JSON to views.
+pub mod input;
+/// The camera behind the pixels of a photograph, with its distortion.
+pub mod photograph;
+/// Views of one or several cylinders, with the points around them.
+pub mod scene;
+/// CSV files of line segments: end points to fitted lines.
+pub mod segments;
+/// Cameras, silhouette lines and viewing planes; validated.
+pub mod view;

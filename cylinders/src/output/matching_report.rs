@@ -1,0 +1,108 @@
+//! Matches as text for people and as JSON for programs.
+
+use std::fmt;
+
+use nalgebra::{Unit, Vector3};
+use serde::Serialize;
+
+use crate::matching::{MatchedCylinder, Matching};
+use super::report::ResidualReport;
+use crate::observations::scene::LineId;
+use crate::observations::view::View;
+
+/// All cylinders found, in plain numbers, in the form in which they are written as JSON.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MatchingReport {
+    /// Unit direction of all axes.
+    pub direction: [f64; 3],
+    /// Number of lines in all views.
+    pub lines: usize,
+    /// Least number of matches that was asked of a cylinder.
+    pub least_support: usize,
+    /// Mean over the cylinders of the part of all lines that are not their silhouettes.
+    pub outlier_rate: f64,
+    /// The cylinders, the best supported first.
+    pub cylinders: Vec<MatchedCylinderReport>,
+    /// Lines of no cylinder.
+    pub unmatched: Vec<LineReport>,
+}
+
+/// A cylinder and its silhouettes.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MatchedCylinderReport {
+    /// Point of the axis nearest to the world's origin.
+    pub axis_point: [f64; 3],
+    /// Radius, world units.
+    pub radius: f64,
+    /// Root mean square distance between matches and circle in the cross-section, world units.
+    pub rms: f64,
+    /// Part of all lines that are not its silhouettes.
+    pub outlier_rate: f64,
+    /// Expected number of cylinders with matches as many and as near by chance.
+    pub false_alarms: f64,
+    /// One for each silhouette.
+    pub matches: Vec<ResidualReport>,
+}
+
+/// A line of a scene.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LineReport {
+    /// Name of the image; absent when it has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub image: Option<String>,
+    /// Index of the view in the scene, from 0.
+    pub view: usize,
+    /// Index of the line in its view, from 0.
+    pub line: usize,
+}
+
+impl MatchingReport {
+    /// Gathers the numbers of the result for these views.
+    pub fn new(views: &[View], direction: &Unit<Vector3<f64>>, matching: &Matching) -> Self {
+        let cylinder = |found: &MatchedCylinder| MatchedCylinderReport {
+            axis_point: found.cylinder.axis_point.coords.into(),
+            radius: found.cylinder.radius,
+            rms: found.rms,
+            outlier_rate: found.outlier_rate,
+            false_alarms: found.false_alarms,
+            matches: found
+                .matches
+                .iter()
+                .map(|residual| ResidualReport::new(&views[residual.view], residual))
+                .collect(),
+        };
+        let line =
+            |&LineId { view, line }: &LineId| LineReport { image: views[view].image().map(str::to_owned), view, line };
+        let rates = matching.cylinders.iter().map(|found| found.outlier_rate);
+        Self {
+            direction: direction.into_inner().into(),
+            lines: views.iter().map(|view| view.lines().len()).sum(),
+            least_support: matching.least_support,
+            outlier_rate: rates.sum::<f64>() / matching.cylinders.len() as f64,
+            cylinders: matching.cylinders.iter().map(cylinder).collect(),
+            unmatched: matching.unmatched.iter().map(line).collect(),
+        }
+    }
+}
+
+/// For people: seven significant digits.
+impl fmt::Display for MatchingReport {
+    fn fmt(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let triple = |[x, y, z]: [f64; 3]| format!("{x:14.7}{y:14.7}{z:14.7}");
+        writeln!(text, "direction        {}", triple(self.direction))?;
+        writeln!(text, "cylinders        {:14}   with {} matches or more", self.cylinders.len(), self.least_support)?;
+        writeln!(text, "lines            {:14}   {} of no cylinder", self.lines, self.unmatched.len())?;
+        writeln!(text, "outlier rate     {:14.4}   mean over the cylinders", self.outlier_rate)?;
+        for (index, cylinder) in self.cylinders.iter().enumerate() {
+            writeln!(text, "\ncylinder         {:14}", index + 1)?;
+            writeln!(text, "axis point       {}   nearest to the origin", triple(cylinder.axis_point))?;
+            writeln!(text, "radius           {:14.7}", cylinder.radius)?;
+            writeln!(text, "rms distance     {:14.6e}", cylinder.rms)?;
+            writeln!(text, "outlier rate     {:14.4}   {} matches", cylinder.outlier_rate, cylinder.matches.len())?;
+            writeln!(text, "false alarms     {:14.1e}   as many and as near matches by chance", cylinder.false_alarms)?;
+            writeln!(text, "\n{}", ResidualReport::HEADING)?;
+            cylinder.matches.iter().try_for_each(|residual| writeln!(text, "{residual}"))?;
+        }
+        Ok(())
+    }
+}

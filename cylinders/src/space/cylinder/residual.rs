@@ -1,0 +1,85 @@
+//! How far a given line is from the silhouette of a cylinder.
+
+use nalgebra::Vector3;
+
+use super::{Cylinder, Side};
+use crate::observations::view::{Camera, View, ViewingPlane};
+use crate::space::silhouette_distance::{SilhouetteDistance, lines_with_ends};
+
+/// How far a silhouette line is from the silhouette of a cylinder.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LineResidual {
+    /// Index of the view.
+    pub view: usize,
+    /// Index of the line in its view.
+    pub line: usize,
+    /// Side of the silhouette that is nearest to the line: to its end points, or without these by the angle.
+    pub side: Side,
+    /// Signed distance between viewing plane and cylinder, world units: distance of the axis from the plane, turned about
+    /// its camera centre to be parallel to the axis, minus the radius. Negative where the plane cuts the cylinder.
+    pub distance: f64,
+    /// Angle between the viewing plane and the tangent plane of that silhouette, radians.
+    pub angle: f64,
+    /// Distance in pixels, when the camera has a calibration: root mean square distance of the end points of the given line
+    /// from the silhouette, as RANSAC and refinement measure it; for a line without end points, the distance of its
+    /// point that is nearest to the principal point.
+    pub pixels: Option<f64>,
+}
+
+impl LineResidual {
+    /// The angle with the sign of the distance: negative where the viewing plane cuts the cylinder, radians.
+    pub fn signed_angle(&self) -> f64 {
+        self.angle.copysign(self.distance)
+    }
+}
+
+impl Cylinder {
+    /// Residuals of the lines of a view, or `None` when it has lines but its camera is not outside the cylinder. `view` is
+    /// the index that the residuals carry.
+    pub fn residuals(&self, view: usize, lines: &View) -> Option<Vec<LineResidual>> {
+        if lines.lines().is_empty() {
+            return Some(Vec::new());
+        }
+        let camera = lines.camera();
+        let silhouette = self.silhouette(camera)?;
+        let at_ends: Vec<_> =
+            lines_with_ends(view, lines).iter().map(|measured| measured.as_ref()?.distance(self)).collect();
+        let residual = |(index, (line, plane)): (usize, (&Vector3<f64>, ViewingPlane))| {
+            // Lines have no sign: the angle is between 0 and pi / 2.
+            let angle = |other: &Vector3<f64>| line.cross(other).norm().atan2(line.dot(other).abs());
+            let [right, left] = &silhouette;
+            let at_ends = at_ends[index].as_ref();
+            let by_angle = if angle(left) < angle(right) { Side::Left } else { Side::Right };
+            let side = at_ends.map_or(by_angle, SilhouetteDistance::side);
+            let nearest = if side == Side::Left { left } else { right };
+            let pixels = match at_ends {
+                Some(distance) => camera.calibration().map(|_| distance.mean_square().sqrt()),
+                None => pixel_distance(camera, line, nearest),
+            };
+            let distance = self.plane_distance(&plane);
+            LineResidual { view, line: index, side, distance, angle: angle(nearest), pixels }
+        };
+        Some(lines.lines().iter().zip(lines.planes()).enumerate().map(residual).collect())
+    }
+
+    /// Distance of the axis from the plane, turned to be parallel to it, minus the radius.
+    fn plane_distance(&self, plane: &ViewingPlane) -> f64 {
+        let w = self.direction.into_inner();
+        let normal = (plane.normal - w * w.dot(&plane.normal)).normalize();
+        normal.dot(&self.vector_to_axis(&plane.centre)).abs() - self.radius
+    }
+}
+
+/// Distance in pixels of `silhouette` from the point of `line` nearest to the principal point; both lines in normalised
+/// coordinates. `None` without calibration, or when that point is far outside every image.
+fn pixel_distance(camera: &Camera, line: &Vector3<f64>, silhouette: &Vector3<f64>) -> Option<f64> {
+    let calibration = camera.calibration()?;
+    let [line, silhouette] = [line, silhouette].map(|line| calibration.line_to_pixels(line)).map(|line| {
+        let norm = line.xy().norm();
+        line / norm
+    });
+    let principal = calibration.matrix().column(2).clone_owned();
+    let foot = principal.xy() - line.xy() * line.dot(&principal);
+    let distance = (silhouette.xy().dot(&foot) + silhouette.z).abs();
+    distance.is_finite().then_some(distance)
+}

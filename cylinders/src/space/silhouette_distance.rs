@@ -1,0 +1,313 @@
+//! The geometric residual: how far two points of an image line are from the silhouette of a cylinder, signed and smooth.
+//!
+//! ```text
+//!              | silhouette
+//!        p1  o--->|                     p0, p1: support points of the given line: its end points; where they are not
+//!           /  e1 |                             known, at +-h about its point nearest to the principal point
+//!          /      |                     e0, e1: their distances from the silhouette line, pixels or radians,
+//!     p0  o------>|                             positive on the side of the axis
+//!            e0
+//! ```
+//!
+//! A line has two degrees of freedom and both count: one point alone would leave its direction unused, and with cameras
+//! at one height the direction of the axis as well. The half-length `h` stands for how far the line was seen; end points
+//! that are independently off by `sigma` make `e0`, `e1` independent with deviation `sigma`, and least squares the maximum
+//! likelihood estimate.
+//!
+//! With `a` the perpendicular from the camera centre to the axis, `rho = |a|` and `b = w x a`, the tangent planes have
+//! the unit normals `s = (r a +- sqrt(rho^2 - r^2) b) / rho^2`, and a support point with the ray `d` (world frame) is at
+//!
+//! ```text
+//!     e = s^T d / |B s|        pixels:  d = R^T K^-1 p,  B = (K^-T R) without its last row
+//!                              radians: d = R^T p / |p|, B = R (the sine of the angle)
+//! ```
+
+use std::fmt;
+
+use nalgebra::{Matrix3, Point2, Point3, Vector2, Vector3};
+use serde::Serialize;
+use thiserror::Error;
+
+use super::cylinder::{Cylinder, Side};
+use crate::observations::view::{Camera, View};
+
+/// Half-length `h` of a line of which no end points are known, relative to the focal length: 300 pixels at a focal length
+/// of 3000.
+const HALF_LENGTH: f64 = 0.1;
+
+/// The unit of distances in an image.
+#[derive(Clone, Copy, Debug, Eq, PartialEq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum DistanceUnit {
+    /// Pixels; every camera needs a calibration.
+    Pixels,
+    /// Angles between rays and tangent planes, radians (their sines).
+    Radians,
+}
+
+impl fmt::Display for DistanceUnit {
+    fn fmt(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
+        text.write_str(match self {
+            Self::Pixels => "pixels",
+            Self::Radians => "radians",
+        })
+    }
+}
+
+/// How distances between lines and silhouettes are measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Metric {
+    /// Unit of the distances.
+    pub unit: DistanceUnit,
+    /// Half of the length over which a line of unknown end points was seen, relative to the focal length.
+    pub half_length: f64,
+}
+
+/// Why distances cannot be measured.
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+pub enum MetricError {
+    /// Distances in pixels without a calibration.
+    #[error("views[{view}]: distances in pixels need the calibration of every camera; pass it, or measure in radians")]
+    NoCalibration {
+        /// Index of the view.
+        view: usize,
+    },
+    /// The line is so far from the image that its points are out of range.
+    #[error("views[{view}], line {line}: is not in the image")]
+    LineOutOfRange {
+        /// Index of the view.
+        view: usize,
+        /// Index of the line in its view.
+        line: usize,
+    },
+    /// The half-length is not positive and finite.
+    #[error("the half-length of lines must be a positive number (found {half_length})")]
+    HalfLength {
+        /// The value.
+        half_length: f64,
+    },
+}
+
+impl Metric {
+    /// Pixels where all cameras have a calibration, radians otherwise; half-lengths of a tenth of the focal length.
+    pub fn of(views: &[View]) -> Self {
+        let calibrated = views.iter().all(|view| view.camera().calibration().is_some());
+        let unit = if calibrated { DistanceUnit::Pixels } else { DistanceUnit::Radians };
+        Self { unit, half_length: HALF_LENGTH }
+    }
+
+    /// The lines of all views, in their order, ready to be measured.
+    pub(crate) fn measured_lines(&self, views: &[View]) -> Result<Vec<MeasuredLine>, MetricError> {
+        if !(self.half_length > 0.0 && self.half_length.is_finite()) {
+            return Err(MetricError::HalfLength { half_length: self.half_length });
+        }
+        let mut measured = Vec::new();
+        for (index, view) in views.iter().enumerate() {
+            let place = Place::new(view.camera(), self).ok_or(MetricError::NoCalibration { view: index })?;
+            for (line, (coordinates, ends)) in view.lines().iter().zip(view.ends()).enumerate() {
+                let points = ends.unwrap_or_else(|| place.support_points(coordinates));
+                let out_of_range = MetricError::LineOutOfRange { view: index, line };
+                measured.push(place.measured(index, &points).ok_or(out_of_range)?);
+            }
+        }
+        Ok(measured)
+    }
+}
+
+/// The lines of a view that have end points ready to be measured at these, in their order, `None` for the others: in pixels
+/// with a calibration, in radians without.
+pub(crate) fn lines_with_ends(index: usize, view: &View) -> Vec<Option<MeasuredLine>> {
+    let place = Place::new(view.camera(), &Metric::of(std::slice::from_ref(view)));
+    view.ends().iter().map(|ends| place.as_ref()?.measured(index, ends.as_ref()?)).collect()
+}
+
+/// A camera as a metric sees it.
+struct Place {
+    centre: Point3<f64>,
+    /// `K^-1`; `K = I` for radians.
+    inverse: Matrix3<f64>,
+    rotation: Matrix3<f64>,
+    /// `B`.
+    scale: Matrix3<f64>,
+    /// Principal point.
+    principal: Vector2<f64>,
+    /// Half-length, in the unit of image points.
+    half_length: f64,
+    unit: DistanceUnit,
+}
+
+impl Place {
+    /// `None` without the calibration that the metric needs.
+    fn new(camera: &Camera, metric: &Metric) -> Option<Self> {
+        let calibration = match metric.unit {
+            DistanceUnit::Radians => Matrix3::identity(),
+            DistanceUnit::Pixels => *camera.calibration()?.matrix(),
+        };
+        let inverse = calibration.try_inverse()?;
+        let mut scale = inverse.tr_mul(camera.rotation());
+        if metric.unit == DistanceUnit::Pixels {
+            scale.row_mut(2).fill(0.0);
+        }
+        Some(Self {
+            centre: camera.centre(),
+            inverse,
+            rotation: *camera.rotation(),
+            scale,
+            principal: calibration.column(2).xy(),
+            half_length: metric.half_length * (calibration[(0, 0)] * calibration[(1, 1)]).abs().sqrt(),
+            unit: metric.unit,
+        })
+    }
+
+    /// The support points of a line without end points, normalised coordinates.
+    fn support_points(&self, line: &Vector3<f64>) -> [Point2<f64>; 2] {
+        let line = self.inverse.tr_mul(line);
+        let line = line / line.xy().norm();
+        let foot = self.principal - line.xy() * line.dot(&self.principal.push(1.0));
+        let along = Vector2::new(-line.y, line.x) * self.half_length;
+        [foot - along, foot + along].map(|point| Point2::from((self.inverse * point.push(1.0)).xy()))
+    }
+
+    /// The line through two support points, normalised coordinates; `None` where they are out of range.
+    fn measured(&self, view: usize, points: &[Point2<f64>; 2]) -> Option<MeasuredLine> {
+        let rays = points.map(|point| {
+            let ray = self.rotation.tr_mul(&point.to_homogeneous());
+            match self.unit {
+                DistanceUnit::Pixels => ray,
+                DistanceUnit::Radians => ray.normalize(),
+            }
+        });
+        let finite = rays.iter().all(|ray| ray.iter().all(|entry| entry.is_finite()));
+        finite.then_some(MeasuredLine { view, centre: self.centre, rays, scale: self.scale })
+    }
+}
+
+/// A given line, ready to be measured against silhouettes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MeasuredLine {
+    /// Index of the view.
+    pub(crate) view: usize,
+    /// Camera centre `C`.
+    pub(crate) centre: Point3<f64>,
+    /// Rays `d` of the two support points, world frame.
+    rays: [Vector3<f64>; 2],
+    /// The matrix `B` of the metric.
+    scale: Matrix3<f64>,
+}
+
+/// A given line measured against the nearer silhouette line of a cylinder.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SilhouetteDistance {
+    /// Distances `e` of the two support points.
+    pub(crate) distances: Vector2<f64>,
+    /// Point of the silhouette on the cylinder that is seen at the middle of the given line, relative to the camera
+    /// centre, in units of the ray to it: negative behind the camera.
+    pub(crate) depth: f64,
+    /// Unit normal `s` of the tangent plane.
+    normal: Vector3<f64>,
+    /// `+1` or `-1`.
+    side: f64,
+}
+
+/// A direction of change of a cylinder: `(dw, dA, dr)`.
+pub(crate) type CylinderTangent = (Vector3<f64>, Vector3<f64>, f64);
+
+impl SilhouetteDistance {
+    /// Mean of the squares of the two distances.
+    pub(crate) fn mean_square(&self) -> f64 {
+        self.distances.norm_squared() / 2.0
+    }
+
+    /// The silhouette: planes with positive `side` are the first of [`Cylinder::silhouette`].
+    pub(crate) fn side(&self) -> Side {
+        if self.side > 0.0 { Side::Right } else { Side::Left }
+    }
+}
+
+impl MeasuredLine {
+    /// The same line in the coordinates `(X - origin) / unit`.
+    pub(crate) fn in_frame(&self, origin: &Point3<f64>, unit: f64) -> Self {
+        Self { centre: Point3::from((self.centre - origin) / unit), ..*self }
+    }
+
+    /// Ray to the middle of the support points.
+    fn middle(&self) -> Vector3<f64> {
+        (self.rays[0] + self.rays[1]) / 2.0
+    }
+
+    /// The point at which the ray to the middle of the line touches the cylinder, or is nearest to doing so.
+    pub(crate) fn contact(&self, distance: &SilhouetteDistance) -> Point3<f64> {
+        self.centre + self.middle() * distance.depth
+    }
+
+    /// The points on the rays to the two support points that are nearest to where the surface is seen along the silhouette;
+    /// `None` where one is behind the camera, or the ray runs along the axis.
+    pub(crate) fn contacts(&self, cylinder: &Cylinder, distance: &SilhouetteDistance) -> Option<[Point3<f64>; 2]> {
+        let to_contact_line = cylinder.vector_to_axis(&self.centre) - distance.normal * cylinder.radius;
+        let depths = self.rays.map(|ray| depth(&ray, cylinder, &to_contact_line));
+        let seen = depths.iter().all(|depth| *depth > 0.0 && depth.is_finite());
+        seen.then(|| [0, 1].map(|end| self.centre + self.rays[end] * depths[end]))
+    }
+
+    /// Distance from the nearer silhouette line, or `None` when the camera is not outside the cylinder.
+    pub(crate) fn distance(&self, cylinder: &Cylinder) -> Option<SilhouetteDistance> {
+        let to_axis = cylinder.vector_to_axis(&self.centre);
+        let (square, radius) = (to_axis.norm_squared(), cylinder.radius);
+        let norm = square.sqrt();
+        let outside = norm > radius;
+        if !outside {
+            return None;
+        }
+        let tangent_length = ((norm - radius) * (norm + radius)).sqrt();
+        let across = cylinder.direction.cross(&to_axis);
+        let middle = self.middle();
+        let measured = |side: f64| {
+            let normal = (to_axis * radius + across * (side * tangent_length)) / square;
+            let scale = (self.scale * normal).norm();
+            let distances = Vector2::new(normal.dot(&self.rays[0]), normal.dot(&self.rays[1])) / scale;
+            let depth = depth(&middle, cylinder, &(to_axis - normal * radius));
+            SilhouetteDistance { distances, depth, normal, side }
+        };
+        let (left, right) = (measured(1.0), measured(-1.0));
+        Some(if right.mean_square() < left.mean_square() { right } else { left })
+    }
+
+    /// Derivative of the two distances along a change of the cylinder.
+    pub(crate) fn derivative(
+        &self,
+        cylinder: &Cylinder,
+        distance: &SilhouetteDistance,
+        &(d_direction, d_point, d_radius): &CylinderTangent,
+    ) -> Vector2<f64> {
+        let (w, radius, normal) = (cylinder.direction.into_inner(), cylinder.radius, distance.normal);
+        let difference = cylinder.axis_point - self.centre;
+        let along = w.dot(&difference);
+        let to_axis = difference - w * along;
+        let across = w.cross(&to_axis);
+        let square = to_axis.norm_squared();
+        let tangent_length = (square - radius * radius).sqrt();
+
+        let d_to_axis = d_point - w * (d_direction.dot(&difference) + w.dot(&d_point)) - d_direction * along;
+        let d_across = d_direction.cross(&to_axis) + w.cross(&d_to_axis);
+        let half_d_square = to_axis.dot(&d_to_axis);
+        let d_tangent_length = (half_d_square - radius * d_radius) / tangent_length;
+        let d_normal = (to_axis * d_radius
+            + d_to_axis * radius
+            + (across * d_tangent_length + d_across * tangent_length) * distance.side
+            - normal * (2.0 * half_d_square))
+            / square;
+
+        let (scaled, d_scaled) = (self.scale * normal, self.scale * d_normal);
+        let scale_square = scaled.norm_squared();
+        let slope = scaled.dot(&d_scaled) / scale_square;
+        let moved = Vector2::new(d_normal.dot(&self.rays[0]), d_normal.dot(&self.rays[1]));
+        moved / scale_square.sqrt() - distance.distances * slope
+    }
+}
+
+/// Where a ray comes nearest to a line along the axis, in units of the ray; `to_line` is the perpendicular to that line from the
+/// start of the ray.
+fn depth(ray: &Vector3<f64>, cylinder: &Cylinder, to_line: &Vector3<f64>) -> f64 {
+    let across = ray - cylinder.direction.into_inner() * cylinder.direction.dot(ray);
+    ray.dot(to_line) / across.norm_squared()
+}
