@@ -106,3 +106,35 @@ impl<T, const N: usize> List<T> for ArrayVec<T, N> {
         self.try_push(entry).is_ok()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// How many entries find room, and what the list then holds.
+    fn room<Z: Size>(size: Z) -> (usize, usize) {
+        let mut list = size.list();
+        let pushed = (0..5).filter(|&entry| list.push(entry)).count();
+        assert!(list.iter().copied().eq(0..pushed));
+        (pushed, list.len())
+    }
+
+    #[test]
+    fn lists_take_no_more_than_they_have_room_for() {
+        assert_eq!([room(Fixed::<0>), room(Fixed::<3>)], [(0, 0), (3, 3)]);
+        assert_eq!([room(AtMost::<3>(1)), room(AtMost::<3>(3))], [(3, 3); 2]);
+        #[cfg(feature = "alloc")]
+        assert_eq!([0, 1, 3].map(|most| room(crate::dynamic_size::Dynamic(most))), [(0, 0), (1, 1), (3, 3)]);
+    }
+
+    #[test]
+    fn vectors_have_entries_in_use() {
+        assert_eq!((Fixed::<3>.get(), Fixed::<3>.filled(7)), (3, [7; 3]));
+        assert_eq!([0, 2, 3, 4].map(|count| AtMost::<3>(count).get()), [0, 2, 3, 3]);
+        #[cfg(feature = "alloc")]
+        for count in [0, 1, 3] {
+            let size = crate::dynamic_size::Dynamic(count);
+            assert_eq!((size.get(), size.filled(7)), (count, std::vec![7; count]));
+        }
+    }
+}

@@ -62,6 +62,7 @@ mod tests {
         }
         assert_eq!(hypot(0.0, -0.0), 0.0);
         assert_eq!([hypot(f64::INFINITY, f64::INFINITY), hypot(f64::NEG_INFINITY, 0.0)], [f64::INFINITY; 2]);
+        assert_eq!(hypot(f64::INFINITY, f64::NEG_INFINITY), f64::INFINITY);
         assert_eq!([hypot(f64::INFINITY, 1.0), hypot(-1.0, f64::NEG_INFINITY)], [f64::INFINITY; 2]);
         assert!(hypot(f64::NAN, 1.0).is_nan() && hypot(1.0, f64::NAN).is_nan());
     }

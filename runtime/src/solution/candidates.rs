@@ -24,7 +24,7 @@ const NEARLY_REAL: f64 = 0.1;
 
 /// The collected solutions of a solve: [`AllSolutions`] or [`RealSolutions`].
 pub(crate) trait Collection<I: SolverInstance> {
-    /// Whether an eigenvalue may belong to a collected solution.
+    /// Whether an eigenvalue with im >= 0 may belong to a collected solution.
     fn wants(&self, value: &Complex<f64>) -> bool;
 
     /// Takes note of the eigenvalues of the first attempt.
@@ -145,7 +145,7 @@ impl<I: SolverInstance> RealSolutions<I> {
 impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
     #[inline]
     fn wants(&self, value: &Complex<f64>) -> bool {
-        self.all.is_some() || value.im.abs() <= NEARLY_REAL * value.re.abs()
+        self.all.is_some() || value.im <= NEARLY_REAL * value.re.abs()
     }
 
     #[inline]

@@ -51,7 +51,7 @@ pub fn ratio<S: Scalar>(values: &[S], pairs: &[(u16, u16)]) -> Option<S> {
         denominator += from.modulus_squared();
     }
     let quotient = numerator.scale(1.0 / denominator);
-    (denominator > 0.0 && quotient.is_finite()).then_some(quotient)
+    quotient.is_finite().then_some(quotient)
 }
 
 /// The first `count` of these values of monomials, from an eigenpair (a, v):

@@ -271,7 +271,7 @@ fn least_squares<S: Scalar, N: Size, E: Size>(
     let mut inverse_diagonal = unknowns.filled(S::ZERO);
     for k in 0..n {
         let square: f64 = (k..e).map(|i| matrix[i][k].modulus_squared()).sum();
-        if !(square > rounding * rounding * column_size[k] && square < f64::INFINITY) {
+        if !(square > rounding * rounding * column_size[k]) {
             return None;
         }
         let length = float::sqrt(square);

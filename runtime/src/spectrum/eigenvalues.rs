@@ -432,6 +432,33 @@ mod tests {
         }
     }
 
+    /// The bulge starts in row 1 if its part in column 0 is rounding: the subdiagonal left of it times the first
+    /// column of H^2 below its head, beside the head times the diagonal around. Here that column is (1, 1, 1) squares
+    /// of the unit, so the subdiagonal is compared with half of that rounding. The shifts are zero.
+    #[test]
+    fn the_bulge_starts_where_it_leaves_rounding_behind() {
+        for (corner, a) in [(7.0, 0.0), (-7.0, 0.0), (0.25, 2.0), (-9.0, 2.0), (0.5, -6.0), (40.0, -6.0)] {
+            for unit in [1e-6, 1.0, 1e6] {
+                let around = f64::abs(corner) + f64::abs(a) + f64::abs(1.0 - a);
+                let start = |part: f64| {
+                    let left = part * 0.5 * f64::EPSILON * around;
+                    let rows = [
+                        [corner, 0.3, 0.0, 0.0],
+                        [left, a, 1.0 - a * a, 0.0],
+                        [0.0, 1.0, 1.0 - a, 0.2],
+                        [0.0, 0.0, 1.0, -1.0],
+                    ];
+                    let h = rows.map(|row| row.map(|x| x * unit));
+                    let (row, v) = bulge_start::<Fixed<4>, f64>(&h, 0, 4, [(0.0, 0.0); 2]);
+                    let is_level = v.iter().all(|x| (x / v[0] - 1.0).abs() < 1e-14);
+                    assert!(row == 0 || (is_level && v[0] > 0.0), "{v:?}");
+                    row
+                };
+                assert_eq!([0.9, -0.9, 1.1, -1.1].map(start), [1, 1, 0, 0], "{corner} {a} {unit}");
+            }
+        }
+    }
+
     #[test]
     fn shifts_are_the_trailing_eigenvalues_or_exceptional() {
         let shifts = |h: &[[f64; 3]; 3], stalled| choose_shifts::<Fixed<3>, f64>(h, 0, 3, stalled);

@@ -446,6 +446,21 @@ mod tests {
         }
     }
 
+    /// Column 1 and row r, or the converse, have 1 + r of squared norms. A factor of 2 makes that 4 + r / 4, which is
+    /// less by a tenth from r = 4.77 on.
+    #[test]
+    fn factors_that_gain_less_than_a_tenth_are_not_taken() {
+        for (r, is_taken) in [(4.0, false), (4.2, false), (4.7, false), (4.9, true), (9.0, true)] {
+            let root = f64::sqrt(r);
+            for ([b, c], factor) in [([root, 1.0], 2.0), ([1.0, root], 0.5)] {
+                let mut form = Hessenberg::<Fixed<2>> { matrix: [[0.0, b], [c, 0.0]], ..Hessenberg::zero(Fixed) };
+                form.scale_rows_and_columns();
+                let expected = if is_taken { factor } else { 1.0 };
+                assert_eq!(form.balance[0] / form.balance[1], expected, "{r}");
+            }
+        }
+    }
+
     #[test]
     fn rows_and_columns_of_zeros_are_left_alone() {
         let mut matrix = [[0.0; N]; N];

@@ -178,6 +178,7 @@ mod tests {
         // Tiny values are compared with the norm.
         assert_eq!(dimensions(&[0.0, 0.9e-8], 100.0), [2]);
         assert!(dimensions(&[0.0, 1.1e-8], 100.0).is_empty());
+        assert_eq!(dimensions(&[0.0, 0.0], 0.0), [2], "all eigenvalues of zero");
     }
 
     #[test]
@@ -213,6 +214,9 @@ mod tests {
             // The conjugates are not others.
             assert!((both.shift - 3e-3).abs() < 1e-8, "{both:?}");
         }
+        let three = [1.0, 1.0002, 0.9999].map(|im| [c(2.0, im), c(2.0, -im)]);
+        let [three] = clusters(three.as_flattened(), 9.0)[..] else { panic!() };
+        assert_eq!(three.dimension, 6);
         // A pair that is nearly real is its own conjugate.
         let [pair] = clusters(&[c(2.0, 5e-4), c(2.0, -5e-4), c(5.0, 0.0)], 9.0)[..] else { panic!() };
         assert!(pair.centre == c(2.0, 0.0) && pair.dimension == 2, "{pair:?}");

@@ -270,4 +270,28 @@ mod tests {
         let of_zero = Hessenberg::reduce(&[[0.0; 2]; 2]).unwrap().eigenvector(0.0);
         assert!((of_zero[0].hypot(of_zero[1]) - 1.0).abs() < 1e-15, "{of_zero:?}");
     }
+
+    /// 1 + d solves (x - 1)^2 = 0 up to the rounding d^2 = 1e-16. The second solve leaves a residual of d / 2, so the
+    /// vector of the first one stays.
+    #[test]
+    fn of_a_defective_eigenvalue_the_good_vector_stays() {
+        for d in [1e-8, -1e-8] {
+            let [x, y] = Hessenberg::reduce(&[[1.0, 1.0], [0.0, 1.0]]).unwrap().eigenvector(1.0 + d);
+            assert!((y - d * x).hypot(d * y) < 1e-14, "{x} {y}");
+        }
+    }
+
+    /// A value that is off by e multiplies the other directions by about e.
+    #[test]
+    fn inaccurate_values_lead_to_the_nearest_eigenvector() {
+        let form = Hessenberg::reduce(&[[2.0, 1.0, 0.5], [1.0, -1.0, 0.25], [0.5, 3.0, 7.0]]).unwrap();
+        for value in form.eigenvalues().unwrap().map(|value| value.re) {
+            let expected = form.eigenvector(value);
+            for e in [1e-6, -1e-6] {
+                let found = form.eigenvector(value + e);
+                let dot: f64 = found.iter().zip(expected).map(|(x, y)| x * y).sum();
+                assert!(dot.abs() > 1.0 - 1e-9, "{value}: {found:?} is not {expected:?}");
+            }
+        }
+    }
 }
