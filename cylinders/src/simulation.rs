@@ -1,8 +1,10 @@
-//! Simulated photographs of several similar, parallel cylinders among clutter, of which the truth is known.
+//! Simulated photographs of several similar, parallel cylinders among clutter, of which the truth
+//! is known.
 //!
-//! Silhouettes are not computed from tangent planes, as the solvers would, but from points: the lines on the surface where the
-//! line of sight is tangent, their end points projected and moved by noise, and the image line through each pair. What
-//! another cylinder hides is not seen, and some of what could be seen is not detected.
+//! Silhouettes are not computed from tangent planes, as the solvers would, but from points: the
+//! lines on the surface where the line of sight is tangent, their end points projected and moved by
+//! noise, and the image line through each pair. What another cylinder hides is not seen, and some
+//! of what could be seen is not detected.
 
 use std::f64::consts::TAU;
 
@@ -28,7 +30,8 @@ const HALF_SIDE: f64 = 3.0;
 /// Smallest distance between two axes.
 const CLEARANCE: f64 = 1.2;
 
-/// Smallest and largest distance of a camera from the middle of the square, and largest height above or below it.
+/// Smallest and largest distance of a camera from the middle of the square, and largest height
+/// above or below it.
 const DISTANCES: [f64; 2] = [9.0, 13.0];
 const ELEVATION: f64 = 2.0;
 
@@ -43,8 +46,8 @@ pub struct ParallelSetup {
     pub noise: f64,
     /// Probability with which a visible silhouette is detected.
     pub detection: f64,
-    /// Least part of all lines that are not silhouettes of a cylinder, averaged over the cylinders. With seven cylinders and
-    /// without clutter it is 6/7 already.
+    /// Least part of all lines that are not silhouettes of a cylinder, averaged over the cylinders.
+    /// With seven cylinders and without clutter it is 6/7 already.
     pub outlier_rate: f64,
 }
 
@@ -59,12 +62,14 @@ pub struct ParallelScene {
     pub middle: Point3<f64>,
     /// The cylinders.
     pub cylinders: Vec<Cylinder>,
-    /// For each view and line the index of the cylinder and the side that it is a silhouette of; `None` for clutter.
+    /// For each view and line the index of the cylinder and the side that it is a silhouette of;
+    /// `None` for clutter.
     pub truth: Vec<Vec<Option<(usize, Side)>>>,
 }
 
 impl ParallelSetup {
-    /// The paper's: seven cylinders, twelve images, 89 % outliers; noise of a pixel, nine of ten silhouettes detected.
+    /// The paper's: seven cylinders, twelve images, 89 % outliers; noise of a pixel, nine of ten
+    /// silhouettes detected.
     pub fn seven_in_twelve() -> Self {
         Self { cylinders: 7, images: 12, noise: 1.0, detection: 0.9, outlier_rate: 0.89 }
     }
@@ -138,7 +143,8 @@ impl ParallelSetup {
     ) -> Vec<MarkedLine> {
         let mut lines = Vec::new();
         for (index, (centre, radius)) in circles.iter().enumerate() {
-            // Around the axis, measured from the direction to the camera at distance rho, contacts are at +-acos(r / rho).
+            // Around the axis, measured from the direction to the camera at distance rho, contacts
+            // are at +-acos(r / rho).
             let toward = camera.place - centre;
             let cosine = radius / toward.norm();
             let toward = toward.normalize();
@@ -158,7 +164,8 @@ impl ParallelSetup {
         lines
     }
 
-    /// The image, in normalised coordinates, of the line along the axes through a point of the cross-section.
+    /// The image, in normalised coordinates, of the line along the axes through a point of the
+    /// cross-section.
     fn seen(&self, camera: &Photographer, frame: &Frame, point: &Point2<f64>, random: &mut Random) -> Vector3<f64> {
         let ends = [-HALF_LENGTH, HALF_LENGTH].map(|height| {
             let image = camera.matrix * frame.point(point, height).to_homogeneous();
@@ -178,7 +185,8 @@ struct Photographer {
     place: Point2<f64>,
 }
 
-/// The cross-section in space. Seen from where the direction points to, the second axis is a right turn from the first.
+/// The cross-section in space. Seen from where the direction points to, the second axis is a right
+/// turn from the first.
 struct Frame {
     rotation: Rotation3<f64>,
     origin: Point3<f64>,

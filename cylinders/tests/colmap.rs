@@ -1,4 +1,5 @@
-//! COLMAP models: what is read, the same from text and binary, and an error for every way in which a file can be wrong.
+//! COLMAP models: what is read, the same from text and binary, and an error for every way in which
+//! a file can be wrong.
 
 mod model;
 
@@ -126,7 +127,8 @@ fn a_file_that_is_missing_is_named() {
     }
 }
 
-/// The names and lengths of all beginnings of a file with which the model is not refused. Messages name a file.
+/// The names and lengths of all beginnings of a file with which the model is not refused. Messages
+/// name a file.
 fn cut_at_every_byte(files: &Files) -> Vec<(&'static str, usize)> {
     let mut accepted = Vec::new();
     for (index, (name, content)) in files.iter().enumerate() {
@@ -180,7 +182,8 @@ fn cut_files_tell_where() {
 #[test]
 fn counts_that_the_file_cannot_hold_are_refused() {
     let binary = test_model().binary();
-    // The count of observations of the first image stands after the count of images, its pose and its name.
+    // The count of observations of the first image stands after the count of images, its pose and
+    // its name.
     let observations = 8 + 4 + 56 + 4 + "left side.jpg".len() + 1;
     let track = 8 + 8 + 24 + 3 + 8;
     for (index, at) in [(0, 0), (1, 0), (1, observations), (2, 0), (2, track)] {

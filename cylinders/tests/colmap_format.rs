@@ -1,12 +1,14 @@
-//! COLMAP models written out by hand, byte for byte as COLMAP documents its formats, independently of the writer of the other tests:
-//! <https://colmap.github.io/format.html>, and for the binary files the order and the widths in which its own reader takes them.
+//! COLMAP models written out by hand, byte for byte as COLMAP documents its formats, independently
+//! of the writer of the other tests: <https://colmap.github.io/format.html>, and for the binary
+//! files the order and the widths in which its own reader takes them.
 
 use eliminant_cylinders::ColmapError;
 use eliminant_cylinders::colmap::{Encoding, Model, parse_colmap};
 use eliminant_cylinders::distortion::Distortion;
 use nalgebra::{Matrix3, Point3, Vector3};
 
-/// One camera of each supported model. Numbers are little-endian: 2560 is 0x40a4000000000000 as a double.
+/// One camera of each supported model. Numbers are little-endian: 2560 is 0x40a4000000000000 as a
+/// double.
 const CAMERAS: &str = "
     0500000000000000                                         // five cameras
     01000000 00000000 000c000000000000 0009000000000000      // 1, SIMPLE_PINHOLE, 3072 x 2304
@@ -73,7 +75,8 @@ const POINTS: &str = "
     0000000000000000
 ";
 
-/// The same model as text, with the comments that COLMAP writes. An image without points has an empty line.
+/// The same model as text, with the comments that COLMAP writes. An image without points has an
+/// empty line.
 const TEXT: [&str; 3] = [
     "# Camera list with one line of data per camera:
 #   CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]

@@ -1,5 +1,5 @@
-//! Lines that keep their end points: better refined cylinders, more inliers, residuals and extents where the lines were seen,
-//! scene files.
+//! Lines that keep their end points: better refined cylinders, more inliers, residuals and extents
+//! where the lines were seen, scene files.
 
 #[path = "../examples/make_scene/random.rs"]
 mod random;
@@ -26,7 +26,8 @@ fn camera(setup: &Setup, photograph: &Photograph) -> Camera {
     Camera::from_normalised(&photograph.camera).expect("a camera").with_calibration(calibration)
 }
 
-/// The part of each contact line from `part[0]` to `part[1]` of the height of the can, as the camera sees it with noise.
+/// The part of each contact line from `part[0]` to `part[1]` of the height of the can, as the
+/// camera sees it with noise.
 fn segments(can: &Can, setup: &Setup, camera: &Camera, part: [f64; 2], random: &mut Random) -> [Segment; 2] {
     let direction = can.direction.into_inner();
     let outward = camera.centre() - can.base;
@@ -43,7 +44,8 @@ fn segments(can: &Can, setup: &Setup, camera: &Camera, part: [f64; 2], random: &
     })
 }
 
-/// Views of the soda can in each of which both silhouettes are seen along a part of it that `part` chooses.
+/// Views of the soda can in each of which both silhouettes are seen along a part of it that `part`
+/// chooses.
 fn can_views(setup: &Setup, random: &mut Random, part: impl Fn(&mut Random) -> [f64; 2]) -> Vec<View> {
     let can = scene::soda_can();
     let view = |photograph: &Photograph, random: &mut Random| {
@@ -105,7 +107,8 @@ fn ransac_keeps_short_segments() {
         without += triangulate_robustly(&without_ends(&views), &options).expect("a cylinder").inliers.len();
     }
     println!("{with} of 600 silhouettes are inliers with end points, {without} without");
-    // A line is lost where two independent distances of a pixel have a root mean square of three: once in 8000 lines.
+    // A line is lost where two independent distances of a pixel have a root mean square of three:
+    // once in 8000 lines.
     assert!(with >= 598 && with > without, "{with} {without}");
 }
 
@@ -150,7 +153,8 @@ fn neither_world_nor_order_of_the_end_points_matter() {
     }
 }
 
-/// On a thin cylinder the plane of a short, slightly turned segment is nearer to the wrong tangent plane.
+/// On a thin cylinder the plane of a short, slightly turned segment is nearer to the wrong tangent
+/// plane.
 #[test]
 fn the_side_is_the_one_at_the_end_points() {
     let cylinder = Cylinder::new(&Point3::new(0.0, 0.0, 10.0), Vector3::y_axis(), 0.01);
@@ -196,7 +200,8 @@ fn the_extent_is_between_the_end_points() {
     println!("extent with noise: off by {error:.3} mm");
     assert!(error < 0.5, "off by {error} mm");
 
-    // All that is between the end points of different images; points on the surface do not count then.
+    // All that is between the end points of different images; points on the surface do not count
+    // then.
     let mut pieces = can_views(&exact, &mut Random::new(1), |_| [0.0, 0.3]);
     pieces.extend(can_views(&exact, &mut Random::new(2), |_| [0.6, 0.9]));
     assert!(off(&pieces, &cylinder, [bottom, bottom + 0.9 * can.height]) < 1e-9);

@@ -1,4 +1,5 @@
-//! Experiments through the command: their files, that they depend on the seed only, and what they claim.
+//! Experiments through the command: their files, that they depend on the seed only, and what they
+//! claim.
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,4 +1,5 @@
-//! Matching without correspondences: simulated scenes of several cylinders, the exhaustive search itself, and bad input.
+//! Matching without correspondences: simulated scenes of several cylinders, the exhaustive search
+//! itself, and bad input.
 
 #![cfg(feature = "command")]
 
@@ -16,7 +17,8 @@ fn scene(setup: &ParallelSetup, seed: u64) -> ParallelScene {
     setup.scene(seed).expect("a scene")
 }
 
-/// For each cylinder of the scene the model that has most of its silhouettes, and mostly those, on the right sides.
+/// For each cylinder of the scene the model that has most of its silhouettes, and mostly those, on
+/// the right sides.
 fn found(scene: &ParallelScene, matching: &Matching) -> Vec<Option<usize>> {
     let of_cylinder = |index: usize| {
         let silhouettes = scene.truth.iter().flatten().flatten().filter(|(cylinder, _)| *cylinder == index).count();

@@ -1,4 +1,5 @@
-//! Pictures: the same bytes each time, SVG that is well-formed, PNG of the size that it says, and what they show.
+//! Pictures: the same bytes each time, SVG that is well-formed, PNG of the size that it says, and
+//! what they show.
 
 #![cfg(feature = "command")]
 
@@ -125,7 +126,8 @@ fn circles_are_round_and_lines_touch_them() {
     let (wide, high) = (extent(&mut blue.iter().map(|at| at.0)), extent(&mut blue.iter().map(|at| at.1)));
     assert!(wide > 400 && wide.abs_diff(high) <= 2, "{wide} x {high}");
 
-    // Of the sixteen lines in the scene, all within 1.5 units of the circle or closer, the picture has as many.
+    // Of the sixteen lines in the scene, all within 1.5 units of the circle or closer, the picture
+    // has as many.
     let lines: Vec<_> = section().lines().collect();
     assert_eq!(lines.len(), 16);
     let (_, found) = soda_can();

@@ -1,4 +1,5 @@
-//! PLY files, read back by a strict reader: what the header declares is there and nothing else, and it is the scene.
+//! PLY files, read back by a strict reader: what the header declares is there and nothing else, and
+//! it is the scene.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -11,7 +12,8 @@ use nalgebra::{Matrix3, Matrix3x4, Point3, Rotation3, Vector3};
 /// Rows of an element: one list of numbers for each of its properties.
 type Rows = Vec<Vec<Vec<f64>>>;
 
-/// Reads every element of a PLY file in binary little endian. Panics where the file departs from the format.
+/// Reads every element of a PLY file in binary little endian. Panics where the file departs from
+/// the format.
 fn read(bytes: &[u8]) -> BTreeMap<String, Rows> {
     let end = b"end_header\n";
     let split = bytes.windows(end.len()).position(|window| window == end).expect("a header") + end.len();
@@ -88,7 +90,8 @@ fn the_file_is_the_scene() {
     assert_ne!(colour(0), colour(1));
     assert_eq!(colour(1), colour(surface[0] as usize));
 
-    // Triangles whose corners are on the surface and which are seen counter-clockwise from outside; a closed band.
+    // Triangles whose corners are on the surface and which are seen counter-clockwise from outside;
+    // a closed band.
     let mut directed = BTreeMap::new();
     for face in faces {
         let [a, b, c] = *face[0].as_slice() else { panic!("{face:?} is no triangle") };
@@ -126,7 +129,8 @@ fn the_file_is_the_scene() {
     }
 }
 
-/// A camera at `centre` that looks along `-z`, its image upright: 1000 x 800 pixels, focal length 1000.
+/// A camera at `centre` that looks along `-z`, its image upright: 1000 x 800 pixels, focal length
+/// 1000.
 fn camera(centre: Point3<f64>) -> Camera {
     let rotation = Rotation3::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI).into_inner();
     let translation = -(rotation * centre.coords);
@@ -148,7 +152,8 @@ fn the_images_show_a_part_of_the_cylinder() {
     let extent = visible_extent(&upright, std::slice::from_ref(&front), &[]).expect("seen");
     assert!(extent.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-12), "{extent:?}");
 
-    // Horizontal in the image, where its width counts; and along the line of sight, where it never leaves the image.
+    // Horizontal in the image, where its width counts; and along the line of sight, where it never
+    // leaves the image.
     let across = Cylinder::new(&Point3::origin(), Vector3::x_axis(), 1.0);
     let extent = visible_extent(&across, &[view(&across, camera(Point3::new(0.0, 0.0, 10.0)))], &[]).expect("seen");
     assert!((extent[1] - extent[0] - 9.9).abs() < 1e-12, "{extent:?}");
@@ -175,7 +180,8 @@ fn viewing_planes_end_at_the_end_points() {
     let centre = Point3::new(0.0, 0.0, 10.0);
     let heights = [-0.5, 1.5];
     let infinite = view(&cylinder, camera(centre));
-    // Contact points of the tangents from a point at distance 10 to the unit circle: 0.1 towards it, sqrt(0.99) beside it.
+    // Contact points of the tangents from a point at distance 10 to the unit circle: 0.1 towards
+    // it, sqrt(0.99) beside it.
     let beside = 0.99_f64.sqrt();
     let seen = |x: f64, y: f64| {
         let seen = infinite.camera().rotation() * Vector3::new(x, y, 0.1) + infinite.camera().translation();

@@ -1,4 +1,5 @@
-//! Cross-section solvers: exact tangents give the circle, in any coordinates; bad lines give errors.
+//! Cross-section solvers: exact tangents give the circle, in any coordinates; bad lines give
+//! errors.
 
 #[path = "../examples/section_accuracy/cross_section.rs"]
 mod cross_section;
@@ -87,7 +88,8 @@ fn closed_form_and_emitted_solver_agree() {
     assert!(median < 1e-12 && p99 < 1e-8, "median {median:e}, 99 % {p99:e}");
 }
 
-/// Turned, shifted and scaled plane, lines with the other sign and in another order: the same sections.
+/// Turned, shifted and scaled plane, lines with the other sign and in another order: the same
+/// sections.
 #[test]
 fn coordinates_do_not_matter() {
     let mut random = Random::new(14);

@@ -1,4 +1,5 @@
-//! Segments of a CSV file: fitted lines, labels, distortion, and the message for each way in which a file can be wrong.
+//! Segments of a CSV file: fitted lines, labels, distortion, and the message for each way in which
+//! a file can be wrong.
 
 #[path = "../examples/make_scene/random.rs"]
 mod random;
@@ -38,7 +39,8 @@ fn pixel_line(view: &View, index: usize) -> Vector3<f64> {
 
 #[test]
 fn segments_become_lines_of_their_images() {
-    // Columns in another order, one more, blanks, quotes, Windows line breaks, the byte order mark of spreadsheets.
+    // Columns in another order, one more, blanks, quotes, Windows line breaks, the byte order mark
+    // of spreadsheets.
     let text = "\u{feff}score, x1,y1 ,x2,y2,image\r\n0.5,100,-20,100,700,\"b c.jpg\"\r\n,0, 30.5,10 ,30.5,a.jpg\r\n1,0,0,30,40,a.jpg\r\n";
     let views = views(text);
     assert_eq!(views.iter().map(View::image).collect::<Vec<_>>(), [Some("a.jpg"), Some("b c.jpg")]);
@@ -57,7 +59,8 @@ fn pieces_of_one_line_are_fitted_together() {
          a.jpg,7,7,8,9,,\na.jpg,0,0,0,9,can,left\n"
     );
     let views = views(&text);
-    // The pieces with the same name in another image or of another cylinder, and those without name, stand alone.
+    // The pieces with the same name in another image or of another cylinder, and those without
+    // name, stand alone.
     assert_eq!(views.iter().map(|view| view.lines().len()).collect::<Vec<_>>(), [4, 1]);
     assert_eq!(views[0].labels(), [None, None, None, Some("can".to_owned())]);
     // Least squares through (0, 101), (100, 99), (200, 99), (300, 101): y = 100 by symmetry.
@@ -193,7 +196,8 @@ fn seen(line: &Vector3<f64>, calibration: &Calibration, distortion: &Distortion)
     })
 }
 
-/// Through a bent lens the same can is found when its distortion is taken off, and another one otherwise.
+/// Through a bent lens the same can is found when its distortion is taken off, and another one
+/// otherwise.
 #[test]
 fn distortion_is_taken_off() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/soda_can.json");

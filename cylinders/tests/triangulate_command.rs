@@ -1,4 +1,5 @@
-//! `cylinders triangulate`: exit codes, where text goes, and that both forms of the output say the same.
+//! `cylinders triangulate`: exit codes, where text goes, and that both forms of the output say the
+//! same.
 
 #![cfg(feature = "command")]
 
@@ -108,8 +109,8 @@ fn a_bad_scene_is_1_and_names_the_file() {
     }
 }
 
-/// The committed scene, each of its views twice, as a COLMAP model with a bent lens and segments; the can is the same, and
-/// has the label `can`, its second copy `again`.
+/// The committed scene, each of its views twice, as a COLMAP model with a bent lens and segments;
+/// the can is the same, and has the label `can`, its second copy `again`.
 #[test]
 fn a_model_with_segments_gives_the_labelled_cylinders() {
     let scene = read_scene(Path::new(&soda_can())).expect("a scene");
@@ -180,7 +181,8 @@ fn a_bad_model_or_file_of_segments_is_1() {
     assert_eq!((outcome.code, outcome.error.starts_with("error: no/such/folder/cameras.txt: ")), (1, true));
 }
 
-/// Each kind of scene that determines no cylinder, made from the committed one: its message, and no output file.
+/// Each kind of scene that determines no cylinder, made from the committed one: its message, and no
+/// output file.
 #[test]
 fn scenes_that_determine_no_cylinder_are_refused_and_nothing_is_written() {
     let text = std::fs::read_to_string(soda_can()).expect("the scene");
@@ -284,8 +286,8 @@ fn drawings_are_written_whole_or_not_at_all() {
     assert_eq!(names(&folder), ["a.ply", "section.png", "some"]);
 }
 
-/// The example does nothing but pass on what `run` says. Cargo builds the examples before it runs the tests of a package;
-/// a run of this test alone may find none.
+/// The example does nothing but pass on what `run` says. Cargo builds the examples before it runs
+/// the tests of a package; a run of this test alone may find none.
 #[test]
 fn the_example_passes_it_on() {
     let test = std::env::current_exe().expect("a path");

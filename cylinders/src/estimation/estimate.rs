@@ -20,7 +20,8 @@ pub struct Estimate {
     pub cylinder: Cylinder,
     /// One residual for each line, in the order of views and lines.
     pub residuals: Vec<LineResidual>,
-    /// Direction and circle of least squares, where the estimate is or started from those of all lines.
+    /// Direction and circle of least squares, where the estimate is or started from those of all
+    /// lines.
     pub least_squares: Option<(Direction, CircleFit)>,
     /// Refinement and the unit of its distances, where there was one.
     pub refinement: Option<(Refinement, DistanceUnit)>,

@@ -1,13 +1,14 @@
-//! The optional last step: the cylinder that minimises the distances between the given lines and its silhouettes, over all
-//! its parameters at once, and how certain they are.
+//! The optional last step: the cylinder that minimises the distances between the given lines and
+//! its silhouettes, over all its parameters at once, and how certain they are.
 //!
 //! ```text
 //!   minimise  sum_i rho(|e_i|^2 / 2)    over the axis (4, orthonormal Plücker form) and the radius (1)
 //! ```
 //!
-//! with the distances `e_i` of two points of each line and the loss `rho`, by Levenberg-Marquardt with the weights
-//! `rho'` (iteratively reweighted). The work is done in coordinates whose unit is the mean distance of the cameras from
-//! the axis and whose origin is at that distance beside the part of the axis that the lines see.
+//! with the distances `e_i` of two points of each line and the loss `rho`, by Levenberg-Marquardt
+//! with the weights `rho'` (iteratively reweighted). The work is done in coordinates whose unit is
+//! the mean distance of the cameras from the axis and whose origin is at that distance beside the
+//! part of the axis that the lines see.
 
 use nalgebra::{Matrix5, Point3, SMatrix, SVector, Unit, Vector3};
 use thiserror::Error;
@@ -21,12 +22,13 @@ use crate::space::silhouette_distance::{CylinderTangent, MeasuredLine, Metric, M
 /// Limit on the steps of Levenberg-Marquardt.
 const STEPS: usize = 200;
 
-/// Smallest eigenvalue of the normal matrix, its diagonal scaled to one, at and below which the cylinder is not determined:
-/// some combination of parameters has less than a millionth of the influence of each alone.
+/// Smallest eigenvalue of the normal matrix, its diagonal scaled to one, at and below which the
+/// cylinder is not determined: some combination of parameters has less than a millionth of the
+/// influence of each alone.
 const UNDETERMINED: f64 = 1e-12;
 
-/// Radius, relative to the mean distance of the cameras from the axis, at and below which there is none: far below what can
-/// be seen in an image.
+/// Radius, relative to the mean distance of the cameras from the axis, at and below which there is
+/// none: far below what can be seen in an image.
 const NO_RADIUS: f64 = 1e-9;
 
 /// Iterations that the eigenvalues of a 5x5 matrix may take.
@@ -63,8 +65,8 @@ pub struct RefineOptions {
 pub struct Refinement {
     /// The cylinder.
     pub cylinder: Cylinder,
-    /// The point of the axis to which the uncertainty of its position refers: in the middle of the part that the lines
-    /// see, world frame.
+    /// The point of the axis to which the uncertainty of its position refers: in the middle of the
+    /// part that the lines see, world frame.
     pub reference: Point3<f64>,
     /// Unit vectors `f1`, `f2` across the axis.
     pub across: [Vector3<f64>; 2],
@@ -74,9 +76,9 @@ pub struct Refinement {
     ///   (f1^T dw, f2^T dw, f1^T dA, f2^T dA, dr)    w the direction [rad], A the axis at the reference, r the radius
     /// ```
     ///
-    /// in world units: `sigma^2 (J^T W J)^-1` with the variance `sigma^2` of a distance estimated from the residuals. To
-    /// first order, and where the loss is not quadratic with the weights held, hence too small by the share of good
-    /// lines that it tones down.
+    /// in world units: `sigma^2 (J^T W J)^-1` with the variance `sigma^2` of a distance estimated
+    /// from the residuals. To first order, and where the loss is not quadratic with the weights
+    /// held, hence too small by the share of good lines that it tones down.
     pub covariance: Matrix5<f64>,
     /// Standard deviations that follow from the covariance.
     pub deviation: Deviation,
@@ -178,7 +180,8 @@ pub(crate) fn refine_lines(lines: &[MeasuredLine], initial: &Cylinder, loss: Los
     if !converged {
         return Err(RefineError::NotConverged { iterations });
     }
-    // The frame of the result, because positions refer to the part of its own axis that the lines see.
+    // The frame of the result, because positions refer to the part of its own axis that the lines
+    // see.
     let (frame, problem) = SilhouetteCost::of(lines, &cylinder, loss)?;
     let parameters = frame.parameters(&cylinder);
     let local = problem.covariance(&parameters)?;
@@ -344,7 +347,8 @@ impl SilhouetteCost {
 
     /// Covariance of the local parameters at the optimum.
     fn covariance(&self, parameters: &Parameters) -> Result<Matrix5<f64>, RefineError> {
-        // J^T W J / 2, its diagonal scaled to one, which makes the test of the rank independent of units.
+        // J^T W J / 2, its diagonal scaled to one, which makes the test of the rank independent of
+        // units.
         let normal_matrix = self.linearise(parameters)?.normal_matrix;
         let scale = normal_matrix.diagonal().map(|entry| 1.0 / entry.sqrt());
         let scaled = Matrix5::from_fn(|row, column| normal_matrix[(row, column)] * scale[row] * scale[column]);
@@ -374,7 +378,8 @@ mod tests {
     use crate::observations::view::{Calibration, Camera};
     use nalgebra::{Matrix3, Matrix3x4, Rotation3};
 
-    /// Three views, each with two lines a little off the silhouettes; skew and unequal focal lengths.
+    /// Three views, each with two lines a little off the silhouettes; skew and unequal focal
+    /// lengths.
     fn example() -> (Vec<View>, Cylinder) {
         let direction = Unit::new_normalize(Vector3::new(0.2, 1.0, -0.3));
         let cylinder = Cylinder::new(&Point3::new(0.3, 0.1, -0.2), direction, 0.8);

@@ -1,14 +1,15 @@
-//! The cylinder that most lines agree on, when many of them are not its silhouettes: RANSAC around the minimal solver, then
-//! refinement.
+//! The cylinder that most lines agree on, when many of them are not its silhouettes: RANSAC around
+//! the minimal solver, then refinement.
 //!
 //! ```text
 //!   3 lines --> direction, unless it is known --> 3 tangent lines --> up to 4 circles --> cylinders
 //! ```
 //!
-//! Two planes would do for the direction; the third makes it better. Three lines are six numbers for the five of a cylinder:
-//! a sample whose own lines do not agree is given up before any
-//! other line is looked at. A line agrees with a cylinder when its distance from the silhouette is within the threshold,
-//! and what it shows lies in front of the camera. That chooses among the four circles.
+//! Two planes would do for the direction; the third makes it better. Three lines are six numbers
+//! for the five of a cylinder: a sample whose own lines do not agree is given up before any other
+//! line is looked at. A line agrees with a cylinder when its distance from the silhouette is within
+//! the threshold, and what it shows lies in front of the camera. That chooses among the four
+//! circles.
 
 use nalgebra::{Unit, Vector3};
 use thiserror::Error;
@@ -25,7 +26,8 @@ use crate::observations::view::{View, ViewingPlane};
 use crate::space::cylinder::{Cylinder, LineResidual};
 use crate::space::silhouette_distance::{DistanceUnit, MeasuredLine, Metric, MetricError};
 
-/// Default of the largest distance between a line and its silhouette: what an end point that is off by a pixel may reach.
+/// Default of the largest distance between a line and its silhouette: what an end point that is off
+/// by a pixel may reach.
 const THRESHOLD_PIXELS: f64 = 3.0;
 
 /// Default in radians: three pixels at a focal length of 3000.
@@ -42,7 +44,8 @@ const REPETITIONS: usize = 10;
 pub struct RobustOptions {
     /// How distances between lines and silhouettes are measured.
     pub metric: Metric,
-    /// The threshold is the largest root mean square distance of an inlier, in the unit of the metric.
+    /// The threshold is the largest root mean square distance of an inlier, in the unit of the
+    /// metric.
     pub ransac: RansacOptions,
     /// Direction of the axis, where it is known; only the final refinement changes it.
     pub direction: Option<Unit<Vector3<f64>>>,
@@ -73,7 +76,7 @@ pub enum RobustError {
         /// Number of lines.
         lines: usize,
     },
-    /// An option of RANSAC is out of its range.
+    /// An option of RANSAC is out of range.
     #[error(transparent)]
     Options(#[from] RansacOptionsError),
     /// Distances cannot be measured.
@@ -111,7 +114,8 @@ pub enum RobustError {
 }
 
 impl RobustOptions {
-    /// Pixels and a threshold of 3 where all cameras have a calibration, radians and a threshold of 0.001 otherwise.
+    /// Pixels and a threshold of 3 where all cameras have a calibration, radians and a threshold of
+    /// 0.001 otherwise.
     pub fn of(views: &[View]) -> Self {
         let metric = Metric::of(views);
         let threshold = match metric.unit {
@@ -187,9 +191,10 @@ impl CylinderEstimator {
         (0..self.count()).filter(|&datum| self.agrees(cylinder, datum)).collect()
     }
 
-    /// The known direction, or the least squares direction of the three planes of the sample: one step of inverse iteration,
-    /// which is exact to the square of the noise, from the direction of the two that are furthest from parallel. The inverse
-    /// of `N^T N` is, up to scale, the sum of `c c^T` over the cross products `c` of its rows (Cauchy-Binet).
+    /// The known direction, or the least squares direction of the three planes of the sample: one
+    /// step of inverse iteration, which is exact to the square of the noise, from the direction of
+    /// the two that are furthest from parallel. The inverse of `N^T N` is, up to scale, the sum of
+    /// `c c^T` over the cross products `c` of its rows (Cauchy-Binet).
     fn direction(&self, sample: &[usize]) -> Option<Unit<Vector3<f64>>> {
         if self.direction.is_some() {
             return self.direction;

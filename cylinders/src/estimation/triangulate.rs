@@ -11,8 +11,8 @@ use crate::observations::scene::LineId;
 use crate::observations::view::{View, ViewingPlane};
 use crate::space::cylinder::{Cylinder, LineResidual};
 
-/// Largest distance between the axes through the camera centres, relative to the distance of the centres from the
-/// world's origin, at and below which all cameras count as standing at one place.
+/// Largest distance between the axes through the camera centres, relative to the distance of the
+/// centres from the world's origin, at and below which all cameras count as standing at one place.
 const SINGLE_VIEWPOINT: f64 = 1e-9;
 
 /// A triangulated cylinder and how well the lines determine and fit it.
@@ -80,7 +80,8 @@ pub fn triangulate(views: &[View]) -> Result<Triangulation, TriangulateError> {
     triangulate_along(views, estimate_direction(&planes)?)
 }
 
-/// Triangulates one cylinder of which the direction is known, as from other cylinders parallel to it.
+/// Triangulates one cylinder of which the direction is known, as from other cylinders parallel to
+/// it.
 ///
 /// # Errors
 /// [`TriangulateError`].
@@ -102,7 +103,8 @@ pub(crate) fn identified_planes(views: &[View]) -> Vec<(LineId, ViewingPlane)> {
     views.iter().enumerate().flat_map(planes).collect()
 }
 
-/// Constrained least squares cylinder of a direction, in front of the cameras if a minimum of the cost is.
+/// Constrained least squares cylinder of a direction, in front of the cameras if a minimum of the
+/// cost is.
 pub(crate) fn fit_cylinder(
     planes: &[(LineId, ViewingPlane)],
     direction: &Unit<Vector3<f64>>,
@@ -126,7 +128,8 @@ pub(crate) fn fit_cylinder(
     Ok((Cylinder::from_circle(&fit.circle, &rectification, *direction), fit))
 }
 
-/// Mean of the camera centres, each as often as it has lines, and their largest distance from the world's origin.
+/// Mean of the camera centres, each as often as it has lines, and their largest distance from the
+/// world's origin.
 fn centroid(planes: &[(LineId, ViewingPlane)]) -> (Point3<f64>, f64) {
     let centres = planes.iter().map(|(_, plane)| plane.centre.coords);
     let sum: Vector3<f64> = centres.clone().sum();

@@ -1,7 +1,8 @@
-//! A simulated soda can: photographs from all sides, and the dual conics that the methods find for some of them.
+//! A simulated soda can: photographs from all sides, and the dual conics that the methods find for
+//! some of them.
 //!
-//! Silhouettes come from points, not from tangent planes: of each line of contact the ends at bottom and top are projected, moved
-//! by noise in pixels, and joined.
+//! Silhouettes come from points, not from tangent planes: of each line of contact the ends at
+//! bottom and top are projected, moved by noise in pixels, and joined.
 
 use std::f64::consts::TAU;
 
@@ -20,7 +21,8 @@ const HALF_HEIGHT: f64 = 57.5;
 const MIDDLE: [f64; 3] = [120.0, -40.0, 30.0];
 const DIRECTION: [f64; 3] = [0.1, -0.2, 0.97];
 
-/// Distance of the cameras from the axis, and their largest height above or below the middle, millimetres.
+/// Distance of the cameras from the axis, and their largest height above or below the middle,
+/// millimetres.
 const DISTANCES: [f64; 2] = [450.0, 600.0];
 const ELEVATION: f64 = 200.0;
 
@@ -75,7 +77,8 @@ impl Can {
         Ok(Self { cylinder, cameras: (0..PHOTOGRAPHS).map(camera).collect::<Result<_, ViewError>>()? })
     }
 
-    /// The silhouettes of these sides (0 right, 1 left) in a photograph; `None` where the camera is inside the can.
+    /// The silhouettes of these sides (0 right, 1 left) in a photograph; `None` if the camera is
+    /// inside the can.
     pub(super) fn view(&self, photograph: usize, sides: &[usize], noise: &Noise, pixels: f64) -> Option<View> {
         let camera = self.cameras[photograph];
         let silhouette = self.cylinder.silhouette(&camera)?;
@@ -102,8 +105,8 @@ pub(super) struct CrossSection {
     pub(super) sights: Vec<Sight>,
 }
 
-/// The lines of the cross-section along the direction that the views determine; the true axis is the origin and the true radius
-/// the unit. `None` where they determine no direction.
+/// The lines of the cross-section along the direction that the views determine; the true axis is
+/// the origin and the true radius the unit. `None` if they determine no direction.
 pub(super) fn cross_section(views: &[View]) -> Option<CrossSection> {
     let planes: Vec<_> = views.iter().flat_map(View::planes).collect();
     let direction = estimate_direction(&planes).ok()?;

@@ -1,5 +1,5 @@
-//! `conditioning`: cameras that see the cylinder from one side only. The linear estimate is then badly conditioned and turns
-//! into a hyperbola; the constrained one remains a circle.
+//! `conditioning`: cameras that see the cylinder from one side only. The linear estimate is then
+//! badly conditioned and turns into a hyperbola; the constrained one remains a circle.
 
 use nalgebra::{Matrix3, Point2};
 
@@ -39,7 +39,7 @@ without a circle, error of its radius. The same scenes at all levels of noise.";
 #[derive(Clone, Copy, Debug)]
 struct Estimates {
     linear: Option<SectionShape>,
-    /// Infinite where there is no circle.
+    /// Infinite if there is no circle.
     linear_error: f64,
     circle_error: f64,
 }

@@ -1,5 +1,5 @@
-//! `matching`: parallel cylinders among lines of which nobody says what they show, and how much clutter and noise the search
-//! endures.
+//! `matching`: parallel cylinders among lines of which nobody says what they show, and how much
+//! clutter and noise the search endures.
 
 use super::error::ExperimentError;
 use super::instances::seeded_instances;

@@ -1,8 +1,10 @@
-//! Experiments of Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation", on simulated scenes.
+//! Experiments of Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation", on simulated
+//! scenes.
 //!
-//! An experiment is a function from options to tables and pictures; who calls it writes the files. Instance `k` of a run is
-//! drawn from a generator that depends on the seed and `k` only, so the result depends neither on the number of threads nor, for
-//! the first instances, on how many follow.
+//! An experiment is a function from options to tables and pictures; who calls it writes the files.
+//! Instance `k` of a run is drawn from a generator that depends on the seed and `k` only, so the
+//! result depends neither on the number of threads nor, for the first instances, on how many
+//! follow.
 
 /// A simulated soda can in photographs from all sides.
 mod can;
@@ -49,16 +51,19 @@ pub enum Experiment {
     Residuals,
     /// Response of the minimal solver and of least squares to noise
     Noise,
-    /// Distance to the true conic of proposed, linear and Navab's method for a soda can in 2 to 15 photographs
+    /// Distance to the true conic of proposed, linear and Navab's method for a soda can in 2 to 15
+    /// photographs
     Table1,
     /// Linear and constrained estimate for a limited viewing range
     Conditioning,
     /// Proposed and linear method for fifteen left silhouettes
     #[value(name = "one_sided")]
     OneSided,
-    /// Seven cylinders in twelve images without correspondences; success against outlier rate and noise
+    /// Seven cylinders in twelve images without correspondences; success against outlier rate and
+    /// noise
     Matching,
-    /// All methods and refinement on a scene file, by default of a round tower, beside its sparse points
+    /// All methods and refinement on a scene file, by default of a round tower, beside its sparse
+    /// points
     Real,
 }
 

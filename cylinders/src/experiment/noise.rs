@@ -1,4 +1,5 @@
-//! `noise`: error of centre and radius against the noise of the lines, for the minimal solver and for least squares.
+//! `noise`: error of centre and radius against the noise of the lines, for the minimal solver and
+//! for least squares.
 
 use nalgebra::Point2;
 
@@ -103,7 +104,8 @@ fn camera(random: &mut Random) -> Point2<f64> {
     Point2::new(20.0, 20.0)
 }
 
-/// Slope of the least squares line through the origin, and the part of the variation of `y` that it leaves.
+/// Slope of the least squares line through the origin, and the part of the variation of `y` that it
+/// leaves.
 fn line_through_origin(points: &[[f64; 2]]) -> (f64, f64) {
     let slope = points.iter().map(|[x, y]| x * y).sum::<f64>() / points.iter().map(|[x, _]| x * x).sum::<f64>();
     let mean = points.iter().map(|[_, y]| y).sum::<f64>() / points.len() as f64;

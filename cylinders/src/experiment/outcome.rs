@@ -40,7 +40,8 @@ impl Outcome {
         Ok(())
     }
 
-    /// Names and contents of all files but the summary: a CSV file for each table, and the pictures.
+    /// Names and contents of all files but the summary: a CSV file for each table, and the
+    /// pictures.
     ///
     /// # Errors
     /// [`ExperimentError::Csv`].

@@ -1,5 +1,5 @@
-//! `real`: the cylinder of a scene file by every method, refined, and compared with the sparse points of the scene, of which the
-//! fit knows nothing.
+//! `real`: the cylinder of a scene file by every method, refined, and compared with the sparse
+//! points of the scene, of which the fit knows nothing.
 
 use std::path::{Path, PathBuf};
 
@@ -90,7 +90,7 @@ fn draw(outcome: &mut Outcome, scene: &Scene, cylinder: &Cylinder) -> Result<(),
     Ok(())
 }
 
-/// The cylinder of each method along a direction; `None` where it has none.
+/// The cylinder of each method along a direction; `None` if it has none.
 fn sections(views: &[View], direction: &Unit<Vector3<f64>>) -> Vec<(String, Option<Cylinder>)> {
     let centres = || views.iter().map(|view| view.camera().centre().coords);
     let middle = Point3::from(centres().sum::<Vector3<f64>>() / centres().count().max(1) as f64);

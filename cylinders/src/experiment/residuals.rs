@@ -1,5 +1,5 @@
-//! `residuals`: how exactly the solvers solve noise-free instances. The paper shows the histogram of the decimal logarithm of
-//! the largest absolute residual.
+//! `residuals`: how exactly the solvers solve noise-free instances. The paper shows the histogram
+//! of the decimal logarithm of the largest absolute residual.
 
 use std::f64::consts::TAU;
 
@@ -32,7 +32,7 @@ distance of the centres and the difference of the radii, relative to the radius.
 const METHODS: [(&dyn SectionSolver, usize); 4] =
     [(&Minimal, 3), (&ClosedForm, 3), (&LeastSquares, LINES), (&LinearConic, LINES)];
 
-/// Largest residual and relative error, infinite where the method failed.
+/// Largest residual and relative error, infinite if the method failed.
 #[derive(Clone, Copy)]
 struct Accuracy {
     residual: f64,

@@ -23,7 +23,8 @@ const IMAGES: [usize; 5] = [2, 3, 5, 10, 15];
 /// Standard deviations of the coordinates of an end point, pixels.
 const PIXELS: [f64; 3] = [0.5, 2.0, 8.0];
 
-/// The first is not a solver alone, but least squares with the choice of the circle in front of the cameras.
+/// The first is not a solver alone, but least squares with the choice of the circle in front of the
+/// cameras.
 const METHODS: [(&str, Option<&dyn SectionSolver>); 3] =
     [("proposed", None), ("linear", Some(&LinearConic)), ("navab", Some(&Navab))];
 
@@ -35,7 +36,7 @@ origin, the true radius as unit; the truth is diag(1, 1, -1). 'unit norm': both 
 The linear method needs five lines, hence three photographs. 'no ellipse': part of the runs in which its conic is none; 'none': \
 part of the runs in which the method returned nothing, which are in no mean.";
 
-/// What one method found; `None` where it failed.
+/// What one method found; `None` if it failed.
 type Found = Option<Estimate>;
 
 #[derive(Clone, Copy, Debug)]

@@ -1,27 +1,31 @@
-//! How much support a circle may have by chance (Desolneux, Moisan & Morel, "From Gestalt Theory to Image Analysis", 2008).
+//! How much support a circle may have by chance (Desolneux, Moisan & Morel, "From Gestalt Theory to
+//! Image Analysis", 2008).
 //!
-//! Where the rays of an image lie in no order, a silhouette has one of them within the threshold with the probability
+//! Where the rays of an image lie in no order, a silhouette has one of them within the threshold
+//! with the probability
 //!
 //! ```text
 //!   p = (sum of 2 t over all rays) / (sum of the images' angles between their outermost rays)
 //! ```
 //!
-//! and within a part `q` of the threshold with the probability `q p`. A hypothesis matches three lines by construction. With `n`
-//! silhouettes, the `k`-th nearest of whose lines are at most `q_k` thresholds away, the number of hypotheses that are as
-//! good or better by chance is at most
+//! and within a part `q` of the threshold with the probability `q p`. A hypothesis matches three
+//! lines by construction. With `n` silhouettes, the `k`-th nearest of whose lines are at most `q_k`
+//! thresholds away, the number of hypotheses that are as good or better by chance is at most
 //!
 //! ```text
 //!   false alarms = hypotheses * (n - 3) * min over k of P(B >= k - 3),    B binomial: n - 3 trials, probability q_k p
 //! ```
 //!
-//! the factor `n - 3` for the choice of `k` (Moisan & Stival, "A Probabilistic Criterion to Detect Rigid Point Matches between Two
-//! Images", 2004). A silhouette that another cylinder hides is no trial: a cylinder behind others is seen by few lines, but by
-//! nearly all that could be seen of it.
+//! the factor `n - 3` for the choice of `k` (Moisan & Stival, "A Probabilistic Criterion to Detect
+//! Rigid Point Matches between Two Images", 2004). A silhouette that another cylinder hides is no
+//! trial: a cylinder behind others is seen by few lines, but by nearly all that could be seen of
+//! it.
 
 use super::pair::Pair;
 use super::plan::Plan;
 
-/// Expected number of hypotheses that are accepted by chance, at most: the usual choice in the literature.
+/// Expected number of hypotheses that are accepted by chance, at most: the usual choice in the
+/// literature.
 pub(super) const FALSE_ALARMS: f64 = 1.0;
 
 /// Number of matches that a hypothesis has by construction.
@@ -51,8 +55,8 @@ impl Chance {
         }
     }
 
-    /// The least number of matches that the hypotheses do not reach by chance: more than there are silhouettes where any number may
-    /// be reached.
+    /// The least number of matches that the hypotheses do not reach by chance: more than there are
+    /// silhouettes where any number may be reached.
     pub(super) fn least_support(&self) -> usize {
         let sparse = self.probability > 0.0 && self.probability < 1.0;
         if !sparse {
@@ -64,8 +68,9 @@ impl Chance {
         (0..=trials).find(is_more).unwrap_or(trials + 1) + SAMPLE
     }
 
-    /// Expected number of hypotheses that have matches as near by chance as these, in units of the threshold, on so many silhouettes
-    /// that are not hidden. Infinite where these are too few to tell.
+    /// Expected number of hypotheses that have matches as near by chance as these, in units of the
+    /// threshold, on so many silhouettes that are not hidden. Infinite if these are too few to
+    /// tell.
     pub(super) fn false_alarms(&self, mut distances: Vec<f64>, silhouettes: usize) -> f64 {
         let trials = silhouettes.saturating_sub(SAMPLE);
         distances.sort_unstable_by(f64::total_cmp);

@@ -14,7 +14,8 @@ pub struct MatchedCylinder {
     pub matches: Vec<LineResidual>,
     /// Part of all lines that are not its silhouettes.
     pub outlier_rate: f64,
-    /// Expected number of cylinders with matches as many and as near, if the lines that were left when it was found were in no order.
+    /// Expected number of cylinders with matches as many and as near, if the lines that were left
+    /// when it was found were in no order.
     pub false_alarms: f64,
 }
 

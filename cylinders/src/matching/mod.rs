@@ -1,6 +1,6 @@
-//! Matching without correspondences: lines of several images, of which nobody says what they show, to all cylinders of one
-//! direction and their silhouettes (Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation", the experiment on
-//! unknown matches).
+//! Matching without correspondences: lines of several images, of which nobody says what they show,
+//! to all cylinders of one direction and their silhouettes (Gummeson & Oskarsson, "Robust and
+//! Accurate Cylinder Triangulation", the experiment on unknown matches).
 //!
 //! ```text
 //!   left and right silhouette in one image + one line of another image
@@ -8,8 +8,9 @@
 //!     --> least squares on its matches   --> cylinder; its lines are taken away, and again
 //! ```
 //!
-//! The search is exhaustive and draws no random numbers. One model is scored in time linear in the number of lines `N`; all
-//! models of one pair are bounded together in `O(N log N)` (`pair`), so that few of them need to be scored at all.
+//! The search is exhaustive and draws no random numbers. One model is scored in time linear in the
+//! number of lines `N`; all models of one pair are bounded together in `O(N log N)` (`pair`), so
+//! that few of them need to be scored at all.
 
 /// Support by chance, and the support that is more than that.
 mod chance;
@@ -23,7 +24,8 @@ mod model;
 mod occlusion;
 /// How cylinders are searched for.
 mod options;
-/// Pairs of silhouettes of one image: all circles that they and another line leave, and the best of them.
+/// Pairs of silhouettes of one image: all circles that they and another line leave, and the best of
+/// them.
 mod pair;
 /// Cameras and lines in the cross-section; the lines near the silhouettes of a circle.
 mod plan;

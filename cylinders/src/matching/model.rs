@@ -44,8 +44,8 @@ impl Model {
     }
 }
 
-/// The circle that fits its matches best, fitted and matched in turn while the support increases. `None` where no circle can be
-/// fitted to the matches at all.
+/// The circle that fits its matches best, fitted and matched in turn while the support increases.
+/// `None` if no circle can be fitted to the matches at all.
 pub(super) fn fitted(plan: &Plan, circle: Circle) -> Option<Model> {
     let fit = |circle: &Circle| {
         let matches = plan.matches(circle);

@@ -9,7 +9,8 @@ use nalgebra::{Point2, Vector2};
 
 use crate::cross_section::circle::Circle;
 
-/// Whether the left and the right silhouette of a circle are hidden from a camera; `None` where the camera is inside.
+/// Whether the left and the right silhouette of a circle are hidden from a camera; `None` if the
+/// camera is inside.
 pub(super) fn hidden(camera: &Point2<f64>, circle: &Circle, others: &[Circle]) -> Option<[bool; 2]> {
     let to_centre = circle.centre - camera;
     let square = to_centre.norm_squared();

@@ -1,7 +1,9 @@
-//! The scene seen along the axis: cameras are points, lines are rays from them, cylinders are circles.
+//! The scene seen along the axis: cameras are points, lines are rays from them, cylinders are
+//! circles.
 //!
-//! A ray has the unit direction `d`, away from the camera into the image, and the unit normal `n`, on its left. For a circle with
-//! centre `p` and radius `r`, and `m = p - C` from the camera centre at the distance `rho = |m|`:
+//! A ray has the unit direction `d`, away from the camera into the image, and the unit normal `n`,
+//! on its left. For a circle with centre `p` and radius `r`, and `m = p - C` from the camera centre
+//! at the distance `rho = |m|`:
 //!
 //! ```text
 //!             ray d
@@ -12,8 +14,8 @@
 //!        C
 //! ```
 //!
-//! A line is within the threshold `t` when `| |alpha| - beta | <= t`. Sines grow with their angles, so no line needs a root or
-//! an inverse function, only one root for each view:
+//! A line is within the threshold `t` when `| |alpha| - beta | <= t`. Sines grow with their angles,
+//! so no line needs a root or an inverse function, only one root for each view:
 //!
 //! ```text
 //!   r cos(t) - sqrt(rho^2 - r^2) sin(t)  <=  | n^T m |  <=  r cos(t) + sqrt(rho^2 - r^2) sin(t),    d^T m > 0
@@ -32,15 +34,15 @@ use crate::observations::view::{Camera, View};
 use crate::space::cylinder::Side;
 use crate::space::silhouette_distance::DistanceUnit;
 
-/// Largest sine of the angle between a viewing plane and the axis: far more than the end points of a short line leave open, far
-/// less than that of lines across the axis.
+/// Largest sine of the angle between a viewing plane and the axis: far more than the end points of
+/// a short line leave open, far less than that of lines across the axis.
 const MAX_TILT: f64 = 0.05;
 
 /// Largest threshold, radians.
 const MAX_THRESHOLD: f64 = 0.1;
 
-/// Largest distance of the cameras from their mean, seen along the axis, relative to their distance from the world's origin, at
-/// and below which they stand at one place.
+/// Largest distance of the cameras from their mean, seen along the axis, relative to their distance
+/// from the world's origin, at and below which they stand at one place.
 const SINGLE_VIEWPOINT: f64 = 1e-9;
 
 /// The support of a circle: more matches are better, then a smaller cost.
@@ -48,7 +50,8 @@ const SINGLE_VIEWPOINT: f64 = 1e-9;
 pub(super) struct Support {
     /// Number of silhouettes with a line within the threshold, at most two in a view.
     pub(super) matches: usize,
-    /// Sum of the squared sines of the angles between matches and silhouettes, in units of the thresholds.
+    /// Sum of the squared sines of the angles between matches and silhouettes, in units of the
+    /// thresholds.
     pub(super) cost: f64,
 }
 
@@ -84,8 +87,8 @@ pub(super) struct PlanView {
 pub(super) struct Plan {
     rectification: Rectification,
     views: Vec<PlanView>,
-    /// Normals `n` of the rays, coordinate by coordinate: all of a view are tested in one sweep. Zero for a line that is taken,
-    /// which is in front of no camera then.
+    /// Normals `n` of the rays, coordinate by coordinate: all of a view are tested in one sweep.
+    /// Zero for a line that is taken, which is in front of no camera then.
     normals: [Vec<f64>; 2],
     lines: Vec<TangentLine>,
     ids: Vec<LineId>,
@@ -134,7 +137,8 @@ impl Plan {
         for (line, plane) in view.planes().enumerate() {
             let along = plane.normal.dot(direction).abs() <= MAX_TILT;
             let Some(tangent) = self.rectification.line(&plane).filter(|_| along) else { continue };
-            // Of the two rays the one into the image: the point of the line nearest to the principal point is on it.
+            // Of the two rays the one into the image: the point of the line nearest to the
+            // principal point is on it.
             let normal = if ray(&tangent.normal).dot(&forward) < 0.0 { -tangent.normal } else { tangent.normal };
             let bearing = forward.perp(&ray(&normal)).atan2(forward.dot(&ray(&normal)));
             span = [span[0].min(bearing), span[1].max(bearing)];
@@ -193,7 +197,7 @@ impl Plan {
         }
     }
 
-    /// The support of a circle, or `None` where it is less than `least` or a camera is inside.
+    /// The support of a circle, or `None` if it is less than `least` or a camera is inside.
     pub(super) fn support(&self, circle: &Circle, least: usize) -> Option<Support> {
         let mut support = Support { matches: 0, cost: 0.0 };
         for (index, view) in self.views.iter().enumerate() {
@@ -220,8 +224,8 @@ impl Plan {
         matches
     }
 
-    /// The line nearest to the left and that nearest to the right silhouette of a circle, each with its part of the cost; `None`
-    /// where the camera is inside.
+    /// The line nearest to the left and that nearest to the right silhouette of a circle, each with
+    /// its part of the cost; `None` if the camera is inside.
     pub(super) fn silhouettes(&self, view: &PlanView, circle: &Circle) -> Option<[Option<(usize, f64)>; 2]> {
         let Circle { centre, radius } = *circle;
         let to_centre = centre - view.centre;

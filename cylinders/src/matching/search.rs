@@ -21,14 +21,15 @@ use crate::observations::view::View;
 /// Three lines leave four circles; the fourth decides.
 const LEAST_SUPPORT: usize = 4;
 
-/// By how much less support is asked for where too few models were found, and than chance gives on silhouettes none of which is
-/// hidden.
+/// By how much less support is asked for where too few models were found, and than chance gives on
+/// silhouettes none of which is hidden.
 const SUPPORT_STEP: usize = 2;
 
 /// How far a search has come.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum Progress {
-    /// So many pairs of lines are about to be searched, as again whenever less support is asked for.
+    /// So many pairs of lines are about to be searched, as again whenever less support is asked
+    /// for.
     Pairs(usize),
     /// A pair has been searched.
     Pair,
@@ -36,10 +37,12 @@ pub enum Progress {
     Cylinder,
 }
 
-/// Finds all cylinders of a direction among lines without labels, and the lines that are their silhouettes.
+/// Finds all cylinders of a direction among lines without labels, and the lines that are their
+/// silhouettes.
 ///
-/// Lines that are not along the direction are left aside. The one that is best supported is taken first (most matches, then the
-/// least sum of their squared angles); its lines are matches of no other.
+/// Lines that are not along the direction are left aside. The one that is best supported is taken
+/// first (most matches, then the least sum of their squared angles); its lines are matches of no
+/// other.
 ///
 /// # Errors
 /// [`MatchError`].
@@ -87,8 +90,9 @@ pub fn match_cylinders_with(
     Ok(Matching { cylinders: found.iter().map(cylinder).collect(), unmatched: ids.collect(), least_support })
 }
 
-/// Searches for models with ever less support, and returns them with the least support that was asked for at the end: the less
-/// is asked, the longer it takes, and the more models are taken, the less is reached by chance.
+/// Searches for models with ever less support, and returns them with the least support that was
+/// asked for at the end: the less is asked, the longer it takes, and the more models are taken, the
+/// less is reached by chance.
 fn search(
     plan: &mut Plan,
     pairs: &[Pair],
@@ -127,8 +131,9 @@ struct Demand {
     count: usize,
 }
 
-/// Takes the best supported models one after the other. Without its lines a pair's best hypothesis can only lose support: what
-/// was found before is a bound, and a pair is searched again only when it is the next by its bound.
+/// Takes the best supported models one after the other. Without its lines a pair's best hypothesis
+/// can only lose support: what was found before is a bound, and a pair is searched again only when
+/// it is the next by its bound.
 fn extract(
     plan: &mut Plan,
     pairs: &[Pair],
@@ -151,7 +156,8 @@ fn extract(
     let mut chance = Chance::of(plan, pairs);
     let mut queue: BinaryHeap<_> =
         best.into_iter().flatten().map(|(best, pair)| Candidate { best, pair, round }).collect();
-    // What might be chance, until others are found: then there are fewer lines, and some of its silhouettes may be hidden.
+    // What might be chance, until others are found: then there are fewer lines, and some of its
+    // silhouettes may be hidden.
     let mut doubtful = Vec::new();
     while found.len() < demand.count {
         let Some(candidate) = queue.pop() else { break };
@@ -174,8 +180,9 @@ fn extract(
     }
 }
 
-/// Expected number of circles like this one by chance: on all silhouettes, or on those that the models found do not hide, whichever
-/// is less, and twice that for the choice. Cylinders of finite length do not hide all that is behind them.
+/// Expected number of circles like this one by chance: on all silhouettes, or on those that the
+/// models found do not hide, whichever is less, and twice that for the choice. Cylinders of finite
+/// length do not hide all that is behind them.
 fn false_alarms(plan: &Plan, chance: &Chance, circle: &Circle, found: &[Model]) -> f64 {
     let circles: Vec<_> = found.iter().map(|model| model.fit.circle).collect();
     let (mut all, mut visible) = ((Vec::new(), 0), (Vec::new(), 0));

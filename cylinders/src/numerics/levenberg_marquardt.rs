@@ -1,8 +1,8 @@
 //! Levenberg-Marquardt for nonlinear least squares on a manifold of a few dimensions.
 //!
-//! A step `d` from the state `x` solves `(H + lambda D) d = -g` with the normal matrix `H = J^T W J`, its diagonal `D`
-//! (Marquardt) and `g = J^T W e`. The damping `lambda` follows the ratio of actual to predicted gain (Nielsen, "Damping
-//! parameter in Marquardt's method", 1999).
+//! A step `d` from the state `x` solves `(H + lambda D) d = -g` with the normal matrix
+//! `H = J^T W J`, its diagonal `D` (Marquardt) and `g = J^T W e`. The damping `lambda` follows the
+//! ratio of actual to predicted gain (Nielsen, "Damping parameter in Marquardt's method", 1999).
 
 use nalgebra::{SMatrix, SVector};
 
@@ -12,7 +12,8 @@ const DAMPING: f64 = 1e-4;
 /// Predicted gain, relative to the cost, at and below which the optimum is reached.
 const GAIN: f64 = 1e-15;
 
-/// Largest entry of a step at and below which the optimum is reached: rounding, for parameters of order one.
+/// Largest entry of a step at and below which the optimum is reached: rounding, for parameters of
+/// order one.
 const STEP: f64 = 1e-15;
 
 /// A least squares problem over `N` local parameters. Their natural size is one.
@@ -52,7 +53,8 @@ pub(crate) struct Optimum<S> {
     pub(crate) converged: bool,
 }
 
-/// Minimises from a starting point in at most `limit` trial steps. The cost of the result is at most that of the start.
+/// Minimises from a starting point in at most `limit` trial steps. The cost of the result is at
+/// most that of the start.
 ///
 /// # Errors
 /// That of the start, or where the cost decreases towards points at which it is not defined.

@@ -1,10 +1,11 @@
 //! RANSAC with MSAC scores, local optimisation and confidence-based termination, for any model.
 //!
-//! A minimal sample of the data gives some models; a model costs `sum_i min(e_i^2 / t^2, 1)` over all data (Torr & Zisserman,
-//! "MLESAC", 2000). Those that are the best so far are optimised on their inliers at once (Chum, Matas & Kittler, "Locally
-//! optimized RANSAC", 2003). Models as they come from a sample are further from the inliers than the noise, so among
-//! them a wider threshold chooses. With the share `p` of samples that consist of inliers of the best model only, the search
-//! ends after
+//! A minimal sample of the data gives some models; a model costs `sum_i min(e_i^2 / t^2, 1)` over
+//! all data (Torr & Zisserman, "MLESAC", 2000). Those that are the best so far are optimised on
+//! their inliers at once (Chum, Matas & Kittler, "Locally optimized RANSAC", 2003). Models as they
+//! come from a sample are further from the inliers than the noise, so among them a wider threshold
+//! chooses. With the share `p` of samples that consist of inliers of the best model only, the
+//! search ends after
 //!
 //! ```text
 //!   n >= log(1 - confidence) / log(1 - p)    samples, so that all of them missed with the probability 1 - confidence
@@ -14,11 +15,12 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};
 use thiserror::Error;
 
-/// Local optimisation takes the data within these multiples of the threshold in turn. By the first of them models from
-/// samples are compared.
+/// Local optimisation takes the data within these multiples of the threshold in turn. By the first
+/// of them models from samples are compared.
 const WIDTHS: [f64; 3] = [3.0, 2.0, 1.0];
 
-/// Limit on the repetitions of local optimisation at the threshold itself, while the cost decreases.
+/// Limit on the repetitions of local optimisation at the threshold itself, while the cost
+/// decreases.
 const REPETITIONS: usize = 10;
 
 /// How RANSAC searches.
@@ -28,7 +30,8 @@ pub struct RansacOptions {
     pub threshold: f64,
     /// Start of the random numbers: the same seed gives the same result.
     pub seed: u64,
-    /// Probability, between zero and one, with which a sample without outliers was among those drawn.
+    /// Probability, between zero and one, with which a sample without outliers was among those
+    /// drawn.
     pub confidence: f64,
     /// Limit on the number of samples.
     pub max_samples: usize,
@@ -83,10 +86,11 @@ pub(crate) trait Estimator {
     /// Models through a minimal sample.
     fn models(&self, sample: &[usize]) -> Vec<Self::Model>;
 
-    /// Squared residual of a datum; infinite where the model cannot explain it.
+    /// Squared residual of a datum; infinite if the model cannot explain it.
     fn square(&self, model: &Self::Model, datum: usize) -> f64;
 
-    /// The model of least squares on some data, `None` where they determine none. A first guess is given.
+    /// The model of least squares on some data, `None` if they determine none. A first guess is
+    /// given.
     fn fitted(&self, model: &Self::Model, data: &[usize]) -> Option<Self::Model>;
 }
 
@@ -100,7 +104,8 @@ pub(crate) struct Consensus<M> {
     pub(crate) samples: usize,
 }
 
-/// Searches for the model of least cost. `None` where no sample gives a model, or there are no more data than in a sample.
+/// Searches for the model of least cost. `None` if no sample gives a model, or there are no more
+/// data than in a sample.
 pub(crate) fn ransac<E: Estimator>(estimator: &E, options: &RansacOptions) -> Option<Consensus<E::Model>> {
     let count = estimator.count();
     if count <= E::SAMPLE {
@@ -128,7 +133,8 @@ pub(crate) fn ransac<E: Estimator>(estimator: &E, options: &RansacOptions) -> Op
     Some(Consensus { model, inliers, samples })
 }
 
-/// Number of samples after which one without outliers was drawn with the confidence that is asked for.
+/// Number of samples after which one without outliers was drawn with the confidence that is asked
+/// for.
 fn samples_needed(inliers: usize, count: usize, size: usize, options: &RansacOptions) -> usize {
     // Samples are drawn without repetition.
     let share: f64 = (0..size).map(|drawn| inliers.saturating_sub(drawn) as f64 / (count - drawn) as f64).product();
@@ -155,7 +161,8 @@ struct Search<'a, E> {
 }
 
 impl<E: Estimator> Search<'_, E> {
-    /// The cost at a multiple of the threshold, or `None` as soon as it is known not to be below a limit.
+    /// The cost at a multiple of the threshold, or `None` as soon as it is known not to be below a
+    /// limit.
     fn cost(&self, model: &E::Model, width: f64, limit: f64) -> Option<f64> {
         let scale = 1.0 / (width * width * self.square_threshold);
         let mut cost = 0.0;

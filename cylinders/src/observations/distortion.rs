@@ -1,7 +1,8 @@
 //! Lens distortion: what bends straight lines, to be taken off before lines are fitted.
 //!
-//! The polynomial model of COLMAP's `OPENCV` camera, of which `SIMPLE_RADIAL` and `RADIAL` are special cases. An ideal
-//! point `(u, v)` in normalised image coordinates, `s = u^2 + v^2`, is seen at
+//! The polynomial model of COLMAP's `OPENCV` camera, of which `SIMPLE_RADIAL` and `RADIAL` are
+//! special cases. An ideal point `(u, v)` in normalised image coordinates, `s = u^2 + v^2`, is seen
+//! at
 //!
 //! ```text
 //!   u (1 + k1 s + k2 s^2) + 2 p1 u v + p2 (s + 2 u^2)
@@ -43,8 +44,9 @@ impl Distortion {
         )
     }
 
-    /// The ideal point that is seen at `seen`; normalised image coordinates. `None` where there is none: a polynomial with
-    /// a negative coefficient folds the plane back at some distance from the centre, and nothing is seen beyond the fold.
+    /// The ideal point that is seen at `seen`; normalised image coordinates. `None` if there is
+    /// none: a polynomial with a negative coefficient folds the plane back at some distance from
+    /// the centre, and nothing is seen beyond the fold.
     pub fn undistort(&self, seen: &Point2<f64>) -> Option<Point2<f64>> {
         let mut ideal = *seen;
         for _ in 0..MAX_STEPS {
@@ -74,8 +76,9 @@ impl Distortion {
         )
     }
 
-    /// Whether the distance from the centre grows all the way from there to the point, `1 + 3 k1 s + 5 k2 s^2 > 0` at both
-    /// ends and at its lowest point between them, and the plane is not turned over at the point.
+    /// Whether the distance from the centre grows all the way from there to the point,
+    /// `1 + 3 k1 s + 5 k2 s^2 > 0` at both ends and at its lowest point between them, and the plane
+    /// is not turned over at the point.
     fn is_before_fold(&self, ideal: &Point2<f64>) -> bool {
         let [k1, k2] = self.radial;
         let s = ideal.coords.norm_squared();
@@ -121,7 +124,8 @@ mod tests {
         for seen in [0.67, 1.0, 3.0, f64::NAN, f64::INFINITY] {
             assert_eq!(barrel.undistort(&Point2::new(seen, 0.0)), None, "{seen}");
         }
-        // With a positive second coefficient it grows again: solutions beyond both folds do not count.
+        // With a positive second coefficient it grows again: solutions beyond both folds do not
+        // count.
         let wave = Distortion { radial: [-0.9, 0.2], ..Distortion::default() };
         let beyond = Point2::new(2.0, 0.0);
         assert!(wave.jacobian(&beyond).determinant() > 0.0);

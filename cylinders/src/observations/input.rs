@@ -14,15 +14,20 @@
 //! }
 //! ```
 //!
-//! - `K`: calibration in pixels, upper triangular. Optional when nothing is in pixels; with it residuals are in pixels too.
+//! - `K`: calibration in pixels, upper triangular. Optional when nothing is in pixels; with it
+//!   residuals are in pixels too.
 //!   A view with another calibration has a `K` of its own.
-//! - `views[i].camera_normalised`: 3x4 `[R t]` up to scale, world to camera; or `camera_pixels`: `K [R t]` up to scale.
-//! - `views[i].lines_normalised`: lines `[a, b, c]`, `a x + b y + c = 0`, any scale and sign, in normalised image
+//! - `views[i].camera_normalised`: 3x4 `[R t]` up to scale, world to camera; or `camera_pixels`:
+//!   `K [R t]` up to scale.
+//! - `views[i].lines_normalised`: lines `[a, b, c]`, `a x + b y + c = 0`, any scale and sign, in
+//!   normalised image
 //!   coordinates; or `lines_pixels`, in pixels; or `segments_pixels`: `[x1, y1, x2, y2]`, two end points for each line, in
 //!   pixels without distortion. With end points, lines are compared with silhouettes where they were seen. Where a view
 //!   gives several spellings of one thing, they must agree.
-//! - `views[i].image`: optional name of the image, for reports and for segments of a CSV file (`cylinder::segments`).
-//! - `views[i].cylinders`: optional, one label or `null` for each line: which cylinder it is a silhouette of. All lines
+//! - `views[i].image`: optional name of the image, for reports and for segments of a CSV file
+//!   (`cylinder::segments`).
+//! - `views[i].cylinders`: optional, one label or `null` for each line: which cylinder it is a
+//!   silhouette of. All lines
 //!   without label are taken for silhouettes of one cylinder.
 //! - `points`: optional world points `[x, y, z]`; the report says how many are near the surface.
 //!
@@ -37,8 +42,9 @@ use thiserror::Error;
 use super::scene::Scene;
 use super::view::{Calibration, Camera, View, ViewError};
 
-/// Largest difference between two spellings of one camera (rotation entries; translation relative to its length) or one
-/// line (unit vectors; distance of end points): about a third of a pixel at a focal length of 3000.
+/// Largest difference between two spellings of one camera (rotation entries; translation relative
+/// to its length) or one line (unit vectors; distance of end points): about a third of a pixel at a
+/// focal length of 3000.
 const SPELLINGS_AGREE: f64 = 1e-4;
 
 /// What is wrong with a scene file. Every message starts with the file, then the place in it.
@@ -277,8 +283,8 @@ impl Reader<'_> {
         parsed.ok_or_else(|| self.missing(index, "`lines_normalised`, `lines_pixels` or `segments_pixels`"))
     }
 
-    /// Whether `count` lines of another spelling agree with those known before, if any; a line that only one of them has does
-    /// not.
+    /// Whether `count` lines of another spelling agree with those known before, if any; a line that
+    /// only one of them has does not.
     fn check_agreement(
         &self,
         known: Option<&View>,

@@ -5,7 +5,8 @@ use nalgebra::Point2;
 use super::distortion::Distortion;
 use super::view::Camera;
 
-/// A named image with its camera. Pixels are those of the photograph as it was taken, with its distortion.
+/// A named image with its camera. Pixels are those of the photograph as it was taken, with its
+/// distortion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Photograph {
     /// Name of the image file.
@@ -17,8 +18,8 @@ pub struct Photograph {
 }
 
 impl Photograph {
-    /// The pixel at which a lens without distortion would show what is seen at `pixel`. `None` without calibration, and
-    /// where the distortion cannot be inverted.
+    /// The pixel at which a lens without distortion would show what is seen at `pixel`. `None`
+    /// without calibration, and where the distortion cannot be inverted.
     pub fn undistort(&self, pixel: &Point2<f64>) -> Option<Point2<f64>> {
         let calibration = self.camera.calibration()?;
         if self.distortion.is_none() {

@@ -1,4 +1,5 @@
-//! A scene: views with their lines, perhaps of several cylinders, and points to compare the result with.
+//! A scene: views with their lines, perhaps of several cylinders, and points to compare the result
+//! with.
 
 use std::collections::BTreeSet;
 
@@ -64,7 +65,8 @@ impl Scene {
         Ok(Self { views: segments.views(&model.photographs)?, points: model.points })
     }
 
-    /// The scene with the lines of segments added to its views, which are found by the names of their images.
+    /// The scene with the lines of segments added to its views, which are found by the names of
+    /// their images.
     ///
     /// # Errors
     /// [`SegmentError`].
@@ -82,8 +84,8 @@ impl Scene {
         Ok(self)
     }
 
-    /// The lines of each cylinder: first those without label, then label by label in alphabetical order. At least one
-    /// cylinder; without lines where the scene has none.
+    /// The lines of each cylinder: first those without label, then label by label in alphabetical
+    /// order. At least one cylinder; without lines where the scene has none.
     pub fn cylinders(&self) -> Vec<CylinderLines> {
         let mut labels: BTreeSet<_> = self.views.iter().flat_map(View::labels).map(Option::as_deref).collect();
         if labels.is_empty() {

@@ -10,13 +10,16 @@
 //! The first row names the columns, in any order; other columns are ignored.
 //!
 //! - `image`: name of the image, as in the scene or in the model that has the cameras.
-//! - `x1`, `y1`, `x2`, `y2`: end points, pixels of the photograph as it was taken; distortion is taken off here.
+//! - `x1`, `y1`, `x2`, `y2`: end points, pixels of the photograph as it was taken; distortion is
+//!   taken off here.
 //! - `cylinder`: optional label of the cylinder whose silhouette it is.
-//! - `line`: optional name, any text. The segments of one image and cylinder with the same name are pieces of one line; a
+//! - `line`: optional name, any text. The segments of one image and cylinder with the same name are
+//!   pieces of one line; a
 //!   segment without name is a line by itself.
 //!
-//! The line of several segments is the one with the least sum of squared distances from all their end points, in pixels
-//! without distortion. Its end points are the outermost of theirs, moved to it.
+//! The line of several segments is the one with the least sum of squared distances from all their
+//! end points, in pixels without distortion. Its end points are the outermost of theirs, moved to
+//! it.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -28,8 +31,8 @@ use thiserror::Error;
 use super::photograph::Photograph;
 use super::view::{SHORTEST_SEGMENT, View, ViewError};
 
-/// Root mean square distance of the end points from their line, relative to that along it, from which on they are not
-/// pieces of one line: an angle of six degrees.
+/// Root mean square distance of the end points from their line, relative to that along it, from
+/// which on they are not pieces of one line: an angle of six degrees.
 const SCATTERED: f64 = 0.1;
 
 /// The segments of a file.
@@ -294,8 +297,8 @@ struct Pieces<'a> {
 }
 
 impl Segments {
-    /// The lines of the segments as views: one for each photograph that has any, in the order of the photographs; lines in
-    /// the order of their first segments.
+    /// The lines of the segments as views: one for each photograph that has any, in the order of
+    /// the photographs; lines in the order of their first segments.
     ///
     /// # Errors
     /// [`SegmentError`]: those that need the cameras.
@@ -333,8 +336,8 @@ impl Segments {
         }
     }
 
-    /// Total least squares through the end points: the line through their centroid along the main axis of their scatter, and
-    /// the outermost of them on it, pixels.
+    /// Total least squares through the end points: the line through their centroid along the main
+    /// axis of their scatter, and the outermost of them on it, pixels.
     fn fit(
         &self,
         photograph: &Photograph,
@@ -391,7 +394,7 @@ impl Segments {
     }
 }
 
-/// Index of the photograph of each name; `None` where several have it.
+/// Index of the photograph of each name; `None` if several have it.
 struct Names<'a>(BTreeMap<&'a str, Option<usize>>);
 
 impl<'a> Names<'a> {

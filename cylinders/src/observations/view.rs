@@ -1,7 +1,9 @@
-//! Cameras and silhouette lines: everything that goes in, validated once so that the later steps can rely on it.
+//! Cameras and silhouette lines: everything that goes in, validated once so that the later steps
+//! can rely on it.
 //!
-//! A camera maps a world point `X` to the image point `x ~ K (R X + t)`. In *normalised* image coordinates `K = I`.
-//! An image line is `l` with `l^T x = 0`. The points that it may be the image of form its *viewing plane*
+//! A camera maps a world point `X` to the image point `x ~ K (R X + t)`. In *normalised* image
+//! coordinates `K = I`. An image line is `l` with `l^T x = 0`. The points that it may be the image
+//! of form its *viewing plane*
 //!
 //! ```text
 //!     l^T (R X + t) = 0,   normal n = R^T l,   through the camera centre C = -R^T t
@@ -12,8 +14,9 @@
 use nalgebra::{Matrix3, Matrix3x4, Point2, Point3, Vector2, Vector3};
 use thiserror::Error;
 
-/// Largest accepted entry of `M^T M / s^2 - I` for the left 3x3 part `M` of a camera, `s` its mean row norm. It admits
-/// rotations written with four digits and refuses a camera that still contains its calibration.
+/// Largest accepted entry of `M^T M / s^2 - I` for the left 3x3 part `M` of a camera, `s` its mean
+/// row norm. It admits rotations written with four digits and refuses a camera that still contains
+/// its calibration.
 const ROTATION_TOLERANCE: f64 = 1e-3;
 
 /// End points nearer than this, pixels, give no direction.
@@ -31,8 +34,8 @@ pub struct Calibration {
     matrix: Matrix3<f64>,
 }
 
-/// A calibrated camera `[R t]`: a rotation matrix and a translation, world to camera. Knows its calibration when there
-/// is one, for residuals in pixels.
+/// A calibrated camera `[R t]`: a rotation matrix and a translation, world to camera. Knows its
+/// calibration when there is one, for residuals in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     rotation: Matrix3<f64>,
@@ -40,8 +43,9 @@ pub struct Camera {
     calibration: Option<Calibration>,
 }
 
-/// A camera and the silhouette lines seen in it: unit 3-vectors, in normalised image coordinates. Knows the name of its
-/// image, and of each line its end points and which cylinder it belongs to, where the input says so.
+/// A camera and the silhouette lines seen in it: unit 3-vectors, in normalised image coordinates.
+/// Knows the name of its image, and of each line its end points and which cylinder it belongs to,
+/// where the input says so.
 #[derive(Clone, Debug, PartialEq)]
 pub struct View {
     camera: Camera,
@@ -53,7 +57,8 @@ pub struct View {
     image: Option<String>,
 }
 
-/// The plane `n^T (X - C) = 0` through the camera centre `C` and an image line; `n` is of unit length.
+/// The plane `n^T (X - C) = 0` through the camera centre `C` and an image line; `n` is of unit
+/// length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ViewingPlane {
     /// Unit normal `n`, world frame.
@@ -79,7 +84,8 @@ pub enum ViewError {
         /// Largest entry of `M^T M / s^2 - I`.
         deviation: f64,
     },
-    /// `K` is not finite, not upper triangular with non-zero diagonal, or its last row is not `0 0 1` up to scale.
+    /// `K` is not finite, not upper triangular with non-zero diagonal, or its last row is not
+    /// `0 0 1` up to scale.
     #[error("the calibration must be finite, upper triangular and have a non-zero diagonal")]
     NotACalibration,
     /// A line has an entry that is NaN or infinite.
@@ -144,7 +150,8 @@ impl Calibration {
         &self.matrix
     }
 
-    /// A line in normalised coordinates from one in pixels: `l_n ~ K^T l_p`, because `l_p^T K x_n = 0`.
+    /// A line in normalised coordinates from one in pixels: `l_n ~ K^T l_p`, because
+    /// `l_p^T K x_n = 0`.
     pub fn line_to_normalised(&self, line: &Vector3<f64>) -> Vector3<f64> {
         self.matrix.tr_mul(line)
     }
@@ -180,8 +187,8 @@ impl Calibration {
 }
 
 impl Camera {
-    /// A camera in normalised coordinates: any non-zero multiple of `[R t]`. `R` is replaced by the nearest rotation,
-    /// so that rounding in the input does not reach the result.
+    /// A camera in normalised coordinates: any non-zero multiple of `[R t]`. `R` is replaced by the
+    /// nearest rotation, so that rounding in the input does not reach the result.
     ///
     /// # Errors
     /// [`ViewError::CameraNotFinite`], [`ViewError::NotARotation`].
@@ -260,14 +267,16 @@ impl View {
     /// As [`View::from_normalised_lines`], and [`ViewError::NoCalibration`].
     pub fn from_pixel_lines(camera: Camera, lines: &[Vector3<f64>]) -> Result<Self, ViewError> {
         let calibration = camera.calibration().ok_or(ViewError::NoCalibration)?;
-        // Unit length before and after: pixel lines are often scaled so that their entries differ widely.
+        // Unit length before and after: pixel lines are often scaled so that their entries differ
+        // widely.
         let normalise = |(index, line)| {
             unit_line(index, line).and_then(|unit| unit_line(index, &calibration.line_to_normalised(&unit)))
         };
         Ok(Self::new(camera, lines.iter().enumerate().map(normalise).collect::<Result<_, _>>()?))
     }
 
-    /// A view with the lines through pairs of points, which become their end points; pixels without distortion.
+    /// A view with the lines through pairs of points, which become their end points; pixels without
+    /// distortion.
     ///
     /// # Errors
     /// [`ViewError::EndNotFinite`], [`ViewError::NoLength`] below a thousandth of a pixel, and as
@@ -293,8 +302,8 @@ impl View {
         Self { camera, lines, ends: vec![None; count], labels: vec![None; count], image: None }
     }
 
-    /// The same view, with the end points of the lines of which they are known, normalised image coordinates without
-    /// distortion. They are moved to the nearest points of their lines.
+    /// The same view, with the end points of the lines of which they are known, normalised image
+    /// coordinates without distortion. They are moved to the nearest points of their lines.
     ///
     /// # Errors
     /// [`ViewError::EndCount`], [`ViewError::EndNotFinite`], [`ViewError::NoLength`].
@@ -364,8 +373,8 @@ impl View {
         &self.lines
     }
 
-    /// The end points of the lines, one pair for each line where they are known: on the line, normalised image coordinates
-    /// without distortion.
+    /// The end points of the lines, one pair for each line where they are known: on the line,
+    /// normalised image coordinates without distortion.
     pub fn ends(&self) -> &[Option<[Point2<f64>; 2]>] {
         &self.ends
     }
@@ -410,8 +419,9 @@ fn nearest_on_line(line: &Vector3<f64>, point: &Point2<f64>) -> Point2<f64> {
     point - line.xy() * (line.dot(&point.to_homogeneous()) / line.xy().norm_squared())
 }
 
-/// Nearest rotation to a matrix that is one up to [`ROTATION_TOLERANCE`]: Newton's iteration `R <- R (3 I - R^T R) / 2`
-/// for the polar factor squares the deviation in each step, 1e-3 to 1e-6 to 1e-12 to rounding.
+/// Nearest rotation to a matrix that is one up to [`ROTATION_TOLERANCE`]: Newton's iteration
+/// `R <- R (3 I - R^T R) / 2` for the polar factor squares the deviation in each step, 1e-3 to 1e-6
+/// to 1e-12 to rounding.
 fn nearest_rotation(mut rotation: Matrix3<f64>) -> Matrix3<f64> {
     for _ in 0..4 {
         rotation = rotation * (Matrix3::identity() * 3.0 - rotation.tr_mul(&rotation)) / 2.0;

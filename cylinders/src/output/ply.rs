@@ -1,4 +1,5 @@
-//! A scene as a PLY file, for viewers such as MeshLab and CloudCompare: binary, little endian, in three elements
+//! A scene as a PLY file, for viewers such as MeshLab and CloudCompare: binary, little endian, in
+//! three elements
 //!
 //! ```text
 //!   vertex   x y z (double), red green blue (uchar)
@@ -6,7 +7,8 @@
 //!   edge     vertex1 vertex2 (int)                               cameras and viewing planes
 //! ```
 //!
-//! Vertices without face or edge are points. An edge has the colour of its ends: readers do not agree on more properties.
+//! Vertices without face or edge are points. An edge has the colour of its ends: readers do not
+//! agree on more properties.
 
 use std::f64::consts::TAU;
 
@@ -24,10 +26,10 @@ const FACETS: usize = 72;
 /// Depth of a camera's pyramid, relative to its distance from the cylinder.
 const PYRAMID: f64 = 0.15;
 
-/// The scene with its points, the cameras that see lines, and of each cylinder the visible part of its surface, without
-/// lids, and the viewing planes of its silhouette lines: from the camera to where their end points are on the surface, or,
-/// without these, to where they come nearest to the axis. Points on a surface have the colour of its cylinder, all others
-/// are grey.
+/// The scene with its points, the cameras that see lines, and of each cylinder the visible part of
+/// its surface, without lids, and the viewing planes of its silhouette lines: from the camera to
+/// where their end points are on the surface, or, without these, to where they come nearest to the
+/// axis. Points on a surface have the colour of its cylinder, all others are grey.
 pub fn to_ply(scene: &Scene, found: &[(CylinderLines, Cylinder)]) -> Vec<u8> {
     let mut model = Model::default();
     for point in &scene.points {
@@ -118,7 +120,8 @@ impl Model {
             self.edges.len()
         );
         let mut bytes = header.into_bytes();
-        // The format has 32 bits for an index; a scene that does not fit would not fit into memory as JSON either.
+        // The format has 32 bits for an index; a scene that does not fit would not fit into memory
+        // as JSON either.
         let index = |index: usize| (index as u32).to_le_bytes();
         for (point, colour) in &self.vertices {
             bytes.extend(point.iter().flat_map(|coordinate| coordinate.to_le_bytes()));

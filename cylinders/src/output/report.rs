@@ -61,7 +61,8 @@ pub struct RefinementReport {
     pub radius_deviation: f64,
     /// The point of the axis to which the deviation of the position refers.
     pub reference: [f64; 3],
-    /// Root mean square distance of the lines from their silhouettes, those that agree where RANSAC chose.
+    /// Root mean square distance of the lines from their silhouettes, those that agree where RANSAC
+    /// chose.
     pub rms: f64,
     /// Unit of that distance, `pixels` or `radians`.
     pub unit: DistanceUnit,

@@ -12,15 +12,17 @@ const ENOUGH_POINTS: usize = 20;
 /// Part of the points at either end that may be on the surface by chance.
 const BY_CHANCE: f64 = 0.01;
 
-/// How far along the axis a camera is believed to see, in distances from the axis: lines of sight less steep than 18 degrees
-/// show nothing that one could measure.
+/// How far along the axis a camera is believed to see, in distances from the axis: lines of sight
+/// less steep than 18 degrees show nothing that one could measure.
 const FAR: f64 = 3.0;
 
-/// Half the width of the image of a camera without calibration, normalised coordinates: a field of view of 53 degrees.
+/// Half the width of the image of a camera without calibration, normalised coordinates: a field of
+/// view of 53 degrees.
 const HALF_WIDTH: f64 = 0.5;
 
-/// The corners of the image in normalised coordinates, in order around it. The size of the image is taken to be twice the
-/// principal point; without calibration, or with a principal point that is not inside an image, it is a square.
+/// The corners of the image in normalised coordinates, in order around it. The size of the image is
+/// taken to be twice the principal point; without calibration, or with a principal point that is
+/// not inside an image, it is a square.
 pub(crate) fn image_corners(camera: &Camera) -> [Point2<f64>; 4] {
     let size = camera.calibration().map(|calibration| calibration.matrix().column(2).xy() * 2.0);
     let unit = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
@@ -32,10 +34,10 @@ pub(crate) fn image_corners(camera: &Camera) -> [Point2<f64>; 4] {
     }
 }
 
-/// The visible part of a cylinder: least and largest distance along the axis from the axis point, world units. Where lines have
-/// end points, all that is between these; otherwise, where enough scene points lie on the surface, that is where they are;
-/// otherwise where the images that have lines of it show its two contact lines, the median of both ends. `None` when
-/// none of them tells.
+/// The visible part of a cylinder: least and largest distance along the axis from the axis point,
+/// world units. Where lines have end points, all that is between these; otherwise, where enough
+/// scene points lie on the surface, that is where they are; otherwise where the images that have
+/// lines of it show its two contact lines, the median of both ends. `None` when none of them tells.
 pub fn visible_extent(cylinder: &Cylinder, views: &[View], points: &[Point3<f64>]) -> Option<[f64; 2]> {
     let between_ends = views.iter().filter_map(|view| between_ends(cylinder, view));
     if let Some(extent) = between_ends.reduce(|one, other| [one[0].min(other[0]), one[1].max(other[1])]) {
@@ -53,8 +55,8 @@ pub fn visible_extent(cylinder: &Cylinder, views: &[View], points: &[Point3<f64>
     proper([median(&mut low)?, median(&mut high)?])
 }
 
-/// Of each line of a view, where it has end points: the points on the rays to these that are nearest to the line on the surface
-/// that is seen as silhouette.
+/// Of each line of a view, where it has end points: the points on the rays to these that are
+/// nearest to the line on the surface that is seen as silhouette.
 pub(crate) fn end_contacts(cylinder: &Cylinder, view: &View) -> Vec<Option<[Point3<f64>; 2]>> {
     let contacts = |line: &Option<MeasuredLine>| line.as_ref()?.contacts(cylinder, &line.as_ref()?.distance(cylinder)?);
     lines_with_ends(0, view).iter().map(contacts).collect()
@@ -80,7 +82,8 @@ fn seen_by(cylinder: &Cylinder, camera: &Camera) -> Vec<[f64; 2]> {
     let centre = camera.centre();
     let corners = image_corners(camera).map(|corner| corner.to_homogeneous());
     let middle: Vector3<f64> = corners.iter().sum();
-    // Planes through the centre and the borders of the image, positive inside: together the pyramid in front of the camera.
+    // Planes through the centre and the borders of the image, positive inside: together the pyramid
+    // in front of the camera.
     let planes = [0, 1, 2, 3].map(|index| {
         let border = corners[index].cross(&corners[(index + 1) % 4]);
         camera.rotation().tr_mul(&border) * border.dot(&middle).signum()

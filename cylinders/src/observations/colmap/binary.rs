@@ -85,7 +85,8 @@ impl<'a> Reader<'a> {
         Self { bytes, position: 0, file, records, record: 0 }
     }
 
-    /// All records of the file, and nothing after them. `shortest` is the least number of bytes that one has.
+    /// All records of the file, and nothing after them. `shortest` is the least number of bytes
+    /// that one has.
     fn records<T>(
         mut self,
         shortest: u64,
@@ -103,7 +104,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A count of things of at least `size` bytes each: never more than the bytes that follow can hold.
+    /// A count of things of at least `size` bytes each: never more than the bytes that follow can
+    /// hold.
     fn count(&mut self, things: &str, size: u64) -> Result<usize, ColmapError> {
         let at = self.location();
         let count = self.u64()?;

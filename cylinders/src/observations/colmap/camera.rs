@@ -73,7 +73,8 @@ impl CameraModel {
         }
     }
 
-    /// Calibration and distortion of a camera, or `None` when the number of parameters is not that of the model.
+    /// Calibration and distortion of a camera, or `None` when the number of parameters is not that
+    /// of the model.
     pub(super) fn lens(self, parameters: &[f64]) -> Option<Result<(Calibration, Distortion), ViewError>> {
         let none = [0.0, 0.0];
         let (focal, centre, radial, tangential) = match (self, parameters) {

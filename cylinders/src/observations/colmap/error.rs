@@ -34,7 +34,8 @@ impl fmt::Display for Location {
     }
 }
 
-/// What is wrong with a COLMAP model. Every message starts with the file, then the line or byte in it.
+/// What is wrong with a COLMAP model. Every message starts with the file, then the line or byte in
+/// it.
 #[derive(Debug, Error)]
 pub enum ColmapError {
     /// A file cannot be read.

@@ -1,5 +1,6 @@
-//! Models of the structure-from-motion program COLMAP: a folder with `cameras`, `images` and `points3D`, all text (`.txt`) or
-//! all binary (`.bin`, little-endian). Where there are both, the binary files are read, as COLMAP does.
+//! Models of the structure-from-motion program COLMAP: a folder with `cameras`, `images` and
+//! `points3D`, all text (`.txt`) or all binary (`.bin`, little-endian). Where there are both, the
+//! binary files are read, as COLMAP does.
 //!
 //! ```text
 //!   camera        id, model, width, height, parameters (f or fx fy, cx cy, distortion)
@@ -7,12 +8,14 @@
 //!   point         id, position, colour, error, track
 //! ```
 //!
-//! Read are the cameras of the images and the positions of the points. Pixel (0, 0) is the upper left *corner* of an image,
-//! so the centre of its first pixel is at (0.5, 0.5); segments have to follow that.
+//! Read are the cameras of the images and the positions of the points. Pixel (0, 0) is the upper
+//! left *corner* of an image, so the centre of its first pixel is at (0.5, 0.5); segments have to
+//! follow that.
 //!
-//! A file that is cut short is refused. In a binary file every count is checked against the bytes that follow before
-//! anything is made of it. A text file tells how many records it has in a comment, which COLMAP always writes; in a file
-//! written by hand without that comment, records missing at the end cannot be noticed.
+//! A file that is cut short is refused. In a binary file every count is checked against the bytes
+//! that follow before anything is made of it. A text file tells how many records it has in a
+//! comment, which COLMAP always writes; in a file written by hand without that comment, records
+//! missing at the end cannot be noticed.
 
 /// Binary files to records.
 mod binary;
@@ -82,7 +85,8 @@ pub fn read_colmap(folder: &Path) -> Result<Model, ColmapError> {
     parse_colmap(encoding, files.each_ref().map(|(name, content)| (name.as_str(), content.as_slice())))
 }
 
-/// Parses the files of cameras, images and points: the name that error messages carry, and the content of each.
+/// Parses the files of cameras, images and points: the name that error messages carry, and the
+/// content of each.
 ///
 /// # Errors
 /// [`ColmapError`], except [`ColmapError::Read`].

@@ -1,4 +1,5 @@
-//! Text files: one record a line, two for an image; fields between blanks; lines that start with `#` are comments.
+//! Text files: one record a line, two for an image; fields between blanks; lines that start with
+//! `#` are comments.
 //!
 //! ```text
 //!   cameras.txt    CAMERA_ID MODEL WIDTH HEIGHT PARAMETERS..
@@ -7,8 +8,9 @@
 //!   points3D.txt   POINT3D_ID X Y Z R G B ERROR (IMAGE_ID POINT2D_IDX)..
 //! ```
 //!
-//! One of the comments that COLMAP writes, such as `# Number of cameras: 2`, tells how many records there are. With it,
-//! and only then, the file is complete for certain when it has so many and its last line has a line break.
+//! One of the comments that COLMAP writes, such as `# Number of cameras: 2`, tells how many records
+//! there are. With it, and only then, the file is complete for certain when it has so many and its
+//! last line has a line break.
 
 use std::str::FromStr;
 

@@ -18,7 +18,8 @@ use crate::output::palette::Colour;
 const TITLE: f64 = 18.0;
 const LABEL: f64 = 15.0;
 
-/// Around the frame, units: title above; ticks and label below and to the left, there with a margin.
+/// Around the frame, units: title above; ticks and label below and to the left, there with a
+/// margin.
 const ABOVE: f64 = 34.0;
 const BELOW: f64 = 52.0;
 const LEFT: f64 = 80.0;

@@ -19,7 +19,8 @@ impl Window {
             .fold(nothing, |window, point| Self { low: window.low.inf(&point), high: window.high.sup(&point) })
     }
 
-    /// The least window around this one, with a margin on all sides, whose sides are in the ratio of those of `frame`.
+    /// The least window around this one, with a margin on all sides, whose sides are in the ratio
+    /// of those of `frame`.
     pub(super) fn widened(&self, margin: f64, frame: [f64; 2]) -> Self {
         let size = self.high - self.low;
         let scale = (size.x / frame[0]).max(size.y / frame[1]) * (1.0 + 2.0 * margin);
@@ -31,7 +32,8 @@ impl Window {
         self.low <= *point && *point <= self.high
     }
 
-    /// The part of a segment inside (Liang & Barsky, "A new concept and method for line clipping", 1984).
+    /// The part of a segment inside (Liang & Barsky, "A new concept and method for line clipping",
+    /// 1984).
     pub(super) fn segment(&self, [start, end]: [Point2<f64>; 2]) -> Option<[Point2<f64>; 2]> {
         let direction = end - start;
         let (mut first, mut last) = (0.0_f64, 1.0_f64);

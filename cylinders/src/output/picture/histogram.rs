@@ -8,8 +8,8 @@ use super::axes::{Axis, Entry, Mark, frame, legend, legend_width, stroke};
 use super::{Area, Drawn, Picture, rgb, units};
 use crate::output::palette;
 
-/// A histogram of one or several samples: the part of each that falls into each of the bins. Values that are not finite are in
-/// no bin; the legend says how many.
+/// A histogram of one or several samples: the part of each that falls into each of the bins. Values
+/// that are not finite are in no bin; the legend says how many.
 #[derive(Clone, Debug)]
 pub struct Histogram {
     /// Title.

@@ -1,7 +1,7 @@
 //! Pictures, as SVG and as PNG.
 //!
-//! A picture is drawn on a fine grid of pixels, four to the unit. That is the coordinate system of the SVG file; the PNG
-//! file has half as many, each the mean of four.
+//! A picture is drawn on a fine grid of pixels, four to the unit. That is the coordinate system of
+//! the SVG file; the PNG file has half as many, each the mean of four.
 
 /// Axes: ranges, ticks, frame, legend.
 mod axes;
@@ -97,7 +97,8 @@ impl Format {
     /// # Errors
     /// [`PictureError::Drawing`], [`PictureError::Encoding`].
     pub fn render(self, picture: &impl Picture) -> Result<Vec<u8>, PictureError> {
-        // The library measures and draws text with the fonts that it was given; it knows none of the system's.
+        // The library measures and draws text with the fonts that it was given; it knows none of
+        // the system's.
         register_font("sans-serif", FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT)
             .map_err(|_| PictureError::Drawing("the font cannot be read".to_owned()))?;
         match self {

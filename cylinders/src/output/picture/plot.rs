@@ -8,7 +8,8 @@ use super::axes::{Axis, Entry, Mark, frame, legend, legend_width, stroke};
 use super::{Area, Drawn, Picture, rgb, units};
 use crate::output::palette;
 
-/// A plot of several series, each in its colour. What is not finite, or not positive on a logarithmic axis, is left out.
+/// A plot of several series, each in its colour. What is not finite, or not positive on a
+/// logarithmic axis, is left out.
 #[derive(Clone, Debug)]
 pub struct Plot {
     /// Title.

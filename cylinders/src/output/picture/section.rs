@@ -1,4 +1,5 @@
-//! The cross-section of a cylinder: seen along its axis, with the cameras and the tangent lines, as a whole and near the circle.
+//! The cross-section of a cylinder: seen along its axis, with the cameras and the tangent lines, as
+//! a whole and near the circle.
 
 use std::f64::consts::TAU;
 
@@ -23,7 +24,8 @@ const SIDES: usize = 360;
 /// Which of the colours for what was found the circle has.
 const FOUND: usize = 0;
 
-/// The cross-section through the axis point of a cylinder, its axis in the origin, seen against its direction.
+/// The cross-section through the axis point of a cylinder, its axis in the origin, seen against its
+/// direction.
 #[derive(Clone, Debug)]
 pub struct SectionPicture {
     title: String,
@@ -45,7 +47,8 @@ impl SectionPicture {
         Self { title, cameras, lines: planes.filter_map(line).collect(), best, others: Vec::new() }
     }
 
-    /// The same picture, with the other circles at which the cost is stationary; in the coordinates of [`Self::lines`].
+    /// The same picture, with the other circles at which the cost is stationary; in the coordinates
+    /// of [`Self::lines`].
     pub fn with_others(self, others: Vec<Circle>) -> Self {
         Self { others, ..self }
     }

@@ -38,8 +38,8 @@ enum Given {
 }
 
 impl SilhouettePicture {
-    /// The image of a view of the scene, by its index, with all its lines and with the cylinders that have lines in it.
-    /// `None` where there is no such view.
+    /// The image of a view of the scene, by its index, with all its lines and with the cylinders
+    /// that have lines in it. `None` if there is no such view.
     pub fn new(scene: &Scene, found: &[(CylinderLines, Cylinder)], view: usize) -> Option<Self> {
         let (index, view) = (view, scene.views.get(view)?);
         let camera = view.camera();
