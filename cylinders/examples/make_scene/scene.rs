@@ -1,8 +1,8 @@
 //! Synthetic scenes: a can, the cameras around it, and the silhouettes that they see.
 //!
-//! The silhouettes are not computed from tangent planes, as the solver would, but from points: the
-//! two lines on the surface where the line of sight is tangent, their end points projected and
-//! moved by noise, and the image line through each pair.
+//! The silhouettes are not computed from tangent planes, as in the solver, but from points: the end
+//! points of the two lines on the surface where the line of sight is tangent are projected and
+//! moved by noise, and the image line passes through each pair.
 
 use std::f64::consts::TAU;
 use std::fmt::Write;

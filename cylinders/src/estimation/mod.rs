@@ -1,4 +1,4 @@
-//! The whole way from views to a cylinder: by least squares, refined, or with RANSAC.
+//! All steps from views to a cylinder: by least squares, refined, or with RANSAC.
 
 /// A cylinder from any of the estimators.
 pub mod estimate;

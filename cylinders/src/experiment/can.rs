@@ -1,8 +1,8 @@
-//! A simulated soda can: photographs from all sides, and the dual conics that the methods find for
-//! some of them.
+//! A simulated soda can in photographs from all sides, and the dual conics that the methods find
+//! for some of them.
 //!
-//! Silhouettes come from points, not from tangent planes: of each line of contact the ends at
-//! bottom and top are projected, moved by noise in pixels, and joined.
+//! Silhouettes come from points, not from tangent planes: the ends of each line of contact, at
+//! bottom and top, are projected, moved by noise in pixels, and joined.
 
 use std::f64::consts::TAU;
 
@@ -33,7 +33,7 @@ const PRINCIPAL: [f64; 2] = [2000.0, 1500.0];
 /// Photographs of the can.
 pub(super) const PHOTOGRAPHS: usize = 18;
 
-/// Words for what is simulated.
+/// Description of the simulation.
 pub(super) const SETUP: &str = "Simulated soda can (radius 33 mm, height 115 mm), 18 cameras of 4000 x 3000 pixels (focal length \
 3000) around it, one in each sector of 20 degrees, 450 to 600 mm from the axis and up to 200 mm above or below its middle; places \
 drawn once for each seed. Each end point of each silhouette is moved by normal noise, anew for each run.";
@@ -57,7 +57,7 @@ impl Noise {
 }
 
 impl Can {
-    /// The can with its cameras. They are no instance of a run.
+    /// The can with its cameras, which are the same in all runs.
     pub(super) fn of_seed(seed: u64) -> Result<Self, ViewError> {
         let mut random = Random::new(instance_seed(seed, u64::MAX));
         let direction = Unit::new_normalize(Vector3::from(DIRECTION));
@@ -99,7 +99,7 @@ impl Can {
     }
 }
 
-/// The lines of a cross-section, and how each was seen.
+/// The lines of a cross-section, each with its camera.
 pub(super) struct CrossSection {
     pub(super) lines: Vec<SectionLine>,
     pub(super) sights: Vec<Sight>,
@@ -124,7 +124,7 @@ pub(super) fn cross_section(views: &[View]) -> Option<CrossSection> {
     Some(found)
 }
 
-/// The dual conic of the truth in the coordinates of [`cross_section`].
+/// The true dual conic in the coordinates of [`cross_section`].
 pub(super) fn true_dual_conic() -> Matrix3<f64> {
     Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, -1.0))
 }

@@ -1,5 +1,5 @@
-//! `matching`: parallel cylinders among lines of which nobody says what they show, and how much
-//! clutter and noise the search endures.
+//! `matching`: parallel cylinders among unlabelled lines; success of the search against clutter and
+//! noise.
 
 use super::error::ExperimentError;
 use super::instances::seeded_instances;
@@ -15,11 +15,11 @@ use crate::{
 
 const RUNS: usize = 100;
 
-/// Outlier rates at the noise of the set-up, and noise in pixels at its outlier rate.
+/// Outlier rates, at the noise of the set-up; noise in pixels, at the outlier rate of the set-up.
 const OUTLIER_RATES: [f64; 6] = [0.86, 0.89, 0.90, 0.91, 0.92, 0.94];
 const NOISE: [f64; 6] = [0.25, 0.5, 1.0, 1.5, 2.0, 3.0];
 
-/// A cylinder is found where axis and radius are off by less than this part of the radius.
+/// A cylinder is found if axis and radius are off by less than this part of the radius.
 const FOUND: f64 = 0.1;
 
 const SETUP: &str = "Seven parallel cylinders of similar radius in twelve images; what another cylinder hides is not seen, nine of ten \
@@ -31,7 +31,7 @@ Found: axis (in the middle of the scene) and radius off by less than a tenth of 
 seven are found. False: mean number of cylinders that are none of the seven. Wrong matches: part of the lines of found cylinders \
 that belong to something else.";
 
-/// What the search knows beside the lines.
+/// The information that the search gets besides the lines.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 enum Told {
     Nothing,
@@ -149,7 +149,7 @@ fn score(setup: &ParallelSetup, told: Told, seed: u64) -> Result<Score, ViewErro
     Ok(score)
 }
 
-/// The true cylinder that this one is.
+/// Index of the true cylinder that this one matches.
 fn nearest(found: &Cylinder, scene: &ParallelScene) -> Option<usize> {
     let error = |truth: &Cylinder| {
         let axis = found.distance(&truth.axis_at(truth.height(&scene.middle))) + found.radius;

@@ -16,7 +16,7 @@ use crate::{Circle, LeastSquares, Minimal, Section, SectionLine, SectionSolver};
 
 const RUNS: usize = 10_000;
 
-/// Levels of noise but for zero, and the highest, radians.
+/// Number of levels of noise above zero, and the highest level, radians.
 const LEVELS: usize = 10;
 const HIGHEST: f64 = 0.02;
 
@@ -58,7 +58,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
             let (slope, unexplained) = line_through_origin(&points);
             linearity.push([error.into(), solver.name().into(), lines.into(), slope.into(), unexplained.into()]);
             let label = format!("{}, {lines} lines", solver.name());
-            // One band is enough: four would hide each other.
+            // Only one band is drawn, because four would hide each other.
             let band = (lines == 10).then(|| Band { label: "its middle half".to_owned(), limits });
             series.push(Series { label, points, band });
         }
@@ -92,9 +92,9 @@ fn instance(random: &mut Random) -> Errors {
     })
 }
 
-/// Uniform in the large square without the small one.
+/// A point uniform in the large square without the small one.
 fn camera(random: &mut Random) -> Point2<f64> {
-    // Misses with a probability of 1 / 44 each time.
+    // Each try fails with a probability of 1 / 44.
     for _ in 0..100 {
         let camera = Point2::new(random.uniform(-20.0, 20.0), random.uniform(-20.0, 20.0));
         if camera.coords.amax() > 3.0 {
@@ -105,7 +105,7 @@ fn camera(random: &mut Random) -> Point2<f64> {
 }
 
 /// Slope of the least squares line through the origin, and the part of the variation of `y` that it
-/// leaves.
+/// does not explain.
 fn line_through_origin(points: &[[f64; 2]]) -> (f64, f64) {
     let slope = points.iter().map(|[x, y]| x * y).sum::<f64>() / points.iter().map(|[x, _]| x * x).sum::<f64>();
     let mean = points.iter().map(|[_, y]| y).sum::<f64>() / points.len() as f64;

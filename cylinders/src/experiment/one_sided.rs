@@ -17,7 +17,7 @@ const RUNS: usize = 10_000;
 /// Photographs of a run.
 const IMAGES: usize = 15;
 
-/// The left silhouette.
+/// The left silhouette only.
 const LEFT: usize = 1;
 
 /// Standard deviations of the coordinates of an end point, pixels.

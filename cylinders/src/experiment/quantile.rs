@@ -1,6 +1,6 @@
 //! Quantiles of samples.
 
-/// A sample in ascending order; what is not a number comes last, as if infinite.
+/// A sample in ascending order. NaN comes last, as if infinite.
 pub(super) struct Sorted(Vec<f64>);
 
 impl Sorted {
@@ -26,7 +26,7 @@ impl Sorted {
         self.0.iter().sum::<f64>() / self.0.len() as f64
     }
 
-    /// How many values are larger than a limit.
+    /// Number of values that are larger than a limit.
     pub(super) fn count_above(&self, limit: f64) -> usize {
         self.0.len() - self.0.partition_point(|&value| value <= limit)
     }

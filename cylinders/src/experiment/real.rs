@@ -1,5 +1,5 @@
 //! `real`: the cylinder of a scene file by every method, refined, and compared with the sparse
-//! points of the scene, of which the fit knows nothing.
+//! points of the scene, which the fit does not use.
 
 use std::path::{Path, PathBuf};
 
@@ -17,10 +17,10 @@ use crate::{
     RefineOptions, Scene, Section, SectionLine, SectionSolver, View, read_scene, refine, triangulate,
 };
 
-/// The scene where none is given.
+/// The default scene.
 const SCENE: &str = "../shared/data/kungshuset.json";
 
-/// Points further from the surface than this part of the radius are of other things.
+/// Points further from the surface than this part of the radius belong to other objects.
 const NEAR: f64 = 0.25;
 
 const SETUP: &str = "All lines of the scene as silhouettes of one cylinder. Minimal and closed form: of the circles of the first three \
@@ -79,7 +79,7 @@ fn unsolved(path: &Path, reason: String) -> ExperimentError {
 /// Cross-section and reprojected silhouettes.
 fn draw(outcome: &mut Outcome, scene: &Scene, cylinder: &Cylinder) -> Result<(), ExperimentError> {
     outcome.draw("section", &SectionPicture::new("refined cylinder".to_owned(), cylinder, &scene.views))?;
-    // Labels are not looked at.
+    // Labels are ignored.
     let lines = CylinderLines { label: None, views: scene.views.clone(), lines: Vec::new() };
     let found = [(lines, *cylinder)];
     for view in 0..scene.views.len() {
@@ -120,7 +120,7 @@ fn sections(views: &[View], direction: &Unit<Vector3<f64>>) -> Vec<(String, Opti
     methods.map(|(solver, most)| (solver.name().to_owned(), circle(solver, most).map(cylinder))).into()
 }
 
-/// Root mean square distance in pixels; NaN without calibration, or where a camera is inside.
+/// Root mean square distance in pixels; NaN without calibration, or if a camera is inside.
 fn pixels(cylinder: &Cylinder, views: &[View]) -> f64 {
     let mut squares = Vec::new();
     for (index, view) in views.iter().enumerate() {

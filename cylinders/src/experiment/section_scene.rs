@@ -18,7 +18,7 @@ pub(super) fn tangent(circle: &Circle, angle: f64, view: usize) -> SectionLine {
 pub(super) struct Sight {
     pub(super) camera: Point2<f64>,
     pub(super) view: usize,
-    /// Of the two lines, in units of the noise.
+    /// Deviations of the two lines, in units of the noise.
     pub(super) deviations: [f64; 2],
 }
 

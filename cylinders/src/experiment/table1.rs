@@ -1,4 +1,4 @@
-//! `table1`: how near to the true conic the methods come with few and with many photographs.
+//! `table1`: distance of the methods from the true conic, with few and with many photographs.
 
 use nalgebra::Matrix3;
 
@@ -23,8 +23,8 @@ const IMAGES: [usize; 5] = [2, 3, 5, 10, 15];
 /// Standard deviations of the coordinates of an end point, pixels.
 const PIXELS: [f64; 3] = [0.5, 2.0, 8.0];
 
-/// The first is not a solver alone, but least squares with the choice of the circle in front of the
-/// cameras.
+/// The first method is least squares with the choice of the circle in front of the cameras, not the
+/// solver alone.
 const METHODS: [(&str, Option<&dyn SectionSolver>); 3] =
     [("proposed", None), ("linear", Some(&LinearConic)), ("navab", Some(&Navab))];
 
@@ -46,7 +46,7 @@ struct Estimate {
     real: bool,
 }
 
-/// By noise, number of photographs, method.
+/// Results by noise, number of photographs and method.
 type Estimates = [[[Found; METHODS.len()]; IMAGES.len()]; PIXELS.len()];
 
 pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
@@ -109,7 +109,7 @@ fn instance(can: &Can, random: &mut Random) -> Estimates {
     })
 }
 
-/// As in triangulation: of the minima the best in front of all cameras.
+/// Like triangulation, takes the best minimum in front of all cameras.
 fn proposed(CrossSection { lines, sights }: &CrossSection) -> Option<Section> {
     let tangents: Vec<_> = lines.iter().map(|line| line.line).collect();
     let extent = sights.iter().map(|sight| sight.camera.coords.norm()).fold(0.0, f64::max);

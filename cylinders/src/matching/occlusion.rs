@@ -42,7 +42,7 @@ mod tests {
     #[test]
     fn what_stands_between_hides_what_stands_behind_does_not() {
         let camera = Point2::new(1.0, 2.0);
-        // Seen along the first axis: left is up.
+        // The camera looks along the first axis, so left is up.
         let seen = circle(11.0, 2.0, 1.0);
         let hidden = |others: &[Circle]| hidden(&camera, &seen, others).expect("a camera outside");
         assert_eq!(hidden(&[]), [false, false]);

@@ -1,9 +1,9 @@
-//! Cameras and silhouette lines: everything that goes in, validated once so that the later steps
-//! can rely on it.
+//! Cameras and silhouette lines: the input of the pipeline, validated once so that later steps can
+//! rely on it.
 //!
 //! A camera maps a world point `X` to the image point `x ~ K (R X + t)`. In *normalised* image
-//! coordinates `K = I`. An image line is `l` with `l^T x = 0`. The points that it may be the image
-//! of form its *viewing plane*
+//! coordinates `K = I`. An image line is `l` with `l^T x = 0`. The world points whose image lies on
+//! the line form its *viewing plane*
 //!
 //! ```text
 //!     l^T (R X + t) = 0,   normal n = R^T l,   through the camera centre C = -R^T t
@@ -19,7 +19,7 @@ use thiserror::Error;
 /// its calibration.
 const ROTATION_TOLERANCE: f64 = 1e-3;
 
-/// End points nearer than this, pixels, give no direction.
+/// End points that are nearer to each other than this, pixels, determine no direction.
 pub(crate) const SHORTEST_SEGMENT: f64 = 1e-3;
 
 /// Upper triangular calibration matrix, pixels.
@@ -34,8 +34,8 @@ pub struct Calibration {
     matrix: Matrix3<f64>,
 }
 
-/// A calibrated camera `[R t]`: a rotation matrix and a translation, world to camera. Knows its
-/// calibration when there is one, for residuals in pixels.
+/// A calibrated camera `[R t]`: a rotation matrix and a translation, world to camera. It keeps its
+/// calibration, if there is one, for residuals in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     rotation: Matrix3<f64>,
@@ -44,15 +44,15 @@ pub struct Camera {
 }
 
 /// A camera and the silhouette lines seen in it: unit 3-vectors, in normalised image coordinates.
-/// Knows the name of its image, and of each line its end points and which cylinder it belongs to,
-/// where the input says so.
+/// If the input has them, it also keeps the name of the image, and the end points and the
+/// cylinder's label of each line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct View {
     camera: Camera,
     lines: Vec<Vector3<f64>>,
-    /// One for each line: two different points on it, normalised image coordinates.
+    /// End points of each line: two different points on it, normalised image coordinates.
     ends: Vec<Option<[Point2<f64>; 2]>>,
-    /// One for each line.
+    /// One entry for each line.
     labels: Vec<Option<String>>,
     image: Option<String>,
 }
@@ -65,7 +65,7 @@ pub struct ViewingPlane {
     pub normal: Vector3<f64>,
     /// Camera centre `C`, world frame.
     pub centre: Point3<f64>,
-    /// Unit direction in which the camera looks, world frame.
+    /// Unit viewing direction of the camera, world frame.
     pub forward: Vector3<f64>,
 }
 
@@ -112,7 +112,7 @@ pub enum ViewError {
         /// Index of the line in its view.
         line: usize,
     },
-    /// Not one pair of end points, or `None`, for each line.
+    /// The number of pairs of end points, `None` included, is not the number of lines.
     #[error("{ends} pairs of end points for {lines} line(s)")]
     EndCount {
         /// Number of lines.
@@ -123,7 +123,7 @@ pub enum ViewError {
     /// Lines in pixels were given with a camera that has no calibration.
     #[error("lines in pixels need a calibration")]
     NoCalibration,
-    /// Not one label for each line.
+    /// The number of labels is not the number of lines.
     #[error("{labels} cylinder labels for {lines} line(s)")]
     LabelCount {
         /// Number of lines.
@@ -198,12 +198,12 @@ impl Camera {
         if !camera.iter().all(|entry| entry.is_finite()) {
             return Err(ViewError::CameraNotFinite);
         }
-        // Division by the largest entry first, so that no product overflows.
+        // The matrix is first divided by its largest entry, so that no product overflows.
         let left = left / largest;
         let scale = (left.norm_squared() / 3.0).sqrt().copysign(left.determinant());
         let rotation = left / scale;
         let deviation = (rotation.tr_mul(&rotation) - Matrix3::identity()).amax();
-        // The norm is NaN for a zero matrix, where the largest entry may not be.
+        // For a zero matrix the norm is NaN, although the largest entry may not be.
         if rotation.norm().is_nan() || deviation > ROTATION_TOLERANCE {
             return Err(ViewError::NotARotation { deviation });
         }
@@ -245,7 +245,7 @@ impl Camera {
         Point3::from(-self.rotation.tr_mul(&self.translation))
     }
 
-    /// The calibration, when there is one.
+    /// The calibration, if there is one.
     pub fn calibration(&self) -> Option<&Calibration> {
         self.calibration.as_ref()
     }
@@ -275,8 +275,8 @@ impl View {
         Ok(Self::new(camera, lines.iter().enumerate().map(normalise).collect::<Result<_, _>>()?))
     }
 
-    /// A view with the lines through pairs of points, which become their end points; pixels without
-    /// distortion.
+    /// A view with the lines through pairs of points, which become the end points of the lines;
+    /// pixels without distortion.
     ///
     /// # Errors
     /// [`ViewError::EndNotFinite`], [`ViewError::NoLength`] below a thousandth of a pixel, and as
@@ -302,8 +302,9 @@ impl View {
         Self { camera, lines, ends: vec![None; count], labels: vec![None; count], image: None }
     }
 
-    /// The same view, with the end points of the lines of which they are known, normalised image
-    /// coordinates without distortion. They are moved to the nearest points of their lines.
+    /// The same view with end points of lines, `None` for a line whose end points are unknown;
+    /// normalised image coordinates without distortion. They are moved to the nearest points of
+    /// their lines.
     ///
     /// # Errors
     /// [`ViewError::EndCount`], [`ViewError::EndNotFinite`], [`ViewError::NoLength`].
@@ -346,13 +347,13 @@ impl View {
         self.labels.extend(other.labels);
     }
 
-    /// The same view with only the lines of one label, and the indices that these had.
+    /// The same view with only the lines of one label, and the original indices of these lines.
     pub(crate) fn labelled(&self, label: Option<&str>) -> (Self, Vec<usize>) {
         let indices: Vec<_> = (0..self.lines.len()).filter(|&line| self.labels[line].as_deref() == label).collect();
         (self.selected(&indices), indices)
     }
 
-    /// The same view with only some of its lines.
+    /// The same view with only the chosen lines.
     pub(crate) fn selected(&self, indices: &[usize]) -> Self {
         Self {
             camera: self.camera,
@@ -373,8 +374,8 @@ impl View {
         &self.lines
     }
 
-    /// The end points of the lines, one pair for each line where they are known: on the line,
-    /// normalised image coordinates without distortion.
+    /// The end points of each line, `None` if they are unknown. They are on the line; normalised
+    /// image coordinates without distortion.
     pub fn ends(&self) -> &[Option<[Point2<f64>; 2]>] {
         &self.ends
     }
@@ -384,7 +385,7 @@ impl View {
         &self.labels
     }
 
-    /// The name of the image, when it has one.
+    /// The name of the image, if it has one.
     pub fn image(&self) -> Option<&str> {
         self.image.as_deref()
     }

@@ -1,5 +1,5 @@
 //! Step 4a: the cylinder as a quadric of points and as a dual quadric of planes, and its outline as
-//! one of lines.
+//! a dual conic of lines.
 //!
 //! With `N = I - w w^T` the projection across the axis, `A` the point of the axis nearest to the
 //! origin (`N A = A`) and homogeneous points `X~ = (X, 1)` and planes `pi = (n, d)`,
@@ -11,13 +11,11 @@
 //!   C = [ -A^T  A^T A - r^2]   X~^T C X~ = 0      D = [     -A^T       -1 ]   pi^T D pi = 0  and  n^T w = 0
 //! ```
 //!
-//! Both have rank three and are inverse to each other but for the direction of the axis:
-//! `C D C = r^2 C` and `D C D = r^2 D`. Of the matrices that agree on all planes with `n^T w = 0`,
-//! `D` is the one with `D (w, 0) = 0`; without that condition on the plane, `pi^T D pi = 0` holds
-//! for the planes that touch the circle around `A`.
+//! Both have rank three and are inverse to each other except along the axis: `C D C = r^2 C` and
+//! `D C D = r^2 D`. Among the matrices that agree on all planes with `n^T w = 0`, `D` is the one
+//! with `D (w, 0) = 0`. For other planes `pi^T D pi = 0` holds if they touch the circle around `A`.
 //!
-//! A camera `P = [R t]` sees the line `l` where the plane `P^T l` is, so the lines of the outline
-//! are those with
+//! A camera `P = [R t]` sees the plane `P^T l` as the line `l`, so the lines of the outline satisfy
 //!
 //! ```text
 //!   l^T (P D P^T) l = 0   and   l^T R w = 0
@@ -25,8 +23,8 @@
 //!
 //! (Hartley & Zisserman, "Multiple View Geometry", section 8.3, for the dual conic of an outline;
 //! Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation", for a cylinder). In an
-//! orthonormal basis `E` (3x2) of the lines through the vanishing point `R w` that is a quadratic
-//! form of two unknowns: two lines, real where the centre is outside.
+//! orthonormal basis `E` (3x2) of the lines through the vanishing point `R w` this is a quadratic
+//! form in two unknowns. It has two lines, which are real if the camera centre is outside.
 
 use nalgebra::{Matrix4, Unit, Vector2, Vector3, Vector4};
 
@@ -60,7 +58,7 @@ impl Cylinder {
 /// The two silhouette lines in a camera of a cylinder along `direction` with the dual quadric
 /// `dual` (any non-zero multiple), in the order and with the signs of [`Cylinder::silhouette`].
 /// `None` if the outline has no real lines: the camera is inside, or the dual conic of the
-/// cross-section is no ellipse.
+/// cross-section is not an ellipse.
 pub fn silhouette_of_dual_quadric(
     dual: &Matrix4<f64>,
     direction: &Unit<Vector3<f64>>,

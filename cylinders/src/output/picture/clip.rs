@@ -1,4 +1,4 @@
-//! What of a line is inside a window.
+//! The part of a line inside a window.
 
 use nalgebra::{Point2, Vector3};
 
@@ -49,12 +49,12 @@ impl Window {
             first = first.max(enter.min(leave));
             last = last.min(enter.max(leave));
         }
-        // Ends that are inside stay as they are, so that the segments of a path still join.
+        // Ends inside the window are not changed, so that the segments of a path stay connected.
         let at = |position: f64| if position == 1.0 { end } else { start + direction * position };
         (first < last).then(|| [at(first), at(last)])
     }
 
-    /// The parts of a path inside, each joined as far as it goes.
+    /// The parts of a path inside the window, each a connected polyline.
     pub(super) fn path(&self, points: &[Point2<f64>]) -> Vec<Vec<Point2<f64>>> {
         let mut parts: Vec<Vec<Point2<f64>>> = Vec::new();
         for [start, end] in points.windows(2).filter_map(|pair| self.segment([pair[0], pair[1]])) {
@@ -66,7 +66,7 @@ impl Window {
         parts
     }
 
-    /// The part of a line `(a, b, c)` inside.
+    /// The part of a line `(a, b, c)` inside the window.
     pub(super) fn line(&self, line: &Vector3<f64>) -> Option<[Point2<f64>; 2]> {
         let (middle, normal) = (nalgebra::center(&self.low, &self.high), line.xy());
         let foot = middle - normal * (line.dot(&middle.to_homogeneous()) / normal.norm_squared());

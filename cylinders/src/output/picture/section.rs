@@ -18,14 +18,14 @@ use crate::{Circle, Cylinder, View};
 /// Side of each of the two squares, units.
 const SIDE: u32 = 560;
 
-/// Sides of the polygon that stands for a circle.
+/// Number of sides of the polygon that approximates a circle.
 const SIDES: usize = 360;
 
-/// Which of the colours for what was found the circle has.
+/// Index of the circle's colour among the colours of the results.
 const FOUND: usize = 0;
 
-/// The cross-section through the axis point of a cylinder, its axis in the origin, seen against its
-/// direction.
+/// The cross-section through the axis point of a cylinder, with the axis at the origin, seen
+/// against its direction.
 #[derive(Clone, Debug)]
 pub struct SectionPicture {
     title: String,

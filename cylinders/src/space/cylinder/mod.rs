@@ -15,7 +15,7 @@ use crate::observations::view::Camera;
 pub use residual::LineResidual;
 pub use side::Side;
 
-/// A point counts as on the surface when it is within this part of the radius.
+/// A point counts as on the surface if its distance is within this part of the radius.
 pub(crate) const NEAR_SURFACE: f64 = 0.05;
 
 /// An infinite circular cylinder.
@@ -73,15 +73,15 @@ impl Cylinder {
         self.distance(point).abs() <= NEAR_SURFACE * self.radius
     }
 
-    /// The two silhouette lines in a camera, unit vectors in normalised image coordinates, or
-    /// `None` when its centre is not outside the cylinder.
+    /// The two silhouette lines in a camera, unit vectors in normalised image coordinates; `None`
+    /// if the camera centre is not outside the cylinder.
     ///
     /// With `m` the perpendicular from the centre `C` to the axis, `rho = |m|` and the frame
     /// `e1 = m / rho`, `e2 = w x e1`, the tangent planes through `C` have the normals
     /// `n = (r / rho) e1 +- sqrt(1 - (r / rho)^2) e2`, because `n^T m = r`; the lines are
-    /// `l = R n`. The axis is on the positive side of both. The first is the right one, the second
-    /// the left one: the plane touches at `A' - r n`, with `A'` the point of the axis beside the
-    /// camera, and `-e2` points to the right.
+    /// `l = R n`. The axis is on the positive side of both. The first line is the right silhouette
+    /// and the second the left one: the plane touches at `A' - r n`, where `A'` is the point of the
+    /// axis beside the camera, and `-e2` points to the right.
     pub fn silhouette(&self, camera: &Camera) -> Option<[Vector3<f64>; 2]> {
         let to_axis = self.vector_to_axis(&camera.centre());
         let sine = self.radius / to_axis.norm();
