@@ -110,7 +110,7 @@ const TEXT: [&str; 3] = [
 ",
 ];
 
-/// Bytes from hexadecimal digits; what stands behind `//` is a comment.
+/// Bytes from hexadecimal digits; text after `//` is a comment.
 fn bytes(text: &str) -> Vec<u8> {
     let lines = text.lines().map(|line| line.split("//").next().unwrap_or(line));
     let digits: Vec<_> = lines.flat_map(str::chars).filter(|character| !character.is_whitespace()).collect();
@@ -167,7 +167,7 @@ fn models_as_documented_are_read() {
 fn cut_at_any_byte_they_are_refused() {
     for (encoding, files) in [(Encoding::Text, text()), (Encoding::Binary, binary())] {
         for index in 0..3 {
-            // Text without a single byte is a file by hand of no points.
+            // An empty text file is a file without points, written by hand.
             let least = usize::from(encoding == Encoding::Text);
             for length in least..files[index].1.len() {
                 let mut cut = files.clone();
@@ -179,7 +179,7 @@ fn cut_at_any_byte_they_are_refused() {
     }
 }
 
-/// The numbers of the models: what COLMAP has behind `OPENCV` is refused by name.
+/// The numbers of the models. The models of COLMAP after `OPENCV` are refused by name.
 #[test]
 fn models_that_are_not_supported_are_refused_by_name() {
     for (number, name) in [(5u8, "OPENCV_FISHEYE"), (6, "FULL_OPENCV"), (7, "FOV"), (8, "SIMPLE_RADIAL_FISHEYE")] {

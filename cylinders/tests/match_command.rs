@@ -1,4 +1,4 @@
-//! `cylinders match`: exit codes, where text goes, and that both forms of the output say the same.
+//! `cylinders match`: exit codes and output streams are right, and both forms of the output agree.
 
 #![cfg(feature = "command")]
 

@@ -12,7 +12,7 @@ use random::Random;
 
 const SCENES: usize = 2000;
 
-/// What rounding may leave of a sum of products, relative to the norms of its factors: sixteen
+/// Largest rounding error of a sum of products, relative to the norms of its factors: sixteen
 /// terms, each with a few rounded factors.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
@@ -106,15 +106,15 @@ fn silhouettes_from_the_dual_quadric_are_those_from_the_tangent_planes() {
         let expected = cylinder.silhouette(&camera).expect("outside");
         let dual = cylinder.dual_quadric() * random.uniform(0.1, 10.0) * if scene % 2 == 0 { 1.0 } else { -1.0 };
         let lines = silhouette_of_dual_quadric(&dual, &cylinder.direction, &camera).expect("outside");
-        // The quadric carries products of coordinates of the world, relative to which it is
-        // rounded.
+        // The quadric contains products of world coordinates, so its rounding is relative to them.
         let size = (cylinder.axis_point - Point3::origin()).norm() + camera.translation().norm();
         let tolerance = 1e-12 * (size / cylinder.radius).powi(2).max(1.0);
         for (line, expected) in lines.iter().zip(&expected) {
             assert!((line - expected).norm() < tolerance, "scene {scene}: {:e}", (line - expected).norm());
         }
 
-        // On the dual conic, and through points of the surface where the line of sight is tangent.
+        // The lines are on the dual conic, and pass through points of the surface at which the line
+        // of sight is tangent.
         let rotation = camera.rotation();
         let projection =
             Matrix3x4::from_fn(

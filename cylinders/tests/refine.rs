@@ -249,7 +249,7 @@ fn images_of_the_axis_leave_no_radius() {
 
 #[test]
 fn a_camera_stays_outside() {
-    // Seven lines touch the unit circle from cameras around it; one camera stands inside that
+    // Seven lines touch the unit circle from cameras around it. One camera stands inside that
     // circle, and the best cylinder leaves it just outside.
     let look = |centre: Vector3<f64>, normal: Vector3<f64>| {
         let camera = Matrix3x4::from_columns(&[Vector3::x(), Vector3::y(), Vector3::z(), -centre]);

@@ -1,4 +1,4 @@
-//! Scene files: what is read, and the message for each way in which a file can be wrong.
+//! Scene files: their content is read, and every defect has its message.
 
 use eliminant_cylinders::{CylinderLines, InputError, LineId, View, ViewError, parse_scene};
 use nalgebra::{Matrix3, Vector3};

@@ -1,7 +1,7 @@
 //! Step 1: the direction of the axis.
 //!
 //! A viewing plane that is tangent to the cylinder is parallel to its axis, so its normal
-//! `n_i = R^T l_i` is orthogonal to the direction `w`. All of them together are a homogeneous
+//! `n_i = R^T l_i` is orthogonal to the direction `w`. All normals together give a homogeneous
 //! linear system
 //!
 //! ```text
@@ -93,9 +93,9 @@ pub enum DirectionError {
 /// Least squares direction of the axis from at least three tangent planes.
 ///
 /// # Errors
-/// [`DirectionError`]. A direction is also refused when `sigma_2 - sigma_3 < sigma_3`:
-/// perturbations of the size seen in the data (`sigma_3`) can then turn the singular vector by any
-/// angle (Wedin's bound, perturbation over gap).
+/// [`DirectionError`]. A direction is also refused if `sigma_2 - sigma_3 < sigma_3`: perturbations
+/// of the size seen in the data (`sigma_3`) can then turn the singular vector by any angle (Wedin's
+/// bound, perturbation over gap).
 pub fn estimate_direction(planes: &[ViewingPlane]) -> Result<Direction, DirectionError> {
     let failure = DirectionError::NoDecomposition { planes: planes.len() };
     if planes.len() < 3 {

@@ -1,7 +1,8 @@
 //! The circles tangent to three lines by the emitted solver `circle_minimal` (Gummeson & Oskarsson,
 //! "Robust and Accurate Cylinder Triangulation", the minimal solver).
 //!
-//! Each line is one linear equation in the dual conic. Three leave a null space of dimension three:
+//! Each line is one linear equation in the dual conic. The null space of three equations has
+//! dimension three:
 //!
 //! ```text
 //!   [ a1^2  2 a1 b1  2 a1 c1  b1^2  2 b1 c1  c1^2 ]

@@ -13,7 +13,7 @@ use crate::observations::view::View;
 use crate::space::cylinder::{Cylinder, LineResidual};
 use crate::space::silhouette_distance::DistanceUnit;
 
-/// A cylinder and what its estimators say about it.
+/// A cylinder and the results of its estimators.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
     /// The cylinder.

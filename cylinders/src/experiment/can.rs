@@ -57,7 +57,7 @@ impl Noise {
 }
 
 impl Can {
-    /// The can with its cameras, which are the same in all runs.
+    /// The can with its cameras, which are the same in all instances.
     pub(super) fn of_seed(seed: u64) -> Result<Self, ViewError> {
         let mut random = Random::new(instance_seed(seed, u64::MAX));
         let direction = Unit::new_normalize(Vector3::from(DIRECTION));
@@ -105,8 +105,8 @@ pub(super) struct CrossSection {
     pub(super) sights: Vec<Sight>,
 }
 
-/// The lines of the cross-section along the direction that the views determine; the true axis is
-/// the origin and the true radius the unit. `None` if they determine no direction.
+/// The lines of the cross-section along the direction that the views determine. The true axis is
+/// the origin and the true radius the unit. `None` if the views determine no direction.
 pub(super) fn cross_section(views: &[View]) -> Option<CrossSection> {
     let planes: Vec<_> = views.iter().flat_map(View::planes).collect();
     let direction = estimate_direction(&planes).ok()?;

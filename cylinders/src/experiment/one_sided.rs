@@ -34,13 +34,13 @@ which the method returned nothing.";
 #[derive(Clone, Copy, Debug)]
 struct Estimate {
     distance: f64,
-    /// Infinite if the conic is no ellipse.
+    /// Infinite if the conic is not an ellipse.
     axis: f64,
     radius: f64,
     real: bool,
 }
 
-/// By noise and method; `None` if the method failed.
+/// Results by noise and method; `None` if the method failed.
 type Estimates = [[Option<Estimate>; METHODS.len()]; PIXELS.len()];
 
 pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {

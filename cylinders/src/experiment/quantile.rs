@@ -21,7 +21,7 @@ impl Sorted {
         self.quantile(0.5)
     }
 
-    /// Mean of the sample, infinite if a value is.
+    /// Mean of the sample; infinite if a value is.
     pub(super) fn mean(&self) -> f64 {
         self.0.iter().sum::<f64>() / self.0.len() as f64
     }

@@ -90,7 +90,7 @@ fn draw(outcome: &mut Outcome, scene: &Scene, cylinder: &Cylinder) -> Result<(),
     Ok(())
 }
 
-/// The cylinder of each method along a direction; `None` if it has none.
+/// The cylinder of each method along a direction; `None` if the method finds none.
 fn sections(views: &[View], direction: &Unit<Vector3<f64>>) -> Vec<(String, Option<Cylinder>)> {
     let centres = || views.iter().map(|view| view.camera().centre().coords);
     let middle = Point3::from(centres().sum::<Vector3<f64>>() / centres().count().max(1) as f64);

@@ -32,7 +32,7 @@ distance of the centres and the difference of the radii, relative to the radius.
 const METHODS: [(&dyn SectionSolver, usize); 4] =
     [(&Minimal, 3), (&ClosedForm, 3), (&LeastSquares, LINES), (&LinearConic, LINES)];
 
-/// Largest residual and relative error, infinite if the method failed.
+/// Largest residual and relative error; infinite if the method failed.
 #[derive(Clone, Copy)]
 struct Accuracy {
     residual: f64,

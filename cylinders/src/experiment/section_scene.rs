@@ -52,7 +52,7 @@ pub(super) fn errors(found: &Circle, truth: &Circle) -> [f64; 2] {
 }
 
 /// Errors of the circle that is nearest to the truth, centre and radius together; infinite if there
-/// is none.
+/// is no circle.
 pub(super) fn least_errors(found: impl IntoIterator<Item = Circle>, truth: &Circle) -> [f64; 2] {
     let errors = found.into_iter().map(|circle| errors(&circle, truth));
     errors.min_by(|left, right| left[0].max(left[1]).total_cmp(&right[0].max(right[1]))).unwrap_or([f64::INFINITY; 2])

@@ -36,7 +36,7 @@ origin, the true radius as unit; the truth is diag(1, 1, -1). 'unit norm': both 
 The linear method needs five lines, hence three photographs. 'no ellipse': part of the runs in which its conic is none; 'none': \
 part of the runs in which the method returned nothing, which are in no mean.";
 
-/// What one method found; `None` if it failed.
+/// The result of one method; `None` if it failed.
 type Found = Option<Estimate>;
 
 #[derive(Clone, Copy, Debug)]

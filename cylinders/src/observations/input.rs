@@ -14,7 +14,7 @@
 //! }
 //! ```
 //!
-//! - `K`: calibration in pixels, upper triangular. Optional when nothing is in pixels; with it
+//! - `K`: calibration in pixels, upper triangular. Optional if nothing is in pixels; with it
 //!   residuals are in pixels too.
 //!   A view with another calibration has a `K` of its own.
 //! - `views[i].camera_normalised`: 3x4 `[R t]` up to scale, world to camera; or `camera_pixels`:

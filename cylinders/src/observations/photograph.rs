@@ -5,8 +5,7 @@ use nalgebra::Point2;
 use super::distortion::Distortion;
 use super::view::Camera;
 
-/// A named image with its camera. Pixels are those of the photograph as it was taken, with its
-/// distortion.
+/// A named image with its camera. Pixels are those of the original photograph, with its distortion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Photograph {
     /// Name of the image file.

@@ -137,7 +137,7 @@ pub enum SegmentError {
         /// Name of the image.
         image: String,
     },
-    /// An end point lies where the lens shows nothing.
+    /// An end point lies outside the image of the lens.
     #[error("{file}:{row}: the distortion of `{image}` cannot be taken off at ({x}, {y}): far outside the image?")]
     BeyondDistortion {
         /// File name.

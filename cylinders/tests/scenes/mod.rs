@@ -1,4 +1,4 @@
-//! Random scenes for the tests of the estimators, and how far a cylinder is from another.
+//! Random scenes for the tests of the estimators, and the distance between two cylinders.
 
 #![allow(dead_code, reason = "every test file uses a part of it")]
 

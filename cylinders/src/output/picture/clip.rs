@@ -19,8 +19,8 @@ impl Window {
             .fold(nothing, |window, point| Self { low: window.low.inf(&point), high: window.high.sup(&point) })
     }
 
-    /// The least window around this one, with a margin on all sides, whose sides are in the ratio
-    /// of those of `frame`.
+    /// The least window around this one, with a margin on all sides. The ratio of its sides is that
+    /// of `frame`.
     pub(super) fn widened(&self, margin: f64, frame: [f64; 2]) -> Self {
         let size = self.high - self.low;
         let scale = (size.x / frame[0]).max(size.y / frame[1]) * (1.0 + 2.0 * margin);

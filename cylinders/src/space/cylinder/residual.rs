@@ -17,8 +17,8 @@ pub struct LineResidual {
     /// they are unknown.
     pub side: Side,
     /// Signed distance between viewing plane and cylinder, world units: distance of the axis from
-    /// the plane, turned about its camera centre to be parallel to the axis, minus the radius.
-    /// Negative where the plane cuts the cylinder.
+    /// the plane, turned about its camera centre to be parallel to the axis, minus the radius. It
+    /// is negative if the plane cuts the cylinder.
     pub distance: f64,
     /// Angle between the viewing plane and the tangent plane of that silhouette, radians.
     pub angle: f64,
@@ -29,7 +29,7 @@ pub struct LineResidual {
 }
 
 impl LineResidual {
-    /// The angle with the sign of the distance: negative where the viewing plane cuts the cylinder,
+    /// The angle with the sign of the distance: negative if the viewing plane cuts the cylinder,
     /// radians.
     pub fn signed_angle(&self) -> f64 {
         self.angle.copysign(self.distance)
