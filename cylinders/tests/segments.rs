@@ -170,7 +170,7 @@ fn images_must_be_clear() {
     let barrel = [photograph("a.jpg", Distortion { radial: [-1.0 / 3.0, 0.0], tangential: [0.0, 0.0] })];
     let far = parse_segments(b"image,x1,y1,x2,y2\na.jpg,500,400,1400,400\n", "s.csv").expect("segments");
     let error = far.views(&barrel).expect_err("an error").to_string();
-    assert!(error.starts_with("s.csv:2: the distortion of `a.jpg` cannot be taken off at (1400, 400)"), "{error}");
+    assert!(error.starts_with("s.csv:2: the distortion of `a.jpg` cannot be removed at (1400, 400)"), "{error}");
 }
 
 #[test]

@@ -50,7 +50,7 @@ pub struct SharedDirection {
 pub enum DirectionError {
     /// All viewing planes are parallel: any direction in them would do.
     #[error(
-        "all viewing planes are parallel (singular values {0:.3e}, {1:.3e}, {2:.3e}): they leave the axis direction open; \
+        "all viewing planes are parallel (singular values {0:.3e}, {1:.3e}, {2:.3e}): they do not determine the axis direction; \
          add a view from another side",
         singular_values[0], singular_values[1], singular_values[2]
     )]
@@ -61,7 +61,7 @@ pub enum DirectionError {
     /// No direction lies in all planes, or the noise is too large: `sigma_3 > sigma_2 / 2`.
     #[error(
         "the viewing planes have no direction in common (singular values {0:.3e}, {1:.3e}, {2:.3e}): the lines are not \
-         silhouettes of one cylinder, or too noisy for so few views",
+         silhouettes of one cylinder, or too noisy for this number of views",
         singular_values[0], singular_values[1], singular_values[2]
     )]
     NoCommonDirection {
@@ -76,7 +76,7 @@ pub enum DirectionError {
     },
     /// RANSAC found no direction in which three planes agree.
     #[error(
-        "{inliers} of {planes} viewing planes agree on an axis direction, where three are needed; pass more lines, or a \
+        "{inliers} of {planes} viewing planes agree on an axis direction, but three are needed: pass more lines, or a \
          larger threshold"
     )]
     NoConsensus {

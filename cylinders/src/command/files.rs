@@ -12,9 +12,9 @@ use super::error::CommandError;
 pub(super) fn write(path: &Path, content: &[u8]) -> Result<(), CommandError> {
     let fail = |source: io::Error| CommandError::Write { path: path.to_owned(), source };
     if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
-        return Err(fail(io::Error::other("it is no regular file")));
+        return Err(fail(io::Error::other("it is not a regular file")));
     }
-    let name = path.file_name().ok_or_else(|| fail(io::Error::other("it names no file")))?;
+    let name = path.file_name().ok_or_else(|| fail(io::Error::other("it does not name a file")))?;
     // The temporary file is hidden, and its name differs from that of another run.
     let mut temporary = OsString::from(".");
     temporary.push(name);

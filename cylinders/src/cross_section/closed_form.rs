@@ -7,7 +7,8 @@
 //! vertex `l_2 x l_3`), and `D_2`, `D_3` alike, Cramer's rule gives
 //!
 //! ```text
-//!   (p, 1) ~ s_1 (l_2 x l_3) + s_2 (l_3 x l_1) + s_3 (l_1 x l_2),      r = |det [l_1 l_2 l_3]| / |s_1 D_1 + s_2 D_2 + s_3 D_3|
+//!   (p, 1) ~ s_1 (l_2 x l_3) + s_2 (l_3 x l_1) + s_3 (l_1 x l_2)
+//!   r = |det [l_1 l_2 l_3]| / |s_1 D_1 + s_2 D_2 + s_3 D_3|
 //! ```
 //!
 //! With `s_i = sign D_i` the denominator is `|D_1| + |D_2| + |D_3|`, and the circle is the

@@ -6,7 +6,8 @@
 //! of the matrix with the rows
 //!
 //! ```text
-//!   sqrt(w) (a^2, sqrt2 a b, sqrt2 a c, b^2, sqrt2 b c, c^2),    unknowns (d1, sqrt2 d2, sqrt2 d3, d4, sqrt2 d5, d6)
+//!   sqrt(w) (a^2, sqrt2 a b, sqrt2 a c, b^2, sqrt2 b c, c^2)
+//!   unknowns (d1, sqrt2 d2, sqrt2 d3, d4, sqrt2 d5, d6)
 //! ```
 //!
 //! The implementation departs from the paper in two points, so that the result does not depend on

@@ -7,8 +7,8 @@
 //! at the axis,
 //!
 //! ```text
-//!   l_1, l_2 = sin(theta) e +- cos(theta) m        m: unit normal of the plane through centre and axis
-//!                                                  e: unit vector from the camera centre towards the axis
+//!   l_1, l_2 = sin(theta) e +- cos(theta) m     m: unit normal of the plane through centre and axis
+//!                                               e: unit vector from the centre towards the axis
 //! ```
 //!
 //! so that `l_1 - l_2 = 2 cos(theta) m` is a line through the centre of the circle, the bisector,

@@ -2,8 +2,8 @@
 //!
 //! ```text
 //!               ray d, into the image
-//!        C ---------------------------->     a circle (p, r) is in front:  d^T (p - C) > 0,  |p - C| > r
-//!                   (  p  )
+//!        C ---------------------------->     a circle (p, r) is in front:
+//!                   (  p  )                  d^T (p - C) > 0,  |p - C| > r
 //! ```
 
 use nalgebra::{Point2, Unit, Vector2, Vector3};

@@ -10,7 +10,8 @@
 //! finite. A small perturbation makes the data generic:
 //!
 //! ```text
-//!   G balanced --> G + epsilon S generic --> nine points --> Newton's method on the lines --> points of G
+//!   G balanced --> G + epsilon S generic --> nine points
+//!     --> Newton's method on the lines --> points of G
 //! ```
 //!
 //! with a fixed symmetric matrix `S`. The points that are at infinity for `G` become finite but far

@@ -2,7 +2,7 @@
 //! all parameters of the cylinder at once, and estimates their uncertainty.
 //!
 //! ```text
-//!   minimise  sum_i rho(|e_i|^2 / 2)    over the axis (4, orthonormal Plücker form) and the radius (1)
+//!   minimise  sum_i rho(|e_i|^2 / 2)   over the axis (4, orthonormal Plücker form) and the radius
 //! ```
 //!
 //! with the distances `e_i` of two points of each line and the loss `rho`, by Levenberg-Marquardt
@@ -74,13 +74,14 @@ pub struct Refinement {
     /// Covariance of the local parameters
     ///
     /// ```text
-    ///   (f1^T dw, f2^T dw, f1^T dA, f2^T dA, dr)    w the direction [rad], A the axis at the reference, r the radius
+    ///   (f1^T dw, f2^T dw, f1^T dA, f2^T dA, dr)
     /// ```
     ///
-    /// in world units: `sigma^2 (J^T W J)^-1` with the variance `sigma^2` of a distance estimated
-    /// from the residuals. This holds to first order. If the loss is not quadratic, the weights are
-    /// held fixed, so the covariance is too small by the share of good lines whose weight is
-    /// reduced.
+    /// with the direction `w` (radians), the point `A` of the axis at the reference and the radius
+    /// `r`, in world units: `sigma^2 (J^T W J)^-1` with the variance `sigma^2` of a distance
+    /// estimated from the residuals. This holds to first order. If the loss is not quadratic, the
+    /// weights are held fixed, so the covariance is too small by the share of good lines whose
+    /// weight is reduced.
     pub covariance: Matrix5<f64>,
     /// Standard deviations that follow from the covariance.
     pub deviation: Deviation,
@@ -124,7 +125,7 @@ pub enum RefineError {
     },
     /// The radius would become zero: the lines are images of the axis, or do not belong to one
     /// cylinder.
-    #[error("the lines fit best without a radius: they are not silhouettes of one cylinder")]
+    #[error("the lines fit best with a radius of zero: they are not silhouettes of one cylinder")]
     NoRadius,
     /// The initial cylinder, or the cylinder of least cost, contains a camera.
     #[error(
@@ -135,7 +136,7 @@ pub enum RefineError {
         view: usize,
     },
     /// The lines do not determine a combination of the parameters.
-    #[error("the lines do not determine the cylinder: their views are too much alike; add a view from another place")]
+    #[error("the lines do not determine the cylinder: their views are too similar; add a view from another place")]
     NotDetermined,
     /// The limit on the steps was reached, or numbers are out of range.
     #[error("the refinement did not converge in {iterations} steps")]

@@ -2,7 +2,7 @@
 //! the minimal solver, then refinement.
 //!
 //! ```text
-//!   3 lines --> direction, unless it is known --> 3 tangent lines --> up to 4 circles --> cylinders
+//!   3 lines --> direction, unless known --> 3 tangent lines --> up to 4 circles --> cylinders
 //! ```
 //!
 //! Two planes determine the direction, and the third improves it. Three lines give six numbers for
@@ -71,7 +71,8 @@ pub enum RobustError {
     /// three.
     #[error(
         "{lines} line(s) given; a robust estimate samples three of them and needs others to agree: pass at least four \
-         lines from two views, better two silhouettes from each of three; few lines that are all right need none"
+         lines from two views, better two silhouettes from each of three views; without wrong lines, use plain \
+         triangulation"
     )]
     TooFewLines {
         /// Number of lines.
@@ -85,7 +86,7 @@ pub enum RobustError {
     Metric(#[from] MetricError),
     /// No cylinder has four inliers.
     #[error(
-        "{inliers} of {lines} lines agree on a cylinder, where four are needed ({samples} samples): pass more silhouette \
+        "{inliers} of {lines} lines agree on a cylinder, but four are needed ({samples} samples): pass more silhouette \
          lines, from more views, or a larger threshold or number of samples"
     )]
     NoConsensus {
@@ -107,7 +108,7 @@ pub enum RobustError {
         error: RefineError,
     },
     /// The cylinder contains a camera that saw no inlier.
-    #[error("the cylinder that most lines agree on contains the camera of views[{view}]")]
+    #[error("the cylinder on which most lines agree contains the camera of views[{view}]")]
     CameraInside {
         /// Index of the view.
         view: usize,

@@ -46,7 +46,7 @@ pub enum TriangulateError {
     )]
     SingleViewpoint,
     /// The viewing plane of a line is too steep to the axis of the others.
-    #[error("views[{view}], line {line}: stands across the axis that the other lines have in common")]
+    #[error("views[{view}], line {line}: the viewing plane is too steep to the axis of the other lines")]
     AcrossAxis {
         /// Index of the view.
         view: usize,

@@ -14,13 +14,14 @@
 //! most
 //!
 //! ```text
-//!   false alarms = hypotheses * (n - 3) * min over k of P(B >= k - 3),    B binomial: n - 3 trials, probability q_k p
+//!   false alarms = hypotheses * (n - 3) * min over k of P(B >= k - 3)
 //! ```
 //!
-//! where the factor `n - 3` accounts for the choice of `k` (Moisan & Stival, "A Probabilistic
-//! Criterion to Detect Rigid Point Matches between Two Images", 2004). A silhouette that another
-//! cylinder hides does not count as a trial: a cylinder behind others has few visible silhouettes,
-//! but nearly all of them match.
+//! where `B` is binomial with `n - 3` trials of probability `q_k p`, and the factor `n - 3`
+//! accounts for the choice of `k` (Moisan & Stival, "A Probabilistic Criterion to Detect Rigid
+//! Point Matches between Two Images", 2004). A silhouette that another cylinder hides does not
+//! count as a trial: a cylinder behind others has few visible silhouettes, but nearly all of them
+//! match.
 
 use super::pair::Pair;
 use super::plan::Plan;

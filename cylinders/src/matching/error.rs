@@ -22,7 +22,7 @@ pub enum MatchError {
         view: usize,
     },
     /// The requested least support does not determine a circle.
-    #[error("three lines leave four circles: the least number of matches must be four or more (found {least_support})")]
+    #[error("the least number of matches must be four or more (found {least_support}): four circles touch three lines")]
     LeastSupport {
         /// The value.
         least_support: usize,
@@ -43,7 +43,7 @@ pub enum MatchError {
     SingleViewpoint,
     /// No model has the required support.
     #[error(
-        "no cylinder has {least_support} of the {lines} lines near its silhouettes, and more than chance would give; pass more \
+        "no cylinder has {least_support} of the {lines} lines near its silhouettes and more than chance gives; pass more \
          views, a better calibration or direction, or another threshold"
     )]
     NoCylinder {

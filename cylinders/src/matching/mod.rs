@@ -4,8 +4,9 @@
 //!
 //! ```text
 //!   left and right silhouette in one image + one line of another image
-//!     --> circle in front of the cameras --> support: lines of all images near its silhouettes --> best one
-//!     --> least squares on its matches   --> cylinder; its lines are taken away, and again
+//!     --> circle in front of the cameras --> support: lines of all images near its silhouettes
+//!     --> best circle --> least squares on its matches --> cylinder; its lines are taken away
+//!     --> next cylinder
 //! ```
 //!
 //! The search is exhaustive and draws no random numbers. One model is scored in time linear in the

@@ -1,8 +1,9 @@
 //! Which silhouettes of a circle others hide.
 //!
 //! ```text
-//!        C -------- o ----- T      hidden: the line of sight to the point of contact T, at alpha = -+beta and at the
-//!           \     (   )  ( p )     distance sqrt(rho^2 - r^2), passes through another circle
+//!        C -------- o ----- T      hidden: the line of sight to the point of contact T,
+//!           \     (   )  ( p )     at alpha = -+beta and at the distance sqrt(rho^2 - r^2),
+//!                                  passes through another circle
 //! ```
 
 use nalgebra::{Point2, Vector2};

@@ -7,9 +7,9 @@
 //!
 //! ```text
 //!             ray d
-//!            /  ____          n^T m = rho sin(alpha)    alpha: angle from the ray to the centre, positive to the left
-//!           /  /    \         d^T m = rho cos(alpha)
-//!          /  |   p  |        r     = rho sin(beta)     beta: half of the angle that the circle covers
+//!            /  ____          n^T m = rho sin(alpha)    alpha: angle from the ray to the centre,
+//!           /  /    \         d^T m = rho cos(alpha)           positive to the left
+//!          /  |   p  |        r     = rho sin(beta)     beta: half of the angle of the circle
 //!         /    \____/         left silhouette at alpha = -beta, right one at alpha = beta
 //!        C
 //! ```
@@ -18,7 +18,8 @@
 //! so the test needs one root for each view, and no root or inverse function for a line:
 //!
 //! ```text
-//!   r cos(t) - sqrt(rho^2 - r^2) sin(t)  <=  | n^T m |  <=  r cos(t) + sqrt(rho^2 - r^2) sin(t),    d^T m > 0
+//!   r cos(t) - sqrt(rho^2 - r^2) sin(t)  <=  | n^T m |  <=  r cos(t) + sqrt(rho^2 - r^2) sin(t)
+//!   d^T m > 0
 //! ```
 
 use std::ops::Range;

@@ -8,8 +8,10 @@
 //! its inliers only, the search ends after
 //!
 //! ```text
-//!   n >= log(1 - confidence) / log(1 - p)    samples, so that all of them missed with the probability 1 - confidence
+//!   n >= log(1 - confidence) / log(1 - p)
 //! ```
+//!
+//! samples. The probability that all of them have outliers is then at most `1 - confidence`.
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};

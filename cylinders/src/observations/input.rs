@@ -14,21 +14,19 @@
 //! }
 //! ```
 //!
-//! - `K`: calibration in pixels, upper triangular. Optional if nothing is in pixels; with it
-//!   residuals are in pixels too.
-//!   A view with another calibration has a `K` of its own.
+//! - `K`: calibration in pixels, upper triangular. Optional if nothing is in pixels; with it,
+//!   residuals are also in pixels. A view with another calibration has its own `K`.
 //! - `views[i].camera_normalised`: 3x4 `[R t]` up to scale, world to camera; or `camera_pixels`:
 //!   `K [R t]` up to scale.
 //! - `views[i].lines_normalised`: lines `[a, b, c]`, `a x + b y + c = 0`, any scale and sign, in
-//!   normalised image
-//!   coordinates; or `lines_pixels`, in pixels; or `segments_pixels`: `[x1, y1, x2, y2]`, two end points for each line, in
-//!   pixels without distortion. With end points, lines are compared with silhouettes where they were seen. Where a view
-//!   gives several spellings of one thing, they must agree.
+//!   normalised image coordinates; or `lines_pixels`, in pixels; or `segments_pixels`:
+//!   `[x1, y1, x2, y2]`, two end points for each line, in pixels without distortion. With end
+//!   points, lines are compared with silhouettes at the end points. If a view gives its camera or
+//!   its lines in several forms, these must agree.
 //! - `views[i].image`: optional name of the image, for reports and for segments of a CSV file
-//!   (`cylinder::segments`).
-//! - `views[i].cylinders`: optional, one label or `null` for each line: which cylinder it is a
-//!   silhouette of. All lines
-//!   without label are taken for silhouettes of one cylinder.
+//!   (`segments`).
+//! - `views[i].cylinders`: optional, one label or `null` for each line: the cylinder whose
+//!   silhouette it is. All lines without label count as silhouettes of one cylinder.
 //! - `points`: optional world points `[x, y, z]`. The report gives the number of points near the
 //!   surface.
 //!
@@ -106,7 +104,7 @@ pub enum InputError {
         needs: &'static str,
     },
     /// Two forms of a camera or of a line differ.
-    #[error("{file}: {place}: the spellings of one thing contradict each other")]
+    #[error("{file}: {place}: two forms of the same camera or line contradict each other")]
     Contradiction {
         /// File name.
         file: String,

@@ -10,12 +10,11 @@
 //! The first row names the columns, in any order; other columns are ignored.
 //!
 //! - `image`: name of the image, as in the scene or in the model that has the cameras.
-//! - `x1`, `y1`, `x2`, `y2`: end points, pixels of the photograph as it was taken; distortion is
-//!   taken off here.
+//! - `x1`, `y1`, `x2`, `y2`: end points, pixels of the original photograph; the reader removes
+//!   the distortion.
 //! - `cylinder`: optional label of the cylinder whose silhouette the segment is.
 //! - `line`: optional name, any text. The segments of one image and cylinder with the same name are
-//!   pieces of one line; a
-//!   segment without name is a line by itself.
+//!   pieces of one line. A segment without name is a line by itself.
 //!
 //! The line of several segments has the least sum of squared distances from all their end points,
 //! in pixels without distortion. Its end points are the projections of the outermost end points to
@@ -138,7 +137,7 @@ pub enum SegmentError {
         image: String,
     },
     /// An end point lies outside the image of the lens.
-    #[error("{file}:{row}: the distortion of `{image}` cannot be taken off at ({x}, {y}): far outside the image?")]
+    #[error("{file}:{row}: the distortion of `{image}` cannot be removed at ({x}, {y}): far outside the image?")]
     BeyondDistortion {
         /// File name.
         file: String,

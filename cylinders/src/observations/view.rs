@@ -78,7 +78,7 @@ pub enum ViewError {
     /// The left 3x3 part is not a rotation up to scale.
     #[error(
         "the left 3x3 part of the camera is not a rotation up to scale (off by {deviation:.1e}); \
-         is it in pixels, or is its calibration another one?"
+         is it in pixels, or does it have another calibration?"
     )]
     NotARotation {
         /// Largest entry of `M^T M / s^2 - I`.

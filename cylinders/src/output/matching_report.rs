@@ -5,8 +5,8 @@ use std::fmt;
 use nalgebra::{Unit, Vector3};
 use serde::Serialize;
 
-use crate::matching::{MatchedCylinder, Matching};
 use super::report::ResidualReport;
+use crate::matching::{MatchedCylinder, Matching};
 use crate::observations::scene::LineId;
 use crate::observations::view::View;
 

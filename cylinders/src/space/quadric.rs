@@ -7,8 +7,11 @@
 //! `(n^T A + d)^2 = r^2 |n|^2` of a plane along its axis read
 //!
 //! ```text
-//!       [  N       -A      ]                          [ r^2 N - A A^T  -A ]
-//!   C = [ -A^T  A^T A - r^2]   X~^T C X~ = 0      D = [     -A^T       -1 ]   pi^T D pi = 0  and  n^T w = 0
+//!       [  N       -A      ]
+//!   C = [ -A^T  A^T A - r^2]        X~^T C X~ = 0
+//!
+//!       [ r^2 N - A A^T  -A ]
+//!   D = [     -A^T       -1 ]       pi^T D pi = 0  and  n^T w = 0
 //! ```
 //!
 //! Both have rank three and are inverse to each other except along the axis: `C D C = r^2 C` and

@@ -3,11 +3,11 @@
 //!
 //! ```text
 //!              | silhouette
-//!        p1  o--->|                     p0, p1: support points of the given line: its end points; where they are not
-//!           /  e1 |                             known, at +-h about its point nearest to the principal point
-//!          /      |                     e0, e1: their distances from the silhouette line, pixels or radians,
-//!     p0  o------>|                             positive on the side of the axis
-//!            e0
+//!        p1  o--->|            p0, p1: support points of the given line: its end points or, if
+//!           /  e1 |                    unknown, at +-h about its point nearest to the principal
+//!          /      |                    point
+//!     p0  o------>|            e0, e1: their distances from the silhouette line, pixels or
+//!            e0                        radians, positive on the side of the axis
 //! ```
 //!
 //! A line has two degrees of freedom, and both count: one point alone would not use the direction
@@ -77,7 +77,7 @@ pub enum MetricError {
         view: usize,
     },
     /// The line is so far from the image that its points are out of range.
-    #[error("views[{view}], line {line}: is not in the image")]
+    #[error("views[{view}], line {line} is not in the image")]
     LineOutOfRange {
         /// Index of the view.
         view: usize,

@@ -18,7 +18,7 @@ pub enum CircleError {
     /// Several circles touch all lines exactly, as four do for three lines.
     #[error(
         "{circles} circles touch all lines of the cross-section exactly, as is the case for three lines; \
-         a fourth silhouette line decides"
+         pass a fourth silhouette line"
     )]
     Ambiguous {
         /// Number of circles.

@@ -2,8 +2,10 @@
 //!
 //! ```text
 //!   cameras.bin    u32 id, i32 model number, u64 width, u64 height, f64 parameters
-//!   images.bin     u32 id, 7 x f64 pose, u32 camera id, name up to a zero byte, u64 count of (f64 x, f64 y, u64 point id)
-//!   points3D.bin   u64 id, 3 x f64 position, 3 x u8 colour, f64 error, u64 count of (u32 image id, u32 index)
+//!   images.bin     u32 id, 7 x f64 pose, u32 camera id, name up to a zero byte,
+//!                  u64 count of (f64 x, f64 y, u64 point id)
+//!   points3D.bin   u64 id, 3 x f64 position, 3 x u8 colour, f64 error,
+//!                  u64 count of (u32 image id, u32 index)
 //! ```
 
 use nalgebra::Point3;

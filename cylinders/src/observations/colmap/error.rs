@@ -84,7 +84,7 @@ pub enum ColmapError {
         found: usize,
     },
     /// A binary file goes on after its last record.
-    #[error("{at}: the last of the {records} ends here, but the file goes on")]
+    #[error("{at}: the last of the {records} ends here, but the file continues")]
     Trailing {
         /// End of the last record.
         at: Location,
@@ -121,7 +121,7 @@ pub enum ColmapError {
     },
     /// The distortion of the camera model is not supported.
     #[error(
-        "{at}: camera {camera} has the model {model}; known are SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL and OPENCV"
+        "{at}: camera {camera} has the model {model}; the supported models are SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL and OPENCV"
     )]
     UnsupportedModel {
         /// Place in the file.
@@ -156,7 +156,7 @@ pub enum ColmapError {
         what: &'static str,
     },
     /// Two records have the same id, or two images the same name.
-    #[error("{at}: there is another {record}")]
+    #[error("{at}: {record} occurs twice")]
     Repeated {
         /// Place of the second one.
         at: Location,

@@ -4,7 +4,8 @@
 //!
 //! ```text
 //!   camera        id, model, width, height, parameters (f or fx fy, cx cy, distortion)
-//!   image         id, pose (qw qx qy qz tx ty tz, world to camera), camera id, name, observed points
+//!   image         id, pose (qw qx qy qz tx ty tz, world to camera), camera id, name,
+//!                 observed points
 //!   point         id, position, colour, error, track
 //! ```
 //!
