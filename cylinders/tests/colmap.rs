@@ -246,7 +246,10 @@ fn unsupported_camera_models_are_named() {
         }
     }
     let [text, binary] = refused(|model| model.cameras[0] = (1, "PANORAMA", 99, vec![]));
-    assert!(text.to_string().contains("cameras.txt:3: camera 1 has the model PANORAMA; known are "), "{text}");
+    assert!(
+        text.to_string().contains("cameras.txt:3: camera 1 has the model PANORAMA; the supported models are "),
+        "{text}"
+    );
     assert!(binary.to_string().contains("cameras.bin: byte 8: camera 1 has the model number 99;"), "{binary}");
 }
 
@@ -274,13 +277,13 @@ fn values_that_make_no_camera_are_refused() {
         assert!(error.to_string().contains("image `b.jpg` has camera 17, which is not in the model"), "{error}");
     }
     for error in refused(|model| model.cameras[2].0 = 1) {
-        assert!(error.to_string().ends_with("there is another camera 1"), "{error}");
+        assert!(error.to_string().ends_with("camera 1 occurs twice"), "{error}");
     }
     for error in refused(|model| model.images[1].id = 7) {
-        assert!(error.to_string().ends_with("there is another image 7"), "{error}");
+        assert!(error.to_string().ends_with("image 7 occurs twice"), "{error}");
     }
     for error in refused(|model| model.images[2].name = "b.jpg".to_owned()) {
-        assert!(error.to_string().ends_with("there is another image named `b.jpg`"), "{error}");
+        assert!(error.to_string().ends_with("image named `b.jpg` occurs twice"), "{error}");
     }
     for error in refused(|model| model.images.clear()) {
         assert!(matches!(error, ColmapError::NoImages { .. }), "{error}");

@@ -27,7 +27,7 @@ fn pixels_and_normalised_coordinates_give_the_same_view() {
     assert!(left.lines()[0].cross(&right.lines()[0]).norm() < 1e-15);
 
     let both = format!("{normalised}, {pixels}");
-    assert_eq!(&parse_scene(&scene(&both), "").expect("both spellings agree").views[1], left);
+    assert_eq!(&parse_scene(&scene(&both), "").expect("both forms agree").views[1], left);
 }
 
 #[test]

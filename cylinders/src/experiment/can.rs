@@ -34,9 +34,10 @@ const PRINCIPAL: [f64; 2] = [2000.0, 1500.0];
 pub(super) const PHOTOGRAPHS: usize = 18;
 
 /// Description of the simulation.
-pub(super) const SETUP: &str = "Simulated soda can (radius 33 mm, height 115 mm), 18 cameras of 4000 x 3000 pixels (focal length \
-3000) around it, one in each sector of 20 degrees, 450 to 600 mm from the axis and up to 200 mm above or below its middle; places \
-drawn once for each seed. Each end point of each silhouette is moved by normal noise, anew for each run.";
+pub(super) const SETUP: &str = "Simulated soda can (radius 33 mm, height 115 mm). 18 cameras of 4000 x 3000 pixels (focal \
+length 3000) stand around it, one in each sector of 20 degrees, 450 to 600 mm from the axis \
+and up to 200 mm above or below its middle; their places are drawn once for each seed. Each \
+end point of each silhouette is moved by normal noise, drawn anew for each run.";
 
 /// The can and its cameras.
 pub(super) struct Can {

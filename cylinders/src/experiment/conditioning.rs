@@ -29,11 +29,13 @@ const NOISE: [f64; 5] = [0.0005, 0.001, 0.002, 0.005, 0.01];
 /// Indices of the range and the noise of the scene that is drawn.
 const DRAWN: (usize, usize) = (3, 2);
 
-const SETUP: &str = "Circle of radius 1; 10 cameras at distances uniform in [5, 15], in directions uniform within a sector of the \
-given range (degrees), each with both tangents, turned about the camera by normal noise sigma (radians).\n\
-Linear: part of the runs in which the conic is a hyperbola, or has no real points; error of the radius of the circle nearest to \
-its tangents where it is an ellipse, as a quantile over all runs ('-' where that falls among the others). Least squares: part \
-without a circle, error of its radius. The same scenes at all levels of noise.";
+const SETUP: &str = "Circle of radius 1; 10 cameras at distances uniform in [5, 15], in directions uniform within a \
+sector of the given range (degrees). Each has both tangents, turned about the camera by normal \
+noise sigma (radians).\n\
+Linear: part of the runs in which the conic is a hyperbola or has no real points. For an \
+ellipse, error of the radius of the circle nearest to its tangents, as a quantile over all \
+runs ('-' if the quantile falls on a run without ellipse). Least squares: part of the runs \
+without a circle; error of its radius. All levels of noise have the same scenes.";
 
 /// The results for one range and one noise.
 #[derive(Clone, Copy, Debug)]

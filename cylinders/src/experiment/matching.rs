@@ -22,14 +22,18 @@ const NOISE: [f64; 6] = [0.25, 0.5, 1.0, 1.5, 2.0, 3.0];
 /// A cylinder is found if axis and radius are off by less than this part of the radius.
 const FOUND: f64 = 0.1;
 
-const SETUP: &str = "Seven parallel cylinders of similar radius in twelve images; what another cylinder hides is not seen, nine of ten \
-silhouettes are detected, ends of lines are moved by normal noise (pixels), clutter along the direction fills up to the outlier \
-rate: the mean over the cylinders of the part of all lines that are not its silhouettes. Pairs of every image \
-are tried, lines within 3 pixels match, whatever the noise. Told: what the search knows; where it is not told the direction, that is \
-estimated from all lines, and where it is not told the number of cylinders, it takes all that are more than chance.\n\
-Found: axis (in the middle of the scene) and radius off by less than a tenth of the radius. All: part of the runs in which all \
-seven are found. False: mean number of cylinders that are none of the seven. Wrong matches: part of the lines of found cylinders \
-that belong to something else.";
+const SETUP: &str = "Seven parallel cylinders of similar radius in twelve images. Silhouettes that another cylinder \
+hides are not seen, and nine of ten visible silhouettes are detected. The ends of lines are \
+moved by normal noise (pixels). Clutter along the direction is added up to the outlier rate: \
+the mean over the cylinders of the part of all lines that are not its silhouettes. Pairs of \
+every image are tried, and lines within 3 pixels match, whatever the noise. Told: the \
+information given to the search. If the direction is not given, it is estimated from all \
+lines; if the number of cylinders is not given, the search takes all cylinders that are \
+unlikely to be chance.\n\
+Found: axis (in the middle of the scene) and radius are off by less than a tenth of the \
+radius. All: part of the runs in which all seven cylinders are found. False: mean number of \
+other cylinders. Wrong matches: part of the lines of found cylinders that are not their \
+silhouettes.";
 
 /// The information that the search gets besides the lines.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]

@@ -23,11 +23,14 @@ const HIGHEST: f64 = 0.02;
 /// Cameras, each with two lines.
 const CAMERAS: usize = 5;
 
-const SETUP: &str = "Circle at the origin, radius uniform in (0.5, 2); cameras uniform in the square of side 40 without the inner \
-square of side 6, each with both tangents, turned about the camera by normal noise of standard deviation sigma (radians), sigma \
-from 0 to 0.02.\nMinimal: three lines of the first two cameras, the nearest of its four circles to the truth. Least squares: \
-the global minimum for all lines of the first 2, 3, 5 cameras.\nErrors in units of the scene; the same scenes and deviations at \
-all levels. Linear response: errors of a line through the origin, fitted to the medians, as a part of their variation (1 - R^2).";
+const SETUP: &str = "Circle at the origin, radius uniform in (0.5, 2); cameras uniform in the square of side 40 \
+without the inner square of side 6. Each has both tangents, turned about the camera by normal \
+noise of standard deviation sigma (radians), sigma from 0 to 0.02.\n\
+Minimal: three lines of the first two cameras, and of the four circles the one nearest to the \
+truth. Least squares: the global minimum for all lines of the first 2, 3 and 5 cameras.\n\
+Errors are in units of the scene. All levels have the same scenes and deviations. Linear \
+response: the part of the variation of the medians that a line through the origin does not \
+explain (1 - R^2).";
 
 const METHODS: [(&dyn SectionSolver, usize); 4] =
     [(&Minimal, 3), (&LeastSquares, 4), (&LeastSquares, 6), (&LeastSquares, 10)];

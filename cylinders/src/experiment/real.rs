@@ -23,10 +23,12 @@ const SCENE: &str = "../shared/data/kungshuset.json";
 /// Points further from the surface than this part of the radius belong to other objects.
 const NEAR: f64 = 0.25;
 
-const SETUP: &str = "All lines of the scene as silhouettes of one cylinder. Minimal and closed form: of the circles of the first three \
-lines the one of least cost on all lines. Linear: the circle nearest to the tangents of its ellipse.\n\
-Pixels: root mean square distance of silhouettes and lines. Points: those of the scene within a quarter of the radius of the \
-surface; their distance to it, positive outside, as a part of the radius: quartiles, and how many are within 5 %.";
+const SETUP: &str = "All lines of the scene are taken as silhouettes of one cylinder. Minimal and closed form: of \
+the circles of the first three lines, the one of least cost on all lines. Linear: the circle \
+nearest to the tangents of its ellipse.\n\
+Pixels: root mean square distance of silhouettes and lines. Points: number of scene points \
+within a quarter of the radius of the surface; quartiles of their distance to it, positive \
+outside, as a part of the radius; number of points within 5 %.";
 
 pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
     let path = options.scene.clone().unwrap_or(PathBuf::from(SCENE));

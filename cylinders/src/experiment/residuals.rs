@@ -24,10 +24,12 @@ const ZERO: f64 = 1e-18;
 /// Number of lines for the methods that take any number. The other methods take the first three.
 const LINES: usize = 20;
 
-const SETUP: &str = "Noise-free: circle with centre uniform in [0, 10]^2 and radius uniform in [1, 2], 20 tangents at uniform \
-angles, the first 3 for methods that take three.\nResidual: largest |l^T C* l| over the lines and all exact solutions, with \
-C* of unit Frobenius norm and l = (a, b, c) of unit length.\nError: of the solution nearest to the truth, the larger of the \
-distance of the centres and the difference of the radii, relative to the radius.";
+const SETUP: &str = "Noise-free: circle with centre uniform in [0, 10]^2 and radius uniform in [1, 2], 20 tangents \
+at uniform angles, the first 3 for methods that take three.\n\
+Residual: largest |l^T C* l| over the lines and all exact solutions, with C* of unit Frobenius \
+norm and l = (a, b, c) of unit length.\n\
+Error: for the solution nearest to the truth, the larger of the distance of the centres and \
+the difference of the radii, relative to the radius.";
 
 const METHODS: [(&dyn SectionSolver, usize); 4] =
     [(&Minimal, 3), (&ClosedForm, 3), (&LeastSquares, LINES), (&LinearConic, LINES)];

@@ -28,13 +28,17 @@ const PIXELS: [f64; 3] = [0.5, 2.0, 8.0];
 const METHODS: [(&str, Option<&dyn SectionSolver>); 3] =
     [("proposed", None), ("linear", Some(&LinearConic)), ("navab", Some(&Navab))];
 
-const SETUP: &str = "In each run the photographs are drawn at random without repetition, and for all methods the direction of the axis \
-is estimated from their lines. Both silhouettes of each are used. \
-Proposed: as in triangulation, the best minimum of the cost in front of all cameras, the global one where none is.\nDistance: Frobenius norm of the difference between estimated \
-and true dual conic, each scaled so that its last entry is -1, in the plane across the estimated direction, the true axis in the \
-origin, the true radius as unit; the truth is diag(1, 1, -1). 'unit norm': both conics scaled to norm 1 instead, at most 2.\n\
-The linear method needs five lines, hence three photographs. 'no ellipse': part of the runs in which its conic is none; 'none': \
-part of the runs in which the method returned nothing, which are in no mean.";
+const SETUP: &str = "In each run the photographs are drawn at random without repetition. For all methods the \
+direction of the axis is estimated from their lines. Both silhouettes of each photograph are \
+used. Proposed: as in triangulation, the best minimum of the cost in front of all cameras, or \
+the global minimum if there is none.\n\
+Distance: Frobenius norm of the difference between estimated and true dual conic, each scaled \
+so that its last entry is -1, in the plane across the estimated direction, with the true axis \
+in the origin and the true radius as unit; the truth is diag(1, 1, -1). 'unit norm': both \
+conics are scaled to norm 1 instead, so that the distance is at most 2.\n\
+The linear method needs five lines, hence three photographs. 'no ellipse': part of the runs in \
+which its conic is not an ellipse. 'none': part of the runs in which the method failed; they \
+are excluded from the means.";
 
 /// The result of one method; `None` if it failed.
 type Found = Option<Estimate>;

@@ -83,7 +83,7 @@ pub enum ColmapError {
         /// Number found.
         found: usize,
     },
-    /// A binary file goes on after its last record.
+    /// A binary file continues after its last record.
     #[error("{at}: the last of the {records} ends here, but the file continues")]
     Trailing {
         /// End of the last record.
