@@ -1,7 +1,7 @@
 //! Cylinder triangulation: silhouette lines and cameras in, a cylinder out.
 //!
 //! Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation". The folders are the pipeline
-//! in order: none depends on a later one.
+//! in order: no folder depends on a later one.
 
 /// Damped least squares, RANSAC, random numbers.
 mod numerics;

@@ -1,8 +1,9 @@
-//! Simulated photographs of several similar, parallel cylinders among clutter, of which the truth is known.
+//! Simulated photographs of several similar, parallel cylinders among clutter. The truth is known.
 //!
-//! Silhouettes are not computed from tangent planes, as the solvers would, but from points: the lines on the surface where the
-//! line of sight is tangent, their end points projected and moved by noise, and the image line through each pair. What
-//! another cylinder hides is not seen, and some of what could be seen is not detected.
+//! Silhouettes are not computed from tangent planes, as in the solvers, but from points: the end
+//! points of the lines on the surface where the line of sight is tangent are projected and moved by
+//! noise, and the image line passes through each pair. A silhouette that another cylinder hides is
+//! not seen, and some visible silhouettes are not detected.
 
 use std::f64::consts::TAU;
 
@@ -28,14 +29,15 @@ const HALF_SIDE: f64 = 3.0;
 /// Smallest distance between two axes.
 const CLEARANCE: f64 = 1.2;
 
-/// Smallest and largest distance of a camera from the middle of the square, and largest height above or below it.
+/// Smallest and largest distance of a camera from the middle of the square, and largest height
+/// above or below it.
 const DISTANCES: [f64; 2] = [9.0, 13.0];
 const ELEVATION: f64 = 2.0;
 
-/// How many cylinders, images and outliers.
+/// Numbers of cylinders and images, noise and outliers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParallelSetup {
-    /// Number of cylinders, at most ten: more may find no room.
+    /// Number of cylinders, at most ten: there may be no room for more.
     pub cylinders: usize,
     /// Number of images, from all sides.
     pub images: usize,
@@ -43,8 +45,8 @@ pub struct ParallelSetup {
     pub noise: f64,
     /// Probability with which a visible silhouette is detected.
     pub detection: f64,
-    /// Least part of all lines that are not silhouettes of a cylinder, averaged over the cylinders. With seven cylinders and
-    /// without clutter it is 6/7 already.
+    /// Least part of all lines that are not silhouettes of a cylinder, averaged over the cylinders.
+    /// With seven cylinders it is 6/7 even without clutter.
     pub outlier_rate: f64,
 }
 
@@ -59,12 +61,13 @@ pub struct ParallelScene {
     pub middle: Point3<f64>,
     /// The cylinders.
     pub cylinders: Vec<Cylinder>,
-    /// For each view and line the index of the cylinder and the side that it is a silhouette of; `None` for clutter.
+    /// For each line of each view, the index of its cylinder and its side; `None` for clutter.
     pub truth: Vec<Vec<Option<(usize, Side)>>>,
 }
 
 impl ParallelSetup {
-    /// The paper's: seven cylinders, twelve images, 89 % outliers; noise of a pixel, nine of ten silhouettes detected.
+    /// The set-up of the paper: seven cylinders, twelve images, 89 % outliers. Chosen here: noise
+    /// of one pixel, and nine of ten silhouettes detected.
     pub fn seven_in_twelve() -> Self {
         Self { cylinders: 7, images: 12, noise: 1.0, detection: 0.9, outlier_rate: 0.89 }
     }
@@ -72,7 +75,7 @@ impl ParallelSetup {
     /// A random scene.
     ///
     /// # Errors
-    /// [`ViewError`], which values that are finite do not cause.
+    /// [`ViewError`], but not for finite values.
     pub fn scene(&self, seed: u64) -> Result<ParallelScene, ViewError> {
         let mut random = Random::new(seed);
         let frame = Frame::random(&mut random);
@@ -112,7 +115,7 @@ impl ParallelSetup {
         })
     }
 
-    /// A camera in its sector around the scene that looks at its middle.
+    /// A camera in its sector around the scene, directed at the middle of the scene.
     fn camera(&self, index: usize, frame: &Frame, random: &mut Random) -> Photographer {
         let angle = TAU * (index as f64 + random.uniform(0.0, 0.8)) / self.images as f64;
         let distance = random.uniform(DISTANCES[0], DISTANCES[1]);
@@ -138,11 +141,12 @@ impl ParallelSetup {
     ) -> Vec<MarkedLine> {
         let mut lines = Vec::new();
         for (index, (centre, radius)) in circles.iter().enumerate() {
-            // Around the axis, measured from the direction to the camera at distance rho, contacts are at +-acos(r / rho).
+            // Around the axis, measured from the direction to the camera at distance rho, contacts
+            // are at +-acos(r / rho).
             let toward = camera.place - centre;
             let cosine = radius / toward.norm();
             let toward = toward.normalize();
-            // Left of the ray to the axis, the axis pointing up.
+            // This contact is left of the ray to the axis if the axis points up.
             let left = Vector2::new(-toward.y, toward.x);
             for (side, sign) in [(Side::Left, -1.0), (Side::Right, 1.0)] {
                 let contact = centre + (toward * cosine - left * (sign * (1.0 - cosine * cosine).sqrt())) * *radius;
@@ -158,7 +162,8 @@ impl ParallelSetup {
         lines
     }
 
-    /// The image, in normalised coordinates, of the line along the axes through a point of the cross-section.
+    /// The image, in normalised coordinates, of the line along the axes through a point of the
+    /// cross-section.
     fn seen(&self, camera: &Photographer, frame: &Frame, point: &Point2<f64>, random: &mut Random) -> Vector3<f64> {
         let ends = [-HALF_LENGTH, HALF_LENGTH].map(|height| {
             let image = camera.matrix * frame.point(point, height).to_homogeneous();
@@ -169,7 +174,7 @@ impl ParallelSetup {
     }
 }
 
-/// A line and what it is a silhouette of.
+/// A line, and the cylinder and side whose silhouette it is.
 type MarkedLine = (Option<(usize, Side)>, Vector3<f64>);
 
 /// A camera `[R t]` and its place in the cross-section.
@@ -178,7 +183,8 @@ struct Photographer {
     place: Point2<f64>,
 }
 
-/// The cross-section in space. Seen from where the direction points to, the second axis is a right turn from the first.
+/// The cross-section in space. Seen against the direction, the second axis is a right turn from the
+/// first.
 struct Frame {
     rotation: Rotation3<f64>,
     origin: Point3<f64>,
@@ -200,7 +206,7 @@ impl Frame {
     }
 }
 
-/// Circles that are apart from each other; fewer where there is no room.
+/// Circles that are apart from each other; fewer if there is no room.
 fn circles(count: usize, random: &mut Random) -> Vec<(Point2<f64>, f64)> {
     let mut circles: Vec<(Point2<f64>, f64)> = Vec::with_capacity(count);
     for _ in 0..1000 * count {
@@ -222,7 +228,7 @@ fn hides(centre: &Point2<f64>, radius: f64, camera: &Point2<f64>, point: &Point2
     (camera + sight * along - centre).norm() < radius
 }
 
-/// Fisher and Yates.
+/// Shuffles by the method of Fisher and Yates.
 fn shuffle<T>(items: &mut [T], random: &mut Random) {
     for last in (1..items.len()).rev() {
         let other = random.uniform(0.0, (last + 1) as f64) as usize;

@@ -11,7 +11,8 @@ use eliminant_cylinders::{Circle, CircleError, LeastSquares, SectionLine, Sectio
 use nalgebra::{Matrix2, Matrix6, Matrix6x2, Point2, Vector2, Vector6};
 use random::Random;
 
-/// Tangents of a circle at angles in `[start, start + range)`, on either side, with normal noise in the offset.
+/// Tangents of a circle at angles in `[start, start + range)`, on either side, with normal noise in
+/// the offset.
 fn tangents(
     circle: &Circle,
     count: usize,
@@ -53,8 +54,9 @@ fn exact_tangents_give_the_circle() {
     assert!(median < 1e-13 && p999 < 1e-11 && worst < 1e-9, "median {median:e}, 99.9 % {p999:e}, worst {worst:e}");
 }
 
-/// Sides of regular polygons: some of the nine stationary points are at infinity, and the point nearest to all lines is the
-/// centre itself, so that both of its coordinates vanish after the normalisation. With a little noise it is nearly so.
+/// Sides of regular polygons: some of the nine stationary points are at infinity, and the point
+/// nearest to all lines is the centre itself, so that both of its coordinates vanish after the
+/// normalisation. With a little noise this holds approximately.
 #[test]
 fn symmetric_tangents_give_the_circle() {
     let circle = Circle { centre: Point2::new(3.0, -1.0), radius: 1.5 };
@@ -79,8 +81,9 @@ fn symmetric_tangents_give_the_circle() {
     }
 }
 
-/// The cost of the best circle about a centre `p`, as a quartic: `m^T K m` with the monomials `m = (x^2, x y, x, y^2, y, 1)` of
-/// `p - origin` and the weighted covariance `K` of the coefficients of the squared distances.
+/// The cost of the best circle about a centre `p`, as a quartic: `m^T K m` with the monomials
+/// `m = (x^2, x y, x, y^2, y, 1)` of `p - origin` and the weighted covariance `K` of the
+/// coefficients of the squared distances.
 struct Quartic {
     origin: Point2<f64>,
     matrix: Matrix6<f64>,
@@ -152,7 +155,7 @@ fn cost(lines: &[SectionLine], centre: &Point2<f64>) -> f64 {
     mean(&|squared| (squared - square).powi(2))
 }
 
-/// Normal noise from negligible to gross.
+/// Standard deviation of normal noise, from negligible to gross.
 fn random_noise(random: &mut Random) -> f64 {
     10f64.powf(random.uniform(-4.0, -0.5))
 }
@@ -160,8 +163,8 @@ fn random_noise(random: &mut Random) -> f64 {
 /// Starts of the descents in one scene.
 const STARTS: usize = 200;
 
-/// The first section of `LeastSquares` against the best of many descents. Returns whether the descents got as far: otherwise
-/// they are no yardstick.
+/// Compares the first section of `LeastSquares` with the best of many descents. Returns whether the
+/// descents reached the same cost; otherwise they cannot serve as a reference.
 fn check_global_minimum(lines: &[SectionLine], near: &Point2<f64>, place: &str, random: &mut Random) -> bool {
     let found = LeastSquares.solve(lines).unwrap_or_else(|error| panic!("{place}: {error}"));
     let found = found[0].cost;
@@ -171,7 +174,7 @@ fn check_global_minimum(lines: &[SectionLine], near: &Point2<f64>, place: &str, 
         cost(lines, &(quartic.origin + at))
     });
     let best = ends.fold(f64::INFINITY, f64::min);
-    // Near an exact fit the cost is the square of residuals with few digits of their own.
+    // Near an exact fit the cost is the square of residuals that have only a few digits.
     let rounding = 1e-14 * best.sqrt();
     assert!(found <= best * (1.0 + 1e-9) + rounding, "{place}: cost {found:e}, descent reaches {best:e}");
     best <= found * (1.0 + 1e-9) + rounding
@@ -183,7 +186,8 @@ fn noisy_tangents_give_the_global_minimum() {
     let mut reached = 0;
     for instance in 0..10_000 {
         let circle = random_circle(&mut random);
-        // From four to twenty lines; from a narrow view to all around; equal weights in every other scene.
+        // The scenes have four to twenty lines, from a narrow range to all directions. Every other
+        // scene has equal weights.
         let count = random.uniform(4.0, 21.0) as usize;
         let (start, range) = (random.uniform(0.0, TAU), random.uniform(0.5, TAU));
         let noise = random_noise(&mut random);
@@ -199,8 +203,8 @@ fn noisy_tangents_give_the_global_minimum() {
     assert!(reached > 9_900, "the descents reach the minimum in {reached} of 10,000 scenes");
 }
 
-/// Sides of a parallelogram or a regular polygon, at distances that are not quite equal: a few of the nine stationary points
-/// are at infinity or nearly so, others at equal coordinates.
+/// Sides of a parallelogram or a regular polygon at nearly equal distances: a few of the nine
+/// stationary points are at infinity or near it, and others have equal coordinates.
 #[test]
 fn balanced_directions_give_the_global_minimum() {
     let mut random = Random::new(5);
@@ -227,7 +231,8 @@ fn balanced_directions_give_the_global_minimum() {
     assert!(reached > 990, "the descents reach the minimum in {reached} of 1,000 scenes");
 }
 
-/// Two cameras on either side of a circle, and its silhouettes turned by noise: often a circle behind one of them fits better.
+/// Two cameras on either side of a circle, and its silhouettes turned by noise. Often a circle
+/// behind one of the cameras fits better.
 #[test]
 fn the_circle_in_front_of_the_cameras_is_taken_where_there_is_one() {
     let mut random = Random::new(6);
@@ -254,7 +259,7 @@ fn the_circle_in_front_of_the_cameras_is_taken_where_there_is_one() {
             assert_eq!(chosen, best, "instance {instance}");
         } else {
             behind += 1;
-            // Among the stationary circles none that is in front costs less, but for saddle points.
+            // Except for saddle points, no stationary circle in front of the cameras costs less.
             let cost = |circle: &Circle| {
                 let square = |line: &TangentLine| circle.radius.powi(2) - line.distance(&circle.centre).powi(2);
                 lines.iter().map(|line| square(line).powi(2)).sum::<f64>()

@@ -1,4 +1,5 @@
-//! COLMAP models: what is read, the same from text and binary, and an error for every way in which a file can be wrong.
+//! COLMAP models: text and binary files give the same model, and every defect of a file gives an
+//! error.
 
 mod model;
 
@@ -12,7 +13,8 @@ use nalgebra::{Matrix3, Point2, Point3, Rotation3, Vector2, Vector3};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};
 
-/// Every camera model, an image without points, a name with a blank, a point without track.
+/// A model with every camera model, an image without points, a name with a blank, and a point
+/// without track.
 fn test_model() -> TestModel {
     let image = |id, camera, name: &str, observations: &[(f64, f64, i64)]| TestImage {
         id,
@@ -47,7 +49,7 @@ fn parse(files: &Files) -> Result<Model, ColmapError> {
     parse_colmap(encoding, files.each_ref().map(|(name, content)| (*name, content.as_slice())))
 }
 
-/// The same files, one of them with other content.
+/// The same files, with the content of one replaced.
 fn with(files: &Files, index: usize, content: Vec<u8>) -> Files {
     let mut files = files.clone();
     files[index].1 = content;
@@ -126,7 +128,8 @@ fn a_file_that_is_missing_is_named() {
     }
 }
 
-/// The names and lengths of all beginnings of a file with which the model is not refused. Messages name a file.
+/// The names and lengths of all truncated files with which the model is accepted. Checks that
+/// messages name a file.
 fn cut_at_every_byte(files: &Files) -> Vec<(&'static str, usize)> {
     let mut accepted = Vec::new();
     for (index, (name, content)) in files.iter().enumerate() {
@@ -147,7 +150,7 @@ fn a_binary_file_cut_at_any_byte_is_refused() {
 
 #[test]
 fn a_text_file_cut_at_any_byte_is_refused() {
-    // An empty file of points is how a model without points is written by hand.
+    // A model written by hand may have an empty file of points.
     let accepted = cut_at_every_byte(&test_model().text());
     assert_eq!(accepted, [("points3D.txt", 0)]);
 }
@@ -180,7 +183,8 @@ fn cut_files_tell_where() {
 #[test]
 fn counts_that_the_file_cannot_hold_are_refused() {
     let binary = test_model().binary();
-    // The count of observations of the first image stands after the count of images, its pose and its name.
+    // The count of observations of the first image stands after the count of images, its pose and
+    // its name.
     let observations = 8 + 4 + 56 + 4 + "left side.jpg".len() + 1;
     let track = 8 + 8 + 24 + 3 + 8;
     for (index, at) in [(0, 0), (1, 0), (1, observations), (2, 0), (2, track)] {
@@ -205,7 +209,7 @@ fn counts_that_the_file_cannot_hold_are_refused() {
     assert!(matches!(error, ColmapError::Trailing { records: "points", .. }), "{error}");
 }
 
-/// Bytes changed at random: a model or an error, never a panic or a huge allocation.
+/// Bytes changed at random give a model or an error, never a panic or a huge allocation.
 #[test]
 fn damaged_files_do_no_harm() {
     let mut random = Xoshiro256PlusPlus::seed_from_u64(1);
@@ -224,7 +228,7 @@ fn damaged_files_do_no_harm() {
     }
 }
 
-/// What is wrong with a model that is otherwise good, in both kinds of file.
+/// Single defects of a good model, in text and in binary files.
 fn refused(change: impl Fn(&mut TestModel)) -> [ColmapError; 2] {
     let mut model = test_model();
     change(&mut model);
@@ -242,7 +246,10 @@ fn unsupported_camera_models_are_named() {
         }
     }
     let [text, binary] = refused(|model| model.cameras[0] = (1, "PANORAMA", 99, vec![]));
-    assert!(text.to_string().contains("cameras.txt:3: camera 1 has the model PANORAMA; known are "), "{text}");
+    assert!(
+        text.to_string().contains("cameras.txt:3: camera 1 has the model PANORAMA; the supported models are "),
+        "{text}"
+    );
     assert!(binary.to_string().contains("cameras.bin: byte 8: camera 1 has the model number 99;"), "{binary}");
 }
 
@@ -270,13 +277,13 @@ fn values_that_make_no_camera_are_refused() {
         assert!(error.to_string().contains("image `b.jpg` has camera 17, which is not in the model"), "{error}");
     }
     for error in refused(|model| model.cameras[2].0 = 1) {
-        assert!(error.to_string().ends_with("there is another camera 1"), "{error}");
+        assert!(error.to_string().ends_with("camera 1 occurs twice"), "{error}");
     }
     for error in refused(|model| model.images[1].id = 7) {
-        assert!(error.to_string().ends_with("there is another image 7"), "{error}");
+        assert!(error.to_string().ends_with("image 7 occurs twice"), "{error}");
     }
     for error in refused(|model| model.images[2].name = "b.jpg".to_owned()) {
-        assert!(error.to_string().ends_with("there is another image named `b.jpg`"), "{error}");
+        assert!(error.to_string().ends_with("image named `b.jpg` occurs twice"), "{error}");
     }
     for error in refused(|model| model.images.clear()) {
         assert!(matches!(error, ColmapError::NoImages { .. }), "{error}");

@@ -1,12 +1,14 @@
-//! COLMAP models written out by hand, byte for byte as COLMAP documents its formats, independently of the writer of the other tests:
-//! <https://colmap.github.io/format.html>, and for the binary files the order and the widths in which its own reader takes them.
+//! COLMAP models written out by hand, byte for byte as COLMAP documents its formats, independently
+//! of the writer of the other tests: <https://colmap.github.io/format.html>, and for the binary
+//! files the order and the widths in which its own reader takes them.
 
 use eliminant_cylinders::ColmapError;
 use eliminant_cylinders::colmap::{Encoding, Model, parse_colmap};
 use eliminant_cylinders::distortion::Distortion;
 use nalgebra::{Matrix3, Point3, Vector3};
 
-/// One camera of each supported model. Numbers are little-endian: 2560 is 0x40a4000000000000 as a double.
+/// One camera of each supported model. Numbers are little-endian: 2560 is 0x40a4000000000000 as a
+/// double.
 const CAMERAS: &str = "
     0500000000000000                                         // five cameras
     01000000 00000000 000c000000000000 0009000000000000      // 1, SIMPLE_PINHOLE, 3072 x 2304
@@ -73,7 +75,8 @@ const POINTS: &str = "
     0000000000000000
 ";
 
-/// The same model as text, with the comments that COLMAP writes. An image without points has an empty line.
+/// The same model as text, with the comments that COLMAP writes. An image without points has an
+/// empty line.
 const TEXT: [&str; 3] = [
     "# Camera list with one line of data per camera:
 #   CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]
@@ -107,7 +110,7 @@ const TEXT: [&str; 3] = [
 ",
 ];
 
-/// Bytes from hexadecimal digits; what stands behind `//` is a comment.
+/// Bytes from hexadecimal digits; text after `//` is a comment.
 fn bytes(text: &str) -> Vec<u8> {
     let lines = text.lines().map(|line| line.split("//").next().unwrap_or(line));
     let digits: Vec<_> = lines.flat_map(str::chars).filter(|character| !character.is_whitespace()).collect();
@@ -164,7 +167,7 @@ fn models_as_documented_are_read() {
 fn cut_at_any_byte_they_are_refused() {
     for (encoding, files) in [(Encoding::Text, text()), (Encoding::Binary, binary())] {
         for index in 0..3 {
-            // Text without a single byte is a file by hand of no points.
+            // An empty text file is a file without points, written by hand.
             let least = usize::from(encoding == Encoding::Text);
             for length in least..files[index].1.len() {
                 let mut cut = files.clone();
@@ -176,7 +179,7 @@ fn cut_at_any_byte_they_are_refused() {
     }
 }
 
-/// The numbers of the models: what COLMAP has behind `OPENCV` is refused by name.
+/// The numbers of the models. The models of COLMAP after `OPENCV` are refused by name.
 #[test]
 fn models_that_are_not_supported_are_refused_by_name() {
     for (number, name) in [(5u8, "OPENCV_FISHEYE"), (6, "FULL_OPENCV"), (7, "FOV"), (8, "SIMPLE_RADIAL_FISHEYE")] {

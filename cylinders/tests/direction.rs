@@ -1,4 +1,4 @@
-//! Directions: shared by parallel cylinders, and among wrong planes.
+//! Directions shared by parallel cylinders, and directions among wrong planes.
 
 #[path = "../examples/make_scene/random.rs"]
 mod random;
@@ -75,7 +75,7 @@ fn a_shared_direction_is_better_than_one_for_each() {
         }
     }
     println!("angle: {:.1e} alone, {:.1e} shared", (alone / 600.0_f64).sqrt(), (shared / 600.0_f64).sqrt());
-    // A third of the variance, but for sampling.
+    // The variance is a third, up to sampling.
     assert!(shared < alone / 2.0);
 }
 
@@ -100,14 +100,14 @@ fn degenerate_parallel_cylinders() {
     assert_eq!(triangulate_parallel(&cylinders), Err(ParallelError::Cylinder { cylinder: 1, error }));
     let empty = triangulate_parallel(&[]);
     assert_eq!(empty, Err(ParallelError::Direction(DirectionError::NoDecomposition { planes: 0 })));
-    // Three lines leave four circles, whatever is known of the direction.
+    // Three lines have four circles, even if the direction is known.
     cylinders[1] = parallel_cans(0.5, 2, &mut Random::new(6)).1.swap_remove(1);
     cylinders[1][1] = scenes::with_lines(&cylinders[1][1], &cylinders[1][1].lines()[..1]);
     let error = TriangulateError::Circle(CircleError::Ambiguous { circles: 4 });
     assert_eq!(triangulate_parallel(&cylinders), Err(ParallelError::Cylinder { cylinder: 1, error }));
 }
 
-/// Planes of three parallel cans and twice as many others, in turn.
+/// Planes of three parallel cans, alternating with twice as many others.
 fn with_outliers(noise: f64, random: &mut Random) -> (Unit<Vector3<f64>>, Vec<ViewingPlane>, Vec<usize>) {
     let (cans, cylinders) = parallel_cans(noise, 5, random);
     let (mut all, mut inliers) = (Vec::new(), Vec::new());

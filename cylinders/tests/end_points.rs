@@ -1,5 +1,5 @@
-//! Lines that keep their end points: better refined cylinders, more inliers, residuals and extents where the lines were seen,
-//! scene files.
+//! Lines with end points: refined cylinders are better, there are more inliers, and residuals and
+//! extents refer to the end points; also scene files with end points.
 
 #[path = "../examples/make_scene/random.rs"]
 mod random;
@@ -26,7 +26,8 @@ fn camera(setup: &Setup, photograph: &Photograph) -> Camera {
     Camera::from_normalised(&photograph.camera).expect("a camera").with_calibration(calibration)
 }
 
-/// The part of each contact line from `part[0]` to `part[1]` of the height of the can, as the camera sees it with noise.
+/// The part of each contact line from `part[0]` to `part[1]` of the height of the can, as the
+/// camera sees it, with noise.
 fn segments(can: &Can, setup: &Setup, camera: &Camera, part: [f64; 2], random: &mut Random) -> [Segment; 2] {
     let direction = can.direction.into_inner();
     let outward = camera.centre() - can.base;
@@ -43,7 +44,7 @@ fn segments(can: &Can, setup: &Setup, camera: &Camera, part: [f64; 2], random: &
     })
 }
 
-/// Views of the soda can in each of which both silhouettes are seen along a part of it that `part` chooses.
+/// Views of the soda can. Each shows both silhouettes along a part of the can that `part` chooses.
 fn can_views(setup: &Setup, random: &mut Random, part: impl Fn(&mut Random) -> [f64; 2]) -> Vec<View> {
     let can = scene::soda_can();
     let view = |photograph: &Photograph, random: &mut Random| {
@@ -55,7 +56,7 @@ fn can_views(setup: &Setup, random: &mut Random, part: impl Fn(&mut Random) -> [
     scene::photographs(&can, setup, random).iter().map(|photograph| view(photograph, random)).collect()
 }
 
-/// Somewhere on the can, from a twentieth to half of its height.
+/// A random part of the can, from a twentieth to half of its height.
 fn short(random: &mut Random) -> [f64; 2] {
     let length = random.uniform(0.05, 0.5);
     let start = random.uniform(0.0, 1.0 - length);
@@ -105,7 +106,8 @@ fn ransac_keeps_short_segments() {
         without += triangulate_robustly(&without_ends(&views), &options).expect("a cylinder").inliers.len();
     }
     println!("{with} of 600 silhouettes are inliers with end points, {without} without");
-    // A line is lost where two independent distances of a pixel have a root mean square of three: once in 8000 lines.
+    // A line is lost if two independent distances of a pixel have a root mean square of three: once
+    // in 8000 lines.
     assert!(with >= 598 && with > without, "{with} {without}");
 }
 
@@ -120,7 +122,7 @@ fn residuals_are_what_the_refinement_minimises() {
     assert!(((square / residuals.len() as f64).sqrt() - result.rms).abs() < 1e-12);
     assert!(result.rms > 0.3 && result.rms < 0.6, "noise of half a pixel: {}", result.rms);
 
-    // No pixels without a calibration, but the same sides.
+    // Without a calibration there are no pixels, but the sides are the same.
     for (view, known) in views.iter().zip(residuals.chunks(2)) {
         let other = result.cylinder.residuals(0, &without_calibration(view)).expect("outside");
         assert!(other.iter().zip(known).all(|(other, known)| other.pixels.is_none() && other.side == known.side));
@@ -150,7 +152,8 @@ fn neither_world_nor_order_of_the_end_points_matter() {
     }
 }
 
-/// On a thin cylinder the plane of a short, slightly turned segment is nearer to the wrong tangent plane.
+/// On a thin cylinder the plane of a short, slightly turned segment is nearer to the wrong tangent
+/// plane.
 #[test]
 fn the_side_is_the_one_at_the_end_points() {
     let cylinder = Cylinder::new(&Point3::new(0.0, 0.0, 10.0), Vector3::y_axis(), 0.01);
@@ -185,7 +188,7 @@ fn the_extent_is_between_the_end_points() {
     let views = can_views(&exact, &mut Random::new(1), |_| [0.0, 1.0]);
     let error = off(&views, &cylinder, [bottom, bottom + can.height]);
     assert!(error < 1e-9, "off by {error:e}");
-    // The images alone show more than the can.
+    // The images show more than the can.
     assert!(off(&without_ends(&views), &cylinder, [bottom, bottom + can.height]) > 50.0);
 
     // Half a pixel is 0.1 mm there.
@@ -196,7 +199,7 @@ fn the_extent_is_between_the_end_points() {
     println!("extent with noise: off by {error:.3} mm");
     assert!(error < 0.5, "off by {error} mm");
 
-    // All that is between the end points of different images; points on the surface do not count then.
+    // The extent covers the end points of all images, and points on the surface do not count.
     let mut pieces = can_views(&exact, &mut Random::new(1), |_| [0.0, 0.3]);
     pieces.extend(can_views(&exact, &mut Random::new(2), |_| [0.6, 0.9]));
     assert!(off(&pieces, &cylinder, [bottom, bottom + 0.9 * can.height]) < 1e-9);
@@ -204,7 +207,7 @@ fn the_extent_is_between_the_end_points() {
     let points: Vec<_> = (0..100).map(|height| cylinder.axis_at(f64::from(height)) + side).collect();
     assert_eq!(visible_extent(&cylinder, &pieces, &points), visible_extent(&cylinder, &pieces, &[]));
 
-    // Behind the camera nothing is seen.
+    // A camera sees nothing behind it.
     let behind = Cylinder::new(&Point3::new(0.0, 0.0, -10.0), Vector3::y_axis(), 1.0);
     let ahead = Cylinder::new(&Point3::new(0.0, 0.0, 10.0), Vector3::y_axis(), 1.0);
     let camera = Camera::from_normalised(&Matrix3x4::identity()).expect("a camera");
@@ -217,7 +220,7 @@ fn the_extent_is_between_the_end_points() {
     assert_eq!(visible_extent(&behind, &views, &[]), visible_extent(&behind, &without_ends(&views), &[]));
 }
 
-/// Numbers in the form in which they are read back exactly.
+/// Writes numbers so that they are read back exactly.
 fn numbers<'a>(numbers: impl IntoIterator<Item = &'a f64>) -> String {
     format!("{:?}", numbers.into_iter().collect::<Vec<_>>())
 }

@@ -26,14 +26,15 @@ fn soda_can() -> Value {
     serde_json::from_str(&std::fs::read_to_string(path).expect("a scene")).expect("JSON")
 }
 
-/// The scene in a file of this name; returns its path.
+/// Writes the scene to a file of this name and returns its path.
 fn file(name: &str, scene: &Value) -> String {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     std::fs::write(&path, scene.to_string()).expect("a writable folder for tests");
     path.display().to_string()
 }
 
-/// The soda can with a wrong line before those of the third view and after those of the sixth.
+/// The soda can with a wrong line before the lines of the third view and after the lines of the
+/// sixth view.
 fn with_wrong_lines(name: &str) -> String {
     let mut scene = soda_can();
     scene["views"][2]["lines_pixels"].as_array_mut().expect("lines").insert(0, json!([0.6, 0.8, -2500.0]));

@@ -1,4 +1,5 @@
-//! Experiments through the command: their files, that they depend on the seed only, and what they claim.
+//! Experiments through the command: their files exist and depend on the seed only, and their claims
+//! hold.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -21,7 +22,7 @@ fn experiment(folder: &Path, threads: usize, arguments: &[&str]) -> Output {
 
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("experiments").join(name);
-    // Files of an earlier run would look like those of this one.
+    // Files of an earlier run could be mistaken for files of this run.
     let _ = fs::remove_dir_all(&folder);
     folder
 }
@@ -191,7 +192,7 @@ fn the_points_of_the_round_tower_lie_on_its_cylinder() {
     for method in ["linear", "navab", "least-squares", "refined"] {
         let number = |column| number(&summary, "methods", &[("method", method.into())], column);
         assert!(number("points near") > 2000.0, "{method}");
-        // A fit beside the tower would have its points anywhere in the band of +-25 %.
+        // For a wrong fit the points would lie anywhere in the band of +-25 %.
         assert!(number("median").abs() < 0.03 && number("75 %") - number("25 %") < 0.1, "{method}");
         assert!(number("points within 5 %") > 0.7 * number("points near"), "{method}");
     }

@@ -1,4 +1,4 @@
-//! `cylinders match`: exit codes, where text goes, and that both forms of the output say the same.
+//! `cylinders match`: exit codes and output streams are right, and both forms of the output agree.
 
 #![cfg(feature = "command")]
 
@@ -92,7 +92,7 @@ fn what_is_wrong_is_said() {
     let scene_file = scene_file("match_bad.json");
     for (arguments, expected) in [
         (&["--threshold", "0"][..], "the threshold must be positive"),
-        (&["--least-support", "2"], "three lines leave four circles"),
+        (&["--least-support", "2"], "four circles touch three lines"),
         (&["--least-support", "99"], "no cylinder has 99 of the "),
     ] {
         let (code, output, error) = command(&[&[scene_file.as_str()], arguments].concat());

@@ -1,4 +1,5 @@
-//! Matching without correspondences: simulated scenes of several cylinders, the exhaustive search itself, and bad input.
+//! Matching without correspondences: simulated scenes of several cylinders, the exhaustive search
+//! itself, and invalid input.
 
 #![cfg(feature = "command")]
 
@@ -16,7 +17,8 @@ fn scene(setup: &ParallelSetup, seed: u64) -> ParallelScene {
     setup.scene(seed).expect("a scene")
 }
 
-/// For each cylinder of the scene the model that has most of its silhouettes, and mostly those, on the right sides.
+/// For each cylinder of the scene, the model with most of its silhouettes, whose matches are mostly
+/// these, on the right sides.
 fn found(scene: &ParallelScene, matching: &Matching) -> Vec<Option<usize>> {
     let of_cylinder = |index: usize| {
         let silhouettes = scene.truth.iter().flatten().flatten().filter(|(cylinder, _)| *cylinder == index).count();
@@ -72,7 +74,8 @@ fn told_nothing_the_search_finds_all_seven_and_hardly_anything_else() {
             assert!(cylinder.false_alarms <= 1.0, "seed {seed}");
         }
     }
-    // One in a hundred may be missed, and one by chance in each scene is what is asked for at most.
+    // One cylinder in a hundred may be missed, and at most one cylinder by chance is allowed in
+    // each scene.
     assert!(complete >= 29, "{complete} of 30");
     assert!(cylinders <= 7 * 30 + 3, "{cylinders}");
 }
@@ -199,7 +202,7 @@ fn bad_input_is_a_typed_error() {
     };
     let uncalibrated: Vec<_> = scene.views.iter().map(bare).collect();
     assert_eq!(fails(&uncalibrated, &scene.direction, &options), MatchError::NoCalibration { view: 0 });
-    // In radians it is the same scene.
+    // The threshold in radians describes the same scene.
     let radians = MatchOptions { unit: DistanceUnit::Radians, threshold: 0.003, ..options };
     let matching = match_cylinders(&uncalibrated, &scene.direction, &radians).expect("cylinders");
     assert_eq!(matching.unmatched, matched(&scene.views, &scene.direction).unmatched);

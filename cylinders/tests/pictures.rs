@@ -1,4 +1,5 @@
-//! Pictures: the same bytes each time, SVG that is well-formed, PNG of the size that it says, and what they show.
+//! Pictures have the same bytes each time, well-formed SVG, PNG of the declared size, and the right
+//! content.
 
 #![cfg(feature = "command")]
 
@@ -10,7 +11,7 @@ use eliminant_cylinders::picture::{
 use eliminant_cylinders::{Circle, Cylinder, CylinderLines, Scene, View, read_scene, triangulate};
 use nalgebra::Point2;
 
-/// The colours of what was found and of what was given.
+/// The colours of results and of given lines.
 const FOUND: [u8; 3] = [0, 114, 178];
 const GIVEN: [u8; 3] = [213, 94, 0];
 
@@ -125,7 +126,7 @@ fn circles_are_round_and_lines_touch_them() {
     let (wide, high) = (extent(&mut blue.iter().map(|at| at.0)), extent(&mut blue.iter().map(|at| at.1)));
     assert!(wide > 400 && wide.abs_diff(high) <= 2, "{wide} x {high}");
 
-    // Of the sixteen lines in the scene, all within 1.5 units of the circle or closer, the picture has as many.
+    // The picture shows all sixteen lines of the scene, which pass within 1.5 units of the circle.
     let lines: Vec<_> = section().lines().collect();
     assert_eq!(lines.len(), 16);
     let (_, found) = soda_can();
@@ -134,7 +135,7 @@ fn circles_are_round_and_lines_touch_them() {
         assert!(distance.abs() < 0.01 * found[0].1.radius, "{distance}");
     }
 
-    // Other circles are drawn too, also far away ones that are only partly in the picture.
+    // Other circles are also drawn, even distant ones that are only partly in the picture.
     let other = |radius| Circle { centre: Point2::new(radius, 0.0), radius };
     let more = section().with_others(vec![other(50.0), other(1e5), other(1e12)]);
     check(&more, &["other stationary circle"]);
@@ -175,7 +176,7 @@ fn lines_with_end_points_are_drawn_as_segments() {
     let (mut scene, found) = soda_can();
     let view = &scene.views[0];
     let calibration = *view.camera().calibration().expect("a calibration");
-    // One inside the image, one that leaves it.
+    // One line is inside the image, and one leaves it.
     let points = [[[1000.0, 500.0], [1000.0, 1000.0]], [[2000.0, 500.0], [2000.0, 9000.0]]];
     let segments = points.map(|ends| ends.map(Point2::from));
     scene.views[0] = View::from_pixel_segments(*view.camera(), &segments).expect("segments");

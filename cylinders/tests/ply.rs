@@ -1,4 +1,5 @@
-//! PLY files, read back by a strict reader: what the header declares is there and nothing else, and it is the scene.
+//! PLY files, read back by a strict reader: they contain exactly what the header declares, and it
+//! is the scene.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -11,7 +12,8 @@ use nalgebra::{Matrix3, Matrix3x4, Point3, Rotation3, Vector3};
 /// Rows of an element: one list of numbers for each of its properties.
 type Rows = Vec<Vec<Vec<f64>>>;
 
-/// Reads every element of a PLY file in binary little endian. Panics where the file departs from the format.
+/// Reads every element of a PLY file in binary little endian. Panics if the file departs from the
+/// format.
 fn read(bytes: &[u8]) -> BTreeMap<String, Rows> {
     let end = b"end_header\n";
     let split = bytes.windows(end.len()).position(|window| window == end).expect("a header") + end.len();
@@ -81,14 +83,15 @@ fn the_file_is_the_scene() {
     let points: Vec<_> = vertices.iter().map(|row| point(row)).collect();
     let cylinder = &found[0].1;
 
-    // Points first; the second is on the surface and has its colour.
+    // Points come first. The second one is on the surface and has its colour.
     assert_eq!(points[..2], scene.points);
     let surface = &faces[0][0];
     let colour = |index: usize| &vertices[index][3..];
     assert_ne!(colour(0), colour(1));
     assert_eq!(colour(1), colour(surface[0] as usize));
 
-    // Triangles whose corners are on the surface and which are seen counter-clockwise from outside; a closed band.
+    // Triangles whose corners are on the surface and which are seen counter-clockwise from outside;
+    // a closed band.
     let mut directed = BTreeMap::new();
     for face in faces {
         let [a, b, c] = *face[0].as_slice() else { panic!("{face:?} is no triangle") };
@@ -109,7 +112,7 @@ fn the_file_is_the_scene() {
     let [low, high] = visible_extent(cylinder, &found[0].0.views, &scene.points).expect("it is seen");
     assert!(heights.iter().all(|&height| (height - low).abs().min((height - high).abs()) < 1e-9));
 
-    // Of each of the sixteen lines a triangle, of each of the eight cameras a pyramid.
+    // Each of the sixteen lines has a triangle, and each of the eight cameras a pyramid.
     assert_eq!(edges.len(), 16 * 3 + 8 * 8);
     assert_eq!(points.len(), 2 + faces.len() + 16 * 3 + 8 * 5);
     for edge in edges {
@@ -126,7 +129,8 @@ fn the_file_is_the_scene() {
     }
 }
 
-/// A camera at `centre` that looks along `-z`, its image upright: 1000 x 800 pixels, focal length 1000.
+/// A camera at `centre` that looks along `-z`, its image upright: 1000 x 800 pixels, focal length
+/// 1000.
 fn camera(centre: Point3<f64>) -> Camera {
     let rotation = Rotation3::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI).into_inner();
     let translation = -(rotation * centre.coords);
@@ -148,7 +152,8 @@ fn the_images_show_a_part_of_the_cylinder() {
     let extent = visible_extent(&upright, std::slice::from_ref(&front), &[]).expect("seen");
     assert!(extent.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-12), "{extent:?}");
 
-    // Horizontal in the image, where its width counts; and along the line of sight, where it never leaves the image.
+    // The axis is horizontal in the image, so the width counts; then it is along the line of sight
+    // and never leaves the image.
     let across = Cylinder::new(&Point3::origin(), Vector3::x_axis(), 1.0);
     let extent = visible_extent(&across, &[view(&across, camera(Point3::new(0.0, 0.0, 10.0)))], &[]).expect("seen");
     assert!((extent[1] - extent[0] - 9.9).abs() < 1e-12, "{extent:?}");
@@ -156,7 +161,7 @@ fn the_images_show_a_part_of_the_cylinder() {
     let extent = visible_extent(&away, &[view(&away, camera(Point3::new(0.0, 0.0, 0.0)))], &[]).expect("seen");
     assert!((extent[0] + 9.0).abs() < 1e-12 && extent[1] < -5.0, "three distances from the axis at most: {extent:?}");
 
-    // Points on the surface say more than the images, points elsewhere nothing.
+    // Points on the surface count before the images; points elsewhere do not count.
     let on_surface = |index: i32| Point3::new(1.0, f64::from(index) / 100.0, 0.0);
     let points: Vec<_> = (0..=100).map(on_surface).collect();
     let views = [front];
@@ -168,14 +173,15 @@ fn the_images_show_a_part_of_the_cylinder() {
     assert_eq!(visible_extent(&behind, &[view(&behind, camera(Point3::new(0.0, 0.0, 10.0)))], &[]), None);
 }
 
-/// The triangle of a line with end points ends on the surface, where these are.
+/// The triangle of a line with end points ends at the end points on the surface.
 #[test]
 fn viewing_planes_end_at_the_end_points() {
     let cylinder = Cylinder::new(&Point3::origin(), Vector3::y_axis(), 1.0);
     let centre = Point3::new(0.0, 0.0, 10.0);
     let heights = [-0.5, 1.5];
     let infinite = view(&cylinder, camera(centre));
-    // Contact points of the tangents from a point at distance 10 to the unit circle: 0.1 towards it, sqrt(0.99) beside it.
+    // Contact points of the tangents from a point at distance 10 to the unit circle: 0.1 towards
+    // it, sqrt(0.99) beside it.
     let beside = 0.99_f64.sqrt();
     let seen = |x: f64, y: f64| {
         let seen = infinite.camera().rotation() * Vector3::new(x, y, 0.1) + infinite.camera().translation();

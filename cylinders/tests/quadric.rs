@@ -1,4 +1,5 @@
-//! Quadric and dual quadric of a cylinder, silhouettes from the dual, sides and signs of lines: random cylinders and cameras.
+//! Quadric and dual quadric of a cylinder, silhouettes from the dual, sides and signs of lines:
+//! random cylinders and cameras.
 
 #[path = "../examples/make_scene/random.rs"]
 mod random;
@@ -11,8 +12,8 @@ use random::Random;
 
 const SCENES: usize = 2000;
 
-/// What rounding may leave of a sum of products, relative to the norms of its factors: sixteen terms, each with a few
-/// rounded factors.
+/// Largest rounding error of a sum of products, relative to the norms of its factors: sixteen
+/// terms, each with a few rounded factors.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 fn vector(random: &mut Random) -> Vector3<f64> {
@@ -30,7 +31,8 @@ fn frame(cylinder: &Cylinder, random: &mut Random) -> (Vector3<f64>, Vector3<f64
     (u, cylinder.direction.cross(&u))
 }
 
-/// A camera with its centre at `distance` radii from the axis and any rotation, and the unit vector from the axis to it.
+/// A camera with its centre at `distance` radii from the axis and any rotation, and the unit vector
+/// from the axis to it.
 fn camera(cylinder: &Cylinder, distance: f64, random: &mut Random) -> (Camera, Vector3<f64>) {
     let (outward, _) = frame(cylinder, random);
     let along = cylinder.direction.into_inner() * random.uniform(-3.0, 3.0);
@@ -104,14 +106,15 @@ fn silhouettes_from_the_dual_quadric_are_those_from_the_tangent_planes() {
         let expected = cylinder.silhouette(&camera).expect("outside");
         let dual = cylinder.dual_quadric() * random.uniform(0.1, 10.0) * if scene % 2 == 0 { 1.0 } else { -1.0 };
         let lines = silhouette_of_dual_quadric(&dual, &cylinder.direction, &camera).expect("outside");
-        // The quadric carries products of coordinates of the world, relative to which it is rounded.
+        // The quadric contains products of world coordinates, so its rounding is relative to them.
         let size = (cylinder.axis_point - Point3::origin()).norm() + camera.translation().norm();
         let tolerance = 1e-12 * (size / cylinder.radius).powi(2).max(1.0);
         for (line, expected) in lines.iter().zip(&expected) {
             assert!((line - expected).norm() < tolerance, "scene {scene}: {:e}", (line - expected).norm());
         }
 
-        // On the dual conic, and through points of the surface where the line of sight is tangent.
+        // The lines are on the dual conic, and pass through points of the surface at which the line
+        // of sight is tangent.
         let rotation = camera.rotation();
         let projection =
             Matrix3x4::from_fn(
@@ -126,7 +129,8 @@ fn silhouettes_from_the_dual_quadric_are_those_from_the_tangent_planes() {
             let value = line.dot(&(conic * line)).abs();
             let terms = cylinder.dual_quadric().norm() * projection.norm_squared();
             assert!(value < ROUNDING * terms, "scene {scene}: {value:e}");
-            // The first line is the right one: `w x outward` points right for who looks inward with `w` up.
+            // The first line is the right one: `w x outward` points right for who looks inward with
+            // `w` up.
             let contact = cylinder.axis_point + (outward * cosine + sideways * (side * sine)) * cylinder.radius;
             let image = rotation * contact.coords + camera.translation();
             assert!(line.dot(&image).abs() < ROUNDING * size.max(1.0), "scene {scene}: {:e}", line.dot(&image));
@@ -146,7 +150,8 @@ fn residuals_tell_the_side_and_on_which_side_of_the_silhouette_the_line_is() {
         let cylinder = cylinder(&mut random);
         let distance = random.uniform(1.1, 20.0);
         let (camera, outward) = camera(&cylinder, distance, &mut random);
-        // A plane along the axis at `angle` to the plane through the axis, `angle` towards the right of the camera.
+        // A plane along the axis at `angle` to the plane through the axis, `angle` towards the
+        // right of the camera.
         let angle = random.uniform(-1.0, 1.0) * FRAC_PI_2;
         let right = cylinder.direction.cross(&outward);
         let sight = right * angle.sin() - outward * angle.cos();

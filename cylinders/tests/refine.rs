@@ -44,7 +44,8 @@ fn noise_free_lines_give_the_cylinder() {
     }
 }
 
-/// The lines through two points at `+-half_length` of the point nearest to the principal point, each moved by noise.
+/// The lines through two points at `+-half_length` of the point nearest to the principal point,
+/// each moved by noise.
 fn disturbed_lines(view: &View, setup: &Setup, half_length: f64, noise: f64, random: &mut Random) -> Vec<Vector3<f64>> {
     let calibration = view.camera().calibration().expect("a calibration");
     let principal = setup.calibration.column(2).xy();
@@ -92,8 +93,9 @@ fn covariance_is_the_scatter() {
         let trace = result.covariance[(0, 0)] + result.covariance[(1, 1)];
         assert!((result.deviation.direction - trace.sqrt()).abs() < 1e-15);
     }
-    // With the predicted covariance scaled to the identity, the entries of the mean and of the scatter are off by
-    // their own sampling errors: four standard deviations are allowed for twenty numbers.
+    // With the predicted covariance scaled to the identity, the entries of the mean and of the
+    // scatter are off by their own sampling errors: four standard deviations are allowed for twenty
+    // numbers.
     let factor = covariance.cholesky().expect("a covariance").l();
     let white: Vec<SVector<f64, 5>> =
         errors.iter().map(|error| factor.solve_lower_triangular(error).expect("a regular factor")).collect();
@@ -247,8 +249,8 @@ fn images_of_the_axis_leave_no_radius() {
 
 #[test]
 fn a_camera_stays_outside() {
-    // Seven lines touch the unit circle from cameras around it; one camera stands inside that circle, and the best cylinder
-    // leaves it just outside.
+    // Seven lines touch the unit circle from cameras around it. One camera stands inside that
+    // circle, and the best cylinder leaves it just outside.
     let look = |centre: Vector3<f64>, normal: Vector3<f64>| {
         let camera = Matrix3x4::from_columns(&[Vector3::x(), Vector3::y(), Vector3::z(), -centre]);
         let camera = eliminant_cylinders::Camera::from_normalised(&camera).expect("a camera");

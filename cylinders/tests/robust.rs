@@ -1,4 +1,5 @@
-//! Robust estimation: outliers, few lines, the choice between circles, invariance, determinism, refused input.
+//! Robust estimation: outliers, few lines, the choice among circles, invariance, determinism,
+//! refused input.
 
 #[path = "../examples/make_scene/random.rs"]
 mod random;
@@ -23,7 +24,8 @@ fn line_anywhere(random: &mut Random) -> Vector3<f64> {
     point().cross(&point())
 }
 
-/// Image of a line in space that is parallel to the axis: the edge of something that stands beside the can.
+/// Image of a line in space that is parallel to the axis, such as the edge of an object beside the
+/// can.
 fn parallel_line(can: &Can, setup: &Setup, photograph: &Photograph, random: &mut Random) -> Vector3<f64> {
     let beside = Vector3::from_fn(|_, _| random.uniform(-150.0, 150.0));
     let ends = [0.0, can.height].map(|height| {
@@ -34,8 +36,9 @@ fn parallel_line(can: &Can, setup: &Setup, photograph: &Photograph, random: &mut
     ends[0].cross(&ends[1])
 }
 
-/// A soda can seen by fifteen cameras, both silhouettes in each, with end points that are off by a pixel, among other
-/// lines. The inliers come at random places of each view. Also says which lines are silhouettes.
+/// A soda can seen by fifteen cameras, both silhouettes in each, with end points that are off by a
+/// pixel, among other lines. The inliers come at random places of each view. Also says which lines
+/// are silhouettes.
 fn scene_with_outliers(
     seed: u64,
     share: f64,
@@ -254,7 +257,8 @@ fn repeated_lines_and_cameras_at_one_place_agree_on_nothing() {
 #[test]
 fn a_cylinder_behind_the_cameras_is_none() {
     let (_, views, _) = scene_with_outliers(12, 0.0, anywhere);
-    // Half a turn about the y axis of each camera: the same viewing planes, seen the other way.
+    // Each camera is turned by half a turn about its y axis, so it sees the same viewing planes
+    // from the other side.
     let behind: Vec<_> = views.iter().map(scenes::turned_round).collect();
     let options = RobustOptions::of(&behind);
     let options = RobustOptions { ransac: RansacOptions { max_samples: 2000, ..options.ransac }, ..options };

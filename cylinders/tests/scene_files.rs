@@ -1,4 +1,4 @@
-//! Scene files: what is read, and the message for each way in which a file can be wrong.
+//! Scene files: their content is read, and every defect has its message.
 
 use eliminant_cylinders::{CylinderLines, InputError, LineId, View, ViewError, parse_scene};
 use nalgebra::{Matrix3, Vector3};
@@ -27,7 +27,7 @@ fn pixels_and_normalised_coordinates_give_the_same_view() {
     assert!(left.lines()[0].cross(&right.lines()[0]).norm() < 1e-15);
 
     let both = format!("{normalised}, {pixels}");
-    assert_eq!(&parse_scene(&scene(&both), "").expect("both spellings agree").views[1], left);
+    assert_eq!(&parse_scene(&scene(&both), "").expect("both forms agree").views[1], left);
 }
 
 #[test]
@@ -164,7 +164,7 @@ fn wrong_shapes_and_values_name_their_place() {
         ),
         (
             format!("{camera}, \"lines_normalised\": [[1,0,0]], \"lines_pixels\": [[1,0,-501]]"),
-            "views[1].lines_pixels[0]: the spellings of one thing contradict each other",
+            "views[1].lines_pixels[0]: two forms of the same camera or line contradict each other",
         ),
         (
             format!("{camera}, \"segments_pixels\": [[1,2,3,4], [5,6]]"),
@@ -180,21 +180,21 @@ fn wrong_shapes_and_values_name_their_place() {
         ),
         (
             format!("{camera}, \"lines_pixels\": [[1,0,-500]], \"segments_pixels\": [[500,0,500,9], [1,2,3,4]]"),
-            "views[1].segments_pixels[1]: the spellings of one thing contradict each other",
+            "views[1].segments_pixels[1]: two forms of the same camera or line contradict each other",
         ),
         (
             format!("{camera}, \"lines_pixels\": [[1,0,-500]], \"segments_pixels\": [[500,0,500.2,9]]"),
-            "views[1].segments_pixels[0]: the spellings of one thing contradict each other",
+            "views[1].segments_pixels[0]: two forms of the same camera or line contradict each other",
         ),
         (
             format!("{camera}, \"lines_normalised\": [[1,0,0]], \"lines_pixels\": []"),
-            "views[1].lines_pixels[0]: the spellings of one thing contradict each other",
+            "views[1].lines_pixels[0]: two forms of the same camera or line contradict each other",
         ),
         (
             format!(
                 "{camera}, \"camera_pixels\": [[1000,0,500,2500],[0,1000,400,2000],[0,0,1,6]], \"lines_pixels\": []"
             ),
-            "views[1].camera_pixels: the spellings of one thing contradict each other",
+            "views[1].camera_pixels: two forms of the same camera or line contradict each other",
         ),
     ];
     for (view, expected) in cases {

@@ -1,4 +1,5 @@
-//! Cross-section solvers: exact tangents give the circle, in any coordinates; bad lines give errors.
+//! Cross-section solvers: exact tangents give the circle in any coordinates, and invalid lines give
+//! errors.
 
 #[path = "../examples/section_accuracy/cross_section.rs"]
 mod cross_section;
@@ -87,7 +88,8 @@ fn closed_form_and_emitted_solver_agree() {
     assert!(median < 1e-12 && p99 < 1e-8, "median {median:e}, 99 % {p99:e}");
 }
 
-/// Turned, shifted and scaled plane, lines with the other sign and in another order: the same sections.
+/// Sections do not depend on rotation, shift and scale of the plane, or on the signs and the order
+/// of the lines.
 #[test]
 fn coordinates_do_not_matter() {
     let mut random = Random::new(14);
@@ -123,7 +125,7 @@ fn coordinates_do_not_matter() {
     }
 }
 
-/// A dual conic belongs to its shape: centre, axes and the tangents.
+/// The dual conic agrees with its shape: centre, axes and tangents.
 #[test]
 fn dual_conics_belong_to_their_circles() {
     let mut random = Random::new(15);
@@ -167,7 +169,7 @@ fn linear_conic_says_what_it_is() {
     assert_eq!(hyperbola.circle(), None);
 }
 
-/// Weights count as repetitions do, and a line of weight zero as none.
+/// Weights count like repetitions, and a line of weight zero does not count.
 #[test]
 fn weights_are_repetitions() {
     let mut random = Random::new(16);

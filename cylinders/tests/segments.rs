@@ -1,4 +1,4 @@
-//! Segments of a CSV file: fitted lines, labels, distortion, and the message for each way in which a file can be wrong.
+//! Segments of a CSV file: fitted lines, labels and distortion, and the message for every defect.
 
 #[path = "../examples/make_scene/random.rs"]
 mod random;
@@ -38,7 +38,8 @@ fn pixel_line(view: &View, index: usize) -> Vector3<f64> {
 
 #[test]
 fn segments_become_lines_of_their_images() {
-    // Columns in another order, one more, blanks, quotes, Windows line breaks, the byte order mark of spreadsheets.
+    // The file has columns in another order, an additional column, blanks, quotes, Windows line
+    // breaks, and the byte order mark of spreadsheets.
     let text = "\u{feff}score, x1,y1 ,x2,y2,image\r\n0.5,100,-20,100,700,\"b c.jpg\"\r\n,0, 30.5,10 ,30.5,a.jpg\r\n1,0,0,30,40,a.jpg\r\n";
     let views = views(text);
     assert_eq!(views.iter().map(View::image).collect::<Vec<_>>(), [Some("a.jpg"), Some("b c.jpg")]);
@@ -57,14 +58,15 @@ fn pieces_of_one_line_are_fitted_together() {
          a.jpg,7,7,8,9,,\na.jpg,0,0,0,9,can,left\n"
     );
     let views = views(&text);
-    // The pieces with the same name in another image or of another cylinder, and those without name, stand alone.
+    // Segments of the same name in another image or of another cylinder are separate lines, as are
+    // segments without name.
     assert_eq!(views.iter().map(|view| view.lines().len()).collect::<Vec<_>>(), [4, 1]);
     assert_eq!(views[0].labels(), [None, None, None, Some("can".to_owned())]);
     // Least squares through (0, 101), (100, 99), (200, 99), (300, 101): y = 100 by symmetry.
     assert!((pixel_line(&views[0], 0) - Vector3::new(0.0, 1.0, -100.0)).norm() < 1e-9);
 }
 
-/// The sum of squared distances grows when the fitted line is turned or shifted.
+/// The sum of squared distances grows if the fitted line is turned or shifted.
 #[test]
 fn the_fitted_line_is_the_nearest() {
     let mut random = Random::new(1);
@@ -137,14 +139,14 @@ fn wrong_files_are_located() {
     assert_eq!(error, "s.csv:2: column 1 is not UTF-8 text");
 }
 
-/// A cut number is a number: only what is cut elsewhere can be noticed.
+/// A truncated number is still a number, so only truncation elsewhere can be noticed.
 #[test]
 fn a_file_cut_within_a_row_is_refused() {
     let text = "image,x1,y1,x2,y2\na.jpg,10,20,30,40\nb c.jpg,1,2,3,4\n";
     let (header, last_row) = (text.find('\n').expect("a break"), text.find("b c").expect("the row"));
     for length in 0..text.len() {
         let result = parse_segments(&text.as_bytes()[..length], "s.csv").and_then(|cut| cut.views(&photographs()));
-        // After the header, within the last number of a row, and after it.
+        // The file ends after the header, within the last number of a row, or after that number.
         let complete = (header..=header + 1).contains(&length)
             || (last_row - 2..=last_row).contains(&length)
             || length == text.len() - 1;
@@ -164,11 +166,11 @@ fn images_must_be_clear() {
     let error = segments.views(&uncalibrated).expect_err("an error").to_string();
     assert_eq!(error, "s.csv:2: the camera of `a.jpg` has no calibration");
 
-    // Nothing is seen further out than two thirds of the focal length from the centre.
+    // No point is seen further than two thirds of the focal length from the centre.
     let barrel = [photograph("a.jpg", Distortion { radial: [-1.0 / 3.0, 0.0], tangential: [0.0, 0.0] })];
     let far = parse_segments(b"image,x1,y1,x2,y2\na.jpg,500,400,1400,400\n", "s.csv").expect("segments");
     let error = far.views(&barrel).expect_err("an error").to_string();
-    assert!(error.starts_with("s.csv:2: the distortion of `a.jpg` cannot be taken off at (1400, 400)"), "{error}");
+    assert!(error.starts_with("s.csv:2: the distortion of `a.jpg` cannot be removed at (1400, 400)"), "{error}");
 }
 
 #[test]
@@ -183,7 +185,7 @@ fn segments_join_the_lines_of_a_scene() {
     assert!((pixel_line(&scene.views[1], 1) - Vector3::new(1.0, 0.0, -7.0)).norm() < 1e-12);
 }
 
-/// Two points of a pixel line as a lens of this distortion shows them.
+/// Two points of a pixel line, as a lens with this distortion shows them.
 fn seen(line: &Vector3<f64>, calibration: &Calibration, distortion: &Distortion) -> [Point2<f64>; 2] {
     let centre = Point2::new(2000.0, 1500.0);
     let foot = centre - line.xy() * line.dot(&centre.to_homogeneous());
@@ -193,7 +195,8 @@ fn seen(line: &Vector3<f64>, calibration: &Calibration, distortion: &Distortion)
     })
 }
 
-/// Through a bent lens the same can is found when its distortion is taken off, and another one otherwise.
+/// With a distorting lens the same can is found if the distortion is removed, and another one
+/// otherwise.
 #[test]
 fn distortion_is_taken_off() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/soda_can.json");

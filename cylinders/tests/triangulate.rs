@@ -1,4 +1,5 @@
-//! Silhouette lines and cameras in, cylinder out: accuracy, invariance, real and committed scenes, refused scenes.
+//! Silhouette lines and cameras in, cylinder out: accuracy, invariance, real and committed scenes,
+//! refused scenes.
 
 #[path = "../examples/make_scene/random.rs"]
 mod random;
@@ -56,7 +57,8 @@ fn axis_angle(left: &Cylinder, right: &Cylinder) -> f64 {
     left.direction.cross(&right.direction).norm().asin()
 }
 
-/// Largest of the relative errors of radius and axis position (against the radius) and the angle between the axes.
+/// Largest of the relative errors of radius and axis position (against the radius) and the angle
+/// between the axes.
 fn error(found: &Cylinder, can: &Can) -> f64 {
     let radius = (found.radius - can.radius).abs() / can.radius;
     let position = axis_distance(found, &can.base) / can.radius;
@@ -86,7 +88,7 @@ fn noise_free_scenes_give_the_cylinder() {
     assert!(median < 1e-12, "median {median:e}");
 }
 
-/// The scene that everyone tries first: a cylinder along an axis of the world, cameras on a ring in equal steps.
+/// The simplest scene: a cylinder along an axis of the world, and cameras on a ring in equal steps.
 #[test]
 fn cameras_in_equal_steps_around_the_cylinder() {
     let can = Can { base: Point3::origin(), direction: Vector3::y_axis(), radius: 1.0, height: 1.0 };
@@ -124,8 +126,8 @@ fn the_committed_scene_is_what_its_generator_writes() {
     );
 }
 
-/// What one silhouette end point moves in space by the noise of the set-up, at the largest distance: an upper estimate for
-/// a result that averages over many of them.
+/// Displacement in space of one silhouette end point by the noise of the set-up, at the largest
+/// distance: an upper estimate for a result that averages over many end points.
 fn end_point_deviation(setup: &Setup) -> f64 {
     let distance = setup.distance.1.hypot(setup.elevation);
     setup.noise * distance / setup.calibration[(0, 0)]
@@ -162,7 +164,8 @@ fn noise_gives_no_bias() {
         .map(|seed| {
             let views = views(&setup, &scene::photographs(&can, &setup, &mut Random::new(1000 + seed)));
             let errors = soda_can_errors(&triangulate(&views).expect("a cylinder"), &can);
-            // A sample of this size has hardly one beyond four standard deviations, each well below `deviation`.
+            // In a sample of this size hardly any error exceeds four standard deviations, each well
+            // below `deviation`.
             assert!(errors[0] < 2.0 * deviation && errors[2] < 2.0 * deviation / can.height, "seed {seed}: {errors:?}");
             errors[1]
         })
@@ -175,7 +178,7 @@ fn noise_gives_no_bias() {
     assert!(mean.abs() < 4.0 * (variance / count).sqrt(), "mean error of the radius {mean}");
 }
 
-/// Photographs of a round tower by others, beside the checkout; not everyone has them.
+/// Photographs of a round tower, published by others, beside the checkout. They are optional.
 #[test]
 fn a_real_tower() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/data/kungshuset.json");
@@ -187,13 +190,14 @@ fn a_real_tower() {
     let result = triangulate(&scene.views).expect("a cylinder");
     let cylinder = &result.cylinder;
     assert_eq!(result.residuals.len(), 6);
-    // The tower is a little conical: five of the six planes, and the sparse points, lean by about half a degree. A cylinder
-    // cannot follow; twice that is the limit.
+    // The tower is slightly conical: five of the six planes, and the sparse points, lean by about
+    // half a degree. A cylinder cannot fit this, so the limit is twice that angle.
     for residual in &result.residuals {
         assert!(residual.distance.abs() < 0.05 * cylinder.radius, "{residual:?}");
         assert!(residual.angle.to_degrees() < 1.0, "{residual:?}");
     }
-    // The cameras see one side: inside the tower there is nothing, on its surface a third of the points.
+    // The cameras see one side of the tower: no points are inside, and a third of them are on its
+    // surface.
     let distances = scene.points.iter().map(|point| cylinder.distance(point) / cylinder.radius);
     let near = distances.clone().filter(|distance| distance.abs() < 0.05).count();
     let inside = distances.filter(|&distance| distance < -0.2).count();
@@ -202,7 +206,8 @@ fn a_real_tower() {
     assert!(100 * inside < scene.points.len(), "{inside} points inside");
 }
 
-/// Applies `X -> scale * rotation * X + shift` to the world: `[R t]` becomes `[R Q^T, scale t - R Q^T shift]`.
+/// Applies `X -> scale * rotation * X + shift` to the world: `[R t]` becomes
+/// `[R Q^T, scale t - R Q^T shift]`.
 fn move_world(view: &View, rotation: &Rotation3<f64>, shift: &Vector3<f64>, scale: f64) -> View {
     let camera = view.camera();
     let turned = camera.rotation() * rotation.inverse().matrix();
@@ -332,7 +337,8 @@ fn cameras_at_one_place() {
 
 #[test]
 fn parallel_planes() {
-    // Cameras in a row look along z at vertical lines, all in the image centre: planes parallel to x = 0.
+    // Cameras in a row look along z at vertical lines, all in the image centre: planes parallel to
+    // x = 0.
     let view = |x: f64| {
         let camera = Matrix3x4::new(1.0, 0.0, 0.0, -x, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 5.0);
         let camera = Camera::from_normalised(&camera).expect("a camera");
@@ -377,8 +383,8 @@ fn lines_along_the_axis_instead_of_silhouettes() {
 
 #[test]
 fn a_camera_inside() {
-    // Horizontal cross-section; lines that touch the unit circle from cameras around it, and one camera in its centre whose
-    // single line cannot be a tangent.
+    // The cross-section is horizontal. Lines touch the unit circle from cameras around it. One
+    // camera is in its centre, and its single line cannot be a tangent.
     let view = |centre: Vector3<f64>, normals: &[Vector3<f64>]| {
         let camera = Matrix3x4::from_columns(&[Vector3::x(), Vector3::y(), Vector3::z(), -centre]);
         let camera = Camera::from_normalised(&camera).expect("a camera");
@@ -399,7 +405,7 @@ fn values_out_of_range() {
     let (_, mut views) = good_views(56);
     for factor in [1e200, 1e306, 1e-200, 1e-306] {
         let far = |view: &View| move_world(view, &Rotation3::identity(), &Vector3::zeros(), factor);
-        // A cylinder or an error; no panic, no NaN.
+        // The result is a cylinder or an error, never a panic or NaN.
         if let Ok(result) = triangulate(&views.iter().map(far).collect::<Vec<_>>()) {
             assert!(result.cylinder.radius.is_finite() && result.cylinder.radius > 0.0, "{result:?}");
         }

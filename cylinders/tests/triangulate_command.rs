@@ -1,4 +1,5 @@
-//! `cylinders triangulate`: exit codes, where text goes, and that both forms of the output say the same.
+//! `cylinders triangulate`: exit codes and output streams are right, and both forms of the output
+//! agree.
 
 #![cfg(feature = "command")]
 
@@ -108,8 +109,8 @@ fn a_bad_scene_is_1_and_names_the_file() {
     }
 }
 
-/// The committed scene, each of its views twice, as a COLMAP model with a bent lens and segments; the can is the same, and
-/// has the label `can`, its second copy `again`.
+/// The committed scene, each view twice, as a COLMAP model with a distorting lens and segments. The
+/// can has the label `can`, and its second copy the label `again`.
 #[test]
 fn a_model_with_segments_gives_the_labelled_cylinders() {
     let scene = read_scene(Path::new(&soda_can())).expect("a scene");
@@ -156,12 +157,12 @@ fn a_model_with_segments_gives_the_labelled_cylinders() {
             assert_eq!(cylinder["residuals"][3]["image"], "1.jpg");
             assert_eq!(cylinder["points"]["total"], 1);
         }
-        // In the second view: lines of the two labels by turns.
+        // In the second view the lines of the two labels alternate.
         assert_eq!(cylinders[1]["residuals"][3]["line"], 2);
 
         let section = Path::new(env!("CARGO_TARGET_TMPDIR")).join("sections.of.svg");
         let drawn = ["again", "can"].map(|label| section.with_file_name(format!("sections.of-{label}.svg")));
-        // What an earlier run left.
+        // The output of an earlier run.
         drawn.iter().for_each(|path| drop(std::fs::remove_file(path)));
         let drawing = ["--section", &section.display().to_string()];
         let text = command(&[&["--colmap", &folder, "--segments", &segments], drawing.as_slice()].concat());
@@ -180,7 +181,8 @@ fn a_bad_model_or_file_of_segments_is_1() {
     assert_eq!((outcome.code, outcome.error.starts_with("error: no/such/folder/cameras.txt: ")), (1, true));
 }
 
-/// Each kind of scene that determines no cylinder, made from the committed one: its message, and no output file.
+/// Each kind of scene that determines no cylinder, made from the committed scene: it gives its
+/// message and no output file.
 #[test]
 fn scenes_that_determine_no_cylinder_are_refused_and_nothing_is_written() {
     let text = std::fs::read_to_string(soda_can()).expect("the scene");
@@ -251,7 +253,7 @@ fn out_is_written_whole_or_not_at_all() {
 #[test]
 fn drawings_are_written_whole_or_not_at_all() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("drawings");
-    // What an earlier run left.
+    // The output of an earlier run.
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).expect("a writable folder for tests");
     let path = |name: &str| folder.join(name).display().to_string();
@@ -275,7 +277,7 @@ fn drawings_are_written_whole_or_not_at_all() {
     assert_eq!(names(&folder.join("some/images")), (0..8).map(|view| format!("{view:03}.svg")).collect::<Vec<_>>());
     assert!(std::fs::read(path("a.ply")).expect("a file").starts_with(b"ply\n"));
 
-    // A folder for a file and a file for a folder.
+    // A folder is given for a file, and a file for a folder.
     for arguments in [["--ply", &path("some")], ["--silhouettes", &path("a.ply")]] {
         let outcome = command(&[&soda_can(), arguments[0], arguments[1]]);
         assert_eq!((outcome.code, outcome.output.as_str()), (1, ""));
@@ -284,8 +286,8 @@ fn drawings_are_written_whole_or_not_at_all() {
     assert_eq!(names(&folder), ["a.ply", "section.png", "some"]);
 }
 
-/// The example does nothing but pass on what `run` says. Cargo builds the examples before it runs the tests of a package;
-/// a run of this test alone may find none.
+/// The example only passes on the result of `run`. Cargo builds the examples before it runs the
+/// tests of a package; a run of this test alone may not find the example.
 #[test]
 fn the_example_passes_it_on() {
     let test = std::env::current_exe().expect("a path");

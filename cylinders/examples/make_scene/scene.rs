@@ -1,7 +1,8 @@
-//! Synthetic scenes: a can, cameras around it, and the silhouettes that they see.
+//! Synthetic scenes: a can, the cameras around it, and the silhouettes that they see.
 //!
-//! The silhouettes are not computed from tangent planes, as the solver would, but from points: the two lines on the surface
-//! where the line of sight is tangent, their end points projected and moved by noise, and the image line through each pair.
+//! The silhouettes are not computed from tangent planes, as in the solver, but from points: the end
+//! points of the two lines on the surface where the line of sight is tangent are projected and
+//! moved by noise, and the image line passes through each pair.
 
 use std::f64::consts::TAU;
 use std::fmt::Write;
@@ -80,7 +81,8 @@ pub(crate) fn photographs(can: &Can, setup: &Setup, random: &mut Random) -> Vec<
     (0..setup.cameras).map(photograph).collect()
 }
 
-/// `[R t]` of a camera at `centre` that looks at `aim`: z forward, y down but for a roll in radians.
+/// `[R t]` of a camera at `centre` that looks at `aim`: z forward, y down but for a roll in
+/// radians.
 fn look_at(centre: &Point3<f64>, aim: &Point3<f64>, up: &Vector3<f64>, roll: f64) -> Matrix3x4<f64> {
     let forward = (aim - centre).normalize();
     let right = forward.cross(up).normalize();
@@ -96,8 +98,8 @@ fn look_at(centre: &Point3<f64>, aim: &Point3<f64>, up: &Vector3<f64>, roll: f64
     ])
 }
 
-/// The image lines of the two contact lines. Around the axis, measured from the direction to the camera at distance `rho`,
-/// the surface is seen tangentially at the angles `+- acos(r / rho)`.
+/// The image lines of the two contact lines. Around the axis, measured from the direction to the
+/// camera at distance `rho`, the surface is seen tangentially at the angles `+- acos(r / rho)`.
 fn silhouettes(
     can: &Can,
     centre: &Point3<f64>,
@@ -123,7 +125,8 @@ fn silhouettes(
     })
 }
 
-/// The photographs as a scene file, nine decimals for cameras and lines (five for the line's offset in pixels).
+/// The photographs as a scene file, nine decimals for cameras and lines (five for the line's offset
+/// in pixels).
 pub(crate) fn json(setup: &Setup, photographs: &[Photograph]) -> String {
     let mut text = String::from("{\n");
     let rows = |matrix: &Matrix3<f64>| (0..3).map(|row| numbers(matrix.row(row).iter(), &[1; 3])).collect::<Vec<_>>();

@@ -8,7 +8,8 @@ use nalgebra::{Point2, Vector2};
 
 use crate::random::Random;
 
-/// The two tangents of a circle from a camera outside it, turned about the camera by normal noise (radians).
+/// The two tangents of a circle from a camera outside it, turned about the camera by normal noise
+/// (radians).
 pub(crate) fn silhouettes(circle: &Circle, camera: &Point2<f64>, noise: f64, random: &mut Random) -> [TangentLine; 2] {
     let to_centre = circle.centre - camera;
     let sine = circle.radius / to_centre.norm();
@@ -25,8 +26,8 @@ pub(crate) fn silhouettes(circle: &Circle, camera: &Point2<f64>, noise: f64, ran
     })
 }
 
-/// Centre in `[0, 10]^2`, radius in `[1, 2]`; so many cameras in all directions at 3 to 20 from the centre. Lines have
-/// random signs.
+/// A circle with its centre in `[0, 10]^2` and its radius in `[1, 2]`, and `views` cameras in all
+/// directions at distances of 3 to 20 from the centre. The signs of the lines are random.
 pub(crate) fn cross_section(cameras: usize, noise: f64, random: &mut Random) -> (Circle, Vec<SectionLine>) {
     let centre = Point2::new(random.uniform(0.0, 10.0), random.uniform(0.0, 10.0));
     let circle = Circle { centre, radius: random.uniform(1.0, 2.0) };
@@ -43,13 +44,14 @@ pub(crate) fn cross_section(cameras: usize, noise: f64, random: &mut Random) -> 
     (circle, lines)
 }
 
-/// Three lines of a cross-section of three views, one of each.
+/// Three lines of a cross-section, one from each of three views.
 pub(crate) fn three_of_three(random: &mut Random) -> (Circle, Vec<SectionLine>) {
     let (circle, lines) = cross_section(3, 0.0, random);
     (circle, lines.into_iter().step_by(2).collect())
 }
 
-/// The larger of the distance between centres and the difference between radii, relative to the true radius.
+/// The larger of the distance between centres and the difference between radii, relative to the
+/// true radius.
 pub(crate) fn relative_error(found: &Circle, truth: &Circle) -> f64 {
     (found.centre - truth.centre).norm().max((found.radius - truth.radius).abs()) / truth.radius
 }

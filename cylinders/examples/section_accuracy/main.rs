@@ -1,4 +1,5 @@
-//! How exactly every cross-section solver recovers the circle of noise-free random scenes, and how long it takes.
+//! Measures how exactly every cross-section solver recovers the circle of noise-free random scenes,
+//! and how long it takes.
 //!
 //! ```text
 //! cargo run --release -p eliminant-cylinders --example section_accuracy -- [SCENES]

@@ -1,7 +1,8 @@
 //! Step 1: the direction of the axis.
 //!
-//! A viewing plane that is tangent to the cylinder is parallel to its axis, so its normal `n_i = R^T l_i` is orthogonal
-//! to the direction `w`. All of them together are a homogeneous linear system
+//! A viewing plane that is tangent to the cylinder is parallel to its axis, so its normal
+//! `n_i = R^T l_i` is orthogonal to the direction `w`. All normals together give a homogeneous
+//! linear system
 //!
 //! ```text
 //!       [ n_1^T ]
@@ -17,11 +18,11 @@ use thiserror::Error;
 use crate::numerics::ransac::RansacOptionsError;
 use crate::observations::view::ViewingPlane;
 
-/// `sigma_2 / sigma_1` at and below which all planes count as parallel. The ratio is about the angle between the planes:
-/// a thousandth of a pixel in an image of some thousand pixels.
+/// All planes count as parallel if `sigma_2 / sigma_1` is at most this. The ratio is about the
+/// angle between the planes: a thousandth of a pixel in an image of some thousand pixels.
 const PARALLEL_PLANES: f64 = 1e-6;
 
-/// Iterations that the singular value decomposition may take; three columns need about ten.
+/// Limit on the iterations of the singular value decomposition. Three columns need about ten.
 const SVD_ITERATIONS: usize = 500;
 
 /// Direction of the axis and how well the planes determine it.
@@ -29,8 +30,8 @@ const SVD_ITERATIONS: usize = 500;
 pub struct Direction {
     /// Unit direction `w` in the world frame; its entry of largest magnitude is positive.
     pub direction: Unit<Vector3<f64>>,
-    /// Singular values of the stacked unit normals, descending. `sigma_3 / sigma_2` is about the angle (radians) by
-    /// which `w` is uncertain.
+    /// Singular values of the stacked unit normals, descending. `sigma_3 / sigma_2` is about the
+    /// uncertainty of `w`, radians.
     pub singular_values: [f64; 3],
 }
 
@@ -39,8 +40,8 @@ pub struct Direction {
 pub struct SharedDirection {
     /// Least squares direction of the planes of all cylinders.
     pub direction: Direction,
-    /// Root mean square angle between the direction and the planes of each cylinder, radians (its sine). One that is much
-    /// larger than the others belongs to a cylinder that is not parallel to them.
+    /// Root mean square angle between the direction and the planes of each cylinder, radians (its
+    /// sine). If one is much larger than the others, its cylinder is not parallel to theirs.
     pub deviations: Vec<f64>,
 }
 
@@ -49,7 +50,7 @@ pub struct SharedDirection {
 pub enum DirectionError {
     /// All viewing planes are parallel: any direction in them would do.
     #[error(
-        "all viewing planes are parallel (singular values {0:.3e}, {1:.3e}, {2:.3e}): they leave the axis direction open; \
+        "all viewing planes are parallel (singular values {0:.3e}, {1:.3e}, {2:.3e}): they do not determine the axis direction; \
          add a view from another side",
         singular_values[0], singular_values[1], singular_values[2]
     )]
@@ -57,10 +58,10 @@ pub enum DirectionError {
         /// Singular values, descending.
         singular_values: [f64; 3],
     },
-    /// No direction lies in all planes, or noise drowns it: `sigma_3 > sigma_2 / 2`.
+    /// No direction lies in all planes, or the noise is too large: `sigma_3 > sigma_2 / 2`.
     #[error(
         "the viewing planes have no direction in common (singular values {0:.3e}, {1:.3e}, {2:.3e}): the lines are not \
-         silhouettes of one cylinder, or too noisy for so few views",
+         silhouettes of one cylinder, or too noisy for this number of views",
         singular_values[0], singular_values[1], singular_values[2]
     )]
     NoCommonDirection {
@@ -75,7 +76,7 @@ pub enum DirectionError {
     },
     /// RANSAC found no direction in which three planes agree.
     #[error(
-        "{inliers} of {planes} viewing planes agree on an axis direction, where three are needed; pass more lines, or a \
+        "{inliers} of {planes} viewing planes agree on an axis direction, but three are needed: pass more lines, or a \
          larger threshold"
     )]
     NoConsensus {
@@ -84,7 +85,7 @@ pub enum DirectionError {
         /// Number of planes.
         planes: usize,
     },
-    /// An option of RANSAC is out of its range.
+    /// An option of RANSAC is out of range.
     #[error(transparent)]
     Options(#[from] RansacOptionsError),
 }
@@ -92,8 +93,9 @@ pub enum DirectionError {
 /// Least squares direction of the axis from at least three tangent planes.
 ///
 /// # Errors
-/// [`DirectionError`]. A direction is also refused when `sigma_2 - sigma_3 < sigma_3`: perturbations of the size seen
-/// in the data (`sigma_3`) can then turn the singular vector by any angle (Wedin's bound, perturbation over gap).
+/// [`DirectionError`]. A direction is also refused if `sigma_2 - sigma_3 < sigma_3`: perturbations
+/// of the size seen in the data (`sigma_3`) can then turn the singular vector by any angle (Wedin's
+/// bound, perturbation over gap).
 pub fn estimate_direction(planes: &[ViewingPlane]) -> Result<Direction, DirectionError> {
     let failure = DirectionError::NoDecomposition { planes: planes.len() };
     if planes.len() < 3 {
@@ -105,7 +107,7 @@ pub fn estimate_direction(planes: &[ViewingPlane]) -> Result<Direction, Directio
         return Err(failure);
     };
     let singular_values = [*first, *second, *third];
-    // Also where a singular value is NaN.
+    // This is also true if a singular value is NaN.
     let spans_a_plane = *second > PARALLEL_PLANES * first;
     if !spans_a_plane {
         return Err(DirectionError::ParallelPlanes { singular_values });
@@ -118,10 +120,12 @@ pub fn estimate_direction(planes: &[ViewingPlane]) -> Result<Direction, Directio
     Ok(Direction { direction: Unit::new_normalize(direction * sign), singular_values })
 }
 
-/// Least squares direction of several parallel cylinders, one list of planes for each: their joint normals determine it where
-/// those of one cylinder do not, as with a single view of each. Planes without labels need no lists:
-/// [`estimate_direction`] takes them together, and
-/// [`estimate_direction_robustly`](super::robust_direction::estimate_direction_robustly) where some are wrong.
+/// Least squares direction of several parallel cylinders, given one list of planes for each. The
+/// normals of all cylinders together can determine the direction if those of one cylinder do not,
+/// for example with a single view of each. Planes without labels need no lists: pass all of them to
+/// [`estimate_direction`], or to
+/// [`estimate_direction_robustly`](super::robust_direction::estimate_direction_robustly) if some
+/// are wrong.
 ///
 /// # Errors
 /// As [`estimate_direction`].
@@ -129,7 +133,7 @@ pub fn estimate_shared_direction(cylinders: &[Vec<ViewingPlane>]) -> Result<Shar
     let direction = estimate_direction(&cylinders.concat())?;
     let deviation = |planes: &Vec<ViewingPlane>| {
         let sum: f64 = planes.iter().map(|plane| plane.normal.dot(&direction.direction).powi(2)).sum();
-        // No planes, no deviation.
+        // An empty list has deviation zero.
         (sum / planes.len().max(1) as f64).sqrt()
     };
     Ok(SharedDirection { direction, deviations: cylinders.iter().map(deviation).collect() })

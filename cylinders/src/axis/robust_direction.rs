@@ -1,7 +1,8 @@
-//! The direction of the axis from planes of which many are not tangent to the cylinder: RANSAC on pairs.
+//! The direction of the axis if many planes are not tangent to the cylinder: RANSAC on pairs of
+//! planes.
 //!
-//! Two tangent planes that are not parallel have one direction in common, `w ~ n1 x n2`. Planes of several cylinders with
-//! parallel axes, unlabelled, have the same one.
+//! Two tangent planes that are not parallel share one direction, `w ~ n1 x n2`. Cylinders with
+//! parallel axes share it too, so their planes need no labels.
 
 use nalgebra::{Unit, Vector3};
 
@@ -9,11 +10,12 @@ use super::direction::{Direction, DirectionError, estimate_direction};
 use crate::numerics::ransac::{Estimator, RansacOptions, ransac};
 use crate::observations::view::ViewingPlane;
 
-/// Sine of the angle between two planes at and below which they count as parallel: their direction would be a thousand
-/// times less certain than they are.
+/// Two planes count as parallel if the sine of their angle is at most this. Their common direction
+/// would be a thousand times less certain than the planes.
 pub(crate) const PARALLEL_PAIR: f64 = 1e-3;
 
-/// Default of the largest angle between axis and plane, radians: two pixels over the length of a line of 200 pixels.
+/// Default of the largest angle between axis and plane, radians: two pixels over the length of a
+/// line of 200 pixels.
 const THRESHOLD: f64 = 0.01;
 
 /// A direction and the planes that agree with it.
@@ -32,16 +34,17 @@ pub fn default_direction_options() -> RansacOptions {
     RansacOptions::with_threshold(THRESHOLD)
 }
 
-/// The direction that two planes have in common, `None` where they are parallel.
+/// The direction that two planes share; `None` if they are parallel.
 pub fn common_direction(first: &ViewingPlane, second: &ViewingPlane) -> Option<Unit<Vector3<f64>>> {
     Unit::try_new(first.normal.cross(&second.normal), PARALLEL_PAIR)
 }
 
-/// The direction with which most planes agree; the threshold is the largest angle between axis and plane, radians.
+/// The direction with which most planes agree; the threshold is the largest angle between axis and
+/// plane, radians.
 ///
 /// # Errors
-/// [`DirectionError::NoConsensus`] where fewer than three planes agree, [`DirectionError::Options`], and for the inliers
-/// as [`estimate_direction`].
+/// [`DirectionError::NoConsensus`] if fewer than three planes agree, [`DirectionError::Options`],
+/// and the errors of [`estimate_direction`] on the inliers.
 pub fn estimate_direction_robustly(
     planes: &[ViewingPlane],
     options: &RansacOptions,
@@ -50,7 +53,7 @@ pub fn estimate_direction_robustly(
     let estimator = DirectionEstimator { planes };
     let failure = |inliers| DirectionError::NoConsensus { inliers, planes: planes.len() };
     let Some(consensus) = ransac(&estimator, options) else {
-        // All pairs were parallel, which the singular values show best.
+        // All pairs are parallel. The error of least squares shows this with the singular values.
         return Err(estimate_direction(planes).err().unwrap_or(failure(0)));
     };
     if consensus.inliers.len() < 3 {

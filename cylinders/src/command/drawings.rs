@@ -15,22 +15,24 @@ pub(super) struct DrawingArguments {
     /// Write surfaces, viewing planes, cameras and points to this file, for a viewer of PLY files
     #[arg(long, value_name = "FILE")]
     ply: Option<PathBuf>,
-    /// Draw the cross-section with cameras, tangent lines and circles, as .svg or .png; of a labelled cylinder to FILE-LABEL
+    /// Draw the cross-section with cameras, tangent lines and circles, as .svg or .png; of a
+    /// labelled cylinder to FILE-LABEL
     #[arg(long, value_name = "FILE", value_parser = picture_path)]
     section: Option<PathBuf>,
-    /// Draw the silhouettes in each image to a file in this folder, which is made if it is not there
+    /// Draw the silhouettes in each image to a file in this folder, which is made if it is not
+    /// there
     #[arg(long, value_name = "FOLDER")]
     silhouettes: Option<PathBuf>,
 }
 
-/// A file name whose extension is one of a picture.
+/// A file name with the extension of a picture.
 fn picture_path(text: &str) -> Result<PathBuf, PictureError> {
     let path = PathBuf::from(text);
     Format::of(&path).map(|_| path)
 }
 
 impl DrawingArguments {
-    /// Draws all of it, then writes it: nothing is written where a picture cannot be drawn.
+    /// Draws all files, then writes them: if one cannot be drawn, nothing is written.
     pub(super) fn write(&self, scene: &Scene, found: &[(CylinderLines, Cylinder)]) -> Result<(), CommandError> {
         let mut files = Vec::new();
         if let Some(path) = &self.ply {
@@ -67,7 +69,7 @@ fn section(lines: &CylinderLines, cylinder: &Cylinder) -> SectionPicture {
     let title = lines.label.as_ref().map_or("cross-section".to_owned(), |label| format!("cross-section of {label}"));
     let picture = SectionPicture::new(title, cylinder, &lines.views);
     let tangents: Vec<_> = picture.lines().map(|line| SectionLine { line, weight: 1.0, view: 0 }).collect();
-    // Where it fails there are none to draw.
+    // If the solver fails, there are no stationary circles to draw.
     let sections = LeastSquares.solve(&tangents).unwrap_or_default();
     picture.with_others(sections.iter().skip(1).filter_map(Section::circle).collect())
 }
@@ -83,7 +85,7 @@ fn labelled(path: &Path, label: Option<&str>) -> PathBuf {
     path.with_file_name(name)
 }
 
-/// The text with every character that a file name might not take replaced.
+/// The text, with every character replaced that a file name may not contain.
 fn in_file_name(text: &str) -> String {
     text.chars()
         .map(|character| if character.is_alphanumeric() || "-_.".contains(character) { character } else { '_' })

@@ -1,4 +1,4 @@
-//! What stops a subcommand, each with the file at fault.
+//! Why a subcommand failed, with the file at fault.
 
 use std::io;
 use std::path::PathBuf;
@@ -9,7 +9,7 @@ use crate::experiment::ExperimentError;
 use crate::picture::PictureError;
 use crate::{ColmapError, EstimateError, InputError, MatchError, SegmentError};
 
-/// Why a subcommand failed. All of these are the fault of the data or of a file.
+/// Why a subcommand failed. The data or a file is at fault in every case.
 #[derive(Debug, Error)]
 pub(super) enum CommandError {
     /// The scene cannot be read.
@@ -21,7 +21,7 @@ pub(super) enum CommandError {
     /// The model cannot be read.
     #[error(transparent)]
     Colmap(#[from] ColmapError),
-    /// Neither a scene nor a model with segments.
+    /// Neither a scene nor a model with segments was given.
     #[error("there is no scene")]
     NoScene,
     /// The lines determine no cylinder.
@@ -36,7 +36,7 @@ pub(super) enum CommandError {
     /// An experiment was not finished.
     #[error(transparent)]
     Experiment(#[from] ExperimentError),
-    /// No folder, no permission, no space.
+    /// A file cannot be written.
     #[error("cannot write `{}`: {source}", path.display())]
     Write { path: PathBuf, source: io::Error },
 }

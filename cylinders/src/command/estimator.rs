@@ -1,4 +1,5 @@
-//! The arguments that say how cylinders are estimated, for every subcommand that finds them by labels.
+//! The arguments for the estimation of cylinders, shared by the subcommands that find cylinders by
+//! label.
 
 use super::error::CommandError;
 use super::scene::SceneArguments;
@@ -10,19 +11,21 @@ use crate::{
 /// How to estimate.
 #[derive(clap::Args, Debug)]
 pub(super) struct EstimatorArguments {
-    /// Find the cylinder among lines of which many are wrong, by RANSAC, and refine it
+    /// Find the cylinder by RANSAC if many lines are wrong, and refine it
     #[arg(long)]
     robust: bool,
-    /// Largest distance of a line from its silhouette, pixels (default 3); without calibration radians (default 0.001)
+    /// Largest distance of a line from its silhouette: pixels (default 3), or radians without
+    /// calibration (default 0.001)
     #[arg(long, value_name = "PIXELS", requires = "robust", value_parser = positive)]
     threshold: Option<f64>,
-    /// Start of the random numbers
+    /// Seed of the random numbers
     #[arg(long, default_value_t = 0, requires = "robust")]
     seed: u64,
-    /// Probability with which a sample of three right lines is among those drawn
+    /// Probability that at least one sample of three correct lines is drawn
     #[arg(long, default_value_t = 0.999, requires = "robust", value_parser = probability)]
     confidence: f64,
-    /// Refine on the distances of the lines from their silhouettes; the output then has standard deviations
+    /// Refine on the distances of the lines from their silhouettes; the output then has standard
+    /// deviations
     #[arg(long)]
     refine: bool,
     /// Estimate one direction for the cylinders of all labels
@@ -58,7 +61,7 @@ impl EstimatorArguments {
             let views: Vec<_> = cylinders.iter().map(|lines| lines.views.clone()).collect();
             let result = triangulate_parallel(&views).map_err(|error| match error {
                 ParallelError::Cylinder { cylinder, error } => failure(cylinder, error.into()),
-                // No label: it is the fault of all.
+                // The error has no label, because it concerns the lines of all cylinders.
                 error @ ParallelError::Direction(_) => failure(usize::MAX, error.into()),
             })?;
             return Ok(result.cylinders.into_iter().map(Estimate::from).collect());

@@ -1,4 +1,4 @@
-//! `cylinders experiment`: an experiment, and the files that show it.
+//! `cylinders experiment`: runs an experiment and writes its files.
 
 use std::fs;
 use std::path::PathBuf;
@@ -28,12 +28,12 @@ pub(super) struct Arguments {
     /// Seed of all instances
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Folder of the files, which is made if it is not there
+    /// Folder of the files; it is created if it does not exist
     #[arg(long, value_name = "FOLDER")]
     out: PathBuf,
 }
 
-/// Computes all of it, then writes it.
+/// Computes all files, then writes them.
 pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     let runs = arguments.runs.map(|runs| runs as usize);
     let options = Options { runs, seed: arguments.seed, scene: arguments.scene.clone() };

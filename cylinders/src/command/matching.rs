@@ -16,7 +16,7 @@ use crate::{
     estimate_direction_robustly, match_cylinders_with,
 };
 
-/// Find parallel cylinders and their silhouettes among lines of which nobody says what they show
+/// Find parallel cylinders and their silhouettes among unlabelled lines
 #[derive(clap::Args, Debug)]
 #[command(after_help = "Examples:
   cylinders match scene.json
@@ -26,23 +26,25 @@ Every pair of lines in an image is tried with every line of the other images. La
 pub(super) struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Largest distance between a line and its silhouette: pixels where all cameras have a calibration (default 3), radians
-    /// otherwise (default 0.001)
+    /// Largest distance between a line and its silhouette: pixels if all cameras have a calibration
+    /// (default 3), radians otherwise (default 0.001)
     #[arg(long, value_name = "DISTANCE")]
     threshold: Option<f64>,
-    /// Largest number of cylinders; without it all that are more than chance
+    /// Largest number of cylinders; by default all that are unlikely to be chance
     #[arg(long, value_name = "N")]
     count: Option<usize>,
-    /// Least number of matches of a cylinder, 4 or more; without it more than chance, or 4 with --count
+    /// Least number of matches of a cylinder, 4 or more; by default more than chance gives, or 4
+    /// with --count
     #[arg(long, value_name = "N")]
     least_support: Option<usize>,
-    /// Take pairs of silhouettes in the first image only: faster, but a cylinder must be seen there
+    /// Take pairs of silhouettes in the first image only: faster, but finds only cylinders seen
+    /// there
     #[arg(long)]
     first_image: bool,
-    /// Direction of all axes, world frame; without it the one that most lines agree on
+    /// Direction of all axes, world frame; by default the one on which most lines agree
     #[arg(long, value_name = "X,Y,Z", value_parser = parse_direction, allow_hyphen_values = true)]
     direction: Option<Unit<Vector3<f64>>>,
-    /// Write the result to this file too, as JSON
+    /// Also write the result to this file, as JSON
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
@@ -68,7 +70,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     Ok(output)
 }
 
-/// With a progress bar: pairs searched, and cylinders found so far.
+/// Shows a progress bar: the pairs searched and the cylinders found so far.
 fn search(views: &[View], direction: &Unit<Vector3<f64>>, options: &MatchOptions) -> Result<Matching, MatchError> {
     let bar = progress_bar(0);
     let found = AtomicUsize::new(0);

@@ -1,16 +1,17 @@
-//! The `cylinders` command: argument types and dispatch. Each subcommand is a file with its arguments and its `run`.
+//! The `cylinders` command: argument types and dispatch. Each subcommand is a file with its
+//! arguments and its `run`.
 //!
-//! Exit status: 0 good; 1 the data or a file is at fault; 2 usage.
+//! Exit status: 0 success; 1 the data or a file is at fault; 2 wrong usage.
 
 /// PLY files and pictures of a result.
 mod drawings;
-/// What stops a subcommand.
+/// Why a subcommand failed.
 mod error;
 /// How cylinders are estimated.
 mod estimator;
 /// `cylinders experiment`.
 mod experiment;
-/// Output files, whole or not at all.
+/// Output files, written whole or not at all.
 mod files;
 /// `cylinders match`.
 mod matching;
@@ -57,12 +58,13 @@ impl Command {
     }
 }
 
-/// The exit status where the data or a file is at fault.
+/// The exit status if the data or a file is at fault.
 pub const AT_FAULT: u8 = 1;
 /// The exit status of a wrong command line.
 pub const USAGE: u8 = 2;
 
-/// Runs the command with these arguments, the name of the program first. Returns the exit status.
+/// Runs the command with these arguments, of which the first is the name of the program. Returns
+/// the exit status.
 ///
 /// Errors go to `stderr`; with `--json` also to `stdout`, as an object.
 pub fn run(
@@ -73,11 +75,11 @@ pub fn run(
     let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
         Err(error) => {
-            // `--help` and `--version` are such errors too.
+            // The parser reports `--help` and `--version` as errors, too.
             let text = error.render().to_string();
             return match error.use_stderr() {
                 true => {
-                    // Nobody is left to tell where even this cannot be written.
+                    // If standard error cannot be written either, the failure cannot be reported.
                     let _ = stderr.write_all(text.as_bytes());
                     USAGE
                 }
@@ -100,7 +102,7 @@ pub fn run(
     }
 }
 
-/// A reader that has had enough, such as `head`, is no fault.
+/// A closed pipe is not an error: a reader such as `head` may stop early.
 fn status_of(written: io::Result<()>) -> u8 {
     match written {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => AT_FAULT,

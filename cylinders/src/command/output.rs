@@ -26,6 +26,6 @@ pub(super) fn error_json(error: &CommandError) -> String {
 
 /// Numbers that are not finite become `null`.
 fn to_json(value: &impl Serialize) -> String {
-    // Only maps whose keys are no strings can fail.
+    // Serialisation fails only for maps whose keys are not strings, and there are no such maps.
     serde_json::to_string_pretty(value).unwrap_or_default() + "\n"
 }

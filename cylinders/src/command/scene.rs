@@ -1,4 +1,5 @@
-//! The arguments that say where cameras and lines are, for every subcommand that takes a scene.
+//! The arguments that name the files of cameras and lines, shared by the subcommands that take a
+//! scene.
 
 use std::path::{Path, PathBuf};
 
@@ -11,28 +12,29 @@ pub(super) struct SceneArguments {
     /// Scene: cameras and silhouette lines, JSON
     #[arg(required_unless_present = "colmap", conflicts_with = "colmap")]
     scene: Option<PathBuf>,
-    /// Folder of a COLMAP model that has the cameras: cameras, images and points3D, binary or text
+    /// Folder of a COLMAP model with the cameras: cameras, images and points3D, binary or text
     #[arg(long, value_name = "FOLDER", requires = "segments")]
     colmap: Option<PathBuf>,
-    /// Line segments to add to the images: CSV with the columns image,x1,y1,x2,y2 and optionally cylinder,line
+    /// Line segments to add to the images: CSV with the columns image,x1,y1,x2,y2 and optionally
+    /// cylinder,line
     #[arg(long, value_name = "CSV")]
     segments: Option<PathBuf>,
 }
 
 impl SceneArguments {
-    /// The file that messages about the whole scene name.
+    /// The file that is named by messages about the whole scene.
     pub(super) fn path(&self) -> &Path {
         self.scene.as_ref().or(self.segments.as_ref()).map_or(Path::new(""), PathBuf::as_path)
     }
 
-    /// Reads all of it.
+    /// Reads the scene, or the model and its segments.
     pub(super) fn read(&self) -> Result<Scene, CommandError> {
         let segments = self.segments.as_deref().map(read_segments).transpose()?;
         match (&self.scene, &self.colmap, &segments) {
             (Some(scene), _, Some(segments)) => Ok(read_scene(scene)?.with_segments(segments)?),
             (Some(scene), _, None) => Ok(read_scene(scene)?),
             (None, Some(model), Some(segments)) => Ok(Scene::from_colmap(read_colmap(model)?, segments)?),
-            // The parser of the command line lets nothing else through.
+            // The parser of the command line rejects all other combinations.
             (None, ..) => Err(CommandError::NoScene),
         }
     }

@@ -28,14 +28,14 @@ pub(super) struct Arguments {
     scene: SceneArguments,
     #[command(flatten)]
     estimator: EstimatorArguments,
-    /// Write the result to this file too, as JSON
+    /// Also write the result to this file, as JSON
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]
     drawings: DrawingArguments,
 }
 
-/// One cylinder, as it is, for a scene without labels; otherwise a list, also where there is one label.
+/// A single object for a scene without labels; otherwise a list, even with one label.
 #[derive(Serialize)]
 #[serde(untagged)]
 enum Reports {
@@ -59,7 +59,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     let cylinders = scene.cylinders();
     let estimates = arguments.estimator.estimate(&arguments.scene, &cylinders)?;
     let output = Output::of(&reports(&scene, &cylinders, &estimates));
-    // Pictures show the lines that agree.
+    // The pictures show the inliers only.
     let shown = |(lines, estimate): (CylinderLines, &Estimate)| match &estimate.consensus {
         Some(consensus) => (lines.selected(&consensus.inliers), estimate.cylinder),
         None => (lines, estimate.cylinder),

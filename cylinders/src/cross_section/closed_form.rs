@@ -1,16 +1,20 @@
-//! The circles tangent to three lines in closed form: incircle and three excircles of their triangle.
+//! The circles tangent to three lines in closed form: incircle and three excircles of their
+//! triangle.
 //!
-//! A circle touches the lines `l_i = (n_i, c_i)` when its centre has the signed distances `n_i^T p + c_i = s_i r` with
-//! `s_i = +-1`: three linear equations in `p` and `r` for each choice of signs, an overall change of sign apart. Cramer's
-//! rule gives, with `D_1 = n_2 x n_3` (the sine of the angle at the vertex `l_2 x l_3`) and so on,
+//! A circle touches the lines `l_i = (n_i, c_i)` if its centre has the signed distances
+//! `n_i^T p + c_i = s_i r` with `s_i = +-1`. For each choice of signs, up to a common factor, these
+//! are three linear equations in `p` and `r`. With `D_1 = n_2 x n_3` (the sine of the angle at the
+//! vertex `l_2 x l_3`), and `D_2`, `D_3` alike, Cramer's rule gives
 //!
 //! ```text
-//!   (p, 1) ~ s_1 (l_2 x l_3) + s_2 (l_3 x l_1) + s_3 (l_1 x l_2),      r = |det [l_1 l_2 l_3]| / |s_1 D_1 + s_2 D_2 + s_3 D_3|
+//!   (p, 1) ~ s_1 (l_2 x l_3) + s_2 (l_3 x l_1) + s_3 (l_1 x l_2)
+//!   r = |det [l_1 l_2 l_3]| / |s_1 D_1 + s_2 D_2 + s_3 D_3|
 //! ```
 //!
-//! With `s_i = sign D_i` the denominator is `|D_1| + |D_2| + |D_3|`: the incircle. With one of the signs reversed it is the
-//! excircle beside that line, and the denominator is not negative by the triangle inequality. It vanishes where two of the lines
-//! are parallel: two circles remain.
+//! With `s_i = sign D_i` the denominator is `|D_1| + |D_2| + |D_3|`, and the circle is the
+//! incircle. With one sign reversed it is the excircle beside that line, and by the triangle
+//! inequality the denominator is not negative. If two of the lines are parallel, two denominators
+//! vanish and two circles remain.
 
 use eliminant::Solutions;
 use nalgebra::{Point2, Vector3};
@@ -19,21 +23,23 @@ use super::circle::{Circle, CircleError};
 use super::rectify::TangentLine;
 use super::section::{Section, SectionError, SectionLine, SectionSolver, three_lines};
 
-/// Largest sine of the angles between the lines at and below which all three count as parallel.
+/// All three lines count as parallel if the largest sine of their angles is at most this.
 const PARALLEL: f64 = 1e-6;
 
-/// The determinant of the lines relative to the sum of its terms at and below which they meet in one point: rounding has
-/// taken all but three digits.
+/// The lines count as concurrent if their determinant, relative to the sum of its terms, is at most
+/// this: rounding leaves only three digits.
 const CONCURRENT: f64 = 1e-13;
 
-/// The denominator of a circle relative to that of the incircle at and below which the circle is at infinity: rounding has
-/// taken all but four of its digits.
+/// A circle counts as infinite if its denominator, relative to that of the incircle, is at most
+/// this: rounding leaves only four digits.
 const INFINITE: f64 = 1e-12;
 
-/// The four circles tangent to three lines, the incircle first; two where two of the lines are parallel. Does not allocate.
+/// The four circles tangent to three lines, the incircle first; two circles if two of the lines are
+/// parallel. Does not allocate.
 ///
 /// # Errors
-/// [`CircleError::Parallel`], [`CircleError::Concurrent`] also where a line is repeated, [`CircleError::OutOfRange`].
+/// [`CircleError::Parallel`], [`CircleError::Concurrent`] (also if a line is repeated),
+/// [`CircleError::OutOfRange`].
 pub fn tangent_circles(lines: &[TangentLine; 3]) -> Result<Solutions<Circle, 4>, CircleError> {
     let [l1, l2, l3] = lines.map(|line| Vector3::new(line.normal.x, line.normal.y, line.offset));
     let mut vertices = [l2.cross(&l3), l3.cross(&l1), l1.cross(&l2)];

@@ -1,16 +1,18 @@
-//! The method `least-squares`: every circle at which the cost of `circle` is stationary, the global minimum first.
+//! The method `least-squares`: all stationary circles of the cost in the module `circle`, the
+//! global minimum first.
 
 use super::circle::{Circle, CircleError};
 use super::normalise::Normalisation;
 use super::section::{Section, SectionError, SectionLine, SectionSolver, check_lines, weighted_mean_square};
 use super::stationary::{Kind, StationaryPoint, stationary_points};
 
-/// Root mean square of `r^2 - h^2`, in units of the normalised lines or of `r^2` where that is larger, below which a circle
-/// fits exactly.
+/// A circle fits exactly if the root mean square of `r^2 - h^2` is at most this, in units of the
+/// normalised lines or of `r^2`, whichever is larger.
 const EXACT_FIT: f64 = 1e-9;
 
-/// Constrained least squares with a weight for each line. For three lines, and for any that four circles touch, all exact
-/// circles come first, by radius; then the other stationary points, by cost.
+/// Constrained least squares with a weight for each line. Circles that touch all lines exactly come
+/// first, by radius (three lines have up to four such circles). The other stationary points follow,
+/// by cost.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct LeastSquares;
 
@@ -42,7 +44,8 @@ pub(crate) struct StationaryCircles {
 
 struct Candidate {
     circle: Circle,
-    /// Weighted mean square of `r^2 - h^2`, evaluated on the lines: `d^T G d` cancels to nothing when the fit is good.
+    /// Weighted mean square of `r^2 - h^2`, evaluated on the lines: `d^T G d` loses all digits by
+    /// cancellation if the fit is good.
     mean_square: f64,
     exact: bool,
     is_minimum: bool,
@@ -66,7 +69,7 @@ impl StationaryCircles {
         Ok(Self { normalisation, candidates })
     }
 
-    /// Circles and costs in the coordinates of the lines.
+    /// The circles and their costs, in the coordinates of the lines.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (Circle, f64)> {
         self.candidates.iter().map(|candidate| self.in_world(candidate))
     }
@@ -75,7 +78,8 @@ impl StationaryCircles {
         (self.normalisation.circle(&candidate.circle), candidate.mean_square * self.normalisation.scale.powi(4))
     }
 
-    /// The circle that touches all lines, otherwise the best minimum of those admitted, otherwise the best of all.
+    /// The circle that touches all lines; otherwise the best admitted minimum; otherwise the best
+    /// circle.
     pub(crate) fn best(&self, is_admitted: impl Fn(&Circle) -> bool) -> Option<(Circle, f64)> {
         let first = self.candidates.first()?;
         let is_admitted = |&candidate: &&Candidate| candidate.is_minimum && is_admitted(&self.in_world(candidate).0);
@@ -92,7 +96,8 @@ impl StationaryCircles {
         self.candidates.iter().filter(|candidate| candidate.exact).count()
     }
 
-    /// Root mean square distance of the lines from the point nearest to them, world units.
+    /// Root mean square distance of the lines from the point that is nearest to all of them, world
+    /// units.
     pub(crate) fn scale(&self) -> f64 {
         self.normalisation.scale
     }

@@ -1,17 +1,20 @@
-//! The dual conic by linear least squares, without the constraints of a circle: the first baseline of Gummeson & Oskarsson,
-//! "Robust and Accurate Cylinder Triangulation".
+//! The dual conic by linear least squares, without the constraints of a circle: the first baseline
+//! of Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation".
 //!
-//! `l^T C* l` is linear in the six entries of `C*`. Its weighted sum of squares over the lines is least, among all conics of
-//! unit norm, for the right singular vector of the smallest singular value of the matrix with the rows
+//! `l^T C* l` is linear in the six entries of `C*`. Among all conics of unit norm, its weighted sum
+//! of squares over the lines is least for the right singular vector of the smallest singular value
+//! of the matrix with the rows
 //!
 //! ```text
-//!   sqrt(w) (a^2, sqrt2 a b, sqrt2 a c, b^2, sqrt2 b c, c^2),    unknowns (d1, sqrt2 d2, sqrt2 d3, d4, sqrt2 d5, d6)
+//!   sqrt(w) (a^2, sqrt2 a b, sqrt2 a c, b^2, sqrt2 b c, c^2)
+//!   unknowns (d1, sqrt2 d2, sqrt2 d3, d4, sqrt2 d5, d6)
 //! ```
 //!
-//! Two departures, without which the result would depend on the choice of coordinates: the plane is first shifted and scaled
-//! (the point nearest to all lines, their mean square distance), and the norm is that of the matrix `C*` (Frobenius), hence
-//! the square roots. Noise can make the conic an ellipse of any shape, a hyperbola, or one without real points: its
-//! [`SectionShape`] says which.
+//! The implementation departs from the paper in two points, so that the result does not depend on
+//! the choice of coordinates. The plane is first shifted and scaled (the point nearest to all
+//! lines, their mean square distance), and the norm is the Frobenius norm of the matrix `C*`, hence
+//! the square roots. Noise can make the conic an ellipse of any shape, a hyperbola, or a conic
+//! without real points; its [`SectionShape`] says which.
 
 use nalgebra::{DMatrix, Matrix2, Matrix3};
 
@@ -20,13 +23,14 @@ use super::section::{
     Section, SectionError, SectionLine, SectionShape, SectionSolver, check_lines, weighted_mean_square,
 };
 
-/// Second smallest singular value relative to the largest at and below which more than one conic fits exactly.
+/// More than one conic fits exactly if the second smallest singular value, relative to the largest,
+/// is at most this.
 const NOT_UNIQUE: f64 = 1e-13;
 
-/// Entry `d6` of a conic of unit norm at and below which its centre is at infinity.
+/// The centre of a conic of unit norm counts as infinite if its entry `d6` is at most this.
 const INFINITE: f64 = 1e-12;
 
-/// Iterations that the singular value decomposition may take; six columns need about twenty.
+/// Limit on the iterations of the singular value decomposition. Six columns need about twenty.
 const SVD_ITERATIONS: usize = 500;
 
 /// The method `linear`: one conic of any shape.
@@ -47,7 +51,8 @@ impl SectionSolver for LinearConic {
         let normalisation = Normalisation::of(lines)?;
         let normalised = dual_conic(&normalisation.lines(lines))?;
         let dual_conic = normalisation.dual_conic(&normalised);
-        // Both axes carry the unit of length; the shape is judged where it is of order one.
+        // The shape is judged in normalised coordinates, because the semi-axes carry the unit of
+        // length.
         let shape = match central_shape(&normalised) {
             SectionShape::Ellipse { semi_axes } => {
                 SectionShape::Ellipse { semi_axes: semi_axes.map(|axis| axis * normalisation.scale) }
@@ -65,7 +70,8 @@ impl SectionSolver for LinearConic {
 
 /// The dual conic of least squares, scaled so that `d6 = -1`.
 fn dual_conic(lines: &[SectionLine]) -> Result<Matrix3<f64>, SectionError> {
-    // At least six rows, so that there is a singular vector for the null space of five lines.
+    // The matrix has at least six rows, so that there is a singular vector for the null space of
+    // five lines.
     let mut matrix = DMatrix::zeros(lines.len().max(6), 6);
     for (row, SectionLine { line, weight, .. }) in lines.iter().enumerate() {
         let (a, b, c) = (line.normal.x, line.normal.y, line.offset);
@@ -92,13 +98,14 @@ fn dual_conic(lines: &[SectionLine]) -> Result<Matrix3<f64>, SectionError> {
     Ok(Matrix3::new(d1, d2, d3, d2, d4, d5, d3, d5, -1.0))
 }
 
-/// Kind of the conic by the eigenvalues of the matrix `M` of the module `section`; never [`SectionShape::Circle`].
+/// Kind of the conic by the eigenvalues of the matrix `M` of the module `section`; never
+/// [`SectionShape::Circle`].
 fn central_shape(dual_conic: &Matrix3<f64>) -> SectionShape {
     let centre = dual_conic.fixed_view::<2, 1>(0, 2);
     let matrix: Matrix2<f64> = dual_conic.fixed_view::<2, 2>(0, 0) + centre * centre.transpose();
     let half_sum = matrix.trace() / 2.0;
     let large = half_sum + ((matrix[(0, 0)] - matrix[(1, 1)]) / 2.0).hypot(matrix[(0, 1)]).copysign(half_sum);
-    // A difference of products where the axes differ much, so not below rounding.
+    // If the semi-axes differ much, this is a difference of products, which rounding limits.
     let small = matrix.determinant() / large;
     if small.is_nan() || small.abs() <= f64::EPSILON * large.abs() {
         SectionShape::Degenerate

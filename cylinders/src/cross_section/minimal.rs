@@ -1,7 +1,8 @@
-//! The circles tangent to three lines by the emitted solver `circle_minimal` (Gummeson & Oskarsson, "Robust and Accurate
-//! Cylinder Triangulation", the minimal solver).
+//! The circles tangent to three lines by the emitted solver `circle_minimal` (Gummeson & Oskarsson,
+//! "Robust and Accurate Cylinder Triangulation", the minimal solver).
 //!
-//! Each line is one linear equation in the dual conic. Three leave a null space of dimension three:
+//! Each line is one linear equation in the dual conic. The null space of three equations has
+//! dimension three:
 //!
 //! ```text
 //!   [ a1^2  2 a1 b1  2 a1 c1  b1^2  2 b1 c1  c1^2 ]
@@ -9,18 +10,20 @@
 //!   [ a3^2  2 a3 b3  2 a3 c3  b3^2  2 b3 c3  c3^2 ]
 //! ```
 //!
-//! Its basis is chosen, where the paper leaves it open, with `d6 = 0` in `d_alpha` and `d_beta`: then no circle of finite centre
-//! lies where the coefficient of `d_gamma` is zero.
+//! The paper leaves the choice of the basis open. Here `d6 = 0` in `d_alpha` and `d_beta`, so that
+//! the coefficient of `d_gamma` is not zero for any circle with a finite centre.
 //!
-//! A circle much larger than the triangle is a solution near infinity: `a` and `b` grow with its squared radius, their products of
-//! degree two cancel, and with a radius of 10^5 no more than six digits are left in the equations above. The circle is therefore
-//! polished on the lines, where nothing cancels: with the sides on which it touches them given, Newton's method for
+//! A circle much larger than the triangle is a solution near infinity: `a` and `b` grow with its
+//! squared radius, and their products of degree two cancel. With a radius of 10^5 only six digits
+//! are left in the equations above. The circle is therefore polished on the lines, where nothing
+//! cancels. If the sides on which it touches the lines are given, Newton's method for
 //!
 //! ```text
 //!   n_i^T p + c_i = s_i r,      s_i = sign(n_i^T p + c_i)
 //! ```
 //!
-//! is one linear step. The four circles differ in their sides, which shows one that was found twice.
+//! is one linear step. The four circles differ in their sides, so a circle that was found twice is
+//! recognised by them.
 
 use eliminant::{Solutions, SolveError};
 use nalgebra::{Matrix3, Matrix6, Matrix6x3, Point2, RowVector3, Vector3};
@@ -30,17 +33,20 @@ use super::normalise::{Normalisation, generic_motion, moved_line};
 use super::rectify::TangentLine;
 use super::section::{Section, SectionError, SectionLine, SectionSolver, three_lines};
 
-/// Turns of the coordinates in which the equations are solved until all four circles are found, radians.
+/// Angles by which the coordinates are turned, one after the other, until all four circles are
+/// found, radians.
 const TURNS: [f64; 4] = [1.0, 1.9, 2.5, 0.4];
 
-/// The circles tangent to three lines, in no particular order; two where two of the lines are parallel. Does not allocate.
+/// The circles tangent to three lines, in no particular order; two circles if two of the lines are
+/// parallel. Does not allocate.
 ///
-/// A triangle whose circles differ in size by many orders of magnitude has eigenvalues that nearly coincide, and some of its
-/// circles may be missing: [`tangent_circles`](super::closed_form::tangent_circles) finds all of them, and is faster.
+/// If the circles differ in size by many orders of magnitude, eigenvalues nearly coincide and some
+/// circles may be missing. [`tangent_circles`](super::closed_form::tangent_circles) finds all of
+/// them, and is faster.
 ///
 /// # Errors
-/// [`CircleError::Parallel`], [`CircleError::Concurrent`] also where a line is repeated, [`CircleError::OutOfRange`],
-/// [`CircleError::Solver`].
+/// [`CircleError::Parallel`], [`CircleError::Concurrent`] (also if a line is repeated),
+/// [`CircleError::OutOfRange`], [`CircleError::Solver`].
 pub fn minimal_circles(lines: &[TangentLine; 3]) -> Result<Solutions<Circle, 4>, CircleError> {
     let normalisation = Normalisation::of(&lines.map(|line| SectionLine { line, weight: 1.0, view: 0 }))?;
     let normalised = lines.map(|line| normalisation.line(&line));
@@ -67,7 +73,7 @@ pub fn minimal_circles(lines: &[TangentLine; 3]) -> Result<Solutions<Circle, 4>,
     }
 }
 
-/// The circles in normalised coordinates, found in turned ones.
+/// The circles in normalised coordinates, computed in turned coordinates.
 fn circles_turned(lines: &[TangentLine; 3], turn: f64) -> Result<Solutions<Circle, 4>, SolveError> {
     let motion = generic_motion(turn);
     let [d_alpha, d_beta, d_gamma] = null_space(&lines.map(|line| moved_line(&motion, &line)));
@@ -76,14 +82,15 @@ fn circles_turned(lines: &[TangentLine; 3], turn: f64) -> Result<Solutions<Circl
         let entry = |index: usize| solution.a * d_alpha[index] + solution.b * d_beta[index] + d_gamma[index];
         let scale = -1.0 / d_gamma[5];
         let [d1, d3, d4, d5] = [0, 2, 3, 4].map(|index| entry(index) * scale);
-        // Equal but for rounding.
+        // The two values are equal up to rounding.
         let square = (d1 + d3 * d3 + d4 + d5 * d5) / 2.0;
         (square > 0.0).then(|| Circle { centre: back * Point2::new(-d3, -d5), radius: square.sqrt() })
     };
     Ok(eliminant_solvers::circle_minimal::solve(&d_alpha, &d_beta, &d_gamma)?.filter_map(circle))
 }
 
-/// The circle that touches the lines on the sides on which this one lies, and these sides; `None` where there is none.
+/// The circle that touches the lines on the same sides as the given one, and these sides; `None` if
+/// there is no such circle.
 fn polish(lines: &[TangentLine; 3], circle: &Circle) -> Option<(Circle, Vector3<f64>)> {
     let distances = Vector3::from(lines.map(|line| line.distance(&circle.centre)));
     let sides = distances.map(f64::signum);
@@ -93,16 +100,18 @@ fn polish(lines: &[TangentLine; 3], circle: &Circle) -> Option<(Circle, Vector3<
     (polished.radius > 0.0 && step.iter().all(|entry| entry.is_finite())).then_some((polished, sides))
 }
 
-/// Orthonormal basis of the null space of the three rows; the last entry of the first two vectors is zero.
+/// Orthonormal basis of the null space of the three rows. The last entry of its first two vectors
+/// is zero.
 fn null_space(lines: &[TangentLine; 3]) -> [[f64; 6]; 3] {
-    // The last three columns of the orthogonal factor of the transposed rows, filled up with zeros.
+    // The null space is spanned by the last three columns of the orthogonal factor of the
+    // transposed rows, which are padded with zeros.
     let mut transposed = Matrix6::zeros();
     for (index, line) in lines.iter().enumerate() {
         let (a, b, c) = (line.normal.x, line.normal.y, line.offset);
         transposed.set_column(index, &[a * a, 2.0 * a * b, 2.0 * a * c, b * b, 2.0 * b * c, c * c].into());
     }
     let basis: Matrix6x3<f64> = transposed.qr().q().fixed_columns::<3>(3).into_owned();
-    // A reflection of the basis that takes the last row to (0, 0, -+norm).
+    // A Householder reflection of the basis takes its last row to (0, 0, -+norm).
     let last = basis.row(5).transpose();
     let mut axis = last;
     axis.z += last.norm().copysign(last.z);

@@ -1,7 +1,8 @@
 //! Viewing planes to the cross-section of the cylinder: tangent lines, and the circle or conic that
 //! they touch. One trait stands before all methods.
 
-/// Tangent lines to the least squares circle: normalisation, and the best of the stationary circles.
+/// Tangent lines to the least squares circle: normalisation, and the best of the stationary
+/// circles.
 pub mod circle;
 /// Three tangent lines to their incircle and excircles, in closed form.
 pub mod closed_form;

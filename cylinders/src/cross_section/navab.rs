@@ -1,23 +1,26 @@
-//! The method of Navab & Appel, "Canonical Representation and Multi-View Geometry of Cylinders" (International Journal of
-//! Computer Vision, 2006), in the plane of the cross-section: the second baseline of Gummeson & Oskarsson, "Robust and Accurate
-//! Cylinder Triangulation".
+//! The method of Navab & Appel, "Canonical Representation and Multi-View Geometry of Cylinders"
+//! (International Journal of Computer Vision, 2006), in the plane of the cross-section: the second
+//! baseline of Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation".
 //!
-//! The canonical representation of a cylinder in a view is the plane through camera centre and axis, with the angle
-//! `theta` between it and either silhouette plane. With both normals pointing at the axis,
+//! The canonical representation of a cylinder in a view is the plane through camera centre and
+//! axis, with the angle `theta` between it and either silhouette plane. With both normals pointing
+//! at the axis,
 //!
 //! ```text
-//!   l_1, l_2 = sin(theta) e +- cos(theta) m        m: unit normal of the plane through centre and axis
-//!                                                  e: unit vector from the camera centre towards the axis
+//!   l_1, l_2 = sin(theta) e +- cos(theta) m     m: unit normal of the plane through centre and axis
+//!                                               e: unit vector from the centre towards the axis
 //! ```
 //!
-//! so that `l_1 - l_2 = 2 cos(theta) m` is a line through the centre of the circle, the bisector, and
-//! `l_1 + l_2 = 2 sin(theta) e` has the value `2 r` there. The axis is triangulated from the bisectors of all views by linear
-//! least squares, as a line is from its images; then every view gives the radius, of which the mean is taken.
+//! so that `l_1 - l_2 = 2 cos(theta) m` is a line through the centre of the circle, the bisector,
+//! and `l_1 + l_2 = 2 sin(theta) e` has the value `2 r` there. The axis is triangulated from the
+//! bisectors of all views by linear least squares, as a line is from its images. Every view then
+//! gives a radius, and the result is their mean.
 //!
-//! What is this module's own: the direction of the axis is that of the rectification, shared with all other methods, where
-//! the original solves for it together with the position. Lines carry no sign, so of the two bisectors that of the acute
-//! angle is taken; a camera must be further than `sqrt(2) r` from the axis. A view weighs `1 / (1 / w_1 + 1 / w_2)`, as for
-//! the difference of independent measurements. A line that is the only one of its view is not used.
+//! The implementation departs from the paper in this: the direction of the axis is that of the
+//! rectification, as for all methods here, whereas the original solves for direction and position
+//! together. Lines carry no sign, so the bisector of the acute angle is taken, and a camera must be
+//! further than `sqrt(2) r` from the axis. The weight of a view is `1 / (1 / w_1 + 1 / w_2)`, as
+//! for the difference of independent measurements. A single line of a view is not used.
 
 use std::collections::BTreeMap;
 
@@ -27,17 +30,20 @@ use super::circle::{Circle, CircleError};
 use super::rectify::TangentLine;
 use super::section::{Section, SectionError, SectionLine, SectionSolver, check_lines};
 
-/// Determinant of the mean of `m m^T` at and below which all bisectors count as parallel: the square of an angle of 1e-6.
+/// All bisectors count as parallel if the determinant of the mean of `m m^T` is at most this, the
+/// square of an angle of 1e-6.
 const PARALLEL: f64 = 1e-12;
 
-/// Radius relative to the largest distance of a line from the origin at and below which all pairs are the same line twice.
+/// The lines of all pairs count as equal if the radius, relative to the largest distance of a line
+/// from the origin, is at most this.
 const REPEATED: f64 = 1e-13;
 
 /// The method `navab`: one circle.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Navab;
 
-/// Bisector of the acute angle of a pair of lines, and the line `(l_1 + l_2) / 2` whose value at the centre is `+-r`.
+/// Bisector of the acute angle of a pair of lines, and the line `(l_1 + l_2) / 2`, whose value at
+/// the centre is `+-r`.
 struct Pair {
     bisector: TangentLine,
     half_sum: Vector3<f64>,
@@ -45,10 +51,10 @@ struct Pair {
 }
 
 impl Pair {
-    /// Fails where the weight is zero.
+    /// Fails if the weight is zero.
     fn new(first: &SectionLine, second: &SectionLine) -> Option<Self> {
         let [l1, l2] = [first, second].map(|line| line.line.normal.push(line.line.offset));
-        // Normals that point at a circle in the acute angle are more than 90 degrees apart.
+        // Normals that point at a circle inside the acute angle are more than 90 degrees apart.
         let l2 = if l1.xy().dot(&l2.xy()) > 0.0 { -l2 } else { l2 };
         let difference = l1 - l2;
         let norm = difference.xy().norm();
@@ -93,7 +99,7 @@ impl SectionSolver for Navab {
     }
 }
 
-/// Nearest point to all bisectors, mean of the radii seen from there.
+/// The point nearest to all bisectors, with the mean of the radii there.
 fn circle(pairs: &[Pair]) -> Result<Circle, CircleError> {
     let total: f64 = pairs.iter().map(|pair| pair.weight).sum();
     let mut matrix = Matrix2::zeros();

@@ -1,5 +1,6 @@
-//! Coordinates in which the numerical methods work. The entries of their matrices are products of up to four coordinates,
-//! so the origin and the unit of length decide how many digits are left.
+//! Coordinates in which the numerical methods work. The entries of their matrices are products of
+//! up to four coordinates, so the origin and the unit of length decide how many digits rounding
+//! leaves.
 
 use nalgebra::{Isometry2, Matrix2, Matrix3, Point2, Vector2};
 
@@ -7,16 +8,17 @@ use super::circle::{Circle, CircleError};
 use super::rectify::TangentLine;
 use super::section::SectionLine;
 
-/// Determinant of the mean of `n n^T` over the unit normals `n` at and below which all lines count as parallel: the product
-/// of the mean squares of the normals along and across them, so the square of an angle of about 1e-6.
+/// All lines count as parallel if the determinant of the mean of `n n^T` over the unit normals `n`
+/// is at most this. It is the product of the mean squares of the normals along and across the
+/// lines, so this is the square of an angle of about 1e-6.
 const PARALLEL: f64 = 1e-12;
 
-/// Root mean square distance of the lines from one point, relative to their largest distance from the origin, at and below
-/// which they meet there: rounding has taken all but three digits.
+/// The lines count as concurrent if their root mean square distance from one point, relative to
+/// their largest distance from the origin, is at most this: rounding leaves only three digits.
 const CONCURRENT: f64 = 1e-13;
 
-/// Coordinates in which the point nearest to all lines (weighted) is the origin and the lines' root mean square distance
-/// from it is one:
+/// Coordinates in which the point nearest to all lines (weighted) is the origin and the lines' root
+/// mean square distance from it is one:
 ///
 /// ```text
 ///   q = (p - origin) / scale
@@ -29,7 +31,7 @@ pub(crate) struct Normalisation {
 }
 
 impl Normalisation {
-    /// Fails where lines are parallel, concurrent or out of range.
+    /// Fails if the lines are parallel, concurrent or out of range.
     pub(crate) fn of(lines: &[SectionLine]) -> Result<Self, CircleError> {
         let total: f64 = lines.iter().map(|line| line.weight).sum();
         let mut matrix = Matrix2::zeros();
@@ -77,9 +79,9 @@ impl Normalisation {
     }
 }
 
-/// A turn by `angle` and a fixed shift, which mean nothing. Without them symmetric lines, such as cameras in equal steps
-/// around the axis, have their centre at zero and solutions with equal coordinates, where an eigenvalue of an emitted
-/// solver is infinite or double.
+/// A turn by `angle` and a fixed shift that break symmetries. Without them, the lines of cameras in
+/// equal steps around the axis have their centre at zero and solutions with equal coordinates, so
+/// that an eigenvalue of an emitted solver is infinite or double.
 pub(crate) fn generic_motion(angle: f64) -> Isometry2<f64> {
     Isometry2::new(Vector2::new(0.3, 0.2), angle)
 }

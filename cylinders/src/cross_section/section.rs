@@ -1,7 +1,8 @@
-//! Step 3: the cross-section. Every method that turns tangent lines into a conic stands behind one trait, so that all can be
-//! swapped and compared.
+//! Step 3: the cross-section. Every method from tangent lines to a conic implements one trait, so
+//! that all can be exchanged and compared.
 //!
-//! The tangents `l = (a, b, c)` of a conic are the zeros of its *dual conic*, scaled here so that `d6 = -1`:
+//! The tangents `l = (a, b, c)` of a conic are the zeros of its *dual conic*, scaled here so that
+//! `d6 = -1`:
 //!
 //! ```text
 //!   l^T C* l = 0        [ d1 d2 d3 ]
@@ -9,8 +10,9 @@
 //!                       [ d3 d5 -1 ]                               [ d2 + d3 d5   d4 + d5^2  ]
 //! ```
 //!
-//! With a unit normal `n` and the distance `h` of the centre from the line, `l^T C* l = n^T M n - h^2`. So `M` is `r^2 I` for a
-//! circle, positive definite for an ellipse (eigenvalues: the squared semi-axes), indefinite for a hyperbola.
+//! With a unit normal `n` and the distance `h` of the centre from the line,
+//! `l^T C* l = n^T M n - h^2`. So `M` is `r^2 I` for a circle, positive definite for an ellipse
+//! (eigenvalues: the squared semi-axes), indefinite for a hyperbola.
 
 use nalgebra::{Matrix2, Matrix3, Point2};
 use thiserror::Error;
@@ -18,7 +20,8 @@ use thiserror::Error;
 use super::circle::{Circle, CircleError};
 use super::rectify::TangentLine;
 
-/// Largest accepted deviation of the length of a normal from one: what single precision input leaves, with a margin.
+/// Largest accepted deviation of the length of a normal from one: the rounding of single precision
+/// input, with a margin.
 const UNIT: f64 = 1e-6;
 
 /// A tangent line of the cross-section.
@@ -26,9 +29,10 @@ const UNIT: f64 = 1e-6;
 pub struct SectionLine {
     /// The line, its normal of unit length.
     pub line: TangentLine,
-    /// Weight of its squared residual, zero or positive. Only ratios matter. Methods that fit exactly do not use it.
+    /// Weight of the squared residual of the line, zero or positive. Only ratios matter. Methods
+    /// that fit exactly do not use it.
     pub weight: f64,
-    /// Index of the view that it was seen in: the method of Navab pairs the lines of a view.
+    /// Index of the view in which the line was seen: the method of Navab pairs the lines of a view.
     pub view: usize,
 }
 
@@ -46,7 +50,7 @@ pub enum SectionShape {
     Hyperbola,
     /// A conic without real points: `M` is negative definite.
     Imaginary,
-    /// A line segment or a point: `M` is singular to rounding.
+    /// A line segment or a point: `M` is singular up to rounding.
     Degenerate,
 }
 
@@ -57,7 +61,8 @@ pub struct Section {
     pub dual_conic: Matrix3<f64>,
     /// What kind of conic it is.
     pub shape: SectionShape,
-    /// Weighted mean of `(l^T C* l)^2` over the lines, for a circle of `(r^2 - h^2)^2`; fourth power of the world unit.
+    /// Weighted mean of `(l^T C* l)^2` over the lines, for a circle of `(r^2 - h^2)^2`; fourth
+    /// power of the world unit.
     pub cost: f64,
 }
 
@@ -100,13 +105,14 @@ pub enum SectionError {
         /// Number of its lines.
         lines: usize,
     },
-    /// Fewer than two views with two lines of positive weight, for a method that pairs the lines of a view.
+    /// Fewer than two views with two lines of positive weight, for a method that pairs the lines of
+    /// a view.
     #[error("{pairs} view(s) with two lines given; this method needs at least two")]
     TooFewPairs {
         /// Number of views with two lines.
         pairs: usize,
     },
-    /// More than one conic fits the lines exactly, as where lines are repeated.
+    /// More than one conic fits the lines exactly, for example if lines are repeated.
     #[error("more than one conic touches all lines: too few of them are distinct")]
     NotUnique,
     /// The centre of the conic is at infinity: a parabola.
@@ -128,7 +134,8 @@ pub trait SectionSolver: Send + Sync {
     /// Least number of lines of positive weight.
     fn least_lines(&self) -> usize;
 
-    /// All sections that the method offers, at least one: by cost, ascending, or by radius, ascending, where all fit exactly.
+    /// All sections that the method finds, at least one. They are ordered by cost, or by radius if
+    /// all fit exactly.
     ///
     /// # Errors
     /// [`SectionError`].
@@ -147,7 +154,8 @@ impl Section {
         dual_conic.fixed_view_mut::<2, 1>(0, 2).copy_from(&-centre);
         dual_conic.fixed_view_mut::<1, 2>(2, 0).copy_from(&-centre.transpose());
         dual_conic[(2, 2)] = -1.0;
-        // r^2 - h^2 as a product keeps its digits where the line touches; l^T C* l would not.
+        // The product keeps the digits of r^2 - h^2 if the line nearly touches; l^T C* l would lose
+        // them.
         let residual = |line: &TangentLine| {
             let distance = line.distance(&circle.centre).abs();
             (circle.radius - distance) * (circle.radius + distance)
@@ -160,8 +168,9 @@ impl Section {
         Point2::new(-self.dual_conic[(0, 2)], -self.dual_conic[(1, 2)])
     }
 
-    /// The circle, or for an ellipse the circle that is nearest to its tangents: of the same centre, its squared radius the
-    /// mean of the squared semi-axes, which is the mean of `n^T M n` over all directions. `None` for the other shapes.
+    /// The circle. For an ellipse it is the circle nearest to its tangents: it has the same centre,
+    /// and its squared radius is the mean of the squared semi-axes, which is the mean of `n^T M n`
+    /// over all directions. `None` for the other shapes.
     pub fn circle(&self) -> Option<Circle> {
         match self.shape {
             SectionShape::Circle(circle) => Some(circle),
@@ -173,10 +182,11 @@ impl Section {
     }
 }
 
-/// What every method asks of its lines: finite, normals of unit length, weights not negative, enough of them.
+/// Checks what every method requires: finite lines with normals of unit length and no negative
+/// weights, at least `least` of them with a positive weight.
 pub(crate) fn check_lines(lines: &[SectionLine], least: usize) -> Result<(), SectionError> {
     for (index, SectionLine { line, weight, .. }) in lines.iter().enumerate() {
-        // False where a coordinate is NaN.
+        // False if a coordinate is NaN.
         let unit = (line.normal.norm() - 1.0).abs() <= UNIT;
         if !unit || !line.offset.is_finite() {
             return Err(SectionError::BadLine { line: index });
@@ -192,7 +202,7 @@ pub(crate) fn check_lines(lines: &[SectionLine], least: usize) -> Result<(), Sec
     Ok(())
 }
 
-/// The only three lines, for a method that takes no more.
+/// The three lines of a method that takes exactly three.
 pub(crate) fn three_lines(lines: &[SectionLine]) -> Result<[TangentLine; 3], SectionError> {
     check_lines(lines, 3)?;
     match lines {

@@ -1,9 +1,9 @@
-//! From where a tangent line of the cross-section was seen, and whether a circle is in front of that camera.
+//! The camera that saw a tangent line of the cross-section, and whether a circle is in front of it.
 //!
 //! ```text
 //!               ray d, into the image
-//!        C ---------------------------->     a circle (p, r) is in front:  d^T (p - C) > 0,  |p - C| > r
-//!                   (  p  )
+//!        C ---------------------------->     a circle (p, r) is in front:
+//!                   (  p  )                  d^T (p - C) > 0,  |p - C| > r
 //! ```
 
 use nalgebra::{Point2, Unit, Vector2, Vector3};
@@ -12,8 +12,9 @@ use super::circle::Circle;
 use super::rectify::Rectification;
 use crate::observations::view::ViewingPlane;
 
-/// Sine of the angle between a camera's optical axis and the cross-section above which the axis of the cylinder may meet the
-/// image: a line through its vanishing point shows both rays.
+/// Sine of the angle between a camera's optical axis and the cross-section. Above it the vanishing
+/// point of the cylinder's axis may lie in the image, and a line through that point shows both
+/// rays.
 const STEEP: f64 = 0.7;
 
 /// A camera in the cross-section, and the part of a tangent line that it sees.
@@ -21,12 +22,13 @@ const STEEP: f64 = 0.7;
 pub struct Sight {
     /// Camera centre, world units.
     pub camera: Point2<f64>,
-    /// Unit direction of the ray into the image; `None` where the camera looks along the axis too steeply to tell.
+    /// Unit direction of the ray into the image; `None` if the camera looks too steeply along the
+    /// axis to decide.
     pub ray: Option<Vector2<f64>>,
 }
 
 impl Sight {
-    /// How the line of this plane was seen.
+    /// The camera and the ray of the line of this plane.
     pub fn of(plane: &ViewingPlane, direction: &Unit<Vector3<f64>>, rectification: &Rectification) -> Self {
         let camera = rectification.point(&plane.centre);
         let forward = rectification.point(&(plane.centre + plane.forward)) - camera;
@@ -37,7 +39,7 @@ impl Sight {
         Self { camera, ray: ray.filter(|_| is_clear) }
     }
 
-    /// Whether the circle is in front of the camera, which is not inside.
+    /// Whether the circle is in front of the camera and does not contain it.
     pub fn has_in_front(&self, circle: &Circle) -> bool {
         let to_centre = circle.centre - self.camera;
         let outside = to_centre.norm() > circle.radius;
@@ -52,7 +54,8 @@ mod tests {
     use super::*;
     use crate::{Camera, View};
 
-    /// A camera at (0, 0, -10) that looks along z, or upwards by an angle, at a cylinder upright in the origin.
+    /// A camera at (0, 0, -10) that looks along z, or upwards by an angle, at a cylinder upright in
+    /// the origin.
     #[test]
     fn circles_in_front_are_told_from_those_behind_and_around() {
         let direction = Vector3::y_axis();

@@ -1,21 +1,27 @@
-//! All circles at which the least squares cost is stationary, from the Gram matrix by the emitted solver.
+//! All circles at which the least squares cost is stationary, from the Gram matrix by the emitted
+//! solver.
 //!
-//! For a centre at the distances `h_i` from the lines the best squared radius is the mean of `h_i^2`. What remains is a quartic
-//! in the centre, and its nine stationary points are the intersections of two cubics. Where the directions of the lines
-//! are *balanced* (the fourth-order mean of the normals has a symmetry: the sides of a regular polygon, cameras on a ring in
-//! equal steps, two pairs of parallel lines), the leading forms of the cubics have a factor in common. Some of the
-//! nine points are then at infinity and the elimination loses rank. That is a property of the nine, not of the minimum:
+//! For a centre at the distances `h_i` from the lines the best squared radius is the mean of
+//! `h_i^2`. The cost is then a quartic in the centre, and its nine stationary points are the
+//! intersections of two cubics. The leading forms of the cubics share a factor if the directions of
+//! the lines are *balanced*: the fourth-order mean of the normals has a symmetry, as for the sides
+//! of a regular polygon, cameras on a ring in equal steps, or two pairs of parallel lines. Some of
+//! the nine points are then at infinity and the elimination loses rank, but the minimum stays
+//! finite. A small perturbation makes the data generic:
 //!
 //! ```text
-//!   G balanced --> G + epsilon S generic --> nine points --> Newton's method on the lines --> points of G
+//!   G balanced --> G + epsilon S generic --> nine points
+//!     --> Newton's method on the lines --> points of G
 //! ```
 //!
-//! with a fixed symmetric matrix `S`. Points that `G` has at infinity are far away and lose by their cost.
+//! with a fixed symmetric matrix `S`. The points that are at infinity for `G` become finite but far
+//! away, and their cost is large.
 //!
-//! A solver that reads its solutions off eigenvectors can miss some where eigenvalues nearly coincide, which depends on the
-//! coordinates. Whether any real point is missing can be seen: the quartic grows towards infinity on all sides, so that its
-//! minima and maxima outnumber its saddle points by exactly one (Poincare and Hopf). Until that holds, the problem is solved
-//! again in turned coordinates, and what is new is added.
+//! A solver that computes its solutions from eigenvectors can miss some if eigenvalues nearly
+//! coincide, and this depends on the coordinates. A count shows whether a real point is missing:
+//! the quartic grows towards infinity on all sides, so its minima and maxima outnumber its saddle
+//! points by exactly one (Poincare and Hopf). Until this holds, the problem is solved again in
+//! turned coordinates, and new points are added.
 
 use eliminant::SolveError;
 use nalgebra::{Matrix2, Point2, Vector2};
@@ -24,21 +30,24 @@ use super::circle::Circle;
 use super::normalise::{generic_motion, moved_line};
 use super::section::SectionLine;
 
-/// Size `epsilon` of the entries added to a Gram matrix whose entries are of order one. Its square is below rounding,
-/// so that Newton's method needs two steps; its inverse, the condition of the elimination, leaves ten digits to start from.
+/// Size `epsilon` of the entries added to a Gram matrix whose entries are of order one. Its square
+/// is below rounding, so that Newton's method needs two steps. Its inverse is the condition of the
+/// elimination and leaves ten digits to start from.
 const PERTURBATION: f64 = 1e-6;
 
-/// Turns of the coordinates in which the problem is solved until no stationary point is missing, radians.
+/// Angles by which the coordinates are turned, one after the other, until no stationary point is
+/// missing, radians.
 const TURNS: [f64; 4] = [1.0, 1.9, 2.5, 0.4];
 
 /// Limit on the steps of Newton's method.
 const NEWTON_STEPS: usize = 10;
 
-/// Step of Newton's method, relative to the distance of the centre from the origin or one, below which it has converged.
-/// The step after it is of the size of its square.
+/// Newton's method has converged if its step is at most this, relative to the larger of one and the
+/// distance of the centre from the origin. The next step would be of the size of its square.
 const CONVERGED: f64 = 1e-9;
 
-/// Distance of centres, relative to the radius or one, below which two circles found are the same.
+/// Two circles are the same if the distance of their centres is at most this, relative to the
+/// larger of one and the radius.
 const SAME_CIRCLE: f64 = 1e-7;
 
 /// A circle at which the cost is stationary.
@@ -47,7 +56,7 @@ pub(crate) struct StationaryPoint {
     pub(crate) kind: Kind,
 }
 
-/// What the cost is at a stationary point, as a function of the centre.
+/// The kind of a stationary point of the cost as a function of the centre.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub(crate) enum Kind {
     Minimum,
@@ -62,8 +71,8 @@ impl Kind {
     }
 }
 
-/// All real circles at which the cost is stationary. Coordinates must be normalised: the lines' distances from the
-/// origin are of order one.
+/// All real circles at which the cost is stationary. Coordinates must be normalised, so that the
+/// distances of the lines from the origin are of order one.
 pub(crate) fn stationary_points(lines: &[SectionLine]) -> Result<Vec<StationaryPoint>, SolveError> {
     let mut points: Vec<StationaryPoint> = Vec::new();
     let mut failure = None;
@@ -88,7 +97,7 @@ pub(crate) fn stationary_points(lines: &[SectionLine]) -> Result<Vec<StationaryP
     }
 }
 
-/// Centres of the stationary circles, found in turned coordinates.
+/// Centres of the stationary circles, computed in turned coordinates.
 fn solve_turned(lines: &[SectionLine], turn: f64) -> Result<Vec<Point2<f64>>, SolveError> {
     let motion = generic_motion(turn);
     let moved: Vec<_> =
@@ -121,7 +130,7 @@ fn gram(lines: &[SectionLine]) -> [[f64; 6]; 6] {
     gram
 }
 
-/// `G + epsilon S`, with a symmetric matrix `S` of no particular structure.
+/// `G + epsilon S`, with a symmetric matrix `S` without structure.
 fn perturbed(gram: &[[f64; 6]; 6]) -> [[f64; 6]; 6] {
     let mut perturbed = *gram;
     for i in 0..6 {
@@ -132,14 +141,14 @@ fn perturbed(gram: &[[f64; 6]; 6]) -> [[f64; 6]; 6] {
     perturbed
 }
 
-/// Newton's method for a stationary centre. With `e_i = h_i^2 - s` and `s` the mean of `h_i^2`, gradient and Hessian of the
-/// mean of `e_i^2` are, but for a factor of four,
+/// Newton's method for a stationary centre. With `e_i = h_i^2 - s` and `s` the mean of `h_i^2`,
+/// gradient and Hessian of the mean of `e_i^2` are, up to a factor of four,
 ///
 /// ```text
 ///   g = mean(e_i h_i n_i),    H = mean((3 h_i^2 - s) n_i n_i^T) - 2 m m^T,    m = mean(h_i n_i)
 /// ```
 ///
-/// `None` where it does not converge: the start was not near a stationary point.
+/// `None` if it does not converge: the start was not near a stationary point.
 fn polish(lines: &[SectionLine], mut centre: Point2<f64>) -> Option<StationaryPoint> {
     let total: f64 = lines.iter().map(|line| line.weight).sum();
     let mean_square = |centre: &Point2<f64>| {

@@ -13,18 +13,19 @@ use crate::observations::view::View;
 use crate::space::cylinder::{Cylinder, LineResidual};
 use crate::space::silhouette_distance::DistanceUnit;
 
-/// A cylinder and what its estimators say about it.
+/// A cylinder and the results of its estimators.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
     /// The cylinder.
     pub cylinder: Cylinder,
     /// One residual for each line, in the order of views and lines.
     pub residuals: Vec<LineResidual>,
-    /// Direction and circle of least squares, where the estimate is or started from those of all lines.
+    /// Direction and circle of least squares on all lines, if the estimate is theirs or started
+    /// from them.
     pub least_squares: Option<(Direction, CircleFit)>,
-    /// Refinement and the unit of its distances, where there was one.
+    /// The refinement and the unit of its distances, if the cylinder was refined.
     pub refinement: Option<(Refinement, DistanceUnit)>,
-    /// What RANSAC chose, where it did.
+    /// What RANSAC chose, if it was used.
     pub consensus: Option<EstimateConsensus>,
 }
 
@@ -40,13 +41,13 @@ pub struct EstimateConsensus {
 /// Why there is no cylinder.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum EstimateError {
-    /// Least squares found none.
+    /// Least squares found no cylinder.
     #[error(transparent)]
     Triangulate(#[from] TriangulateError),
-    /// The cylinders are not determined with a shared direction.
+    /// The cylinders with a shared direction are not determined.
     #[error(transparent)]
     Parallel(#[from] ParallelError),
-    /// RANSAC found none.
+    /// RANSAC found no cylinder.
     #[error(transparent)]
     Robust(#[from] RobustError),
     /// The cylinder could not be refined.
@@ -62,7 +63,7 @@ impl From<Triangulation> for Estimate {
 }
 
 impl Estimate {
-    /// The result of RANSAC with distances in this unit.
+    /// The result of RANSAC, with distances in this unit.
     pub fn from_robust(result: RobustTriangulation, unit: DistanceUnit) -> Self {
         let RobustTriangulation { refinement, inliers, residuals, samples } = result;
         Self {

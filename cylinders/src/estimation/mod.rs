@@ -1,4 +1,4 @@
-//! The whole way from views to a cylinder: by least squares, refined, or with RANSAC.
+//! All steps from views to a cylinder: by least squares, refined, or with RANSAC.
 
 /// A cylinder from any of the estimators.
 pub mod estimate;
@@ -8,7 +8,7 @@ pub mod parallel;
 mod plucker;
 /// A cylinder to the one whose silhouettes are nearest to the lines, with its covariance.
 pub mod refine;
-/// Lines, most of them wrong, to the cylinder on which the others agree.
+/// Lines to the cylinder on which most agree if many lines are wrong.
 pub mod robust;
 /// Views to a cylinder with its residuals.
 pub mod triangulate;

@@ -1,4 +1,5 @@
-//! Several parallel cylinders: one direction from the lines of all of them, then each by itself.
+//! Several parallel cylinders: one direction from the lines of all of them, then each cylinder by
+//! itself.
 
 use thiserror::Error;
 
@@ -31,7 +32,7 @@ pub enum ParallelError {
     },
 }
 
-/// Triangulates parallel cylinders, each given by views with its own lines only.
+/// Triangulates parallel cylinders, each given by views that contain only its own lines.
 ///
 /// # Errors
 /// [`ParallelError`].

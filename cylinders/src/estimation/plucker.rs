@@ -1,15 +1,16 @@
-//! A line in space in the orthonormal form of its Plücker coordinates: four parameters without constraints (Bartoli & Sturm,
-//! "Structure-from-motion using lines: representation, triangulation, and bundle adjustment", 2005, section 4).
+//! A line in space in the orthonormal form of its Plücker coordinates: four parameters without
+//! constraints (Bartoli & Sturm, "Structure-from-motion using lines: representation, triangulation,
+//! and bundle adjustment", 2005, section 4).
 //!
-//! A line with direction `w` through `A` has the Plücker coordinates `(m, w)`, `m = A x w`. For the unit direction and the point
-//! `A` nearest to the origin
+//! A line with direction `w` through `A` has the Plücker coordinates `(m, w)`, `m = A x w`. For the
+//! unit direction and the point `A` nearest to the origin
 //!
 //! ```text
 //!   U = [ m/|m|  w  m/|m| x w ] in SO(3),    tan(phi) = |m|,    w = u2,    A = -tan(phi) u3
 //! ```
 //!
-//! and a step is `U <- U exp([theta]_x)`, `phi <- phi + theta_4`. A line through the origin has no moment, hence no `U`: the
-//! caller puts the origin beside the line, best at a distance of one.
+//! and a step is `U <- U exp([theta]_x)`, `phi <- phi + theta_4`. A line through the origin has no
+//! moment, hence no `U`. The caller chooses the origin beside the line, best at a distance of one.
 
 use nalgebra::{Matrix3, Rotation3, Unit, Vector3};
 
@@ -21,7 +22,8 @@ pub(crate) struct OrthonormalLine {
 }
 
 impl OrthonormalLine {
-    /// The line along `direction` through the point `nearest` to the origin, which is not the origin.
+    /// The line along `direction` whose point nearest to the origin is `nearest`, which must not be
+    /// the origin itself.
     pub(crate) fn new(nearest: &Vector3<f64>, direction: &Unit<Vector3<f64>>) -> Self {
         let w = direction.into_inner();
         let third = -nearest.normalize();
@@ -60,7 +62,7 @@ impl OrthonormalLine {
     pub(crate) fn moved(&self, step: &[f64; 4]) -> Self {
         let turn = Rotation3::new(Vector3::new(step[0], step[1], step[2]));
         let mut frame = self.frame * turn.matrix();
-        // Rounding of many steps must not add up.
+        // The frame is made orthonormal again, so that rounding does not add up over many steps.
         let w = frame.column(1).normalize();
         let third = frame.column(2) - w * w.dot(&frame.column(2));
         let third = third.normalize();

@@ -1,13 +1,14 @@
-//! The optional last step: the cylinder that minimises the distances between the given lines and its silhouettes, over all
-//! its parameters at once, and how certain they are.
+//! The optional last step: minimises the distances between the given lines and the silhouettes over
+//! all parameters of the cylinder at once, and estimates their uncertainty.
 //!
 //! ```text
-//!   minimise  sum_i rho(|e_i|^2 / 2)    over the axis (4, orthonormal Plücker form) and the radius (1)
+//!   minimise  sum_i rho(|e_i|^2 / 2)   over the axis (4, orthonormal Plücker form) and the radius
 //! ```
 //!
-//! with the distances `e_i` of two points of each line and the loss `rho`, by Levenberg-Marquardt with the weights
-//! `rho'` (iteratively reweighted). The work is done in coordinates whose unit is the mean distance of the cameras from
-//! the axis and whose origin is at that distance beside the part of the axis that the lines see.
+//! with the distances `e_i` of two points of each line and the loss `rho`, by Levenberg-Marquardt
+//! with the weights `rho'` (iteratively reweighted). The unit of the coordinates is the mean
+//! distance of the cameras from the axis. Their origin is at that distance beside the part of the
+//! axis that the lines see.
 
 use nalgebra::{Matrix5, Point3, SMatrix, SVector, Unit, Vector3};
 use thiserror::Error;
@@ -21,40 +22,42 @@ use crate::space::silhouette_distance::{CylinderTangent, MeasuredLine, Metric, M
 /// Limit on the steps of Levenberg-Marquardt.
 const STEPS: usize = 200;
 
-/// Smallest eigenvalue of the normal matrix, its diagonal scaled to one, at and below which the cylinder is not determined:
-/// some combination of parameters has less than a millionth of the influence of each alone.
+/// The cylinder is not determined if the smallest eigenvalue of the normal matrix, with its
+/// diagonal scaled to one, is at most this: some combination of parameters has less than a
+/// millionth of the influence of each alone.
 const UNDETERMINED: f64 = 1e-12;
 
-/// Radius, relative to the mean distance of the cameras from the axis, at and below which there is none: far below what can
-/// be seen in an image.
+/// The radius counts as zero if it is at most this, relative to the mean distance of the cameras
+/// from the axis. It is far below what an image can show.
 const NO_RADIUS: f64 = 1e-9;
 
-/// Iterations that the eigenvalues of a 5x5 matrix may take.
+/// Limit on the iterations for the eigenvalues of a 5x5 matrix.
 const EIGEN_ITERATIONS: usize = 500;
 
-/// What a line costs, by the root mean square `d` of the distances of its two support points.
+/// The cost of a line as a function of the root mean square `d` of the distances of its two support
+/// points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Loss {
     /// `d^2`.
     Quadratic,
     /// `d^2` up to `scale`, `2 scale d - scale^2` beyond it: the influence of a line is bounded.
     Huber {
-        /// In the unit of the metric.
+        /// Scale of the loss, in the unit of the metric.
         scale: f64,
     },
     /// `scale^2 ln(1 + d^2 / scale^2)`: the influence of a line vanishes with its distance.
     Cauchy {
-        /// In the unit of the metric.
+        /// Scale of the loss, in the unit of the metric.
         scale: f64,
     },
 }
 
-/// What is minimised.
+/// The cost that is minimised.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RefineOptions {
     /// How distances are measured.
     pub metric: Metric,
-    /// What they cost.
+    /// The loss of the distances.
     pub loss: Loss,
 }
 
@@ -63,20 +66,22 @@ pub struct RefineOptions {
 pub struct Refinement {
     /// The cylinder.
     pub cylinder: Cylinder,
-    /// The point of the axis to which the uncertainty of its position refers: in the middle of the part that the lines
-    /// see, world frame.
+    /// The point of the axis to which the uncertainty of its position refers. It is in the middle
+    /// of the part that the lines see; world frame.
     pub reference: Point3<f64>,
     /// Unit vectors `f1`, `f2` across the axis.
     pub across: [Vector3<f64>; 2],
     /// Covariance of the local parameters
     ///
     /// ```text
-    ///   (f1^T dw, f2^T dw, f1^T dA, f2^T dA, dr)    w the direction [rad], A the axis at the reference, r the radius
+    ///   (f1^T dw, f2^T dw, f1^T dA, f2^T dA, dr)
     /// ```
     ///
-    /// in world units: `sigma^2 (J^T W J)^-1` with the variance `sigma^2` of a distance estimated from the residuals. To
-    /// first order, and where the loss is not quadratic with the weights held, hence too small by the share of good
-    /// lines that it tones down.
+    /// with the direction `w` (radians), the point `A` of the axis at the reference and the radius
+    /// `r`, in world units: `sigma^2 (J^T W J)^-1` with the variance `sigma^2` of a distance
+    /// estimated from the residuals. This holds to first order. If the loss is not quadratic, the
+    /// weights are held fixed, so the covariance is too small by the share of good lines whose
+    /// weight is reduced.
     pub covariance: Matrix5<f64>,
     /// Standard deviations that follow from the covariance.
     pub deviation: Deviation,
@@ -93,14 +98,14 @@ pub struct Deviation {
     pub direction: f64,
     /// Root mean square distance between estimated and true axis at the reference, world units.
     pub position: f64,
-    /// Of the radius, world units.
+    /// Standard deviation of the radius, world units.
     pub radius: f64,
 }
 
 /// Why there is no refined cylinder.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum RefineError {
-    /// Two numbers for each line; a cylinder has five.
+    /// There are too few lines: each gives two numbers, and a cylinder has five parameters.
     #[error("{lines} silhouette line(s) given; a cylinder needs at least three")]
     TooFewLines {
         /// Number of lines.
@@ -118,10 +123,11 @@ pub enum RefineError {
         /// The value.
         scale: f64,
     },
-    /// The radius would become zero: the lines are images of the axis, or do not belong together.
-    #[error("the lines fit best without a radius: they are not silhouettes of one cylinder")]
+    /// The radius would become zero: the lines are images of the axis, or do not belong to one
+    /// cylinder.
+    #[error("the lines fit best with a radius of zero: they are not silhouettes of one cylinder")]
     NoRadius,
-    /// The cylinder, or the one that the cost leads to, contains a camera.
+    /// The initial cylinder, or the cylinder of least cost, contains a camera.
     #[error(
         "the cylinder that fits the lines best contains the camera of views[{view}]: the lines do not fit together"
     )]
@@ -129,8 +135,8 @@ pub enum RefineError {
         /// Index of the view.
         view: usize,
     },
-    /// The lines leave a combination of parameters open.
-    #[error("the lines do not determine the cylinder: their views are too much alike; add a view from another place")]
+    /// The lines do not determine a combination of the parameters.
+    #[error("the lines do not determine the cylinder: their views are too similar; add a view from another place")]
     NotDetermined,
     /// The limit on the steps was reached, or numbers are out of range.
     #[error("the refinement did not converge in {iterations} steps")]
@@ -172,18 +178,19 @@ pub fn refine(views: &[View], initial: &Cylinder, options: &RefineOptions) -> Re
     refine_lines(&options.metric.measured_lines(views)?, initial, options.loss)
 }
 
-/// Refines a cylinder on some lines.
+/// Refines a cylinder on the given lines.
 pub(crate) fn refine_lines(lines: &[MeasuredLine], initial: &Cylinder, loss: Loss) -> Result<Refinement, RefineError> {
     let Optimised { cylinder, iterations, converged } = optimise(lines, initial, loss, STEPS)?;
     if !converged {
         return Err(RefineError::NotConverged { iterations });
     }
-    // The frame of the result, because positions refer to the part of its own axis that the lines see.
+    // The frame is that of the result, because its position refers to the part of its own axis that
+    // the lines see.
     let (frame, problem) = SilhouetteCost::of(lines, &cylinder, loss)?;
     let parameters = frame.parameters(&cylinder);
     let local = problem.covariance(&parameters)?;
 
-    // From steps in the frame to (dw, dA, dr) across the axis, in world units.
+    // Maps steps in the frame to (dw, dA, dr) across the axis, in world units.
     let across = parameters.axis.across();
     let mut map = Matrix5::zeros();
     for (column, (d_direction, d_point, d_radius)) in parameters.tangents().into_iter().enumerate() {
@@ -208,14 +215,14 @@ pub(crate) fn refine_lines(lines: &[MeasuredLine], initial: &Cylinder, loss: Los
     })
 }
 
-/// Where Levenberg-Marquardt ended.
+/// The state in which Levenberg-Marquardt ended.
 pub(crate) struct Optimised {
     pub(crate) cylinder: Cylinder,
     pub(crate) iterations: usize,
     pub(crate) converged: bool,
 }
 
-/// The optimum, or the cylinder that is reached in `limit` steps.
+/// The optimum, or the cylinder that is reached after `limit` steps.
 pub(crate) fn optimise(
     lines: &[MeasuredLine],
     initial: &Cylinder,
@@ -255,7 +262,8 @@ impl Frame {
             heights.push(w.dot(&(line.contact(&distance) - cylinder.axis_point)));
             unit += cylinder.vector_to_axis(&line.centre).norm() / lines.len() as f64;
         }
-        // The median, because the ray to a line that is no silhouette may run along the axis.
+        // The median is used because the ray to a line that is not a silhouette may run along the
+        // axis.
         heights.sort_by(f64::total_cmp);
         let middle = cylinder.axis_point + w * heights[heights.len() / 2];
         let beside = w.cross(&Vector3::ith(w.iamin(), 1.0)).normalize();
@@ -344,7 +352,8 @@ impl SilhouetteCost {
 
     /// Covariance of the local parameters at the optimum.
     fn covariance(&self, parameters: &Parameters) -> Result<Matrix5<f64>, RefineError> {
-        // J^T W J / 2, its diagonal scaled to one, which makes the test of the rank independent of units.
+        // The matrix is J^T W J / 2. Its diagonal is scaled to one, so that the test of the rank
+        // does not depend on units.
         let normal_matrix = self.linearise(parameters)?.normal_matrix;
         let scale = normal_matrix.diagonal().map(|entry| 1.0 / entry.sqrt());
         let scaled = Matrix5::from_fn(|row, column| normal_matrix[(row, column)] * scale[row] * scale[column]);
@@ -359,7 +368,7 @@ impl SilhouetteCost {
             squares += weight * distance.distances.norm_squared();
             count += 2.0 * weight;
         }
-        // The loss may have left fewer numbers than parameters.
+        // The loss may reduce the effective number of lines below the number of parameters.
         if count <= 5.0 {
             return Err(RefineError::NotDetermined);
         }
@@ -374,7 +383,8 @@ mod tests {
     use crate::observations::view::{Calibration, Camera};
     use nalgebra::{Matrix3, Matrix3x4, Rotation3};
 
-    /// Three views, each with two lines a little off the silhouettes; skew and unequal focal lengths.
+    /// Three views with skew and unequal focal lengths. Each has two lines a little off the
+    /// silhouettes.
     fn example() -> (Vec<View>, Cylinder) {
         let direction = Unit::new_normalize(Vector3::new(0.2, 1.0, -0.3));
         let cylinder = Cylinder::new(&Point3::new(0.3, 0.1, -0.2), direction, 0.8);

@@ -1,14 +1,15 @@
-//! The cylinder that most lines agree on, when many of them are not its silhouettes: RANSAC around the minimal solver, then
-//! refinement.
+//! The cylinder on which most lines agree if many of them are not its silhouettes: RANSAC around
+//! the minimal solver, then refinement.
 //!
 //! ```text
-//!   3 lines --> direction, unless it is known --> 3 tangent lines --> up to 4 circles --> cylinders
+//!   3 lines --> direction, unless known --> 3 tangent lines --> up to 4 circles --> cylinders
 //! ```
 //!
-//! Two planes would do for the direction; the third makes it better. Three lines are six numbers for the five of a cylinder:
-//! a sample whose own lines do not agree is given up before any
-//! other line is looked at. A line agrees with a cylinder when its distance from the silhouette is within the threshold,
-//! and what it shows lies in front of the camera. That chooses among the four circles.
+//! Two planes determine the direction, and the third improves it. Three lines give six numbers for
+//! the five parameters of a cylinder, so a sample whose own lines do not agree is rejected before
+//! other lines are tested. A line agrees with a cylinder if its distance from the silhouette is
+//! within the threshold and the point of contact lies in front of the camera. This test chooses
+//! among the four circles.
 
 use nalgebra::{Unit, Vector3};
 use thiserror::Error;
@@ -25,26 +26,28 @@ use crate::observations::view::{View, ViewingPlane};
 use crate::space::cylinder::{Cylinder, LineResidual};
 use crate::space::silhouette_distance::{DistanceUnit, MeasuredLine, Metric, MetricError};
 
-/// Default of the largest distance between a line and its silhouette: what an end point that is off by a pixel may reach.
+/// Default of the largest distance between a line and its silhouette: an end point that is off by a
+/// pixel may reach it.
 const THRESHOLD_PIXELS: f64 = 3.0;
 
-/// Default in radians: three pixels at a focal length of 3000.
+/// Default of the same distance in radians: three pixels at a focal length of 3000.
 const THRESHOLD_RADIANS: f64 = 1e-3;
 
 /// Steps of Levenberg-Marquardt in a local optimisation.
 const LOCAL_STEPS: usize = 5;
 
-/// Limit on the repetitions of final refinement and choice of inliers; they agree after one or two.
+/// Limit on the repetitions of final refinement and choice of inliers. They agree after one or two.
 const REPETITIONS: usize = 10;
 
-/// How a cylinder is searched for among lines.
+/// Options of the robust estimation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RobustOptions {
     /// How distances between lines and silhouettes are measured.
     pub metric: Metric,
-    /// The threshold is the largest root mean square distance of an inlier, in the unit of the metric.
+    /// Options of RANSAC. The threshold is the largest root mean square distance of an inlier, in
+    /// the unit of the metric.
     pub ransac: RansacOptions,
-    /// Direction of the axis, where it is known; only the final refinement changes it.
+    /// Direction of the axis, if it is known. Only the final refinement changes it.
     pub direction: Option<Unit<Vector3<f64>>>,
 }
 
@@ -64,16 +67,18 @@ pub struct RobustTriangulation {
 /// Why no cylinder was found.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum RobustError {
-    /// No line is left over to choose between the cylinders that touch three.
+    /// There are too few lines: a fourth one is needed to choose among the cylinders that touch
+    /// three.
     #[error(
         "{lines} line(s) given; a robust estimate samples three of them and needs others to agree: pass at least four \
-         lines from two views, better two silhouettes from each of three; few lines that are all right need none"
+         lines from two views, better two silhouettes from each of three views; without wrong lines, use plain \
+         triangulation"
     )]
     TooFewLines {
         /// Number of lines.
         lines: usize,
     },
-    /// An option of RANSAC is out of its range.
+    /// An option of RANSAC is out of range.
     #[error(transparent)]
     Options(#[from] RansacOptionsError),
     /// Distances cannot be measured.
@@ -81,7 +86,7 @@ pub enum RobustError {
     Metric(#[from] MetricError),
     /// No cylinder has four inliers.
     #[error(
-        "{inliers} of {lines} lines agree on a cylinder, where four are needed ({samples} samples): pass more silhouette \
+        "{inliers} of {lines} lines agree on a cylinder, but four are needed ({samples} samples): pass more silhouette \
          lines, from more views, or a larger threshold or number of samples"
     )]
     NoConsensus {
@@ -92,7 +97,7 @@ pub enum RobustError {
         /// Number of samples drawn.
         samples: usize,
     },
-    /// The inliers leave the cylinder open, or lead to none.
+    /// The inliers do not determine a cylinder.
     #[error("{inliers} of {lines} lines agree on a cylinder, which cannot be refined: {error}")]
     Refine {
         /// Number of lines that agree.
@@ -102,8 +107,8 @@ pub enum RobustError {
         /// Reason.
         error: RefineError,
     },
-    /// The cylinder contains a camera that none of the inliers was seen from.
-    #[error("the cylinder that most lines agree on contains the camera of views[{view}]")]
+    /// The cylinder contains a camera that saw no inlier.
+    #[error("the cylinder on which most lines agree contains the camera of views[{view}]")]
     CameraInside {
         /// Index of the view.
         view: usize,
@@ -111,7 +116,8 @@ pub enum RobustError {
 }
 
 impl RobustOptions {
-    /// Pixels and a threshold of 3 where all cameras have a calibration, radians and a threshold of 0.001 otherwise.
+    /// Pixels and a threshold of 3 if all cameras have a calibration, radians and a threshold of
+    /// 0.001 otherwise.
     pub fn of(views: &[View]) -> Self {
         let metric = Metric::of(views);
         let threshold = match metric.unit {
@@ -122,7 +128,7 @@ impl RobustOptions {
     }
 }
 
-/// The cylinder that most lines agree on, whatever the other lines are.
+/// The cylinder on which most lines agree, whatever the other lines are.
 ///
 /// # Errors
 /// [`RobustError`].
@@ -187,9 +193,10 @@ impl CylinderEstimator {
         (0..self.count()).filter(|&datum| self.agrees(cylinder, datum)).collect()
     }
 
-    /// The known direction, or the least squares direction of the three planes of the sample: one step of inverse iteration,
-    /// which is exact to the square of the noise, from the direction of the two that are furthest from parallel. The inverse
-    /// of `N^T N` is, up to scale, the sum of `c c^T` over the cross products `c` of its rows (Cauchy-Binet).
+    /// The known direction, or the least squares direction of the three planes of the sample. The
+    /// latter is one step of inverse iteration from the direction of the two planes that are
+    /// furthest from parallel; its error is of the square of the noise. Up to scale, the inverse of
+    /// `N^T N` is the sum of `c c^T` over the cross products `c` of its rows (Cauchy-Binet).
     fn direction(&self, sample: &[usize]) -> Option<Unit<Vector3<f64>>> {
         if self.direction.is_some() {
             return self.direction;
@@ -235,7 +242,7 @@ impl Estimator for CylinderEstimator {
         }
     }
 
-    /// Constrained least squares, then some steps on the silhouette distance.
+    /// Constrained least squares, followed by a few steps on the silhouette distance.
     fn fitted(&self, model: &Cylinder, data: &[usize]) -> Option<Cylinder> {
         let identified: Vec<_> = data.iter().map(|&index| self.planes[index]).collect();
         let planes: Vec<_> = identified.iter().map(|&(_, plane)| plane).collect();

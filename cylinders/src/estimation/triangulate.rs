@@ -1,4 +1,4 @@
-//! The whole: views in, cylinder out.
+//! All steps from views to a cylinder.
 
 use nalgebra::{Point3, Unit, Vector3};
 use thiserror::Error;
@@ -11,8 +11,8 @@ use crate::observations::scene::LineId;
 use crate::observations::view::{View, ViewingPlane};
 use crate::space::cylinder::{Cylinder, LineResidual};
 
-/// Largest distance between the axes through the camera centres, relative to the distance of the centres from the
-/// world's origin, at and below which all cameras count as standing at one place.
+/// All cameras count as standing at one place if the largest distance between the axes through
+/// their centres, relative to the distance of the centres from the world's origin, is at most this.
 const SINGLE_VIEWPOINT: f64 = 1e-9;
 
 /// A triangulated cylinder and how well the lines determine and fit it.
@@ -40,13 +40,13 @@ pub enum TriangulateError {
     /// The axis direction is not determined.
     #[error(transparent)]
     Direction(#[from] DirectionError),
-    /// Seen along the axis, all camera centres coincide: every size of cylinder fits.
+    /// Seen along the axis, all camera centres coincide: a cylinder of any size fits.
     #[error(
         "all cameras stand at one place, or above each other along the axis: the distance to the cylinder is unknown"
     )]
     SingleViewpoint,
-    /// A line whose viewing plane stands across the axis of all others.
-    #[error("views[{view}], line {line}: stands across the axis that the other lines have in common")]
+    /// The viewing plane of a line is too steep to the axis of the others.
+    #[error("views[{view}], line {line}: the viewing plane is too steep to the axis of the other lines")]
     AcrossAxis {
         /// Index of the view.
         view: usize,
@@ -56,7 +56,7 @@ pub enum TriangulateError {
     /// The circle of the cross-section is not determined.
     #[error(transparent)]
     Circle(#[from] CircleError),
-    /// The best cylinder contains a camera, from where it has no silhouette.
+    /// The best cylinder contains a camera, from which it has no silhouette.
     #[error(
         "the best cylinder (radius {radius:.6}) contains the camera of views[{view}]: the lines do not fit together"
     )]
@@ -80,7 +80,8 @@ pub fn triangulate(views: &[View]) -> Result<Triangulation, TriangulateError> {
     triangulate_along(views, estimate_direction(&planes)?)
 }
 
-/// Triangulates one cylinder of which the direction is known, as from other cylinders parallel to it.
+/// Triangulates one cylinder whose direction is known, for example from other cylinders parallel to
+/// it.
 ///
 /// # Errors
 /// [`TriangulateError`].
@@ -102,7 +103,8 @@ pub(crate) fn identified_planes(views: &[View]) -> Vec<(LineId, ViewingPlane)> {
     views.iter().enumerate().flat_map(planes).collect()
 }
 
-/// Constrained least squares cylinder of a direction, in front of the cameras if a minimum of the cost is.
+/// Cylinder of constrained least squares along a direction. It is in front of the cameras if any
+/// minimum of the cost is.
 pub(crate) fn fit_cylinder(
     planes: &[(LineId, ViewingPlane)],
     direction: &Unit<Vector3<f64>>,
@@ -126,7 +128,8 @@ pub(crate) fn fit_cylinder(
     Ok((Cylinder::from_circle(&fit.circle, &rectification, *direction), fit))
 }
 
-/// Mean of the camera centres, each as often as it has lines, and their largest distance from the world's origin.
+/// Mean of the camera centres, weighted by their numbers of lines, and their largest distance from
+/// the world's origin.
 fn centroid(planes: &[(LineId, ViewingPlane)]) -> (Point3<f64>, f64) {
     let centres = planes.iter().map(|(_, plane)| plane.centre.coords);
     let sum: Vector3<f64> = centres.clone().sum();

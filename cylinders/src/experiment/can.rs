@@ -1,7 +1,8 @@
-//! A simulated soda can: photographs from all sides, and the dual conics that the methods find for some of them.
+//! A simulated soda can in photographs from all sides, and the dual conics that the methods find
+//! for some of them.
 //!
-//! Silhouettes come from points, not from tangent planes: of each line of contact the ends at bottom and top are projected, moved
-//! by noise in pixels, and joined.
+//! Silhouettes come from points, not from tangent planes: the ends of each line of contact, at
+//! bottom and top, are projected, moved by noise in pixels, and joined.
 
 use std::f64::consts::TAU;
 
@@ -20,7 +21,8 @@ const HALF_HEIGHT: f64 = 57.5;
 const MIDDLE: [f64; 3] = [120.0, -40.0, 30.0];
 const DIRECTION: [f64; 3] = [0.1, -0.2, 0.97];
 
-/// Distance of the cameras from the axis, and their largest height above or below the middle, millimetres.
+/// Distance of the cameras from the axis, and their largest height above or below the middle,
+/// millimetres.
 const DISTANCES: [f64; 2] = [450.0, 600.0];
 const ELEVATION: f64 = 200.0;
 
@@ -31,10 +33,11 @@ const PRINCIPAL: [f64; 2] = [2000.0, 1500.0];
 /// Photographs of the can.
 pub(super) const PHOTOGRAPHS: usize = 18;
 
-/// Words for what is simulated.
-pub(super) const SETUP: &str = "Simulated soda can (radius 33 mm, height 115 mm), 18 cameras of 4000 x 3000 pixels (focal length \
-3000) around it, one in each sector of 20 degrees, 450 to 600 mm from the axis and up to 200 mm above or below its middle; places \
-drawn once for each seed. Each end point of each silhouette is moved by normal noise, anew for each run.";
+/// Description of the simulation.
+pub(super) const SETUP: &str = "Simulated soda can (radius 33 mm, height 115 mm). 18 cameras of 4000 x 3000 pixels (focal \
+length 3000) stand around it, one in each sector of 20 degrees, 450 to 600 mm from the axis \
+and up to 200 mm above or below its middle; their places are drawn once for each seed. Each \
+end point of each silhouette is moved by normal noise, drawn anew for each run.";
 
 /// The can and its cameras.
 pub(super) struct Can {
@@ -55,7 +58,7 @@ impl Noise {
 }
 
 impl Can {
-    /// The can with its cameras. They are no instance of a run.
+    /// The can with its cameras, which are the same in all instances.
     pub(super) fn of_seed(seed: u64) -> Result<Self, ViewError> {
         let mut random = Random::new(instance_seed(seed, u64::MAX));
         let direction = Unit::new_normalize(Vector3::from(DIRECTION));
@@ -75,7 +78,8 @@ impl Can {
         Ok(Self { cylinder, cameras: (0..PHOTOGRAPHS).map(camera).collect::<Result<_, ViewError>>()? })
     }
 
-    /// The silhouettes of these sides (0 right, 1 left) in a photograph; `None` where the camera is inside the can.
+    /// The silhouettes of these sides (0 right, 1 left) in a photograph; `None` if the camera is
+    /// inside the can.
     pub(super) fn view(&self, photograph: usize, sides: &[usize], noise: &Noise, pixels: f64) -> Option<View> {
         let camera = self.cameras[photograph];
         let silhouette = self.cylinder.silhouette(&camera)?;
@@ -96,14 +100,14 @@ impl Can {
     }
 }
 
-/// The lines of a cross-section, and how each was seen.
+/// The lines of a cross-section, each with its camera.
 pub(super) struct CrossSection {
     pub(super) lines: Vec<SectionLine>,
     pub(super) sights: Vec<Sight>,
 }
 
-/// The lines of the cross-section along the direction that the views determine; the true axis is the origin and the true radius
-/// the unit. `None` where they determine no direction.
+/// The lines of the cross-section along the direction that the views determine. The true axis is
+/// the origin and the true radius the unit. `None` if the views determine no direction.
 pub(super) fn cross_section(views: &[View]) -> Option<CrossSection> {
     let planes: Vec<_> = views.iter().flat_map(View::planes).collect();
     let direction = estimate_direction(&planes).ok()?;
@@ -121,7 +125,7 @@ pub(super) fn cross_section(views: &[View]) -> Option<CrossSection> {
     Some(found)
 }
 
-/// The dual conic of the truth in the coordinates of [`cross_section`].
+/// The true dual conic in the coordinates of [`cross_section`].
 pub(super) fn true_dual_conic() -> Matrix3<f64> {
     Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, -1.0))
 }

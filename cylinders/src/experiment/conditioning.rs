@@ -1,5 +1,5 @@
-//! `conditioning`: cameras that see the cylinder from one side only. The linear estimate is then badly conditioned and turns
-//! into a hyperbola; the constrained one remains a circle.
+//! `conditioning`: cameras that see the cylinder from one side only. The linear estimate is then
+//! badly conditioned and turns into a hyperbola; the constrained estimate remains a circle.
 
 use nalgebra::{Matrix3, Point2};
 
@@ -26,20 +26,22 @@ const RANGES: [f64; 11] = [5.0, 10.0, 20.0, 30.0, 45.0, 60.0, 90.0, 120.0, 180.0
 /// Standard deviations of the angle of a line, radians.
 const NOISE: [f64; 5] = [0.0005, 0.001, 0.002, 0.005, 0.01];
 
-/// Range and noise of the scene that is drawn, as indices.
+/// Indices of the range and the noise of the scene that is drawn.
 const DRAWN: (usize, usize) = (3, 2);
 
-const SETUP: &str = "Circle of radius 1; 10 cameras at distances uniform in [5, 15], in directions uniform within a sector of the \
-given range (degrees), each with both tangents, turned about the camera by normal noise sigma (radians).\n\
-Linear: part of the runs in which the conic is a hyperbola, or has no real points; error of the radius of the circle nearest to \
-its tangents where it is an ellipse, as a quantile over all runs ('-' where that falls among the others). Least squares: part \
-without a circle, error of its radius. The same scenes at all levels of noise.";
+const SETUP: &str = "Circle of radius 1; 10 cameras at distances uniform in [5, 15], in directions uniform within a \
+sector of the given range (degrees). Each has both tangents, turned about the camera by normal \
+noise sigma (radians).\n\
+Linear: part of the runs in which the conic is a hyperbola or has no real points. For an \
+ellipse, error of the radius of the circle nearest to its tangents, as a quantile over all \
+runs ('-' if the quantile falls on a run without ellipse). Least squares: part of the runs \
+without a circle; error of its radius. All levels of noise have the same scenes.";
 
-/// What one range and one noise gave.
+/// The results for one range and one noise.
 #[derive(Clone, Copy, Debug)]
 struct Estimates {
     linear: Option<SectionShape>,
-    /// Infinite where there is no circle.
+    /// Infinite if there is no circle.
     linear_error: f64,
     circle_error: f64,
 }
@@ -99,10 +101,10 @@ pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
     Ok(outcome)
 }
 
-/// Cameras at random places of a sector that is not chosen yet, with the deviations of their lines.
+/// Cameras at random places of a sector of unit width, with the deviations of their lines.
 struct Scene(Vec<Place>);
 
-/// Where in the sector, from -1/2 to 1/2, how far away, and the deviations of the lines.
+/// Position in the sector, from -1/2 to 1/2, distance, and deviations of the lines.
 struct Place {
     direction: f64,
     distance: f64,

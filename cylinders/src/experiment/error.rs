@@ -30,10 +30,10 @@ pub enum ExperimentError {
     Scene {
         /// The file.
         path: PathBuf,
-        /// Why.
+        /// Reason.
         reason: String,
     },
-    /// A scene is given to an experiment that simulates its own.
+    /// A scene file was given to an experiment that simulates its own scenes.
     #[error("only the experiment `real` takes a scene file")]
     NoScene,
     /// A table cannot be written as CSV.

@@ -12,8 +12,8 @@ pub(super) fn instances<T: Send>(options: &Options, runs: usize, solve: impl Fn(
     seeded_instances(options, runs, |seed| solve(&mut Random::new(seed)))
 }
 
-/// The same for instances that make random numbers from a seed themselves. A progress bar shows how many are done, where
-/// standard error is a terminal.
+/// Like [`instances`], for instances that make random numbers from a seed themselves. If standard
+/// error is a terminal, a progress bar shows how many are done.
 pub(super) fn seeded_instances<T: Send>(options: &Options, runs: usize, solve: impl Fn(u64) -> T + Sync) -> Vec<T> {
     let bar = progress_bar(runs);
     let instance = |instance: usize| {

@@ -1,5 +1,5 @@
-//! `matching`: parallel cylinders among lines of which nobody says what they show, and how much clutter and noise the search
-//! endures.
+//! `matching`: parallel cylinders among unlabelled lines; success of the search against clutter and
+//! noise.
 
 use super::error::ExperimentError;
 use super::instances::seeded_instances;
@@ -15,23 +15,27 @@ use crate::{
 
 const RUNS: usize = 100;
 
-/// Outlier rates at the noise of the set-up, and noise in pixels at its outlier rate.
+/// Outlier rates, at the noise of the set-up; noise in pixels, at the outlier rate of the set-up.
 const OUTLIER_RATES: [f64; 6] = [0.86, 0.89, 0.90, 0.91, 0.92, 0.94];
 const NOISE: [f64; 6] = [0.25, 0.5, 1.0, 1.5, 2.0, 3.0];
 
-/// A cylinder is found where axis and radius are off by less than this part of the radius.
+/// A cylinder is found if axis and radius are off by less than this part of the radius.
 const FOUND: f64 = 0.1;
 
-const SETUP: &str = "Seven parallel cylinders of similar radius in twelve images; what another cylinder hides is not seen, nine of ten \
-silhouettes are detected, ends of lines are moved by normal noise (pixels), clutter along the direction fills up to the outlier \
-rate: the mean over the cylinders of the part of all lines that are not its silhouettes. Pairs of every image \
-are tried, lines within 3 pixels match, whatever the noise. Told: what the search knows; where it is not told the direction, that is \
-estimated from all lines, and where it is not told the number of cylinders, it takes all that are more than chance.\n\
-Found: axis (in the middle of the scene) and radius off by less than a tenth of the radius. All: part of the runs in which all \
-seven are found. False: mean number of cylinders that are none of the seven. Wrong matches: part of the lines of found cylinders \
-that belong to something else.";
+const SETUP: &str = "Seven parallel cylinders of similar radius in twelve images. Silhouettes that another cylinder \
+hides are not seen, and nine of ten visible silhouettes are detected. The ends of lines are \
+moved by normal noise (pixels). Clutter along the direction is added up to the outlier rate: \
+the mean over the cylinders of the part of all lines that are not its silhouettes. Pairs of \
+every image are tried, and lines within 3 pixels match, whatever the noise. Told: the \
+information given to the search. If the direction is not given, it is estimated from all \
+lines; if the number of cylinders is not given, the search takes all cylinders that are \
+unlikely to be chance.\n\
+Found: axis (in the middle of the scene) and radius are off by less than a tenth of the \
+radius. All: part of the runs in which all seven cylinders are found. False: mean number of \
+other cylinders. Wrong matches: part of the lines of found cylinders that are not their \
+silhouettes.";
 
-/// What the search knows beside the lines.
+/// The information that the search gets besides the lines.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 enum Told {
     Nothing,
@@ -149,7 +153,7 @@ fn score(setup: &ParallelSetup, told: Told, seed: u64) -> Result<Score, ViewErro
     Ok(score)
 }
 
-/// The true cylinder that this one is.
+/// Index of the true cylinder that this one matches.
 fn nearest(found: &Cylinder, scene: &ParallelScene) -> Option<usize> {
     let error = |truth: &Cylinder| {
         let axis = found.distance(&truth.axis_at(truth.height(&scene.middle))) + found.radius;

@@ -1,8 +1,9 @@
-//! Experiments of Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation", on simulated scenes.
+//! Experiments of Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation", on simulated
+//! scenes.
 //!
-//! An experiment is a function from options to tables and pictures; who calls it writes the files. Instance `k` of a run is
-//! drawn from a generator that depends on the seed and `k` only, so the result depends neither on the number of threads nor, for
-//! the first instances, on how many follow.
+//! An experiment is a function from options to tables and pictures; the caller writes the files.
+//! Instance `k` of a run is drawn from a generator that depends only on the seed and `k`, so the
+//! result does not depend on the number of threads, and more runs do not change the first ones.
 
 /// A simulated soda can in photographs from all sides.
 mod can;
@@ -28,7 +29,7 @@ mod quantile;
 mod random;
 /// `real`: a scene file by all methods.
 mod real;
-/// `residuals`: what the solvers leave on noise-free data.
+/// `residuals`: the residuals of the solvers on noise-free data.
 mod residuals;
 /// Circles and their tangents from cameras in the plane.
 mod section_scene;
@@ -45,25 +46,28 @@ pub use table::Table;
 /// The experiments.
 #[derive(clap::ValueEnum, Clone, Copy, Debug, Eq, PartialEq)]
 pub enum Experiment {
-    /// What all solvers leave on noise-free data
+    /// Residuals of all solvers on noise-free data
     Residuals,
     /// Response of the minimal solver and of least squares to noise
     Noise,
-    /// Distance to the true conic of proposed, linear and Navab's method for a soda can in 2 to 15 photographs
+    /// Distance to the true conic of the proposed, the linear and Navab's method for a soda can in
+    /// 2 to 15 photographs
     Table1,
     /// Linear and constrained estimate for a limited viewing range
     Conditioning,
     /// Proposed and linear method for fifteen left silhouettes
     #[value(name = "one_sided")]
     OneSided,
-    /// Seven cylinders in twelve images without correspondences; success against outlier rate and noise
+    /// Seven cylinders in twelve images without correspondences: success against outlier rate and
+    /// noise
     Matching,
-    /// All methods and refinement on a scene file, by default of a round tower, beside its sparse points
+    /// All methods and refinement on a scene file, by default a round tower, compared with its
+    /// sparse points
     Real,
 }
 
 impl Experiment {
-    /// Runs it, with a progress bar on standard error where that is a terminal.
+    /// Runs the experiment, with a progress bar if standard error is a terminal.
     ///
     /// # Errors
     /// [`ExperimentError`].

@@ -1,4 +1,5 @@
-//! `noise`: error of centre and radius against the noise of the lines, for the minimal solver and for least squares.
+//! `noise`: error of centre and radius against the noise of the lines, for the minimal solver and
+//! for least squares.
 
 use nalgebra::Point2;
 
@@ -15,18 +16,21 @@ use crate::{Circle, LeastSquares, Minimal, Section, SectionLine, SectionSolver};
 
 const RUNS: usize = 10_000;
 
-/// Levels of noise but for zero, and the highest, radians.
+/// Number of levels of noise above zero, and the highest level, radians.
 const LEVELS: usize = 10;
 const HIGHEST: f64 = 0.02;
 
 /// Cameras, each with two lines.
 const CAMERAS: usize = 5;
 
-const SETUP: &str = "Circle at the origin, radius uniform in (0.5, 2); cameras uniform in the square of side 40 without the inner \
-square of side 6, each with both tangents, turned about the camera by normal noise of standard deviation sigma (radians), sigma \
-from 0 to 0.02.\nMinimal: three lines of the first two cameras, the nearest of its four circles to the truth. Least squares: \
-the global minimum for all lines of the first 2, 3, 5 cameras.\nErrors in units of the scene; the same scenes and deviations at \
-all levels. Linear response: errors of a line through the origin, fitted to the medians, as a part of their variation (1 - R^2).";
+const SETUP: &str = "Circle at the origin, radius uniform in (0.5, 2); cameras uniform in the square of side 40 \
+without the inner square of side 6. Each has both tangents, turned about the camera by normal \
+noise of standard deviation sigma (radians), sigma from 0 to 0.02.\n\
+Minimal: three lines of the first two cameras, and of the four circles the one nearest to the \
+truth. Least squares: the global minimum for all lines of the first 2, 3 and 5 cameras.\n\
+Errors are in units of the scene. All levels have the same scenes and deviations. Linear \
+response: the part of the variation of the medians that a line through the origin does not \
+explain (1 - R^2).";
 
 const METHODS: [(&dyn SectionSolver, usize); 4] =
     [(&Minimal, 3), (&LeastSquares, 4), (&LeastSquares, 6), (&LeastSquares, 10)];
@@ -57,7 +61,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
             let (slope, unexplained) = line_through_origin(&points);
             linearity.push([error.into(), solver.name().into(), lines.into(), slope.into(), unexplained.into()]);
             let label = format!("{}, {lines} lines", solver.name());
-            // One band is enough: four would hide each other.
+            // Only one band is drawn, because four would hide each other.
             let band = (lines == 10).then(|| Band { label: "its middle half".to_owned(), limits });
             series.push(Series { label, points, band });
         }
@@ -91,9 +95,9 @@ fn instance(random: &mut Random) -> Errors {
     })
 }
 
-/// Uniform in the large square without the small one.
+/// A point uniform in the large square without the small one.
 fn camera(random: &mut Random) -> Point2<f64> {
-    // Misses with a probability of 1 / 44 each time.
+    // Each try fails with a probability of 1 / 44.
     for _ in 0..100 {
         let camera = Point2::new(random.uniform(-20.0, 20.0), random.uniform(-20.0, 20.0));
         if camera.coords.amax() > 3.0 {
@@ -103,7 +107,8 @@ fn camera(random: &mut Random) -> Point2<f64> {
     Point2::new(20.0, 20.0)
 }
 
-/// Slope of the least squares line through the origin, and the part of the variation of `y` that it leaves.
+/// Slope of the least squares line through the origin, and the part of the variation of `y` that it
+/// does not explain.
 fn line_through_origin(points: &[[f64; 2]]) -> (f64, f64) {
     let slope = points.iter().map(|[x, y]| x * y).sum::<f64>() / points.iter().map(|[x, _]| x * x).sum::<f64>();
     let mean = points.iter().map(|[_, y]| y).sum::<f64>() / points.len() as f64;

@@ -17,7 +17,7 @@ const RUNS: usize = 10_000;
 /// Photographs of a run.
 const IMAGES: usize = 15;
 
-/// The left silhouette.
+/// The left silhouette only.
 const LEFT: usize = 1;
 
 /// Standard deviations of the coordinates of an end point, pixels.
@@ -25,22 +25,24 @@ const PIXELS: [f64; 6] = [0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
 
 const METHODS: [(&str, &dyn SectionSolver); 2] = [("proposed", &LeastSquares), ("linear", &LinearConic)];
 
-const SETUP: &str = "In each run 15 photographs are drawn at random, with the left silhouette of each and nothing else; the direction \
-of the axis is estimated from these lines. Distance: Frobenius norm of the difference between estimated and true dual conic, each \
-scaled so that its last entry is -1, true axis in the origin, true radius as unit. Errors of axis and radius in millimetres, for an \
-ellipse those of the circle nearest to its tangents. 'no ellipse': part of the runs in which the conic is none. 'none': part in \
-which the method returned nothing.";
+const SETUP: &str = "In each run 15 photographs are drawn at random, with only the left silhouette of each; the \
+direction of the axis is estimated from these lines. Distance: Frobenius norm of the \
+difference between estimated and true dual conic, each scaled so that its last entry is -1, \
+with the true axis in the origin and the true radius as unit. Errors of axis and radius are in \
+millimetres; for an ellipse they are those of the circle nearest to its tangents. 'no \
+ellipse': part of the runs in which the conic is not an ellipse. 'none': part of the runs in \
+which the method failed.";
 
 #[derive(Clone, Copy, Debug)]
 struct Estimate {
     distance: f64,
-    /// Infinite where the conic is no ellipse.
+    /// Infinite if the conic is not an ellipse.
     axis: f64,
     radius: f64,
     real: bool,
 }
 
-/// By noise and method; `None` where the method failed.
+/// Results by noise and method; `None` if the method failed.
 type Estimates = [[Option<Estimate>; METHODS.len()]; PIXELS.len()];
 
 pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 /// What an experiment is run with.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Number of instances; of the experiment itself where it is not given.
+    /// Number of instances; `None` for the default of the experiment.
     pub runs: Option<usize>,
     /// Seed of all instances.
     pub seed: u64,

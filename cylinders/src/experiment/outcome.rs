@@ -12,7 +12,7 @@ use crate::picture::{Format, Picture};
 /// What an experiment found.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// What was done, in a few lines of text.
+    /// Description of the experiment, in a few lines of text.
     pub setup: String,
     /// Number of instances.
     pub runs: usize,
@@ -40,7 +40,8 @@ impl Outcome {
         Ok(())
     }
 
-    /// Names and contents of all files but the summary: a CSV file for each table, and the pictures.
+    /// Names and contents of all files but the summary: a CSV file for each table, and the
+    /// pictures.
     ///
     /// # Errors
     /// [`ExperimentError::Csv`].
@@ -54,7 +55,7 @@ impl Outcome {
         Ok(files)
     }
 
-    /// What the experiment found, for people and as JSON.
+    /// The results for people and as JSON.
     pub fn summary(&self, experiment: &str, options: &Options) -> Summary<'_> {
         Summary {
             experiment: experiment.to_owned(),

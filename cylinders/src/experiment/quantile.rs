@@ -1,6 +1,6 @@
 //! Quantiles of samples.
 
-/// A sample in ascending order; what is not a number comes last, as if infinite.
+/// A sample in ascending order. NaN comes last, as if infinite.
 pub(super) struct Sorted(Vec<f64>);
 
 impl Sorted {
@@ -21,12 +21,12 @@ impl Sorted {
         self.quantile(0.5)
     }
 
-    /// Mean of the sample, infinite where a value is.
+    /// Mean of the sample; infinite if a value is.
     pub(super) fn mean(&self) -> f64 {
         self.0.iter().sum::<f64>() / self.0.len() as f64
     }
 
-    /// How many values are larger than a limit.
+    /// Number of values that are larger than a limit.
     pub(super) fn count_above(&self, limit: f64) -> usize {
         self.0.len() - self.0.partition_point(|&value| value <= limit)
     }

@@ -1,5 +1,5 @@
-//! `real`: the cylinder of a scene file by every method, refined, and compared with the sparse points of the scene, of which the
-//! fit knows nothing.
+//! `real`: the cylinder of a scene file by every method, refined, and compared with the sparse
+//! points of the scene, which the fit does not use.
 
 use std::path::{Path, PathBuf};
 
@@ -17,16 +17,18 @@ use crate::{
     RefineOptions, Scene, Section, SectionLine, SectionSolver, View, read_scene, refine, triangulate,
 };
 
-/// The scene where none is given.
+/// The default scene.
 const SCENE: &str = "../shared/data/kungshuset.json";
 
-/// Points further from the surface than this part of the radius are of other things.
+/// Points further from the surface than this part of the radius belong to other objects.
 const NEAR: f64 = 0.25;
 
-const SETUP: &str = "All lines of the scene as silhouettes of one cylinder. Minimal and closed form: of the circles of the first three \
-lines the one of least cost on all lines. Linear: the circle nearest to the tangents of its ellipse.\n\
-Pixels: root mean square distance of silhouettes and lines. Points: those of the scene within a quarter of the radius of the \
-surface; their distance to it, positive outside, as a part of the radius: quartiles, and how many are within 5 %.";
+const SETUP: &str = "All lines of the scene are taken as silhouettes of one cylinder. Minimal and closed form: of \
+the circles of the first three lines, the one of least cost on all lines. Linear: the circle \
+nearest to the tangents of its ellipse.\n\
+Pixels: root mean square distance of silhouettes and lines. Points: number of scene points \
+within a quarter of the radius of the surface; quartiles of their distance to it, positive \
+outside, as a part of the radius; number of points within 5 %.";
 
 pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
     let path = options.scene.clone().unwrap_or(PathBuf::from(SCENE));
@@ -79,7 +81,7 @@ fn unsolved(path: &Path, reason: String) -> ExperimentError {
 /// Cross-section and reprojected silhouettes.
 fn draw(outcome: &mut Outcome, scene: &Scene, cylinder: &Cylinder) -> Result<(), ExperimentError> {
     outcome.draw("section", &SectionPicture::new("refined cylinder".to_owned(), cylinder, &scene.views))?;
-    // Labels are not looked at.
+    // Labels are ignored.
     let lines = CylinderLines { label: None, views: scene.views.clone(), lines: Vec::new() };
     let found = [(lines, *cylinder)];
     for view in 0..scene.views.len() {
@@ -90,7 +92,7 @@ fn draw(outcome: &mut Outcome, scene: &Scene, cylinder: &Cylinder) -> Result<(),
     Ok(())
 }
 
-/// The cylinder of each method along a direction; `None` where it has none.
+/// The cylinder of each method along a direction; `None` if the method finds none.
 fn sections(views: &[View], direction: &Unit<Vector3<f64>>) -> Vec<(String, Option<Cylinder>)> {
     let centres = || views.iter().map(|view| view.camera().centre().coords);
     let middle = Point3::from(centres().sum::<Vector3<f64>>() / centres().count().max(1) as f64);
@@ -120,7 +122,7 @@ fn sections(views: &[View], direction: &Unit<Vector3<f64>>) -> Vec<(String, Opti
     methods.map(|(solver, most)| (solver.name().to_owned(), circle(solver, most).map(cylinder))).into()
 }
 
-/// Root mean square distance in pixels; NaN without calibration, or where a camera is inside.
+/// Root mean square distance in pixels; NaN without calibration, or if a camera is inside.
 fn pixels(cylinder: &Cylinder, views: &[View]) -> f64 {
     let mut squares = Vec::new();
     for (index, view) in views.iter().enumerate() {

@@ -1,5 +1,5 @@
-//! `residuals`: how exactly the solvers solve noise-free instances. The paper shows the histogram of the decimal logarithm of
-//! the largest absolute residual.
+//! `residuals`: how exactly the solvers solve noise-free instances. The paper shows the histogram
+//! of the decimal logarithm of the largest absolute residual.
 
 use std::f64::consts::TAU;
 
@@ -18,21 +18,23 @@ use crate::{Circle, ClosedForm, LeastSquares, LinearConic, Minimal, Section, Sec
 
 const RUNS: usize = 100_000;
 
-/// Exact results have no logarithm; they are drawn as this, below all others.
+/// The logarithm of exact results is drawn as this value, below all others.
 const ZERO: f64 = 1e-18;
 
-/// Lines of the methods that take any number; the others take the first three.
+/// Number of lines for the methods that take any number. The other methods take the first three.
 const LINES: usize = 20;
 
-const SETUP: &str = "Noise-free: circle with centre uniform in [0, 10]^2 and radius uniform in [1, 2], 20 tangents at uniform \
-angles, the first 3 for methods that take three.\nResidual: largest |l^T C* l| over the lines and all exact solutions, with \
-C* of unit Frobenius norm and l = (a, b, c) of unit length.\nError: of the solution nearest to the truth, the larger of the \
-distance of the centres and the difference of the radii, relative to the radius.";
+const SETUP: &str = "Noise-free: circle with centre uniform in [0, 10]^2 and radius uniform in [1, 2], 20 tangents \
+at uniform angles, the first 3 for methods that take three.\n\
+Residual: largest |l^T C* l| over the lines and all exact solutions, with C* of unit Frobenius \
+norm and l = (a, b, c) of unit length.\n\
+Error: for the solution nearest to the truth, the larger of the distance of the centres and \
+the difference of the radii, relative to the radius.";
 
 const METHODS: [(&dyn SectionSolver, usize); 4] =
     [(&Minimal, 3), (&ClosedForm, 3), (&LeastSquares, LINES), (&LinearConic, LINES)];
 
-/// Largest residual and relative error, infinite where the method failed.
+/// Largest residual and relative error; infinite if the method failed.
 #[derive(Clone, Copy)]
 struct Accuracy {
     residual: f64,
@@ -80,7 +82,8 @@ fn instance(random: &mut Random) -> (Circle, Vec<SectionLine>) {
 
 fn accuracy(solver: &dyn SectionSolver, lines: &[SectionLine], truth: &Circle) -> Accuracy {
     let sections = solver.solve(lines).unwrap_or_default();
-    // Least squares also offers stationary points that fit nothing; all of three lines fit.
+    // Least squares also returns stationary points that are not minima. For three lines all are
+    // exact.
     let exact = if lines.len() == 3 { &sections[..] } else { &sections[..sections.len().min(1)] };
     let residual = exact.iter().map(|section| residual(section, lines)).fold(0.0, f64::max);
     let [centre, radius] = least_errors(exact.iter().filter_map(Section::circle), truth);

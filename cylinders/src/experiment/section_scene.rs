@@ -18,7 +18,7 @@ pub(super) fn tangent(circle: &Circle, angle: f64, view: usize) -> SectionLine {
 pub(super) struct Sight {
     pub(super) camera: Point2<f64>,
     pub(super) view: usize,
-    /// Of the two lines, in units of the noise.
+    /// Deviations of the two lines, in units of the noise.
     pub(super) deviations: [f64; 2],
 }
 
@@ -28,7 +28,8 @@ impl Sight {
         Self { camera, view, deviations: [random.normal(), random.normal()] }
     }
 
-    /// The two silhouettes of a circle, turned about the camera by the deviations times `noise`, radians.
+    /// The two silhouettes of a circle, turned about the camera by the deviations times `noise`,
+    /// radians.
     pub(super) fn lines(&self, circle: &Circle, noise: f64) -> [SectionLine; 2] {
         let to_centre = circle.centre - self.camera;
         let sine = circle.radius / to_centre.norm();
@@ -50,7 +51,8 @@ pub(super) fn errors(found: &Circle, truth: &Circle) -> [f64; 2] {
     [(found.centre - truth.centre).norm(), (found.radius - truth.radius).abs()]
 }
 
-/// Errors of the circle that is nearest to the truth, centre and radius together; infinite where there is none.
+/// Errors of the circle that is nearest to the truth, centre and radius together; infinite if there
+/// is no circle.
 pub(super) fn least_errors(found: impl IntoIterator<Item = Circle>, truth: &Circle) -> [f64; 2] {
     let errors = found.into_iter().map(|circle| errors(&circle, truth));
     errors.min_by(|left, right| left[0].max(left[1]).total_cmp(&right[0].max(right[1]))).unwrap_or([f64::INFINITY; 2])

@@ -8,7 +8,7 @@ use serde::ser::{SerializeMap, Serializer};
 /// A table of results.
 #[derive(Clone, Debug)]
 pub struct Table {
-    /// Name, also of its file.
+    /// Name of the table and of its file.
     pub name: String,
     /// Names of the columns.
     pub columns: Vec<String>,
@@ -22,9 +22,9 @@ pub struct Table {
 pub enum Cell {
     /// A name.
     Text(String),
-    /// A number of things.
+    /// A count.
     Count(usize),
-    /// A measured number; not finite where there is none.
+    /// A measured number; not finite if the measurement failed.
     Number(f64),
 }
 
@@ -65,7 +65,7 @@ impl Table {
             writer.write_record(row.iter().map(|cell| match cell {
                 Cell::Text(text) => text.clone(),
                 Cell::Count(count) => count.to_string(),
-                // All digits, so that it is read back as it was.
+                // All digits are written, so that the number is read back exactly.
                 Cell::Number(number) => format!("{number:e}"),
             }))?;
         }
@@ -73,7 +73,7 @@ impl Table {
     }
 }
 
-/// Three digits, with an exponent where the number is small or large.
+/// Three digits, with an exponent if the number is small or large.
 impl fmt::Display for Cell {
     fn fmt(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
         let cell = match self {

@@ -1,4 +1,4 @@
-//! `table1`: how near to the true conic the methods come with few and with many photographs.
+//! `table1`: distance of the methods from the true conic, with few and with many photographs.
 
 use nalgebra::Matrix3;
 
@@ -23,19 +23,24 @@ const IMAGES: [usize; 5] = [2, 3, 5, 10, 15];
 /// Standard deviations of the coordinates of an end point, pixels.
 const PIXELS: [f64; 3] = [0.5, 2.0, 8.0];
 
-/// The first is not a solver alone, but least squares with the choice of the circle in front of the cameras.
+/// The first method is least squares with the choice of the circle in front of the cameras, not the
+/// solver alone.
 const METHODS: [(&str, Option<&dyn SectionSolver>); 3] =
     [("proposed", None), ("linear", Some(&LinearConic)), ("navab", Some(&Navab))];
 
-const SETUP: &str = "In each run the photographs are drawn at random without repetition, and for all methods the direction of the axis \
-is estimated from their lines. Both silhouettes of each are used. \
-Proposed: as in triangulation, the best minimum of the cost in front of all cameras, the global one where none is.\nDistance: Frobenius norm of the difference between estimated \
-and true dual conic, each scaled so that its last entry is -1, in the plane across the estimated direction, the true axis in the \
-origin, the true radius as unit; the truth is diag(1, 1, -1). 'unit norm': both conics scaled to norm 1 instead, at most 2.\n\
-The linear method needs five lines, hence three photographs. 'no ellipse': part of the runs in which its conic is none; 'none': \
-part of the runs in which the method returned nothing, which are in no mean.";
+const SETUP: &str = "In each run the photographs are drawn at random without repetition. For all methods the \
+direction of the axis is estimated from their lines. Both silhouettes of each photograph are \
+used. Proposed: as in triangulation, the best minimum of the cost in front of all cameras, or \
+the global minimum if there is none.\n\
+Distance: Frobenius norm of the difference between estimated and true dual conic, each scaled \
+so that its last entry is -1, in the plane across the estimated direction, with the true axis \
+in the origin and the true radius as unit; the truth is diag(1, 1, -1). 'unit norm': both \
+conics are scaled to norm 1 instead, so that the distance is at most 2.\n\
+The linear method needs five lines, hence three photographs. 'no ellipse': part of the runs in \
+which its conic is not an ellipse. 'none': part of the runs in which the method failed; they \
+are excluded from the means.";
 
-/// What one method found; `None` where it failed.
+/// The result of one method; `None` if it failed.
 type Found = Option<Estimate>;
 
 #[derive(Clone, Copy, Debug)]
@@ -45,7 +50,7 @@ struct Estimate {
     real: bool,
 }
 
-/// By noise, number of photographs, method.
+/// Results by noise, number of photographs and method.
 type Estimates = [[[Found; METHODS.len()]; IMAGES.len()]; PIXELS.len()];
 
 pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
@@ -108,7 +113,7 @@ fn instance(can: &Can, random: &mut Random) -> Estimates {
     })
 }
 
-/// As in triangulation: of the minima the best in front of all cameras.
+/// Like triangulation, takes the best minimum in front of all cameras.
 fn proposed(CrossSection { lines, sights }: &CrossSection) -> Option<Section> {
     let tangents: Vec<_> = lines.iter().map(|line| line.line).collect();
     let extent = sights.iter().map(|sight| sight.camera.coords.norm()).fold(0.0, f64::max);

@@ -1,39 +1,45 @@
-//! How much support a circle may have by chance (Desolneux, Moisan & Morel, "From Gestalt Theory to Image Analysis", 2008).
+//! The support that a circle may have by chance (Desolneux, Moisan & Morel, "From Gestalt Theory to
+//! Image Analysis", 2008).
 //!
-//! Where the rays of an image lie in no order, a silhouette has one of them within the threshold with the probability
+//! If the rays of an image are random, a silhouette has one of them within the threshold with the
+//! probability
 //!
 //! ```text
 //!   p = (sum of 2 t over all rays) / (sum of the images' angles between their outermost rays)
 //! ```
 //!
-//! and within a part `q` of the threshold with the probability `q p`. A hypothesis matches three lines by construction. With `n`
-//! silhouettes, the `k`-th nearest of whose lines are at most `q_k` thresholds away, the number of hypotheses that are as
-//! good or better by chance is at most
+//! and within a part `q` of the threshold with the probability `q p`. A hypothesis matches three
+//! lines by construction. Let there be `n` silhouettes, and let the `k`-th nearest match be `q_k`
+//! thresholds away. The expected number of hypotheses that are as good or better by chance is at
+//! most
 //!
 //! ```text
-//!   false alarms = hypotheses * (n - 3) * min over k of P(B >= k - 3),    B binomial: n - 3 trials, probability q_k p
+//!   false alarms = hypotheses * (n - 3) * min over k of P(B >= k - 3)
 //! ```
 //!
-//! the factor `n - 3` for the choice of `k` (Moisan & Stival, "A Probabilistic Criterion to Detect Rigid Point Matches between Two
-//! Images", 2004). A silhouette that another cylinder hides is no trial: a cylinder behind others is seen by few lines, but by
-//! nearly all that could be seen of it.
+//! where `B` is binomial with `n - 3` trials of probability `q_k p`, and the factor `n - 3`
+//! accounts for the choice of `k` (Moisan & Stival, "A Probabilistic Criterion to Detect Rigid
+//! Point Matches between Two Images", 2004). A silhouette that another cylinder hides does not
+//! count as a trial: a cylinder behind others has few visible silhouettes, but nearly all of them
+//! match.
 
 use super::pair::Pair;
 use super::plan::Plan;
 
-/// Expected number of hypotheses that are accepted by chance, at most: the usual choice in the literature.
+/// Largest expected number of hypotheses that are accepted by chance: the usual choice in the
+/// literature.
 pub(super) const FALSE_ALARMS: f64 = 1.0;
 
 /// Number of matches that a hypothesis has by construction.
 const SAMPLE: usize = 3;
 
-/// What the lines that are left give by chance.
+/// The matches that the remaining lines give by chance.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Chance {
-    /// Number of silhouettes of a circle that nothing hides.
+    /// Number of silhouettes of a circle that no other circle hides.
     silhouettes: usize,
     hypotheses: usize,
-    /// `p`; not between 0 and 1 where there are no lines or no image has two of them.
+    /// `p`; not between 0 and 1 if there are no lines, or no image has two of them.
     probability: f64,
 }
 
@@ -51,8 +57,8 @@ impl Chance {
         }
     }
 
-    /// The least number of matches that the hypotheses do not reach by chance: more than there are silhouettes where any number may
-    /// be reached.
+    /// The least number of matches that the hypotheses do not reach by chance. It exceeds the
+    /// number of silhouettes if chance can reach any number.
     pub(super) fn least_support(&self) -> usize {
         let sparse = self.probability > 0.0 && self.probability < 1.0;
         if !sparse {
@@ -64,26 +70,27 @@ impl Chance {
         (0..=trials).find(is_more).unwrap_or(trials + 1) + SAMPLE
     }
 
-    /// Expected number of hypotheses that have matches as near by chance as these, in units of the threshold, on so many silhouettes
-    /// that are not hidden. Infinite where these are too few to tell.
+    /// Expected number of hypotheses whose matches are by chance as near as these `distances`, in
+    /// units of the threshold. `silhouettes` is the number of silhouettes that are not hidden.
+    /// Infinite if there are too few matches to decide.
     pub(super) fn false_alarms(&self, mut distances: Vec<f64>, silhouettes: usize) -> f64 {
         let trials = silhouettes.saturating_sub(SAMPLE);
         distances.sort_unstable_by(f64::total_cmp);
         let beyond = distances.iter().enumerate().skip(SAMPLE);
         let tails = beyond.map(|(matches, distance)| tail(trials, matches + 1 - SAMPLE, distance * self.probability));
-        // As a factor first: no matches are no product with zero.
+        // The factor is at least one, because the product of zero and infinity is NaN.
         tails.fold(f64::INFINITY, f64::min) * (trials * self.hypotheses).max(1) as f64
     }
 }
 
-/// Probability of so many successes or more in so many trials.
+/// Probability of at least `successes` successes in `trials` trials.
 fn tail(trials: usize, successes: usize, probability: f64) -> f64 {
     let probability = probability.clamp(f64::MIN_POSITIVE, 1.0);
-    // The smallest terms first.
+    // The smallest terms are added first.
     (successes..=trials).rev().map(|successes| binomial(trials, successes, probability)).sum()
 }
 
-/// Probability of so many successes in so many trials.
+/// Probability of exactly `successes` successes in `trials` trials.
 fn binomial(trials: usize, successes: usize, probability: f64) -> f64 {
     let failures = trials - successes;
     if failures > 0 && probability >= 1.0 {
@@ -118,10 +125,11 @@ mod tests {
         assert!(near(9, 0.5, 24) < near(8, 0.5, 24));
         assert!(near(8, 0.25, 24) < near(8, 0.5, 24));
         assert!(near(8, 0.5, 10) < near(8, 0.5, 24));
-        // Three of seven trials at half of the probability, and the choice among seven.
+        // Three of seven trials succeed at half of the probability. The factor seven is for the
+        // choice of `k`.
         let expected = 7.0 * 1000.0 * tail(7, 3, 0.05);
         assert!((near(6, 0.5, 10) / expected - 1.0).abs() < 1e-12);
-        // A line that is far off adds nothing.
+        // A line that is far away adds nothing.
         let with_far = chance.false_alarms(vec![0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 1.0], 24);
         assert_eq!(with_far, near(6, 0.1, 24));
         assert_eq!(near(3, 0.0, 24), f64::INFINITY);

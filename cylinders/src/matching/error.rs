@@ -5,7 +5,7 @@ use thiserror::Error;
 /// Why nothing can be matched.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum MatchError {
-    /// The threshold is not a positive number, or is no angle.
+    /// The threshold is not positive, or too large for an angle.
     #[error(
         "the threshold must be positive and less than a tenth of a radian (found {threshold} radians in views[{view}])"
     )]
@@ -21,8 +21,8 @@ pub enum MatchError {
         /// Index of the view.
         view: usize,
     },
-    /// The least support asked for does not determine a circle.
-    #[error("three lines leave four circles: the least number of matches must be four or more (found {least_support})")]
+    /// The requested least support does not determine a circle.
+    #[error("the least number of matches must be four or more (found {least_support}): four circles touch three lines")]
     LeastSupport {
         /// The value.
         least_support: usize,
@@ -36,18 +36,18 @@ pub enum MatchError {
     /// No image has two lines along the axis.
     #[error("no view has two lines along the axis direction: there is no pair of silhouettes to start from")]
     NoPair,
-    /// Seen along the axis, all camera centres coincide: every size of cylinder fits.
+    /// Seen along the axis, all camera centres coincide: a cylinder of any size fits.
     #[error(
         "all cameras stand at one place, or above each other along the axis: the distance to the cylinders is unknown"
     )]
     SingleViewpoint,
-    /// No model has the support.
+    /// No model has the required support.
     #[error(
-        "no cylinder has {least_support} of the {lines} lines near its silhouettes, and more than chance would give; pass more \
+        "no cylinder has {least_support} of the {lines} lines near its silhouettes and more than chance gives; pass more \
          views, a better calibration or direction, or another threshold"
     )]
     NoCylinder {
-        /// Least number of matches that was asked of a cylinder.
+        /// Least number of matches that was required of a cylinder.
         least_support: usize,
         /// Number of lines.
         lines: usize,

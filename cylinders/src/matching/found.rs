@@ -12,9 +12,10 @@ pub struct MatchedCylinder {
     pub rms: f64,
     /// Its silhouettes, in the order of views and lines, at most one for each side in a view.
     pub matches: Vec<LineResidual>,
-    /// Part of all lines that are not its silhouettes.
+    /// The part of all lines that are not silhouettes of the cylinder.
     pub outlier_rate: f64,
-    /// Expected number of cylinders with matches as many and as near, if the lines that were left when it was found were in no order.
+    /// Expected number of cylinders with as many and as near matches, if the lines that remained
+    /// when it was found were random.
     pub false_alarms: f64,
 }
 
@@ -23,8 +24,8 @@ pub struct MatchedCylinder {
 pub struct Matching {
     /// The cylinders, the best supported first.
     pub cylinders: Vec<MatchedCylinder>,
-    /// Lines of no cylinder, in the order of views and lines.
+    /// Lines that belong to no cylinder, in the order of views and lines.
     pub unmatched: Vec<LineId>,
-    /// Least number of matches that was asked of a cylinder, at the end.
+    /// Least number of matches that was required of a cylinder at the end.
     pub least_support: usize,
 }

@@ -1,17 +1,19 @@
-//! Matching without correspondences: lines of several images, of which nobody says what they show, to all cylinders of one
-//! direction and their silhouettes (Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation", the experiment on
-//! unknown matches).
+//! Matching without correspondences: unlabelled lines of several images to all cylinders of one
+//! direction and their silhouettes (Gummeson & Oskarsson, "Robust and Accurate Cylinder
+//! Triangulation", the experiment on unknown matches).
 //!
 //! ```text
 //!   left and right silhouette in one image + one line of another image
-//!     --> circle in front of the cameras --> support: lines of all images near its silhouettes --> best one
-//!     --> least squares on its matches   --> cylinder; its lines are taken away, and again
+//!     --> circle in front of the cameras --> support: lines of all images near its silhouettes
+//!     --> best circle --> least squares on its matches --> cylinder; its lines are taken away
+//!     --> next cylinder
 //! ```
 //!
-//! The search is exhaustive and draws no random numbers. One model is scored in time linear in the number of lines `N`; all
-//! models of one pair are bounded together in `O(N log N)` (`pair`), so that few of them need to be scored at all.
+//! The search is exhaustive and draws no random numbers. One model is scored in time linear in the
+//! number of lines `N`. All models of one pair are bounded together in `O(N log N)` (`pair`), so
+//! that only few of them need to be scored.
 
-/// Support by chance, and the support that is more than that.
+/// Support by chance, and the support that chance does not reach.
 mod chance;
 /// Why nothing can be matched.
 mod error;
@@ -21,13 +23,14 @@ mod found;
 mod model;
 /// Which silhouettes of a circle others hide.
 mod occlusion;
-/// How cylinders are searched for.
+/// Options of the search for cylinders.
 mod options;
-/// Pairs of silhouettes of one image: all circles that they and another line leave, and the best of them.
+/// Pairs of silhouettes of one image: all circles that they and another line determine, and the
+/// best of them.
 mod pair;
 /// Cameras and lines in the cross-section; the lines near the silhouettes of a circle.
 mod plan;
-/// Cylinders one after the other, the best supported first.
+/// Extraction of cylinders one after the other, the best supported first.
 mod search;
 
 pub use error::MatchError;

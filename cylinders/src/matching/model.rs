@@ -9,7 +9,7 @@ use crate::observations::scene::LineId;
 use crate::observations::view::View;
 use crate::space::cylinder::{Cylinder, LineResidual};
 
-/// Limit on the repetitions of fit and choice of matches; they agree after two or three.
+/// Limit on the repetitions of fit and choice of matches. They agree after two or three.
 const REPETITIONS: usize = 10;
 
 /// A circle of the cross-section with its matches.
@@ -30,7 +30,7 @@ impl Model {
         let cylinder = Cylinder::from_circle(&self.fit.circle, plan.rectification(), *direction);
         let residual = |found: &PlanMatch| {
             let LineId { view, line } = plan.id(found.line);
-            // No camera of a match is inside.
+            // No camera of a match is inside the cylinder.
             let residuals = cylinder.residuals(view, &views[view])?;
             Some(LineResidual { side: found.side, ..residuals[line] })
         };
@@ -44,8 +44,8 @@ impl Model {
     }
 }
 
-/// The circle that fits its matches best, fitted and matched in turn while the support increases. `None` where no circle can be
-/// fitted to the matches at all.
+/// The circle that fits its matches best, fitted and matched in turn while the support increases.
+/// `None` if no circle can be fitted to the matches.
 pub(super) fn fitted(plan: &Plan, circle: Circle) -> Option<Model> {
     let fit = |circle: &Circle| {
         let matches = plan.matches(circle);

@@ -1,15 +1,17 @@
 //! Which silhouettes of a circle others hide.
 //!
 //! ```text
-//!        C -------- o ----- T      hidden: the line of sight to the point of contact T, at alpha = -+beta and at the
-//!           \     (   )  ( p )     distance sqrt(rho^2 - r^2), passes through another circle
+//!        C -------- o ----- T      hidden: the line of sight to the point of contact T,
+//!           \     (   )  ( p )     at alpha = -+beta and at the distance sqrt(rho^2 - r^2),
+//!                                  passes through another circle
 //! ```
 
 use nalgebra::{Point2, Vector2};
 
 use crate::cross_section::circle::Circle;
 
-/// Whether the left and the right silhouette of a circle are hidden from a camera; `None` where the camera is inside.
+/// Whether the left and the right silhouette of a circle are hidden from a camera; `None` if the
+/// camera is inside.
 pub(super) fn hidden(camera: &Point2<f64>, circle: &Circle, others: &[Circle]) -> Option<[bool; 2]> {
     let to_centre = circle.centre - camera;
     let square = to_centre.norm_squared();
@@ -41,7 +43,7 @@ mod tests {
     #[test]
     fn what_stands_between_hides_what_stands_behind_does_not() {
         let camera = Point2::new(1.0, 2.0);
-        // Seen along the first axis: left is up.
+        // The camera looks along the first axis, so left is up.
         let seen = circle(11.0, 2.0, 1.0);
         let hidden = |others: &[Circle]| hidden(&camera, &seen, others).expect("a camera outside");
         assert_eq!(hidden(&[]), [false, false]);

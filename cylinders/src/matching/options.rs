@@ -1,44 +1,46 @@
-//! How cylinders are searched for.
+//! Options of the search for cylinders.
 
 use crate::observations::view::View;
 use crate::space::silhouette_distance::DistanceUnit;
 
-/// Default of the largest distance between a line and its silhouette: what an end point that is off by a pixel may reach.
+/// Default of the largest distance between a line and its silhouette: an end point that is off by a
+/// pixel may reach it.
 const THRESHOLD_PIXELS: f64 = 3.0;
 
-/// Default in radians: three pixels at a focal length of 3000.
+/// Default of the same distance in radians: three pixels at a focal length of 3000.
 const THRESHOLD_RADIANS: f64 = 1e-3;
 
-/// In which images pairs of silhouettes are taken.
+/// The images in which pairs of silhouettes are taken.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum References {
-    /// In the first image with two lines or more, as in the paper. A cylinder is found only if both its silhouettes were seen
-    /// there.
+    /// The first image with two lines or more, as in the paper. A cylinder is found only if both
+    /// its silhouettes were seen there.
     First,
-    /// In every image: both silhouettes of a cylinder need to be seen in one of them, whichever it is.
+    /// Every image: both silhouettes of a cylinder must be seen in at least one of them.
     Every,
 }
 
-/// How cylinders are searched for.
+/// Options of the search for cylinders.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MatchOptions {
-    /// Largest distance between a line and its silhouette in the cross-section: an angle at the camera centre, in radians or as
-    /// the pixels that it covers in the middle of the image.
+    /// Largest distance between a line and its silhouette in the cross-section: an angle at the
+    /// camera centre, in radians or as the pixels that it covers in the middle of the image.
     pub threshold: f64,
     /// Unit of the threshold.
     pub unit: DistanceUnit,
-    /// In which images pairs of silhouettes are taken.
+    /// The images in which pairs of silhouettes are taken.
     pub references: References,
-    /// Largest number of cylinders; `None` for all that have the support.
+    /// Largest number of cylinders; `None` for all that have the required support.
     pub count: Option<usize>,
-    /// Least number of matches of a cylinder, four or more. `None` for four where the number of cylinders is given, otherwise for
-    /// what the lines left over would not reach by chance if they were in no order.
+    /// Least number of matches of a cylinder, four or more. `None` means four if the number of
+    /// cylinders is given; otherwise it means the number that the remaining lines would not reach
+    /// by chance if they were random.
     pub least_support: Option<usize>,
 }
 
 impl MatchOptions {
-    /// Pairs of every image and all cylinders. A threshold of 3 pixels where all cameras have a calibration, of 0.001 radians
-    /// otherwise.
+    /// Options for pairs of every image and all cylinders. The threshold is 3 pixels if all cameras
+    /// have a calibration, and 0.001 radians otherwise.
     pub fn of(views: &[View]) -> Self {
         let calibrated = views.iter().all(|view| view.camera().calibration().is_some());
         let (unit, threshold) = match calibrated {

@@ -1,7 +1,7 @@
-//! Pairs of silhouettes of one image, and the circles that they and one more line leave.
+//! Pairs of silhouettes of one image, and the circles that they and one more line determine.
 //!
-//! Two rays from the camera centre `C`, the left and the right silhouette of a circle, leave a family of one parameter, the
-//! circles in the wedge between them:
+//! Two rays from the camera centre `C`, the left and the right silhouette of a circle, determine a
+//! family of circles with one parameter, the circles in the wedge between them:
 //!
 //! ```text
 //!     \   ( p )   /        p = C + s b,   r = s sin(beta),   s > 0
@@ -11,17 +11,19 @@
 //!          C
 //! ```
 //!
-//! A further line, with the normal `n` and through the camera centre `C'`, is the right (+) or left (-) silhouette of one of them:
+//! Another line, with the normal `n` and through the camera centre `C'`, is the right (+) or left
+//! (-) silhouette of one of them:
 //!
 //! ```text
 //!   n^T (p - C') = +-r      s = -n^T (C - C') / (n^T b -+ sin(beta))
 //! ```
 //!
-//! These are two of the four circles that touch the three lines (`closed_form`); the other two lie in the wedges where one line
-//! of the pair points backwards. As a ray turns, its circle moves through the family in one direction, so the circles
-//! that have a line within the threshold are an interval, and the circles of the rays turned by `+-t` its ends. One sweep over
-//! the ends of all intervals bounds the support of every hypothesis of the pair, in `O(N log N)`. What is counted there
-//! and not in the support is a line that is near both silhouettes.
+//! These are two of the four circles that touch the three lines (`closed_form`). The other two lie
+//! in the wedges where one line of the pair points backwards. As a ray turns, its circle moves
+//! through the family in one direction. The circles that have a line within the threshold therefore
+//! form an interval, whose ends are the circles of the rays turned by `+-t`. One sweep over the
+//! ends of all intervals bounds the support of every hypothesis of the pair, in `O(N log N)`. The
+//! bound exceeds the support only for lines that are near both silhouettes.
 
 use nalgebra::Vector2;
 
@@ -48,8 +50,8 @@ pub(super) struct Hypothesis {
     pub(super) support: Support,
 }
 
-/// All pairs of the reference views, in the order of views and lines. Two rays that are within the threshold of their bisector
-/// are no pair: each of them could be both silhouettes.
+/// All pairs of the reference views, in the order of views and lines. Two rays within the threshold
+/// of their bisector do not form a pair: each of them could be either silhouette.
 pub(super) fn pairs(plan: &Plan, references: References) -> Vec<Pair> {
     let mut pairs = Vec::new();
     for (index, view) in plan.views().iter().enumerate() {
@@ -71,14 +73,14 @@ pub(super) fn pairs(plan: &Plan, references: References) -> Vec<Pair> {
     pairs
 }
 
-/// What happens at a circle of the family, ordered as it counts where several things happen at one.
+/// An event at a circle of the family, in the order in which events at the same circle count.
 #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
 enum Event {
-    /// From here on a line is within the threshold.
+    /// From this circle on, a line is within the threshold.
     Start,
     /// A circle that a line touches.
     Touch,
-    /// From here on a line is not within the threshold any more.
+    /// From this circle on, a line is no longer within the threshold.
     End,
 }
 
@@ -88,13 +90,13 @@ impl Pair {
         self.view
     }
 
-    /// Whether none of the two lines has been taken away.
+    /// Whether both lines are free: no cylinder found has taken them.
     pub(super) fn is_free(&self, plan: &Plan) -> bool {
         self.lines.iter().all(|&line| plan.is_free(line))
     }
 
-    /// The best supported of all circles of the pair and one more line, or `None` where none has the least support. Of equals
-    /// the nearest.
+    /// The best supported circle of the pair and one more line, the nearest one among equals.
+    /// `None` if no circle has the least support.
     pub(super) fn best(&self, plan: &Plan, least_support: usize) -> Option<Hypothesis> {
         if !self.is_free(plan) {
             return None;
@@ -123,13 +125,15 @@ impl Pair {
         Circle { centre: plan.views()[self.view].centre + self.bisector * place, radius: place * self.sine }
     }
 
-    /// Every hypothesis `s` with a bound on its number of matches, where that is not less than the least support.
+    /// Every hypothesis `s` with a bound on its number of matches, if the bound is at least the
+    /// least support.
     fn bounded(&self, plan: &Plan, least_support: usize) -> Vec<(usize, f64)> {
         let mut events = self.events(plan);
         events.sort_unstable_by(|(place, event, silhouette), (other, other_event, other_silhouette)| {
             place.total_cmp(other).then(event.cmp(other_event)).then(silhouette.cmp(other_silhouette))
         });
-        // Lines within the threshold of each silhouette: two for each view. Those of the pair itself touch everywhere.
+        // Number of lines within the threshold of each silhouette, two silhouettes for each view.
+        // The lines of the pair touch every circle of the family.
         let mut lines = vec![0_u32; 2 * plan.views().len()];
         let mut matches = 2;
         let mut hypotheses = Vec::new();
@@ -151,7 +155,8 @@ impl Pair {
         hypotheses
     }
 
-    /// Interval and circle of every line of the other views as each of the silhouettes, numbered `2 view + side`.
+    /// Interval and circle of every line of the other views, as left and as right silhouette,
+    /// numbered `2 view + side`.
     fn events(&self, plan: &Plan) -> Vec<(f64, Event, usize)> {
         let centre = plan.views()[self.view].centre;
         let mut events = Vec::new();
@@ -188,14 +193,16 @@ struct Family {
 }
 
 impl Family {
-    /// The circle that the ray with this normal touches, `None` where there is none in front of both cameras.
+    /// The circle that the ray with this normal touches; `None` if it is not in front of both
+    /// cameras.
     fn place(&self, normal: &Vector2<f64>) -> Option<f64> {
         let place = -normal.dot(&self.start) / (normal.dot(&self.bisector) - self.sine);
         let ahead = ray(normal).dot(&(self.start + self.bisector * place)) > 0.0;
         (place > 0.0 && place.is_finite() && ahead).then_some(place)
     }
 
-    /// The circles that have the ray within the threshold, whose cosine and sine are given: at least all of them.
+    /// An interval that contains all circles that have the ray within the threshold, whose cosine
+    /// and sine are given.
     fn ends(&self, normal: &Vector2<f64>, place: f64, [cosine, sine]: [f64; 2]) -> [f64; 2] {
         let mut ends = [place; 2];
         for sine in [sine, -sine] {
@@ -222,7 +229,8 @@ mod tests {
     use crate::matching::MatchOptions;
     use crate::simulation::ParallelSetup;
 
-    /// Every circle that touches the lines of the pair and a line of another view, scored one by one.
+    /// Every circle that touches the lines of the pair and a line of another view, scored one by
+    /// one.
     fn best_of_all(plan: &Plan, pair: &Pair) -> Option<Support> {
         let own = &plan.views()[pair.view];
         let mut best: Option<Support> = None;
@@ -262,7 +270,7 @@ mod tests {
                 }
             }
         }
-        // Hypotheses of true cylinders were among them.
+        // The hypotheses compared include those of true cylinders.
         assert!(compared > 100 && largest >= 7, "{compared} {largest}");
     }
 }

@@ -1,22 +1,25 @@
-//! The scene seen along the axis: cameras are points, lines are rays from them, cylinders are circles.
+//! The scene seen along the axis: cameras are points, lines are rays from them, cylinders are
+//! circles.
 //!
-//! A ray has the unit direction `d`, away from the camera into the image, and the unit normal `n`, on its left. For a circle with
-//! centre `p` and radius `r`, and `m = p - C` from the camera centre at the distance `rho = |m|`:
+//! A ray has the unit direction `d`, away from the camera into the image, and the unit normal `n`,
+//! on its left. For a circle with centre `p` and radius `r`, and `m = p - C` from the camera centre
+//! at the distance `rho = |m|`:
 //!
 //! ```text
 //!             ray d
-//!            /  ____          n^T m = rho sin(alpha)    alpha: angle from the ray to the centre, positive to the left
-//!           /  /    \         d^T m = rho cos(alpha)
-//!          /  |   p  |        r     = rho sin(beta)     beta: half of the angle that the circle covers
+//!            /  ____          n^T m = rho sin(alpha)    alpha: angle from the ray to the centre,
+//!           /  /    \         d^T m = rho cos(alpha)           positive to the left
+//!          /  |   p  |        r     = rho sin(beta)     beta: half of the angle of the circle
 //!         /    \____/         left silhouette at alpha = -beta, right one at alpha = beta
 //!        C
 //! ```
 //!
-//! A line is within the threshold `t` when `| |alpha| - beta | <= t`. Sines grow with their angles, so no line needs a root or
-//! an inverse function, only one root for each view:
+//! A line is within the threshold `t` if `| |alpha| - beta | <= t`. Sines grow with their angles,
+//! so the test needs one root for each view, and no root or inverse function for a line:
 //!
 //! ```text
-//!   r cos(t) - sqrt(rho^2 - r^2) sin(t)  <=  | n^T m |  <=  r cos(t) + sqrt(rho^2 - r^2) sin(t),    d^T m > 0
+//!   r cos(t) - sqrt(rho^2 - r^2) sin(t)  <=  | n^T m |  <=  r cos(t) + sqrt(rho^2 - r^2) sin(t)
+//!   d^T m > 0
 //! ```
 
 use std::ops::Range;
@@ -32,15 +35,15 @@ use crate::observations::view::{Camera, View};
 use crate::space::cylinder::Side;
 use crate::space::silhouette_distance::DistanceUnit;
 
-/// Largest sine of the angle between a viewing plane and the axis: far more than the end points of a short line leave open, far
-/// less than that of lines across the axis.
+/// Largest sine of the angle between a viewing plane and the axis. It is far above the uncertainty
+/// of a short line, and far below the value of lines across the axis.
 const MAX_TILT: f64 = 0.05;
 
 /// Largest threshold, radians.
 const MAX_THRESHOLD: f64 = 0.1;
 
-/// Largest distance of the cameras from their mean, seen along the axis, relative to their distance from the world's origin, at
-/// and below which they stand at one place.
+/// The cameras count as standing at one place if, seen along the axis, their largest distance from
+/// their mean, relative to their distance from the world's origin, is at most this.
 const SINGLE_VIEWPOINT: f64 = 1e-9;
 
 /// The support of a circle: more matches are better, then a smaller cost.
@@ -48,7 +51,8 @@ const SINGLE_VIEWPOINT: f64 = 1e-9;
 pub(super) struct Support {
     /// Number of silhouettes with a line within the threshold, at most two in a view.
     pub(super) matches: usize,
-    /// Sum of the squared sines of the angles between matches and silhouettes, in units of the thresholds.
+    /// Sum of the squared sines of the angles between matches and silhouettes, in units of the
+    /// thresholds.
     pub(super) cost: f64,
 }
 
@@ -80,12 +84,12 @@ pub(super) struct PlanView {
     pub(super) span: f64,
 }
 
-/// Cameras and rays. Only lines along the axis are in it.
+/// Cameras and rays seen along the axis. It contains only the lines along the axis.
 pub(super) struct Plan {
     rectification: Rectification,
     views: Vec<PlanView>,
-    /// Normals `n` of the rays, coordinate by coordinate: all of a view are tested in one sweep. Zero for a line that is taken,
-    /// which is in front of no camera then.
+    /// Normals `n` of the rays, one array for each coordinate: all lines of a view are tested in
+    /// one sweep. The normal of a line that was taken is zero, so that it is in front of no camera.
     normals: [Vec<f64>; 2],
     lines: Vec<TangentLine>,
     ids: Vec<LineId>,
@@ -134,7 +138,8 @@ impl Plan {
         for (line, plane) in view.planes().enumerate() {
             let along = plane.normal.dot(direction).abs() <= MAX_TILT;
             let Some(tangent) = self.rectification.line(&plane).filter(|_| along) else { continue };
-            // Of the two rays the one into the image: the point of the line nearest to the principal point is on it.
+            // The ray is the one into the image: the point of the line nearest to the principal
+            // point is on it.
             let normal = if ray(&tangent.normal).dot(&forward) < 0.0 { -tangent.normal } else { tangent.normal };
             let bearing = forward.perp(&ray(&normal)).atan2(forward.dot(&ray(&normal)));
             span = [span[0].min(bearing), span[1].max(bearing)];
@@ -185,7 +190,7 @@ impl Plan {
         self.extent
     }
 
-    /// Takes lines away: they match nothing any more.
+    /// Takes lines away, so that they match nothing any more.
     pub(super) fn take(&mut self, lines: impl Iterator<Item = usize>) {
         for line in lines {
             self.normals[0][line] = 0.0;
@@ -193,7 +198,7 @@ impl Plan {
         }
     }
 
-    /// The support of a circle, or `None` where it is less than `least` or a camera is inside.
+    /// The support of a circle; `None` if it is less than `least`, or a camera is inside.
     pub(super) fn support(&self, circle: &Circle, least: usize) -> Option<Support> {
         let mut support = Support { matches: 0, cost: 0.0 };
         for (index, view) in self.views.iter().enumerate() {
@@ -220,8 +225,8 @@ impl Plan {
         matches
     }
 
-    /// The line nearest to the left and that nearest to the right silhouette of a circle, each with its part of the cost; `None`
-    /// where the camera is inside.
+    /// The line nearest to the left silhouette of a circle and the line nearest to the right one,
+    /// each with its part of the cost; `None` if the camera is inside.
     pub(super) fn silhouettes(&self, view: &PlanView, circle: &Circle) -> Option<[Option<(usize, f64)>; 2]> {
         let Circle { centre, radius } = *circle;
         let to_centre = centre - view.centre;

@@ -18,17 +18,18 @@ use crate::cross_section::circle::Circle;
 use crate::observations::scene::LineId;
 use crate::observations::view::View;
 
-/// Three lines leave four circles; the fourth decides.
+/// Least number of matches: four circles touch three lines, and a fourth line decides.
 const LEAST_SUPPORT: usize = 4;
 
-/// By how much less support is asked for where too few models were found, and than chance gives on silhouettes none of which is
-/// hidden.
+/// The step by which the required support is lowered if too few models were found. It also lowers
+/// the support that chance gives if no silhouette is hidden.
 const SUPPORT_STEP: usize = 2;
 
-/// How far a search has come.
+/// Progress of a search.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum Progress {
-    /// So many pairs of lines are about to be searched, as again whenever less support is asked for.
+    /// The number of pairs of lines that are searched next. The search repeats them whenever it
+    /// lowers the required support.
     Pairs(usize),
     /// A pair has been searched.
     Pair,
@@ -36,10 +37,12 @@ pub enum Progress {
     Cylinder,
 }
 
-/// Finds all cylinders of a direction among lines without labels, and the lines that are their silhouettes.
+/// Finds all cylinders of a direction among lines without labels, and the lines that are their
+/// silhouettes.
 ///
-/// Lines that are not along the direction are left aside. The one that is best supported is taken first (most matches, then the
-/// least sum of their squared angles); its lines are matches of no other.
+/// Lines that are not along the direction are ignored. The best supported cylinder is taken first
+/// (most matches, then the least sum of their squared angles), and its lines match no other
+/// cylinder.
 ///
 /// # Errors
 /// [`MatchError`].
@@ -51,7 +54,7 @@ pub fn match_cylinders(
     match_cylinders_with(views, direction, options, &|_| {})
 }
 
-/// [`match_cylinders`] that says how far it has come, from all its threads.
+/// Like [`match_cylinders`], and reports its progress from all its threads.
 ///
 /// # Errors
 /// [`MatchError`].
@@ -87,8 +90,9 @@ pub fn match_cylinders_with(
     Ok(Matching { cylinders: found.iter().map(cylinder).collect(), unmatched: ids.collect(), least_support })
 }
 
-/// Searches for models with ever less support, and returns them with the least support that was asked for at the end: the less
-/// is asked, the longer it takes, and the more models are taken, the less is reached by chance.
+/// Searches for models with less and less support. Returns them with the least support that was
+/// required at the end. Less required support takes longer. The more models are taken, the fewer
+/// matches chance gives.
 fn search(
     plan: &mut Plan,
     pairs: &[Pair],
@@ -96,7 +100,7 @@ fn search(
     progress: &(dyn Fn(Progress) + Sync),
 ) -> (Vec<Model>, usize) {
     let count = options.count.unwrap_or(usize::MAX);
-    // Where the number of cylinders or of matches is known, chance is no reason to stop.
+    // If the number of cylinders or of matches is given, chance does not stop the search.
     let floor = options.least_support.or(options.count.map(|_| LEAST_SUPPORT));
     let false_alarms = if floor.is_some() { f64::INFINITY } else { FALSE_ALARMS };
     let mut found: Vec<Model> = Vec::new();
@@ -117,7 +121,7 @@ fn search(
     (found, least)
 }
 
-/// What is asked of models.
+/// What the search requires of models.
 #[derive(Clone, Copy, Debug)]
 struct Demand {
     least_support: usize,
@@ -127,8 +131,9 @@ struct Demand {
     count: usize,
 }
 
-/// Takes the best supported models one after the other. Without its lines a pair's best hypothesis can only lose support: what
-/// was found before is a bound, and a pair is searched again only when it is the next by its bound.
+/// Takes the best supported models one after the other. When lines are taken away, the best
+/// hypothesis of a pair can only lose support, so its previous support is a bound. A pair is
+/// searched again only when its bound is the largest.
 fn extract(
     plan: &mut Plan,
     pairs: &[Pair],
@@ -151,7 +156,8 @@ fn extract(
     let mut chance = Chance::of(plan, pairs);
     let mut queue: BinaryHeap<_> =
         best.into_iter().flatten().map(|(best, pair)| Candidate { best, pair, round }).collect();
-    // What might be chance, until others are found: then there are fewer lines, and some of its silhouettes may be hidden.
+    // Candidates that might be chance. They are tried again when another model is found: then there
+    // are fewer lines, and some of their silhouettes may be hidden.
     let mut doubtful = Vec::new();
     while found.len() < demand.count {
         let Some(candidate) = queue.pop() else { break };
@@ -174,8 +180,9 @@ fn extract(
     }
 }
 
-/// Expected number of circles like this one by chance: on all silhouettes, or on those that the models found do not hide, whichever
-/// is less, and twice that for the choice. Cylinders of finite length do not hide all that is behind them.
+/// Expected number of circles like this one by chance. It is counted on all silhouettes and on
+/// those that the models found do not hide, because cylinders of finite length do not hide
+/// everything behind them. The smaller number counts, doubled for the choice between the two.
 fn false_alarms(plan: &Plan, chance: &Chance, circle: &Circle, found: &[Model]) -> f64 {
     let circles: Vec<_> = found.iter().map(|model| model.fit.circle).collect();
     let (mut all, mut visible) = ((Vec::new(), 0), (Vec::new(), 0));
@@ -198,7 +205,7 @@ fn false_alarms(plan: &Plan, chance: &Chance, circle: &Circle, found: &[Model]) 
         .fold(f64::INFINITY, f64::min)
 }
 
-/// A pair's best hypothesis after so many models had been taken.
+/// The best hypothesis of a pair, and the number of models that had been taken when it was found.
 #[derive(Clone, Copy, Debug)]
 struct Candidate {
     best: Hypothesis,
@@ -207,7 +214,7 @@ struct Candidate {
 }
 
 impl Ord for Candidate {
-    /// By support; where that is equal, the pair that comes first is the greater.
+    /// Compares by support. If the support is equal, the earlier pair is the greater.
     fn cmp(&self, other: &Self) -> std::cmp::Ordering {
         self.best.support.cmp(&other.best.support).then(other.pair.cmp(&self.pair))
     }

@@ -1,21 +1,22 @@
 //! Levenberg-Marquardt for nonlinear least squares on a manifold of a few dimensions.
 //!
-//! A step `d` from the state `x` solves `(H + lambda D) d = -g` with the normal matrix `H = J^T W J`, its diagonal `D`
-//! (Marquardt) and `g = J^T W e`. The damping `lambda` follows the ratio of actual to predicted gain (Nielsen, "Damping
-//! parameter in Marquardt's method", 1999).
+//! A step `d` from the state `x` solves `(H + lambda D) d = -g` with the normal matrix
+//! `H = J^T W J`, its diagonal `D` (Marquardt) and `g = J^T W e`. The damping `lambda` follows the
+//! ratio of actual to predicted gain (Nielsen, "Damping parameter in Marquardt's method", 1999).
 
 use nalgebra::{SMatrix, SVector};
 
 /// Initial damping, relative to the diagonal of the normal matrix.
 const DAMPING: f64 = 1e-4;
 
-/// Predicted gain, relative to the cost, at and below which the optimum is reached.
+/// The optimum is reached if the predicted gain, relative to the cost, is at most this.
 const GAIN: f64 = 1e-15;
 
-/// Largest entry of a step at and below which the optimum is reached: rounding, for parameters of order one.
+/// The optimum is reached if the largest entry of a step is at most this: rounding, for parameters
+/// of order one.
 const STEP: f64 = 1e-15;
 
-/// A least squares problem over `N` local parameters. Their natural size is one.
+/// A least squares problem over `N` local parameters of order one.
 pub(crate) trait LeastSquares<const N: usize> {
     /// A point of the manifold.
     type State: Clone;
@@ -25,10 +26,10 @@ pub(crate) trait LeastSquares<const N: usize> {
     /// Cost and its quadratic model about a point.
     ///
     /// # Errors
-    /// Where the cost is not defined; a step that leads there is shortened.
+    /// Fails if the cost is not defined; a step to such a point is shortened.
     fn linearise(&self, state: &Self::State) -> Result<Linearised<N>, Self::Error>;
 
-    /// The point that is reached by a step in the local parameters.
+    /// The point that a step in the local parameters reaches.
     fn moved(&self, state: &Self::State, step: &SVector<f64, N>) -> Self::State;
 }
 
@@ -42,20 +43,22 @@ pub(crate) struct Linearised<const N: usize> {
     pub(crate) normal_matrix: SMatrix<f64, N, N>,
 }
 
-/// Where the iteration ended.
+/// The state in which the iteration ended.
 #[derive(Clone, Debug)]
 pub(crate) struct Optimum<S> {
     pub(crate) state: S,
-    /// Steps tried.
+    /// Number of steps tried.
     pub(crate) iterations: usize,
     /// Whether the gain or the step fell below rounding, before the limit.
     pub(crate) converged: bool,
 }
 
-/// Minimises from a starting point in at most `limit` trial steps. The cost of the result is at most that of the start.
+/// Minimises from a starting point in at most `limit` trial steps. The cost of the result is at
+/// most that of the start.
 ///
 /// # Errors
-/// That of the start, or where the cost decreases towards points at which it is not defined.
+/// Fails if the cost of the start is not defined, or if the cost decreases towards points at which
+/// it is not defined.
 pub(crate) fn minimise<P: LeastSquares<N>, const N: usize>(
     problem: &P,
     start: P::State,
@@ -67,11 +70,11 @@ pub(crate) fn minimise<P: LeastSquares<N>, const N: usize>(
     let mut blocked = None;
     for iterations in 0..limit {
         let Linearised { cost, gradient, normal_matrix } = &linearised;
-        // A parameter without influence keeps its place.
+        // A parameter without influence keeps its value.
         let diagonal = normal_matrix.diagonal().map(|entry| if entry > 0.0 { entry } else { 1.0 });
         let damped = normal_matrix + SMatrix::from_diagonal(&(diagonal * damping));
         let step = damped.cholesky().map(|factor| -factor.solve(gradient));
-        // Rounding may leave a singular matrix indefinite; damping repairs that.
+        // Rounding may make a singular matrix indefinite; more damping repairs that.
         let Some(step) = step else {
             (damping, growth) = (damping * growth, growth * 2.0);
             continue;

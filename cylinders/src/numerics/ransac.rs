@@ -1,40 +1,45 @@
 //! RANSAC with MSAC scores, local optimisation and confidence-based termination, for any model.
 //!
-//! A minimal sample of the data gives some models; a model costs `sum_i min(e_i^2 / t^2, 1)` over all data (Torr & Zisserman,
-//! "MLESAC", 2000). Those that are the best so far are optimised on their inliers at once (Chum, Matas & Kittler, "Locally
-//! optimized RANSAC", 2003). Models as they come from a sample are further from the inliers than the noise, so among
-//! them a wider threshold chooses. With the share `p` of samples that consist of inliers of the best model only, the search
-//! ends after
+//! A minimal sample of the data gives one or several models. The cost of a model is
+//! `sum_i min(e_i^2 / t^2, 1)` over all data (Torr & Zisserman, "MLESAC", 2000). Each model that is
+//! the best so far is optimised on its inliers at once (Chum, Matas & Kittler, "Locally optimized
+//! RANSAC", 2003). Models from samples are further from the inliers than the noise, so they are
+//! compared with a wider threshold. If the best model has the share `p` of samples that consist of
+//! its inliers only, the search ends after
 //!
 //! ```text
-//!   n >= log(1 - confidence) / log(1 - p)    samples, so that all of them missed with the probability 1 - confidence
+//!   n >= log(1 - confidence) / log(1 - p)
 //! ```
+//!
+//! samples. The probability that all of them have outliers is then at most `1 - confidence`.
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};
 use thiserror::Error;
 
-/// Local optimisation takes the data within these multiples of the threshold in turn. By the first of them models from
-/// samples are compared.
+/// Local optimisation takes the data within these multiples of the threshold in turn. Models from
+/// samples are compared with the first multiple.
 const WIDTHS: [f64; 3] = [3.0, 2.0, 1.0];
 
-/// Limit on the repetitions of local optimisation at the threshold itself, while the cost decreases.
+/// Limit on the repetitions of local optimisation at the threshold itself, while the cost
+/// decreases.
 const REPETITIONS: usize = 10;
 
-/// How RANSAC searches.
+/// Options of RANSAC.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RansacOptions {
     /// Largest residual of an inlier, in the unit that the estimator names.
     pub threshold: f64,
-    /// Start of the random numbers: the same seed gives the same result.
+    /// Seed of the random numbers: the same seed gives the same result.
     pub seed: u64,
-    /// Probability, between zero and one, with which a sample without outliers was among those drawn.
+    /// Required probability, between zero and one, that at least one sample without outliers was
+    /// drawn.
     pub confidence: f64,
     /// Limit on the number of samples.
     pub max_samples: usize,
 }
 
-/// Why options are refused.
+/// Why the options are refused.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum RansacOptionsError {
     /// The threshold is not a positive number.
@@ -83,10 +88,11 @@ pub(crate) trait Estimator {
     /// Models through a minimal sample.
     fn models(&self, sample: &[usize]) -> Vec<Self::Model>;
 
-    /// Squared residual of a datum; infinite where the model cannot explain it.
+    /// Squared residual of a datum; infinite if the model cannot explain it.
     fn square(&self, model: &Self::Model, datum: usize) -> f64;
 
-    /// The model of least squares on some data, `None` where they determine none. A first guess is given.
+    /// The model of least squares on some data, from a first guess; `None` if the data determine no
+    /// model.
     fn fitted(&self, model: &Self::Model, data: &[usize]) -> Option<Self::Model>;
 }
 
@@ -100,7 +106,8 @@ pub(crate) struct Consensus<M> {
     pub(crate) samples: usize,
 }
 
-/// Searches for the model of least cost. `None` where no sample gives a model, or there are no more data than in a sample.
+/// Searches for the model of least cost. `None` if no sample gives a model, or there are not more
+/// data than in a sample.
 pub(crate) fn ransac<E: Estimator>(estimator: &E, options: &RansacOptions) -> Option<Consensus<E::Model>> {
     let count = estimator.count();
     if count <= E::SAMPLE {
@@ -128,16 +135,16 @@ pub(crate) fn ransac<E: Estimator>(estimator: &E, options: &RansacOptions) -> Op
     Some(Consensus { model, inliers, samples })
 }
 
-/// Number of samples after which one without outliers was drawn with the confidence that is asked for.
+/// Number of samples of which at least one has no outliers, with the required confidence.
 fn samples_needed(inliers: usize, count: usize, size: usize, options: &RansacOptions) -> usize {
     // Samples are drawn without repetition.
     let share: f64 = (0..size).map(|drawn| inliers.saturating_sub(drawn) as f64 / (count - drawn) as f64).product();
     let needed = (-options.confidence).ln_1p() / (-share).ln_1p();
-    // Infinite without inliers; the conversion saturates.
+    // The number is infinite without inliers, and the conversion saturates.
     (needed.ceil() as usize).clamp(1, options.max_samples)
 }
 
-/// Different indices below `count`, by the high part of a product with a random number.
+/// Different indices below `count`, each the high part of a product with a random number.
 fn sample(random: &mut Xoshiro256PlusPlus, size: usize, count: usize) -> Vec<usize> {
     let mut sample = Vec::with_capacity(size);
     while sample.len() < size {
@@ -155,12 +162,12 @@ struct Search<'a, E> {
 }
 
 impl<E: Estimator> Search<'_, E> {
-    /// The cost at a multiple of the threshold, or `None` as soon as it is known not to be below a limit.
+    /// The cost at a multiple of the threshold; `None` as soon as it reaches a limit.
     fn cost(&self, model: &E::Model, width: f64, limit: f64) -> Option<f64> {
         let scale = 1.0 / (width * width * self.square_threshold);
         let mut cost = 0.0;
         for datum in 0..self.estimator.count() {
-            // The minimum of NaN and one is one.
+            // A NaN counts as one: the minimum of NaN and one is one.
             cost += (self.estimator.square(model, datum) * scale).min(1.0);
             if cost >= limit {
                 return None;
@@ -175,7 +182,7 @@ impl<E: Estimator> Search<'_, E> {
         (0..self.estimator.count()).filter(|&datum| self.estimator.square(model, datum) < limit).collect()
     }
 
-    /// Fits to inliers, first those of wide thresholds, while that lowers the cost.
+    /// Fits to inliers, first those of wide thresholds, while this lowers the cost.
     fn optimised(&self, mut model: E::Model) -> E::Model {
         let mut cost = self.cost(&model, 1.0, f64::INFINITY).unwrap_or(f64::INFINITY);
         for width in WIDTHS.into_iter().chain([1.0; REPETITIONS]) {
@@ -195,7 +202,7 @@ impl<E: Estimator> Search<'_, E> {
 mod tests {
     use super::*;
 
-    /// A number and its scatter: the model is the number, a sample one datum.
+    /// The model is a number among scattered data, and a sample is one datum.
     struct Number(Vec<f64>);
 
     impl Estimator for Number {
@@ -250,7 +257,7 @@ mod tests {
             assert!(sample[0] != sample[1] && sample[0] != sample[2] && sample[1] != sample[2]);
             sample.into_iter().for_each(|index| seen[index] += 1);
         }
-        // 6,000 each, with a standard deviation of 49.
+        // 6,000 are expected for each, with a standard deviation of 49.
         assert!(seen.iter().all(|count: &i32| (count - 6000).abs() < 250), "{seen:?}");
     }
 

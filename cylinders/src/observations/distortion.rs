@@ -1,7 +1,8 @@
-//! Lens distortion: what bends straight lines, to be taken off before lines are fitted.
+//! Lens distortion bends straight lines. It is removed before lines are fitted.
 //!
-//! The polynomial model of COLMAP's `OPENCV` camera, of which `SIMPLE_RADIAL` and `RADIAL` are special cases. An ideal
-//! point `(u, v)` in normalised image coordinates, `s = u^2 + v^2`, is seen at
+//! The polynomial model of COLMAP's `OPENCV` camera, of which `SIMPLE_RADIAL` and `RADIAL` are
+//! special cases. An ideal point `(u, v)` in normalised image coordinates, `s = u^2 + v^2`, is seen
+//! at
 //!
 //! ```text
 //!   u (1 + k1 s + k2 s^2) + 2 p1 u v + p2 (s + 2 u^2)
@@ -13,7 +14,7 @@ use nalgebra::{Matrix2, Point2, Vector2};
 /// Newton steps; four or five suffice inside any image.
 const MAX_STEPS: usize = 50;
 
-/// A step below this part of the larger of the point and one is the last.
+/// A step is the last one if it is at most this, relative to the larger of one and the point.
 const LAST_STEP: f64 = 1e-15;
 
 /// Radial and tangential polynomial distortion.
@@ -26,12 +27,12 @@ pub struct Distortion {
 }
 
 impl Distortion {
-    /// Whether it leaves every point where it is.
+    /// Whether the distortion moves no point.
     pub fn is_none(&self) -> bool {
         *self == Self::default()
     }
 
-    /// Where an ideal point is seen; normalised image coordinates.
+    /// The point at which an ideal point is seen; normalised image coordinates.
     pub fn distort(&self, ideal: &Point2<f64>) -> Point2<f64> {
         let ([k1, k2], [p1, p2]) = (self.radial, self.tangential);
         let (u, v) = (ideal.x, ideal.y);
@@ -43,8 +44,9 @@ impl Distortion {
         )
     }
 
-    /// The ideal point that is seen at `seen`; normalised image coordinates. `None` where there is none: a polynomial with
-    /// a negative coefficient folds the plane back at some distance from the centre, and nothing is seen beyond the fold.
+    /// The ideal point that is seen at `seen`; normalised image coordinates. `None` if there is no
+    /// such point: a polynomial with a negative coefficient folds the plane back at some distance
+    /// from the centre, and no point is seen beyond the fold.
     pub fn undistort(&self, seen: &Point2<f64>) -> Option<Point2<f64>> {
         let mut ideal = *seen;
         for _ in 0..MAX_STEPS {
@@ -63,7 +65,7 @@ impl Distortion {
         let (u, v) = (ideal.x, ideal.y);
         let s = u * u + v * v;
         let radial = 1.0 + s * (k1 + s * k2);
-        // Twice the derivative of `radial` by `s`.
+        // Twice the derivative of `radial` with respect to `s`.
         let growth = 2.0 * (k1 + 2.0 * s * k2);
         let mixed = growth * u * v + 2.0 * (p1 * u + p2 * v);
         Matrix2::new(
@@ -74,8 +76,9 @@ impl Distortion {
         )
     }
 
-    /// Whether the distance from the centre grows all the way from there to the point, `1 + 3 k1 s + 5 k2 s^2 > 0` at both
-    /// ends and at its lowest point between them, and the plane is not turned over at the point.
+    /// Whether the point lies before the fold. The distance from the centre must grow all the way
+    /// to the point, so `1 + 3 k1 s + 5 k2 s^2 > 0` at both ends and at its minimum between them,
+    /// and the orientation of the plane must be kept at the point.
     fn is_before_fold(&self, ideal: &Point2<f64>) -> bool {
         let [k1, k2] = self.radial;
         let s = ideal.coords.norm_squared();
@@ -114,14 +117,15 @@ mod tests {
 
     #[test]
     fn nothing_is_seen_beyond_the_fold() {
-        // r - r^3 / 3 is largest, 2 / 3, at r = 1, and comes down to zero at r = sqrt(3).
+        // r - r^3 / 3 has its maximum 2 / 3 at r = 1 and decreases to zero at r = sqrt(3).
         let barrel = Distortion { radial: [-1.0 / 3.0, 0.0], ..Distortion::default() };
         let before = barrel.undistort(&Point2::new(0.6, 0.0)).expect("before the fold");
         assert!(before.x < 1.0 && (barrel.distort(&before).x - 0.6).abs() < 1e-14);
         for seen in [0.67, 1.0, 3.0, f64::NAN, f64::INFINITY] {
             assert_eq!(barrel.undistort(&Point2::new(seen, 0.0)), None, "{seen}");
         }
-        // With a positive second coefficient it grows again: solutions beyond both folds do not count.
+        // With a positive second coefficient it grows again. Solutions beyond both folds do not
+        // count.
         let wave = Distortion { radial: [-0.9, 0.2], ..Distortion::default() };
         let beyond = Point2::new(2.0, 0.0);
         assert!(wave.jacobian(&beyond).determinant() > 0.0);

@@ -14,17 +14,21 @@
 //! }
 //! ```
 //!
-//! - `K`: calibration in pixels, upper triangular. Optional when nothing is in pixels; with it residuals are in pixels too.
-//!   A view with another calibration has a `K` of its own.
-//! - `views[i].camera_normalised`: 3x4 `[R t]` up to scale, world to camera; or `camera_pixels`: `K [R t]` up to scale.
-//! - `views[i].lines_normalised`: lines `[a, b, c]`, `a x + b y + c = 0`, any scale and sign, in normalised image
-//!   coordinates; or `lines_pixels`, in pixels; or `segments_pixels`: `[x1, y1, x2, y2]`, two end points for each line, in
-//!   pixels without distortion. With end points, lines are compared with silhouettes where they were seen. Where a view
-//!   gives several spellings of one thing, they must agree.
-//! - `views[i].image`: optional name of the image, for reports and for segments of a CSV file (`cylinder::segments`).
-//! - `views[i].cylinders`: optional, one label or `null` for each line: which cylinder it is a silhouette of. All lines
-//!   without label are taken for silhouettes of one cylinder.
-//! - `points`: optional world points `[x, y, z]`; the report says how many are near the surface.
+//! - `K`: calibration in pixels, upper triangular. Optional if nothing is in pixels; with it,
+//!   residuals are also in pixels. A view with another calibration has its own `K`.
+//! - `views[i].camera_normalised`: 3x4 `[R t]` up to scale, world to camera; or `camera_pixels`:
+//!   `K [R t]` up to scale.
+//! - `views[i].lines_normalised`: lines `[a, b, c]`, `a x + b y + c = 0`, any scale and sign, in
+//!   normalised image coordinates; or `lines_pixels`, in pixels; or `segments_pixels`:
+//!   `[x1, y1, x2, y2]`, two end points for each line, in pixels without distortion. With end
+//!   points, lines are compared with silhouettes at the end points. If a view gives its camera or
+//!   its lines in several forms, these must agree.
+//! - `views[i].image`: optional name of the image, for reports and for segments of a CSV file
+//!   (`segments`).
+//! - `views[i].cylinders`: optional, one label or `null` for each line: the cylinder whose
+//!   silhouette it is. All lines without label count as silhouettes of one cylinder.
+//! - `points`: optional world points `[x, y, z]`. The report gives the number of points near the
+//!   surface.
 //!
 //! Other keys are ignored.
 
@@ -37,11 +41,12 @@ use thiserror::Error;
 use super::scene::Scene;
 use super::view::{Calibration, Camera, View, ViewError};
 
-/// Largest difference between two spellings of one camera (rotation entries; translation relative to its length) or one
-/// line (unit vectors; distance of end points): about a third of a pixel at a focal length of 3000.
+/// Largest difference between two forms of one camera (rotation entries; translation relative to
+/// its length) or one line (unit vectors; distance of end points): about a third of a pixel at a
+/// focal length of 3000.
 const SPELLINGS_AGREE: f64 = 1e-4;
 
-/// What is wrong with a scene file. Every message starts with the file, then the place in it.
+/// Errors of a scene file. Every message starts with the file and the place in it.
 #[derive(Debug, Error)]
 pub enum InputError {
     /// The file cannot be read.
@@ -61,7 +66,7 @@ pub enum InputError {
         line: usize,
         /// Column, from 1.
         column: usize,
-        /// What the parser says.
+        /// Message of the parser.
         message: String,
     },
     /// The text is JSON, but not a scene: a key is missing or of another type.
@@ -73,7 +78,7 @@ pub enum InputError {
         line: usize,
         /// Column, from 1.
         column: usize,
-        /// What the parser says.
+        /// Message of the parser.
         message: String,
     },
     /// An array has the wrong number of entries.
@@ -88,7 +93,7 @@ pub enum InputError {
         /// Entries found.
         found: usize,
     },
-    /// A view has neither spelling of its camera or of its lines, or one in pixels without `K`.
+    /// A view has no camera or no lines in either form, or has pixels without `K`.
     #[error("{file}: views[{view}] needs {needs}")]
     Missing {
         /// File name.
@@ -98,8 +103,8 @@ pub enum InputError {
         /// The missing keys.
         needs: &'static str,
     },
-    /// Two spellings of a camera or of a line differ.
-    #[error("{file}: {place}: the spellings of one thing contradict each other")]
+    /// Two forms of a camera or of a line differ.
+    #[error("{file}: {place}: two forms of the same camera or line contradict each other")]
     Contradiction {
         /// File name.
         file: String,
@@ -175,7 +180,8 @@ pub fn parse_scene(text: &str, file: &str) -> Result<Scene, InputError> {
     })
 }
 
-/// The position leads the message, so the parser's own mention of it is cut off.
+/// The message starts with the position, so the position at the end of the parser's message is
+/// removed.
 fn json_error(file: &str, error: &serde_json::Error) -> InputError {
     let (file, line, column) = (file.to_owned(), error.line(), error.column());
     let text = error.to_string();
@@ -187,7 +193,7 @@ fn json_error(file: &str, error: &serde_json::Error) -> InputError {
     }
 }
 
-/// Turns rows of numbers into typed values; knows the file for messages.
+/// Turns rows of numbers into typed values. It keeps the name of the file for messages.
 struct Reader<'a> {
     file: &'a str,
 }
@@ -277,8 +283,8 @@ impl Reader<'_> {
         parsed.ok_or_else(|| self.missing(index, "`lines_normalised`, `lines_pixels` or `segments_pixels`"))
     }
 
-    /// Whether `count` lines of another spelling agree with those known before, if any; a line that only one of them has does
-    /// not.
+    /// Whether `count` lines in another form agree with the lines known before, if there are any. A
+    /// line that has only one of the two forms does not agree.
     fn check_agreement(
         &self,
         known: Option<&View>,

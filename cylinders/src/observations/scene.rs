@@ -1,4 +1,5 @@
-//! A scene: views with their lines, perhaps of several cylinders, and points to compare the result with.
+//! A scene: views with their lines, perhaps of several cylinders, and points to compare the result
+//! with.
 
 use std::collections::BTreeSet;
 
@@ -15,7 +16,7 @@ use super::view::View;
 pub struct Scene {
     /// The views, in the order of the file.
     pub views: Vec<View>,
-    /// Scene points, world frame; empty when the file has none.
+    /// Scene points, world frame; empty if the file has none.
     pub points: Vec<Point3<f64>>,
 }
 
@@ -31,7 +32,7 @@ pub struct LineId {
 /// The silhouette lines of one cylinder of a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CylinderLines {
-    /// Label of the cylinder; `None` for the lines without label.
+    /// Label of the cylinder; `None` for lines without label.
     pub label: Option<String>,
     /// All views of the scene, each with the lines of this cylinder only.
     pub views: Vec<View>,
@@ -40,7 +41,7 @@ pub struct CylinderLines {
 }
 
 impl CylinderLines {
-    /// Only some of the lines, each given by its place in `views`.
+    /// A selection of the lines, each given by its place in `views`.
     pub fn selected(&self, chosen: &[LineId]) -> Self {
         let mut selected = Self { label: self.label.clone(), views: Vec::new(), lines: Vec::new() };
         let mut scene_lines = self.lines.iter();
@@ -56,7 +57,8 @@ impl CylinderLines {
 }
 
 impl Scene {
-    /// The photographs of a COLMAP model in which segments are marked, and its points.
+    /// A scene with the photographs of a COLMAP model in which segments are marked, and with its
+    /// points.
     ///
     /// # Errors
     /// [`SegmentError`].
@@ -64,7 +66,8 @@ impl Scene {
         Ok(Self { views: segments.views(&model.photographs)?, points: model.points })
     }
 
-    /// The scene with the lines of segments added to its views, which are found by the names of their images.
+    /// The scene with the lines of segments added to its views. The views are found by the names of
+    /// their images.
     ///
     /// # Errors
     /// [`SegmentError`].
@@ -82,8 +85,9 @@ impl Scene {
         Ok(self)
     }
 
-    /// The lines of each cylinder: first those without label, then label by label in alphabetical order. At least one
-    /// cylinder; without lines where the scene has none.
+    /// The lines of each cylinder: first the lines without label, then label by label in
+    /// alphabetical order. There is at least one cylinder, which has no lines if the scene has
+    /// none.
     pub fn cylinders(&self) -> Vec<CylinderLines> {
         let mut labels: BTreeSet<_> = self.views.iter().flat_map(View::labels).map(Option::as_deref).collect();
         if labels.is_empty() {

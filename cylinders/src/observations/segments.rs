@@ -10,13 +10,15 @@
 //! The first row names the columns, in any order; other columns are ignored.
 //!
 //! - `image`: name of the image, as in the scene or in the model that has the cameras.
-//! - `x1`, `y1`, `x2`, `y2`: end points, pixels of the photograph as it was taken; distortion is taken off here.
-//! - `cylinder`: optional label of the cylinder whose silhouette it is.
-//! - `line`: optional name, any text. The segments of one image and cylinder with the same name are pieces of one line; a
-//!   segment without name is a line by itself.
+//! - `x1`, `y1`, `x2`, `y2`: end points, pixels of the original photograph; the reader removes
+//!   the distortion.
+//! - `cylinder`: optional label of the cylinder whose silhouette the segment is.
+//! - `line`: optional name, any text. The segments of one image and cylinder with the same name are
+//!   pieces of one line. A segment without name is a line by itself.
 //!
-//! The line of several segments is the one with the least sum of squared distances from all their end points, in pixels
-//! without distortion. Its end points are the outermost of theirs, moved to it.
+//! The line of several segments has the least sum of squared distances from all their end points,
+//! in pixels without distortion. Its end points are the projections of the outermost end points to
+//! the line.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -28,8 +30,8 @@ use thiserror::Error;
 use super::photograph::Photograph;
 use super::view::{SHORTEST_SEGMENT, View, ViewError};
 
-/// Root mean square distance of the end points from their line, relative to that along it, from which on they are not
-/// pieces of one line: an angle of six degrees.
+/// Segments are not pieces of one line if the root mean square distance of their end points from
+/// the line reaches this part of their root mean square distance along it: an angle of six degrees.
 const SCATTERED: f64 = 0.1;
 
 /// The segments of a file.
@@ -49,7 +51,7 @@ struct Segment {
     ends: [Point2<f64>; 2],
 }
 
-/// What is wrong with a file of segments. Every message starts with the file, then the line in it.
+/// Errors of a file of segments. Every message starts with the file and the line in it.
 #[derive(Debug, Error)]
 pub enum SegmentError {
     /// The file cannot be read.
@@ -67,10 +69,10 @@ pub enum SegmentError {
         file: String,
         /// Line, from 1.
         row: u64,
-        /// What the parser says.
+        /// Message of the parser.
         message: String,
     },
-    /// A column is not there, or is there twice.
+    /// A column is missing, or occurs twice.
     #[error(
         "{file}:1: the header names the column `{column}` {found} times; the columns are image,x1,y1,x2,y2 and optionally cylinder,line"
     )]
@@ -79,7 +81,7 @@ pub enum SegmentError {
         file: String,
         /// Name of the column.
         column: &'static str,
-        /// How often it stands there.
+        /// Number of times that the column occurs.
         found: usize,
     },
     /// A field is empty, not a number, or not finite.
@@ -91,9 +93,9 @@ pub enum SegmentError {
         row: u64,
         /// Name of the column.
         column: &'static str,
-        /// What should stand there.
+        /// What was expected.
         expected: &'static str,
-        /// What stands there.
+        /// What was found.
         found: String,
     },
     /// The end points coincide.
@@ -104,7 +106,7 @@ pub enum SegmentError {
         /// Line, from 1.
         row: u64,
     },
-    /// There is no such image.
+    /// There is no image of this name.
     #[error("{file}:{row}: there is no image `{image}`")]
     UnknownImage {
         /// File name.
@@ -124,7 +126,7 @@ pub enum SegmentError {
         /// Name of the image.
         image: String,
     },
-    /// The camera of the image has no calibration, so that its pixels mean nothing.
+    /// The camera of the image has no calibration, so its pixels cannot be used.
     #[error("{file}:{row}: the camera of `{image}` has no calibration")]
     NoCalibration {
         /// File name.
@@ -134,8 +136,8 @@ pub enum SegmentError {
         /// Name of the image.
         image: String,
     },
-    /// An end point lies where the lens shows nothing.
-    #[error("{file}:{row}: the distortion of `{image}` cannot be taken off at ({x}, {y}): far outside the image?")]
+    /// An end point lies outside the image of the lens.
+    #[error("{file}:{row}: the distortion of `{image}` cannot be removed at ({x}, {y}): far outside the image?")]
     BeyondDistortion {
         /// File name.
         file: String,
@@ -166,7 +168,7 @@ pub enum SegmentError {
         /// Line of its first segment, from 1.
         row: u64,
     },
-    /// The lines of an image are refused by its camera.
+    /// The lines of an image are not valid.
     #[error("{file}: the lines of `{image}`: {source}")]
     View {
         /// File name.
@@ -181,7 +183,7 @@ pub enum SegmentError {
 /// Reads a CSV file of segments.
 ///
 /// # Errors
-/// [`SegmentError`]: those of the rows by themselves.
+/// [`SegmentError`]: the errors that the rows show without the cameras.
 pub fn read_segments(path: &Path) -> Result<Segments, SegmentError> {
     let file = path.display().to_string();
     match std::fs::read(path) {
@@ -206,7 +208,8 @@ pub fn parse_segments(text: &[u8], file: &str) -> Result<Segments, SegmentError>
     Ok(Segments { file: file.to_owned(), segments })
 }
 
-/// The line of a record. Its position is the end of the record before it: line breaks may follow.
+/// The line of a record. The position of the reader is the end of the previous record, which line
+/// breaks may follow.
 fn row(text: &[u8], position: Option<&csv::Position>) -> u64 {
     let Some(position) = position else {
         return 1;
@@ -228,7 +231,7 @@ fn csv_error(text: &[u8], file: &str, error: &csv::Error) -> SegmentError {
     SegmentError::NotCsv { file: file.to_owned(), row, message }
 }
 
-/// Where the columns are.
+/// Indices of the columns.
 struct Columns {
     image: usize,
     ends: [(&'static str, usize); 4],
@@ -287,18 +290,18 @@ impl Columns {
     }
 }
 
-/// The segments of one line: at least one.
+/// The segments of one line, at least one.
 struct Pieces<'a> {
     first: &'a Segment,
     more: Vec<&'a Segment>,
 }
 
 impl Segments {
-    /// The lines of the segments as views: one for each photograph that has any, in the order of the photographs; lines in
-    /// the order of their first segments.
+    /// The lines of the segments as views: one view for each photograph with lines, in the order of
+    /// the photographs. The lines are in the order of their first segments.
     ///
     /// # Errors
-    /// [`SegmentError`]: those that need the cameras.
+    /// [`SegmentError`]: the errors that need the cameras.
     pub fn views(&self, photographs: &[Photograph]) -> Result<Vec<View>, SegmentError> {
         let mut lines: BTreeMap<usize, Vec<Pieces<'_>>> = BTreeMap::new();
         let by_name = Names::of(photographs);
@@ -333,8 +336,8 @@ impl Segments {
         }
     }
 
-    /// Total least squares through the end points: the line through their centroid along the main axis of their scatter, and
-    /// the outermost of them on it, pixels.
+    /// Total least squares through the end points: the line through their centroid along the main
+    /// axis of their scatter, and the outermost end points projected to it, pixels.
     fn fit(
         &self,
         photograph: &Photograph,
@@ -348,7 +351,7 @@ impl Segments {
         }
         let count = points.len() as f64;
         let centroid = points.iter().map(|point| point.coords / count).sum::<Vector2<f64>>();
-        // In units of the largest, so that no square overflows.
+        // The unit is the largest coordinate, so that no square overflows.
         let size = points.iter().map(|point| (point.coords - centroid).amax()).fold(0.0, f64::max);
         let (mut difference, mut product, mut sum) = (0.0, 0.0, 0.0);
         for point in &points {
@@ -391,7 +394,7 @@ impl Segments {
     }
 }
 
-/// Index of the photograph of each name; `None` where several have it.
+/// Index of the photograph of each name; `None` if several photographs have the name.
 struct Names<'a>(BTreeMap<&'a str, Option<usize>>);
 
 impl<'a> Names<'a> {

@@ -1,7 +1,9 @@
-//! Cameras and silhouette lines: everything that goes in, validated once so that the later steps can rely on it.
+//! Cameras and silhouette lines: the input of the pipeline, validated once so that later steps can
+//! rely on it.
 //!
-//! A camera maps a world point `X` to the image point `x ~ K (R X + t)`. In *normalised* image coordinates `K = I`.
-//! An image line is `l` with `l^T x = 0`. The points that it may be the image of form its *viewing plane*
+//! A camera maps a world point `X` to the image point `x ~ K (R X + t)`. In *normalised* image
+//! coordinates `K = I`. An image line is `l` with `l^T x = 0`. The world points whose image lies on
+//! the line form its *viewing plane*
 //!
 //! ```text
 //!     l^T (R X + t) = 0,   normal n = R^T l,   through the camera centre C = -R^T t
@@ -12,11 +14,12 @@
 use nalgebra::{Matrix3, Matrix3x4, Point2, Point3, Vector2, Vector3};
 use thiserror::Error;
 
-/// Largest accepted entry of `M^T M / s^2 - I` for the left 3x3 part `M` of a camera, `s` its mean row norm. It admits
-/// rotations written with four digits and refuses a camera that still contains its calibration.
+/// Largest accepted entry of `M^T M / s^2 - I` for the left 3x3 part `M` of a camera, `s` its mean
+/// row norm. It admits rotations written with four digits and refuses a camera that still contains
+/// its calibration.
 const ROTATION_TOLERANCE: f64 = 1e-3;
 
-/// End points nearer than this, pixels, give no direction.
+/// End points that are nearer to each other than this, pixels, determine no direction.
 pub(crate) const SHORTEST_SEGMENT: f64 = 1e-3;
 
 /// Upper triangular calibration matrix, pixels.
@@ -31,8 +34,8 @@ pub struct Calibration {
     matrix: Matrix3<f64>,
 }
 
-/// A calibrated camera `[R t]`: a rotation matrix and a translation, world to camera. Knows its calibration when there
-/// is one, for residuals in pixels.
+/// A calibrated camera `[R t]`: a rotation matrix and a translation, world to camera. It keeps its
+/// calibration, if there is one, for residuals in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     rotation: Matrix3<f64>,
@@ -40,27 +43,29 @@ pub struct Camera {
     calibration: Option<Calibration>,
 }
 
-/// A camera and the silhouette lines seen in it: unit 3-vectors, in normalised image coordinates. Knows the name of its
-/// image, and of each line its end points and which cylinder it belongs to, where the input says so.
+/// A camera and the silhouette lines seen in it: unit 3-vectors, in normalised image coordinates.
+/// If the input has them, it also keeps the name of the image, and the end points and the
+/// cylinder's label of each line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct View {
     camera: Camera,
     lines: Vec<Vector3<f64>>,
-    /// One for each line: two different points on it, normalised image coordinates.
+    /// End points of each line: two different points on it, normalised image coordinates.
     ends: Vec<Option<[Point2<f64>; 2]>>,
-    /// One for each line.
+    /// One entry for each line.
     labels: Vec<Option<String>>,
     image: Option<String>,
 }
 
-/// The plane `n^T (X - C) = 0` through the camera centre `C` and an image line; `n` is of unit length.
+/// The plane `n^T (X - C) = 0` through the camera centre `C` and an image line; `n` is of unit
+/// length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ViewingPlane {
     /// Unit normal `n`, world frame.
     pub normal: Vector3<f64>,
     /// Camera centre `C`, world frame.
     pub centre: Point3<f64>,
-    /// Unit direction in which the camera looks, world frame.
+    /// Unit viewing direction of the camera, world frame.
     pub forward: Vector3<f64>,
 }
 
@@ -73,13 +78,14 @@ pub enum ViewError {
     /// The left 3x3 part is not a rotation up to scale.
     #[error(
         "the left 3x3 part of the camera is not a rotation up to scale (off by {deviation:.1e}); \
-         is it in pixels, or is its calibration another one?"
+         is it in pixels, or does it have another calibration?"
     )]
     NotARotation {
         /// Largest entry of `M^T M / s^2 - I`.
         deviation: f64,
     },
-    /// `K` is not finite, not upper triangular with non-zero diagonal, or its last row is not `0 0 1` up to scale.
+    /// `K` is not finite, not upper triangular with non-zero diagonal, or its last row is not
+    /// `0 0 1` up to scale.
     #[error("the calibration must be finite, upper triangular and have a non-zero diagonal")]
     NotACalibration,
     /// A line has an entry that is NaN or infinite.
@@ -106,7 +112,7 @@ pub enum ViewError {
         /// Index of the line in its view.
         line: usize,
     },
-    /// Not one pair of end points, or `None`, for each line.
+    /// The number of pairs of end points, `None` included, is not the number of lines.
     #[error("{ends} pairs of end points for {lines} line(s)")]
     EndCount {
         /// Number of lines.
@@ -117,7 +123,7 @@ pub enum ViewError {
     /// Lines in pixels were given with a camera that has no calibration.
     #[error("lines in pixels need a calibration")]
     NoCalibration,
-    /// Not one label for each line.
+    /// The number of labels is not the number of lines.
     #[error("{labels} cylinder labels for {lines} line(s)")]
     LabelCount {
         /// Number of lines.
@@ -144,7 +150,8 @@ impl Calibration {
         &self.matrix
     }
 
-    /// A line in normalised coordinates from one in pixels: `l_n ~ K^T l_p`, because `l_p^T K x_n = 0`.
+    /// A line in normalised coordinates from one in pixels: `l_n ~ K^T l_p`, because
+    /// `l_p^T K x_n = 0`.
     pub fn line_to_normalised(&self, line: &Vector3<f64>) -> Vector3<f64> {
         self.matrix.tr_mul(line)
     }
@@ -180,8 +187,8 @@ impl Calibration {
 }
 
 impl Camera {
-    /// A camera in normalised coordinates: any non-zero multiple of `[R t]`. `R` is replaced by the nearest rotation,
-    /// so that rounding in the input does not reach the result.
+    /// A camera in normalised coordinates: any non-zero multiple of `[R t]`. `R` is replaced by the
+    /// nearest rotation, so that rounding in the input does not reach the result.
     ///
     /// # Errors
     /// [`ViewError::CameraNotFinite`], [`ViewError::NotARotation`].
@@ -191,12 +198,12 @@ impl Camera {
         if !camera.iter().all(|entry| entry.is_finite()) {
             return Err(ViewError::CameraNotFinite);
         }
-        // Division by the largest entry first, so that no product overflows.
+        // The matrix is first divided by its largest entry, so that no product overflows.
         let left = left / largest;
         let scale = (left.norm_squared() / 3.0).sqrt().copysign(left.determinant());
         let rotation = left / scale;
         let deviation = (rotation.tr_mul(&rotation) - Matrix3::identity()).amax();
-        // The norm is NaN for a zero matrix, where the largest entry may not be.
+        // For a zero matrix the norm is NaN, although the largest entry may not be.
         if rotation.norm().is_nan() || deviation > ROTATION_TOLERANCE {
             return Err(ViewError::NotARotation { deviation });
         }
@@ -238,7 +245,7 @@ impl Camera {
         Point3::from(-self.rotation.tr_mul(&self.translation))
     }
 
-    /// The calibration, when there is one.
+    /// The calibration, if there is one.
     pub fn calibration(&self) -> Option<&Calibration> {
         self.calibration.as_ref()
     }
@@ -260,14 +267,16 @@ impl View {
     /// As [`View::from_normalised_lines`], and [`ViewError::NoCalibration`].
     pub fn from_pixel_lines(camera: Camera, lines: &[Vector3<f64>]) -> Result<Self, ViewError> {
         let calibration = camera.calibration().ok_or(ViewError::NoCalibration)?;
-        // Unit length before and after: pixel lines are often scaled so that their entries differ widely.
+        // Unit length before and after: pixel lines are often scaled so that their entries differ
+        // widely.
         let normalise = |(index, line)| {
             unit_line(index, line).and_then(|unit| unit_line(index, &calibration.line_to_normalised(&unit)))
         };
         Ok(Self::new(camera, lines.iter().enumerate().map(normalise).collect::<Result<_, _>>()?))
     }
 
-    /// A view with the lines through pairs of points, which become their end points; pixels without distortion.
+    /// A view with the lines through pairs of points, which become the end points of the lines;
+    /// pixels without distortion.
     ///
     /// # Errors
     /// [`ViewError::EndNotFinite`], [`ViewError::NoLength`] below a thousandth of a pixel, and as
@@ -293,8 +302,9 @@ impl View {
         Self { camera, lines, ends: vec![None; count], labels: vec![None; count], image: None }
     }
 
-    /// The same view, with the end points of the lines of which they are known, normalised image coordinates without
-    /// distortion. They are moved to the nearest points of their lines.
+    /// The same view with end points of lines, `None` for a line whose end points are unknown;
+    /// normalised image coordinates without distortion. They are moved to the nearest points of
+    /// their lines.
     ///
     /// # Errors
     /// [`ViewError::EndCount`], [`ViewError::EndNotFinite`], [`ViewError::NoLength`].
@@ -337,13 +347,13 @@ impl View {
         self.labels.extend(other.labels);
     }
 
-    /// The same view with only the lines of one label, and the indices that these had.
+    /// The same view with only the lines of one label, and the original indices of these lines.
     pub(crate) fn labelled(&self, label: Option<&str>) -> (Self, Vec<usize>) {
         let indices: Vec<_> = (0..self.lines.len()).filter(|&line| self.labels[line].as_deref() == label).collect();
         (self.selected(&indices), indices)
     }
 
-    /// The same view with only some of its lines.
+    /// The same view with only the chosen lines.
     pub(crate) fn selected(&self, indices: &[usize]) -> Self {
         Self {
             camera: self.camera,
@@ -364,8 +374,8 @@ impl View {
         &self.lines
     }
 
-    /// The end points of the lines, one pair for each line where they are known: on the line, normalised image coordinates
-    /// without distortion.
+    /// The end points of each line, `None` if they are unknown. They are on the line; normalised
+    /// image coordinates without distortion.
     pub fn ends(&self) -> &[Option<[Point2<f64>; 2]>] {
         &self.ends
     }
@@ -375,7 +385,7 @@ impl View {
         &self.labels
     }
 
-    /// The name of the image, when it has one.
+    /// The name of the image, if it has one.
     pub fn image(&self) -> Option<&str> {
         self.image.as_deref()
     }
@@ -410,8 +420,9 @@ fn nearest_on_line(line: &Vector3<f64>, point: &Point2<f64>) -> Point2<f64> {
     point - line.xy() * (line.dot(&point.to_homogeneous()) / line.xy().norm_squared())
 }
 
-/// Nearest rotation to a matrix that is one up to [`ROTATION_TOLERANCE`]: Newton's iteration `R <- R (3 I - R^T R) / 2`
-/// for the polar factor squares the deviation in each step, 1e-3 to 1e-6 to 1e-12 to rounding.
+/// Nearest rotation to a matrix that is one up to [`ROTATION_TOLERANCE`]: Newton's iteration
+/// `R <- R (3 I - R^T R) / 2` for the polar factor squares the deviation in each step, 1e-3 to 1e-6
+/// to 1e-12 to rounding.
 fn nearest_rotation(mut rotation: Matrix3<f64>) -> Matrix3<f64> {
     for _ in 0..4 {
         rotation = rotation * (Matrix3::identity() * 3.0 - rotation.tr_mul(&rotation)) / 2.0;

@@ -10,16 +10,16 @@ use crate::matching::{MatchedCylinder, Matching};
 use crate::observations::scene::LineId;
 use crate::observations::view::View;
 
-/// All cylinders found, in plain numbers, in the form in which they are written as JSON.
+/// All cylinders found, as plain numbers in the form of the JSON output.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MatchingReport {
     /// Unit direction of all axes.
     pub direction: [f64; 3],
     /// Number of lines in all views.
     pub lines: usize,
-    /// Least number of matches that was asked of a cylinder.
+    /// Least number of matches that was required of a cylinder.
     pub least_support: usize,
-    /// Mean over the cylinders of the part of all lines that are not their silhouettes.
+    /// The part of all lines that are not silhouettes of a cylinder, averaged over the cylinders.
     pub outlier_rate: f64,
     /// The cylinders, the best supported first.
     pub cylinders: Vec<MatchedCylinderReport>,
@@ -36,18 +36,18 @@ pub struct MatchedCylinderReport {
     pub radius: f64,
     /// Root mean square distance between matches and circle in the cross-section, world units.
     pub rms: f64,
-    /// Part of all lines that are not its silhouettes.
+    /// The part of all lines that are not silhouettes of the cylinder.
     pub outlier_rate: f64,
     /// Expected number of cylinders with matches as many and as near by chance.
     pub false_alarms: f64,
-    /// One for each silhouette.
+    /// One residual for each silhouette.
     pub matches: Vec<ResidualReport>,
 }
 
 /// A line of a scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LineReport {
-    /// Name of the image; absent when it has none.
+    /// Name of the image; absent if it has none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub image: Option<String>,
     /// Index of the view in the scene, from 0.
@@ -57,7 +57,7 @@ pub struct LineReport {
 }
 
 impl MatchingReport {
-    /// Gathers the numbers of the result for these views.
+    /// Collects the numbers of the result for these views.
     pub fn new(views: &[View], direction: &Unit<Vector3<f64>>, matching: &Matching) -> Self {
         let cylinder = |found: &MatchedCylinder| MatchedCylinderReport {
             axis_point: found.cylinder.axis_point.coords.into(),
@@ -85,7 +85,7 @@ impl MatchingReport {
     }
 }
 
-/// For people: seven significant digits.
+/// Text for people, with seven significant digits.
 impl fmt::Display for MatchingReport {
     fn fmt(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
         let triple = |[x, y, z]: [f64; 3]| format!("{x:14.7}{y:14.7}{z:14.7}");

@@ -1,4 +1,5 @@
-//! A scene as a PLY file, for viewers such as MeshLab and CloudCompare: binary, little endian, in three elements
+//! A scene as a PLY file, for viewers such as MeshLab and CloudCompare: binary, little endian, in
+//! three elements
 //!
 //! ```text
 //!   vertex   x y z (double), red green blue (uchar)
@@ -6,7 +7,8 @@
 //!   edge     vertex1 vertex2 (int)                               cameras and viewing planes
 //! ```
 //!
-//! Vertices without face or edge are points. An edge has the colour of its ends: readers do not agree on more properties.
+//! Vertices without face or edge are points. An edge has the colour of its ends, because readers do
+//! not agree on more properties.
 
 use std::f64::consts::TAU;
 
@@ -18,16 +20,17 @@ use crate::observations::view::{Camera, View};
 use crate::space::cylinder::Cylinder;
 use crate::space::extent::{end_contacts, image_corners, visible_extent};
 
-/// Facets of a surface: the middle of a facet is 0.1 % of the radius inside.
+/// Number of facets of a surface. The middle of a facet is 0.1 % of the radius inside the cylinder.
 const FACETS: usize = 72;
 
 /// Depth of a camera's pyramid, relative to its distance from the cylinder.
 const PYRAMID: f64 = 0.15;
 
-/// The scene with its points, the cameras that see lines, and of each cylinder the visible part of its surface, without
-/// lids, and the viewing planes of its silhouette lines: from the camera to where their end points are on the surface, or,
-/// without these, to where they come nearest to the axis. Points on a surface have the colour of its cylinder, all others
-/// are grey.
+/// The scene with its points, the cameras that see lines, and the cylinders. Each cylinder has the
+/// visible part of its surface, without lids, and the viewing planes of its silhouette lines. A
+/// viewing plane extends from the camera to the end points of the line on the surface or, without
+/// end points, to where it comes nearest to the axis. Points on a surface have the colour of its
+/// cylinder; all other points are grey.
 pub fn to_ply(scene: &Scene, found: &[(CylinderLines, Cylinder)]) -> Vec<u8> {
     let mut model = Model::default();
     for point in &scene.points {
@@ -97,7 +100,7 @@ impl Model {
         self.edges.extend((first..apex).map(|corner| [apex, corner]));
     }
 
-    /// The edges around a polygon. Returns the index of its first vertex.
+    /// Adds the edges around a polygon. Returns the index of its first vertex.
     fn add_polygon(&mut self, corners: &[Point3<f64>], colour: Colour) -> usize {
         let first = self.vertices.len();
         self.vertices.extend(corners.iter().map(|&corner| (corner, colour)));
@@ -118,7 +121,8 @@ impl Model {
             self.edges.len()
         );
         let mut bytes = header.into_bytes();
-        // The format has 32 bits for an index; a scene that does not fit would not fit into memory as JSON either.
+        // The format has 32 bits for an index. A scene with more vertices would not fit into memory
+        // as JSON either.
         let index = |index: usize| (index as u32).to_le_bytes();
         for (point, colour) in &self.vertices {
             bytes.extend(point.iter().flat_map(|coordinate| coordinate.to_le_bytes()));

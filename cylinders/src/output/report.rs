@@ -11,7 +11,7 @@ use crate::observations::view::View;
 use crate::space::cylinder::{Cylinder, LineResidual, NEAR_SURFACE, Side};
 use crate::space::silhouette_distance::DistanceUnit;
 
-/// The result in plain numbers, in the form in which it is written as JSON.
+/// The result as plain numbers in the form of the JSON output.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
     /// Label of the cylinder; absent for lines without label.
@@ -23,7 +23,7 @@ pub struct Report {
     pub direction: [f64; 3],
     /// Radius, world units.
     pub radius: f64,
-    /// Of the least squares estimate; absent where there was none.
+    /// Quality of the least squares estimate; absent if there was none.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub least_squares: Option<LeastSquaresReport>,
     /// Uncertainty; absent without refinement.
@@ -32,9 +32,9 @@ pub struct Report {
     /// What RANSAC chose; absent without it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub consensus: Option<ConsensusReport>,
-    /// One for each line.
+    /// One entry for each line.
     pub residuals: Vec<ResidualReport>,
-    /// Number of scene points and of those near the surface; absent when the scene has none.
+    /// Number of scene points and of points near the surface; absent if the scene has no points.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub points: Option<PointReport>,
 }
@@ -61,7 +61,8 @@ pub struct RefinementReport {
     pub radius_deviation: f64,
     /// The point of the axis to which the deviation of the position refers.
     pub reference: [f64; 3],
-    /// Root mean square distance of the lines from their silhouettes, those that agree where RANSAC chose.
+    /// Root mean square distance of the lines from their silhouettes; of the inliers only, if
+    /// RANSAC was used.
     pub rms: f64,
     /// Unit of that distance, `pixels` or `radians`.
     pub unit: DistanceUnit,
@@ -81,14 +82,14 @@ pub struct ConsensusReport {
 /// Residual of one line.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ResidualReport {
-    /// Name of the image; absent when it has none.
+    /// Name of the image; absent if it has none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub image: Option<String>,
     /// Index of the view in the scene, from 0.
     pub view: usize,
     /// Index of the line in its view, from 0.
     pub line: usize,
-    /// Side of the silhouette that is nearest to the line, the direction of the axis pointing up.
+    /// Side of the silhouette that is nearest to the line, if the direction of the axis points up.
     pub side: Side,
     /// Distance of the axis from the viewing plane minus the radius, world units.
     pub distance: f64,
@@ -111,7 +112,7 @@ pub struct PointReport {
 }
 
 impl Report {
-    /// Gathers the numbers of the estimate for these lines; `points` are those of the scene.
+    /// Collects the numbers of the estimate for these lines. `points` are the points of the scene.
     pub fn new(lines: &CylinderLines, estimate: &Estimate, points: &[Point3<f64>]) -> Self {
         let Estimate { cylinder, residuals, least_squares, refinement, consensus } = estimate;
         let residual = |(id, residual): (&LineId, &LineResidual)| {
@@ -149,7 +150,7 @@ impl Report {
     }
 }
 
-/// For people: seven significant digits.
+/// Text for people, with seven significant digits.
 impl fmt::Display for Report {
     fn fmt(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
         let triple = |[x, y, z]: [f64; 3]| format!("{x:14.7}{y:14.7}{z:14.7}");
@@ -196,7 +197,7 @@ impl fmt::Display for Report {
 }
 
 impl ResidualReport {
-    /// Heading of a table of which each residual is a row.
+    /// Heading of the table whose rows are residuals.
     pub const HEADING: &str = "view  line   side      distance   angle/degrees     pixels";
 
     /// The residual of a line of this view.

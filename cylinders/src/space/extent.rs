@@ -6,21 +6,24 @@ use super::cylinder::Cylinder;
 use super::silhouette_distance::{MeasuredLine, lines_with_ends};
 use crate::observations::view::{Camera, View};
 
-/// With fewer points on the surface than this, the images decide.
+/// If there are fewer points on the surface than this, the images decide.
 const ENOUGH_POINTS: usize = 20;
 
-/// Part of the points at either end that may be on the surface by chance.
+/// The part of the points at either end that is ignored, because they may be on the surface by
+/// chance.
 const BY_CHANCE: f64 = 0.01;
 
-/// How far along the axis a camera is believed to see, in distances from the axis: lines of sight less steep than 18 degrees
-/// show nothing that one could measure.
+/// Length of the axis that a camera is assumed to see, in units of its distance from the axis.
+/// Lines of sight at less than 18 degrees to the axis show nothing that can be measured.
 const FAR: f64 = 3.0;
 
-/// Half the width of the image of a camera without calibration, normalised coordinates: a field of view of 53 degrees.
+/// Half the width of the image of a camera without calibration, normalised coordinates: a field of
+/// view of 53 degrees.
 const HALF_WIDTH: f64 = 0.5;
 
-/// The corners of the image in normalised coordinates, in order around it. The size of the image is taken to be twice the
-/// principal point; without calibration, or with a principal point that is not inside an image, it is a square.
+/// The corners of the image in normalised coordinates, in order around it. The size of the image is
+/// assumed to be twice the principal point. Without calibration, or if the principal point is not
+/// positive, it is a square.
 pub(crate) fn image_corners(camera: &Camera) -> [Point2<f64>; 4] {
     let size = camera.calibration().map(|calibration| calibration.matrix().column(2).xy() * 2.0);
     let unit = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
@@ -32,10 +35,11 @@ pub(crate) fn image_corners(camera: &Camera) -> [Point2<f64>; 4] {
     }
 }
 
-/// The visible part of a cylinder: least and largest distance along the axis from the axis point, world units. Where lines have
-/// end points, all that is between these; otherwise, where enough scene points lie on the surface, that is where they are;
-/// otherwise where the images that have lines of it show its two contact lines, the median of both ends. `None` when
-/// none of them tells.
+/// The visible part of a cylinder: least and largest distance along the axis from the axis point,
+/// world units. If lines have end points, it is the range of the end points. Otherwise, if enough
+/// scene points lie on the surface, it is their range. Otherwise it is the part in which the images
+/// with lines of the cylinder show its two contact lines, the median of both ends. `None` if
+/// nothing determines it.
 pub fn visible_extent(cylinder: &Cylinder, views: &[View], points: &[Point3<f64>]) -> Option<[f64; 2]> {
     let between_ends = views.iter().filter_map(|view| between_ends(cylinder, view));
     if let Some(extent) = between_ends.reduce(|one, other| [one[0].min(other[0]), one[1].max(other[1])]) {
@@ -53,14 +57,14 @@ pub fn visible_extent(cylinder: &Cylinder, views: &[View], points: &[Point3<f64>
     proper([median(&mut low)?, median(&mut high)?])
 }
 
-/// Of each line of a view, where it has end points: the points on the rays to these that are nearest to the line on the surface
-/// that is seen as silhouette.
+/// For each line of a view with end points: the points on the rays to the end points that are
+/// nearest to the contact line on the surface.
 pub(crate) fn end_contacts(cylinder: &Cylinder, view: &View) -> Vec<Option<[Point3<f64>; 2]>> {
     let contacts = |line: &Option<MeasuredLine>| line.as_ref()?.contacts(cylinder, &line.as_ref()?.distance(cylinder)?);
     lines_with_ends(0, view).iter().map(contacts).collect()
 }
 
-/// From the lowest to the highest end point of a view.
+/// The heights from the lowest to the highest end point of a view.
 fn between_ends(cylinder: &Cylinder, view: &View) -> Option<[f64; 2]> {
     let [lowest, highest] = believed(cylinder, view.camera());
     let contacts = end_contacts(cylinder, view);
@@ -68,7 +72,7 @@ fn between_ends(cylinder: &Cylinder, view: &View) -> Option<[f64; 2]> {
     proper(heights.fold([f64::INFINITY, -f64::INFINITY], |[low, high], height| [low.min(height), high.max(height)]))
 }
 
-/// The heights at which a camera is believed to see.
+/// The heights that a camera is assumed to see.
 fn believed(cylinder: &Cylinder, camera: &Camera) -> [f64; 2] {
     let centre = camera.centre();
     let (height, distance) = (cylinder.height(&centre), cylinder.distance(&centre) + cylinder.radius);
@@ -80,7 +84,8 @@ fn seen_by(cylinder: &Cylinder, camera: &Camera) -> Vec<[f64; 2]> {
     let centre = camera.centre();
     let corners = image_corners(camera).map(|corner| corner.to_homogeneous());
     let middle: Vector3<f64> = corners.iter().sum();
-    // Planes through the centre and the borders of the image, positive inside: together the pyramid in front of the camera.
+    // Planes through the centre and the borders of the image, positive inside. Together they bound
+    // the pyramid in front of the camera.
     let planes = [0, 1, 2, 3].map(|index| {
         let border = corners[index].cross(&corners[(index + 1) % 4]);
         camera.rotation().tr_mul(&border) * border.dot(&middle).signum()
@@ -109,7 +114,7 @@ fn proper([low, high]: [f64; 2]) -> Option<[f64; 2]> {
     (low < high).then_some([low, high])
 }
 
-/// The upper one where there are two.
+/// The median, the upper one of two.
 fn median(values: &mut [f64]) -> Option<f64> {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied()

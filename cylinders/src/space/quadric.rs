@@ -1,27 +1,33 @@
-//! Step 4a: the cylinder as a quadric of points and as a dual quadric of planes, and its outline as one of lines.
+//! Step 4a: the cylinder as a quadric of points and as a dual quadric of planes, and its outline as
+//! a dual conic of lines.
 //!
-//! With `N = I - w w^T` the projection across the axis, `A` the point of the axis nearest to the origin (`N A = A`) and
-//! homogeneous points `X~ = (X, 1)` and planes `pi = (n, d)`, `n^T X + d = 0`, the definition
-//! `| N (X - A) |^2 = r^2` of a cylinder and the tangency `(n^T A + d)^2 = r^2 |n|^2` of a plane along its axis read
+//! With `N = I - w w^T` the projection across the axis, `A` the point of the axis nearest to the
+//! origin (`N A = A`) and homogeneous points `X~ = (X, 1)` and planes `pi = (n, d)`,
+//! `n^T X + d = 0`, the definition `| N (X - A) |^2 = r^2` of a cylinder and the tangency
+//! `(n^T A + d)^2 = r^2 |n|^2` of a plane along its axis read
 //!
 //! ```text
-//!       [  N       -A      ]                          [ r^2 N - A A^T  -A ]
-//!   C = [ -A^T  A^T A - r^2]   X~^T C X~ = 0      D = [     -A^T       -1 ]   pi^T D pi = 0  and  n^T w = 0
+//!       [  N       -A      ]
+//!   C = [ -A^T  A^T A - r^2]        X~^T C X~ = 0
+//!
+//!       [ r^2 N - A A^T  -A ]
+//!   D = [     -A^T       -1 ]       pi^T D pi = 0  and  n^T w = 0
 //! ```
 //!
-//! Both have rank three and are inverse to each other but for the direction of the axis: `C D C = r^2 C` and `D C D = r^2 D`.
-//! Of the matrices that agree on all planes with `n^T w = 0`, `D` is the one with `D (w, 0) = 0`; without that condition
-//! on the plane, `pi^T D pi = 0` holds for the planes that touch the circle around `A`.
+//! Both have rank three and are inverse to each other except along the axis: `C D C = r^2 C` and
+//! `D C D = r^2 D`. Among the matrices that agree on all planes with `n^T w = 0`, `D` is the one
+//! with `D (w, 0) = 0`. For other planes `pi^T D pi = 0` holds if they touch the circle around `A`.
 //!
-//! A camera `P = [R t]` sees the line `l` where the plane `P^T l` is, so the lines of the outline are those with
+//! A camera `P = [R t]` sees the plane `P^T l` as the line `l`, so the lines of the outline satisfy
 //!
 //! ```text
 //!   l^T (P D P^T) l = 0   and   l^T R w = 0
 //! ```
 //!
-//! (Hartley & Zisserman, "Multiple View Geometry", section 8.3, for the dual conic of an outline; Gummeson & Oskarsson,
-//! "Robust and Accurate Cylinder Triangulation", for a cylinder). In an orthonormal basis `E` (3x2) of the lines through the
-//! vanishing point `R w` that is a quadratic form of two unknowns: two lines, real where the centre is outside.
+//! (Hartley & Zisserman, "Multiple View Geometry", section 8.3, for the dual conic of an outline;
+//! Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation", for a cylinder). In an
+//! orthonormal basis `E` (3x2) of the lines through the vanishing point `R w` this is a quadratic
+//! form in two unknowns. It has two lines, which are real if the camera centre is outside.
 
 use nalgebra::{Matrix4, Unit, Vector2, Vector3, Vector4};
 
@@ -29,7 +35,8 @@ use super::cylinder::Cylinder;
 use crate::observations::view::Camera;
 
 impl Cylinder {
-    /// The quadric `C`, 4x4, squared world units: `X~^T C X~` is the squared distance of `X` from the axis minus `r^2`.
+    /// The quadric `C`, 4x4, squared world units: `X~^T C X~` is the squared distance of `X` from
+    /// the axis minus `r^2`.
     pub fn quadric(&self) -> Matrix4<f64> {
         let (w, a) = (self.direction.into_inner(), self.axis_point.coords);
         let mut quadric = Matrix4::zeros();
@@ -40,8 +47,8 @@ impl Cylinder {
         quadric
     }
 
-    /// The dual quadric `D`, 4x4, squared world units. For a plane with a normal of unit length along the axis,
-    /// `pi^T D pi` is `r^2` minus its squared distance from the axis.
+    /// The dual quadric `D`, 4x4, squared world units. For a plane with a normal of unit length
+    /// along the axis, `pi^T D pi` is `r^2` minus its squared distance from the axis.
     pub fn dual_quadric(&self) -> Matrix4<f64> {
         let centre = self.axis_point.to_homogeneous();
         let mut dual = -centre * centre.transpose();
@@ -51,9 +58,10 @@ impl Cylinder {
     }
 }
 
-/// The two silhouette lines in a camera of a cylinder along `direction` with the dual quadric `dual` (any non-zero multiple),
-/// in the order and with the signs of [`Cylinder::silhouette`]. `None` where the outline has no real lines: the camera is
-/// inside, or the dual conic of the cross-section is no ellipse.
+/// The two silhouette lines in a camera of a cylinder along `direction` with the dual quadric
+/// `dual` (any non-zero multiple), in the order and with the signs of [`Cylinder::silhouette`].
+/// `None` if the outline has no real lines: the camera is inside, or the dual conic of the
+/// cross-section is not an ellipse.
 pub fn silhouette_of_dual_quadric(
     dual: &Matrix4<f64>,
     direction: &Unit<Vector3<f64>>,
@@ -73,7 +81,8 @@ pub fn silhouette_of_dual_quadric(
     let form = |i: usize, j: usize| planes[i].dot(&(dual * planes[j]));
     let (a, b, c) = (form(0, 0), form(0, 1), form(1, 1));
 
-    // Eigenvectors at the angles `turn` and `turn + pi / 2`: in them the form is `high p^2 + low q^2`.
+    // Eigenvectors at the angles `turn` and `turn + pi / 2`: in them the form is
+    // `high p^2 + low q^2`.
     let (mean, difference) = ((a + c) / 2.0, (a - c) / 2.0);
     let (spread, turn) = (difference.hypot(b), b.atan2(difference) / 2.0);
     let (high, low) = (mean + spread, mean - spread);

@@ -1,21 +1,24 @@
-//! The geometric residual: how far two points of an image line are from the silhouette of a cylinder, signed and smooth.
+//! The geometric residual: the distance of two points of an image line from the silhouette of a
+//! cylinder, signed and smooth.
 //!
 //! ```text
 //!              | silhouette
-//!        p1  o--->|                     p0, p1: support points of the given line: its end points; where they are not
-//!           /  e1 |                             known, at +-h about its point nearest to the principal point
-//!          /      |                     e0, e1: their distances from the silhouette line, pixels or radians,
-//!     p0  o------>|                             positive on the side of the axis
-//!            e0
+//!        p1  o--->|            p0, p1: support points of the given line: its end points or, if
+//!           /  e1 |                    unknown, at +-h about its point nearest to the principal
+//!          /      |                    point
+//!     p0  o------>|            e0, e1: their distances from the silhouette line, pixels or
+//!            e0                        radians, positive on the side of the axis
 //! ```
 //!
-//! A line has two degrees of freedom and both count: one point alone would leave its direction unused, and with cameras
-//! at one height the direction of the axis as well. The half-length `h` stands for how far the line was seen; end points
-//! that are independently off by `sigma` make `e0`, `e1` independent with deviation `sigma`, and least squares the maximum
-//! likelihood estimate.
+//! A line has two degrees of freedom, and both count: one point alone would not use the direction
+//! of the line, and with cameras at one height would not determine the direction of the axis. The
+//! half-length `h` stands for the length over which the line was seen. If end points are
+//! independently off by `sigma`, then `e0` and `e1` are independent with deviation `sigma`, and
+//! least squares is the maximum likelihood estimate.
 //!
-//! With `a` the perpendicular from the camera centre to the axis, `rho = |a|` and `b = w x a`, the tangent planes have
-//! the unit normals `s = (r a +- sqrt(rho^2 - r^2) b) / rho^2`, and a support point with the ray `d` (world frame) is at
+//! With `a` the perpendicular from the camera centre to the axis, `rho = |a|` and `b = w x a`, the
+//! tangent planes have the unit normals `s = (r a +- sqrt(rho^2 - r^2) b) / rho^2`, and a support
+//! point with the ray `d` (world frame) is at
 //!
 //! ```text
 //!     e = s^T d / |B s|        pixels:  d = R^T K^-1 p,  B = (K^-T R) without its last row
@@ -31,8 +34,8 @@ use thiserror::Error;
 use super::cylinder::{Cylinder, Side};
 use crate::observations::view::{Camera, View};
 
-/// Half-length `h` of a line of which no end points are known, relative to the focal length: 300 pixels at a focal length
-/// of 3000.
+/// Half-length `h` of a line without end points, relative to the focal length: 300 pixels at a
+/// focal length of 3000.
 const HALF_LENGTH: f64 = 0.1;
 
 /// The unit of distances in an image.
@@ -59,7 +62,8 @@ impl fmt::Display for DistanceUnit {
 pub struct Metric {
     /// Unit of the distances.
     pub unit: DistanceUnit,
-    /// Half of the length over which a line of unknown end points was seen, relative to the focal length.
+    /// Half of the length over which a line without end points was seen, relative to the focal
+    /// length.
     pub half_length: f64,
 }
 
@@ -73,7 +77,7 @@ pub enum MetricError {
         view: usize,
     },
     /// The line is so far from the image that its points are out of range.
-    #[error("views[{view}], line {line}: is not in the image")]
+    #[error("views[{view}], line {line} is not in the image")]
     LineOutOfRange {
         /// Index of the view.
         view: usize,
@@ -89,14 +93,15 @@ pub enum MetricError {
 }
 
 impl Metric {
-    /// Pixels where all cameras have a calibration, radians otherwise; half-lengths of a tenth of the focal length.
+    /// Pixels if all cameras have a calibration, radians otherwise. The half-length is a tenth of
+    /// the focal length.
     pub fn of(views: &[View]) -> Self {
         let calibrated = views.iter().all(|view| view.camera().calibration().is_some());
         let unit = if calibrated { DistanceUnit::Pixels } else { DistanceUnit::Radians };
         Self { unit, half_length: HALF_LENGTH }
     }
 
-    /// The lines of all views, in their order, ready to be measured.
+    /// The lines of all views, in their order, prepared for measurement.
     pub(crate) fn measured_lines(&self, views: &[View]) -> Result<Vec<MeasuredLine>, MetricError> {
         if !(self.half_length > 0.0 && self.half_length.is_finite()) {
             return Err(MetricError::HalfLength { half_length: self.half_length });
@@ -114,14 +119,14 @@ impl Metric {
     }
 }
 
-/// The lines of a view that have end points ready to be measured at these, in their order, `None` for the others: in pixels
-/// with a calibration, in radians without.
+/// The lines of a view, in their order, prepared for measurement at their end points: in pixels
+/// with a calibration, in radians without. `None` for a line without end points.
 pub(crate) fn lines_with_ends(index: usize, view: &View) -> Vec<Option<MeasuredLine>> {
     let place = Place::new(view.camera(), &Metric::of(std::slice::from_ref(view)));
     view.ends().iter().map(|ends| place.as_ref()?.measured(index, ends.as_ref()?)).collect()
 }
 
-/// A camera as a metric sees it.
+/// The data of a camera for one metric.
 struct Place {
     centre: Point3<f64>,
     /// `K^-1`; `K = I` for radians.
@@ -168,7 +173,8 @@ impl Place {
         [foot - along, foot + along].map(|point| Point2::from((self.inverse * point.push(1.0)).xy()))
     }
 
-    /// The line through two support points, normalised coordinates; `None` where they are out of range.
+    /// The line through two support points, normalised coordinates; `None` if they are out of
+    /// range.
     fn measured(&self, view: usize, points: &[Point2<f64>; 2]) -> Option<MeasuredLine> {
         let rays = points.map(|point| {
             let ray = self.rotation.tr_mul(&point.to_homogeneous());
@@ -182,7 +188,7 @@ impl Place {
     }
 }
 
-/// A given line, ready to be measured against silhouettes.
+/// A given line, prepared for measurement against silhouettes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MeasuredLine {
     /// Index of the view.
@@ -200,8 +206,8 @@ pub(crate) struct MeasuredLine {
 pub(crate) struct SilhouetteDistance {
     /// Distances `e` of the two support points.
     pub(crate) distances: Vector2<f64>,
-    /// Point of the silhouette on the cylinder that is seen at the middle of the given line, relative to the camera
-    /// centre, in units of the ray to it: negative behind the camera.
+    /// Depth of the contact point that is seen at the middle of the given line, in units of the ray
+    /// to it: negative behind the camera.
     pub(crate) depth: f64,
     /// Unit normal `s` of the tangent plane.
     normal: Vector3<f64>,
@@ -235,13 +241,14 @@ impl MeasuredLine {
         (self.rays[0] + self.rays[1]) / 2.0
     }
 
-    /// The point at which the ray to the middle of the line touches the cylinder, or is nearest to doing so.
+    /// The point at which the ray to the middle of the line touches the cylinder or is nearest to
+    /// the contact line.
     pub(crate) fn contact(&self, distance: &SilhouetteDistance) -> Point3<f64> {
         self.centre + self.middle() * distance.depth
     }
 
-    /// The points on the rays to the two support points that are nearest to where the surface is seen along the silhouette;
-    /// `None` where one is behind the camera, or the ray runs along the axis.
+    /// The points on the rays to the two support points that are nearest to the contact line;
+    /// `None` if one is behind the camera, or its ray runs along the axis.
     pub(crate) fn contacts(&self, cylinder: &Cylinder, distance: &SilhouetteDistance) -> Option<[Point3<f64>; 2]> {
         let to_contact_line = cylinder.vector_to_axis(&self.centre) - distance.normal * cylinder.radius;
         let depths = self.rays.map(|ray| depth(&ray, cylinder, &to_contact_line));
@@ -249,7 +256,7 @@ impl MeasuredLine {
         seen.then(|| [0, 1].map(|end| self.centre + self.rays[end] * depths[end]))
     }
 
-    /// Distance from the nearer silhouette line, or `None` when the camera is not outside the cylinder.
+    /// Distance from the nearer silhouette line; `None` if the camera is not outside the cylinder.
     pub(crate) fn distance(&self, cylinder: &Cylinder) -> Option<SilhouetteDistance> {
         let to_axis = cylinder.vector_to_axis(&self.centre);
         let (square, radius) = (to_axis.norm_squared(), cylinder.radius);
@@ -305,8 +312,8 @@ impl MeasuredLine {
     }
 }
 
-/// Where a ray comes nearest to a line along the axis, in units of the ray; `to_line` is the perpendicular to that line from the
-/// start of the ray.
+/// The depth at which a ray comes nearest to a line along the axis, in units of the ray. `to_line`
+/// is the perpendicular from the start of the ray to that line.
 fn depth(ray: &Vector3<f64>, cylinder: &Cylinder, to_line: &Vector3<f64>) -> f64 {
     let across = ray - cylinder.direction.into_inner() * cylinder.direction.dot(ray);
     ray.dot(to_line) / across.norm_squared()

@@ -1,4 +1,4 @@
-//! Random scenes for the tests of the estimators, and how far a cylinder is from another.
+//! Random scenes for the tests of the estimators, and the distance between two cylinders.
 
 #![allow(dead_code, reason = "every test file uses a part of it")]
 
@@ -54,7 +54,8 @@ pub(crate) fn disturbed(can: &Can, size: f64, random: &mut Random) -> Cylinder {
     Cylinder::new(&point, direction, can.radius * (1.0 + random.uniform(-size, size)))
 }
 
-/// Largest of the relative errors of radius and axis position at `at` (against the radius) and the angle between the axes.
+/// Largest of the relative errors of radius and axis position at `at` (against the radius) and the
+/// angle between the axes.
 pub(crate) fn difference(found: &Cylinder, expected: &Cylinder, at: &Point3<f64>) -> f64 {
     let radius = (found.radius - expected.radius).abs() / expected.radius;
     let axis_distance = |cylinder: &Cylinder| cylinder.distance(at) + cylinder.radius;

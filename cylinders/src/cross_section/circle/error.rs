@@ -1,23 +1,24 @@
-//! Why tangent lines determine no circle.
+//! Why the tangent lines do not determine a circle.
 
 use thiserror::Error;
 
 /// Why there is no circle.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum CircleError {
-    /// All lines pass through one point: two distinct lines, or the axis marked instead of its silhouettes.
+    /// All lines pass through one point: there are only two distinct lines, or the axis was marked
+    /// instead of the silhouettes.
     #[error(
         "in the cross-section all lines meet in one point: there are fewer than three distinct tangents, or the lines are \
          not silhouettes"
     )]
     Concurrent,
-    /// All lines are parallel; none is nearest to a point.
+    /// All lines are parallel.
     #[error("in the cross-section all lines are parallel")]
     Parallel,
     /// Several circles touch all lines exactly, as four do for three lines.
     #[error(
         "{circles} circles touch all lines of the cross-section exactly, as is the case for three lines; \
-         a fourth silhouette line decides"
+         pass a fourth silhouette line"
     )]
     Ambiguous {
         /// Number of circles.

@@ -1,7 +1,7 @@
 //! The circle of the cross-section by constrained least squares on its dual conic.
 //!
-//! The tangents of a circle with centre `(x, y)` and radius `r` are the lines `l = (a, b, c)` with `l^T C* l = 0`. Its
-//! dual conic, scaled so that `d6 = -1`, is
+//! The tangents of a circle with centre `(x, y)` and radius `r` are the lines `l = (a, b, c)` with
+//! `l^T C* l = 0`. Its dual conic, scaled so that `d6 = -1`, is
 //!
 //! ```text
 //!        [ d1 d2 d3 ]   [ r^2 - x^2    -x y     -x ]
@@ -9,18 +9,21 @@
 //!        [ d3 d5 d6 ]   [    -x         -y      -1 ]     d5^2 - d3^2 + d1 d6 - d4 d6 = 0
 //! ```
 //!
-//! For a line of unit normal at distance `h` from the centre, `l^T C* l = r^2 - h^2`. The circle minimises the sum of
-//! its squares, `d^T G d` with `d = (d1, 2 d2, 2 d3, d4, 2 d5, d6)` and the Gram matrix `G` of the rows
-//! `(a^2, a b, a c, b^2, b c, c^2)`, subject to the two constraints. The emitted solver `circle_least_squares` returns
-//! every stationary point of the Lagrangian, hence the global minimum (Gummeson & Oskarsson, "Robust and Accurate
-//! Cylinder Triangulation", eq. (23)-(26)).
+//! For a line of unit normal at distance `h` from the centre, `l^T C* l = r^2 - h^2`. The circle
+//! minimises the sum of its squares, `d^T G d` with `d = (d1, 2 d2, 2 d3, d4, 2 d5, d6)` and the
+//! Gram matrix `G` of the rows `(a^2, a b, a c, b^2, b c, c^2)`, subject to the two constraints.
+//! The emitted solver `circle_least_squares` returns every stationary point of the Lagrangian,
+//! hence the global minimum (Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation",
+//! eq. (23)-(26)).
 //!
-//! All stationary points are at hand as the method `LeastSquares`, which also weighs
-//! the lines; `fit_circle` takes the best and refuses where it is not the only exact one.
+//! The method `LeastSquares` returns all stationary points and also weighs the lines. `fit_circle`
+//! takes the best one, and returns an error if several circles fit exactly.
 //!
-//! With few views the best can be a circle that nobody can have seen: from two cameras that stand opposite each other the
-//! lines are nearly parallel in pairs, and a very large circle behind one of the cameras touches all four almost as well as the small
-//! one between them, with noise better. `fit_circle_in_front` takes the best minimum in front of the cameras instead.
+//! With few views the best circle can be one that the cameras cannot have seen. Seen from two
+//! cameras that stand opposite each other, the lines are nearly parallel in pairs, and a very large
+//! circle behind one of the cameras touches all four almost as well as the small circle between
+//! them. With noise it can fit better. `fit_circle_in_front` takes the best minimum in front of the
+//! cameras instead.
 
 use super::{Circle, CircleError};
 use crate::cross_section::least_squares::StationaryCircles;
@@ -28,8 +31,9 @@ use crate::cross_section::rectify::TangentLine;
 use crate::cross_section::section::SectionLine;
 use crate::cross_section::sight::Sight;
 
-/// Root mean square distance of the lines from one point, relative to the extent of the scene, below which they count
-/// as meeting there. Far below what marking lines in an image can reach, above what rounding leaves.
+/// The lines count as concurrent if their root mean square distance from one point, relative to the
+/// extent of the scene, is at most this. It is far below the precision of lines marked in an image,
+/// and above rounding.
 const CONCURRENT: f64 = 1e-9;
 
 /// The least squares circle.
@@ -37,14 +41,14 @@ const CONCURRENT: f64 = 1e-9;
 pub struct CircleFit {
     /// The circle.
     pub circle: Circle,
-    /// Root mean square of `(r^2 - h^2) / (2 r)`, which is the distance `r - h` to first order; world units.
+    /// Root mean square of `(r^2 - h^2) / (2 r)`, to first order the distance `r - h`; world units.
     pub rms: f64,
-    /// Number of stationary circles among which it was chosen.
+    /// Number of stationary circles among which this one was chosen.
     pub stationary_points: usize,
 }
 
-/// The circle of least cost from at least three tangent lines; `extent` is the size of the scene in world units,
-/// to which the distances of the lines from a common point are compared.
+/// The circle of least cost from at least three tangent lines. `extent` is the size of the scene in
+/// world units: the distances of the lines from a common point are compared with it.
 ///
 /// # Errors
 /// [`CircleError`].
@@ -52,8 +56,9 @@ pub fn fit_circle(lines: &[TangentLine], extent: f64) -> Result<CircleFit, Circl
     fit_circle_in_front(lines, &[], extent)
 }
 
-/// As [`fit_circle`], but of the local minima the best one that is in front of all cameras, if there is one, and the global minimum
-/// otherwise. A circle that touches all lines exactly is taken wherever it lies.
+/// Like [`fit_circle`], but returns the best local minimum in front of all cameras, or the global
+/// minimum if no local minimum is in front of them. A circle that touches all lines exactly is
+/// returned wherever it lies.
 ///
 /// # Errors
 /// [`CircleError`].

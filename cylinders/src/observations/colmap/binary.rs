@@ -1,9 +1,11 @@
-//! Binary files. Each is a 64-bit count and so many records; all numbers little-endian.
+//! Binary files. Each is a 64-bit count and that number of records. All numbers are little-endian.
 //!
 //! ```text
 //!   cameras.bin    u32 id, i32 model number, u64 width, u64 height, f64 parameters
-//!   images.bin     u32 id, 7 x f64 pose, u32 camera id, name up to a zero byte, u64 count of (f64 x, f64 y, u64 point id)
-//!   points3D.bin   u64 id, 3 x f64 position, 3 x u8 colour, f64 error, u64 count of (u32 image id, u32 index)
+//!   images.bin     u32 id, 7 x f64 pose, u32 camera id, name up to a zero byte,
+//!                  u64 count of (f64 x, f64 y, u64 point id)
+//!   points3D.bin   u64 id, 3 x f64 position, 3 x u8 colour, f64 error,
+//!                  u64 count of (u32 image id, u32 index)
 //! ```
 
 use nalgebra::Point3;
@@ -74,9 +76,9 @@ struct Reader<'a> {
     bytes: &'a [u8],
     position: usize,
     file: &'a str,
-    /// What the file has.
+    /// What the records are, such as cameras.
     records: &'static str,
-    /// Which of them is read, from 1.
+    /// Number of the record that is being read, from 1.
     record: usize,
 }
 
@@ -85,7 +87,8 @@ impl<'a> Reader<'a> {
         Self { bytes, position: 0, file, records, record: 0 }
     }
 
-    /// All records of the file, and nothing after them. `shortest` is the least number of bytes that one has.
+    /// All records of the file, which must end after them. `shortest` is the least number of bytes
+    /// of a record.
     fn records<T>(
         mut self,
         shortest: u64,
@@ -103,7 +106,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A count of things of at least `size` bytes each: never more than the bytes that follow can hold.
+    /// A count of items of at least `size` bytes each. It is never more than the remaining bytes
+    /// can hold.
     fn count(&mut self, things: &str, size: u64) -> Result<usize, ColmapError> {
         let at = self.location();
         let count = self.u64()?;
@@ -114,14 +118,14 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Passes over a count and so many things of `size` bytes.
+    /// Skips a count and that number of items of `size` bytes.
     fn skip_counted(&mut self, things: &str, size: u64) -> Result<(), ColmapError> {
-        // What was counted fits in memory.
+        // The count is at most the number of bytes in memory.
         self.position += self.count(things, size)? * size as usize;
         Ok(())
     }
 
-    /// Text up to a zero byte, which is passed over.
+    /// Text up to a zero byte, which is skipped.
     fn name(&mut self) -> Result<String, ColmapError> {
         let at = self.location();
         let rest = &self.bytes[self.position..];

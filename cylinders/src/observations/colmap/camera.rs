@@ -13,7 +13,7 @@ use nalgebra::Matrix3;
 use crate::observations::distortion::Distortion;
 use crate::observations::view::{Calibration, ViewError};
 
-/// The names of the models with the numbers 0, 1, ..; those after the fifth are not supported.
+/// The names of the models with the numbers 0, 1, ... Models after the fifth are not supported.
 const NAMES: [&str; 12] = [
     "SIMPLE_PINHOLE",
     "PINHOLE",
@@ -41,16 +41,17 @@ pub(super) enum CameraModel {
 
 use CameraModel::{OpenCv, Pinhole, Radial, SimplePinhole, SimpleRadial};
 
-/// All of them, by number.
+/// All supported models, by number.
 const MODELS: [CameraModel; 5] = [SimplePinhole, Pinhole, SimpleRadial, Radial, OpenCv];
 
 impl CameraModel {
-    /// The model of this name, when it is supported.
+    /// The model of this name, if it is supported.
     pub(super) fn from_name(name: &str) -> Option<Self> {
         MODELS.into_iter().find(|model| model.name() == name)
     }
 
-    /// The model of this number; the name, or what else is known of it, when it is not supported.
+    /// The model of this number. If it is not supported, the error is its name, or its number if it
+    /// has no known name.
     pub(super) fn from_number(number: i32) -> Result<Self, String> {
         let index = usize::try_from(number).unwrap_or(usize::MAX);
         match MODELS.get(index) {
@@ -73,7 +74,8 @@ impl CameraModel {
         }
     }
 
-    /// Calibration and distortion of a camera, or `None` when the number of parameters is not that of the model.
+    /// Calibration and distortion of a camera; `None` if the model has another number of
+    /// parameters.
     pub(super) fn lens(self, parameters: &[f64]) -> Option<Result<(Calibration, Distortion), ViewError>> {
         let none = [0.0, 0.0];
         let (focal, centre, radial, tangential) = match (self, parameters) {

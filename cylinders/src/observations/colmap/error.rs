@@ -1,4 +1,4 @@
-//! What is wrong with a model.
+//! Errors of a model.
 
 use std::fmt;
 
@@ -34,7 +34,7 @@ impl fmt::Display for Location {
     }
 }
 
-/// What is wrong with a COLMAP model. Every message starts with the file, then the line or byte in it.
+/// Errors of a COLMAP model. Every message starts with the file and the line or byte in it.
 #[derive(Debug, Error)]
 pub enum ColmapError {
     /// A file cannot be read.
@@ -54,17 +54,17 @@ pub enum ColmapError {
     /// The file ends within a record.
     #[error("{at}: the file is cut short: it ends in {record}")]
     CutShort {
-        /// Where it ends.
+        /// End of the file.
         at: Location,
-        /// In what.
+        /// The record.
         record: String,
     },
     /// A binary file announces more than it can hold.
     #[error("{at}: {count} {records} are announced, but only {left} bytes follow: the file is cut short or damaged")]
     Count {
-        /// Where the count stands.
+        /// Place of the count.
         at: Location,
-        /// What is counted.
+        /// What is counted, such as images.
         records: String,
         /// The count.
         count: u64,
@@ -74,67 +74,67 @@ pub enum ColmapError {
     /// A text file announces another number of records than it has.
     #[error("{at}: {announced} {records} are announced, but there are {found}: the file is cut short or damaged")]
     Announced {
-        /// Where the number stands.
+        /// Place of the number.
         at: Location,
-        /// What is counted.
+        /// What is counted, such as images.
         records: &'static str,
         /// Number announced.
         announced: usize,
         /// Number found.
         found: usize,
     },
-    /// A binary file goes on after its last record.
-    #[error("{at}: the last of the {records} ends here, but the file goes on")]
+    /// A binary file continues after its last record.
+    #[error("{at}: the last of the {records} ends here, but the file continues")]
     Trailing {
         /// End of the last record.
         at: Location,
-        /// What should have been all.
+        /// What the records are, such as cameras.
         records: &'static str,
     },
     /// A name or a text file is not UTF-8.
     #[error("{at}: not UTF-8 text")]
     NotUtf8 {
-        /// Where the text stops to be UTF-8, or the name starts.
+        /// Place where the text is not UTF-8, or where the name starts.
         at: Location,
     },
-    /// A field of a text file is missing or not what it should be.
+    /// A field of a text file is missing or malformed.
     #[error("{at}: {field} should be {expected}, not `{found}`")]
     Field {
-        /// Where.
+        /// Place in the file.
         at: Location,
         /// Name of the field.
         field: &'static str,
-        /// What should stand there.
+        /// What was expected.
         expected: &'static str,
-        /// What stands there.
+        /// What was found.
         found: String,
     },
-    /// A line of a text file has a number of fields that no such record has.
+    /// A line of a text file has a wrong number of fields.
     #[error("{at}: {found} fields; {expected}")]
     FieldCount {
-        /// Where.
+        /// Place in the file.
         at: Location,
-        /// What such a line has.
+        /// The numbers of fields of such a line.
         expected: &'static str,
         /// Number of fields.
         found: usize,
     },
-    /// A camera model whose distortion is not known here.
+    /// The distortion of the camera model is not supported.
     #[error(
-        "{at}: camera {camera} has the model {model}; known are SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL and OPENCV"
+        "{at}: camera {camera} has the model {model}; the supported models are SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL and OPENCV"
     )]
     UnsupportedModel {
-        /// Where.
+        /// Place in the file.
         at: Location,
         /// Id of the camera.
         camera: u32,
-        /// Name of the model, or its number where that has no known name.
+        /// Name of the model, or its number if it has no known name.
         model: String,
     },
-    /// A camera has another number of parameters than its model.
+    /// The number of parameters of a camera is not that of its model.
     #[error("{at}: camera {camera} has {found} parameters; its model {model} has {expected}")]
     ParameterCount {
-        /// Where.
+        /// Place in the file.
         at: Location,
         /// Id of the camera.
         camera: u32,
@@ -148,37 +148,37 @@ pub enum ColmapError {
     /// A number is NaN or infinite, or a focal length or a quaternion is zero.
     #[error("{at}: {record} has {what}")]
     Value {
-        /// Where.
+        /// Place in the file.
         at: Location,
-        /// Which record.
+        /// The record.
         record: String,
         /// What is wrong.
         what: &'static str,
     },
     /// Two records have the same id, or two images the same name.
-    #[error("{at}: there is another {record}")]
+    #[error("{at}: {record} occurs twice")]
     Repeated {
-        /// Where the second is.
+        /// Place of the second one.
         at: Location,
-        /// Which record.
+        /// The record.
         record: String,
     },
-    /// An image names a camera that is not there.
+    /// An image names a camera that is not in the model.
     #[error("{at}: image `{image}` has camera {camera}, which is not in the model")]
     UnknownCamera {
-        /// Where the image is.
+        /// Place of the image.
         at: Location,
         /// Name of the image.
         image: String,
         /// Id of the camera.
         camera: u32,
     },
-    /// A camera or a pose is refused.
+    /// A camera or a pose is not valid.
     #[error("{at}: {record}: {source}")]
     Invalid {
-        /// Where.
+        /// Place in the file.
         at: Location,
-        /// Which record.
+        /// The record.
         record: String,
         /// Reason.
         source: ViewError,

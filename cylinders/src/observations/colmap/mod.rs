@@ -1,18 +1,21 @@
-//! Models of the structure-from-motion program COLMAP: a folder with `cameras`, `images` and `points3D`, all text (`.txt`) or
-//! all binary (`.bin`, little-endian). Where there are both, the binary files are read, as COLMAP does.
+//! Models of the structure-from-motion program COLMAP: a folder with `cameras`, `images` and
+//! `points3D`, all text (`.txt`) or all binary (`.bin`, little-endian). If a folder has both, the
+//! binary files are read, as COLMAP does.
 //!
 //! ```text
 //!   camera        id, model, width, height, parameters (f or fx fy, cx cy, distortion)
-//!   image         id, pose (qw qx qy qz tx ty tz, world to camera), camera id, name, observed points
+//!   image         id, pose (qw qx qy qz tx ty tz, world to camera), camera id, name,
+//!                 observed points
 //!   point         id, position, colour, error, track
 //! ```
 //!
-//! Read are the cameras of the images and the positions of the points. Pixel (0, 0) is the upper left *corner* of an image,
-//! so the centre of its first pixel is at (0.5, 0.5); segments have to follow that.
+//! The reader takes the cameras of the images and the positions of the points. The pixel
+//! coordinates (0, 0) are the upper left *corner* of an image, so the centre of its first pixel is
+//! at (0.5, 0.5). Segments must use the same coordinates.
 //!
-//! A file that is cut short is refused. In a binary file every count is checked against the bytes that follow before
-//! anything is made of it. A text file tells how many records it has in a comment, which COLMAP always writes; in a file
-//! written by hand without that comment, records missing at the end cannot be noticed.
+//! A truncated file is refused. In a binary file every count is checked against the remaining bytes
+//! before memory is allocated. A text file gives its number of records in a comment, which COLMAP
+//! always writes. In a file without that comment, missing records at the end cannot be noticed.
 
 /// Binary files to records.
 mod binary;
@@ -82,7 +85,8 @@ pub fn read_colmap(folder: &Path) -> Result<Model, ColmapError> {
     parse_colmap(encoding, files.each_ref().map(|(name, content)| (name.as_str(), content.as_slice())))
 }
 
-/// Parses the files of cameras, images and points: the name that error messages carry, and the content of each.
+/// Parses the files of cameras, images and points: the name that error messages carry, and the
+/// content of each.
 ///
 /// # Errors
 /// [`ColmapError`], except [`ColmapError::Read`].

@@ -1,4 +1,4 @@
-//! Records of cameras and images, as they stand in either kind of file, to photographs.
+//! Records of cameras and images, from text or binary files, to photographs.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -74,7 +74,7 @@ fn photograph(image: ImageRecord, lenses: &BTreeMap<u32, Lens>) -> Result<Photog
         return Err(ColmapError::UnknownCamera { at, image: name, camera });
     };
     let record = format!("image `{name}`");
-    // Any multiple of the quaternion is meant, as in COLMAP.
+    // Any multiple of the quaternion means the same rotation, as in COLMAP.
     let rotation = match UnitQuaternion::try_new(Quaternion::new(w, x, y, z), f64::MIN_POSITIVE) {
         Some(rotation) if rotation.coords.iter().all(|entry| entry.is_finite()) => rotation.to_rotation_matrix(),
         _ => return Err(ColmapError::Value { at, record, what: "a rotation that is zero or not finite" }),

@@ -1,4 +1,5 @@
-//! Text files: one record a line, two for an image; fields between blanks; lines that start with `#` are comments.
+//! Text files: one line for each record, two lines for an image. Fields are separated by blanks,
+//! and lines that start with `#` are comments.
 //!
 //! ```text
 //!   cameras.txt    CAMERA_ID MODEL WIDTH HEIGHT PARAMETERS..
@@ -7,8 +8,9 @@
 //!   points3D.txt   POINT3D_ID X Y Z R G B ERROR (IMAGE_ID POINT2D_IDX)..
 //! ```
 //!
-//! One of the comments that COLMAP writes, such as `# Number of cameras: 2`, tells how many records there are. With it,
-//! and only then, the file is complete for certain when it has so many and its last line has a line break.
+//! One of the comments that COLMAP writes, such as `# Number of cameras: 2`, gives the number of
+//! records. With this comment, the file is complete if it has this number of records and its last
+//! line ends with a line break.
 
 use std::str::FromStr;
 
@@ -48,7 +50,7 @@ pub(super) fn images((file, bytes): (&str, &[u8])) -> Result<Vec<ImageRecord>, C
         let quaternion = [number("QW")?, number("QX")?, number("QY")?, number("QZ")?];
         let translation = [number("TX")?, number("TY")?, number("TZ")?];
         let camera = fields.next("the id of the camera", "a number")?;
-        // To the end of the line: names may contain blanks.
+        // The name extends to the end of the line, because names may contain blanks.
         let name = fields.rest.to_owned();
         let at = line.location();
         if name.is_empty() {
@@ -107,10 +109,10 @@ impl<'a> Line<'a> {
     }
 }
 
-/// The fields of a line that are not yet read.
+/// The remaining fields of a line.
 struct Fields<'a> {
     line: Line<'a>,
-    /// Trimmed.
+    /// The rest of the line without surrounding blanks.
     rest: &'a str,
 }
 
@@ -133,7 +135,7 @@ impl Fields<'_> {
 struct Lines<'a> {
     lines: std::iter::Enumerate<std::str::Lines<'a>>,
     file: &'a str,
-    /// What the file has.
+    /// What the records are, such as cameras.
     records: &'static str,
     /// Whether the last line has a line break.
     ends_with_break: bool,
@@ -160,7 +162,8 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// All records; `read` gets the first line of each, and the lines after it to take more from.
+    /// All records. `read` gets the first line of a record, and the lines after it if it needs
+    /// more.
     fn records<T>(
         mut self,
         mut read: impl FnMut(&Line<'a>, &mut Self) -> Result<T, ColmapError>,
@@ -194,7 +197,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The number of records, when the comment tells it.
+    /// The number of records, if the comment gives it.
     fn announced(&self, comment: &Line<'_>) -> Result<Option<usize>, ColmapError> {
         let Some((_, rest)) = comment.text.split_once(&format!("Number of {}:", self.records)) else {
             return Ok(None);

@@ -18,14 +18,15 @@ use crate::output::palette::Colour;
 const TITLE: f64 = 18.0;
 const LABEL: f64 = 15.0;
 
-/// Around the frame, units: title above; ticks and label below and to the left, there with a margin.
+/// Around the frame, units: title above; ticks and label below and to the left, there with a
+/// margin.
 const ABOVE: f64 = 34.0;
 const BELOW: f64 = 52.0;
 const LEFT: f64 = 80.0;
 const MARGIN: f64 = 8.0;
 const RIGHT: f64 = 18.0;
 
-/// About as many ticks as an axis has.
+/// Approximate number of ticks of an axis.
 const TICKS: f64 = 9.0;
 
 /// How values are spread along an axis.
@@ -33,14 +34,14 @@ const TICKS: f64 = 9.0;
 pub enum Scale {
     /// Evenly.
     Linear,
-    /// By their decimal logarithm; values that are not positive have no place.
+    /// By their decimal logarithm. Values that are not positive cannot be shown.
     Logarithmic,
 }
 
 /// An axis of a plot.
 #[derive(Clone, Debug, Eq, PartialEq)]
 pub struct Axis {
-    /// What it shows, with its unit.
+    /// The quantity that it shows, with its unit.
     pub label: String,
     /// Linear or logarithmic.
     pub scale: Scale,
@@ -52,7 +53,7 @@ pub(super) struct Extent {
     scale: Scale,
     low: f64,
     high: f64,
-    /// Ticks show the negative value: for axes that point down.
+    /// Whether ticks show the negative value, for axes that point down.
     downward: bool,
 }
 
@@ -67,12 +68,12 @@ impl Axis {
         Self { label: label.to_owned(), scale: Scale::Logarithmic }
     }
 
-    /// Whether a value has a place on the axis.
+    /// Whether the axis can show a value.
     pub(super) fn shows(&self, value: f64) -> bool {
         value.is_finite() && (self.scale == Scale::Linear || value > 0.0)
     }
 
-    /// The range of these values, of which those without a place are left out, widened to ticks.
+    /// The range of these values, widened to ticks. Values that the axis cannot show are ignored.
     pub(super) fn around(&self, values: impl Iterator<Item = f64>) -> Extent {
         let values = values.filter(|&value| self.shows(value));
         let (low, high) =
@@ -85,7 +86,7 @@ impl Axis {
                 (10f64.powf(low), 10f64.powf(high.max(low + 1.0)))
             }
             Scale::Linear => {
-                // A single value gets some room; without that its step would be zero.
+                // A single value gets a range around it; otherwise the step would be zero.
                 let room = if high > low { 0.0 } else { high.abs().max(1.0) / 2.0 };
                 let step = step(high - low + 2.0 * room);
                 (((low - room) / step).floor() * step, ((high + room) / step).ceil() * step)
@@ -96,7 +97,7 @@ impl Axis {
 }
 
 impl Extent {
-    /// From `low` to `high`, as they are.
+    /// The range from `low` to `high`, not widened.
     pub(super) fn exactly([low, high]: [f64; 2]) -> Self {
         Self { scale: Scale::Linear, low, high, downward: false }
     }
@@ -121,7 +122,7 @@ impl Extent {
         match self.scale {
             Scale::Linear => {
                 let step = step(self.high - self.low);
-                // Ends that are ticks but for rounding are ticks.
+                // Ends that are ticks up to rounding count as ticks.
                 let (first, last) = ((self.low / step - 1e-9).ceil() as i64, (self.high / step + 1e-9).floor() as i64);
                 (first..=last).map(|index| index as f64 * step).collect()
             }
@@ -146,7 +147,7 @@ impl Ranged for Extent {
     type ValueType = f64;
 
     fn map(&self, value: &f64, (start, end): (i32, i32)) -> i32 {
-        // What is far outside stays there, without overflow.
+        // The clamp keeps values far outside from overflowing.
         let position = self.position(*value).clamp(-10.0, 10.0);
         start + (position * f64::from(end - start)).round() as i32
     }
@@ -170,7 +171,7 @@ impl ValueFormatter<f64> for Extent {
             return format!("{value:.1e}");
         }
         let decimals = (-(step * 1.000_001).log10().floor()).max(0.0) as usize;
-        // No minus zero.
+        // Minus zero becomes zero.
         format!("{:.decimals$}", value + 0.0)
     }
 }

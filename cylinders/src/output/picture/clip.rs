@@ -1,4 +1,4 @@
-//! What of a line is inside a window.
+//! The part of a line inside a window.
 
 use nalgebra::{Point2, Vector3};
 
@@ -19,7 +19,8 @@ impl Window {
             .fold(nothing, |window, point| Self { low: window.low.inf(&point), high: window.high.sup(&point) })
     }
 
-    /// The least window around this one, with a margin on all sides, whose sides are in the ratio of those of `frame`.
+    /// The least window around this one, with a margin on all sides. The ratio of its sides is that
+    /// of `frame`.
     pub(super) fn widened(&self, margin: f64, frame: [f64; 2]) -> Self {
         let size = self.high - self.low;
         let scale = (size.x / frame[0]).max(size.y / frame[1]) * (1.0 + 2.0 * margin);
@@ -31,7 +32,8 @@ impl Window {
         self.low <= *point && *point <= self.high
     }
 
-    /// The part of a segment inside (Liang & Barsky, "A new concept and method for line clipping", 1984).
+    /// The part of a segment inside (Liang & Barsky, "A new concept and method for line clipping",
+    /// 1984).
     pub(super) fn segment(&self, [start, end]: [Point2<f64>; 2]) -> Option<[Point2<f64>; 2]> {
         let direction = end - start;
         let (mut first, mut last) = (0.0_f64, 1.0_f64);
@@ -47,12 +49,12 @@ impl Window {
             first = first.max(enter.min(leave));
             last = last.min(enter.max(leave));
         }
-        // Ends that are inside stay as they are, so that the segments of a path still join.
+        // Ends inside the window are not changed, so that the segments of a path stay connected.
         let at = |position: f64| if position == 1.0 { end } else { start + direction * position };
         (first < last).then(|| [at(first), at(last)])
     }
 
-    /// The parts of a path inside, each joined as far as it goes.
+    /// The parts of a path inside the window, each a connected polyline.
     pub(super) fn path(&self, points: &[Point2<f64>]) -> Vec<Vec<Point2<f64>>> {
         let mut parts: Vec<Vec<Point2<f64>>> = Vec::new();
         for [start, end] in points.windows(2).filter_map(|pair| self.segment([pair[0], pair[1]])) {
@@ -64,7 +66,7 @@ impl Window {
         parts
     }
 
-    /// The part of a line `(a, b, c)` inside.
+    /// The part of a line `(a, b, c)` inside the window.
     pub(super) fn line(&self, line: &Vector3<f64>) -> Option<[Point2<f64>; 2]> {
         let (middle, normal) = (nalgebra::center(&self.low, &self.high), line.xy());
         let foot = middle - normal * (line.dot(&middle.to_homogeneous()) / normal.norm_squared());

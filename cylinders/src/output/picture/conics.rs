@@ -16,7 +16,7 @@ use crate::output::palette::{self, GIVEN};
 /// Side of the square, units.
 const SIDE: u32 = 560;
 
-/// Parts of the polyline that stands for a branch.
+/// Number of segments of the polyline that approximates a branch.
 const PARTS: usize = 720;
 
 /// Conics with the lines that they should touch, inside a square.
@@ -26,7 +26,8 @@ pub struct ConicPicture {
     pub title: String,
     /// The lines.
     pub lines: Vec<TangentLine>,
-    /// Names and dual conics, scaled so that the last entry is -1; circles, ellipses and hyperbolas.
+    /// Names and dual conics, scaled so that the last entry is -1; circles, ellipses and
+    /// hyperbolas.
     pub conics: Vec<(String, Matrix3<f64>)>,
     /// Middle of the square, world units.
     pub middle: Point2<f64>,
@@ -65,7 +66,7 @@ impl Picture for ConicPicture {
                 area.draw(&PathElement::new(points, style))
             })
         };
-        // Long enough to cross the window from wherever it comes near.
+        // The branch is long enough to cross the window wherever it enters.
         let reach = 4.0 * (window.high - window.low).norm();
         for line in &self.lines {
             let foot = self.middle - line.normal * line.distance(&self.middle);
@@ -81,10 +82,12 @@ impl Picture for ConicPicture {
     }
 }
 
-/// The curve as polylines, a hyperbola as far as `reach` from its centre; nothing where it has no real points.
+/// The curve as polylines, a hyperbola up to the distance `reach` from its centre. Empty if the
+/// conic has no real points.
 ///
-/// With the principal axes of `M` (see the module `section`), of eigenvalues `m1 >= m2`, it is
-/// `sqrt(m1) cos t, sqrt(m2) sin t` for an ellipse and `+-sqrt(m1) cosh t, sqrt(-m2) sinh t` for a hyperbola.
+/// In the principal axes of `M` (see the module `section`), with eigenvalues `m1 >= m2`, the curve
+/// is `sqrt(m1) cos t, sqrt(m2) sin t` for an ellipse and `+-sqrt(m1) cosh t, sqrt(-m2) sinh t` for
+/// a hyperbola.
 fn branches(dual_conic: &Matrix3<f64>, reach: f64) -> Vec<Vec<Point2<f64>>> {
     let centre = -dual_conic.fixed_view::<2, 1>(0, 2).into_owned();
     let matrix: Matrix2<f64> = dual_conic.fixed_view::<2, 2>(0, 0) + centre * centre.transpose();

@@ -1,4 +1,5 @@
-//! Histograms of several samples over one axis, as outlines, so that none hides another.
+//! Histograms of several samples over one axis, drawn as outlines, so that no histogram hides
+//! another.
 
 use plotters::element::{PathElement, Polygon};
 use plotters::prelude::DrawingBackend;
@@ -8,13 +9,13 @@ use super::axes::{Axis, Entry, Mark, frame, legend, legend_width, stroke};
 use super::{Area, Drawn, Picture, rgb, units};
 use crate::output::palette;
 
-/// A histogram of one or several samples: the part of each that falls into each of the bins. Values that are not finite are in
-/// no bin; the legend says how many.
+/// A histogram of one or several samples: the part of each sample in each bin. Values that are not
+/// finite are in no bin; the legend gives their number.
 #[derive(Clone, Debug)]
 pub struct Histogram {
     /// Title.
     pub title: String,
-    /// What the values are, with their unit.
+    /// The quantity, with its unit.
     pub label: String,
     /// Name and values of each sample.
     pub samples: Vec<(String, Vec<f64>)>,

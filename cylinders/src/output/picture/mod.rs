@@ -1,11 +1,11 @@
 //! Pictures, as SVG and as PNG.
 //!
-//! A picture is drawn on a fine grid of pixels, four to the unit. That is the coordinate system of the SVG file; the PNG
-//! file has half as many, each the mean of four.
+//! A picture is drawn on a fine grid of four pixels to the unit. This grid is the coordinate system
+//! of the SVG file. The PNG file has half the resolution: each of its pixels is the mean of four.
 
 /// Axes: ranges, ticks, frame, legend.
 mod axes;
-/// What of a line is inside a window.
+/// The part of a line inside a window.
 mod clip;
 /// Conics of several methods, with the tangent lines.
 mod conics;
@@ -42,18 +42,18 @@ const SMOOTH: u32 = 2;
 /// Why a picture cannot be drawn.
 #[derive(Debug, Error)]
 pub enum PictureError {
-    /// The name of the file says neither SVG nor PNG.
+    /// The extension of the file is neither SVG nor PNG.
     #[error("the name of a picture ends in .svg or .png")]
     UnknownFormat,
-    /// The drawing library gave up.
+    /// The drawing library failed.
     #[error("the picture cannot be drawn: {0}")]
     Drawing(String),
-    /// The PNG encoder gave up.
+    /// The PNG encoder failed.
     #[error("the picture cannot be encoded: {0}")]
     Encoding(#[from] png::EncodingError),
 }
 
-/// What drawing on a backend returns.
+/// The result of drawing on a backend.
 type Drawn<DB> = Result<(), DrawingAreaErrorKind<<DB as DrawingBackend>::ErrorType>>;
 
 /// A part of a picture, in pixels of the fine grid.
@@ -64,7 +64,7 @@ pub trait Picture {
     /// Width and height, units.
     fn size(&self) -> (u32, u32);
 
-    /// Draws it on a white area of this size.
+    /// Draws the picture on a white area of this size.
     #[doc(hidden)]
     fn draw<DB: DrawingBackend>(&self, area: &Area<DB>) -> Drawn<DB>;
 }
@@ -79,7 +79,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// The format that the extension of a file name says.
+    /// The format that belongs to the extension of a file name.
     ///
     /// # Errors
     /// [`PictureError::UnknownFormat`].
@@ -97,7 +97,8 @@ impl Format {
     /// # Errors
     /// [`PictureError::Drawing`], [`PictureError::Encoding`].
     pub fn render(self, picture: &impl Picture) -> Result<Vec<u8>, PictureError> {
-        // The library measures and draws text with the fonts that it was given; it knows none of the system's.
+        // The library measures and draws text only with the fonts that are registered here, not
+        // with those of the system.
         register_font("sans-serif", FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT)
             .map_err(|_| PictureError::Drawing("the font cannot be read".to_owned()))?;
         match self {
@@ -111,7 +112,7 @@ fn fine((width, height): (u32, u32)) -> (u32, u32) {
     (width * FINE, height * FINE)
 }
 
-/// A length in units as one in pixels of the fine grid.
+/// Converts a length in units to pixels of the fine grid.
 fn units(length: f64) -> i32 {
     (length * f64::from(FINE)).round() as i32
 }
@@ -133,7 +134,7 @@ fn svg(picture: &impl Picture) -> Result<Vec<u8>, PictureError> {
     let fine = fine(picture.size());
     let mut text = String::new();
     draw(picture, SVGBackend::with_string(&mut text, fine))?;
-    // The grid is that of the view box; the size on the screen is that of the picture.
+    // The view box has the size of the grid; the size on the screen is that of the picture.
     let grid = format!("width=\"{}\" height=\"{}\"", fine.0, fine.1);
     Ok(text.replacen(&grid, &format!("width=\"{width}\" height=\"{height}\""), 1).into_bytes())
 }

@@ -8,7 +8,8 @@ use super::axes::{Axis, Entry, Mark, frame, legend, legend_width, stroke};
 use super::{Area, Drawn, Picture, rgb, units};
 use crate::output::palette;
 
-/// A plot of several series, each in its colour. What is not finite, or not positive on a logarithmic axis, is left out.
+/// A plot of several series, each in its own colour. Points that are not finite, or not positive on
+/// a logarithmic axis, are left out.
 #[derive(Clone, Debug)]
 pub struct Plot {
     /// Title.
@@ -28,7 +29,7 @@ pub struct Series {
     pub label: String,
     /// Points `(x, y)`, joined in their order.
     pub points: Vec<[f64; 2]>,
-    /// What lies around the points, such as quantiles.
+    /// A band around the points, such as quantiles.
     pub band: Option<Band>,
 }
 
@@ -65,7 +66,7 @@ impl Picture for Plot {
                 area.draw(&Polygon::new(lower.chain(upper).collect::<Vec<_>>(), colour.mix(0.2)))?;
             }
         }
-        // Lines above all bands.
+        // Lines are drawn above all bands.
         for (index, series) in self.series.iter().enumerate() {
             let colour = rgb(palette::series(index));
             let shown = |&&[x, y]: &&[f64; 2]| self.x.shows(x) && self.y.shows(y);

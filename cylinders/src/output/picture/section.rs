@@ -1,4 +1,5 @@
-//! The cross-section of a cylinder: seen along its axis, with the cameras and the tangent lines, as a whole and near the circle.
+//! The cross-section of a cylinder: seen along its axis, with the cameras and the tangent lines, as
+//! a whole and near the circle.
 
 use std::f64::consts::TAU;
 
@@ -17,13 +18,14 @@ use crate::{Circle, Cylinder, View};
 /// Side of each of the two squares, units.
 const SIDE: u32 = 560;
 
-/// Sides of the polygon that stands for a circle.
+/// Number of sides of the polygon that approximates a circle.
 const SIDES: usize = 360;
 
-/// Which of the colours for what was found the circle has.
+/// Index of the circle's colour among the colours of the results.
 const FOUND: usize = 0;
 
-/// The cross-section through the axis point of a cylinder, its axis in the origin, seen against its direction.
+/// The cross-section through the axis point of a cylinder, with the axis at the origin, seen
+/// against its direction.
 #[derive(Clone, Debug)]
 pub struct SectionPicture {
     title: String,
@@ -45,7 +47,8 @@ impl SectionPicture {
         Self { title, cameras, lines: planes.filter_map(line).collect(), best, others: Vec::new() }
     }
 
-    /// The same picture, with the other circles at which the cost is stationary; in the coordinates of [`Self::lines`].
+    /// The same picture, with the other circles at which the cost is stationary; in the coordinates
+    /// of [`Self::lines`].
     pub fn with_others(self, others: Vec<Circle>) -> Self {
         Self { others, ..self }
     }

@@ -25,12 +25,12 @@ pub struct SilhouettePicture {
     unit: &'static str,
     window: Window,
     given: Vec<Given>,
-    /// Index of the cylinder, how its legend begins, silhouettes and axis.
+    /// Index of the cylinder, start of its legend, silhouettes and axis.
     found: Vec<(usize, String, [Vector3<f64>; 3])>,
     points: Vec<(Point2<f64>, palette::Colour)>,
 }
 
-/// A line as it was given.
+/// A given line.
 #[derive(Clone, Copy, Debug)]
 enum Given {
     Line(Vector3<f64>),
@@ -38,8 +38,8 @@ enum Given {
 }
 
 impl SilhouettePicture {
-    /// The image of a view of the scene, by its index, with all its lines and with the cylinders that have lines in it.
-    /// `None` where there is no such view.
+    /// The image of a view of the scene, by its index, with all its lines and with the cylinders
+    /// that have lines in it. `None` if there is no such view.
     pub fn new(scene: &Scene, found: &[(CylinderLines, Cylinder)], view: usize) -> Option<Self> {
         let (index, view) = (view, scene.views.get(view)?);
         let camera = view.camera();
@@ -91,12 +91,12 @@ impl SilhouettePicture {
     }
 }
 
-/// The image of the axis: the plane through it and the centre.
+/// The image of the axis: the plane through the axis and the camera centre.
 fn axis(cylinder: &Cylinder, camera: &Camera) -> Vector3<f64> {
     camera.rotation() * cylinder.direction.cross(&(cylinder.axis_point - camera.centre()))
 }
 
-/// Images have `y` pointing down.
+/// The coordinate `y` of an image points down.
 fn upward(point: &Point2<f64>) -> Point2<f64> {
     Point2::new(point.x, -point.y)
 }
@@ -135,7 +135,7 @@ impl Picture for SilhouettePicture {
             line(left, stroke(colour, 3.5))?;
             line(axis, stroke(colour.mix(0.6), 1.0))?;
         }
-        // Thinner and above, so that both are seen where they agree.
+        // The line is thinner and drawn above, so that both are visible if they agree.
         for given in &self.given {
             let inside = match given {
                 Given::Line(line) => self.window.line(line),

@@ -1,4 +1,5 @@
-//! Step 4: the cylinder in space, its silhouettes in a camera, and how far a given line is from them.
+//! Step 4: the cylinder in space, its silhouettes in a camera, and how far a given line is from
+//! them.
 
 /// Given lines against the silhouettes of a cylinder.
 mod residual;
@@ -14,7 +15,7 @@ use crate::observations::view::Camera;
 pub use residual::LineResidual;
 pub use side::Side;
 
-/// A point counts as on the surface when it is within this part of the radius.
+/// A point counts as on the surface if its distance is within this part of the radius.
 pub(crate) const NEAR_SURFACE: f64 = 0.05;
 
 /// An infinite circular cylinder.
@@ -33,7 +34,8 @@ pub struct Cylinder {
 }
 
 impl Cylinder {
-    /// The cylinder through `point` along `direction`; `axis_point` becomes the point of the axis nearest to the origin.
+    /// The cylinder through `point` along `direction`; `axis_point` becomes the point of the axis
+    /// nearest to the origin.
     pub fn new(point: &Point3<f64>, direction: Unit<Vector3<f64>>, radius: f64) -> Self {
         let along = direction.into_inner() * direction.dot(&point.coords);
         Self { axis_point: point - along, direction, radius }
@@ -44,7 +46,8 @@ impl Cylinder {
         Self::new(&rectification.world_point(&circle.centre), direction, circle.radius)
     }
 
-    /// The point of the axis at a height: a signed distance along it from `axis_point`, world units.
+    /// The point of the axis at a height: a signed distance along it from `axis_point`, world
+    /// units.
     pub fn axis_at(&self, height: f64) -> Point3<f64> {
         self.axis_point + self.direction.into_inner() * height
     }
@@ -70,14 +73,15 @@ impl Cylinder {
         self.distance(point).abs() <= NEAR_SURFACE * self.radius
     }
 
-    /// The two silhouette lines in a camera, unit vectors in normalised image coordinates, or `None` when its centre is
-    /// not outside the cylinder.
+    /// The two silhouette lines in a camera, unit vectors in normalised image coordinates; `None`
+    /// if the camera centre is not outside the cylinder.
     ///
-    /// With `m` the perpendicular from the centre `C` to the axis, `rho = |m|` and the frame `e1 = m / rho`,
-    /// `e2 = w x e1`, the tangent planes through `C` have the normals `n = (r / rho) e1 +- sqrt(1 - (r / rho)^2) e2`,
-    /// because `n^T m = r`; the lines are `l = R n`. The axis is on the positive side of both. The first is the right one, the
-    /// second the left one: the plane touches at `A' - r n`, with `A'` the point of the axis beside the camera, and `-e2`
-    /// points to the right.
+    /// With `m` the perpendicular from the centre `C` to the axis, `rho = |m|` and the frame
+    /// `e1 = m / rho`, `e2 = w x e1`, the tangent planes through `C` have the normals
+    /// `n = (r / rho) e1 +- sqrt(1 - (r / rho)^2) e2`, because `n^T m = r`; the lines are
+    /// `l = R n`. The axis is on the positive side of both. The first line is the right silhouette
+    /// and the second the left one: the plane touches at `A' - r n`, where `A'` is the point of the
+    /// axis beside the camera, and `-e2` points to the right.
     pub fn silhouette(&self, camera: &Camera) -> Option<[Vector3<f64>; 2]> {
         let to_axis = self.vector_to_axis(&camera.centre());
         let sine = self.radius / to_axis.norm();

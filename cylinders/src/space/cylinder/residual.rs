@@ -1,4 +1,4 @@
-//! How far a given line is from the silhouette of a cylinder.
+//! The distance of a given line from the silhouette of a cylinder.
 
 use nalgebra::Vector3;
 
@@ -6,36 +6,39 @@ use super::{Cylinder, Side};
 use crate::observations::view::{Camera, View, ViewingPlane};
 use crate::space::silhouette_distance::{SilhouetteDistance, lines_with_ends};
 
-/// How far a silhouette line is from the silhouette of a cylinder.
+/// The distance of a given line from the silhouette of a cylinder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineResidual {
     /// Index of the view.
     pub view: usize,
     /// Index of the line in its view.
     pub line: usize,
-    /// Side of the silhouette that is nearest to the line: to its end points, or without these by the angle.
+    /// Side of the silhouette that is nearest to the line: by its end points, or by the angle if
+    /// they are unknown.
     pub side: Side,
-    /// Signed distance between viewing plane and cylinder, world units: distance of the axis from the plane, turned about
-    /// its camera centre to be parallel to the axis, minus the radius. Negative where the plane cuts the cylinder.
+    /// Signed distance between viewing plane and cylinder, world units: distance of the axis from
+    /// the plane, turned about its camera centre to be parallel to the axis, minus the radius. It
+    /// is negative if the plane cuts the cylinder.
     pub distance: f64,
     /// Angle between the viewing plane and the tangent plane of that silhouette, radians.
     pub angle: f64,
-    /// Distance in pixels, when the camera has a calibration: root mean square distance of the end points of the given line
-    /// from the silhouette, as RANSAC and refinement measure it; for a line without end points, the distance of its
-    /// point that is nearest to the principal point.
+    /// Distance in pixels, if the camera has a calibration: the root mean square distance of the
+    /// end points of the given line from the silhouette, as in RANSAC and refinement. For a line
+    /// without end points it is the distance of its point nearest to the principal point.
     pub pixels: Option<f64>,
 }
 
 impl LineResidual {
-    /// The angle with the sign of the distance: negative where the viewing plane cuts the cylinder, radians.
+    /// The angle with the sign of the distance: negative if the viewing plane cuts the cylinder,
+    /// radians.
     pub fn signed_angle(&self) -> f64 {
         self.angle.copysign(self.distance)
     }
 }
 
 impl Cylinder {
-    /// Residuals of the lines of a view, or `None` when it has lines but its camera is not outside the cylinder. `view` is
-    /// the index that the residuals carry.
+    /// Residuals of the lines of a view; `None` if it has lines but its camera is not outside the
+    /// cylinder. `view` is the index of the view in the residuals.
     pub fn residuals(&self, view: usize, lines: &View) -> Option<Vec<LineResidual>> {
         if lines.lines().is_empty() {
             return Some(Vec::new());
@@ -62,7 +65,8 @@ impl Cylinder {
         Some(lines.lines().iter().zip(lines.planes()).enumerate().map(residual).collect())
     }
 
-    /// Distance of the axis from the plane, turned to be parallel to it, minus the radius.
+    /// Distance of the axis from the plane, which is turned to be parallel to the axis, minus the
+    /// radius.
     fn plane_distance(&self, plane: &ViewingPlane) -> f64 {
         let w = self.direction.into_inner();
         let normal = (plane.normal - w * w.dot(&plane.normal)).normalize();
@@ -70,8 +74,9 @@ impl Cylinder {
     }
 }
 
-/// Distance in pixels of `silhouette` from the point of `line` nearest to the principal point; both lines in normalised
-/// coordinates. `None` without calibration, or when that point is far outside every image.
+/// Distance in pixels of `silhouette` from the point of `line` nearest to the principal point; both
+/// lines in normalised coordinates. `None` without calibration, or if that point is far outside
+/// every image.
 fn pixel_distance(camera: &Camera, line: &Vector3<f64>, silhouette: &Vector3<f64>) -> Option<f64> {
     let calibration = camera.calibration()?;
     let [line, silhouette] = [line, silhouette].map(|line| calibration.line_to_pixels(line)).map(|line| {

@@ -4,8 +4,9 @@ use std::fmt;
 
 use serde::Serialize;
 
-/// A side of the axis as a camera sees it that looks at the axis from where it stands, the direction `w` pointing up. So the
-/// left silhouettes of all cameras around a cylinder touch it in the same sense of rotation, however the cameras are rolled.
+/// A side of the axis as seen from the camera centre, if the camera looks at the axis and the
+/// direction `w` points up. The left silhouettes of all cameras around a cylinder therefore touch
+/// it in the same sense of rotation, however the cameras are rolled.
 #[derive(Clone, Copy, Debug, Eq, PartialEq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Side {
