@@ -48,7 +48,8 @@ fn spaced(source: &str) -> String {
         let (content, before) = (line.trim_start(), previous.trim_start());
         let same_level = line.len() - content.len() == previous.len() - before.len();
         let after_header = before.starts_with("//!") && !content.starts_with("//!");
-        let after_item = before.ends_with(['}', ';']) && ITEMS.iter().any(|item| content.starts_with(item));
+        let ends_item = before.ends_with(['}', ';']) && !before.starts_with("//");
+        let after_item = ends_item && ITEMS.iter().any(|item| content.starts_with(item));
         if same_level && (after_header || after_item) {
             text.push('\n');
         }
@@ -70,12 +71,10 @@ fn module(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> Toke
     };
     let tables = tables::tables(plan, provenance, listings);
     // One more parameter is the solution of which the residual is asked.
-    let allow = match plan.data.len() < MOST_PARAMETERS {
-        true => quote!(),
-        false => quote!(#[allow(clippy::too_many_arguments)]),
-    };
+    let arguments = (plan.data.len() >= MOST_PARAMETERS).then(|| quote!(clippy::too_many_arguments,));
     quote! {
-        #allow
+        // The documentation of the problem is text of its author: `1. ..` may begin any line.
+        #[allow(#arguments clippy::doc_lazy_continuation, clippy::doc_overindented_list_items)]
         pub mod #name {
             #(#header)*
 
@@ -87,5 +86,17 @@ fn module(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> Toke
             #coefficients
             #tables
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn items_are_set_apart_and_their_documentation_is_not() {
+        let source = "//! Top;\nuse a;\n/// One;\n/// two}\nfn f() {\n    let x = 1;\n}\nfn g() {}\n";
+        let expected = "//! Top;\n\nuse a;\n\n/// One;\n/// two}\nfn f() {\n    let x = 1;\n}\n\nfn g() {}\n";
+        assert_eq!(spaced(source), expected);
     }
 }
