@@ -329,16 +329,15 @@ fn with_sign_changes_real_eigenvalues_are_not_counted() {
     }
 }
 
-/// Conjugate eigenvectors that give one real solution may be combinations of two: their subspace is searched, which
-/// tries the pair once more.
+/// Conjugate eigenvectors that give one real solution may be combinations of two: others are tried, too.
 #[test]
 fn a_pair_with_one_solution_may_hide_another() {
     let residual = |x: Complex<f64>, _: bool, _: usize| 1e-10 * x.im.abs();
     let mut pair = Listed::<2, 1>::new([c(2.0, 1e-4), c(2.0, -1e-4)], residual);
     let (found, polished) = pair.complex();
     assert!(are_points(&found, &[c(2.0, 0.0)]), "{found:?}");
-    let tries = polished.iter().filter(|(x, is_complex)| *is_complex && (x - c(2.0, 1e-4)).norm() < 1e-9);
-    assert_eq!((tries.count(), pair.attempts), (2, 1), "{polished:?}");
+    assert!(polished.iter().any(|(x, _)| (x - c(2.0, 0.0)).norm() > 1e-3), "{polished:?}");
+    assert_eq!(pair.attempts, 1);
 }
 
 /// A pair that is nearly real makes a real solve search the subspaces of all clusters, for real combinations of their
