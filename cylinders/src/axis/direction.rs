@@ -48,7 +48,7 @@ pub struct SharedDirection {
 /// Why the planes determine no direction.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum DirectionError {
-    /// All viewing planes are parallel: any direction in them would do.
+    /// All viewing planes are parallel, and any direction in them fits.
     #[error(
         "all viewing planes are parallel (singular values {0:.3e}, {1:.3e}, {2:.3e}): they do not determine the axis direction; \
          add a view from another side",

@@ -1,5 +1,5 @@
-//! `residuals`: how exactly the solvers solve noise-free instances. The paper shows the histogram
-//! of the decimal logarithm of the largest absolute residual.
+//! `residuals`: residuals and errors of the solvers on noise-free instances. The paper shows the
+//! histogram of the decimal logarithm of the largest absolute residual.
 
 use std::f64::consts::TAU;
 

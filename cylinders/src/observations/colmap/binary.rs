@@ -71,7 +71,7 @@ pub(super) fn points((file, bytes): (&str, &[u8])) -> Result<Vec<Point3<f64>>, C
     })
 }
 
-/// Bytes, and how far they are read.
+/// The bytes of a file and the position of the reader.
 struct Reader<'a> {
     bytes: &'a [u8],
     position: usize,

@@ -21,7 +21,7 @@
 mod binary;
 /// Camera models to calibration and distortion.
 mod camera;
-/// What is wrong with a model, and where.
+/// Errors of a model, with their places in the files.
 mod error;
 /// Records of cameras and images to photographs.
 mod record;

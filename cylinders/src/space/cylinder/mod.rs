@@ -1,5 +1,5 @@
-//! Step 4: the cylinder in space, its silhouettes in a camera, and how far a given line is from
-//! them.
+//! Step 4: the cylinder in space, its silhouettes in a camera, and the distance of a given line
+//! from them.
 
 /// Given lines against the silhouettes of a cylinder.
 mod residual;
@@ -52,7 +52,8 @@ impl Cylinder {
         self.axis_point + self.direction.into_inner() * height
     }
 
-    /// The height of a point: inverse of [`Cylinder::axis_at`] for the nearest point of the axis.
+    /// The height of a point: the inverse of [`Cylinder::axis_at`] for the nearest point of the
+    /// axis.
     pub fn height(&self, point: &Point3<f64>) -> f64 {
         self.direction.dot(&(point - self.axis_point))
     }
