@@ -92,7 +92,7 @@ fn what_is_wrong_is_said() {
     let scene_file = scene_file("match_bad.json");
     for (arguments, expected) in [
         (&["--threshold", "0"][..], "the threshold must be positive"),
-        (&["--least-support", "2"], "four circles touch three lines"),
+        (&["--least-support", "2"], "the least number of matches must be four or more (found 2)"),
         (&["--least-support", "99"], "no cylinder has 99 of the "),
     ] {
         let (code, output, error) = command(&[&[scene_file.as_str()], arguments].concat());
