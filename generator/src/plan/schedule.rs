@@ -417,7 +417,7 @@ mod tests {
         assert_eq!(refused(|t| t.basis.push(m(1, 1))), image);
         let solutions = mismatch("3 solutions, but its basis gives 2 at most");
         assert_eq!(planned(&template(), 3), Err(solutions));
-        // The square part has an empty column, or two rows with one column in common only.
+        // Two rows have one pivot column, or one row has none.
         assert_eq!(refused(|t| t.shifts[1].equation = 0), ScheduleError::Singular);
         let multiple = |t: &mut EliminationTemplate| {
             t.shifts[1] = Shift { equation: 0, multiplier: m(0, 1) };
@@ -453,7 +453,7 @@ mod tests {
         assert!(matches!(basis(most), ScheduleError::Mismatch(_)));
     }
 
-    /// With x^2 + y^2 = 1 x may change its sign, and is read as a square root before y is read.
+    /// y and x change their signs together. One of them is a square root, and the other is read with it.
     #[test]
     fn square_roots_are_read_first() {
         let text = "fn signs(a: [f64; 2]) -> (y, x) { y == a[0] * x; x * x == a[1]; }";

@@ -258,10 +258,10 @@ mod tests {
         assert!(symmetry.on(&[]).is_none());
     }
 
-    /// With pivots y and z, each of which one flip changes only.
+    /// Whichever unknowns come first.
     #[test]
     fn pivots_are_changed_by_one_generator_only() {
-        let symmetry = of("x * y == a[0] * z; x * x + a[1] * y * y + a[2] * z * z == a[3];");
+        let symmetry = of("x * y == a[0] * z; x * x + a[1] * y * y + a[2] * z * z == a[3]; x * y * z == a[4];");
         assert_eq!(symmetry.order(), 4);
         for order in [[0, 1, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
             let echelon = symmetry.echelon(order.into_iter());
