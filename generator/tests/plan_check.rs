@@ -6,6 +6,7 @@ use std::sync::OnceLock;
 
 use eliminant_generator::generate::plan;
 use eliminant_generator::plan::program::{Operation, ValueId};
+use eliminant_generator::plan::value_layout::ValueLayout;
 use eliminant_generator::plan::{ActionRow, BasisId, Block, CoefficientId, KnownMonomial, PivotId, Plan};
 use eliminant_generator::problem::Problem;
 use eliminant_generator::template::file::TemplateFile;
@@ -454,4 +455,30 @@ fn every_unknown_is_recovered() {
             },
         ],
     );
+}
+
+/// The values that unknowns are read from stand one after another: basis, image, read pivots.
+#[test]
+fn values_that_unknowns_are_read_from_have_positions_of_their_own() {
+    let (mut with_image, mut without_image) = (0, 0);
+    for plan in committed_plans() {
+        let layout = ValueLayout::of(plan);
+        let basis = || (0..plan.elimination.basis as u16).map(BasisId);
+        let read_from: Vec<KnownMonomial> =
+            plan.extractions.iter().flat_map(|x| &x.pairs).flat_map(|&(m, xm)| [m, xm]).collect();
+        let has_image = read_from.iter().any(|monomial| matches!(monomial, KnownMonomial::Image(_)));
+        let images = basis().map(KnownMonomial::Image).filter(|_| has_image);
+        let read = (0..plan.read.len() as u16).map(KnownMonomial::Read);
+        let all: Vec<KnownMonomial> = basis().map(KnownMonomial::Basis).chain(images).chain(read).collect();
+        let positions: Vec<usize> = all.iter().map(|&monomial| layout.position(monomial).into()).collect();
+        assert_eq!(positions, (0..layout.len()).collect::<Vec<_>>(), "{}", plan.name);
+        assert!(!layout.is_empty() && read_from.iter().all(|monomial| all.contains(monomial)), "{}", plan.name);
+        for x in &plan.extractions {
+            let pairs =
+                layout.ratios(plan, x.unknown).into_iter().map(|(m, xm)| (all[usize::from(m)], all[usize::from(xm)]));
+            assert_eq!(pairs.collect::<Vec<_>>(), x.pairs, "{}", plan.name);
+        }
+        *(if has_image { &mut with_image } else { &mut without_image }) += 1;
+    }
+    assert!(with_image > 0 && without_image > 0, "{with_image} with an image, {without_image} without");
 }

@@ -2,7 +2,6 @@
 //! unknown is written before it is read.
 
 use super::{ActionRow, Block, CoefficientId, Elimination, Entry, KnownMonomial, Plan, Term};
-use crate::problem::DataParameter;
 
 /// A plan that contradicts itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -23,8 +22,7 @@ impl Plan {
     }
 
     fn check_program(&self) -> Result<(), PlanError> {
-        let inputs = self.data.iter().map(DataParameter::len).sum();
-        require(self.program.is_ordered(inputs), "a value is read before it is written")?;
+        require(self.program.is_ordered(self.inputs()), "a value is read before it is written")?;
         let has_value = self.coefficients.iter().all(|id| (id.0 as usize) < self.program.operations.len());
         require(has_value, "a coefficient has no value")
     }

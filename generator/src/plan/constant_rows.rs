@@ -151,4 +151,15 @@ mod tests {
         let pivots = eliminate_constant_rows(&mut rows, 3, &mut graph);
         assert_eq!((pivots, rows), (vec![0, 2, 1], vec![]));
     }
+
+    /// 2^61 divided by 1 / 16 has 66 bits: the row is left for run time, in its place.
+    #[test]
+    fn a_ratio_of_too_many_bits_leaves_the_rows_as_they_are() {
+        let (mut graph, mut rows) = setting(&[&[100, 1, 1], &[1, 100, 1], &[0, 101, 1]]);
+        let small = graph.constant(Rational::new(1, 16).unwrap());
+        let large = graph.constant(Rational::integer(1 << 61));
+        rows[1].entries = BTreeMap::from([(0, small), (2, large)]);
+        let before = rows.clone();
+        assert_eq!((eliminate_constant_rows(&mut rows, 2, &mut graph), rows), (vec![], before));
+    }
 }

@@ -102,3 +102,86 @@ impl Residues {
         element.residues().fold(self.modulus.clone(), |zeros, residue| zeros.gcd(self.field, residue))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::{PRIMES, Random};
+
+    const F: PrimeField = PrimeField::new(PRIMES[0]);
+    /// Unknowns that are square roots, of t and of t + 1; no root of the modulus is 0 or -1.
+    const ROOTS: [usize; 2] = [2, 5];
+
+    /// The product of t - z for these z.
+    fn with_zeros(zeros: &[u32]) -> Univariate {
+        let factor = |z: &u32| Univariate::new(vec![F.neg(*z), 1]);
+        zeros.iter().fold(Univariate::constant(1), |product, z| product.times(F, &factor(z)))
+    }
+
+    fn residues() -> Residues {
+        let squares = vec![(ROOTS[0], Univariate::t()), (ROOTS[1], Univariate::new(vec![1, 1]))];
+        Residues { field: F, modulus: with_zeros(&[1, 2, 3, 7]), squares }
+    }
+
+    fn sum(r: &Residues, a: &Element, b: &Element) -> Element {
+        let mut sum = a.clone();
+        r.add_multiple(&mut sum, 1, b);
+        sum
+    }
+
+    /// A combination of 1, both roots and their product.
+    fn random_element(r: &Residues, random: &mut Random) -> Element {
+        let [x, y] = ROOTS.map(|root| r.root(root));
+        let parts = [r.element(&Univariate::constant(1)), x.clone(), y.clone(), r.product(&x, &y)];
+        parts.iter().fold(Element::default(), |total, part| {
+            let residue = Univariate::new((0..6).map(|_| random.below(1 << 30) as u32).collect());
+            sum(r, &total, &r.product(part, &r.element(&residue)))
+        })
+    }
+
+    #[test]
+    fn the_square_of_a_root_is_its_residue() {
+        let r = residues();
+        for (root, square) in &r.squares {
+            let x = r.root(*root);
+            assert_eq!(r.product(&x, &x), r.element(square));
+            assert_eq!(r.product(&x, &r.inverse_root(*root).unwrap()), r.element(&Univariate::constant(1)));
+        }
+        assert_eq!(r.inverse_root(0), None);
+        let [x, y] = ROOTS.map(|root| r.root(root));
+        let product = r.product(&x, &y);
+        assert_eq!(r.product(&product, &y), r.product(&x, &r.element(&r.squares[1].1)));
+        assert!(x != y && product != x && product != y);
+    }
+
+    #[test]
+    fn elements_are_a_commutative_ring() {
+        let r = residues();
+        let mut random = Random::new(3);
+        for _ in 0..50 {
+            let [a, b, c] = [(); 3].map(|_| random_element(&r, &mut random));
+            assert_eq!(r.product(&a, &b), r.product(&b, &a));
+            assert_eq!(r.product(&r.product(&a, &b), &c), r.product(&a, &r.product(&b, &c)));
+            assert_eq!(r.product(&a, &sum(&r, &b, &c)), sum(&r, &r.product(&a, &b), &r.product(&a, &c)));
+            let mut difference = a.clone();
+            r.add_multiple(&mut difference, F.neg(1), &a);
+            assert_eq!(difference, Element::default());
+        }
+    }
+
+    /// x (t - 1) (t - 2) + (t - 2) (t - 7) vanishes for both signs of x where t = 2 only.
+    #[test]
+    fn an_element_vanishes_where_all_its_residues_do() {
+        let r = residues();
+        let [left, right] = [[1, 2], [2, 7]].map(|zeros| r.element(&with_zeros(&zeros)));
+        let element = sum(&r, &r.product(&r.root(2), &left), &right);
+        assert_eq!(r.zeros(&element).monic(F), with_zeros(&[2]));
+        assert_eq!(r.zeros(&Element::default()), r.modulus);
+        // Modulo t - 2 it is 0, and modulo t - 1 it has no root any more.
+        let restricted = |zeros: &[u32]| Residues { modulus: with_zeros(zeros), ..r.clone() };
+        assert_eq!(restricted(&[2]).reduced(&element), Element::default());
+        let at_one = restricted(&[1]);
+        assert_eq!(at_one.reduced(&element), at_one.element(&with_zeros(&[2, 7])));
+        assert_eq!(at_one.reduced(&element).residues().count(), 1);
+    }
+}

@@ -352,3 +352,134 @@ fn plan_extraction(
     };
     [&basis, &image, &all].into_iter().find_map(|known| most_pairs(known)).ok_or(reading.unknown)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::presolve::{Presolve, presolve};
+
+    fn m(x: i8, y: i8) -> Monomial {
+        Monomial::from_exponents(&[x, y])
+    }
+
+    fn problem() -> Problem {
+        let text = "fn sample(a: [f64; 3]) -> (x, y) { x * x + a[0] * x + a[1] == 0; y + a[2] * x * x == 1; }";
+        Problem::parse("sample.rs", text).unwrap()
+    }
+
+    /// Both equations: y is no image of the basis, and is expressed only to be read.
+    fn template() -> EliminationTemplate {
+        EliminationTemplate {
+            shifts: (0..2).map(|equation| Shift { equation, multiplier: Monomial::ONE }).collect(),
+            action: m(1, 0),
+            excess: Vec::new(),
+            reducible: vec![m(2, 0), m(0, 1)],
+            basis: vec![m(1, 0), m(0, 0)],
+        }
+    }
+
+    fn planned(template: &EliminationTemplate, solutions: usize) -> Result<Plan, ScheduleError> {
+        let problem = problem();
+        let reduced = presolve(&problem, Presolve::None);
+        schedule(&problem, &reduced, template, solutions, RootMethod::Eigenvalues)
+    }
+
+    /// Why the template is refused after a change.
+    fn refused(change: impl Fn(&mut EliminationTemplate)) -> ScheduleError {
+        let mut changed = template();
+        change(&mut changed);
+        planned(&changed, 2).expect_err("a template that does not fit")
+    }
+
+    #[test]
+    fn the_second_block_reads_the_first() {
+        let plan = planned(&template(), 2).unwrap();
+        let e = &plan.elimination;
+        let shape = |block: &Block| (block.first, block.size, block.needed, block.coupling.len());
+        assert_eq!(e.blocks.iter().map(shape).collect::<Vec<_>>(), [(0, 1, 1, 0), (1, 1, 1, 1)]);
+        assert_eq!((e.row_shifts.as_slice(), e.pivot_columns.as_slice()), ([0, 1].as_slice(), [0, 1].as_slice()));
+        assert_eq!(plan.action, [ActionRow::Solved(PivotId(0)), ActionRow::Unit(BasisId(0))]);
+        assert_eq!(plan.read, [PivotId(1)]);
+        let pairs: Vec<_> = plan.extractions.iter().map(|x| x.pairs.as_slice()).collect();
+        let one = KnownMonomial::Basis(BasisId(1));
+        let expected = [[(one, KnownMonomial::Basis(BasisId(0)))], [(one, KnownMonomial::Read(0))]];
+        assert_eq!(pairs, expected.each_ref().map(|pairs| pairs.as_slice()));
+    }
+
+    #[test]
+    fn what_does_not_fit_the_problem_is_refused() {
+        let mismatch = |what: &str| ScheduleError::Mismatch(what.to_owned());
+        let rows = mismatch("2 rows for 0 excess and 1 reducible columns");
+        assert_eq!(refused(|t| t.reducible.truncate(1)), rows);
+        let shift = mismatch("a shift of equation 3, but there are 2");
+        assert_eq!(refused(|t| t.shifts[1].equation = 2), shift);
+        let image = mismatch("the image of a basis monomial is no column");
+        assert_eq!(refused(|t| t.basis.push(m(1, 1))), image);
+        let solutions = mismatch("3 solutions, but its basis gives 2 at most");
+        assert_eq!(planned(&template(), 3), Err(solutions));
+        // Two rows have one pivot column, or one row has none.
+        assert_eq!(refused(|t| t.shifts[1].equation = 0), ScheduleError::Singular);
+        let multiple = |t: &mut EliminationTemplate| {
+            t.shifts[1] = Shift { equation: 0, multiplier: m(0, 1) };
+            t.reducible[1] = m(2, 2);
+        };
+        assert_eq!(refused(multiple), ScheduleError::Singular);
+    }
+
+    #[test]
+    fn an_unknown_that_no_monomial_gives_is_named() {
+        let without_y = |t: &mut EliminationTemplate| {
+            t.shifts.pop();
+            t.reducible.pop();
+        };
+        assert_eq!(refused(without_y), ScheduleError::Unreadable("y".to_owned()));
+    }
+
+    /// 65,535 rows and basis monomials can be numbered; what is wrong with these is something else.
+    #[test]
+    fn templates_that_the_tables_cannot_number_are_refused() {
+        let most = usize::from(u16::MAX);
+        let too_large = ScheduleError::TooLarge("rows or basis monomials");
+        let shift = Shift { equation: 0, multiplier: Monomial::ONE };
+        assert_eq!(refused(|t| t.shifts = vec![shift; most + 1]), too_large);
+        assert!(matches!(refused(|t| t.shifts = vec![shift; most]), ScheduleError::Mismatch(_)));
+        let basis = |count: usize| {
+            refused(|t| {
+                t.basis = vec![Monomial::ONE; count];
+                t.shifts[0].equation = 2;
+            })
+        };
+        assert_eq!(basis(most + 1), too_large);
+        assert!(matches!(basis(most), ScheduleError::Mismatch(_)));
+    }
+
+    /// y and x change their signs together. One of them is a square root, and the other is read with it.
+    #[test]
+    fn square_roots_are_read_first() {
+        let text = "fn signs(a: [f64; 2]) -> (y, x) { y == a[0] * x; x * x == a[1]; }";
+        let problem = Problem::parse("signs.rs", text).unwrap();
+        let reduced = presolve(&problem, Presolve::None);
+        // In y and x: x^2 and y x by the basis 1.
+        let template = EliminationTemplate {
+            shifts: vec![
+                Shift { equation: 0, multiplier: m(0, 1) },
+                Shift { equation: 1, multiplier: Monomial::ONE },
+                Shift { equation: 0, multiplier: m(1, 0) },
+            ],
+            action: m(0, 2),
+            excess: Vec::new(),
+            reducible: vec![m(0, 2), m(1, 1), m(2, 0)],
+            basis: vec![Monomial::ONE],
+        };
+        let plan = schedule(&problem, &reduced, &template, 2, RootMethod::Eigenvalues).unwrap();
+        assert_eq!(plan.flips, [[true, true]]);
+        let is_square: Vec<bool> = plan.extractions.iter().map(Extraction::is_square).collect();
+        assert_eq!(is_square, [true, false]);
+        // Without y^2 the other unknown, x, is the square root.
+        let mut other = template;
+        other.shifts.pop();
+        other.reducible.pop();
+        let plan = schedule(&problem, &reduced, &other, 2, RootMethod::Eigenvalues).unwrap();
+        assert_eq!(plan.extractions.iter().map(|x| x.unknown).collect::<Vec<_>>(), [1, 0]);
+    }
+}

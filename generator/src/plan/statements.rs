@@ -179,4 +179,17 @@ mod tests {
         // - a b - b a: two products, a negation and a subtraction.
         assert_eq!(own_operations(&program, program.operations[3]), 4);
     }
+
+    #[test]
+    fn a_sum_has_one_operation_less_than_twice_its_products() {
+        let [a, b] = [0, 1].map(ValueId);
+        for (negative, operations) in [(false, 7), (true, 8)] {
+            // Four products and three additions; or a negation, and subtractions.
+            let product = Product { negative, left: vec![a, b], right: vec![a, b], places: vec![0; 4] };
+            let sums = vec![ProductSum { products: vec![product], length: 1 }];
+            let coefficient = Operation::Coefficient { sum: 0, at: 0 };
+            let program = program(vec![Operation::Input(0), Operation::Input(1), coefficient], sums);
+            assert_eq!(own_operations(&program, coefficient), operations);
+        }
+    }
 }

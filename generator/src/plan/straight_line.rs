@@ -181,4 +181,25 @@ mod tests {
             assert!(inputs.iter().all(|operation| matches!(operation, Operation::Input(_))));
         }
     }
+
+    /// A long program and one of a large template are tables; up to the limits they are statements.
+    #[test]
+    fn the_form_follows_from_the_sizes() {
+        let form = |steps: usize, rows: usize| {
+            let mut graph = ExpressionGraph::new(&[vec![12_345, 67_890], vec![54_321, 9_876]]);
+            let (mut value, factor) = (graph.input(0), graph.input(1));
+            (0..steps).for_each(|_| value = graph.mul(value, factor));
+            let (program, values) = straight_line_program(&graph, &[value], rows);
+            assert_eq!((program.steps(), values.len()), (steps, 1));
+            program.form
+        };
+        for (steps, rows, expected) in [
+            (1, 1, ProgramForm::Statements),
+            (MOST_STATEMENTS, MOST_ROWS, ProgramForm::Statements),
+            (MOST_STATEMENTS + 1, 1, ProgramForm::Table),
+            (1, MOST_ROWS + 1, ProgramForm::Table),
+        ] {
+            assert_eq!(form(steps, rows), expected, "{steps} steps, {rows} rows");
+        }
+    }
 }

@@ -88,4 +88,20 @@ mod tests {
         assert_eq!(of("a[0] * x * x + y * y == 1; a[1] * x * x + x * y == 2;"), (2, 2, true));
         assert_eq!(of("x * x + a[0] * y == 1; 2 * x * x + 2 * a[0] * y == 2; y * y == a[2];"), (3, 2, false));
     }
+
+    #[test]
+    fn the_shortest_equation_stays_and_linear_ones_do() {
+        let both = |equations: &str| {
+            let text = format!("fn sample(a: [f64; 9]) -> (x, y) {{ {equations} }}");
+            let problem = Problem::parse("sample.rs", &text).unwrap();
+            let mut combined = problem.clone();
+            super::combine(&mut combined);
+            [problem, combined].map(|p| p.polynomials().cloned().collect::<Vec<_>>())
+        };
+        let [before, after] = both("x * x + a[0] * x * y + a[1] * y == 1; x * x + a[2] * y == 0;");
+        assert_eq!(after[1], before[1]);
+        assert!(after[0].monomials().all(|m| m.exponent(0) < 2) && !after[0].is_zero());
+        let [before, after] = both("x * x * y == a[0] * y; x * y * y == 1; x + a[2] * y == 1; 2 * x - y == 3;");
+        assert_eq!(after, before);
+    }
 }

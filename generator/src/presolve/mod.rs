@@ -105,7 +105,8 @@ fn eliminate(reduced: &mut ReducedProblem, candidate: &Candidate) -> bool {
     true
 }
 
-/// p with x replaced by `value`; `None` if it grows too long or an exponent overflows.
+/// p, which has no negative exponents, with x replaced by `value`; `None` if it grows too long or an
+/// exponent overflows.
 fn substitute(
     graph: &mut ExpressionGraph,
     p: &SymbolicPolynomial,
@@ -113,9 +114,6 @@ fn substitute(
     value: &SymbolicPolynomial,
 ) -> Option<SymbolicPolynomial> {
     let highest = p.monomials().map(|m| m.exponent(unknown)).max().unwrap_or(0);
-    if p.monomials().any(|m| m.exponent(unknown) < 0) {
-        return None;
-    }
     // With p = p_n x^n + .. + p_0, p_k free of x, by Horner: (..(p_n value + p_(n-1)) value + ..) +
     // p_0.
     let mut result = SymbolicPolynomial::ZERO;
@@ -132,4 +130,61 @@ fn substitute(
         result = graph.polynomial_add(&result, &slice);
     }
     Some(result)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn eliminated(equations: &str, how: Presolve) -> (Vec<usize>, Vec<usize>) {
+        let text = format!("fn sample(a: [f64; 9]) -> (x, y, z) {{ {equations} }}");
+        let reduced = presolve(&Problem::parse("sample.rs", &text).unwrap(), how);
+        let order = reduced.recoveries.iter().map(|recovery| recovery.unknown).collect();
+        assert_eq!(reduced.problem.equations.len(), reduced.kept.len(), "{equations}");
+        (order, reduced.kept)
+    }
+
+    /// The list of recoveries runs backwards: what is eliminated first is recovered last.
+    #[test]
+    fn constant_coefficients_and_short_sides_go_first() {
+        let all_linear = "a[0] * x + y * y == z; x * x + y + y * z * z == 1; z * z + x * y == a[1];";
+        assert_eq!(eliminated(all_linear, Presolve::Linear), (vec![2], vec![0, 1]));
+        assert_eq!(eliminated(all_linear, Presolve::Constant), (vec![2], vec![0, 1]));
+        assert_eq!(eliminated(all_linear, Presolve::None), (vec![], vec![0, 1, 2]));
+        // y is given with a constant, x with data; y by the shorter equation.
+        let both = "a[0] * x + z * z + z == 1; y + x * x + x * z + z * z == 2; y == x * z + 1;";
+        let text = format!("fn sample(a: [f64; 9]) -> (x, y, z) {{ {both} }}");
+        let reduced = presolve(&Problem::parse("sample.rs", &text).unwrap(), Presolve::Linear);
+        let found: Vec<_> = reduced.recoveries.iter().map(|r| (r.unknown, r.value.terms().len())).collect();
+        assert_eq!(found, [(0, 3), (1, 2)]);
+        assert_eq!(eliminated(both, Presolve::Constant), (vec![1], vec![0, 2]));
+    }
+
+    /// Also where an equation gives it.
+    #[test]
+    fn the_last_unknown_is_kept() {
+        let linear = "x == a[0] + y; y == a[1] * z; z + a[2] * x == 1;";
+        for how in [Presolve::Linear, Presolve::Constant] {
+            let (order, kept) = eliminated(linear, how);
+            assert_eq!((order.len(), kept.len()), (2, 1), "{how:?}");
+        }
+    }
+
+    /// The sixth power of a sum of nine squares has 3003 terms.
+    #[test]
+    fn what_grows_too_long_is_not_substituted() {
+        let names = ["b", "c", "d", "e", "f", "g", "h", "i", "j"];
+        let squares = names.map(|x| format!("{x} * {x}")).join(" + ");
+        let others = names.windows(3).map(|xyz| format!("{} == 2;", xyz.join(" * "))).collect::<String>();
+        let presolved = |text: &str, how| {
+            let text = format!("fn long() -> (x, b, c, d, e, f, g, h, i, j) {{ {text} {others} j * b * c == 3; }}");
+            let problem = Problem::parse("long.rs", &text).unwrap();
+            let reduced = presolve(&problem, how);
+            (reduced.kept.len(), reduced.problem.fingerprint() == problem.fingerprint())
+        };
+        let linear = |power| presolved(&format!("x == {squares}; x.pow({power}) == b * c;"), Presolve::Constant);
+        assert_eq!((linear(2), linear(6)), ((9, false), (10, true)));
+        let square = |power| presolved(&format!("x * x == {squares}; x.pow({power}) == b * c;"), Presolve::Square);
+        assert_eq!((square(4), square(12)), ((10, false), (10, true)));
+    }
 }

@@ -111,9 +111,6 @@ fn half(
     square: &SymbolicPolynomial,
 ) -> Option<SymbolicPolynomial> {
     let highest = p.monomials().map(|m| m.exponent(unknown)).max().unwrap_or(0);
-    if p.monomials().any(|m| m.exponent(unknown) < 0) {
-        return None;
-    }
     // Horner's scheme in x^2.
     let mut result = SymbolicPolynomial::ZERO;
     for power in (0..=highest).rev().filter(|power| power % 2 == parity) {
@@ -193,5 +190,26 @@ mod tests {
             let values: Vec<u32> = after.equations.iter().map(|equation| value(equation, &point)).collect();
             assert_eq!(values, expected.as_flattened());
         }
+    }
+
+    /// Modulo c^2 = 1 - s^2 the equation t^2 = a - c s holds c: division by it would bring c back.
+    #[test]
+    fn a_divisor_holds_no_unknown_of_an_earlier_one() {
+        let text = "/// Two squares.\nfn squares(a: [f64; 4]) -> (c, s, t) {\n    c * c + s * s == 1;\n    \
+                    t * t + c * s + a[1] * s + a[2] * c == a[0];\n    a[3] * c * t * t * t + s * t == 1;\n}\n";
+        let problem = Problem::parse("squares.rs", text).unwrap();
+        let equations = presolve(&problem, Presolve::Square).problem.equations;
+        let highest = |unknown: usize| -> Vec<i8> {
+            let of = |p: &crate::expression::SymbolicPolynomial| p.monomials().map(|m| m.exponent(unknown)).max();
+            equations.iter().filter_map(|equation| of(&equation.polynomial)).collect()
+        };
+        assert_eq!((highest(0), highest(2)), (vec![1; 4], vec![2, 2, 3, 3]));
+    }
+
+    #[test]
+    fn the_only_equation_stays() {
+        let text = "/// A root.\nfn root(r: f64) -> (x) {\n    x * x == r;\n}\n";
+        let problem = Problem::parse("root.rs", text).unwrap();
+        assert_eq!(presolve(&problem, Presolve::Square).problem.fingerprint(), problem.fingerprint());
     }
 }

@@ -73,9 +73,7 @@ impl Symmetry {
     /// solution there.
     #[must_use]
     pub fn on(&self, kept: &[usize]) -> Self {
-        let others = (0..MAX_UNKNOWNS).filter(|unknown| !kept.contains(unknown));
-        let echelon = self.echelon(kept.iter().copied().chain(others));
-        Self { flips: echelon.into_iter().filter(|(pivot, _)| kept.contains(pivot)).map(|(_, flip)| flip).collect() }
+        Self { flips: self.echelon(kept.iter().copied()).into_iter().map(|(_, flip)| flip).collect() }
     }
 
     /// Restricts the group to the sign changes that change the signs of all these monomials or of
@@ -94,7 +92,7 @@ impl Symmetry {
     }
 
     /// The generators in reduced echelon form, each with its pivot. Unknowns become pivots in the
-    /// given order.
+    /// given order. Sign changes of none of these unknowns are left out.
     fn echelon(&self, order: impl Iterator<Item = usize>) -> Vec<(usize, Flip)> {
         let mut left = self.flips.clone();
         let mut done: Vec<(usize, Flip)> = Vec::new();
@@ -230,5 +228,47 @@ mod tests {
         assert_eq!(symmetry.of_template(&m(&[2]), &[m(&[0]), m(&[1, 1])]).order(), 2);
         assert_eq!(symmetry.of_template(&m(&[1]), &[m(&[0]), m(&[1])]).all(), [vec![1, 2]]);
         assert!(symmetry.of_template(&m(&[1]), &[m(&[0]), m(&[0, 1])]).is_none());
+    }
+
+    #[test]
+    fn all_sign_changes_are_sums_of_generators() {
+        let symmetry = of("x * x == a[0]; y * y == a[1]; z * z == a[2];");
+        assert_eq!(symmetry.generators(), [[0], [1], [2]]);
+        // Each unknown is a pivot, whichever comes first.
+        assert_eq!(symmetry.readings(&[0, 1, 2]).len(), 1);
+        let mut all = symmetry.all();
+        all.sort();
+        let expected: [&[usize]; 7] = [&[0], &[0, 1], &[0, 1, 2], &[0, 2], &[1], &[1, 2], &[2]];
+        assert_eq!(all, expected);
+        assert!(!symmetry.is_none() && Symmetry::NONE.is_none());
+        let m = |exponents: &[i8]| Monomial::from_exponents(exponents);
+        assert!(symmetry.keeps(&m(&[2, 0, -4])) && !symmetry.keeps(&m(&[2, 1])) && Symmetry::NONE.keeps(&m(&[1])));
+        // Of x and x y only y tells the classes apart.
+        let of_class = symmetry.of_template(&Monomial::ONE, &[m(&[1]), m(&[1, 1])]);
+        assert_eq!(of_class.generators(), [[0], [2]]);
+    }
+
+    #[test]
+    fn sign_changes_of_eliminated_unknowns_are_left_out() {
+        let symmetry = of("x * x == a[0]; y == a[1] * x; z * z == a[2];");
+        assert_eq!(symmetry.generators(), [vec![0, 1], vec![2]]);
+        assert_eq!(symmetry.on(&[0, 1]).generators(), [[0, 1]]);
+        assert_eq!(symmetry.on(&[1, 2]).generators(), [vec![0, 1], vec![2]]);
+        assert_eq!(symmetry.on(&[2]).generators(), [[2]]);
+        assert!(symmetry.on(&[]).is_none());
+    }
+
+    /// Whichever unknowns come first.
+    #[test]
+    fn pivots_are_changed_by_one_generator_only() {
+        let symmetry = of("x * y == a[0] * z; x * x + a[1] * y * y + a[2] * z * z == a[3]; x * y * z == a[4];");
+        assert_eq!(symmetry.order(), 4);
+        for order in [[0, 1, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
+            let echelon = symmetry.echelon(order.into_iter());
+            assert_eq!(echelon.iter().map(|&(pivot, _)| pivot).collect::<Vec<_>>(), order[..2]);
+            for &(pivot, _) in &echelon {
+                assert_eq!(echelon.iter().filter(|(_, flip)| flip >> pivot & 1 == 1).count(), 1, "{echelon:?}");
+            }
+        }
     }
 }

@@ -241,7 +241,7 @@ mod tests {
             let text = monomial.display(&names()).to_string();
             assert_eq!(parse_monomial(&text, &names()), Some(monomial), "{text}");
         }
-        for bad in ["", "w", "x^", "x^a", "x**y", "x^-1", "2", "x^200", "/x"] {
+        for bad in ["", "w", "x^", "x^a", "x**y", "x^-1", "x^0", "2", "x^200", "/x"] {
             assert_eq!(parse_monomial(bad, &names()), None, "{bad}");
         }
     }
@@ -267,5 +267,75 @@ mod tests {
         };
         let text = file.to_text(&names());
         assert_eq!(TemplateFile::parse(&text, &names()).unwrap(), file);
+    }
+
+    /// x^2 = 3 x - 2, times 1 and y.
+    const TEXT: &str = r#"
+problem = "some"
+fingerprint = "00000000000012ab"
+solutions = 2
+presolve = "none"
+roots = "eigenvalues"
+rows = 2
+columns = 6
+action = "x"
+basis = ["x", "x*y", "1", "y"]
+reducible = ["x^2", "x^2*y"]
+excess = []
+[[shifts]]
+equation = 1
+multipliers = ["y", "1"]
+[provenance]
+seed = 7
+"#;
+
+    #[test]
+    fn what_is_read_is_what_stands_there() {
+        let file = TemplateFile::parse(TEXT, &names()).unwrap();
+        assert_eq!((file.fingerprint, file.solutions), (0x12ab, 2));
+        assert_eq!((file.presolve, file.roots), (Presolve::None, RootMethod::Eigenvalues));
+        assert_eq!(file.provenance, [("seed".to_owned(), "7".to_owned())]);
+        // Shifts are sorted, so that their order in the file does not matter.
+        let other = TEXT.replace(r#"["y", "1"]"#, r#"["1", "y"]"#);
+        assert_eq!(TemplateFile::parse(&other, &names()).unwrap(), file);
+        assert_eq!(file.template.shifts.iter().map(|shift| shift.equation).collect::<Vec<_>>(), [0, 0]);
+    }
+
+    #[test]
+    fn each_contradiction_is_refused_and_named() {
+        // With sign changes of all unknowns a basis monomial stands for 2^16 solutions.
+        let most = 4 << MAX_UNKNOWNS;
+        let (too_many, just) = (format!("solutions = {}", most + 1), format!("solutions = {most}"));
+        for (from, to, message) in [
+            ("rows = 2", "rows = 3", "`rows` is 3, but the lists of the file have 2 multipliers"),
+            ("columns = 6", "columns = 5", "`columns` is 5, but the lists of the file have 6 monomials"),
+            ("solutions = 2", "solutions = 0", "`solutions` is 0, but the lists of the file have 4 basis monomials"),
+            ("solutions = 2", &too_many, "but the lists of the file have 4 basis monomials"),
+            ("00000000000012ab", "12ag", "`fingerprint` is `12ag`; expected one of 16 hexadecimal digits"),
+            ("equation = 1", "equation = 0", "`equation` is `0`; expected one of 1, 2, ..."),
+            (r#""none""#, r#""all""#, "`presolve` is `all`; expected one of `none`, `constant`, "),
+            (r#""eigenvalues""#, r#""qr""#, "expected one of `eigenvalues`, `characteristic_polynomial`"),
+            (r#"action = "x""#, r#"action = "u""#, "`action` holds `u`, which is not a monomial in x, y, z "),
+            (r#""x*y", "#, r#""x**y", "#, "`basis` holds `x**y`"),
+            (r#""x^2", "#, r#""x^", "#, "`reducible` holds `x^`"),
+            ("excess = []", r#"excess = ["2"]"#, "`excess` holds `2`"),
+            (r#"["y", "1"]"#, r#"["y", "v"]"#, "`multipliers` holds `v`"),
+            ("rows = 2", "rows = 2\nsize = 2", "unknown field `size`"),
+            ("equation = 1", "equation = 1\nrow = 1", "unknown field `row`"),
+        ] {
+            let text = TEXT.replace(from, to);
+            let error = TemplateFile::parse(&text, &names()).expect_err(message).to_string();
+            assert!(error.contains(message), "`{message}` is not in `{error}`");
+        }
+        assert!(TemplateFile::parse(&TEXT.replace("solutions = 2", &just), &names()).is_ok());
+    }
+
+    #[test]
+    fn all_words_survive_a_round_trip() {
+        let mut file = TemplateFile::parse(TEXT, &names()).unwrap();
+        for (presolve, roots) in Presolve::ALL.iter().flat_map(|(_, p)| ROOTS.iter().map(move |(_, r)| (*p, *r))) {
+            (file.presolve, file.roots) = (presolve, roots);
+            assert_eq!(TemplateFile::parse(&file.to_text(&names()), &names()).unwrap(), file);
+        }
     }
 }
