@@ -1,7 +1,9 @@
 //! Solutions that share a value of the action monomial, on action matrices made from solutions.
 mod support;
 
-use eliminant::emitted::{Fixed, Real, Sizes, SizesOf, SolverInstance, complex_solutions, real_solutions};
+use eliminant::emitted::{
+    Fixed, Real, Sizes, SizesOf, SolverInstance, complex_solutions, monomial_values, real_solutions,
+};
 use eliminant::{Complex, Scalar, SolveError};
 use nalgebra::SMatrix;
 use support::{Random, distance_to_next};
@@ -160,4 +162,77 @@ fn conjugate_solutions_with_a_real_value() {
         missing += usize::from(real < 4 || all < B);
     }
     assert!(missing <= 10, "{missing} of 200");
+}
+
+/// Two values of x with two points each, (1, 2), (1, -1/2) and (1/2, 1 + i), (1/2, 1 - i); basis 1, x, y, x y; action x.
+/// The values of monomials are those of the basis, their images x m by the action's value, and y^2, x y^2. The polish
+/// improves nothing.
+struct ByImage {
+    points: [Point; 4],
+    action: [[f64; 4]; 4],
+    read: [[f64; 4]; 2],
+}
+
+impl ByImage {
+    fn new() -> Self {
+        let point = |x: f64, re: f64, im: f64| [Complex::from(x), Complex::new(re, im)];
+        let points = [point(1.0, 2.0, 0.0), point(1.0, -0.5, 0.0), point(0.5, 1.0, 1.0), point(0.5, 1.0, -1.0)];
+        let basis = |[x, y]: Point| [Complex::ONE, x, y, x * y];
+        let lu = SMatrix::<Complex<f64>, 4, 4>::from_fn(|k, i| basis(points[k])[i]).lu();
+        // The monomial as a combination of the basis: real, because the points are closed under conjugation.
+        let combination = |monomial: fn(Point) -> Complex<f64>| -> [f64; 4] {
+            let values = SMatrix::<Complex<f64>, 4, 1>::from_fn(|k, _| monomial(points[k]));
+            let solution = lu.solve(&values).unwrap();
+            std::array::from_fn(|i| solution[i].re)
+        };
+        let images: [fn(Point) -> Complex<f64>; 4] = [|[x, _]| x, |[x, _]| x * x, |[x, y]| x * y, |[x, y]| x * x * y];
+        let read: [fn(Point) -> Complex<f64>; 2] = [|[_, y]| y * y, |[x, y]| x * y * y];
+        ByImage { points, action: images.map(combination), read: read.map(combination) }
+    }
+}
+
+impl SolverInstance for ByImage {
+    type Basis = Fixed<4>;
+    type Unknowns = Fixed<2>;
+    type Values = Fixed<10>;
+    type Solutions = Fixed<4>;
+
+    fn sizes(&self) -> SizesOf<Self> {
+        Sizes::FIXED
+    }
+
+    fn ratios(&self, unknown: usize) -> &[(u16, u16)] {
+        [&[(0, 4), (1, 5), (2, 6), (3, 7)], &[(0, 2), (1, 3), (2, 8), (3, 9)]][unknown]
+    }
+
+    fn action_matrix<R: Real>(&mut self) -> Result<[[R; 4]; 4], SolveError> {
+        Ok(self.action.map(|row| row.map(R::from_f64)))
+    }
+
+    fn monomial_values<S: Scalar>(&self, value: S, vector: &[S; 4]) -> [S; 10] {
+        monomial_values(Fixed, (value, vector), true, &self.read)
+    }
+
+    fn recover<S: Scalar>(&self, _unknowns: &mut [S; 2]) {}
+
+    fn polish<S: Scalar>(&self, unknowns: &mut [S; 2], _steps: usize) -> f64 {
+        distance_to_next(&self.points, unknowns)
+    }
+
+    fn is_admissible<S: Scalar>(&self, _unknowns: &[S; 2]) -> bool {
+        true
+    }
+}
+
+/// A combination of eigenvectors has the action's value, too, which gives x.
+#[test]
+fn an_unknown_is_read_off_a_shared_value() {
+    let mut instance = ByImage::new();
+    let is = |p: &Point, x: &Point| (0..2).all(|j| (p[j] - x[j]).norm() < 1e-9);
+    let all = complex_solutions(&mut instance).unwrap();
+    assert_eq!(all.len(), 4, "{all:?}");
+    assert!(instance.points.iter().all(|p| all.iter().any(|x| is(p, x))), "{all:?}");
+    let real: Vec<Point> = real_solutions(&mut instance).unwrap().iter().map(|x| x.map(Complex::from)).collect();
+    assert_eq!(real.len(), 2, "{real:?}");
+    assert!(instance.points[..2].iter().all(|p| real.iter().any(|x| is(p, x))), "{real:?}");
 }

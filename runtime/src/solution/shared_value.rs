@@ -350,11 +350,14 @@ mod tests {
     /// The third vector is within e of the first: the square of e, relative, is compared with 1e-10.
     #[test]
     fn a_basis_without_rank_determines_nothing() {
-        let at = |e: f64| {
-            Known::new([[1.0, 0.0, 1.0], [0.0, 1.0, e], [0.0, 0.0, e], [0.0, 2.0, 0.0]]).multiplication(&PAIRS)
-        };
-        assert!(difference(at(1e-4)) < 1e-6);
-        assert_eq!([at(1e-6), at(0.0)], [None, None]);
+        for unit in [1e-3, 1.0, 1e3] {
+            let at = |e: f64| {
+                let regular = [[1.0, 0.0, 1.0], [0.0, 1.0, e], [0.0, 0.0, e], [0.0, 2.0, 0.0]];
+                Known::new(regular.map(|row| row.map(|x| x * unit))).multiplication(&PAIRS)
+            };
+            assert!(difference(at(1e-4)) < 1e-6, "{unit}");
+            assert_eq!([at(1e-6), at(0.0)], [None, None], "{unit}");
+        }
         assert_eq!(Known::new([[f64::NAN; 3]; 4]).multiplication(&PAIRS), None);
     }
 }
