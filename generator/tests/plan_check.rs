@@ -461,7 +461,13 @@ fn every_unknown_is_recovered() {
 #[test]
 fn values_that_unknowns_are_read_from_have_positions_of_their_own() {
     let (mut with_image, mut without_image) = (0, 0);
-    for plan in committed_plans() {
+    // No committed plan reads from the image: a pair of each is changed to do so.
+    let reading_image = committed_plans().iter().cloned().map(|mut plan| {
+        plan.extractions[0].pairs[0].1 = KnownMonomial::Image(BasisId(0));
+        assert_eq!(plan.check(), Ok(()), "{}", plan.name);
+        plan
+    });
+    for plan in &committed_plans().iter().cloned().chain(reading_image).collect::<Vec<_>>() {
         let layout = ValueLayout::of(plan);
         let basis = || (0..plan.elimination.basis as u16).map(BasisId);
         let read_from: Vec<KnownMonomial> =

@@ -5,9 +5,12 @@ use std::fs;
 use std::path::PathBuf;
 use std::time::Instant;
 
+use eliminant_generator::algebra::Monomial;
 use eliminant_generator::generate::{GenerateError, plan};
+use eliminant_generator::presolve::Presolve;
 use eliminant_generator::problem::Problem;
 use eliminant_generator::template::file::TemplateFile;
+use eliminant_generator::template::{EliminationTemplate, RootMethod, Shift};
 
 const TEMPLATES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../templates");
 
@@ -87,4 +90,61 @@ fn the_message_holds_both_numbers() {
     let message = plan(&problem, &file).expect_err("a wrong number of solutions").to_string();
     let range = if least < most { format!("{least} to {most}") } else { least.to_string() };
     assert!(message.ends_with(&format!("the template gives {range}")), "{message}");
+}
+
+/// A template file for a problem in x and y, with eigenvalues, that was not presolved.
+fn template_file(
+    problem: &Problem,
+    action: [i8; 2],
+    columns: [&[[i8; 2]]; 2],
+    shifts: &[(usize, [i8; 2])],
+) -> TemplateFile {
+    let all = |list: &[[i8; 2]]| list.iter().map(|exponents| Monomial::from_exponents(exponents)).collect::<Vec<_>>();
+    let shift = |&(equation, exponents): &(usize, [i8; 2])| Shift {
+        equation,
+        multiplier: Monomial::from_exponents(&exponents),
+    };
+    TemplateFile {
+        problem: problem.name.clone(),
+        fingerprint: problem.fingerprint(),
+        solutions: 0,
+        presolve: Presolve::None,
+        roots: RootMethod::Eigenvalues,
+        template: EliminationTemplate {
+            shifts: shifts.iter().map(shift).collect(),
+            action: Monomial::from_exponents(&action),
+            excess: Vec::new(),
+            reducible: all(columns[0]),
+            basis: all(columns[1]),
+        },
+        provenance: Vec::new(),
+    }
+}
+
+/// The numbers of solutions that may stand in the file.
+fn allowed(problem: &Problem, file: &TemplateFile) -> Vec<usize> {
+    let is_allowed = |&solutions: &usize| plan(problem, &TemplateFile { solutions, ..file.clone() }).is_ok();
+    (0..10).filter(is_allowed).collect()
+}
+
+/// x (x - a) = 0 and y = x + x^2: the origin is known, and an eigenpair gives it once more.
+#[test]
+fn the_origin_counts_once() {
+    let text = "fn at_origin(a: [f64; 1]) -> (x, y) { x * x == a[0] * x; y == x + x * x; }";
+    let problem = Problem::parse("at_origin.rs", text).expect("a problem");
+    let columns: [&[[i8; 2]]; 2] = [&[[2, 0], [0, 1]], &[[1, 0], [0, 0]]];
+    let file = template_file(&problem, [1, 0], columns, &[(0, [0, 0]), (1, [0, 0])]);
+    assert!(problem.has_origin());
+    assert_eq!(allowed(&problem, &file), [2]);
+}
+
+/// With x^2 = a as the action all vectors (1, y) are eigenvectors: y^2 = b is not used. Each of the two may belong to two
+/// solutions, which differ in the sign of x.
+#[test]
+fn eigenvectors_that_share_an_eigenvalue_may_be_solutions() {
+    let text = "fn shared(a: [f64; 2]) -> (x, y) { x * x == a[0]; y * y == a[1]; }";
+    let problem = Problem::parse("shared.rs", text).expect("a problem");
+    let columns: [&[[i8; 2]]; 2] = [&[[2, 0], [2, 1]], &[[0, 0], [0, 1]]];
+    let file = template_file(&problem, [2, 0], columns, &[(0, [0, 0]), (0, [0, 1])]);
+    assert_eq!(allowed(&problem, &file), [0, 1, 2, 3, 4]);
 }

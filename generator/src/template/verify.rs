@@ -255,6 +255,12 @@ mod tests {
         // The same if y stands in the row of the reducible monomial from the start.
         let mut swapped = template();
         swapped.shifts.reverse();
-        assert_eq!(action(&swapped, &[first, other]), Err(VerifyError::Remainder));
+        assert_eq!(action(&swapped, &[first.clone(), other.clone()]), Err(VerifyError::Remainder));
+        // And if another reducible monomial, w^2 = x, does not need y.
+        let mut more = template();
+        more.shifts.push(Shift { equation: 2, multiplier: Monomial::ONE });
+        more.reducible.push(m(2, 0, 0));
+        let square = polynomial(&[(m(2, 0, 0), 1), (m(0, 1, 0), -1)]);
+        assert_eq!(action(&more, &[first, other, square]), Err(VerifyError::Remainder));
     }
 }
