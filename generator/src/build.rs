@@ -54,7 +54,8 @@ impl Generator {
     /// ```no_run
     /// # fn main() -> Result<(), eliminant_generator::BuildError> {
     /// # let folder = "problems";
-    /// eliminant_generator::Generator::new().problems(folder).only(["relpose_5pt", "two_conics"]).run()
+    /// let generator = eliminant_generator::Generator::new().problems(folder);
+    /// generator.only(["relpose_5pt", "two_conics"]).run()
     /// # }
     /// ```
     #[must_use]
@@ -63,15 +64,16 @@ impl Generator {
         self
     }
 
-    /// A folder with other templates, relative to the crate's manifest: a file `NAME.template.toml` there is taken instead
-    /// of the one beside the problem.
+    /// A folder with other templates, relative to the crate's manifest: a file `NAME.template.toml`
+    /// there is taken instead of the one beside the problem.
     #[must_use]
     pub fn templates(mut self, folder: impl Into<PathBuf>) -> Self {
         self.templates = Some(folder.into());
         self
     }
 
-    /// Also writes `NAME.rs`, which includes all solvers: `eliminant::include_solver!("NAME")` takes them at once.
+    /// Also writes `NAME.rs`, which includes all solvers: `eliminant::include_solver!("NAME")`
+    /// takes them at once.
     #[must_use]
     pub fn index(mut self, name: impl Into<String>) -> Self {
         self.index = Some(name.into());
@@ -196,7 +198,8 @@ fn problem_files(folder: &Path) -> io::Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-/// The problem's name and its solver, or the message to show. A template in the folder `templates` goes first.
+/// The problem's name and its solver, or the message to show. A template in the folder `templates`
+/// goes first.
 fn emit_file(path: &Path, templates: Option<&Path>, shown: &Path) -> Result<(String, String), String> {
     let shown = shown.display().to_string();
     let text = fs::read_to_string(path).map_err(|error| error.to_string())?;

@@ -1,5 +1,6 @@
-//! The tables of a plan, which the run-time library executes, give the same action matrix as the plan that is interpreted
-//! step by step: bit by bit, and both refuse the same data. This needs no compiled solver.
+//! The tables of a plan, which the run-time library executes, give the same action matrix as the
+//! plan that is interpreted step by step: bit by bit, and both refuse the same data. This needs no
+//! compiled solver.
 #![cfg(feature = "search")]
 
 use std::fs;
@@ -31,7 +32,8 @@ fn planned(name: &str) -> Plan {
     plan(&problem, &file).expect("a plan").plan
 }
 
-/// Data of a family: random, over ever wider ranges, small integers, and with one number that is not finite.
+/// Data of a family: random, over ever wider ranges, small integers, and with one number that is
+/// not finite.
 fn draw(plan: &Plan, family: u64, random: &mut Random) -> Vec<f64> {
     let mut number = || match family {
         0 => random.symmetric_unit(),

@@ -1,5 +1,5 @@
-//! A plan that contradicts itself is refused. Each check of [`Plan::check`] meets the committed plans with one change that
-//! breaks just that; without the change all of them are accepted.
+//! A plan that contradicts itself is refused. Each check of [`Plan::check`] meets the committed
+//! plans with one change that breaks just that; without the change all of them are accepted.
 
 use std::fs;
 use std::sync::OnceLock;
@@ -12,8 +12,8 @@ use eliminant_generator::problem::Problem;
 use eliminant_generator::template::file::TemplateFile;
 
 const TEMPLATES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../templates");
-/// With coupled blocks, pivots that are not needed, sums of products, changes of signs, the origin, eliminated unknowns,
-/// and unknowns that are read from an image or from pivots of their own.
+/// With coupled blocks, pivots that are not needed, sums of products, changes of signs, the origin,
+/// eliminated unknowns, and unknowns that are read from an image or from pivots of their own.
 const NAMES: [&str; 9] = [
     "circle_least_squares_dual",
     "pose_3pt_depths",

@@ -138,8 +138,8 @@ fn the_origin_counts_once() {
     assert_eq!(allowed(&problem, &file), [2]);
 }
 
-/// With x^2 = a as the action all vectors (1, y) are eigenvectors: y^2 = b is not used. Each of the two may belong to two
-/// solutions, which differ in the sign of x.
+/// With x^2 = a as the action all vectors (1, y) are eigenvectors: y^2 = b is not used. Each of the
+/// two may belong to two solutions, which differ in the sign of x.
 #[test]
 fn eigenvectors_that_share_an_eigenvalue_may_be_solutions() {
     let text = "fn shared(a: [f64; 2]) -> (x, y) { x * x == a[0]; y * y == a[1]; }";

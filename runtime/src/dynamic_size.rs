@@ -1,4 +1,5 @@
-//! Sizes that are known at run time only: the one file of the runtime that allocates, with the feature `alloc`.
+//! Sizes that are known at run time only: the one file of the runtime that allocates, with the
+//! feature `alloc`.
 
 extern crate alloc;
 

@@ -4,7 +4,7 @@
 //! | size | vector of `T` | who uses it |
 //! |---|---|---|
 //! | [`Fixed<N>`] | `[T; N]` | emitted solvers: loops have bounds that the compiler knows |
-//! | [`AtMost<C>`] | `[T; C]`, partly in use | spectra at twice the precision: one copy, many sizes |
+//! | [`AtMost<C>`] | `[T; C]`, partly in use | spectra at twice the precision: one copy for all |
 //! | `Dynamic` (feature `alloc`) | `Vec<T>` | interpreted plans, with sizes known at run time |
 //!
 //! A kernel does the same operations in the same order for all three sizes, so the results have the

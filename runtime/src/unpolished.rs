@@ -9,9 +9,10 @@ use crate::solution::sign_changes::flipped;
 use crate::solver_instance::{Point, SolverInstance};
 use crate::spectrum::hessenberg::Hessenberg;
 
-/// Hands over the point of every eigenpair of one attempt in `f64`: neither polished nor judged, so that points of
-/// eigenpairs that belong to no solution are among them. Points that differ by the signs of unknowns follow each other.
-/// A solution that is known beforehand is left out, and so is an eigenpair whose unknowns cannot be read.
+/// Hands over the point of every eigenpair of one attempt in `f64`: neither polished nor judged, so
+/// that points of eigenpairs that belong to no solution are among them. Points that differ by the
+/// signs of unknowns follow each other. A solution that is known beforehand is left out, and so is
+/// an eigenpair whose unknowns cannot be read.
 ///
 /// # Errors
 /// Those of the action matrix and of the QR iteration.

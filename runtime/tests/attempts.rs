@@ -12,8 +12,8 @@ use eliminant::{Complex, Scalar, SolveError};
 /// A call of the polish: the value of the unknown, and whether the unknown was complex.
 type Call = (Complex<f64>, bool);
 
-/// One unknown x with B eigenvalues t, by the companion matrix; basis 1, t, .., t^(B-1). The unknown is t, or a root of
-/// t. MAX solutions are known.
+/// One unknown x with B eigenvalues t, by the companion matrix; basis 1, t, .., t^(B-1). The
+/// unknown is t, or a root of t. MAX solutions are known.
 struct Listed<const B: usize, const MAX: usize> {
     /// All t. Those that are not real come with their conjugates.
     eigenvalues: [Complex<f64>; B],
@@ -180,7 +180,8 @@ fn an_eigenpair_without_solution_is_polished_once() {
     assert!(found.len() == 2 && are_calls(&polished, &expected), "{polished:?}");
 }
 
-/// The origin is known, so one of two eigenvalues is spurious. Its residual before the polish shows it.
+/// The origin is known, so one of two eigenvalues is spurious. Its residual before the polish shows
+/// it.
 #[test]
 fn the_origin_makes_an_eigenvalue_spurious() {
     let mut two = Listed::<2, 2>::new([c(1.0, 0.0), c(5.0, 0.0)], |x, _, _| if x.re < 3.0 { 0.0 } else { 1.0 });
@@ -193,8 +194,8 @@ fn the_origin_makes_an_eigenvalue_spurious() {
     assert!(are_calls(&polished, &[(c(1.0, 0.0), false)]), "{polished:?}");
 }
 
-/// x^2 = 4, 9 and -1 have six solutions, of which two are imaginary. A fourth eigenvalue is spurious, although the four
-/// eigenpairs are fewer than the solutions.
+/// x^2 = 4, 9 and -1 have six solutions, of which two are imaginary. A fourth eigenvalue is
+/// spurious, although the four eigenpairs are fewer than the solutions.
 #[test]
 fn solutions_that_differ_by_signs_are_counted() {
     let residual = |x: Complex<f64>, _: bool, _: usize| if x.re.abs() < 9.0 { 0.0 } else { 1.0 };
@@ -271,7 +272,8 @@ fn of_pair(re: f64, im: f64, residual: fn(bool) -> f64) -> (Vec<f64>, Vec<Call>)
     Listed::<2, 2>::new([c(re, im), c(re, -im)], near).real()
 }
 
-/// An eigenvalue is tried for a real solution if its imaginary part is at most a tenth of the real one.
+/// An eigenvalue is tried for a real solution if its imaginary part is at most a tenth of the real
+/// one.
 #[test]
 fn nearly_real_eigenvalues_are_tried_for_real_solutions() {
     for re in [0.1, 1.0, 10.0, -0.1, -1.0, -10.0] {
@@ -280,8 +282,8 @@ fn nearly_real_eigenvalues_are_tried_for_real_solutions() {
     }
 }
 
-/// The real part of a complex solution close to its conjugate is a solution if its residual is at most 1e-12, or not
-/// larger than that of the complex one.
+/// The real part of a complex solution close to its conjugate is a solution if its residual is at
+/// most 1e-12, or not larger than that of the complex one.
 #[test]
 fn a_complex_solution_close_to_its_conjugate_may_be_a_real_one() {
     let found = |im: f64, residual| of_pair(2.0, im, residual).0;
@@ -302,7 +304,8 @@ fn zero_is_a_real_solution() {
     assert!(are_numbers(&found, &[0.0, 3.0]), "{found:?}");
 }
 
-/// Of four eigenvalues, 1 and 2 give solutions. The other two are taken for lost if they are real, or nearly so.
+/// Of four eigenvalues, 1 and 2 give solutions. The other two are taken for lost if they are real,
+/// or nearly so.
 #[test]
 fn real_eigenvalues_without_real_solutions_cause_a_second_attempt() {
     let attempts = |[third, fourth]: [Complex<f64>; 2]| {
@@ -317,7 +320,8 @@ fn real_eigenvalues_without_real_solutions_cause_a_second_attempt() {
     assert_eq!(attempts([c(3.0, 2.0), c(3.0, -2.0)]), 1);
 }
 
-/// With sign changes a real eigenvalue has two real solutions, or two imaginary ones: their number shows nothing.
+/// With sign changes a real eigenvalue has two real solutions, or two imaginary ones: their number
+/// shows nothing.
 #[test]
 fn with_sign_changes_real_eigenvalues_are_not_counted() {
     for (eigenvalues, expected) in [([4.0, 9.0], &[2.0, -2.0, 3.0, -3.0][..]), ([4.0, -9.0], &[2.0, -2.0])] {
@@ -329,7 +333,8 @@ fn with_sign_changes_real_eigenvalues_are_not_counted() {
     }
 }
 
-/// Conjugate eigenvectors that give one real solution may be combinations of two: others are tried, too.
+/// Conjugate eigenvectors that give one real solution may be combinations of two: others are tried,
+/// too.
 #[test]
 fn a_pair_with_one_solution_may_hide_another() {
     let residual = |x: Complex<f64>, _: bool, _: usize| 1e-10 * x.im.abs();
@@ -340,8 +345,8 @@ fn a_pair_with_one_solution_may_hide_another() {
     assert_eq!(pair.attempts, 1);
 }
 
-/// A pair that is nearly real makes a real solve search the subspaces of all clusters, for real combinations of their
-/// vectors. Complex ones are tried only of the pair itself.
+/// A pair that is nearly real makes a real solve search the subspaces of all clusters, for real
+/// combinations of their vectors. Complex ones are tried only of the pair itself.
 #[test]
 fn real_solves_try_real_combinations() {
     let close = [c(2.0, 1.0), c(2.0, -1.0), c(2.0, 1.0005), c(2.0, -1.0005), c(5.0, 1e-3), c(5.0, -1e-3)];
@@ -351,7 +356,8 @@ fn real_solves_try_real_combinations() {
     assert!(complex.iter().all(|(x, _)| (x - c(5.0, 1e-3)).norm() < 1e-4), "{complex:?}");
 }
 
-/// Measurements see what every eigenpair gives, whether it belongs to a solution or not, with both signs.
+/// Measurements see what every eigenpair gives, whether it belongs to a solution or not, with both
+/// signs.
 #[test]
 fn points_before_the_polish_are_those_of_all_eigenpairs() {
     let mut three = Listed::<3, 2>::new([c(4.0, 0.0), c(-1.0, 0.0), c(9.0, 0.0)], |_, _, _| 1.0);

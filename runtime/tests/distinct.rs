@@ -22,7 +22,8 @@ impl<const MAX: usize> Found<MAX> {
         Self(Fixed.list())
     }
 
-    /// Adds a solution; halfway between close ones the residual is 1, so that only equal ones are one.
+    /// Adds a solution; halfway between close ones the residual is 1, so that only equal ones are
+    /// one.
     fn push(&mut self, solution: Solution) -> bool {
         self.push_with(solution, |_, _| 1.0)
     }
@@ -78,7 +79,8 @@ fn the_worst_of_all_goes_wherever_it_is() {
     assert!(!Found::<0>::new().push(([1.0, 1.0], 0.0)), "there is no room at all");
 }
 
-/// Two solutions are the same if every unknown agrees to 1e-8 of the larger value, or to 1e-13 of the largest unknown.
+/// Two solutions are the same if every unknown agrees to 1e-8 of the larger value, or to 1e-13 of
+/// the largest unknown.
 #[test]
 fn every_unknown_must_agree_to_its_own_size() {
     let same = |x: [f64; 2], y: [f64; 2]| {
@@ -103,7 +105,8 @@ fn every_unknown_must_agree_to_its_own_size() {
     assert!(complex(1e-3).same(&complex(1e-3 + 1e-9)) && !complex(1e-3).same(&complex(-1e-3)));
 }
 
-/// Close solutions that are not the same: what happens depends on the residual halfway, here 1e-12 at most.
+/// Close solutions that are not the same: what happens depends on the residual halfway, here 1e-12
+/// at most.
 #[test]
 fn close_solutions_are_one_if_the_residual_halfway_shows_it() {
     let (one, other) = ([1.0, 2.0], [1.0 + 1e-4, 2.0 - 2e-4]);

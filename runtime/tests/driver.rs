@@ -1,4 +1,5 @@
-//! What the driver does with solutions that a problem excludes, and where rounding errors lose some.
+//! What the driver does with solutions that a problem excludes, and where rounding errors lose
+//! some.
 
 use std::cell::Cell;
 
@@ -8,7 +9,8 @@ use eliminant::emitted::{
 };
 use eliminant::{Scalar, SolveError};
 
-/// Solutions (x, y) with y = 1, 2; basis 1, y; action y. Solutions with x = 0 are excluded. MAX solutions are known.
+/// Solutions (x, y) with y = 1, 2; basis 1, y; action y. Solutions with x = 0 are excluded. MAX
+/// solutions are known.
 struct TwoPoints<const MAX: usize = B> {
     x: [f64; 2],
     /// How often the action matrix was computed.
@@ -69,8 +71,9 @@ fn noise_of_zero_is_excluded_where_zero_is() {
     }
 }
 
-/// x = 1, .., 16, by the companion matrix of their polynomial: rounding errors leave ten digits of few of its eigenvalues
-/// (Wilkinson 1963). Action x; basis 1, x, .., x^15. The polish improves nothing.
+/// x = 1, .., 16, by the companion matrix of their polynomial: rounding errors leave ten digits of
+/// few of its eigenvalues (Wilkinson 1963). Action x; basis 1, x, .., x^15. The polish improves
+/// nothing.
 struct Wilkinson<const MAX: usize = ROOTS> {
     /// Whether the elimination can be repeated with precise coefficients.
     is_precise: bool,
@@ -182,8 +185,9 @@ fn what_is_singular_to_rounding_is_solved_with_precise_coefficients_only() {
     assert_eq!((all.len(), real.len(), precise.calls), (ROOTS, ROOTS, 4));
 }
 
-/// Where |B| exceeds the number of solutions all eigenvalues are tried, and the number of missing solutions need not be
-/// odd: x = 1 is excluded, and of the other fifteen fourteen are lost at first.
+/// Where |B| exceeds the number of solutions all eigenvalues are tried, and the number of missing
+/// solutions need not be odd: x = 1 is excluded, and of the other fifteen fourteen are lost at
+/// first.
 #[test]
 fn solutions_are_counted_where_some_eigenvalues_belong_to_none() {
     let mut problem = Wilkinson::<{ ROOTS - 1 }>::above(1.5);
@@ -204,7 +208,8 @@ fn what_is_complete_is_not_done_twice() {
     assert_eq!((real.len(), points.calls), (1, 1));
 }
 
-/// Solutions x = 2 + i, 2 - i; action x; basis 1, x, x^2, with 1 as a third eigenvalue. MAX solutions are known.
+/// Solutions x = 2 + i, 2 - i; action x; basis 1, x, x^2, with 1 as a third eigenvalue. MAX
+/// solutions are known.
 struct Spurious<const MAX: usize> {
     /// At 1, before the polish and after it.
     residual: f64,

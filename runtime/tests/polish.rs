@@ -39,7 +39,8 @@ fn evaluation_is_that_of_the_written_out_polynomial() {
     }
 }
 
-/// A polynomial exceeds a level if its modulus is larger than that part of the sum of the moduli of its terms.
+/// A polynomial exceeds a level if its modulus is larger than that part of the sum of the moduli of
+/// its terms.
 #[test]
 fn levels_are_relative_to_the_terms() {
     const LINE: FixedTables<1, 1, 2> =
@@ -75,8 +76,9 @@ fn polish_converges_quadratically_to_the_true_solution() {
     assert!(far <= 20, "{far} of 4000 stay away");
 }
 
-/// The Jacobian at a complex point is complex. One step squares the distance of 1e-4, also from more equations than
-/// unknowns: the reflections of the least-squares solution must be unitary, with conjugates.
+/// The Jacobian at a complex point is complex. One step squares the distance of 1e-4, also from
+/// more equations than unknowns: the reflections of the least-squares solution must be unitary,
+/// with conjugates.
 #[test]
 fn one_step_squares_the_distance_to_a_complex_solution() {
     let mut random = Random::new(21);
@@ -154,8 +156,8 @@ fn double_solutions_are_approached() {
     assert!(residual < 1e-12 && (x[0] - 1.0).abs() < 1e-5, "{residual:e} {x:?}");
 }
 
-/// Parabolas (x - y)^2 = x + y and (x - y)^2 = 2 x + 2 y + 1 with the same axis: far out on it the residual is small,
-/// but they do not meet there.
+/// Parabolas (x - y)^2 = x + y and (x - y)^2 = 2 x + 2 y + 1 with the same axis: far out on it the
+/// residual is small, but they do not meet there.
 #[test]
 fn far_points_with_a_small_residual_are_no_solutions() {
     let coefficients = [0.0, -1.0, -1.0, 1.0, -2.0, 1.0, -1.0, -2.0, -2.0, 1.0, -2.0, 1.0];
@@ -171,8 +173,8 @@ fn far_points_with_a_small_residual_are_no_solutions() {
     }
 }
 
-/// x^2 - y^2 + x + 1 = 0 and x^2 - y^2 + 2 y + 3 = 0 in multiples of a unit have a solution at infinity, along x = y.
-/// Far out the residual is rounding.
+/// x^2 - y^2 + x + 1 = 0 and x^2 - y^2 + 2 y + 3 = 0 in multiples of a unit have a solution at
+/// infinity, along x = y. Far out the residual is rounding.
 #[test]
 fn points_at_infinity_are_no_solutions() {
     for (unit, distance) in [(1.0, 1e13), (1.0, 1e16), (1e-10, 1e3), (1e10, 1e26)] {
@@ -199,7 +201,8 @@ fn large_solutions_are_solutions() {
     }
 }
 
-/// x y - 2 x = 0 and x + y - 1 = 0: every term of the first equation vanishes at (0, 1), and no term at (-1, 2).
+/// x y - 2 x = 0 and x + y - 1 = 0: every term of the first equation vanishes at (0, 1), and no
+/// term at (-1, 2).
 #[test]
 fn an_unknown_that_is_zero_at_the_solution_does_not_hide_it() {
     let coefficients = [0.0, -2.0, 0.0, 0.0, 1.0, 0.0, -1.0, 1.0, 1.0, 0.0, 0.0, 0.0];

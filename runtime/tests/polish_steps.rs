@@ -1,5 +1,5 @@
-//! What the polish does with a step, on functions whose values are chosen: where it stops, what it keeps, and which
-//! limits count.
+//! What the polish does with a step, on functions whose values are chosen: where it stops, what it
+//! keeps, and which limits count.
 
 use std::cell::Cell;
 
@@ -13,7 +13,8 @@ const STALLED: f64 = 1e-12;
 /// Unknowns this small relative to the largest one may be noise.
 const NOISE: f64 = 1e-12;
 
-/// Values, scales and Jacobian of E equations in N unknowns are given as functions. It counts the evaluations.
+/// Values, scales and Jacobian of E equations in N unknowns are given as functions. It counts the
+/// evaluations.
 struct Chosen<const N: usize, const E: usize, F, J> {
     values: F,
     scale: [f64; E],
@@ -65,7 +66,8 @@ fn a_point_at_rounding_level_stays() {
     assert_eq!(at(f64::INFINITY).0, [1.0]);
 }
 
-/// After a step the polish ends at rounding level, except after a long step: one more then shows whether it stays.
+/// After a step the polish ends at rounding level, except after a long step: one more then shows
+/// whether it stays.
 #[test]
 fn a_step_to_rounding_level_is_the_last_one_unless_it_is_long() {
     let value = |x: f64| if x == 1.0 { 1.0 } else { ROUNDING };
@@ -75,7 +77,8 @@ fn a_step_to_rounding_level_is_the_last_one_unless_it_is_long() {
     assert_eq!(towards(1.0625, still_above)([1.0], 8).2, [2, 2]);
 }
 
-/// A step that leaves a high residual as it is is tried with noise set to zero, then shortened six times, by 0.35 each.
+/// A step that leaves a high residual as it is is tried with noise set to zero, then shortened six
+/// times, by 0.35 each.
 #[test]
 fn a_step_that_does_not_lower_the_residual_is_shortened() {
     let constant = towards(1.5, |_| 1.0)([1.0], 8);
@@ -96,7 +99,8 @@ fn a_residual_that_may_be_rounding_is_worth_one_attempt_only() {
     assert_eq!(at(1.25 * STALLED), ([1.0], 1.25 * STALLED, [1, 8]));
 }
 
-/// A long last step shows that no solution is near if the residual is above rounding level, or stays below 1e-6.
+/// A long last step shows that no solution is near if the residual is above rounding level, or
+/// stays below 1e-6.
 #[test]
 fn a_long_step_tells_a_flat_direction_from_a_badly_determined_solution() {
     let at = |here: f64, there: f64, without: f64| {
@@ -117,7 +121,8 @@ fn a_long_step_tells_a_flat_direction_from_a_badly_determined_solution() {
     assert_eq!(at(STALLED, 1e-6, 1.25 * STALLED), f64::INFINITY);
 }
 
-/// A step of this size from this point, which lowers nothing, shows that there is no solution. The other unknown is 1024.
+/// A step of this size from this point, which lowers nothing, shows that there is no solution. The
+/// other unknown is 1024.
 fn shows_none(start: f64, step: f64) -> bool {
     let chosen = Chosen::new(move |_: [f64; 2]| [step, 0.0], |_| [[1.0, 0.0], [0.0, 1.0]]);
     let (x, residual, _) = chosen.polish([start, 1024.0], 1);
@@ -190,7 +195,8 @@ fn values_that_are_not_finite_are_no_residual() {
     assert_eq!(chosen.polish([1.0], 0).1, 2.0);
 }
 
-/// Equations count with one over their scale: residuals 1 and 3 of scales 1 and 10, both of slope 1.
+/// Equations count with one over their scale: residuals 1 and 3 of scales 1 and 10, both of slope
+/// 1.
 #[test]
 fn equations_are_weighted_by_their_scale() {
     let mut chosen = Chosen::new(|[x]: [f64; 1]| if x == 1.0 { [1.0, 3.0] } else { [0.0; 2] }, |_| [[1.0], [1.0]]);

@@ -26,8 +26,8 @@ fn size_and_slope(c: &[f64], x: f64) -> (f64, f64) {
     (size, slope)
 }
 
-/// A polynomial with some real roots k/16 in [-2, 2], all different, and complex pairs on the same grid; its
-/// coefficients are exact integers, rounded once.
+/// A polynomial with some real roots k/16 in [-2, 2], all different, and complex pairs on the same
+/// grid; its coefficients are exact integers, rounded once.
 struct Known<const D1: usize> {
     coefficients: [f64; D1],
     real: Vec<f64>,
@@ -62,11 +62,13 @@ impl<const D1: usize> Known<D1> {
         f64::EPSILON * D1 as f64 * size / slope.abs()
     }
 
-    /// Whether rounding of the coefficients leaves the real roots apart and the complex pairs complex.
+    /// Whether rounding of the coefficients leaves the real roots apart and the complex pairs
+    /// complex.
     fn resolvable(&self) -> bool {
         let apart = self.real.iter().all(|&x| self.spread(x) < 1.0 / 64.0);
         let still_complex = self.pairs.iter().all(|&(re, im)| {
-            // |p| at the real part is at least the product of distances; compared with its rounding error.
+            // |p| at the real part is at least the product of distances; compared with its
+            // rounding error.
             let (size, _) = size_and_slope(&self.coefficients, re);
             let value: f64 = self.real.iter().map(|x| (re - x).abs().max(im)).product::<f64>()
                 * self.pairs.iter().map(|&(a, b)| (re - a).powi(2) + b * b).product::<f64>()
@@ -187,7 +189,8 @@ fn vanishing_leading_coefficients_lower_the_degree() {
     let far = real_roots(&[-2.0, 1.0, 1e-12]);
     assert_eq!(far.len(), 2);
     assert!((far[0] / -1e12 - 1.0).abs() < 1e-11 && (far[1] - 2.0).abs() < 1e-11);
-    // Widely spread roots are roots, however small the leading coefficient looks: 1e6 five times apart.
+    // Widely spread roots are roots, however small the leading coefficient looks: 1e6 five times
+    // apart.
     let exact = [1.0, 1e6, 1e12, 1e18];
     let roots = real_roots(&product::<5>(&exact).map(|c| c * 1e-40));
     assert_eq!(roots.len(), 4);

@@ -1,5 +1,6 @@
-//! Constant and run-time sizes give the same bits: elimination, polish, and whole solves with second attempts.
-//! (The spectrum is compared in unit tests, where the kernels can be called with every kind of size.)
+//! Constant and run-time sizes give the same bits: elimination, polish, and whole solves with
+//! second attempts. (The spectrum is compared in unit tests, where the kernels can be called with
+//! every kind of size.)
 #![cfg(feature = "alloc")]
 mod support;
 
@@ -27,7 +28,8 @@ fn number() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// Solves an N x N block with constant sizes and with run-time sizes: X or the error, and the factors.
+/// Solves an N x N block with constant sizes and with run-time sizes: X or the error, and the
+/// factors.
 type Solved = (Result<Vec<Vec<u64>>, BlockError>, Vec<u64>);
 
 fn solve_both<const N: usize, const M: usize>(numbers: &[f64], needed: usize) -> [Solved; 2] {
@@ -75,7 +77,8 @@ struct Polynomials<const N: usize, const E: usize, const K: usize> {
 }
 
 impl<const N: usize, const E: usize, const K: usize> Polynomials<N, E, K> {
-    /// From random numbers: parents, unknowns, the monomials and coefficients of the terms, the point.
+    /// From random numbers: parents, unknowns, the monomials and coefficients of the terms, the
+    /// point.
     fn new(choices: &[usize], numbers: &[f64]) -> Self {
         let choose = |at: usize, below: usize| (choices[at] % below) as u16;
         let chain = std::array::from_fn(|k| Product { parent: choose(k, k.max(1)), unknown: choose(K + k, N) });
@@ -184,7 +187,8 @@ proptest! {
         let _ = agreed(numbers, true);
     }
 
-    /// General conics have four common points, which are found, and those that are real are the real solutions.
+    /// General conics have four common points, which are found, and those that are real are the
+    /// real solutions.
     #[test]
     fn all_solutions_of_general_conics(coefficients in prop::array::uniform12(-1.0..1.0_f64)) {
         let [real, by_polynomial, complex] = agreed(coefficients, true);
@@ -208,7 +212,8 @@ proptest! {
         let _ = agreed(coefficients, false);
     }
 
-    /// The quadratic parts differ by a rounding error: the template is singular to `f64`, and a second attempt solves it.
+    /// The quadratic parts differ by a rounding error: the template is singular to `f64`, and a
+    /// second attempt solves it.
     #[test]
     fn solutions_of_a_second_attempt(c in prop::array::uniform12(-1.0..1.0_f64), bit in 0..2_u64) {
         let next = |x: f64| f64::from_bits(x.to_bits() + bit);

@@ -17,8 +17,9 @@ const BASIS: [(i32, i32); B] = [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2), 
 /// Ten points of the plane.
 struct Points([Point; B]);
 
-/// Points with the values that the action has there. The polish improves nothing: it returns the distance to the nearest
-/// point. So solutions are as accurate as the eigenvectors, and are found where those have 10 digits.
+/// Points with the values that the action has there. The polish improves nothing: it returns the
+/// distance to the nearest point. So solutions are as accurate as the eigenvectors, and are found
+/// where those have 10 digits.
 struct Given<'a> {
     points: &'a Points,
     values: &'a [Complex<f64>; B],
@@ -61,7 +62,8 @@ impl SolverInstance for Given<'_> {
     }
 }
 
-/// T = V diag(values) V^-1, V the basis at the points: real where both are closed under conjugation.
+/// T = V diag(values) V^-1, V the basis at the points: real where both are closed under
+/// conjugation.
 fn action_matrix(points: &[Point; B], values: &[Complex<f64>; B]) -> [[f64; B]; B] {
     let v = SMatrix::<Complex<f64>, B, B>::from_fn(|i, k| {
         let [x, y] = points[k];
@@ -72,8 +74,8 @@ fn action_matrix(points: &[Point; B], values: &[Complex<f64>; B]) -> [[f64; B]; 
     std::array::from_fn(|i| std::array::from_fn(|j| matrix[(i, j)].re))
 }
 
-/// `pairs` conjugate pairs of points in front, real points behind; a regular grid made irregular, so that the points
-/// keep apart.
+/// `pairs` conjugate pairs of points in front, real points behind; a regular grid made irregular,
+/// so that the points keep apart.
 fn draw(random: &mut Random, pairs: usize) -> Points {
     let mut points = [[Complex::ZERO; 2]; B];
     for k in 0..B {
@@ -91,8 +93,8 @@ fn draw(random: &mut Random, pairs: usize) -> Points {
     Points(points)
 }
 
-/// How many points with real coordinates `real_solutions` finds, and how many points `complex_solutions` finds. Both
-/// must find nothing else.
+/// How many points with real coordinates `real_solutions` finds, and how many points
+/// `complex_solutions` finds. Both must find nothing else.
 fn found(points: &Points, values: &[Complex<f64>; B]) -> [usize; 2] {
     let mut given = Given { points, values };
     let real = real_solutions(&mut given).unwrap();
@@ -105,8 +107,8 @@ fn found(points: &Points, values: &[Complex<f64>; B]) -> [usize; 2] {
     })
 }
 
-/// On 200 systems: the values of the groups spread by `delta` each, conjugates accordingly, the others apart. Returns how
-/// often a real solution was missing, and how often any.
+/// On 200 systems: the values of the groups spread by `delta` each, conjugates accordingly, the
+/// others apart. Returns how often a real solution was missing, and how often any.
 fn missing(pairs: usize, groups: &[usize], delta: f64) -> [usize; 2] {
     let mut random = Random::new(1);
     let mut missing = [0; 2];
@@ -132,8 +134,8 @@ fn missing(pairs: usize, groups: &[usize], delta: f64) -> [usize; 2] {
     missing
 }
 
-/// Whether values are equal or only close: all solutions are found to 10 digits, up to a few systems that are too ill
-/// conditioned.
+/// Whether values are equal or only close: all solutions are found to 10 digits, up to a few
+/// systems that are too ill conditioned.
 #[test]
 fn solutions_with_one_value_are_told_apart() {
     let cases: [(usize, &[usize]); 8] =
@@ -147,7 +149,8 @@ fn solutions_with_one_value_are_told_apart() {
     }
 }
 
-/// A pair of conjugate solutions with a real value: a double real eigenvalue without a real solution.
+/// A pair of conjugate solutions with a real value: a double real eigenvalue without a real
+/// solution.
 #[test]
 fn conjugate_solutions_with_a_real_value() {
     let mut random = Random::new(2);
@@ -164,9 +167,9 @@ fn conjugate_solutions_with_a_real_value() {
     assert!(missing <= 10, "{missing} of 200");
 }
 
-/// Two values of x with two points each, (1, 2), (1, -1/2) and (1/2, 1 + i), (1/2, 1 - i); basis 1, x, y, x y; action x.
-/// The values of monomials are those of the basis, their images x m by the action's value, and y^2, x y^2. The polish
-/// improves nothing.
+/// Two values of x with two points each, (1, 2), (1, -1/2) and (1/2, 1 + i), (1/2, 1 - i); basis 1,
+/// x, y, x y; action x. The values of monomials are those of the basis, their images x m by the
+/// action's value, and y^2, x y^2. The polish improves nothing.
 struct ByImage {
     points: [Point; 4],
     action: [[f64; 4]; 4],
@@ -179,7 +182,8 @@ impl ByImage {
         let points = [point(1.0, 2.0, 0.0), point(1.0, -0.5, 0.0), point(0.5, 1.0, 1.0), point(0.5, 1.0, -1.0)];
         let basis = |[x, y]: Point| [Complex::ONE, x, y, x * y];
         let lu = SMatrix::<Complex<f64>, 4, 4>::from_fn(|k, i| basis(points[k])[i]).lu();
-        // The monomial as a combination of the basis: real, because the points are closed under conjugation.
+        // The monomial as a combination of the basis: real, because the points are closed under
+        // conjugation.
         let combination = |monomial: fn(Point) -> Complex<f64>| -> [f64; 4] {
             let values = SMatrix::<Complex<f64>, 4, 1>::from_fn(|k, _| monomial(points[k]));
             let solution = lu.solve(&values).unwrap();

@@ -12,8 +12,8 @@ const B: usize = 4;
 const MAX: usize = 8;
 type Point = [Complex<f64>; 2];
 
-/// Points of the plane up to the sign of both coordinates; action x^2. The polish improves nothing: it returns the
-/// distance to the nearest point.
+/// Points of the plane up to the sign of both coordinates; action x^2. The polish improves nothing:
+/// it returns the distance to the nearest point.
 struct UpToSign([Point; B]);
 
 impl UpToSign {

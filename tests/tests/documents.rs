@@ -140,7 +140,7 @@ fn long_lines_are_found() {
     let (short, long) = ("x".repeat(COLUMNS - 3), "x".repeat(COLUMNS - 2));
     let rust = format!("// {short}\n    // {short}\nlet s = \"{long}{long}\";\n// {long}\n// https://{long}\n");
     assert_eq!(long_lines(&rust, true), [2, 4]);
-    let text = format!("{short}\n\n{long} x\n| {long} |\n```\n{long} x\n```\n{long} x\n");
+    let text = format!("{short}\n\n{long} xxx\n| {long} xxx |\n```\n{long} xxx\n```\n{long} xxx\n");
     assert_eq!(long_lines(&text, false), [3, 8]);
 }
 

@@ -7,7 +7,7 @@
 //! at the axis,
 //!
 //! ```text
-//!   l_1, l_2 = sin(theta) e +- cos(theta) m     m: unit normal of the plane through centre and axis
+//!   l_1, l_2 = sin(theta) e +- cos(theta) m   m: unit normal of the plane through centre and axis
 //!                                               e: unit vector from the centre towards the axis
 //! ```
 //!

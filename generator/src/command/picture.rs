@@ -3,7 +3,7 @@
 //! ```text
 //!                    excess E   reducible R   basis B
 //! f1 * x*y         |  # .     |  . . # .    | o . o . |   # in a diagonal block
-//! f2               |  + #     |  + . . #    | . o . o |   + at a pivot solved before, o in the basis
+//! f2               |  + #     |  + . . #    | . o . o |   + at an earlier pivot, o in the basis
 //! ```
 //!
 //! Rows and pivot columns stand in the order of solution.

@@ -113,7 +113,8 @@ impl ExpressionGraph {
         self.nodes[id.index()]
     }
 
-    /// Remembers what people call a computed value. Constants and inputs need no name, and the first name stays.
+    /// Remembers what people call a computed value. Constants and inputs need no name, and the
+    /// first name stays.
     pub fn name(&mut self, id: ExpressionId, name: &str) {
         if !matches!(self.node(id), Expression::Constant(_) | Expression::Input(_)) {
             self.names.entry(id).or_insert_with(|| name.to_owned());

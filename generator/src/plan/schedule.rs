@@ -453,7 +453,8 @@ mod tests {
         assert!(matches!(basis(most), ScheduleError::Mismatch(_)));
     }
 
-    /// y and x change their signs together. One of them is a square root, and the other is read with it.
+    /// y and x change their signs together. One of them is a square root, and the other is read
+    /// with it.
     #[test]
     fn square_roots_are_read_first() {
         let text = "fn signs(a: [f64; 2]) -> (y, x) { y == a[0] * x; x * x == a[1]; }";

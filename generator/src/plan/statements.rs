@@ -20,7 +20,8 @@ pub enum Place {
     Inline,
     /// It is computed by a statement of its own and kept at this position of one array.
     Slot(usize),
-    /// It is computed by a statement of its own and kept in a variable with this position among the program's names.
+    /// It is computed by a statement of its own and kept in a variable with this position among the
+    /// program's names.
     Variable(usize),
 }
 

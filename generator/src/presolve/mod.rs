@@ -105,8 +105,8 @@ fn eliminate(reduced: &mut ReducedProblem, candidate: &Candidate) -> bool {
     true
 }
 
-/// p, which has no negative exponents, with x replaced by `value`; `None` if it grows too long or an
-/// exponent overflows.
+/// p, which has no negative exponents, with x replaced by `value`; `None` if it grows too long or
+/// an exponent overflows.
 fn substitute(
     graph: &mut ExpressionGraph,
     p: &SymbolicPolynomial,

@@ -94,8 +94,8 @@ pub fn reduce(
 /// alive    [ * . *    . .    * . ]
 /// ```
 ///
-/// Invariant: the alive rows are independent, the solving set (B, R) meets the requirements, and every
-/// alive row has a part in expressing R in B.
+/// Invariant: the alive rows are independent, the solving set (B, R) meets the requirements, and
+/// every alive row has a part in expressing R in B.
 #[derive(Clone)]
 struct Reduction {
     matrix: Rc<ShiftMatrix>,

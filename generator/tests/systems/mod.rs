@@ -58,7 +58,8 @@ fn unit(unknowns: usize, factors: &[usize]) -> Vec<i8> {
     exponents
 }
 
-/// Katsura's system for a magnet, u_{-n}, .., u_n with u_{-i} = u_i: unknowns u_0..u_n, 2^n solutions.
+/// Katsura's system for a magnet, u_{-n}, .., u_n with u_{-i} = u_i: unknowns u_0..u_n, 2^n
+/// solutions.
 pub(crate) fn katsura(n: usize) -> System {
     let unknowns = n + 1;
     let mut polynomials = Vec::new();
@@ -117,7 +118,8 @@ pub(crate) fn eco(n: usize) -> System {
     System::new(format!("eco-{n}"), n, polynomials)
 }
 
-/// The twisted cubic's tangent surface and a quadric: four unknowns, two equations, no finite solution set.
+/// The twisted cubic's tangent surface and a quadric: four unknowns, two equations, no finite
+/// solution set.
 pub(crate) fn positive_dimensional() -> System {
     let discriminant = vec![
         (1, vec![0, 2, 2, 0]),

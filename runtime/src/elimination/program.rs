@@ -106,7 +106,7 @@ impl<'a> ProductSums<'a> {
 /// Straight-line arithmetic from the data to the coefficients.
 ///
 /// ```text
-///   values     [ constants | data, one parameter after another | results of step 0, of step 1, .. ]
+///   values     [ constants | data, one parameter after another | results of step 0, step 1, .. ]
 ///   operands   positions in values of the operands of each step, before the results of its run
 ///   results    positions in values of the coefficients
 /// ```

@@ -105,8 +105,8 @@ pub(crate) struct RealSolutions<I: SolverInstance> {
     /// only the count tells whether a spurious eigenpair replaces a missing solution.
     all: Option<AllSolutions<I>>,
     most: usize,
-    /// The number of real eigenvalues, if each eigenvalue belongs to one solution: there are as many
-    /// real solutions.
+    /// The number of real eigenvalues, if each eigenvalue belongs to one solution: there are as
+    /// many real solutions.
     real_eigenvalues: Option<usize>,
     /// Whether an eigenvalue that is nearly real led to no solution.
     has_failed: bool,

@@ -300,7 +300,8 @@ mod tests {
     use super::*;
     use crate::size::Fixed;
 
-    /// V_m of 3 basis vectors at 4 monomials, and V_(x m) = V_m A_x, with the scale of each basis vector.
+    /// V_m of 3 basis vectors at 4 monomials, and V_(x m) = V_m A_x, with the scale of each basis
+    /// vector.
     struct Known {
         values: [[f64; 4]; 3],
         images: [[f64; 4]; 3],
@@ -347,7 +348,8 @@ mod tests {
         assert_eq!(Known::new(regular).multiplication(&[]), None);
     }
 
-    /// The third vector is within e of the first: the square of e, relative, is compared with 1e-10.
+    /// The third vector is within e of the first: the square of e, relative, is compared with
+    /// 1e-10.
     #[test]
     fn a_basis_without_rank_determines_nothing() {
         for unit in [1e-3, 1.0, 1e3] {

@@ -267,7 +267,7 @@ mod tests {
         active_block::<Fixed<2>, f64>(&[[a, b], [c, d]], 2)
     }
 
-    /// Setting c to zero moves the eigenvalue near d by b c / (a - d), and that must be rounding of d.
+    /// Setting c to zero moves the eigenvalue near d by b c / (a - d), which must be rounding of d.
     #[test]
     fn what_moves_no_eigenvalue_is_deflated() {
         for unit in [1e-8, 1e-3, 1.0, 1e5] {
@@ -305,7 +305,7 @@ mod tests {
         assert_eq!(last_block([[1.0, 1e300], [2.0 * f64::MIN_POSITIVE, 2.0]]), 0);
     }
 
-    /// Between two zeros of the diagonal the subdiagonal is compared with its neighbours in the leading block.
+    /// Between two zeros of the diagonal the subdiagonal is compared with its neighbours.
     #[test]
     fn beside_zeros_the_neighbours_decide() {
         let first_row = |above: f64, c: f64, below: f64, high: usize| {
@@ -359,7 +359,7 @@ mod tests {
 
     proptest! {
         #![proptest_config(config())]
-        /// Their sum is the trace, their product the determinant, to all digits that cancellation leaves.
+        /// Their sum is the trace, their product the determinant, up to cancellation.
         #[test]
         fn pairs_have_trace_and_determinant(m in prop::array::uniform4(entry()), exponent in -150..150_i32) {
             let [a, b, c, d] = m.map(|x| x * 10.0_f64.powi(exponent));
@@ -388,7 +388,7 @@ mod tests {
             prop_assert!(tau == 0.0 || (1.0..=2.0).contains(&tau), "{tau}");
         }
 
-        /// A sweep is a similarity of the active block, which it leaves in Hessenberg form, and touches nothing else.
+        /// A sweep is a similarity of the active block and leaves it in Hessenberg form.
         #[test]
         fn sweeps_are_similarities(
             entries in prop::array::uniform7(prop::array::uniform7(-1.0..1.0_f64)),
@@ -432,9 +432,10 @@ mod tests {
         }
     }
 
-    /// The bulge starts in row 1 if its part in column 0 is rounding: the subdiagonal left of it times the first
-    /// column of H^2 below its head, beside the head times the diagonal around. Here that column is (1, 1, 1) squares
-    /// of the unit, so the subdiagonal is compared with half of that rounding. The shifts are zero.
+    /// The bulge starts in row 1 if its part in column 0 is rounding: the subdiagonal left of it
+    /// times the first column of H^2 below its head, beside the head times the diagonal around.
+    /// Here that column is (1, 1, 1) squares of the unit, so the subdiagonal is compared with half
+    /// of that rounding. The shifts are zero.
     #[test]
     fn the_bulge_starts_where_it_leaves_rounding_behind() {
         for (corner, a) in [(7.0, 0.0), (-7.0, 0.0), (0.25, 2.0), (-9.0, 2.0), (0.5, -6.0), (40.0, -6.0)] {
@@ -473,12 +474,13 @@ mod tests {
             shifts(&[[5.0, 1.0, 2.0], [0.5, 1.0, 1e-9], [0.0, 1e-9, 3.0]], 11).map(|(x, y)| (x.round(), y)),
             [(3.0, 0.0); 2]
         );
-        // The further one is close to the negative corner, or closer to zero than the nearer one to the corner.
+        // The further one is close to the negative corner, or closer to zero than the other to it.
         let opposite = shifts(&[[5.0, 1.0, 2.0], [0.5, -0.996, 0.1], [0.0, 0.1, 1.0]], 1);
         assert!(opposite.iter().all(|&(x, p)| (x - 1.005).abs() < 1e-3 && p == 0.0), "{opposite:?}");
         let small = shifts(&[[5.0, 1.0, 2.0], [0.5, 0.01, 0.5], [0.0, 0.5, 1.0]], 1);
         assert!(small.iter().all(|&(x, p)| (x - 1.209).abs() < 1e-3 && p == 0.0), "{small:?}");
-        // After ten sweeps at the top, after twenty at the bottom: x + 0.75 s with a product of -0.4375 s^2 aside.
+        // After ten sweeps at the top, after twenty at the bottom: x + 0.75 s with a product of
+        // -0.4375 s^2 aside.
         for (stalled, corner, size) in [(10, 5.0, 2.5), (30, 5.0, 2.5), (20, 1.0, 2.5), (40, 1.0, 2.5)] {
             let [(x, p), (y, q)] = shifts(&rotation, stalled);
             let diagonal = corner + 0.75 * size;

@@ -297,7 +297,8 @@ impl<Z: Size> Hessenberg<Z> {
     ///
     /// det(x I - A) = x^N + c\[N-1\] x^(N-1) + .. + c\[0\]
     ///
-    /// by La Budde's recurrence on H (Wilkinson 1965, chapter 7, section 11; Rehman and Ipsen 2011):
+    /// by La Budde's recurrence on H (Wilkinson 1965, chapter 7, section 11; Rehman and Ipsen
+    /// 2011):
     ///
     /// p_i = (x - h_ii) p_(i-1) - sum over m of h_(i-m,i) b_i .. b_(i-m+1) p_(i-m-1)
     ///
@@ -372,8 +373,8 @@ mod tests {
 
     proptest! {
         #![proptest_config(config())]
-        /// Balancing is a similarity by powers of two. A further factor of 2 or 1/2 in any place takes less than a
-        /// tenth off the squared norms of its row and column.
+        /// Balancing is a similarity by powers of two. A further factor of 2 or 1/2 in any place
+        /// takes less than a tenth off the squared norms of its row and column.
         #[test]
         fn balancing_is_done_when_no_factor_gains(
             entries in prop::array::uniform5(prop::array::uniform5(-1.0..1.0_f64)),
@@ -403,7 +404,8 @@ mod tests {
             vector in prop::array::uniform5(-1.0..1.0_f64),
             exponent in prop::sample::select(std::vec![0, 12, -12, 250, -250]),
         ) {
-            // Balanced if rows and columns differ much; in a unit of its own if the entries are extreme.
+            // Balanced if rows and columns differ much; in a unit of its own if the entries are
+            // extreme.
             let unit = 2.0_f64.powi(exponent);
             let spread = if exponent.abs() == 12 { unit } else { 1.0 };
             let scale: [f64; N] = core::array::from_fn(|i| spread.powi(i as i32));
@@ -429,7 +431,8 @@ mod tests {
         }
     }
 
-    /// Balancing [[1, 2^k], [2^-k, 1]] takes a factor of about 2^k / 2 off the norm. It is kept from a thousand on.
+    /// Balancing [[1, 2^k], [2^-k, 1]] takes a factor of about 2^k / 2 off the norm. It is kept
+    /// from a thousand on.
     #[test]
     fn balancing_is_undone_if_it_gains_little() {
         for (k, is_kept) in [(1, false), (10, false), (13, true), (30, true)] {
@@ -446,8 +449,8 @@ mod tests {
         }
     }
 
-    /// Column 1 and row r, or the converse, have 1 + r of squared norms. A factor of 2 makes that 4 + r / 4, which is
-    /// less by a tenth from r = 4.77 on.
+    /// Column 1 and row r, or the converse, have 1 + r of squared norms. A factor of 2 makes that 4
+    /// + r / 4, which is less by a tenth from r = 4.77 on.
     #[test]
     fn factors_that_gain_less_than_a_tenth_are_not_taken() {
         for (r, is_taken) in [(4.0, false), (4.2, false), (4.7, false), (4.9, true), (9.0, true)] {
@@ -470,7 +473,8 @@ mod tests {
         assert_eq!((form.matrix, form.balance), (matrix, [1.0; N]));
     }
 
-    /// Entries far from 1 are divided by a power of two, which brings the largest one to between 1 and 2.
+    /// Entries far from 1 are divided by a power of two, which brings the largest one to between 1
+    /// and 2.
     #[test]
     fn only_extreme_units_are_taken_out() {
         for (largest, unit) in [

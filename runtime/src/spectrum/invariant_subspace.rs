@@ -192,7 +192,8 @@ mod tests {
         assert_eq!(dimensions(&[1.0, 3.0, 1.0008, 3.001, 2.0], 1.0), [2, 2]);
     }
 
-    /// The centre is the mean. The shift is a thousandth of the distance of the next value, but not within the cluster.
+    /// The centre is the mean. The shift is a thousandth of the distance of the next value, but not
+    /// within the cluster.
     #[test]
     fn shifts_keep_away_from_the_cluster_and_from_others() {
         let [wide] = clusters(&[c(1.0, 0.0), c(4.0, 0.0), c(1.0008, 0.0)], 9.0)[..] else { panic!() };
@@ -225,7 +226,8 @@ mod tests {
         assert!((lone.shift - 1.99e-3).abs() < 1e-15 && lone.dimension == 4, "{lone:?}");
     }
 
-    /// A = S D S^-1 with D of eigenvalues 2, 2 (defective), 1 +- 2 i twice, and -3: S is triangular with ones.
+    /// A = S D S^-1 with D of eigenvalues 2, 2 (defective), 1 +- 2 i twice, and -3: S is triangular
+    /// with ones.
     #[test]
     fn bases_are_orthonormal_and_invariant() {
         const N: usize = 7;

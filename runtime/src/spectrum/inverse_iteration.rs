@@ -212,7 +212,8 @@ mod tests {
         assert_eq!((normalize(&mut zero), zero), (0.0, [0.0; 3]));
     }
 
-    /// A solve of (H - value I) x = b, in two halves: the direction, and how much longer x is than b.
+    /// A solve of (H - value I) x = b, in two halves: the direction, and how much longer x is than
+    /// b.
     #[test]
     fn solves_give_direction_and_growth() {
         let h = [[2.0, -1.0, 0.5, 3.0], [1.5, 0.25, 1.0, -2.0], [0.0, -3.0, 1.0, 0.5], [0.0, 0.0, 4.0, -1.0]];
@@ -232,8 +233,8 @@ mod tests {
         }
     }
 
-    /// With N pivots at rounding level a solve grows by that level to the power -N. Up to the range of `f64` it is
-    /// told, beyond it is infinite; the direction is right in any case.
+    /// With N pivots at rounding level a solve grows by that level to the power -N. Up to the range
+    /// of `f64` it is told, beyond it is infinite; the direction is right in any case.
     #[test]
     fn repeated_tiny_pivots_do_not_overflow() {
         fn growth<const N: usize>() -> f64 {
@@ -271,8 +272,8 @@ mod tests {
         assert!((of_zero[0].hypot(of_zero[1]) - 1.0).abs() < 1e-15, "{of_zero:?}");
     }
 
-    /// 1 + d solves (x - 1)^2 = 0 up to the rounding d^2 = 1e-16. The second solve leaves a residual of d / 2, so the
-    /// vector of the first one stays.
+    /// 1 + d solves (x - 1)^2 = 0 up to the rounding d^2 = 1e-16. The second solve leaves a
+    /// residual of d / 2, so the vector of the first one stays.
     #[test]
     fn of_a_defective_eigenvalue_the_good_vector_stays() {
         for d in [1e-8, -1e-8] {

@@ -43,7 +43,8 @@ pub(crate) fn through<const C: usize>(random: &mut Random, [x, y]: [f64; 2]) -> 
     c
 }
 
-/// Conics through a complex point and its conjugate: constant and linear coefficient in x follow from the others.
+/// Conics through a complex point and its conjugate: constant and linear coefficient in x follow
+/// from the others.
 pub(crate) fn through_complex<const C: usize>(random: &mut Random, [x, y]: [Complex<f64>; 2]) -> [f64; C] {
     let mut c: [f64; C] = std::array::from_fn(|_| random.symmetric());
     for conic in c.chunks_mut(6) {

@@ -37,7 +37,8 @@ impl Random {
     }
 }
 
-/// The distance to the next of some points, up to the sign of imaginary parts, which `Scalar` does not show.
+/// The distance to the next of some points, up to the sign of imaginary parts, which `Scalar` does
+/// not show.
 pub(crate) fn distance_to_next<S: Scalar>(points: &[[Complex<f64>; 2]], unknowns: &[S; 2]) -> f64 {
     let parts = unknowns.map(|x| (x.real(), (x - S::from_f64(x.real())).modulus()));
     let distance = |point: &[Complex<f64>; 2]| {

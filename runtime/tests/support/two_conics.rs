@@ -56,7 +56,8 @@ impl Family for RunTime {
     }
 }
 
-/// Two conics f1, f2 with the coefficients of 1, x, y, x^2, x y, y^2 each. Action x; basis 1, x, y, x y.
+/// Two conics f1, f2 with the coefficients of 1, x, y, x^2, x y, y^2 each. Action x; basis 1, x, y,
+/// x y.
 ///
 /// ```text
 ///          x^2 y^2 | x^3 y^3 x y^2 x^2 y | 1 x y x y
@@ -69,7 +70,8 @@ impl Family for RunTime {
 /// ```
 pub(crate) struct TwoConics<F: Family> {
     pub(crate) coefficients: [f64; 12],
-    /// Whether x y^2 is read, too. Without it the monomials do not determine y on the space of all solutions.
+    /// Whether x y^2 is read, too. Without it the monomials do not determine y on the space of all
+    /// solutions.
     pub(crate) reads_all: bool,
     /// How often the action matrix was computed.
     pub(crate) calls: usize,

@@ -297,10 +297,12 @@ fn page(rows: &[Row], comparison: &str, arguments: &Arguments) -> String {
     let rows: Vec<Row> = rows.iter().map(linked).collect();
     let mut text = format!(
         "# The catalogue\n\n\
-        Every problem with a committed template, beside published templates for the same problem. The tables are written by\n\n\
+        Every problem with a committed template, beside published templates for the same problem. The\n\
+        tables are written by\n\n\
         ```sh\ncargo run --release -p eliminant-tests --bin catalogue -- --update\n```\n\n\
-        which solves up to {} random instances of each problem, and as many scenes whose solution is known. With names of\n\
-        problems before `--update` the measured cells of all others stay as they are.\n",
+        which solves up to {} random instances of each problem, and as many scenes whose solution is\n\
+        known. With names of problems before `--update` the measured cells of all others stay as they\n\
+        are.\n",
         arguments.instances
     );
     for group in &GROUPS {

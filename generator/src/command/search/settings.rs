@@ -9,7 +9,8 @@ pub(super) struct Settings {
     /// Seed, preference and bounds. `max_columns` is the limit that is tried first.
     pub(super) options: SearchOptions,
     pub(super) measuring: Measuring,
-    /// The limit on columns that is tried if nothing that solves well is found within the first one.
+    /// The limit on columns that is tried if nothing that solves well is found within the first
+    /// one.
     pub(super) wider: Option<usize>,
     /// A limit that was tried before, and within which nothing that solves well was found.
     pub(super) nothing_within: Option<usize>,

@@ -1,7 +1,8 @@
-//! A plan as a solver, without compiling it: the runtime's kernels with sizes that are known at run time.
+//! A plan as a solver, without compiling it: the runtime's kernels with sizes that are known at run
+//! time.
 //!
-//! What differs from an emitted solver is where the numbers are kept. The operations and their order are the same, so
-//! the solutions have the same bits, those of second attempts included.
+//! What differs from an emitted solver is where the numbers are kept. The operations and their
+//! order are the same, so the solutions have the same bits, those of second attempts included.
 
 use eliminant::emitted::{self, Dynamic, Product, Sizes, SizesOf, SolverInstance, Tables, Term};
 use eliminant::{Complex, Scalar, SolveError};
@@ -266,7 +267,8 @@ pub struct InterpretedInstance<'a> {
     solver: &'a InterpretedSolver,
     data: Vec<f64>,
     coefficients: Vec<f64>,
-    /// Monomials that unknowns are read from, as combinations of the basis; known after the elimination.
+    /// Monomials that unknowns are read from, as combinations of the basis; known after the
+    /// elimination.
     read: Vec<Vec<f64>>,
     steps: Vec<&'a [i8]>,
     flips: Vec<&'a [bool]>,
@@ -283,8 +285,8 @@ impl InterpretedInstance<'_> {
         Ok(emitted::complex_solutions(self)?.to_vec())
     }
 
-    /// The points of all eigenpairs of one attempt, neither polished nor judged: those of eigenpairs that
-    /// belong to no solution are among them, a solution known beforehand is not.
+    /// The points of all eigenpairs of one attempt, neither polished nor judged: those of
+    /// eigenpairs that belong to no solution are among them, a solution known beforehand is not.
     ///
     /// # Errors
     /// Those of the elimination and of the eigenvalues.
