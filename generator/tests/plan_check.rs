@@ -488,3 +488,33 @@ fn values_that_unknowns_are_read_from_have_positions_of_their_own() {
     }
     assert!(with_image > 0 && without_image > 0, "{with_image} with an image, {without_image} without");
 }
+
+/// An unknown that an extraction reads has its step; one that is recovered has none, which zeros say.
+#[test]
+fn unknowns_that_are_not_read_have_no_step() {
+    let mut recovered = 0;
+    for plan in committed_plans() {
+        let steps = plan.steps();
+        assert_eq!(steps.len(), plan.unknowns.len(), "{}", plan.name);
+        for x in &plan.extractions {
+            assert_eq!(steps[x.unknown], x.step, "{}", plan.name);
+        }
+        for recovery in &plan.recoveries {
+            assert_eq!(steps[recovery.unknown], vec![0; plan.unknowns.len()], "{}", plan.name);
+            recovered += 1;
+        }
+    }
+    assert!(recovered > 0);
+}
+
+/// Without constant rows the elimination has the size that the template file states.
+#[test]
+fn the_elimination_has_the_size_of_the_template() {
+    for (name, size) in [("relpose_4pt_angle", "rows = 16\ncolumns = 36\n"), ("two_conics", "rows = 6\ncolumns = 10\n")]
+    {
+        let text = fs::read_to_string(format!("{TEMPLATES}/{name}.template.toml")).expect("a committed file");
+        assert!(text.contains(size), "{name}");
+        let elimination = planned(name).elimination;
+        assert_eq!(format!("rows = {}\ncolumns = {}\n", elimination.rows, elimination.columns()), size, "{name}");
+    }
+}
