@@ -489,7 +489,7 @@ fn values_that_unknowns_are_read_from_have_positions_of_their_own() {
     assert!(with_image > 0 && without_image > 0, "{with_image} with an image, {without_image} without");
 }
 
-/// An unknown that an extraction reads has its step; one that is recovered has none, which zeros say.
+/// An unknown that an extraction reads has its step; one that is recovered has zeros.
 #[test]
 fn unknowns_that_are_not_read_have_no_step() {
     let mut recovered = 0;

@@ -100,7 +100,7 @@ fn first_attempt<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<
     spectrum.matrix = action.clone();
     spectrum.reduce_in_place()?;
     let values = spectrum.eigenvalues()?;
-    found.expect(solver, values.as_ref());
+    found.note(solver, values.as_ref());
     if !add_separate(solver, &spectrum, &values, found) {
         add_shared(solver, &action, (&spectrum, &values), found);
     }

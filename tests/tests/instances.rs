@@ -92,7 +92,15 @@ const ON_SCENES: Demands = Demands {
         }],
     },
     duplicates: Bounds { what: "share of duplicates", usual: 1e-3, exceptions: &[] },
-    missing: Bounds { what: "share of missing solutions", usual: 1e-3, exceptions: &[] },
+    missing: Bounds {
+        what: "share of missing solutions",
+        usual: 1e-3,
+        exceptions: &[Exception {
+            problem: "calibration_6_receivers_4_senders",
+            bound: 1e-2,
+            reason: "3e-3 measured: the linear equations of the receivers are close to dependent on 1 of 100 scenes",
+        }],
+    },
     residual: (0.99, Bounds { what: "quantile 0.99 of the residuals", usual: 1e-13, exceptions: &[] }),
     error: Bounds {
         what: "quantile 0.99 of the errors",

@@ -28,7 +28,7 @@ pub(crate) trait Collection<I: SolverInstance> {
     fn wants(&self, value: &Complex<f64>) -> bool;
 
     /// Takes note of the eigenvalues of the first attempt.
-    fn expect(&mut self, solver: &I, values: &[Complex<f64>]);
+    fn note(&mut self, solver: &I, values: &[Complex<f64>]);
 
     /// Adds the solutions of an eigenvalue with im >= 0; its conjugate stands for the conjugate
     /// solutions. Returns false if an eigenpair gave nothing new, and so may share its eigenvalue
@@ -69,7 +69,7 @@ impl<I: SolverInstance> Collection<I> for AllSolutions<I> {
     }
 
     #[inline]
-    fn expect(&mut self, _: &I, _: &[Complex<f64>]) {}
+    fn note(&mut self, _: &I, _: &[Complex<f64>]) {}
 
     #[inline(never)]
     fn add(&mut self, solver: &I, source: &dyn EigenpairSource<I::Basis>, value: Complex<f64>) -> bool {
@@ -149,7 +149,7 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
     }
 
     #[inline]
-    fn expect(&mut self, solver: &I, values: &[Complex<f64>]) {
+    fn note(&mut self, solver: &I, values: &[Complex<f64>]) {
         if self.all.is_none() && flips(solver).is_empty() {
             self.real_eigenvalues = Some(values.iter().filter(|value| value.im == 0.0).count());
         }
