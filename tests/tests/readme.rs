@@ -66,8 +66,8 @@ fn build_cost() -> String {
     )
 }
 
-/// What the catalogue shows in numbers: rows against published templates, missed solutions of random
-/// data, and known solutions of scenes.
+/// What the catalogue shows in numbers: rows against published templates, missed solutions of
+/// random data, and known solutions of scenes.
 fn measured() -> String {
     let [committed, fewest] = Comparison::new(&cases()).expect("tables of the catalogue").bullets();
     let (failures, recovered) = (column("failures"), column("recovered"));
