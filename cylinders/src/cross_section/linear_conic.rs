@@ -14,7 +14,7 @@
 //! the choice of coordinates. The plane is first shifted and scaled (the point nearest to all
 //! lines, their mean square distance), and the norm is the Frobenius norm of the matrix `C*`, hence
 //! the square roots. Noise can make the conic an ellipse of any shape, a hyperbola, or a conic
-//! without real points; its [`SectionShape`] says which.
+//! without real points; its [`crate::SectionShape`] says which.
 
 use nalgebra::{DMatrix, Matrix2, Matrix3};
 
