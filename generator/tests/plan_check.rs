@@ -359,10 +359,7 @@ fn steps_hold_the_unknown_and_known_square_roots() {
                 x.step[x.unknown] = 0;
                 Some(())
             },
-            |p| {
-                p.extractions[0].step.push(0);
-                Some(())
-            },
+            |p| p.extractions.first_mut().map(|x| x.step.push(0)),
             // Another unknown that is read later, and one to the second power.
             |p| {
                 let later = p.extractions.get(1)?.unknown;
