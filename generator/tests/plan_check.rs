@@ -359,10 +359,7 @@ fn steps_hold_the_unknown_and_known_square_roots() {
                 x.step[x.unknown] = 0;
                 Some(())
             },
-            |p| {
-                p.extractions[0].step.push(0);
-                Some(())
-            },
+            |p| p.extractions.first_mut().map(|x| x.step.push(0)),
             // Another unknown that is read later, and one to the second power.
             |p| {
                 let later = p.extractions.get(1)?.unknown;
@@ -461,9 +458,11 @@ fn every_unknown_is_recovered() {
 #[test]
 fn values_that_unknowns_are_read_from_have_positions_of_their_own() {
     let (mut with_image, mut without_image) = (0, 0);
-    // No committed plan reads from the image: a pair of each is changed to do so.
+    // No committed plan reads from the image: a pair of each is changed to do so. Two pivots are read besides.
     let reading_image = committed_plans().iter().cloned().map(|mut plan| {
         plan.extractions[0].pairs[0].1 = KnownMonomial::Image(BasisId(0));
+        let is_solved = |row: &ActionRow| if let ActionRow::Solved(pivot) = *row { Some(pivot) } else { None };
+        plan.read.extend(plan.action.iter().find_map(is_solved).into_iter().flat_map(|pivot| [pivot; 2]));
         assert_eq!(plan.check(), Ok(()), "{}", plan.name);
         plan
     });

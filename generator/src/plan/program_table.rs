@@ -190,3 +190,57 @@ fn kind(operation: Operation) -> Option<StepKind> {
         Operation::Coefficient { at: 0, .. } => StepKind::ProductSum,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::Random;
+    use crate::plan::program::ProgramForm;
+
+    /// Data, constants, additions and products in any order, few of them far from what they read.
+    fn random_program(random: &mut Random) -> Program {
+        let mut operations = vec![Operation::Input(0), Operation::Constant(Rational::integer(3))];
+        while operations.len() < 60 {
+            let count = operations.len() as u64;
+            let mut id = || ValueId((count - 1 - random.below(count.min(6))) as u32);
+            let (a, b) = (id(), id());
+            operations.push(match random.below(8) {
+                0 => Operation::Input(1),
+                1 => Operation::Negate(a),
+                2 | 3 => Operation::Multiply(a, b),
+                _ => Operation::Add(a, b),
+            });
+        }
+        Program { operations, product_sums: Vec::new(), form: ProgramForm::Table, names: Vec::new() }
+    }
+
+    /// A run is executed as one loop that reads only what was known before it. Where a run ends, the
+    /// next step has another kind or reads a result of the run.
+    #[test]
+    fn runs_are_as_long_as_no_step_reads_its_own_run() {
+        let mut random = Random::new(11);
+        let (mut longer, mut ended_by_a_reader) = (0, 0);
+        for _ in 0..100 {
+            let program = random_program(&mut random);
+            let mut steps = (0..program.operations.len()).filter(|&at| program.operations[at].is_step()).peekable();
+            let reads = |step: usize, run: &[usize]| {
+                program.operands(program.operations[step]).any(|id| run.contains(&(id.0 as usize)))
+            };
+            for (run_kind, length) in runs(&program) {
+                let run: Vec<usize> = steps.by_ref().take(length as usize).collect();
+                assert_eq!(run.len(), length as usize);
+                for &step in &run {
+                    assert_eq!(kind(program.operations[step]), Some(run_kind));
+                    assert!(!reads(step, &run), "{:?}", program.operations);
+                }
+                longer += usize::from(run.len() > 2);
+                if let Some(&next) = steps.peek().filter(|&&next| kind(program.operations[next]) == Some(run_kind)) {
+                    assert!(reads(next, &run), "{:?}", program.operations);
+                    ended_by_a_reader += 1;
+                }
+            }
+            assert_eq!(steps.next(), None);
+        }
+        assert!(longer > 50 && ended_by_a_reader > 50, "{longer} longer runs, {ended_by_a_reader} ended by a reader");
+    }
+}

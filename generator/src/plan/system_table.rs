@@ -73,3 +73,38 @@ fn parent(monomial: &[u8]) -> Option<(Vec<u8>, usize)> {
     parent[unknown] -= 1;
     Some((parent, unknown))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::CoefficientId;
+
+    /// Each monomial follows from an earlier one, and the table has the terms that it was made of.
+    #[test]
+    fn a_table_holds_the_polynomials_it_was_made_of() {
+        let term = |coefficient: u16, exponents: [u8; 3]| Term {
+            coefficient: CoefficientId(coefficient),
+            exponents: exponents.to_vec(),
+        };
+        let polynomials = [
+            vec![term(3, [2, 0, 1]), term(0, [0, 0, 0])],
+            vec![],
+            vec![term(1, [0, 1, 3]), term(2, [2, 0, 1]), term(3, [1, 0, 0])],
+        ];
+        let table = SystemTable::of(&polynomials, 3);
+        let monomials = table.monomials();
+        // 1, x, y, x^2, y z, x^2 z, y z^2, y z^3.
+        assert_eq!((monomials.len(), table.chain.len(), monomials[0]), (8, 8, Monomial::ONE));
+        assert!(table.chain.iter().enumerate().skip(1).all(|(at, &(parent, _))| usize::from(parent) < at));
+        let mut first = 0;
+        for (polynomial, &end) in polynomials.iter().zip(&table.ends) {
+            let terms = table.terms[std::mem::replace(&mut first, end as usize)..end as usize].iter();
+            let found = terms.map(|&(coefficient, at)| {
+                let exponents = [0, 1, 2].map(|unknown| monomials[usize::from(at)].exponent(unknown) as u8);
+                term(coefficient, exponents)
+            });
+            assert_eq!(found.collect::<Vec<_>>(), *polynomial);
+        }
+        assert_eq!((first, table.ends.len()), (table.terms.len(), 3));
+    }
+}
