@@ -458,7 +458,8 @@ fn every_unknown_is_recovered() {
 #[test]
 fn values_that_unknowns_are_read_from_have_positions_of_their_own() {
     let (mut with_image, mut without_image) = (0, 0);
-    // No committed plan reads from the image: a pair of each is changed to do so. Two pivots are read besides.
+    // No committed plan reads from the image: a pair of each is changed to do so. Two pivots are
+    // read besides.
     let reading_image = committed_plans().iter().cloned().map(|mut plan| {
         plan.extractions[0].pairs[0].1 = KnownMonomial::Image(BasisId(0));
         let is_solved = |row: &ActionRow| if let ActionRow::Solved(pivot) = *row { Some(pivot) } else { None };

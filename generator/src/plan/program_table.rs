@@ -214,8 +214,8 @@ mod tests {
         Program { operations, product_sums: Vec::new(), form: ProgramForm::Table, names: Vec::new() }
     }
 
-    /// A run is executed as one loop that reads only what was known before it. Where a run ends, the
-    /// next step has another kind or reads a result of the run.
+    /// A run is executed as one loop that reads only what was known before it. Where a run ends,
+    /// the next step has another kind or reads a result of the run.
     #[test]
     fn runs_are_as_long_as_no_step_reads_its_own_run() {
         let mut random = Random::new(11);
