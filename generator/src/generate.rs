@@ -105,11 +105,10 @@ pub fn plan(problem: &Problem, file: &TemplateFile) -> Result<Planned, GenerateE
         return Err(GenerateError::PlanDiffers);
     }
     let found = count_solutions(&plan, &file.template.action, VERIFY_FIELD, &coefficients, &eliminated);
-    let mut others = counts(&plan, &file.template.action, &reduced, &VERIFY_SEEDS[1..]);
-    if !found.allows(file.solutions) && !others.any(|other| other.allows(file.solutions)) {
+    let allows = |count: SolutionBounds| count.allows(file.solutions);
+    if !allows(found) && !counts(&plan, &file.template.action, &reduced, &VERIFY_SEEDS[1..]).any(allows) {
         return Err(GenerateError::Solutions { file: file.solutions, found });
     }
-    drop(others);
     Ok(Planned { reduced, plan })
 }
 

@@ -46,9 +46,10 @@ pub fn complex_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, 
 }
 
 /// Returns all real solutions, by the QR iteration. If solutions are missing, a second attempt
-/// computes at twice the precision. If |B| exceeds the number of solutions, complex solutions are
-/// counted, too, which shows whether some are missing. Otherwise the number of real eigenvalues and
-/// eigenvalues without a solution show it: solutions that are not real come in pairs.
+/// computes at twice the precision. If |B| exceeds the number of solutions, or if the polish moves
+/// a solution far, complex solutions are counted, too, which shows whether some are missing.
+/// Otherwise the number of real eigenvalues and eigenvalues without a solution show it: solutions
+/// that are not real come in pairs.
 ///
 /// # Errors
 /// As [`complex_solutions`].
@@ -101,7 +102,11 @@ fn first_attempt<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<
     spectrum.reduce_in_place()?;
     let values = spectrum.eigenvalues()?;
     found.note(solver, values.as_ref());
-    if !add_separate(solver, &spectrum, &values, found) {
+    let mut is_complete = add_separate(solver, &spectrum, &values, found);
+    if found.starts_to_count(solver) {
+        is_complete = add_separate(solver, &spectrum, &values, found) || found.has_all();
+    }
+    if !is_complete {
         add_shared(solver, &action, (&spectrum, &values), found);
     }
     Ok(())
@@ -137,7 +142,8 @@ struct Eigenpair<B: Size> {
 }
 
 /// Adds the eigenpairs of the eigenvalues that are wanted. One vector of a conjugate pair is
-/// computed, and the other follows from it.
+/// computed, and the other follows from it. If none is wanted, the eigenvalue closest to a real one
+/// is a witness of whether eigenvalues are precise.
 #[inline(never)]
 fn push_eigenpairs<B: Size>(
     pairs: &mut B::List<Eigenpair<B>>,
@@ -147,6 +153,13 @@ fn push_eigenpairs<B: Size>(
 ) {
     for &value in values {
         if value.im >= 0.0 && is_wanted(&value) {
+            pairs.push(Eigenpair::new(spectrum, value));
+        }
+    }
+    if pairs.is_empty() {
+        let angle = |value: &&Complex<f64>| value.im / value.re.abs();
+        let upper = values.iter().filter(|value| value.im > 0.0);
+        if let Some(&value) = upper.min_by(|a, b| angle(a).total_cmp(&angle(b))) {
             pairs.push(Eigenpair::new(spectrum, value));
         }
     }

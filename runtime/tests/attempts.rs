@@ -19,6 +19,8 @@ struct Listed<const B: usize, const MAX: usize> {
     eigenvalues: [Complex<f64>; B],
     /// The residual of x, whether complex, after at most so many steps.
     residual: Box<dyn Fn(Complex<f64>, bool, usize) -> f64>,
+    /// The part of x by which the polish moves it.
+    moves: f64,
     /// Whether x^2 = t.
     is_square: bool,
     has_origin: bool,
@@ -35,6 +37,7 @@ impl<const B: usize, const MAX: usize> Listed<B, MAX> {
         Self {
             eigenvalues,
             residual: Box::new(residual),
+            moves: 0.0,
             is_square: false,
             has_origin: false,
             is_singular: false,
@@ -113,9 +116,10 @@ impl<const B: usize, const MAX: usize> SolverInstance for Listed<B, MAX> {
     fn polish<S: Scalar>(&self, [x]: &mut [S; 1], steps: usize) -> f64 {
         let call = (x.to_complex(), TypeId::of::<S>() != TypeId::of::<f64>());
         if steps > 0 {
-            self.polished.borrow_mut().push(call)
+            self.polished.borrow_mut().push(call);
+            *x = x.scale(1.0 + self.moves);
         } else {
-            self.evaluated.borrow_mut().push(call)
+            self.evaluated.borrow_mut().push(call);
         }
         (self.residual)(call.0, call.1, steps)
     }
@@ -265,11 +269,18 @@ fn a_residual_up_to_the_limit_is_a_solution() {
     assert_eq!([MAX_RESIDUAL, MAX_RESIDUAL.next_up(), f64::NAN].map(count), [2, 0, 0]);
 }
 
-/// The eigenvalues re + im i and its conjugate: which real solutions they give.
+/// The eigenvalue re + im i, its conjugate, and 20, which is a solution: which real solutions the
+/// pair gives.
 fn of_pair(re: f64, im: f64, residual: fn(bool) -> f64) -> (Vec<f64>, Vec<Call>) {
-    let near =
-        move |x: Complex<f64>, is_complex: bool, _| if (x.re - re).abs() < 1e-3 { residual(is_complex) } else { 1.0 };
-    Listed::<2, 2>::new([c(re, im), c(re, -im)], near).real()
+    let near = move |x: Complex<f64>, is_complex: bool, _| match () {
+        () if (x.re - re).abs() < 1e-3 => residual(is_complex),
+        () if x.re > 15.0 => 0.0,
+        () => 1.0,
+    };
+    let (mut found, mut polished) = Listed::<3, 3>::new([c(re, im), c(re, -im), c(20.0, 0.0)], near).real();
+    found.retain(|&x| x < 15.0);
+    polished.retain(|(x, _)| x.re < 15.0);
+    (found, polished)
 }
 
 /// An eigenvalue is tried for a real solution if its imaginary part is at most a tenth of the real
@@ -318,6 +329,39 @@ fn real_eigenvalues_without_real_solutions_cause_a_second_attempt() {
     assert_eq!(attempts([c(3.0, 0.0), c(4.0, 0.0)]), 2);
     assert_eq!(attempts([c(3.0, 0.1), c(3.0, -0.1)]), 2);
     assert_eq!(attempts([c(3.0, 2.0), c(3.0, -2.0)]), 1);
+}
+
+/// If the polish moves a real solution by more than 1e-4 of it, complex solutions are counted: a
+/// pair of them may be two real solutions.
+#[test]
+fn imprecise_eigenvalues_are_all_tried() {
+    let real = |moves: f64, is_pair_lost: bool| {
+        let residual =
+            move |_: Complex<f64>, is_complex: bool, _: usize| if is_complex && is_pair_lost { 1.0 } else { 0.0 };
+        let mut four = Listed::<4, 4>::new([c(1.0, 0.0), c(2.0, 0.0), c(3.0, 2.0), c(3.0, -2.0)], residual);
+        four.moves = moves;
+        let (_, polished) = four.real();
+        (polished.iter().any(|call| call.1), four.attempts)
+    };
+    assert_eq!(real(0.9e-4, false), (false, 1));
+    assert_eq!(real(1.1e-4, false), (true, 1), "four solutions are counted");
+    assert_eq!(real(1.1e-4, true), (true, 2), "two are counted");
+}
+
+/// If no eigenvalue is nearly real, the one with the least |im / re| shows whether they are
+/// precise.
+#[test]
+fn a_complex_eigenvalue_shows_that_all_are_imprecise() {
+    let polished = |moves: f64| {
+        let pairs = [c(1.0, 2.0), c(1.0, -2.0), c(3.0, 1.0), c(3.0, -1.0)];
+        let mut four = Listed::<4, 4>::new(pairs, |_, _, _| 0.0);
+        four.moves = moves;
+        let (found, polished) = four.real();
+        assert!(found.is_empty() && four.attempts == 1, "{found:?}");
+        polished
+    };
+    assert!(are_calls(&polished(0.9e-4), &[(c(3.0, 1.0), true)]));
+    assert_eq!(polished(1.1e-4).len(), 3, "the witness, then both pairs");
 }
 
 /// With sign changes a real eigenvalue has two real solutions, or two imaginary ones: their number

@@ -8,7 +8,7 @@ use crate::published::{Published, fewest_rows, published, published_name};
 /// How many rows templates have, of the problems for which one is published.
 #[derive(Default)]
 pub struct Comparison {
-    /// The committed templates, which are the fastest.
+    /// The committed templates, which are taken for speed.
     pub committed: Tally,
     /// The templates with the fewest rows.
     pub fewest: Tally,
@@ -43,7 +43,7 @@ impl Comparison {
     /// Two bullets of Markdown.
     pub fn bullets(&self) -> [String; 2] {
         [
-            self.committed.bullet("The committed template, which is the fastest,"),
+            self.committed.bullet("The committed template, taken for speed,"),
             self.fewest.bullet("The template with the fewest rows"),
         ]
     }

@@ -3,6 +3,7 @@
 
 pub mod bounds;
 pub mod case;
+pub mod catalogue_page;
 pub mod comparison;
 pub mod equations;
 pub mod families;

@@ -61,7 +61,7 @@ pub fn are_distinct(points: &[Vec<Complex<f64>>]) -> bool {
 
 /// What a solver returns on many instances.
 pub struct Measurement {
-    /// log10 of the relative residual of every complex solution found, increasing.
+    /// log10 of the relative residual of every complex solution found.
     pub residuals_log10: Vec<f64>,
     /// The number of complex solutions that an instance has: of random data that of the plan; of
     /// scenes, which may be special data, the number that is found most often.
@@ -76,34 +76,28 @@ pub struct Measurement {
 /// Solves `instances` instances of a family of data, instance k from the seed `first_seed` + k.
 pub fn measure(case: &Case, plan: &Plan, family: Family, instances: u64, first_seed: u64) -> Measurement {
     let source = DataSource::new(case);
-    let solve = |k| -> Option<Vec<Vec<Complex<f64>>>> {
-        let found = (case.solve_complex)(&source.draw(family, first_seed + k)).ok()?;
-        are_distinct(&found).then_some(found)
+    // The number of solutions, if they are distinct, and the log10 of their residuals.
+    let solve = |k| -> (Option<usize>, Vec<f64>) {
+        let data = source.draw(family, first_seed + k);
+        let found = (case.solve_complex)(&data).ok().zip(interpret::coefficients(plan, Float64, &data));
+        let Some((found, coefficients)) = found else { return (None, Vec::new()) };
+        let residuals = found.iter().map(|x| log10(residual(plan, &coefficients, x))).collect();
+        (are_distinct(&found).then_some(found.len()), residuals)
     };
-    let found: Vec<Option<Vec<Vec<Complex<f64>>>>> = (0..instances).into_par_iter().map(solve).collect();
+    let (counts, residuals): (Vec<Option<usize>>, Vec<Vec<f64>>) = (0..instances).into_par_iter().map(solve).unzip();
     let solutions = match family {
-        Family::Scene => most_frequent(found.iter().flatten().map(Vec::len)).unwrap_or(plan.solutions),
+        Family::Scene => most_frequent(counts.iter().flatten().copied()).unwrap_or(plan.solutions),
         _ => plan.solutions,
     };
-    let residuals = |(k, found): (usize, &Option<Vec<Vec<Complex<f64>>>>)| -> Vec<f64> {
-        let data = source.draw(family, first_seed + k as u64);
-        let coefficients = interpret::coefficients(plan, Float64, &data);
-        let pairs = coefficients.iter().zip(found);
-        pairs.flat_map(|(c, found)| found.iter().map(|x| log10(residual(plan, c, x))).collect::<Vec<f64>>()).collect()
-    };
-    let mut residuals_log10: Vec<f64> =
-        found.par_iter().enumerate().flat_map_iter(|(k, f)| residuals((k, f))).collect();
-    residuals_log10.sort_by(f64::total_cmp);
-    let is_complete = |found: &&Option<Vec<Vec<Complex<f64>>>>| found.as_ref().is_some_and(|f| f.len() == solutions);
-    let failures = found.iter().filter(|found| !is_complete(found)).count();
-    Measurement { residuals_log10, solutions, failures, instances: instances as usize }
+    let failures = counts.iter().filter(|&&count| count != Some(solutions)).count();
+    Measurement { residuals_log10: residuals.concat(), solutions, failures, instances: instances as usize }
 }
 
 /// How far the solutions of scenes are from the known ones.
 pub struct ForwardErrors {
-    /// log10 of the error of the known solution that is found worst, of every scene, increasing; a
-    /// known solution that is missing has an infinite error.
-    pub log10: Vec<f64>,
+    /// log10 of the error of the known solution that is found worst, of every scene. A known
+    /// solution that is missing has an infinite error.
+    pub errors_log10: Vec<f64>,
     /// Scenes whose known solutions are all found, each to [`FOUND`].
     pub recovered: usize,
 }
@@ -114,9 +108,7 @@ pub fn measure_forward(case: &Case, instances: u64, first_seed: u64) -> ForwardE
     let error = |k| worst(makers.iter().map(|maker| maker.worst_error(case, &mut Random::new(first_seed + k))));
     let errors: Vec<f64> = (0..instances).into_par_iter().map(error).collect();
     let recovered = errors.iter().filter(|&&error| error <= FOUND).count();
-    let mut log10: Vec<f64> = errors.into_iter().map(log10).collect();
-    log10.sort_by(f64::total_cmp);
-    ForwardErrors { log10, recovered }
+    ForwardErrors { errors_log10: errors.into_iter().map(log10).collect(), recovered }
 }
 
 /// An instance counts as failed before the polish if the error of one of its points is larger, as

@@ -7,22 +7,20 @@ use eliminant_tests::equations::{Equations, Point};
 use eliminant_tests::families::{DataSource, Family};
 use eliminant_tests::judge::{Judgement, judge};
 use eliminant_tests::measure::{SAME, WORK_OF_TESTING, affordable, are_distinct};
-use eliminant_tests::statistics::{complex, log10, most_frequent, quantile, same_set};
+use eliminant_tests::statistics::{complex, log10, quantile, same_set};
 use eliminant_tests::{Case, cases};
 use rayon::prelude::*;
 
 /// Instances on which solutions are counted.
 const INSTANCES: u64 = 10_000;
+/// Scenes on which the solutions of `solve` are compared with those of `solve_complex`.
+const SCENES: u64 = 2_000;
 /// Instances of each family on which every returned point is judged.
 const JUDGED: u64 = 300;
 /// Operations for the instances of one problem that are judged.
 const WORK_OF_JUDGING: u64 = 700_000_000;
 /// An imaginary part that is rounding, relative to the largest unknown.
 const REAL: f64 = 1e-9;
-
-/// The claims on 10,000 instances: all complex solutions are found, the conjugate of each is one of
-/// them, and `solve` returns the real ones.
-const CLAIMS: Bounds = Bounds { what: "share of random instances against a claim", usual: 1e-3, exceptions: &[] };
 
 /// What is demanded of the returned points of a family.
 struct Demands {
@@ -76,8 +74,7 @@ const ON_RANDOM_DATA: Demands = Demands {
     },
 };
 
-/// Data of scenes may have fewer solutions than random data. Most scenes have the same number, and
-/// that is demanded of all of them.
+/// Scenes have as many solutions as random data.
 const ON_SCENES: Demands = Demands {
     family: Family::Scene,
     first_seed: 51_000_000,
@@ -95,11 +92,19 @@ const ON_SCENES: Demands = Demands {
     missing: Bounds {
         what: "share of missing solutions",
         usual: 1e-3,
-        exceptions: &[Exception {
-            problem: "calibration_6_receivers_4_senders",
-            bound: 1e-2,
-            reason: "3e-3 measured: the linear equations of the receivers are close to dependent on 1 of 100 scenes",
-        }],
+        exceptions: &[
+            Exception {
+                problem: "calibration_6_receivers_4_senders",
+                bound: 1e-2,
+                reason: "3e-3 measured: the linear equations of the receivers are close to dependent on 1 of 100 scenes",
+            },
+            Exception {
+                problem: "orbit_5_lines_of_sight",
+                bound: 2e-2,
+                reason: "1.5e-2 measured, one of 66: at the orbit of the observers the Jacobian is singular, so that Newton's \
+                     method does not confirm it",
+            },
+        ],
     },
     residual: (0.99, Bounds { what: "quantile 0.99 of the residuals", usual: 1e-13, exceptions: &[] }),
     error: Bounds {
@@ -131,13 +136,9 @@ fn check(demands: &Demands) {
         let plan = case.planned().plan;
         let instances = affordable(&plan, JUDGED, WORK_OF_JUDGING);
         let judged = judged(&case, demands.family, demands.first_seed, instances);
-        let solutions = match demands.family {
-            Family::Scene => most_frequent(judged.iter().map(|judgement| judgement.found)).unwrap_or(plan.solutions),
-            _ => plan.solutions,
-        };
-        let missing = judged.iter().map(|judgement| solutions.saturating_sub(judgement.found)).sum();
+        let missing = judged.iter().map(|judgement| plan.solutions.saturating_sub(judgement.found)).sum();
         let mut found = judged.into_iter().fold(Judgement::default(), Judgement::plus);
-        let (points, exist) = (found.residuals.len(), solutions * instances as usize);
+        let (points, exist) = (found.residuals.len(), plan.solutions * instances as usize);
         let bounded_residual = quantile(&mut found.residuals, demands.residual.0);
         let residuals = [0.5, 0.99, 0.999, 1.0].map(|q| quantile(&mut found.residuals, q));
         let errors = [0.5, 0.99, 0.999, 1.0].map(|q| quantile(&mut found.errors, q));
@@ -202,26 +203,40 @@ fn outcome(case: &Case, data: &[f64], solutions: usize) -> Outcome {
     }
 }
 
-#[test]
-fn all_solutions_are_found_on_random_data() {
+/// Counts the instances of a family that do not meet a claim.
+fn check_claims(family: Family, first_seed: u64, wanted: u64, claims: &[(Bounds, fn(&Outcome) -> bool)]) {
     let mut faults = Vec::new();
+    let names: Vec<&str> = cases().iter().map(|case| case.name).collect();
     for case in cases() {
         let (plan, source) = (case.planned().plan, DataSource::new(&case));
-        let instances = affordable(&plan, INSTANCES, WORK_OF_TESTING);
+        let instances = affordable(&plan, wanted, WORK_OF_TESTING);
         let outcomes: Vec<Outcome> = (0..instances)
             .into_par_iter()
-            .map(|k| outcome(&case, &source.draw(Family::Random, 52_000_000 + k), plan.solutions))
+            .map(|k| outcome(&case, &source.draw(family, first_seed + k), plan.solutions))
             .collect();
-        for (claim, holds) in [
-            ("all complex solutions found", (|o| o.is_complete) as fn(&Outcome) -> bool),
-            ("conjugates are solutions", |o| o.has_conjugates),
-            ("solve gives the real ones", |o| o.real_ones_agree),
-        ] {
+        for (bounds, holds) in claims {
             let against = outcomes.iter().filter(|o| !holds(o)).count();
-            println!("{}: {claim} on {} of {instances}", case.name, outcomes.len() - against);
-            CLAIMS.check(case.name, share(against, outcomes.len()), &mut faults);
+            println!("{} on {family:?}: {} on {against} of {instances}", case.name, bounds.what);
+            bounds.check(case.name, share(against, outcomes.len()), &mut faults);
         }
     }
-    CLAIMS.check_names(&cases().iter().map(|case| case.name).collect::<Vec<_>>(), &mut faults);
+    claims.iter().for_each(|(bounds, _)| bounds.check_names(&names, &mut faults));
     assert!(faults.is_empty(), "{faults:#?}");
+}
+
+#[test]
+fn all_solutions_are_found_on_random_data() {
+    let claim = |what| Bounds { what, usual: 1e-3, exceptions: &[] };
+    let claims: [(Bounds, fn(&Outcome) -> bool); 3] = [
+        (claim("not all complex solutions found"), |o| o.is_complete),
+        (claim("the conjugate of a solution is none"), |o| o.has_conjugates),
+        (claim("solve does not give the real ones"), |o| o.real_ones_agree),
+    ];
+    check_claims(Family::Random, 52_000_000, INSTANCES, &claims);
+}
+
+#[test]
+fn solve_gives_the_real_ones_of_solve_complex_on_scenes() {
+    let real = Bounds { what: "solve does not give the real ones", usual: 1e-3, exceptions: &[] };
+    check_claims(Family::Scene, 53_000_000, SCENES, &[(real, |o| o.real_ones_agree)]);
 }

@@ -7,9 +7,9 @@ use std::process::Command;
 use std::{env, fs};
 
 use eliminant_generator::algebra::Random;
-use eliminant_tests::cases;
 use eliminant_tests::comparison::Comparison;
 use eliminant_tests::statistics::{log10, quantile};
+use eliminant_tests::{Case, cases, catalogue_page};
 
 eliminant::include_solver!("gps");
 
@@ -89,21 +89,12 @@ fn measured() -> String {
 /// A column of the catalogue that holds a share of the instances of each problem.
 fn column(head: &str) -> Vec<f64> {
     let page = catalogue();
-    let mut lines = page.lines().skip_while(|line| !cells(line).contains(&head));
-    let heads = cells(lines.next().unwrap_or_else(|| panic!("the catalogue lacks the column {head}")));
-    let at = heads.iter().position(|&cell| cell == head).expect("it was found");
-    let rows = lines.skip(1).take_while(|line| line.starts_with('|'));
-    let shares: Vec<f64> = rows.map(|row| cells(row)[at].parse().expect("a share")).collect();
-    assert_eq!(shares.len(), cases().len(), "column {head}");
-    shares
+    let share = |case: &Case| catalogue_page::row(&page, case.name)?.get(head)?.parse().ok();
+    cases().iter().map(|case| share(case).unwrap_or_else(|| panic!("{}: no share in `{head}`", case.name))).collect()
 }
 
 fn catalogue() -> String {
-    fs::read_to_string(root().join("templates/README.md")).expect("templates/README.md")
-}
-
-fn cells(row: &str) -> Vec<&str> {
-    row.split('|').map(str::trim).collect()
+    fs::read_to_string(catalogue_page::path()).expect("templates/README.md")
 }
 
 /// Replaces what stands between `<!-- name:begin -->` and `<!-- name:end -->`.
@@ -187,10 +178,10 @@ fn the_catalogue_has_every_template() {
     let page = catalogue();
     for case in cases() {
         let template = case.template().template;
-        let row = page.lines().find(|line| line.contains(&format!("({}.rs)", case.name))).unwrap_or_default();
-        let cells = cells(row);
-        let (size, basis) = (format!("{}x{}", template.rows(), template.columns()), template.basis.len().to_string());
-        let is_current = cells.contains(&size.as_str()) && cells.contains(&basis.as_str());
+        let row = catalogue_page::row(&page, case.name).unwrap_or_default();
+        let size = format!("{}x{}", template.rows(), template.columns());
+        let is = |head: &str, cell: String| row.get(head) == Some(&cell);
+        let is_current = is("template", size) && is("basis", template.basis.len().to_string());
         assert!(is_current, "{}: run `cargo run --release -p eliminant-tests --bin catalogue -- --update`", case.name);
     }
 }

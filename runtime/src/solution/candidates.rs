@@ -22,6 +22,12 @@ pub const MAX_RESIDUAL: f64 = 1e-10;
 /// less precise, and perturb others.
 const NEARLY_REAL: f64 = 0.1;
 
+/// If the polish moves a real solution by more than this part of an unknown, the eigenvalues are
+/// imprecise, and those of a pair of real solutions may be complex, far from the real axis.
+const IMPRECISE: f64 = 1e-4;
+/// An unknown may be moved by this part of the largest unknown.
+const IMPRECISE_FLOOR: f64 = 1e-6;
+
 /// The collected solutions of a solve: [`AllSolutions`] or [`RealSolutions`].
 pub(crate) trait Collection<I: SolverInstance> {
     /// Whether an eigenvalue with im >= 0 may belong to a collected solution.
@@ -34,6 +40,10 @@ pub(crate) trait Collection<I: SolverInstance> {
     /// solutions. Returns false if an eigenpair gave nothing new, and so may share its eigenvalue
     /// with another one.
     fn add(&mut self, solver: &I, source: &dyn EigenpairSource<I::Basis>, value: Complex<f64>) -> bool;
+
+    /// Starts to count complex solutions, too, if eigenvalues turned out to be imprecise. Returns
+    /// true if it does so from now on: every eigenpair must then be added, known ones again.
+    fn starts_to_count(&mut self, solver: &I) -> bool;
 
     /// Whether as many complex solutions were counted as general data have.
     fn has_all(&self) -> bool;
@@ -88,6 +98,11 @@ impl<I: SolverInstance> Collection<I> for AllSolutions<I> {
     }
 
     #[inline]
+    fn starts_to_count(&mut self, _: &I) -> bool {
+        false
+    }
+
+    #[inline]
     fn has_all(&self) -> bool {
         self.found.len() == self.most
     }
@@ -101,8 +116,9 @@ impl<I: SolverInstance> Collection<I> for AllSolutions<I> {
 /// The real solutions.
 pub(crate) struct RealSolutions<I: SolverInstance> {
     real: Found<I, f64>,
-    /// All complex solutions, if they are counted: |B| then exceeds the number of solutions, and
-    /// only the count tells whether a spurious eigenpair replaces a missing solution.
+    /// All complex solutions, if they are counted. If |B| exceeds the number of solutions, only the
+    /// count tells whether a spurious eigenpair replaces a missing solution. If eigenvalues are
+    /// imprecise, only the count tells whether a pair of real solutions became complex.
     all: Option<AllSolutions<I>>,
     most: usize,
     /// The number of real eigenvalues, if each eigenvalue belongs to one solution: there are as
@@ -110,6 +126,8 @@ pub(crate) struct RealSolutions<I: SolverInstance> {
     real_eigenvalues: Option<usize>,
     /// Whether an eigenvalue that is nearly real led to no solution.
     has_failed: bool,
+    /// Whether the polish moved a solution far from its eigenpair.
+    is_imprecise: bool,
 }
 
 impl<I: SolverInstance> RealSolutions<I> {
@@ -122,6 +140,7 @@ impl<I: SolverInstance> RealSolutions<I> {
             most: solver.sizes().solutions.get(),
             real_eigenvalues: None,
             has_failed: false,
+            is_imprecise: false,
         }
     }
 
@@ -139,6 +158,20 @@ impl<I: SolverInstance> RealSolutions<I> {
             self.real = known;
         }
         admissible(solver, &self.real)
+    }
+
+    /// As the function of this name. It notes whether the polish moves the solution far.
+    #[inline]
+    fn polished<S: Scalar>(
+        &mut self,
+        solver: &I,
+        (value, vector): (S, BasisVector<I, S>),
+    ) -> Option<Candidate<S, I::Unknowns>> {
+        let start = unknowns(solver, value, &vector)?;
+        let end = polish_from(solver, start.clone())?;
+        let start = Candidate { unknowns: start, residual: f64::INFINITY };
+        self.is_imprecise |= !end.agrees(&start, IMPRECISE, IMPRECISE_FLOOR);
+        Some(end)
     }
 }
 
@@ -160,7 +193,7 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
     #[inline(never)]
     fn add(&mut self, solver: &I, source: &dyn EigenpairSource<I::Basis>, value: Complex<f64>) -> bool {
         if value.im == 0.0 {
-            let candidate = polished(solver, source.real(value.re));
+            let candidate = self.polished(solver, source.real(value.re));
             match (&mut self.all, &candidate) {
                 (Some(all), Some(candidate)) => {
                     push_all_signs(solver, &as_complex(solver, candidate), &mut all.found);
@@ -173,7 +206,7 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
             let Some(candidate) = candidate else { return false };
             return push_all_signs(solver, &candidate, &mut self.real);
         }
-        let Some(candidate) = polished(solver, source.complex(value)) else {
+        let Some(candidate) = self.polished(solver, source.complex(value)) else {
             self.has_failed = true;
             return false;
         };
@@ -185,6 +218,15 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
             push_all_signs(solver, &real, &mut self.real);
         }
         false
+    }
+
+    #[inline]
+    fn starts_to_count(&mut self, solver: &I) -> bool {
+        let starts = self.is_imprecise && self.all.is_none();
+        if starts {
+            self.all = Some(AllSolutions::new(solver));
+        }
+        starts
     }
 
     #[inline]

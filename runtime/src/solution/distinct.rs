@@ -51,8 +51,9 @@ impl<S: Scalar, N: Size> Candidate<S, N> {
         self.agrees(other, CLOSE, CLOSE_FLOOR)
     }
 
+    /// Whether every unknown agrees to this relative distance, or to `floor` times the largest one.
     #[inline]
-    fn agrees(&self, other: &Self, tolerance: f64, floor: f64) -> bool {
+    pub(crate) fn agrees(&self, other: &Self, tolerance: f64, floor: f64) -> bool {
         let (own, others) = (self.unknowns.as_ref(), other.unknowns.as_ref());
         let floor = floor * largest(own).max(largest(others));
         let is_near = |x: S, y: S| (x - y).magnitude() <= floor + tolerance * x.magnitude().max(y.magnitude());

@@ -3,18 +3,19 @@
 //!
 //! With `--update` the page `templates/README.md` is written anew.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
 use clap::{Parser, ValueEnum};
 use comfy_table::{CellAlignment, Table, presets};
+use eliminant_tests::catalogue_page::{self, Row};
 use eliminant_tests::comparison::Comparison;
 use eliminant_tests::families::Family;
 use eliminant_tests::measure::{WORK_OF_MEASURING, affordable, measure, measure_forward, measure_unpolished};
 use eliminant_tests::published::{Published, fewest_rows, published, published_name};
 use eliminant_tests::statistics::quantile;
-use eliminant_tests::{Case, cases, templates_folder};
+use eliminant_tests::{Case, cases};
 
 /// The catalogue of problems, measured, beside published templates.
 #[derive(Parser)]
@@ -110,41 +111,13 @@ const GROUPS: [Group; 5] = [
     },
 ];
 
-/// Columns that are measured. Of a problem that is not measured they stay as the page has them; all
-/// others follow from committed files.
-const MEASURED: [&str; 20] = [
-    "solutions",
-    "template",
-    "basis",
-    "operations",
-    "n",
-    "median",
-    "p99",
-    "failures",
-    "scenes",
-    "of a scene",
-    "scene median",
-    "scene p99",
-    "scene failures",
-    "recovered",
-    "forward median",
-    "forward p99",
-    "unpolished n",
-    "unpolished median",
-    "unpolished p99",
-    "unpolished failures",
-];
-
 /// Instances on which points before the polish are measured: as many as of published solvers.
 const UNPOLISHED: u64 = 1_000;
-
-/// The cells of a problem by the heads of their columns.
-type Row = BTreeMap<&'static str, String>;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments = Arguments::parse();
     let published = published()?;
-    let path = templates_folder().join("README.md");
+    let path = catalogue_page::path();
     let written = if arguments.update { fs::read_to_string(&path)? } else { String::new() };
     let mut rows = Vec::new();
     for case in cases() {
@@ -152,7 +125,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             eprintln!("{}", case.name);
             measured(&case, &arguments)
         } else if arguments.update {
-            written_cells(&written, case.name).ok_or_else(|| format!("{} is not in the page", case.name))?
+            catalogue_page::row(&written, case.name).ok_or_else(|| format!("{} is not in the page", case.name))?
         } else {
             continue;
         };
@@ -185,60 +158,53 @@ fn cell<'a>(row: &'a Row, head: &str) -> &'a str {
     row.get(head).map_or("", String::as_str)
 }
 
-/// The cells of [`MEASURED`].
+/// The cells that are measured, and the size of the template that they were measured with.
 fn measured(case: &Case, arguments: &Arguments) -> Row {
     let (template, plan) = (case.template().template, case.planned().plan);
     let (instances, seed) = (affordable(&plan, arguments.instances, WORK_OF_MEASURING), arguments.seed);
     let random = measure(case, &plan, Family::Random, instances, seed);
     let scenes = measure(case, &plan, Family::Scene, instances, seed);
     let forward = measure_forward(case, instances, seed);
-    let mut unpolished = measure_unpolished(&plan, instances.min(UNPOLISHED), seed);
-    unpolished.errors_log10.sort_by(f64::total_cmp);
-    let size = [
-        plan.solutions.to_string(),
-        format!("{}x{}", template.rows(), template.columns()),
-        template.basis.len().to_string(),
-        plan.operations().total().to_string(),
+    let unpolished = measure_unpolished(&plan, instances.min(UNPOLISHED), seed);
+    let cells = [
+        ("solutions", plan.solutions.to_string()),
+        ("template", format!("{}x{}", template.rows(), template.columns())),
+        ("basis", template.basis.len().to_string()),
+        ("operations", plan.operations().total().to_string()),
+        ("n", random.instances.to_string()),
+        ("median", at(&random.residuals_log10, 0.5)),
+        ("p99", at(&random.residuals_log10, 0.99)),
+        ("failures", share(random.failures, random.instances)),
+        ("scenes", scenes.instances.to_string()),
+        ("of a scene", scenes.solutions.to_string()),
+        ("scene median", at(&scenes.residuals_log10, 0.5)),
+        ("scene p99", at(&scenes.residuals_log10, 0.99)),
+        ("scene failures", share(scenes.failures, scenes.instances)),
+        ("recovered", share(forward.recovered, scenes.instances)),
+        ("forward median", at(&forward.errors_log10, 0.5)),
+        ("forward p99", at(&forward.errors_log10, 0.99)),
+        ("unpolished n", unpolished.instances.to_string()),
+        ("unpolished median", at(&unpolished.errors_log10, 0.5)),
+        ("unpolished p99", at(&unpolished.errors_log10, 0.99)),
+        ("unpolished failures", share(unpolished.failures, unpolished.instances)),
     ];
-    let returned = [
-        random.instances.to_string(),
-        at(&random.residuals_log10, 0.5),
-        at(&random.residuals_log10, 0.99),
-        share(random.failures, random.instances),
-    ];
-    let of_scenes = [
-        scenes.instances.to_string(),
-        scenes.solutions.to_string(),
-        at(&scenes.residuals_log10, 0.5),
-        at(&scenes.residuals_log10, 0.99),
-        share(scenes.failures, scenes.instances),
-        share(forward.recovered, scenes.instances),
-        at(&forward.log10, 0.5),
-        at(&forward.log10, 0.99),
-    ];
-    let before_polish = [
-        unpolished.instances.to_string(),
-        at(&unpolished.errors_log10, 0.5),
-        at(&unpolished.errors_log10, 0.99),
-        share(unpolished.failures, unpolished.instances),
-    ];
-    MEASURED.into_iter().zip(size.into_iter().chain(returned).chain(of_scenes).chain(before_polish)).collect()
+    cells.into_iter().map(|(head, cell)| (head.to_owned(), cell)).collect()
 }
 
 fn share(part: usize, whole: usize) -> String {
     format!("{:.4}", part as f64 / whole as f64)
 }
 
-/// A quantile of increasing values.
+/// A quantile.
 fn at(values: &[f64], q: f64) -> String {
     format!("{:.1}", quantile(&mut values.to_vec(), q))
 }
 
-/// Adds what follows from committed files.
+/// Adds what follows from committed files. It replaces what the page has of them.
 fn with_published(mut row: Row, case: &Case, published: &[Published]) -> Result<Row, csv::Error> {
     let name = published_name(case).unwrap_or_default();
     let theirs = published.iter().find(|p| p.name == name).cloned().unwrap_or_default();
-    row.extend([
+    let cells = [
         (PROBLEM, case.name.to_owned()),
         ("published as", name),
         ("fewest rows", fewest_rows(case.name)?.unwrap_or_default()),
@@ -251,32 +217,9 @@ fn with_published(mut row: Row, case: &Case, published: &[Published]) -> Result<
         ("its median", theirs.median),
         ("its p99", theirs.p99),
         ("its failures", theirs.failure_rate),
-    ]);
+    ];
+    row.extend(cells.into_iter().map(|(head, cell)| (head.to_owned(), cell)));
     Ok(row)
-}
-
-/// The cells of [`MEASURED`] of a problem in the page as it was written before, from all tables
-/// that have a row of it. A column is known by its head, so that it may stand elsewhere now.
-fn written_cells(page: &str, name: &str) -> Option<Row> {
-    let link = format!("({name}.rs)");
-    let (mut heads, mut found) = (Vec::new(), None);
-    for line in page.lines() {
-        let Some(line) = line.trim().strip_prefix('|').and_then(|line| line.strip_suffix('|')) else {
-            heads.clear();
-            continue;
-        };
-        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
-        if heads.is_empty() {
-            heads = cells;
-        } else if cells[0].ends_with(&link) {
-            let row = found.get_or_insert_with(Row::new);
-            let is_measured = |head: &str| MEASURED.into_iter().find(|measured| *measured == head);
-            let known =
-                heads.iter().zip(&cells).filter_map(|(head, cell)| Some((is_measured(head)?, (*cell).to_owned())));
-            row.extend(known);
-        }
-    }
-    found
 }
 
 fn table(group: &Group, rows: &[Row], preset: &str) -> Table {
@@ -291,7 +234,7 @@ fn table(group: &Group, rows: &[Row], preset: &str) -> Table {
 fn page(rows: &[Row], comparison: &str, arguments: &Arguments) -> String {
     let linked = |row: &Row| {
         let mut row = row.clone();
-        row.entry(PROBLEM).and_modify(|name| *name = format!("[`{name}`]({name}.rs)"));
+        row.entry(PROBLEM.to_owned()).and_modify(|name| *name = format!("[`{name}`]({name}.rs)"));
         row
     };
     let rows: Vec<Row> = rows.iter().map(linked).collect();

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::provenance;
 use super::settings::Settings;
-use crate::check::{SolutionCount, check};
+use crate::check::check;
 use crate::command::error::CommandError;
 use crate::command::watch::{End, Watch};
 use crate::generate::plan;
@@ -63,57 +63,43 @@ pub(super) struct Outcome {
 /// columns and the time is not over, the wider limit is tried. What it gives is taken if it solves
 /// well, or if the first limit gave nothing.
 pub(super) fn search(task: Task<'_>, settings: Settings) -> Result<Outcome, CommandError> {
-    task.watch.say("counting solutions");
-    let count = check(task.problem)?;
-    let widened = settings.widened();
-    let limit = settings.options.max_columns;
-    let first = search_within(task, &count, settings)?;
-    let (Some(widened), false) = (widened, first.is_final()) else {
-        return first.result(task);
+    let Task { path, problem, watch } = task;
+    watch.say("counting solutions");
+    let count = check(problem)?;
+    let within = |settings: Settings| match candidates(problem, &count, &settings.options, watch) {
+        Ok(found) => conclude(task, settings, Candidates::of(found)).map(Ok),
+        Err(error) => Ok(Err(error)),
     };
-    task.watch.say(&format!("nothing good within {limit} columns; trying {}", widened.options.max_columns));
-    let second = search_within(task, &count, widened)?;
-    if second.is_good() || first.is_nothing() { second.result(task) } else { first.result(task) }
+    let or_error = |attempt: Attempt| attempt.map_err(|error| CommandError::of_search(path, problem, error));
+    let (widened, limit) = (settings.widened(), settings.options.max_columns);
+    let mut first = within(settings)?;
+    let Some(widened) = widened.filter(|_| needs_more_columns(&first)) else { return or_error(first) };
+    watch.say(&format!("nothing good within {limit} columns; trying {}", widened.options.max_columns));
+    let second = within(widened)?;
+    if first.is_err() || second.as_ref().is_ok_and(Outcome::solves_well) {
+        return or_error(second);
+    }
+    if let (Ok(outcome), Some(end)) = (&mut first, watch.end()) {
+        outcome.end = Some(end);
+        provenance::add_end(&mut outcome.file.provenance, end);
+    }
+    or_error(first)
 }
 
 /// What the search within one limit on columns came to.
-enum Attempt {
-    Chosen(Box<Outcome>),
-    Nothing(SearchError),
-}
+type Attempt = Result<Outcome, SearchError>;
 
-impl Attempt {
-    /// Whether a wider limit is pointless, or there is no time for it.
-    fn is_final(&self) -> bool {
-        match self {
-            Self::Chosen(outcome) => self.is_good() || outcome.end.is_some(),
-            Self::Nothing(error) => !matches!(error, SearchError::NotFound { is_over: false, .. }),
-        }
-    }
-
-    fn is_good(&self) -> bool {
-        match self {
-            Self::Chosen(outcome) => outcome.choice.measured[outcome.choice.chosen].verdict != Verdict::Rejected,
-            Self::Nothing(_) => false,
-        }
-    }
-
-    fn is_nothing(&self) -> bool {
-        matches!(self, Self::Nothing(_))
-    }
-
-    fn result(self, task: Task<'_>) -> Result<Outcome, CommandError> {
-        match self {
-            Self::Chosen(outcome) => Ok(*outcome),
-            Self::Nothing(error) => Err(CommandError::of_search(task.path, task.problem, error)),
-        }
+/// Whether nothing that solves well was found although there was time.
+fn needs_more_columns(attempt: &Attempt) -> bool {
+    match attempt {
+        Ok(outcome) => !outcome.solves_well() && outcome.end.is_none(),
+        Err(error) => matches!(error, SearchError::NotFound { is_over: false, .. }),
     }
 }
 
-fn search_within(task: Task<'_>, count: &SolutionCount, settings: Settings) -> Result<Attempt, CommandError> {
-    match candidates(task.problem, count, &settings.options, task.watch) {
-        Ok(found) => Ok(Attempt::Chosen(Box::new(conclude(task, settings, Candidates::of(found))?))),
-        Err(error) => Ok(Attempt::Nothing(error)),
+impl Outcome {
+    fn solves_well(&self) -> bool {
+        self.choice.measured[self.choice.chosen].verdict != Verdict::Rejected
     }
 }
 

@@ -82,8 +82,14 @@ pub(super) fn complete(
         add(NOTHING_WITHIN, narrower.to_string());
     }
     if let Some(end) = end {
-        add(ENDED_EARLY, end.name().to_owned());
+        add_end(provenance, end);
     }
+    provenance.sort_by_key(|(key, _)| position(key));
+}
+
+/// Adds that the search ended early, in the place of the key.
+pub(super) fn add_end(provenance: &mut Vec<(String, String)>, end: End) {
+    provenance.push((ENDED_EARLY.to_owned(), end.name().to_owned()));
     provenance.sort_by_key(|(key, _)| position(key));
 }
 
