@@ -38,7 +38,7 @@ pub fn residual(plan: &Plan, coefficients: &[f64], x: &[Complex<f64>]) -> f64 {
 /// are measured.
 pub const WORK_OF_MEASURING: u64 = 20_000_000_000;
 /// The same where they are tested: two cores run all tests in less than ten minutes.
-pub const WORK_OF_TESTING: u64 = 4_000_000_000;
+pub const WORK_OF_TESTING: u64 = 2_000_000_000;
 /// A solve that takes more operations counts as so many: even the largest templates are solved on
 /// some hundred instances.
 const MOST_OF_ONE_SOLVE: u64 = 40_000_000;

@@ -99,7 +99,8 @@ fn paths_in_documents_exist() {
 /// The most characters of a line of prose.
 const COLUMNS: usize = 100;
 
-/// What begins a line of prose in a file: a comment, and anything in a document. Templates are data.
+/// What begins a line of prose in a file: a comment, and anything in a document. Templates are
+/// data.
 fn start_of_prose(file: &Path) -> Option<&'static str> {
     let name = file.file_name().and_then(|name| name.to_str()).unwrap_or_default();
     match file.extension().and_then(|end| end.to_str()) {

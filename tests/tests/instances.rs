@@ -14,7 +14,7 @@ use rayon::prelude::*;
 /// Instances on which solutions are counted.
 const INSTANCES: u64 = 10_000;
 /// Scenes on which the solutions of `solve` are compared with those of `solve_complex`.
-const SCENES: u64 = 2_000;
+const SCENES: u64 = 1_000;
 /// Instances of each family on which every returned point is judged.
 const JUDGED: u64 = 300;
 /// Operations for the instances of one problem that are judged.
@@ -203,8 +203,11 @@ fn outcome(case: &Case, data: &[f64], solutions: usize) -> Outcome {
     }
 }
 
+/// Whether an instance meets a claim.
+type Holds = fn(&Outcome) -> bool;
+
 /// Counts the instances of a family that do not meet a claim.
-fn check_claims(family: Family, first_seed: u64, wanted: u64, claims: &[(Bounds, fn(&Outcome) -> bool)]) {
+fn check_claims(family: Family, first_seed: u64, wanted: u64, claims: &[(Bounds, Holds)]) {
     let mut faults = Vec::new();
     let names: Vec<&str> = cases().iter().map(|case| case.name).collect();
     for case in cases() {
@@ -227,7 +230,7 @@ fn check_claims(family: Family, first_seed: u64, wanted: u64, claims: &[(Bounds,
 #[test]
 fn all_solutions_are_found_on_random_data() {
     let claim = |what| Bounds { what, usual: 1e-3, exceptions: &[] };
-    let claims: [(Bounds, fn(&Outcome) -> bool); 3] = [
+    let claims: [(Bounds, Holds); 3] = [
         (claim("not all complex solutions found"), |o| o.is_complete),
         (claim("the conjugate of a solution is none"), |o| o.has_conjugates),
         (claim("solve does not give the real ones"), |o| o.real_ones_agree),
