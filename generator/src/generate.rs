@@ -4,6 +4,8 @@
 use crate::algebra::{Monomial, PRIMES, PrimeField};
 use crate::emit::{EmitError, Provenance, emit};
 use crate::plan::Plan;
+#[cfg(feature = "search")]
+use crate::plan::chains::Chains;
 use crate::plan::interpret::{self, Eliminated};
 use crate::plan::schedule::{ScheduleError, schedule};
 use crate::plan::solution_count::{SolutionBounds, count_solutions};
@@ -11,6 +13,7 @@ use crate::presolve::{ReducedProblem, presolve};
 use crate::problem::Problem;
 use crate::problem::diagnostic::Diagnostics;
 use crate::problem::instance::Instance;
+use crate::template::RootMethod;
 use crate::template::file::{TemplateFile, TemplateFileError};
 use crate::template::verify::{VerifyError, verify};
 
@@ -48,6 +51,12 @@ pub enum GenerateError {
     /// A random instance could not be drawn.
     #[error("no random instance has the support of the problem")]
     NoInstance,
+    /// The basis is not one for a determinant.
+    #[error(
+        "the template file says `roots = \"determinant\"`, but its basis has too many chains, or more monomials than \
+         there are solutions: expected `roots = \"eigenvalues\"`"
+    )]
+    Chains,
     /// The plan gives another action matrix than the template: a fault of this crate.
     #[error("the plan gives another action matrix than the template")]
     PlanDiffers,
@@ -59,8 +68,8 @@ pub enum GenerateError {
 impl GenerateError {
     /// Whether a new search for a template would mend the error.
     pub fn is_stale_template(&self) -> bool {
-        use GenerateError::{File, Schedule, Solutions, Stale, Verify};
-        matches!(self, File(_) | Stale { .. } | Verify(_) | Solutions { .. } | Schedule(_))
+        use GenerateError::{Chains, File, Schedule, Solutions, Stale, Verify};
+        matches!(self, File(_) | Stale { .. } | Verify(_) | Solutions { .. } | Schedule(_) | Chains)
     }
 }
 
@@ -99,10 +108,14 @@ pub fn plan(problem: &Problem, file: &TemplateFile) -> Result<Planned, GenerateE
     let draw = |seed: u64| Instance::draw(&reduced.problem, VERIFY_FIELD, seed);
     let instance = draw(VERIFY_SEEDS[0]).ok_or(GenerateError::NoInstance)?;
     let action = verify(&file.template, VERIFY_FIELD, &instance.equations)?;
-    let plan = schedule(problem, &reduced, &file.template, file.solutions, file.roots)?;
+    let mut plan = schedule(problem, &reduced, &file.template, file.solutions)?;
     let (coefficients, eliminated) = interpreted(&plan, &instance).ok_or(GenerateError::PlanDiffers)?;
     if !eliminated.action.iter().enumerate().all(|(row, values)| values.as_slice() == action.row(row)) {
         return Err(GenerateError::PlanDiffers);
+    }
+    if file.roots == RootMethod::Determinant {
+        let chains = plan.determinant_chains(VERIFY_FIELD, &eliminated.action);
+        plan.chains = Some(chains.ok_or(GenerateError::Chains)?);
     }
     let found = count_solutions(&plan, &file.template.action, VERIFY_FIELD, &coefficients, &eliminated);
     let allows = |count: SolutionBounds| count.allows(file.solutions);
@@ -117,6 +130,14 @@ pub fn plan(problem: &Problem, file: &TemplateFile) -> Result<Planned, GenerateE
 #[cfg(feature = "search")]
 pub(crate) fn gives_its_solutions(plan: &Plan, action: &Monomial, reduced: &ReducedProblem) -> bool {
     counts(plan, action, reduced, &VERIFY_SEEDS).any(|count| count.allows(plan.solutions))
+}
+
+/// The chains over which a determinant gives the real solutions, as a build will find them.
+#[cfg(feature = "search")]
+pub(crate) fn determinant_chains(plan: &Plan, reduced: &ReducedProblem) -> Option<Chains> {
+    let instance = Instance::draw(&reduced.problem, VERIFY_FIELD, VERIFY_SEEDS[0])?;
+    let (_, eliminated) = interpreted(plan, &instance)?;
+    plan.determinant_chains(VERIFY_FIELD, &eliminated.action)
 }
 
 /// The number of solutions on each of some instances.

@@ -16,10 +16,11 @@ use crate::size::{List, Size, Square, filled_matrix};
 use crate::solution::candidates::{AllSolutions, Collection, RealSolutions, flips};
 use crate::solution::extract::unknowns;
 use crate::solution::shared_value::SharedValue;
-use crate::solver_instance::{BasisVector, EigenpairSource, Points, SolverInstance};
+use crate::solver_instance::{BasisVector, EigenpairSource, HiddenVariableSolver, Points, SolverInstance};
 use crate::spectrum::hessenberg::Hessenberg;
-use crate::spectrum::polynomial_roots::real_roots_monic;
+use crate::spectrum::hidden_variable::{HiddenPairs, HiddenVariable};
 use crate::spectrum::precise_spectrum::{PreciseSpectrum, with_precise_spectrum};
+use crate::spectrum::real_roots::real_roots;
 
 /// If |B| exceeds the number of solutions and all solutions are found, an eigenpair with a larger
 /// relative residual than this before the polish counts as spurious. Residuals of solutions are
@@ -60,22 +61,36 @@ pub fn real_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, f64
     Ok(found.admissible(solver))
 }
 
-/// Returns all real solutions, by the real roots of the characteristic polynomial.
+/// Returns all real solutions, by the real roots of a determinant. If a root is not certain, or
+/// leads to no solution of its own, or the polish moves one far, all is done again as by
+/// [`real_solutions`].
 ///
 /// # Errors
-/// Errors of the action matrix, [`SolveError::Overflow`] if it is not finite.
+/// As [`real_solutions`].
 #[inline]
-pub fn real_solutions_by_polynomial<I: SolverInstance>(solver: &mut I) -> Result<Points<I, f64>, SolveError> {
-    let size = solver.sizes().basis;
-    let mut spectrum = Hessenberg::zero(size);
-    spectrum.matrix = solver.action_matrix::<f64>()?;
-    spectrum.reduce_in_place()?;
-    let mut found = RealSolutions::new(solver, false);
-    for &value in real_roots_monic(size, &spectrum.characteristic_polynomial()).iter() {
-        let pair = Eigenpair::new(&spectrum, value.into());
-        found.add(solver, &pair, pair.value);
+pub fn real_solutions_by_determinant<I: HiddenVariableSolver>(solver: &mut I) -> Result<Points<I, f64>, SolveError> {
+    let mut found = RealSolutions::by_determinant(solver);
+    match add_roots(solver, &mut found) {
+        true => Ok(found.admissible(solver)),
+        false => real_solutions(solver),
     }
-    Ok(found.admissible(solver))
+}
+
+/// Adds the solutions of all real roots of the determinant. Returns false if it cannot be told
+/// whether these are all real solutions.
+#[inline(never)]
+fn add_roots<I: HiddenVariableSolver>(solver: &mut I, found: &mut RealSolutions<I>) -> bool {
+    let Ok(action) = solver.action_matrix::<f64>() else { return false };
+    let (solver, chains) = (&*solver, solver.chains());
+    let Some(variable) = HiddenVariable::new::<I::Basis>(chains, &action) else { return false };
+    let roots = real_roots(chains.coefficients, &variable.determinant());
+    let source = HiddenPairs { basis: solver.sizes().basis, variable: &variable };
+    // Without a root, no polish shows whether the polynomial is precise.
+    let mut is_certain = roots.is_certain && !roots.roots.is_empty();
+    for &root in roots.roots.iter() {
+        is_certain = is_certain && found.add(solver, &source, root.into());
+    }
+    is_certain && !found.is_imprecise()
 }
 
 /// Whether some eigenvalues belong to no solution, or to a solution that is known beforehand.

@@ -1,7 +1,7 @@
 //! The interface that emitted code and the interpreted plans of the generator call. It changes with
 //! every version: people should not call it.
 
-pub use crate::driver::{VANISHING, complex_solutions, real_solutions, real_solutions_by_polynomial};
+pub use crate::driver::{VANISHING, complex_solutions, real_solutions, real_solutions_by_determinant};
 #[cfg(feature = "alloc")]
 pub use crate::dynamic_size::{BoundedVec, Dynamic};
 pub use crate::elimination::lu::{BlockError, BlockMemory, solve_block, solve_block_trailing, solve_large_block};
@@ -15,9 +15,12 @@ pub use crate::solution::extract::{monomial_values, ratio};
 pub use crate::solution::polish::{POLISH_STEPS, polish};
 pub use crate::solution::sign_changes::SignChanges;
 pub use crate::solution::system::{FixedTables, PolynomialSystem, Product, System, Tables, Term, Values};
-pub use crate::solver_instance::{BasisVector, Point, Points, Sizes, SizesOf, SolverInstance};
+pub use crate::solver_instance::{
+    BasisVector, ChainsOf, HiddenVariableSolver, Point, Points, Sizes, SizesOf, SolverInstance,
+};
 pub use crate::spectrum::hessenberg::Hessenberg;
-pub use crate::spectrum::polynomial_roots::{real_roots, real_roots_monic};
+pub use crate::spectrum::hidden_variable::Chains;
+pub use crate::spectrum::real_roots::{RealRoots, real_roots};
 pub use crate::unpolished::unpolished_points;
 
 /// The version of this interface. Emitted code states the one that it was written for.

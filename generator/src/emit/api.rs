@@ -81,9 +81,9 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
     let mut names = Names::of(&plan.data);
     let (instance, solution) = (names.take("instance"), names.take("solution"));
     let basis = Literal::usize_unsuffixed(plan.elimination.basis);
-    let roots = match plan.roots {
+    let roots = match plan.roots() {
         RootMethod::Eigenvalues => quote!(real_solutions),
-        RootMethod::CharacteristicPolynomial => quote!(real_solutions_by_polynomial),
+        RootMethod::Determinant => quote!(real_solutions_by_determinant),
     };
     quote! {
         #(#[doc = #docs])*

@@ -97,7 +97,7 @@ pub(super) fn instance(plan: &Plan) -> TokenStream {
             quote!(read: [[0.0; #basis]; #count_read],),
         ),
     };
-    let solver_instance = solver_instance(plan);
+    let (solver_instance, chains) = (solver_instance(plan), chains(plan));
     let version = Literal::u32_unsuffixed(RUNTIME_VERSION);
     quote! {
         /// A compile error if the runtime has another version.
@@ -120,6 +120,35 @@ pub(super) fn instance(plan: &Plan) -> TokenStream {
         }
 
         #solver_instance
+        #chains
+    }
+}
+
+/// The chains of the basis, if real solutions are found by a determinant.
+fn chains(plan: &Plan) -> TokenStream {
+    let Some(chains) = &plan.chains else { return quote!() };
+    let order = chains.order.iter().map(|b| Literal::u16_unsuffixed(b.0));
+    let lengths = chains.lengths.iter().map(|&length| Literal::usize_unsuffixed(length));
+    let [count, coefficients, minors, eliminated] =
+        [chains.lengths.len(), chains.order.len() + 1, 1 << chains.lengths.len(), chains.eliminated]
+            .map(Literal::usize_unsuffixed);
+    quote! {
+        impl emitted::HiddenVariableSolver for Instance {
+            type Chains = emitted::Fixed<#count>;
+            type Coefficients = emitted::Fixed<#coefficients>;
+            type Minors = emitted::Fixed<#minors>;
+
+            fn chains(&self) -> emitted::ChainsOf<'_, Self> {
+                emitted::Chains {
+                    count: emitted::Fixed,
+                    coefficients: emitted::Fixed,
+                    minors: emitted::Fixed,
+                    order: &[#(#order),*],
+                    lengths: &[#(#lengths),*],
+                    eliminated: #eliminated,
+                }
+            }
+        }
     }
 }
 

@@ -12,6 +12,7 @@
 //! executes it, and the two must agree.
 
 mod block_triangular;
+pub mod chains;
 mod check;
 mod constant_rows;
 pub mod interpret;
@@ -27,8 +28,10 @@ pub mod value_layout;
 
 pub use check::PlanError;
 
+use crate::algebra::PrimeField;
 use crate::problem::{DataParameter, SolutionField};
 use crate::template::RootMethod;
+use chains::Chains;
 use program::{Program, ValueId};
 
 /// Position in the array of coefficients that the tables refer to.
@@ -185,7 +188,8 @@ pub struct OperationCount {
     pub coefficients: usize,
     /// Elimination and back-substitution.
     pub elimination: usize,
-    /// Hessenberg form and eigenvalues, by the usual estimate 10 |B|^3.
+    /// Hessenberg form and eigenvalues, by the usual estimate 10 |B|^3, or the determinant and its
+    /// roots.
     pub roots: usize,
 }
 
@@ -224,8 +228,8 @@ pub struct Plan {
     pub action: Vec<ActionRow>,
     /// Pivots outside the image a B of the basis from which unknowns are read.
     pub read: Vec<PivotId>,
-    /// How real roots are found.
-    pub roots: RootMethod,
+    /// How real solutions are found: by the determinant over these chains, or by eigenvalues.
+    pub chains: Option<Chains>,
     /// How the unknowns that presolve kept follow from an eigenpair; square roots come first.
     pub extractions: Vec<Extraction>,
     /// Changes of signs that map solutions to solutions with the same eigenpair: for each, the
@@ -265,6 +269,19 @@ impl Plan {
         (0..self.unknowns.len()).map(step).collect()
     }
 
+    /// How real solutions are found.
+    pub fn roots(&self) -> RootMethod {
+        if self.chains.is_some() { RootMethod::Determinant } else { RootMethod::Eigenvalues }
+    }
+
+    /// The chains over which a determinant gives the real solutions, found from the action matrix
+    /// of an instance over Z_p; `None` if there are too many, or if some eigenvalues belong to no
+    /// solution, or to one that is known beforehand.
+    pub fn determinant_chains(&self, field: PrimeField, action: &[Vec<u32>]) -> Option<Chains> {
+        let most = self.elimination.basis * (1 + self.flips.len());
+        if most == self.solutions && !self.has_origin { Chains::of(&self.action, field, action) } else { None }
+    }
+
     /// Operations of one solve.
     pub fn operations(&self) -> OperationCount {
         let coefficients = self.program.steps();
@@ -276,6 +293,7 @@ impl Plan {
             let backward = block.needed * block.needed * width;
             factor + forward + backward + 2 * block.coupling.len() * width
         });
-        OperationCount { coefficients, elimination: elimination.sum(), roots: 10 * width * width * width }
+        let roots = self.chains.as_ref().map_or(10 * width * width * width, Chains::operations);
+        OperationCount { coefficients, elimination: elimination.sum(), roots }
     }
 }

@@ -14,7 +14,7 @@ use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
 use crate::presolve::ReducedProblem;
 use crate::presolve::symmetry::{Reading, Symmetry};
 use crate::problem::{Problem, Statement};
-use crate::template::{EliminationTemplate, RootMethod, Shift};
+use crate::template::{EliminationTemplate, Shift};
 
 /// Why a template cannot be turned into a plan.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -37,7 +37,7 @@ pub enum ScheduleError {
     Plan(#[from] PlanError),
 }
 
-/// Plans the solver of `problem` from a template for its presolved form. `solutions` is the number
+/// Plans the solver of `problem` by eigenvalues, from a template for its presolved form. `solutions` is the number
 /// of different complex solutions.
 ///
 /// Constant rows are eliminated here if the plan then has fewer operations.
@@ -46,10 +46,9 @@ pub fn schedule(
     reduced: &ReducedProblem,
     template: &EliminationTemplate,
     solutions: usize,
-    roots: RootMethod,
 ) -> Result<Plan, ScheduleError> {
     check_shape(reduced, template)?;
-    let scheduler = Scheduler { problem, reduced, template, solutions, roots };
+    let scheduler = Scheduler { problem, reduced, template, solutions };
     let mut rows = template_rows(reduced, template);
     let plan = scheduler.plan(&rows, &reduced.problem.graph);
     let is_constant = |equation: &Statement| equation.polynomial.terms().iter().all(|&(_, c)| is_constant(reduced, c));
@@ -88,7 +87,6 @@ struct Scheduler<'a> {
     reduced: &'a ReducedProblem,
     template: &'a EliminationTemplate,
     solutions: usize,
-    roots: RootMethod,
 }
 
 impl Scheduler<'_> {
@@ -135,7 +133,7 @@ impl Scheduler<'_> {
             elimination,
             action,
             read,
-            roots: self.roots,
+            chains: None,
             extractions,
             flips,
             recoveries,
@@ -381,7 +379,7 @@ mod tests {
     fn planned(template: &EliminationTemplate, solutions: usize) -> Result<Plan, ScheduleError> {
         let problem = problem();
         let reduced = presolve(&problem, Presolve::None);
-        schedule(&problem, &reduced, template, solutions, RootMethod::Eigenvalues)
+        schedule(&problem, &reduced, template, solutions)
     }
 
     /// Why the template is refused after a change.
@@ -472,7 +470,7 @@ mod tests {
             reducible: vec![m(0, 2), m(1, 1), m(2, 0)],
             basis: vec![Monomial::ONE],
         };
-        let plan = schedule(&problem, &reduced, &template, 2, RootMethod::Eigenvalues).unwrap();
+        let plan = schedule(&problem, &reduced, &template, 2).unwrap();
         assert_eq!(plan.flips, [[true, true]]);
         let is_square: Vec<bool> = plan.extractions.iter().map(Extraction::is_square).collect();
         assert_eq!(is_square, [true, false]);
@@ -480,7 +478,7 @@ mod tests {
         let mut other = template;
         other.shifts.pop();
         other.reducible.pop();
-        let plan = schedule(&problem, &reduced, &other, 2, RootMethod::Eigenvalues).unwrap();
+        let plan = schedule(&problem, &reduced, &other, 2).unwrap();
         assert_eq!(plan.extractions.iter().map(|x| x.unknown).collect::<Vec<_>>(), [1, 0]);
     }
 }

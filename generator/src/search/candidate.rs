@@ -44,7 +44,7 @@ impl TemplateCandidate {
             fingerprint: problem.fingerprint(),
             solutions: self.plan.solutions,
             presolve: self.presolve,
-            roots: self.plan.roots,
+            roots: self.plan.roots(),
             template: self.template.clone(),
             provenance,
         }

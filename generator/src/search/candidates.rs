@@ -16,11 +16,11 @@ use super::reduce_strategy::{StrategyContext, StrategyTemplates, reduce_strategy
 use super::seed_sets::obstacle;
 use super::strategy::{Strategy, strategies};
 use crate::check::SolutionCount;
-use crate::generate::gives_its_solutions;
+use crate::generate::{determinant_chains, gives_its_solutions};
 use crate::plan::schedule::{ScheduleError, schedule};
 use crate::problem::Problem;
+use crate::template::EliminationTemplate;
 use crate::template::verify::verify;
-use crate::template::{EliminationTemplate, RootMethod};
 
 /// What a search found.
 #[derive(Clone, Debug)]
@@ -108,9 +108,10 @@ fn candidate(
     let Numbered { at, strategy } = numbered;
     let formulation = strategy.formulation;
     verify(template, formulation.check.field, &formulation.check.equations).ok()?;
-    let plan = schedule(problem, &formulation.reduced, template, solutions, RootMethod::Eigenvalues);
+    let plan = schedule(problem, &formulation.reduced, template, solutions);
     debug_assert!(!matches!(plan, Err(ScheduleError::Plan(_))), "{plan:?}");
-    let plan = plan.ok().filter(|plan| gives_its_solutions(plan, &template.action, &formulation.reduced))?;
+    let mut plan = plan.ok().filter(|plan| gives_its_solutions(plan, &template.action, &formulation.reduced))?;
+    plan.chains = determinant_chains(&plan, &formulation.reduced);
     let (growth, template) = (strategy.growth.to_string(), template.clone());
     Some(TemplateCandidate { presolve: formulation.presolve, strategy: *at, growth, template, plan })
 }

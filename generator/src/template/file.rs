@@ -94,7 +94,7 @@ struct RawShifts {
 }
 
 const ROOTS: [(&str, RootMethod); 2] =
-    [("eigenvalues", RootMethod::Eigenvalues), ("characteristic_polynomial", RootMethod::CharacteristicPolynomial)];
+    [("eigenvalues", RootMethod::Eigenvalues), ("determinant", RootMethod::Determinant)];
 
 impl TemplateFile {
     /// Reads a file; `unknowns` are the names of the problem.
@@ -255,7 +255,7 @@ mod tests {
             fingerprint: 0x1234,
             solutions: 2,
             presolve: Presolve::Linear,
-            roots: RootMethod::CharacteristicPolynomial,
+            roots: RootMethod::Determinant,
             template: EliminationTemplate {
                 shifts: vec![shift(0, &[0]), shift(0, &[1]), shift(2, &[0, 1])],
                 action: m(&[-1]),
@@ -314,7 +314,7 @@ seed = 7
             ("00000000000012ab", "12ag", "`fingerprint` is `12ag`; expected one of 16 hexadecimal digits"),
             ("equation = 1", "equation = 0", "`equation` is `0`; expected one of 1, 2, ..."),
             (r#""none""#, r#""all""#, "`presolve` is `all`; expected one of `none`, `constant`, "),
-            (r#""eigenvalues""#, r#""qr""#, "expected one of `eigenvalues`, `characteristic_polynomial`"),
+            (r#""eigenvalues""#, r#""qr""#, "expected one of `eigenvalues`, `determinant`"),
             (r#"action = "x""#, r#"action = "u""#, "`action` holds `u`, which is not a monomial in x, y, z "),
             (r#""x*y", "#, r#""x**y", "#, "`basis` holds `x**y`"),
             (r#""x^2", "#, r#""x^", "#, "`reducible` holds `x^`"),

@@ -89,8 +89,9 @@ impl EliminationTemplate {
 pub enum RootMethod {
     /// QR iteration on the Hessenberg form.
     Eigenvalues,
-    /// Real roots of the characteristic polynomial.
-    CharacteristicPolynomial,
+    /// Real roots of the determinant of a matrix of polynomials in the action monomial, one row and
+    /// column per chain of the basis.
+    Determinant,
 }
 
 #[cfg(test)]

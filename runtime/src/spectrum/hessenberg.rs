@@ -21,8 +21,7 @@ use crate::size::{Fixed, Size, Square, Vector, filled_matrix};
 /// the eigenvalue iteration are relative to the small entries, too. It is kept only if it lowers
 /// the norm much. Otherwise it gains nothing and can lose all digits, because it scales up rows and
 /// columns that are rounding errors (Watkins 2006). Such rows and columns exist if |B| exceeds the
-/// number of solutions. The QR iteration and the characteristic polynomial start from H.
-/// Eigenvectors are found on H and taken back through Q and D.
+/// number of solutions. The QR iteration starts from H. Eigenvectors are found on H and taken back through Q and D.
 pub struct Hessenberg<Z: Size, R: Clone = f64> {
     /// The number of rows and columns in use.
     pub(crate) size: Z,
@@ -292,62 +291,6 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
     }
 }
 
-impl<Z: Size> Hessenberg<Z> {
-    /// The coefficients of the characteristic polynomial
-    ///
-    /// det(x I - A) = x^N + c\[N-1\] x^(N-1) + .. + c\[0\]
-    ///
-    /// by La Budde's recurrence on H (Wilkinson 1965, chapter 7, section 11; Rehman and Ipsen
-    /// 2011):
-    ///
-    /// p_i = (x - h_ii) p_(i-1) - sum over m of h_(i-m,i) b_i .. b_(i-m+1) p_(i-m-1)
-    ///
-    /// with b_i = h_(i,i-1).
-    ///
-    /// It serves to find real eigenvalues alone, by
-    /// [`real_roots_monic`](crate::spectrum::polynomial_roots::real_roots_monic), for N up to about
-    /// 10: the coefficients lose digits as N grows. They overflow to infinity if A is very large.
-    #[must_use]
-    pub fn characteristic_polynomial(&self) -> Z::Vector<f64> {
-        let n = self.size.get();
-        let h = &self.matrix;
-        // partial[i] is the characteristic polynomial of the leading i x i block: monic, with the
-        // coefficients below degree i.
-        let mut partial = filled_matrix(self.size, self.size, 0.0);
-        let mut next = self.size.filled(0.0);
-        for i in 0..n {
-            let previous = partial[i].clone();
-            next.as_mut().fill(0.0);
-            // This is x * p_(i-1): the leading coefficient of p_(i-1) is an implicit 1 at degree i.
-            next.as_mut()[1..=i].copy_from_slice(&previous.as_ref()[..i]);
-            for j in 0..i {
-                next[j] -= h[i][i] * previous[j];
-            }
-            next[i] -= h[i][i];
-            let mut product = 1.0;
-            for start in (0..i).rev() {
-                product *= h[start + 1][start];
-                let factor = product * h[start][i];
-                for j in 0..start {
-                    next[j] -= factor * partial[start][j];
-                }
-                next[start] -= factor;
-            }
-            if i + 1 < n {
-                partial[i + 1] = next.clone();
-            }
-        }
-        if self.unit != 1.0 {
-            let mut power = 1.0;
-            for coefficient in next.as_mut().iter_mut().rev() {
-                power *= self.unit;
-                *coefficient *= power;
-            }
-        }
-        next
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -496,16 +439,6 @@ mod tests {
             let zero = Hessenberg::<Fixed<N>>::zero(Fixed);
             assert_eq!((cleared.matrix, cleared.unit, cleared.norm), (zero.matrix, zero.unit, zero.norm));
             assert_eq!((cleared.balance, cleared.reflectors, cleared.tau), (zero.balance, zero.reflectors, zero.tau));
-        }
-    }
-
-    /// (x - u) (x - 2 u) (x + 4 u) = x^3 + u x^2 - 10 u^2 x + 8 u^3 for a unit u.
-    #[test]
-    fn characteristic_polynomials_are_in_the_unit_of_the_matrix() {
-        for unit in [1.0, 2.0_f64.powi(250), 2.0_f64.powi(-250)] {
-            let matrix = [[1.0, 3.0, 5.0], [0.0, 2.0, 7.0], [0.0, 0.0, -4.0]].map(|row| row.map(|x| x * unit));
-            let found = Hessenberg::reduce(&matrix).unwrap().characteristic_polynomial();
-            assert_eq!(found, [8.0 * unit * unit * unit, -10.0 * unit * unit, unit]);
         }
     }
 }

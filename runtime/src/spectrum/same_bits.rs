@@ -14,7 +14,6 @@ use crate::number::double_double::{DoubleComplex, DoubleDouble};
 use crate::number::{Over, Real, Scalar};
 use crate::size::{AtMost, Fixed, Size, filled_matrix};
 use crate::spectrum::hessenberg::Hessenberg;
-use crate::spectrum::polynomial_roots::real_roots_monic;
 
 /// The bits of numbers, in the order in which they were computed.
 #[derive(Debug, Default, PartialEq)]
@@ -58,13 +57,9 @@ fn eigenpairs<Z: Size, R: Real, C: Over<R>>(size: Z, entries: &[f64]) -> Result<
     Ok(bits)
 }
 
-/// What only the first attempt computes: the characteristic polynomial, its real roots, invariant
-/// subspaces.
+/// What only the first attempt computes: invariant subspaces.
 fn first_attempt_alone<Z: Size>(size: Z, entries: &[f64]) -> Result<Bits, SolveError> {
     let (form, mut bits) = (reduced::<Z, f64>(size, entries)?, Bits::default());
-    let polynomial = form.characteristic_polynomial();
-    bits.add(polynomial.as_ref());
-    bits.add(&real_roots_monic(size, &polynomial));
     let mut basis = filled_matrix(size, size, 0.0);
     for cluster in form.clusters(&form.eigenvalues()?).iter() {
         form.invariant_subspace(cluster, &mut basis);

@@ -11,8 +11,7 @@ use crate::plan::program::ProgramForm;
 use crate::plan::program_table::{ProgramTable, StepKind};
 use crate::plan::system_table::SystemTable;
 use crate::plan::value_layout::ValueLayout;
-use crate::plan::{ActionRow, Plan, PlannedRecovery};
-use crate::template::RootMethod;
+use crate::plan::{self, ActionRow, Plan, PlannedRecovery};
 
 /// All tables of a solver, in the runtime's form.
 #[derive(Clone, Debug)]
@@ -20,7 +19,7 @@ pub struct InterpretedSolver {
     unknowns: usize,
     solutions: usize,
     has_origin: bool,
-    roots: RootMethod,
+    chains: Option<Chains>,
     program: Program,
     /// Whether an elimination at twice the precision computes the coefficients anew.
     has_precise_coefficients: bool,
@@ -68,6 +67,14 @@ struct Block {
     coupling: Vec<emitted::Entry>,
 }
 
+/// The chains of the basis, owned.
+#[derive(Clone, Debug)]
+struct Chains {
+    order: Vec<u16>,
+    lengths: Vec<u16>,
+    eliminated: u16,
+}
+
 /// The tables of a polynomial system, owned.
 #[derive(Clone, Debug)]
 struct System {
@@ -85,7 +92,7 @@ impl InterpretedSolver {
             unknowns,
             solutions: plan.solutions,
             has_origin: plan.has_origin,
-            roots: plan.roots,
+            chains: plan.chains.as_ref().map(Chains::of),
             program: Program::of(plan),
             has_precise_coefficients: plan.program.form == ProgramForm::Table,
             elimination: Elimination::of(plan),
@@ -125,9 +132,9 @@ impl InterpretedSolver {
     /// As the emitted solver.
     pub fn solve(&self, data: &[f64]) -> Result<Vec<Vec<f64>>, SolveError> {
         let mut instance = self.instance(data)?;
-        let found = match self.roots {
-            RootMethod::Eigenvalues => emitted::real_solutions(&mut instance)?,
-            RootMethod::CharacteristicPolynomial => emitted::real_solutions_by_polynomial(&mut instance)?,
+        let found = match self.chains {
+            None => emitted::real_solutions(&mut instance)?,
+            Some(_) => emitted::real_solutions_by_determinant(&mut instance)?,
         };
         Ok(found.to_vec())
     }
@@ -242,6 +249,16 @@ impl Elimination {
             tables.eliminate_in(memory, &mut right, coefficients)?;
         }
         Ok(right)
+    }
+}
+
+impl Chains {
+    fn of(chains: &plan::chains::Chains) -> Self {
+        Self {
+            order: chains.order.iter().map(|b| b.0).collect(),
+            lengths: chains.lengths.iter().map(|&length| length as u16).collect(),
+            eliminated: chains.eliminated as u16,
+        }
     }
 }
 
@@ -382,5 +399,27 @@ impl SolverInstance for InterpretedInstance<'_> {
     fn is_admissible<S: Scalar>(&self, x: &Vec<S>) -> bool {
         let tables = self.solver.nonzero.tables(self.solver.unknowns);
         self.solver.nonzero.ends.is_empty() || tables.bind(&self.coefficients).exceeds(x, emitted::VANISHING)
+    }
+}
+
+impl emitted::HiddenVariableSolver for InterpretedInstance<'_> {
+    type Chains = Dynamic;
+    type Coefficients = Dynamic;
+    type Minors = Dynamic;
+
+    fn chains(&self) -> emitted::ChainsOf<'_, Self> {
+        // Without chains nobody asks.
+        let (order, lengths, eliminated) = match &self.solver.chains {
+            Some(chains) => (chains.order.as_slice(), chains.lengths.as_slice(), chains.eliminated),
+            None => (&[][..], &[][..], 0),
+        };
+        emitted::Chains {
+            count: Dynamic(lengths.len()),
+            coefficients: Dynamic(order.len() + 1),
+            minors: Dynamic(1 << lengths.len()),
+            order,
+            lengths,
+            eliminated,
+        }
     }
 }
