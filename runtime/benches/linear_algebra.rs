@@ -1,7 +1,7 @@
 //! Elimination, eigenvalues, eigenvectors and real roots beside nalgebra, interleaved in one run,
 //! so that a drifting clock hits all alike; medians over rounds. `cargo bench -p eliminant`.
 
-use eliminant::emitted::{Fixed, Hessenberg, real_roots_monic, solve_block, solve_block_trailing};
+use eliminant::emitted::{Fixed, Hessenberg, real_roots, solve_block, solve_block_trailing};
 use nalgebra::SMatrix;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};
@@ -66,10 +66,8 @@ macro_rules! spectrum {
         $contenders.push(Contender::new(format!("eigenvalues {} x {}", $n, $n), move |k| {
             let _ = black_box(Hessenberg::reduce(black_box(&a[k])).and_then(|h| h.eigenvalues()));
         }));
-        $contenders.push(Contender::new("    real ones by the characteristic polynomial", move |k| {
-            if let Ok(h) = Hessenberg::reduce(black_box(&a[k])) {
-                black_box(real_roots_monic(Fixed::<$n>, &h.characteristic_polynomial()));
-            }
+        $contenders.push(Contender::new(format!("real roots of degree {}", $n - 1), move |k| {
+            black_box(real_roots(Fixed::<$n>, black_box(&a[k][0])).roots);
         }));
         let na = a.map(|rows| SMatrix::<f64, $n, $n>::from_fn(|i, j| rows[i][j]));
         $contenders.push(Contender::new("    nalgebra", move |k| {

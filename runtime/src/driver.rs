@@ -27,6 +27,10 @@ use crate::spectrum::real_roots::real_roots;
 /// near rounding, and the polish of a spurious eigenpair would take long.
 const NO_SOLUTION: f64 = 1e-6;
 
+/// A determinant without real roots is certain to have none if errors of its coefficients that
+/// could give it one are larger than this, relative to them.
+const CLEARANCE: f64 = 1e-6;
+
 /// A factor that must not vanish counts as zero if its modulus is at most this, relative to the sum
 /// of the moduli of its terms.
 pub const VANISHING: f64 = 1e-8;
@@ -86,9 +90,11 @@ fn add_roots<I: HiddenVariableSolver>(solver: &mut I, found: &mut RealSolutions<
     let roots = real_roots(chains.coefficients, &variable.determinant());
     let source = HiddenPairs { basis: solver.sizes().basis, variable: &variable };
     // Without a root, no polish shows whether the polynomial is precise.
-    let mut is_certain = roots.is_certain && !roots.roots.is_empty();
+    let mut is_certain = roots.is_certain && (!roots.roots.is_empty() || roots.clearance > CLEARANCE);
     for &root in roots.roots.iter() {
-        is_certain = is_certain && found.add(solver, &source, root.into());
+        let value = root.into();
+        let mut is_solution = || found.add(solver, &source, value) || found.is_imaginary(solver, &source, value);
+        is_certain = is_certain && is_solution();
     }
     is_certain && !found.is_imprecise()
 }

@@ -4,8 +4,8 @@ use std::any::TypeId;
 use std::cell::RefCell;
 
 use eliminant::emitted::{
-    Fixed, MAX_RESIDUAL, Real, SignChanges, Sizes, SizesOf, SolverInstance, complex_solutions, real_solutions,
-    unpolished_points,
+    Chains, ChainsOf, Fixed, HiddenVariableSolver, MAX_RESIDUAL, Real, SignChanges, Sizes, SizesOf, SolverInstance,
+    complex_solutions, real_solutions, real_solutions_by_determinant, unpolished_points,
 };
 use eliminant::{Complex, Scalar, SolveError};
 
@@ -126,6 +126,18 @@ impl<const B: usize, const MAX: usize> SolverInstance for Listed<B, MAX> {
 
     fn is_admissible<S: Scalar>(&self, _unknowns: &[S; 1]) -> bool {
         true
+    }
+}
+
+/// One chain: the determinant is the characteristic polynomial.
+impl<const MAX: usize> HiddenVariableSolver for Listed<4, MAX> {
+    type Chains = Fixed<1>;
+    type Coefficients = Fixed<5>;
+    type Minors = Fixed<2>;
+
+    fn chains(&self) -> ChainsOf<'_, Self> {
+        let order = &[0, 1, 2, 3];
+        Chains { count: Fixed, coefficients: Fixed, minors: Fixed, order, lengths: &[4], eliminated: 0 }
     }
 }
 
@@ -375,6 +387,44 @@ fn with_sign_changes_real_eigenvalues_are_not_counted() {
         assert!(are_numbers(&found, expected), "{eigenvalues:?}: {found:?}");
         assert_eq!(squares.attempts, 1, "{eigenvalues:?}");
     }
+}
+
+/// A determinant is taken at its word if its roots are certain, each leads to a solution of its own,
+/// and the polish moves none of them by more than 1e-7. Otherwise eigenvalues decide.
+#[test]
+fn determinants_are_taken_at_their_word_if_they_are_certain() {
+    /// The solutions, how often the action matrix was computed, and how many points were polished.
+    fn solved(eigenvalues: [Complex<f64>; 4], moves: f64, lost: f64) -> (Vec<f64>, usize, usize) {
+        let residual = move |x: Complex<f64>, _: bool, _: usize| if x.re > lost { 1.0 } else { 0.0 };
+        let mut four = Listed::<4, 4>::new(eigenvalues, residual);
+        four.moves = moves;
+        let found = real_solutions_by_determinant(&mut four).unwrap().iter().map(|[x]| *x).collect();
+        (found, four.attempts, four.polished.take().len())
+    }
+    let none = f64::INFINITY;
+    let two = [c(0.7, 0.0), c(2.0, 0.0), c(3.0, 2.0), c(3.0, -2.0)];
+    let (found, attempts, polished) = solved(two, 0.0, none);
+    assert!(are_numbers(&found, &[0.7, 2.0]), "{found:?}");
+    assert_eq!((attempts, polished), (1, 2));
+    assert_eq!(solved(two, 0.9e-7, none).1, 1);
+    assert_eq!(solved(two, 1.1e-7, none).1, 2, "imprecise");
+    assert_eq!(solved(two, 0.0, 1.0).1, 3, "a root without a solution: eigenvalues, and they in both precisions");
+    let pairs = [c(1.0, 2.0), c(1.0, -2.0), c(3.0, 1.0), c(3.0, -1.0)];
+    assert_eq!(solved(pairs, 0.0, none), (vec![], 1, 0), "certain to have no root");
+    let close = [c(1.0, 1e-4), c(1.0, -1e-4), c(3.0, 1.0), c(3.0, -1.0)];
+    assert_ne!(solved(close, 0.0, none).1, 1, "close to the real axis");
+}
+
+/// The square of a real unknown is positive: an eigenvalue of the other sign has imaginary
+/// solutions.
+#[test]
+fn determinants_with_sign_changes() {
+    let eigenvalues = [4.0, 9.0, -16.0, -30.0].map(Complex::from);
+    let mut squares = Listed::<4, 8>::new(eigenvalues, |_, _, _| 0.0);
+    squares.is_square = true;
+    let found: Vec<f64> = real_solutions_by_determinant(&mut squares).unwrap().iter().map(|[x]| *x).collect();
+    assert!(are_numbers(&found, &[2.0, -2.0, 3.0, -3.0]), "{found:?}");
+    assert_eq!(squares.attempts, 1);
 }
 
 /// Conjugate eigenvectors that give one real solution may be combinations of two: others are tried,

@@ -6,7 +6,7 @@ mod support;
 
 use eliminant::emitted::{
     AtMost, BlockError, BlockMemory, Dynamic, Fixed, List, Point, PolynomialSystem, Product, Size, SolverInstance,
-    Tables, Term, complex_solutions, polish, real_solutions, real_solutions_by_polynomial, solve_block_trailing,
+    Tables, Term, complex_solutions, polish, real_solutions, real_solutions_by_determinant, solve_block_trailing,
     solve_large_block,
 };
 use eliminant::{Complex, Scalar, SolveError};
@@ -158,11 +158,11 @@ fn listed<S: Scalar, N: Size>(solutions: &impl List<N::Vector<S>>) -> Vec<Vec<[u
 /// What is called to solve.
 type Solve<F> = fn(&mut TwoConics<F>) -> Result<Vec<Vec<[u64; 2]>>, SolveError>;
 
-/// Real solutions, those by the characteristic polynomial, and complex solutions.
+/// Real solutions, those by a determinant, and complex solutions.
 fn outcomes<F: Family>(coefficients: [f64; 12], reads_all: bool) -> [Outcome; 3] {
     let solvers: [Solve<F>; 3] = [
         |conics| real_solutions(conics).map(|found| listed::<f64, F::Of<2>>(&found)),
-        |conics| real_solutions_by_polynomial(conics).map(|found| listed::<f64, F::Of<2>>(&found)),
+        |conics| real_solutions_by_determinant(conics).map(|found| listed::<f64, F::Of<2>>(&found)),
         |conics| complex_solutions(conics).map(|found| listed::<Complex<f64>, F::Of<2>>(&found)),
     ];
     solvers.map(|solve| {
@@ -191,7 +191,7 @@ proptest! {
     /// real solutions.
     #[test]
     fn all_solutions_of_general_conics(coefficients in prop::array::uniform12(-1.0..1.0_f64)) {
-        let [real, by_polynomial, complex] = agreed(coefficients, true);
+        let [real, by_determinant, complex] = agreed(coefficients, true);
         let all = complex_solutions(&mut TwoConics::<Constant>::new(coefficients)).unwrap();
         for point in &all {
             let residual = TwoConics::<Constant>::new(coefficients).polish(&mut point.clone(), 0);
@@ -199,7 +199,7 @@ proptest! {
         }
         prop_assert_eq!(all.len(), 4);
         let count = all.iter().filter(|point| point.iter().all(|x| x.im == 0.0)).count();
-        prop_assert_eq!([real.0.unwrap().len(), by_polynomial.0.unwrap().len()], [count; 2]);
+        prop_assert_eq!([real.0.unwrap().len(), by_determinant.0.unwrap().len()], [count; 2]);
         prop_assert_eq!(complex.1, 1);
     }
 

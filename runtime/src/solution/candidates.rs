@@ -156,6 +156,13 @@ impl<I: SolverInstance> RealSolutions<I> {
         Self { precision: IMPRECISE_ROOT, ..Self::new(solver, false) }
     }
 
+    /// Whether a real eigenvalue belongs to solutions that are not real, because the square of an
+    /// unknown is negative.
+    #[inline]
+    pub(crate) fn is_imaginary(&self, solver: &I, source: &dyn EigenpairSource<I::Basis>, value: Complex<f64>) -> bool {
+        !flips(solver).is_empty() && polished(solver, source.complex(value)).is_some()
+    }
+
     /// Whether the polish moved a solution so far that others may be missing.
     #[inline]
     pub(crate) fn is_imprecise(&self) -> bool {

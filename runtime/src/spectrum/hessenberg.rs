@@ -21,7 +21,8 @@ use crate::size::{Fixed, Size, Square, Vector, filled_matrix};
 /// the eigenvalue iteration are relative to the small entries, too. It is kept only if it lowers
 /// the norm much. Otherwise it gains nothing and can lose all digits, because it scales up rows and
 /// columns that are rounding errors (Watkins 2006). Such rows and columns exist if |B| exceeds the
-/// number of solutions. The QR iteration starts from H. Eigenvectors are found on H and taken back through Q and D.
+/// number of solutions. The QR iteration starts from H. Eigenvectors are found on H and taken back
+/// through Q and D.
 pub struct Hessenberg<Z: Size, R: Clone = f64> {
     /// The number of rows and columns in use.
     pub(crate) size: Z,

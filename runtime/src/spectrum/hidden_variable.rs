@@ -321,3 +321,92 @@ impl<B: Size, C: Size, P: Size, M: Size> EigenpairSource<B> for HiddenPairs<'_, 
         (value, mapped(self.basis, &vector, |entry: f64| Complex::from(entry)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::SMatrix;
+    use rand_xoshiro::Xoshiro256PlusPlus;
+    use rand_xoshiro::rand_core::{Rng, SeedableRng};
+
+    use super::*;
+    use crate::size::Fixed;
+
+    const ORDER: [u16; 10] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9];
+
+    /// An action matrix with chains of these lengths, from head to end, numbers of this size.
+    fn random_action(random: &mut Xoshiro256PlusPlus, lengths: &[usize], size: f64) -> [[f64; 10]; 10] {
+        let mut action = [[0.0; 10]; 10];
+        let mut end = 0;
+        for length in lengths {
+            (end..end + length - 1).for_each(|row| action[row][row + 1] = 1.0);
+            end += length;
+            let number = |_| size * ((random.next_u64() >> 11) as f64 * 2.0_f64.powi(-52) - 1.0);
+            action[end - 1] = core::array::from_fn(number);
+        }
+        action
+    }
+
+    /// det M(x) has the eigenvalues for roots, and `vector` gives their eigenvectors. `lengths` are
+    /// those of the chains that stay; chains of one monomial follow.
+    fn check<const C: usize, const M: usize>(lengths: [u16; C], eliminated: u16) {
+        let mut random = Xoshiro256PlusPlus::seed_from_u64(u64::from(eliminated) + 10 * C as u64);
+        let mut checked = 0;
+        for size in [0.3, 1.0, 3.0].repeat(30) {
+            let all = lengths.iter().map(|&l| usize::from(l)).chain((0..eliminated).map(|_| 1));
+            let action = random_action(&mut random, &all.collect::<std::vec::Vec<_>>(), size);
+            let (count, coefficients, minors) = (Fixed::<C>, Fixed::<11>, Fixed::<M>);
+            let chains = Chains { count, coefficients, minors, order: &ORDER, lengths: &lengths, eliminated };
+            let variable = HiddenVariable::new::<Fixed<10>>(chains, &action).unwrap();
+            let determinant = variable.determinant();
+            let matrix = SMatrix::<f64, 10, 10>::from_fn(|i, j| action[i][j]);
+            for value in matrix.complex_eigenvalues().iter() {
+                let powers = |c: &dyn Fn(f64) -> f64| {
+                    let terms = determinant.iter().rev();
+                    terms.fold((Complex::ZERO, 0.0), |(sum, size): (Complex<f64>, f64), &d| {
+                        (sum * value + c(d), size * value.norm() + d.abs())
+                    })
+                };
+                let (sum, scale) = powers(&|d| d);
+                assert!(sum.norm() < 1e-9 * scale, "{lengths:?}: {} at {value}", sum.norm() / scale);
+                if value.im != 0.0 {
+                    continue;
+                }
+                let vector = variable.vector(Fixed::<10>, value.re);
+                let (v, largest) =
+                    (nalgebra::SVector::from(vector), vector.iter().fold(0.0, |m: f64, x| m.max(x.abs())));
+                let error = (matrix * v - v * value.re).amax() / (largest * (1.0 + matrix.norm()));
+                assert!(error < 1e-8, "{lengths:?}: {error} at {value}");
+                checked += 1;
+            }
+        }
+        assert!(checked > 100, "{checked} real eigenvalues");
+    }
+
+    #[test]
+    fn determinants_have_the_eigenvalues_for_roots() {
+        check::<1, 2>([10], 0);
+        check::<2, 4>([4, 6], 0);
+        check::<3, 8>([3, 3, 4], 0);
+        check::<3, 8>([1, 2, 7], 0);
+        check::<3, 8>([2, 2, 3], 3);
+        check::<3, 8>([2, 3, 4], 1);
+        check::<4, 16>([2, 2, 2, 2], 2);
+        check::<5, 32>([2, 2, 2, 2, 2], 0);
+        check::<6, 64>([2, 1, 1, 1, 1, 3], 1);
+    }
+
+    #[test]
+    fn a_singular_matrix_eliminates_nothing() {
+        let mut action = random_action(&mut Xoshiro256PlusPlus::seed_from_u64(1), &[4, 5, 1], 1.0);
+        action[3][9] = 0.0;
+        let chains = Chains {
+            count: Fixed::<2>,
+            coefficients: Fixed::<11>,
+            minors: Fixed::<4>,
+            order: &ORDER,
+            lengths: &[4, 5],
+            eliminated: 1,
+        };
+        assert!(HiddenVariable::new::<Fixed<10>>(chains, &action).is_none());
+    }
+}

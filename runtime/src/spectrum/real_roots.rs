@@ -21,6 +21,14 @@ use crate::size::{List, Size};
 /// them a complex pair.
 const HALVINGS: u32 = 12;
 
+/// A factor of the scaled variable: the square root of 3/4. Without it, numbers such as 1 and 3/8
+/// would lie where intervals meet, and they are the roots of many polynomials that people write.
+const UNIT: f64 = 0.866_025_403_784_438_6;
+
+/// The value where an interval is halved must exceed this, relative to the largest Bernstein
+/// coefficient: it is about the square of the distance 2^-12.
+const CLEAR_MIDDLE: f64 = 1e-7;
+
 /// The largest number of steps to a root. They are Newton's, or halve the bracket.
 const MOST_STEPS: usize = 100;
 
@@ -35,13 +43,16 @@ pub struct RealRoots<Z: Size> {
     /// Whether these are all of them and all are simple. Otherwise roots may be missing: some are
     /// close to each other or to their conjugates, or a number is not finite.
     pub is_certain: bool,
+    /// The least |b_j| of the intervals without a root, relative to the largest coefficient of the
+    /// unit interval: relative errors below this make none.
+    pub clearance: f64,
 }
 
 /// The real roots of c\[0\] + c\[1\] x + .. + c\[n\] x^n. The vector has n + 1 entries; the degree
 /// is lowered if the last ones are zero.
 #[must_use]
 pub fn real_roots<Z: Size>(size: Z, coefficients: &Z::Vector<f64>) -> RealRoots<Z> {
-    let mut result = RealRoots { roots: size.list(), is_certain: false };
+    let mut result = RealRoots { roots: size.list(), is_certain: false, clearance: f64::INFINITY };
     let Some(degree) = coefficients.as_ref().iter().rposition(|&c| c != 0.0) else { return result };
     if !coefficients.as_ref().iter().all(|c| c.is_finite()) {
         return result;
@@ -63,7 +74,7 @@ pub fn real_roots<Z: Size>(size: Z, coefficients: &Z::Vector<f64>) -> RealRoots<
     }
     let Isolation { mut result, .. } = isolation;
     for root in result.roots.iter_mut() {
-        *root = times_power_of_two(*root, shift);
+        *root = times_power_of_two(*root * UNIT, shift);
         result.is_certain &= root.is_finite();
     }
     result
@@ -84,11 +95,13 @@ struct Piece<'a, Z: Size> {
     /// x is this times t, or this over t.
     sign: f64,
     is_outer: bool,
+    /// The largest |b_j|.
+    size: f64,
 }
 
 impl<Z: Size> Isolation<Z> {
-    /// Takes the coefficients with x = 2^shift y, which brings the geometric mean of the moduli of
-    /// the roots to about 1. Nothing is rounded. Returns the shift.
+    /// Takes the coefficients with x = 2^shift UNIT y, which brings the geometric mean of the moduli
+    /// of the roots to about 1. Returns the shift.
     fn scaled(&mut self, coefficients: &[f64]) -> i32 {
         let degree = self.degree as i32;
         if degree == 0 {
@@ -98,8 +111,10 @@ impl<Z: Size> Isolation<Z> {
         let shift = (exponent(0) - exponent(self.degree)).div_euclid(degree);
         let exponents = (0..=self.degree).filter(|&k| coefficients[k] != 0.0).map(|k| exponent(k) + k as i32 * shift);
         let largest = exponents.max().unwrap_or(0);
+        let mut unit = 1.0;
         for (k, &c) in coefficients.iter().enumerate() {
-            self.power[k] = times_power_of_two(c, k as i32 * shift - largest);
+            self.power[k] = unit * times_power_of_two(c, k as i32 * shift - largest);
+            unit *= UNIT;
         }
         shift
     }
@@ -119,11 +134,13 @@ impl<Z: Size> Isolation<Z> {
             let mut outer = inner.clone();
             outer.as_mut()[..=n].reverse();
             // Both have the same value at t = 1, and must agree about its sign.
-            let at_one = inner.as_ref()[..=n].iter().sum();
+            let at_one: f64 = inner.as_ref()[..=n].iter().sum();
             for (power, is_outer) in [(&inner, false), (&outer, true)] {
                 let mut bernstein = self.bernstein(power, &weight);
                 bernstein[n] = at_one;
-                self.isolate(&Piece { power, sign, is_outer }, &mut bernstein, (0.0, 1.0), HALVINGS);
+                let size = largest(&bernstein.as_ref()[..=n]);
+                self.result.is_certain &= at_one.abs() > CLEAR_MIDDLE * size;
+                self.isolate(&Piece { power, sign, is_outer, size }, &mut bernstein, (0.0, 1.0), HALVINGS);
             }
         }
     }
@@ -148,7 +165,7 @@ impl<Z: Size> Isolation<Z> {
     fn isolate(&mut self, piece: &Piece<'_, Z>, right: &mut Z::Vector<f64>, ends: (f64, f64), halvings: u32) {
         let n = self.degree;
         match sign_changes(&right.as_ref()[..=n]) {
-            0 => {}
+            0 => self.result.clearance = self.result.clearance.min(least(&right.as_ref()[..=n]) / piece.size),
             1 => {
                 let t = self.refine(piece.power, right, ends);
                 let root = if piece.is_outer { piece.sign / t } else { piece.sign * t };
@@ -165,13 +182,14 @@ impl<Z: Size> Isolation<Z> {
                     }
                     left[pass] = right[0];
                 }
+                // Two close roots in the middle, or a pair, show in neither half.
+                let size = largest(&left.as_ref()[..=n]).max(largest(&right.as_ref()[..=n]));
+                self.result.is_certain &= right[0].abs() > CLEAR_MIDDLE * size;
                 let middle = 0.5 * (ends.0 + ends.1);
                 self.isolate(piece, &mut left, (ends.0, middle), halvings - 1);
                 self.isolate(piece, right, (middle, ends.1), halvings - 1);
             }
         }
-        // A root at the end of an interval belongs to none.
-        self.result.is_certain &= right[0] != 0.0 && right[n] != 0.0;
     }
 
     /// The one root between the ends: Newton's method from the zero of the control polygon, with
@@ -200,10 +218,11 @@ impl<Z: Size> Isolation<Z> {
             }
             let newton = t - value / slope;
             // A NaN from a slope of zero leads to bisection.
-            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            let is_newton = newton >= low && newton <= high;
+            let next = if is_newton { newton } else { 0.5 * (low + high) };
             let step = (next - t).abs();
             t = next;
-            if step <= LAST_STEP * t || low == high {
+            if step <= if is_newton { LAST_STEP * t } else { 0.0 } {
                 return t;
             }
         }
@@ -220,6 +239,18 @@ fn sign_changes(values: &[f64]) -> usize {
         last = if value == 0.0 { last } else { value.signum() };
     }
     changes
+}
+
+/// min |b_j|
+#[inline]
+fn least(values: &[f64]) -> f64 {
+    values.iter().fold(f64::INFINITY, |least, b| least.min(b.abs()))
+}
+
+/// max |b_j|
+#[inline]
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |largest, b| largest.max(b.abs()))
 }
 
 /// x * 2^exponent, even if 2^exponent itself is out of range.

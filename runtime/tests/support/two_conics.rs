@@ -1,9 +1,9 @@
 //! The intersection of two conics as a solver instance, with sizes of either kind.
 
 use eliminant::emitted::{
-    ActionRow, BasisVector, Block, BlockMemory, Dynamic, Entry, Fixed, Matrix, Point, Product, Real, Size, Sizes,
-    SizesOf, SolverInstance, Square, Tables, Vector, action_matrix, fill, filled_matrix, monomial_values, polish,
-    solved_rows,
+    ActionRow, BasisVector, Block, BlockMemory, Chains, ChainsOf, Dynamic, Entry, Fixed, HiddenVariableSolver, Matrix,
+    Point, Product, Real, Size, Sizes, SizesOf, SolverInstance, Square, Tables, Vector, action_matrix, fill,
+    filled_matrix, monomial_values, polish, solved_rows,
 };
 use eliminant::{Scalar, SolveError};
 
@@ -184,5 +184,17 @@ impl<F: Family> SolverInstance for TwoConics<F> {
 
     fn is_admissible<S: Scalar>(&self, _unknowns: &Point<Self, S>) -> bool {
         true
+    }
+}
+
+/// The chains 1, x and y, x y.
+impl<F: Family> HiddenVariableSolver for TwoConics<F> {
+    type Chains = F::Of<2>;
+    type Coefficients = F::Of<5>;
+    type Minors = F::Of<4>;
+
+    fn chains(&self) -> ChainsOf<'_, Self> {
+        let (count, coefficients, minors) = (F::of::<2>(), F::of::<5>(), F::of::<4>());
+        Chains { count, coefficients, minors, order: &[0, 1, 2, 3], lengths: &[2, 2], eliminated: 0 }
     }
 }
