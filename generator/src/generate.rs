@@ -116,6 +116,7 @@ pub fn plan(problem: &Problem, file: &TemplateFile) -> Result<Planned, GenerateE
     if file.roots == RootMethod::Determinant {
         let chains = plan.determinant_chains(VERIFY_FIELD, &eliminated.action);
         plan.chains = Some(chains.ok_or(GenerateError::Chains)?);
+        plan.check().map_err(ScheduleError::from)?;
     }
     let found = count_solutions(&plan, &file.template.action, VERIFY_FIELD, &coefficients, &eliminated);
     let allows = |count: SolutionBounds| count.allows(file.solutions);

@@ -518,3 +518,37 @@ fn the_elimination_has_the_size_of_the_template() {
         assert_eq!(format!("rows = {}\ncolumns = {}\n", elimination.rows, elimination.columns()), size, "{name}");
     }
 }
+
+#[test]
+fn chains_follow_the_basis() {
+    assert_refused(
+        "the chains are not those of the basis",
+        &[
+            |plan| plan.chains.as_mut().map(|chains| chains.order[0] = chains.order[1]),
+            |plan| plan.chains.as_mut().map(|chains| chains.order.swap(0, 1)),
+            |plan| plan.chains.as_mut().map(|chains| chains.lengths[0] += 1),
+            |plan| plan.chains.as_mut().map(|chains| chains.lengths[0] -= 1),
+            |plan| {
+                let chains = plan.chains.as_mut()?;
+                chains.eliminated = chains.order.len();
+                chains.lengths.clear();
+                Some(())
+            },
+            |plan| plan.chains.as_mut().and_then(|chains| chains.order.pop()).map(drop),
+        ],
+    );
+}
+
+/// The chains of a plan are as many as a determinant can have, and they are ordered so that
+/// eliminated ones have a longer chain each.
+#[test]
+fn chains_are_few() {
+    let found = |name: &str| {
+        let chains = planned(name).chains?;
+        Some((chains.lengths, chains.eliminated))
+    };
+    assert_eq!(found("relpose_5pt"), Some((vec![2, 2, 3], 3)));
+    assert_eq!(found("two_conics"), Some((vec![3], 1)));
+    assert_eq!(found("trilateration"), Some((vec![2], 0)));
+    assert_eq!(found("pose_6pt_rolling_shutter"), None);
+}

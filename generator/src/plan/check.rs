@@ -1,7 +1,7 @@
 //! Whether a plan contradicts itself: every table stays in range, and every value, pivot and
 //! unknown is written before it is read.
 
-use super::{ActionRow, Block, CoefficientId, Elimination, Entry, KnownMonomial, Plan, Term};
+use super::{ActionRow, BasisId, Block, CoefficientId, Elimination, Entry, KnownMonomial, Plan, Term};
 
 /// A plan that contradicts itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -18,6 +18,7 @@ impl Plan {
         self.check_program()?;
         self.check_elimination()?;
         self.check_monomials()?;
+        self.check_chains()?;
         self.check_unknowns()
     }
 
@@ -76,6 +77,26 @@ impl Plan {
         let known =
             self.read.iter().all(|pivot| e.solves(pivot.0)) && pairs.all(|&(m, xm)| is_known(m) && is_known(xm));
         require(known, "an unknown is read from a monomial that is not known")
+    }
+
+    /// Each chain follows the unit rows to a solved one, and together they are the basis.
+    fn check_chains(&self) -> Result<(), PlanError> {
+        let Some(chains) = &self.chains else { return Ok(()) };
+        let mut listed: Vec<usize> = chains.order.iter().map(|b| usize::from(b.0)).collect();
+        let lengths = chains.lengths.iter().copied().chain((0..chains.eliminated).map(|_| 1));
+        let lengths: Vec<usize> = lengths.collect();
+        let has_all = lengths.iter().sum::<usize>() == listed.len() && chains.eliminated <= chains.lengths.len();
+        let follows = |pair: &[BasisId]| self.action[usize::from(pair[0].0)] == ActionRow::Unit(pair[1]);
+        let ends = |end: &BasisId| matches!(self.action[usize::from(end.0)], ActionRow::Solved(_));
+        let mut rest = chains.order.as_slice();
+        listed.sort_unstable();
+        let is_chain = |length: usize| {
+            let (chain, behind) = rest.split_at(length);
+            rest = behind;
+            chain.windows(2).all(follows) && chain.last().is_some_and(ends)
+        };
+        let is_basis = has_all && listed.into_iter().eq(0..self.elimination.basis);
+        require(is_basis && lengths.into_iter().all(is_chain), "the chains are not those of the basis")
     }
 
     /// The unknowns, in the order in which they become known.
