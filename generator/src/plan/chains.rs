@@ -17,8 +17,9 @@ use crate::algebra::{Echelon, PrimeField};
 /// iteration is faster.
 const MOST_CHAINS: usize = 6;
 
-/// A polynomial of higher degree has lost too many digits.
-const HIGHEST_DEGREE: usize = 30;
+/// A polynomial of higher degree has lost too many digits: at degree 24, nine of 10,000 scenes of
+/// `pose_5tdoa_two_receivers` lost their known solution, at degree 20 one of `relpose_4pt_angle`.
+const HIGHEST_DEGREE: usize = 18;
 
 /// The chains of a basis.
 #[derive(Clone, Debug, PartialEq, Eq)]

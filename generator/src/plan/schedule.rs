@@ -37,8 +37,8 @@ pub enum ScheduleError {
     Plan(#[from] PlanError),
 }
 
-/// Plans the solver of `problem` by eigenvalues, from a template for its presolved form. `solutions` is the number
-/// of different complex solutions.
+/// Plans the solver of `problem` by eigenvalues, from a template for its presolved form.
+/// `solutions` is the number of different complex solutions.
 ///
 /// Constant rows are eliminated here if the plan then has fewer operations.
 pub fn schedule(

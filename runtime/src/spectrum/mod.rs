@@ -4,8 +4,9 @@
 //! 2. `inverse_iteration` gives the eigenvector of one eigenvalue at a time.
 //! 3. `invariant_subspace` gives the subspace of eigenvalues that are too close to be told apart.
 //! 4. `precise_spectrum` does 1 and 2 at twice the precision, for any size up to 256.
-//! 5. [`hidden_variable`] does without the iteration: the real eigenvalues are the [`real_roots`] of
-//!    the determinant of a small matrix of polynomials, whose null vectors give the eigenvectors.
+//! 5. [`hidden_variable`] does without the iteration: the real eigenvalues are the [`real_roots`]
+//!    of the determinant of a small matrix of polynomials, whose null vectors give the
+//!    eigenvectors.
 
 pub(crate) mod eigenvalues;
 pub(crate) mod hessenberg;

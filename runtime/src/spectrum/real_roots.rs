@@ -100,8 +100,8 @@ struct Piece<'a, Z: Size> {
 }
 
 impl<Z: Size> Isolation<Z> {
-    /// Takes the coefficients with x = 2^shift UNIT y, which brings the geometric mean of the moduli
-    /// of the roots to about 1. Returns the shift.
+    /// Takes the coefficients with x = 2^shift UNIT y, which brings the geometric mean of the
+    /// moduli of the roots to about 1. Returns the shift.
     fn scaled(&mut self, coefficients: &[f64]) -> i32 {
         let degree = self.degree as i32;
         if degree == 0 {
