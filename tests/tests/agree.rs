@@ -65,9 +65,9 @@ fn on_random_data() {
 
 #[test]
 fn on_scenes() {
-    // On 2 of 121 scenes of `pose_3pt_upright_error_bound` and 1 of 628 of
-    // `pose_npt_least_squares_quaternion` the template is singular to `f64`. A second attempt solves
-    // them.
+    // On 2 of 121 scenes of `pose_3pt_upright_error_bound`, and on 1 of 628 of
+    // `pose_npt_least_squares_quaternion`, the template is singular to `f64`. A second attempt
+    // solves them.
     assert_shares(&solved_shares(Family::Scene, 1_500_000), 0.98..=1.0);
 }
 
