@@ -37,7 +37,7 @@ const INCOMPLETE: f64 = 0.05;
 /// instances that are solved at the next exponents outside. A factor of the data is no factor of
 /// the equations: it moves the solutions, the monomials of the basis differ by powers of it, and an
 /// eigenvector in `f64` does not hold both.
-const UNITS: [(&str, i32, i32); 16] = [
+const UNITS: [(&str, i32, i32); 15] = [
     // 0.88 at -4 and 0.04 at 4.
     ("calibration_6_receivers_4_senders", -2, 2),
     // 0.36 at -6 and 0.93 at 10.
@@ -48,8 +48,6 @@ const UNITS: [(&str, i32, i32); 16] = [
     ("platform_forward_kinematics", -8, 6),
     // 0.63 at 8.
     ("pose_3pt_depths", -10, 6),
-    // 0.00 at -8.
-    ("pose_3pt_upright_error_bound", -6, 10),
     // 0.95 at 8 and 0.00 at 10.
     ("pose_5pt_refraction", -10, 6),
     // 0.74 at -6.
