@@ -10,6 +10,7 @@ pub use crate::elimination::template::{ActionRow, Block, Entry, action_matrix, c
 pub use crate::number::{Over, Real};
 pub use crate::size::{AtMost, Fixed, List, Matrix, Size, Square, Vector, filled_matrix};
 pub use crate::solution::candidates::MAX_RESIDUAL;
+pub use crate::solution::dense_system::DenseSystem;
 pub use crate::solution::distinct::{Candidate, push_distinct};
 pub use crate::solution::extract::{monomial_values, ratio};
 pub use crate::solution::polish::{POLISH_STEPS, polish};

@@ -1,10 +1,10 @@
 //! Table-driven systems and their polish.
 mod support;
 
-use eliminant::emitted::{Fixed, FixedTables, System, Values};
+use eliminant::emitted::{Fixed, FixedTables, System, Term, Values};
 use eliminant::{Complex, Scalar};
 use support::Random;
-use support::conics::{THREE, TWO, polish, product, term, through, through_complex};
+use support::conics::{MONOMIALS, THREE, TWO, polish, product, term, terms, through, through_complex};
 
 #[test]
 fn evaluation_is_that_of_the_written_out_polynomial() {
@@ -36,6 +36,43 @@ fn evaluation_is_that_of_the_written_out_polynomial() {
     system.residual(&[z[0] + step, z[1]], &mut moved);
     for e in 0..2 {
         assert!(((moved.residual[e] - f.residual[e]) / step - j[e][0]).modulus() < 1e-5);
+    }
+}
+
+/// Two conics, the second without x y and with its x^2 in two terms: the matrix has the values and
+/// derivatives of the table.
+#[test]
+fn a_matrix_of_coefficients_evaluates_as_the_table_does() {
+    const TERMS: [Term; 12] = {
+        let mut terms = terms::<12>();
+        terms[10] = term(10, 3);
+        terms
+    };
+    const SYSTEM: FixedTables<2, 2, 6> = FixedTables::new::<12>(&MONOMIALS, &[6, 12], &TERMS);
+    fn compare<S: Scalar>(c: &[f64; 12], x: [S; 2]) {
+        let rows = SYSTEM.rows(c);
+        assert_eq!((rows[4][1], rows[3][1]), (0.0, c[9] + c[10]));
+        let (table, matrix) = (SYSTEM.bind(c), SYSTEM.with_rows(&rows));
+        let mut at = [(); 3].map(|()| Values::zero(Fixed::<2>));
+        let mut jacobians = [[[S::ZERO; 2]; 2]; 2];
+        table.evaluate(&x, &mut at[0], &mut jacobians[0]);
+        matrix.evaluate(&x, &mut at[1], &mut jacobians[1]);
+        matrix.residual(&x, &mut at[2]);
+        let near = |a: S, b: S| (a - b).modulus() < 1e-15;
+        for e in 0..2 {
+            assert!(near(at[0].residual[e], at[1].residual[e]));
+            assert!((0..2).all(|j| near(jacobians[0][e][j], jacobians[1][e][j])));
+        }
+        // The two terms in x^2 are one in the matrix.
+        assert!((at[0].scale[0] - at[1].scale[0]).abs() < 1e-15 && at[1].scale[1] <= at[0].scale[1]);
+        assert_eq!((at[1].residual, at[1].scale), (at[2].residual, at[2].scale));
+    }
+    let mut random = Random::new(11);
+    for _ in 0..100 {
+        let c: [f64; 12] = std::array::from_fn(|_| random.symmetric());
+        compare(&c, [random.symmetric(), random.symmetric()]);
+        compare(&c, [0, 1].map(|_| Complex::new(random.symmetric(), random.symmetric())));
+        compare(&c, [0.0, random.symmetric()]);
     }
 }
 

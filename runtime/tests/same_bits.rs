@@ -89,8 +89,8 @@ impl<const N: usize, const E: usize, const K: usize> Polynomials<N, E, K> {
         Polynomials { chain, ends, terms, coefficients: numbers[2 * N..].to_vec(), point }
     }
 
-    /// The polished point and its residual, with sizes of two kinds.
-    fn polish_both<S: Scalar>(&self, point: [S; N], steps: usize) -> [(Vec<[u64; 2]>, u64); 2] {
+    /// The polished point and its residual by a table and by a matrix, with sizes of two kinds.
+    fn polish_both<S: Scalar>(&self, point: [S; N], steps: usize) -> [[Polished; 2]; 2] {
         let tables = Tables {
             sizes: (Fixed::<N>, Fixed::<E>, Fixed::<K>),
             chain: &self.chain,
@@ -101,30 +101,32 @@ impl<const N: usize, const E: usize, const K: usize> Polynomials<N, E, K> {
         let sizes = (Dynamic(N), Dynamic(E), Dynamic(K));
         let of_run_time = Tables { sizes, chain: &chain, ends: &ends, terms: &self.terms };
         [
-            polished::<S, _, _, _>(tables.polynomials(), &tables.bind(&self.coefficients), point, steps),
-            polished::<S, _, _, _>(
-                of_run_time.polynomials(),
-                &of_run_time.bind(&self.coefficients),
-                point.to_vec(),
-                steps,
-            ),
+            polished::<S, _, _, _>(&tables, &self.coefficients, point, steps),
+            polished::<S, _, _, _>(&of_run_time, &self.coefficients, point.to_vec(), steps),
         ]
     }
 }
 
+/// A point and its residual.
+type Polished = (Vec<[u64; 2]>, u64);
+
 fn polished<S: Scalar, N: Size, E: Size, K: Size>(
-    sizes: (N, E),
-    system: &PolynomialSystem<'_, N, E, K>,
-    mut x: N::Vector<S>,
+    tables: &Tables<'_, N, E, K>,
+    coefficients: &[f64],
+    start: N::Vector<S>,
     steps: usize,
-) -> (Vec<[u64; 2]>, u64) {
-    let residual = polish(&mut x, sizes, system, steps);
+) -> [Polished; 2] {
+    let (system, rows) = (tables.bind(coefficients), tables.rows(coefficients));
+    let mut x = start.clone();
+    let residual = polish(&mut x, tables.polynomials(), &system, steps);
     assert_eq!(
         system.exceeds::<S>(&x, -1.0),
         system.exceeds::<S>(&x, -0.5),
         "both are below any modulus, or not finite"
     );
-    (bits(x.as_ref()), residual.to_bits())
+    let mut of_matrix = start;
+    let residual_of_matrix = polish(&mut of_matrix, tables.polynomials(), &tables.with_rows(&rows), steps);
+    [(bits(x.as_ref()), residual.to_bits()), (bits(of_matrix.as_ref()), residual_of_matrix.to_bits())]
 }
 
 proptest! {

@@ -8,6 +8,7 @@ use super::names::Names;
 use super::shapes::{as_slice, parameter};
 use crate::plan::Plan;
 use crate::plan::program::ProgramForm;
+use crate::plan::system_table::SystemTable;
 use crate::plan::value_layout::ValueLayout;
 
 /// The version of the runtime's hidden interface that is emitted for.
@@ -42,23 +43,35 @@ fn sign_changes(plan: &Plan) -> TokenStream {
     }
 }
 
-/// A field for the data if an elimination at twice the precision needs them, and how the
+/// A field for the data if an elimination at twice the precision needs them, its value, and how the
 /// coefficients are computed when an instance is made. `given` is the list of all data as slices.
-fn coefficients_of_instance(plan: &Plan, given: &Ident) -> (TokenStream, TokenStream) {
+fn coefficients_of_instance(plan: &Plan, given: &Ident) -> (TokenStream, TokenStream, TokenStream) {
     if plan.program.form == ProgramForm::Statements {
         let arguments = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name));
-        return (quote!(), quote!(coefficients: self::coefficients(#(#arguments),*),));
+        return (quote!(), quote!(), quote!(self::coefficients(#(#arguments),*)));
     }
     let inputs = Literal::usize_unsuffixed(plan.inputs());
     let field = quote! {
         /// All data, one parameter after another.
         data: [f64; #inputs],
     };
-    let coefficients = quote! {
-        coefficients: self::coefficients(&emitted::joined(&#given)),
-        data: emitted::joined(&#given),
+    let data = quote!(data: emitted::joined(&#given),);
+    (field, data, quote!(self::coefficients(&emitted::joined(&#given))))
+}
+
+/// A field for the coefficients of the equations by monomials if most of them are not zero, its
+/// value, and the system of equations of an instance.
+fn equations_of_instance(plan: &Plan, computed: &Ident) -> (TokenStream, TokenStream, TokenStream) {
+    let table = SystemTable::of(&plan.equations, plan.unknowns.len());
+    if !table.is_dense() {
+        return (quote!(), quote!(), quote!(EQUATIONS.bind(&self.coefficients)));
+    }
+    let [equations, monomials] = [table.ends.len(), table.chain.len()].map(Literal::usize_unsuffixed);
+    let field = quote! {
+        /// The coefficients of all equations, one row for each monomial.
+        equations: [[f64; #equations]; #monomials],
     };
-    (field, coefficients)
+    (field, quote!(equations: EQUATIONS.rows(&#computed),), quote!(EQUATIONS.with_rows(&self.equations)))
 }
 
 /// The coefficients for an elimination in the precision R. Tables can be executed at twice the
@@ -82,8 +95,9 @@ pub(super) fn instance(plan: &Plan) -> TokenStream {
     let (count, count_given) =
         (Literal::usize_unsuffixed(plan.coefficients.len()), Literal::usize_unsuffixed(plan.data.len()));
     let mut names = Names::of(&plan.data);
-    let (given, instance) = (names.take("given"), names.take("instance"));
-    let (data_field, coefficients) = coefficients_of_instance(plan, &given);
+    let [given, computed, instance] = ["given", "computed", "instance"].map(|name| names.take(name));
+    let (data_field, data, compute) = coefficients_of_instance(plan, &given);
+    let (equations_field, equations, system) = equations_of_instance(plan, &computed);
     let (basis, count_read) =
         (Literal::usize_unsuffixed(plan.elimination.basis), Literal::usize_unsuffixed(plan.read.len()));
     let (read_field, no_read) = match plan.read.is_empty() {
@@ -97,7 +111,7 @@ pub(super) fn instance(plan: &Plan) -> TokenStream {
             quote!(read: [[0.0; #basis]; #count_read],),
         ),
     };
-    let (solver_instance, chains) = (solver_instance(plan), chains(plan));
+    let (solver_instance, chains) = (solver_instance(plan, &system), chains(plan));
     let version = Literal::u32_unsuffixed(RUNTIME_VERSION);
     quote! {
         /// A compile error if the runtime has another version.
@@ -106,6 +120,7 @@ pub(super) fn instance(plan: &Plan) -> TokenStream {
         /// The coefficients of all equations for given data.
         struct Instance {
             coefficients: [f64; #count],
+            #equations_field
             #data_field
             #read_field
         }
@@ -113,7 +128,8 @@ pub(super) fn instance(plan: &Plan) -> TokenStream {
         impl Instance {
             fn new(#(#parameters),*) -> Result<Self, ::eliminant::SolveError> {
                 let #given: [&[f64]; #count_given] = [#(#slices),*];
-                let #instance = Self { #coefficients #no_read };
+                let #computed = #compute;
+                let #instance = Self { #equations coefficients: #computed, #data #no_read };
                 emitted::check_coefficients(&#instance.coefficients, &#given)?;
                 Ok(#instance)
             }
@@ -152,8 +168,8 @@ fn chains(plan: &Plan) -> TokenStream {
     }
 }
 
-/// What the runtime asks of an instance.
-fn solver_instance(plan: &Plan) -> TokenStream {
+/// What the runtime asks of an instance, which has this system of equations.
+fn solver_instance(plan: &Plan, system: &TokenStream) -> TokenStream {
     let layout = ValueLayout::of(plan);
     let [basis, unknowns, values, solutions] =
         [plan.elimination.basis, plan.unknowns.len(), layout.len(), plan.solutions].map(Literal::usize_unsuffixed);
@@ -208,7 +224,7 @@ fn solver_instance(plan: &Plan) -> TokenStream {
             }
 
             fn polish<S: ::eliminant::Scalar>(&self, x: &mut [S; #unknowns], steps: usize) -> f64 {
-                emitted::polish(x, EQUATIONS.polynomials(), &EQUATIONS.bind(&self.coefficients), steps)
+                emitted::polish(x, EQUATIONS.polynomials(), &#system, steps)
             }
 
             fn is_admissible<S: ::eliminant::Scalar>(&self, x: &[S; #unknowns]) -> bool {

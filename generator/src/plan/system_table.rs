@@ -37,6 +37,13 @@ impl SystemTable {
         }
     }
 
+    /// Whether the coefficients are stored as a matrix of polynomials by monomials. An entry of the
+    /// matrix costs about a quarter of the time of a term of the table, because the polynomials are
+    /// evaluated side by side.
+    pub fn is_dense(&self) -> bool {
+        4 * self.terms.len() >= self.ends.len() * self.chain.len()
+    }
+
     /// The monomials of the chain.
     pub fn monomials(&self) -> Vec<Monomial> {
         let mut monomials = vec![Monomial::ONE];

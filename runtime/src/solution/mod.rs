@@ -3,12 +3,13 @@
 //! 1. [`extract`] reads unknowns off an eigenvector; [`sign_changes`] resolves unknowns that are
 //!    known up to sign.
 //! 2. [`mod@polish`] improves a solution on the original equations, which [`system`] evaluates from
-//!    tables.
+//!    tables, or [`dense_system`] from a matrix.
 //! 3. [`distinct`] removes solutions that were found more than once.
 //! 4. `shared_value` tells apart the solutions that share an eigenvalue.
 //! 5. `candidates` collects real solutions, or all solutions.
 
 pub(crate) mod candidates;
+pub(crate) mod dense_system;
 pub(crate) mod distinct;
 pub(crate) mod extract;
 pub(crate) mod polish;

@@ -136,6 +136,44 @@ impl<'a, N: Size, E: Size, K: Size> Tables<'a, N, E, K> {
     pub const fn bind(&self, coefficients: &'a [f64]) -> PolynomialSystem<'a, N, E, K> {
         PolynomialSystem { tables: *self, coefficients }
     }
+
+    /// The terms of each equation.
+    #[inline]
+    pub(crate) fn equations(&self) -> impl Iterator<Item = &'a [Term]> {
+        let terms = self.terms;
+        self.ends.as_ref().iter().scan(0, move |start, &end| {
+            let of_equation = &terms[*start..end as usize];
+            *start = end as usize;
+            Some(of_equation)
+        })
+    }
+
+    /// The values of the chain.
+    #[inline]
+    pub(crate) fn monomials<S: Scalar>(&self, x: &N::Vector<S>) -> K::Vector<S> {
+        let (_, _, count) = self.sizes;
+        let mut values = count.filled(S::ONE);
+        for k in 1..count.get() {
+            let Product { parent, unknown } = self.chain[k];
+            values[k] = values[usize::from(parent)] * x[usize::from(unknown)];
+        }
+        values
+    }
+
+    /// The derivatives of the chain, which has these values at x.
+    #[inline]
+    pub(crate) fn gradients<S: Scalar>(&self, x: &N::Vector<S>, values: &K::Vector<S>) -> Matrix<K, N, S> {
+        let (unknowns, _, count) = self.sizes;
+        let mut gradients = filled_matrix(count, unknowns, S::ZERO);
+        for k in 1..count.get() {
+            let Product { parent, unknown } = self.chain[k];
+            let (parent, unknown) = (usize::from(parent), usize::from(unknown));
+            let factor = x[unknown];
+            gradients[k] = mapped(unknowns, &gradients[parent], |derivative: S| derivative * factor);
+            gradients[k][unknown] += values[parent];
+        }
+        gradients
+    }
 }
 
 /// A system that can be evaluated: [`Tables`] with coefficients.
@@ -145,29 +183,6 @@ pub struct PolynomialSystem<'a, N: Size, E: Size, K: Size> {
 }
 
 impl<N: Size, E: Size, K: Size> PolynomialSystem<'_, N, E, K> {
-    /// The terms of each equation.
-    #[inline]
-    fn equations(&self) -> impl Iterator<Item = &[Term]> {
-        let terms = self.tables.terms;
-        self.tables.ends.as_ref().iter().scan(0, move |start, &end| {
-            let of_equation = &terms[*start..end as usize];
-            *start = end as usize;
-            Some(of_equation)
-        })
-    }
-
-    /// The values of the chain.
-    #[inline]
-    fn monomials<S: Scalar>(&self, x: &N::Vector<S>) -> K::Vector<S> {
-        let (_, _, count) = self.tables.sizes;
-        let mut values = count.filled(S::ONE);
-        for k in 1..count.get() {
-            let Product { parent, unknown } = self.tables.chain[k];
-            values[k] = values[usize::from(parent)] * x[usize::from(unknown)];
-        }
-        values
-    }
-
     /// Whether the modulus of every polynomial exceeds `level`, relative to the sum of the moduli
     /// of its terms.
     #[inline]
@@ -183,17 +198,10 @@ impl<N: Size, E: Size, K: Size> PolynomialSystem<'_, N, E, K> {
 impl<S: Scalar, N: Size, E: Size, K: Size> System<S, N, E> for PolynomialSystem<'_, N, E, K> {
     #[inline]
     fn evaluate(&self, x: &N::Vector<S>, at: &mut Values<S, E>, jacobian: &mut Matrix<E, N, S>) {
-        let (unknowns, _, count) = self.tables.sizes;
-        let values = self.monomials(x);
-        let mut gradients = filled_matrix(count, unknowns, S::ZERO);
-        for k in 1..count.get() {
-            let Product { parent, unknown } = self.tables.chain[k];
-            let (parent, unknown) = (usize::from(parent), usize::from(unknown));
-            let factor = x[unknown];
-            gradients[k] = mapped(unknowns, &gradients[parent], |derivative: S| derivative * factor);
-            gradients[k][unknown] += values[parent];
-        }
-        for (equation, terms) in self.equations().enumerate() {
+        let (unknowns, _, _) = self.tables.sizes;
+        let values = self.tables.monomials(x);
+        let gradients = self.tables.gradients(x, &values);
+        for (equation, terms) in self.tables.equations().enumerate() {
             // Sums in locals, which stay in registers.
             let (mut value, mut size, mut gradient) = (S::ZERO, 0.0, unknowns.filled(S::ZERO));
             for term in terms {
@@ -212,8 +220,8 @@ impl<S: Scalar, N: Size, E: Size, K: Size> System<S, N, E> for PolynomialSystem<
 
     #[inline]
     fn residual(&self, x: &N::Vector<S>, at: &mut Values<S, E>) {
-        let values = self.monomials(x);
-        for (equation, terms) in self.equations().enumerate() {
+        let values = self.tables.monomials(x);
+        for (equation, terms) in self.tables.equations().enumerate() {
             let (mut value, mut size) = (S::ZERO, 0.0);
             for term in terms {
                 let coefficient = self.coefficients[usize::from(term.coefficient)];

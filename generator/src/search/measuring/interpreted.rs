@@ -81,6 +81,7 @@ struct System {
     chain: Vec<Product>,
     ends: Vec<u32>,
     terms: Vec<Term>,
+    is_dense: bool,
 }
 
 impl InterpretedSolver {
@@ -113,12 +114,15 @@ impl InterpretedSolver {
     pub fn instance(&self, data: &[f64]) -> Result<InterpretedInstance<'_>, SolveError> {
         let coefficients = self.program.evaluate::<f64>(data);
         emitted::check_coefficients(&coefficients, &[data])?;
+        let equations = &self.equations;
+        let rows = equations.is_dense.then(|| equations.tables(self.unknowns).rows(&coefficients));
         let read = vec![vec![0.0; self.layout.basis]; self.layout.read];
         let (steps, flips) = (self.steps.iter().map(Vec::as_slice), self.flips.iter().map(Vec::as_slice));
         Ok(InterpretedInstance {
             solver: self,
             data: data.to_vec(),
             coefficients,
+            rows,
             read,
             steps: steps.collect(),
             flips: flips.collect(),
@@ -266,6 +270,7 @@ impl System {
     fn of(polynomials: &[Vec<crate::plan::Term>], unknowns: usize) -> Self {
         let table = SystemTable::of(polynomials, unknowns);
         Self {
+            is_dense: table.is_dense(),
             chain: table.chain.iter().map(|&(parent, unknown)| Product { parent, unknown }).collect(),
             ends: table.ends,
             terms: table.terms.iter().map(|&(coefficient, monomial)| Term { coefficient, monomial }).collect(),
@@ -284,6 +289,8 @@ pub struct InterpretedInstance<'a> {
     solver: &'a InterpretedSolver,
     data: Vec<f64>,
     coefficients: Vec<f64>,
+    /// The coefficients of all equations, one row for each monomial, if most of them are not zero.
+    rows: Option<Vec<Vec<f64>>>,
     /// Monomials that unknowns are read from, as combinations of the basis; known after the
     /// elimination.
     read: Vec<Vec<f64>>,
@@ -393,7 +400,10 @@ impl SolverInstance for InterpretedInstance<'_> {
 
     fn polish<S: Scalar>(&self, x: &mut Vec<S>, steps: usize) -> f64 {
         let tables = self.solver.equations.tables(self.solver.unknowns);
-        emitted::polish(x, tables.polynomials(), &tables.bind(&self.coefficients), steps)
+        match &self.rows {
+            Some(rows) => emitted::polish(x, tables.polynomials(), &tables.with_rows(rows), steps),
+            None => emitted::polish(x, tables.polynomials(), &tables.bind(&self.coefficients), steps),
+        }
     }
 
     fn is_admissible<S: Scalar>(&self, x: &Vec<S>) -> bool {
