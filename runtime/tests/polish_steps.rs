@@ -40,9 +40,11 @@ impl<const N: usize, const E: usize, F: Fn([f64; N]) -> [f64; E], J: Fn([f64; N]
 impl<const N: usize, const E: usize, F: Fn([f64; N]) -> [f64; E], J: Fn([f64; N]) -> [[f64; N]; E]>
     System<f64, Fixed<N>, Fixed<E>> for Chosen<N, E, F, J>
 {
-    fn evaluate(&self, x: &[f64; N], at: &mut Values<f64, Fixed<E>>, jacobian: &mut Matrix<Fixed<E>, Fixed<N>, f64>) {
+    fn evaluate(&self, x: &[f64; N], at: &mut Values<f64, Fixed<E>>, columns: &mut Matrix<Fixed<N>, Fixed<E>, f64>) {
         self.with_jacobian.update(|count| count + 1);
-        (at.residual, at.scale, *jacobian) = ((self.values)(*x), self.scale, (self.jacobian)(*x));
+        let jacobian = (self.jacobian)(*x);
+        (at.residual, at.scale) = ((self.values)(*x), self.scale);
+        *columns = std::array::from_fn(|j| jacobian.map(|row| row[j]));
     }
 
     fn residual(&self, x: &[f64; N], at: &mut Values<f64, Fixed<E>>) {
@@ -224,9 +226,9 @@ struct Linear<S, const N: usize, const E: usize> {
 }
 
 impl<S: Scalar, const N: usize, const E: usize> System<S, Fixed<N>, Fixed<E>> for Linear<S, N, E> {
-    fn evaluate(&self, x: &[S; N], at: &mut Values<S, Fixed<E>>, jacobian: &mut [[S; N]; E]) {
+    fn evaluate(&self, x: &[S; N], at: &mut Values<S, Fixed<E>>, columns: &mut [[S; E]; N]) {
         self.residual(x, at);
-        *jacobian = self.matrix;
+        *columns = std::array::from_fn(|j| self.matrix.map(|row| row[j]));
     }
 
     fn residual(&self, x: &[S; N], at: &mut Values<S, Fixed<E>>) {

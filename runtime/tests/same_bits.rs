@@ -5,9 +5,8 @@
 mod support;
 
 use eliminant::emitted::{
-    AtMost, BlockError, BlockMemory, Dynamic, Fixed, List, Point, PolynomialSystem, Product, Size, SolverInstance,
-    Tables, Term, complex_solutions, polish, real_solutions, real_solutions_by_determinant, solve_block_trailing,
-    solve_large_block,
+    AtMost, BlockError, BlockMemory, Dynamic, Fixed, List, Point, Product, Size, SolverInstance, Tables, Term,
+    complex_solutions, polish, real_solutions, real_solutions_by_determinant, solve_block_trailing, solve_large_block,
 };
 use eliminant::{Complex, Scalar, SolveError};
 use proptest::prelude::*;

@@ -64,25 +64,23 @@ impl<N: Size, E: Size, K: Size> DenseSystem<'_, N, E, K> {
 
 impl<S: Scalar, N: Size, E: Size, K: Size> System<S, N, E> for DenseSystem<'_, N, E, K> {
     #[inline]
-    fn evaluate(&self, x: &N::Vector<S>, at: &mut Values<S, E>, jacobian: &mut Matrix<E, N, S>) {
+    fn evaluate(&self, x: &N::Vector<S>, at: &mut Values<S, E>, derivatives: &mut Matrix<N, E, S>) {
         let (unknowns, equations, count) = self.tables.sizes;
         let values = self.tables.monomials(x);
         self.evaluate_at(&values, at);
         let gradients = self.tables.gradients(x, &values);
         for j in 0..unknowns.get() {
-            let mut gradient = equations.filled(S::ZERO);
+            let mut sum = equations.filled(S::ZERO);
             for k in 1..count.get() {
                 let (row, derivative) = (&self.rows[k], gradients[k][j]);
                 // Half of the monomials, more or less, do not hold the unknown.
                 if derivative != S::ZERO {
                     for e in 0..equations.get() {
-                        gradient[e] += derivative.scale(row[e]);
+                        sum[e] += derivative.scale(row[e]);
                     }
                 }
             }
-            for e in 0..equations.get() {
-                jacobian[e][j] = gradient[e];
-            }
+            derivatives[j] = sum;
         }
     }
 

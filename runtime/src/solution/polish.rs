@@ -1,7 +1,7 @@
 //! Gauss-Newton steps on the original equations.
 
+use crate::number::Scalar;
 use crate::number::scalar::mapped;
-use crate::number::{Scalar, float};
 use crate::size::{Matrix, Size, filled_matrix};
 use crate::solution::system::{System, Values};
 
@@ -45,7 +45,7 @@ const LARGE: f64 = 1e6;
 /// max over equations e of |f_e(x)| / (sum of the moduli of the terms of f_e at x), where 0/0 = 0.
 ///
 /// Equations are weighted by one over that sum, so their scaling does not matter; the scaling of
-/// unknowns does not matter to Householder QR. A step is kept only if it lowers the residual; if it
+/// unknowns does not matter to the QR decomposition. A step is kept only if it lowers the residual; if it
 /// does not, a fraction of it is tried. The iteration ends if no fraction lowers the residual, at a
 /// residual at rounding level, and at a rank-deficient Jacobian. If x or a value at x is not
 /// finite, x stays and the result is infinity.
@@ -106,20 +106,20 @@ impl<S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'_, S, N, E, Y> {
 
     #[inline]
     fn iterate(&mut self, x: &mut N::Vector<S>, steps: usize) -> Ended<S, N> {
-        let mut jacobian = filled_matrix(self.equations, self.unknowns, S::ZERO);
+        let mut derivatives = filled_matrix(self.unknowns, self.equations, S::ZERO);
         let (mut best, mut flat) = (f64::INFINITY, false);
         let mut correction = self.unknowns.filled(S::ZERO);
         for step in 0..steps {
-            self.system.evaluate(x, &mut self.at, &mut jacobian);
+            self.system.evaluate(x, &mut self.at, &mut derivatives);
             if step == 0 {
                 best = relative_residual(self.at.residual.as_ref(), self.at.scale.as_ref());
             }
             if (step == 0 && best <= ROUNDING) || best == f64::INFINITY {
                 break;
             }
-            weigh::<S, N, E>(&mut self.at, &mut jacobian);
+            self.weigh(&mut derivatives);
             let sizes = (self.unknowns, self.equations);
-            let Some(step) = least_squares(sizes, &mut jacobian, &mut self.at.residual) else { break };
+            let Some(step) = least_squares(sizes, &mut derivatives, &mut self.at.residual) else { break };
             correction = step;
             let (moved, residual) = self.step(x, &correction, best);
             flat = best <= STALLED && residual <= FLAT;
@@ -135,6 +135,25 @@ impl<S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'_, S, N, E, Y> {
             }
         }
         Ended { best, correction, flat }
+    }
+
+    /// Divides each equation by its scale, or by the size of its gradient if all its terms vanish.
+    #[inline]
+    fn weigh(&mut self, derivatives: &mut Matrix<N, E, S>) {
+        let (unknowns, equations) = (self.unknowns.get(), self.equations.get());
+        let mut weight = self.equations.filled(0.0);
+        for e in 0..equations {
+            let scale = self.at.scale[e];
+            let gradient = || (0..unknowns).map(|j| derivatives[j][e].magnitude()).fold(0.0, f64::max);
+            let size = if scale > 0.0 { scale } else { gradient() };
+            weight[e] = if size > 0.0 { 1.0 / size } else { 0.0 };
+            self.at.residual[e] = self.at.residual[e].scale(weight[e]);
+        }
+        for j in 0..unknowns {
+            for e in 0..equations {
+                derivatives[j][e] = derivatives[j][e].scale(weight[e]);
+            }
+        }
     }
 
     /// The point that a step from x leads to, and its residual. A step that does not lower a high
@@ -235,78 +254,84 @@ fn relative_residual<S: Scalar>(values: &[S], scale: &[f64]) -> f64 {
     worst
 }
 
-/// Divides each equation by its scale, or by the size of its gradient if all its terms vanish.
-#[inline]
-fn weigh<S: Scalar, N: Size, E: Size>(at: &mut Values<S, E>, jacobian: &mut Matrix<E, N, S>) {
-    let equations = at.residual.as_mut().iter_mut().zip(at.scale.as_ref());
-    for ((value, &scale), gradient) in equations.zip(jacobian.as_mut()) {
-        let gradient = gradient.as_mut();
-        let size = if scale > 0.0 { scale } else { largest(gradient) };
-        let weight = if size > 0.0 { 1.0 / size } else { 0.0 };
-        *value = value.scale(weight);
-        gradient.iter_mut().for_each(|entry| *entry = entry.scale(weight));
-    }
-}
-
-/// The least-squares solution of `matrix * y = right`, E equations in N <= E unknowns, by
-/// Householder QR. Both arguments are overwritten. `None` if the matrix has lost rank (a diagonal
-/// entry of R is below N epsilon times its column) or a number is not finite.
+/// The least-squares solution y of E equations in N <= E unknowns, sum over j of columns[j] y[j] =
+/// right, by the modified Gram-Schmidt method. Both arguments are overwritten. `None` if the matrix
+/// has lost rank (what is left of a column is below N epsilon times the column) or a number is not
+/// finite.
+///
+/// The right side is treated as one more column. So the solution is as accurate as that of
+/// Householder's QR (Björck, "Solving linear least squares problems by Gram-Schmidt
+/// orthogonalization", BIT 7, 1967), and all sums are over whole columns.
 #[inline]
 fn least_squares<S: Scalar, N: Size, E: Size>(
     (unknowns, equations): (N, E),
-    matrix: &mut Matrix<E, N, S>,
+    columns: &mut Matrix<N, E, S>,
     right: &mut E::Vector<S>,
 ) -> Option<N::Vector<S>> {
-    let (n, e) = (unknowns.get(), equations.get());
-    if e < n {
+    let n = unknowns.get();
+    if equations.get() < n {
         return None;
     }
-    let mut column_size = unknowns.filled(0.0_f64);
-    for row in matrix.as_ref() {
-        for j in 0..n {
-            column_size[j] += row[j].modulus_squared();
-        }
-    }
     let rounding = n as f64 * f64::EPSILON;
-    let mut inverse_diagonal = unknowns.filled(S::ZERO);
+    let mut smallest = unknowns.filled(0.0);
     for k in 0..n {
-        let square: f64 = (k..e).map(|i| matrix[i][k].modulus_squared()).sum();
-        if !(square > rounding * rounding * column_size[k]) {
+        smallest[k] = rounding * rounding * squared_length(columns[k].as_ref());
+    }
+    // A = Q R, where Q^H Q is diagonal and R has ones on its diagonal; solution = Q^H b until the
+    // last loop.
+    let mut upper = filled_matrix(unknowns, unknowns, S::ZERO);
+    let mut solution = unknowns.filled(S::ZERO);
+    for k in 0..n {
+        let (done, rest) = columns.as_mut().split_at_mut(k + 1);
+        let column = done[k].as_ref();
+        let square = squared_length(column);
+        if !(square > smallest[k]) {
             return None;
         }
-        let length = float::sqrt(square);
-        let head = matrix[k][k];
-        let size = head.modulus();
-        // R[k][k] points opposite to the head, so that head - diagonal does not cancel.
-        let diagonal = if size > 0.0 { -head.scale(length / size) } else { S::from_f64(-length) };
-        inverse_diagonal[k] = diagonal.reciprocal();
-        matrix[k][k] = head - diagonal;
-        // The reflection is I - v v^H / factor, where v is the column from k on as it is now.
-        let inverse_factor = 1.0 / (square + length * size);
-        let mut product = unknowns.filled(S::ZERO);
-        let mut product_right = S::ZERO;
-        for i in k..e {
-            let v = matrix[i][k].conj();
-            for j in k + 1..n {
-                product[j] += v * matrix[i][j];
-            }
-            product_right += v * right[i];
+        let inverse = 1.0 / square;
+        for (j, other) in (k + 1..n).zip(rest) {
+            upper[k][j] = remove(column, inverse, other.as_mut());
         }
-        for i in k..e {
-            let v = matrix[i][k].scale(inverse_factor);
-            for j in k + 1..n {
-                matrix[i][j] -= v * product[j];
-            }
-            right[i] -= v * product_right;
-        }
+        solution[k] = remove(column, inverse, right.as_mut());
     }
-    let mut solution = unknowns.filled(S::ZERO);
     for k in (0..n).rev() {
-        let mut sum = right[k];
         for j in k + 1..n {
-            sum -= matrix[k][j] * solution[j];
+            let known = upper[k][j] * solution[j];
+            solution[k] -= known;
         }
-        solution[k] = sum * inverse_diagonal[k];
     }
     solution.as_ref().iter().all(|entry| entry.is_finite()).then_some(solution)
+}
+
+/// Subtracts from `other` its component along `column`, which has the squared length 1/`inverse`,
+/// and returns the factor of `column`.
+#[inline]
+fn remove<S: Scalar>(column: &[S], inverse: f64, other: &mut [S]) -> S {
+    let product = sum_of(column.len().min(other.len()), S::ZERO, |e| column[e].conj() * other[e]);
+    let factor = product.scale(inverse);
+    for (entry, &of_column) in other.iter_mut().zip(column) {
+        *entry -= of_column * factor;
+    }
+    factor
+}
+
+#[inline]
+fn squared_length<S: Scalar>(column: &[S]) -> f64 {
+    sum_of(column.len(), 0.0, |e| column[e].modulus_squared())
+}
+
+/// The sum of `count` terms, as four sums side by side: none of them waits for the others.
+#[inline]
+fn sum_of<T: Copy + core::ops::Add<Output = T>>(count: usize, zero: T, term: impl Fn(usize) -> T) -> T {
+    let mut sums = [zero; 4];
+    let whole = count / 4 * 4;
+    for start in (0..whole).step_by(4) {
+        for (lane, sum) in sums.iter_mut().enumerate() {
+            *sum = *sum + term(start + lane);
+        }
+    }
+    for (sum, e) in sums.iter_mut().zip(whole..count) {
+        *sum = *sum + term(e);
+    }
+    (sums[0] + sums[2]) + (sums[1] + sums[3])
 }

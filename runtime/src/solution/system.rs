@@ -6,10 +6,11 @@ use crate::size::{Fixed, Matrix, Size, filled_matrix};
 
 /// E equations in N unknowns, with their derivatives.
 pub trait System<S: Scalar, N: Size, E: Size> {
-    /// Evaluates the system at the point x.
-    fn evaluate(&self, x: &N::Vector<S>, values: &mut Values<S, E>, jacobian: &mut Matrix<E, N, S>);
+    /// Evaluates the system at the point x. The derivatives are the columns of the Jacobian, one
+    /// for each unknown.
+    fn evaluate(&self, x: &N::Vector<S>, values: &mut Values<S, E>, derivatives: &mut Matrix<N, E, S>);
 
-    /// Like [`System::evaluate`], without the Jacobian.
+    /// Like [`System::evaluate`], without the derivatives.
     fn residual(&self, x: &N::Vector<S>, values: &mut Values<S, E>);
 }
 
@@ -197,7 +198,7 @@ impl<N: Size, E: Size, K: Size> PolynomialSystem<'_, N, E, K> {
 
 impl<S: Scalar, N: Size, E: Size, K: Size> System<S, N, E> for PolynomialSystem<'_, N, E, K> {
     #[inline]
-    fn evaluate(&self, x: &N::Vector<S>, at: &mut Values<S, E>, jacobian: &mut Matrix<E, N, S>) {
+    fn evaluate(&self, x: &N::Vector<S>, at: &mut Values<S, E>, derivatives: &mut Matrix<N, E, S>) {
         let (unknowns, _, _) = self.tables.sizes;
         let values = self.tables.monomials(x);
         let gradients = self.tables.gradients(x, &values);
@@ -209,12 +210,15 @@ impl<S: Scalar, N: Size, E: Size, K: Size> System<S, N, E> for PolynomialSystem<
                 let product = values[usize::from(monomial)].scale(coefficient);
                 value += product;
                 size += product.modulus();
-                let derivatives = &gradients[usize::from(monomial)];
+                let of_monomial = &gradients[usize::from(monomial)];
                 for j in 0..unknowns.get() {
-                    gradient[j] += derivatives[j].scale(coefficient);
+                    gradient[j] += of_monomial[j].scale(coefficient);
                 }
             }
-            (at.residual[equation], at.scale[equation], jacobian[equation]) = (value, size, gradient);
+            (at.residual[equation], at.scale[equation]) = (value, size);
+            for j in 0..unknowns.get() {
+                derivatives[j][equation] = gradient[j];
+            }
         }
     }
 
