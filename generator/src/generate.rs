@@ -3,12 +3,11 @@
 
 use crate::algebra::{Monomial, PRIMES, PrimeField};
 use crate::emit::{EmitError, Provenance, emit};
-use crate::plan::Plan;
 #[cfg(feature = "search")]
-use crate::plan::chains::Chains;
 use crate::plan::interpret::{self, Eliminated};
 use crate::plan::schedule::{ScheduleError, schedule};
 use crate::plan::solution_count::{SolutionBounds, count_solutions};
+use crate::plan::{Chains, Plan};
 use crate::presolve::{ReducedProblem, presolve};
 use crate::problem::Problem;
 use crate::problem::diagnostic::Diagnostics;
@@ -113,15 +112,15 @@ pub fn plan(problem: &Problem, file: &TemplateFile) -> Result<Planned, GenerateE
     if !eliminated.action.iter().enumerate().all(|(row, values)| values.as_slice() == action.row(row)) {
         return Err(GenerateError::PlanDiffers);
     }
-    if file.roots == RootMethod::Determinant {
-        let chains = plan.determinant_chains(VERIFY_FIELD, &eliminated.action);
-        plan.chains = Some(chains.ok_or(GenerateError::Chains)?);
-        plan.check().map_err(ScheduleError::from)?;
-    }
     let found = count_solutions(&plan, &file.template.action, VERIFY_FIELD, &coefficients, &eliminated);
     let allows = |count: SolutionBounds| count.allows(file.solutions);
     if !allows(found) && !counts(&plan, &file.template.action, &reduced, &VERIFY_SEEDS[1..]).any(allows) {
         return Err(GenerateError::Solutions { file: file.solutions, found });
+    }
+    if file.roots == RootMethod::Determinant {
+        let chains = plan.determinant_chains(VERIFY_FIELD, &eliminated.action);
+        plan.chains = Some(chains.ok_or(GenerateError::Chains)?);
+        plan.check().map_err(ScheduleError::from)?;
     }
     Ok(Planned { reduced, plan })
 }

@@ -18,7 +18,7 @@ use crate::solution::extract::unknowns;
 use crate::solution::shared_value::SharedValue;
 use crate::solver_instance::{BasisVector, EigenpairSource, HiddenVariableSolver, Points, SolverInstance};
 use crate::spectrum::hessenberg::Hessenberg;
-use crate::spectrum::hidden_variable::{HiddenPairs, HiddenVariable};
+use crate::spectrum::hidden_variable::HiddenVariable;
 use crate::spectrum::precise_spectrum::{PreciseSpectrum, with_precise_spectrum};
 use crate::spectrum::real_roots::real_roots;
 
@@ -97,6 +97,23 @@ fn add_roots<I: HiddenVariableSolver>(solver: &mut I, found: &mut RealSolutions<
         is_certain = is_certain && is_solution();
     }
     is_certain && !found.is_imprecise()
+}
+
+/// The eigenpairs of the real roots.
+struct HiddenPairs<'a, 'c, B, C: Size, P: Size, M> {
+    basis: B,
+    variable: &'a HiddenVariable<'c, C, P, M>,
+}
+
+impl<B: Size, C: Size, P: Size, M: Size> EigenpairSource<B> for HiddenPairs<'_, '_, B, C, P, M> {
+    fn real(&self, value: f64) -> (f64, B::Vector<f64>) {
+        (value, self.variable.vector(self.basis, value))
+    }
+
+    fn complex(&self, value: Complex<f64>) -> (Complex<f64>, B::Vector<Complex<f64>>) {
+        let (_, vector) = self.real(value.re);
+        (value, mapped(self.basis, &vector, |entry: f64| Complex::from(entry)))
+    }
 }
 
 /// Whether some eigenvalues belong to no solution, or to a solution that is known beforehand.

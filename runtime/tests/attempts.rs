@@ -389,8 +389,8 @@ fn with_sign_changes_real_eigenvalues_are_not_counted() {
     }
 }
 
-/// A determinant is taken at its word if its roots are certain, each leads to a solution of its own,
-/// and the polish moves none of them by more than 1e-7. Otherwise eigenvalues decide.
+/// A determinant is taken at its word if its roots are certain, each leads to a solution of its
+/// own, and the polish moves none of them by more than 1e-7. Otherwise eigenvalues decide.
 #[test]
 fn determinants_are_taken_at_their_word_if_they_are_certain() {
     /// The solutions, how often the action matrix was computed, and how many points were polished.

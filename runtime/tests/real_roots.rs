@@ -143,7 +143,8 @@ fn certain_counts_are_right_for_every_degree_to_20() {
     }
 }
 
-/// Of polynomials with random coefficients nearly all are certain, and their roots are sign changes.
+/// Of polynomials with random coefficients nearly all are certain, and their roots are sign
+/// changes.
 #[test]
 fn random_polynomials_are_certain() {
     let mut random = Random::new(41);
@@ -191,8 +192,8 @@ fn units_do_not_matter() {
     assert!(roots.iter().zip(exact).all(|(found, exact)| (found / exact - 1.0).abs() < 1e-13), "{roots:?}");
 }
 
-/// Roots that are closer to each other than 2^-12 of the scaled variable, or pairs that close to the
-/// real axis, are not certain.
+/// Roots that are closer to each other than 2^-12 of the scaled variable, or pairs that close to
+/// the real axis, are not certain.
 #[test]
 fn close_roots_are_not_certain() {
     let certain = |gap: f64| sorted(&product::<5>(&[-0.7, 0.5, 0.5 + gap, 2.5])).1.is_certain;

@@ -10,7 +10,7 @@
 //! and one column per chain: see `runtime/src/spectrum/hidden_variable.rs`. Chains of one monomial
 //! are eliminated before, as many as there are longer ones.
 
-use super::{ActionRow, BasisId};
+use super::{ActionRow, BasisId, Chains, Plan};
 use crate::algebra::{Echelon, PrimeField};
 
 /// The determinant is expanded into minors, two to the number of chains. With more chains the QR
@@ -21,16 +21,14 @@ const MOST_CHAINS: usize = 6;
 /// `pose_5tdoa_two_receivers` lost their known solution, at degree 20 one of `relpose_4pt_angle`.
 const HIGHEST_DEGREE: usize = 18;
 
-/// The chains of a basis.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Chains {
-    /// The basis: the chains that stay one after another, each from head to end, then the
-    /// eliminated ones.
-    pub order: Vec<BasisId>,
-    /// The lengths of the chains that stay. Those whose rows eliminate others come first.
-    pub lengths: Vec<usize>,
-    /// The number of eliminated chains, of one monomial each.
-    pub eliminated: usize,
+impl Plan {
+    /// The chains over which a determinant gives the real solutions, found from the action matrix
+    /// of an instance over Z_p; `None` if there are too many, or if some eigenvalues belong to no
+    /// solution, or to one that is known beforehand.
+    pub fn determinant_chains(&self, field: PrimeField, action: &[Vec<u32>]) -> Option<Chains> {
+        let most = self.elimination.basis * (1 + self.flips.len());
+        if most == self.solutions && !self.has_origin { Chains::of(&self.action, field, action) } else { None }
+    }
 }
 
 impl Chains {
@@ -61,24 +59,6 @@ impl Chains {
         let lengths = kept.iter().map(|chain| chain.len()).collect();
         (kept.len() <= MOST_CHAINS).then_some(Self { order, lengths, eliminated: users.len() })
     }
-
-    /// The degrees of the columns. They sum up to |B|.
-    fn degrees(&self) -> Vec<usize> {
-        self.lengths.iter().enumerate().map(|(at, &length)| length + usize::from(at < self.eliminated)).collect()
-    }
-
-    /// Operations for the determinant, and an estimate for its roots and their vectors.
-    pub fn operations(&self) -> usize {
-        let degrees = self.degrees();
-        let sum = |set: usize| (0..degrees.len()).filter(|j| set & (1 << j) != 0).map(|j| degrees[j]).sum::<usize>();
-        let product = |set: usize, column: usize| 2 * (degrees[column] + 1) * (sum(set & !(1 << column)) + 1);
-        let columns = |set: usize| (0..degrees.len()).filter(move |column| set & (1 << column) != 0);
-        let minors: usize = (1..1_usize << degrees.len())
-            .map(|set| columns(set).map(|column| product(set, column)).sum::<usize>())
-            .sum();
-        let n = self.order.len();
-        minors + ROOTS_PER_SQUARE * n * n
-    }
 }
 
 /// All chains, short ones first.
@@ -94,7 +74,3 @@ fn chains(action: &[ActionRow]) -> Vec<Vec<usize>> {
     chains.sort_by_key(Vec::len);
     chains
 }
-
-/// Operations for the isolation of the roots of a polynomial of degree n, for Newton's method and
-/// for the null vectors, divided by n^2: an estimate.
-const ROOTS_PER_SQUARE: usize = 40;

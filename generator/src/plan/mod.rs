@@ -28,10 +28,8 @@ pub mod value_layout;
 
 pub use check::PlanError;
 
-use crate::algebra::PrimeField;
 use crate::problem::{DataParameter, SolutionField};
 use crate::template::RootMethod;
-use chains::Chains;
 use program::{Program, ValueId};
 
 /// Position in the array of coefficients that the tables refer to.
@@ -188,8 +186,10 @@ pub struct OperationCount {
     pub coefficients: usize,
     /// Elimination and back-substitution.
     pub elimination: usize,
-    /// Hessenberg form and eigenvalues, by the usual estimate 10 |B|^3, or the determinant and its
-    /// roots.
+    /// Hessenberg form and eigenvalues, by the usual estimate 10 |B|^3. A determinant takes fewer.
+    /// It does not decide between templates: a basis of few chains gives a small determinant, but
+    /// no more than one solution per chain can have the same value of the action monomial, and on
+    /// symmetric data more of them do.
     pub roots: usize,
 }
 
@@ -198,6 +198,18 @@ impl OperationCount {
     pub fn total(&self) -> usize {
         self.coefficients + self.elimination + self.roots
     }
+}
+
+/// The chains of a basis.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Chains {
+    /// The basis: the chains that stay one after another, each from head to end, then the
+    /// eliminated ones.
+    pub order: Vec<BasisId>,
+    /// The lengths of the chains that stay. Those whose rows eliminate others come first.
+    pub lengths: Vec<usize>,
+    /// The number of eliminated chains, of one monomial each.
+    pub eliminated: usize,
 }
 
 /// A solver with all decisions taken.
@@ -274,14 +286,6 @@ impl Plan {
         if self.chains.is_some() { RootMethod::Determinant } else { RootMethod::Eigenvalues }
     }
 
-    /// The chains over which a determinant gives the real solutions, found from the action matrix
-    /// of an instance over Z_p; `None` if there are too many, or if some eigenvalues belong to no
-    /// solution, or to one that is known beforehand.
-    pub fn determinant_chains(&self, field: PrimeField, action: &[Vec<u32>]) -> Option<Chains> {
-        let most = self.elimination.basis * (1 + self.flips.len());
-        if most == self.solutions && !self.has_origin { Chains::of(&self.action, field, action) } else { None }
-    }
-
     /// Operations of one solve.
     pub fn operations(&self) -> OperationCount {
         let coefficients = self.program.steps();
@@ -293,7 +297,6 @@ impl Plan {
             let backward = block.needed * block.needed * width;
             factor + forward + backward + 2 * block.coupling.len() * width
         });
-        let roots = self.chains.as_ref().map_or(10 * width * width * width, Chains::operations);
-        OperationCount { coefficients, elimination: elimination.sum(), roots }
+        OperationCount { coefficients, elimination: elimination.sum(), roots: 10 * width * width * width }
     }
 }

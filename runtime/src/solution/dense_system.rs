@@ -45,47 +45,48 @@ impl<'a, N: Size, E: Size, K: Size> Tables<'a, N, E, K> {
 }
 
 impl<N: Size, E: Size, K: Size> DenseSystem<'_, N, E, K> {
+    /// The sum over k of `term`(row k times factor k), for each equation. Factors of zero are passed
+    /// over.
     #[inline]
-    fn evaluate_at<S: Scalar>(&self, monomials: &K::Vector<S>, at: &mut Values<S, E>) {
+    fn sum<S: Scalar, T: Scalar>(&self, factor: impl Fn(usize) -> S, term: impl Fn(S) -> T) -> E::Vector<T> {
         let (_, equations, count) = self.tables.sizes;
-        // Sums in locals, which stay in registers.
-        let (mut value, mut size) = (equations.filled(S::ZERO), equations.filled(0.0));
-        for k in 0..count.get() {
-            let (row, monomial) = (&self.rows[k], monomials[k]);
-            for e in 0..equations.get() {
-                let term = monomial.scale(row[e]);
-                value[e] += term;
-                size[e] += term.modulus();
+        // One local vector of sums, which stays in registers.
+        let mut sums = equations.filled(T::ZERO);
+        // From high degrees down: large terms cancel before small ones are added.
+        for k in (0..count.get()).rev() {
+            let (row, factor) = (&self.rows[k], factor(k));
+            if factor != S::ZERO {
+                for e in 0..equations.get() {
+                    sums[e] += term(factor.scale(row[e]));
+                }
             }
         }
-        (at.residual, at.scale) = (value, size);
+        sums
+    }
+
+    #[inline]
+    fn values<S: Scalar>(&self, monomials: &K::Vector<S>) -> Values<S, E> {
+        Values {
+            residual: self.sum(|k| monomials[k], |term| term),
+            scale: self.sum(|k| monomials[k], |term| term.modulus()),
+        }
     }
 }
 
 impl<S: Scalar, N: Size, E: Size, K: Size> System<S, N, E> for DenseSystem<'_, N, E, K> {
     #[inline]
     fn evaluate(&self, x: &N::Vector<S>, at: &mut Values<S, E>, derivatives: &mut Matrix<N, E, S>) {
-        let (unknowns, equations, count) = self.tables.sizes;
-        let values = self.tables.monomials(x);
-        self.evaluate_at(&values, at);
-        let gradients = self.tables.gradients(x, &values);
+        let (unknowns, _, _) = self.tables.sizes;
+        let monomials = self.tables.monomials(x);
+        *at = self.values(&monomials);
+        let gradients = self.tables.gradients(x, &monomials);
         for j in 0..unknowns.get() {
-            let mut sum = equations.filled(S::ZERO);
-            for k in 1..count.get() {
-                let (row, derivative) = (&self.rows[k], gradients[k][j]);
-                // Half of the monomials, more or less, do not hold the unknown.
-                if derivative != S::ZERO {
-                    for e in 0..equations.get() {
-                        sum[e] += derivative.scale(row[e]);
-                    }
-                }
-            }
-            derivatives[j] = sum;
+            derivatives[j] = self.sum(|k| gradients[k][j], |term| term);
         }
     }
 
     #[inline]
     fn residual(&self, x: &N::Vector<S>, at: &mut Values<S, E>) {
-        self.evaluate_at(&self.tables.monomials(x), at);
+        *at = self.values(&self.tables.monomials(x));
     }
 }

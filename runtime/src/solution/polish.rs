@@ -1,7 +1,7 @@
 //! Gauss-Newton steps on the original equations.
 
-use crate::number::Scalar;
 use crate::number::scalar::mapped;
+use crate::number::{Scalar, float};
 use crate::size::{Matrix, Size, filled_matrix};
 use crate::solution::system::{System, Values};
 
@@ -45,10 +45,10 @@ const LARGE: f64 = 1e6;
 /// max over equations e of |f_e(x)| / (sum of the moduli of the terms of f_e at x), where 0/0 = 0.
 ///
 /// Equations are weighted by one over that sum, so their scaling does not matter; the scaling of
-/// unknowns does not matter to the QR decomposition. A step is kept only if it lowers the residual; if it
-/// does not, a fraction of it is tried. The iteration ends if no fraction lowers the residual, at a
-/// residual at rounding level, and at a rank-deficient Jacobian. If x or a value at x is not
-/// finite, x stays and the result is infinity.
+/// unknowns does not matter to Householder QR. A step is kept only if it lowers the residual;
+/// if it does not, a fraction of it is tried. The iteration ends if no fraction lowers the
+/// residual, at a residual at rounding level, and at a rank-deficient Jacobian. If x or a value at
+/// x is not finite, x stays and the result is infinity.
 ///
 /// The result is also infinity if the last step, taken or not, changes an unknown by more than a
 /// tenth, and the residual is above rounding or stays small along the whole step: no solution is
@@ -255,13 +255,8 @@ fn relative_residual<S: Scalar>(values: &[S], scale: &[f64]) -> f64 {
 }
 
 /// The least-squares solution y of E equations in N <= E unknowns, sum over j of columns[j] y[j] =
-/// right, by the modified Gram-Schmidt method. Both arguments are overwritten. `None` if the matrix
-/// has lost rank (what is left of a column is below N epsilon times the column) or a number is not
-/// finite.
-///
-/// The right side is treated as one more column. So the solution is as accurate as that of
-/// Householder's QR (Björck, "Solving linear least squares problems by Gram-Schmidt
-/// orthogonalization", BIT 7, 1967), and all sums are over whole columns.
+/// right, by Householder QR. Both arguments are overwritten. `None` if the matrix has lost rank (a
+/// diagonal entry of R is below N epsilon times its column) or a number is not finite.
 #[inline]
 fn least_squares<S: Scalar, N: Size, E: Size>(
     (unknowns, equations): (N, E),
@@ -277,42 +272,46 @@ fn least_squares<S: Scalar, N: Size, E: Size>(
     for k in 0..n {
         smallest[k] = rounding * rounding * squared_length(columns[k].as_ref());
     }
-    // A = Q R, where Q^H Q is diagonal and R has ones on its diagonal; solution = Q^H b until the
-    // last loop.
-    let mut upper = filled_matrix(unknowns, unknowns, S::ZERO);
-    let mut solution = unknowns.filled(S::ZERO);
+    let mut inverse_diagonal = unknowns.filled(S::ZERO);
     for k in 0..n {
         let (done, rest) = columns.as_mut().split_at_mut(k + 1);
-        let column = done[k].as_ref();
+        let column = &mut done[k].as_mut()[k..];
         let square = squared_length(column);
         if !(square > smallest[k]) {
             return None;
         }
-        let inverse = 1.0 / square;
-        for (j, other) in (k + 1..n).zip(rest) {
-            upper[k][j] = remove(column, inverse, other.as_mut());
+        let length = float::sqrt(square);
+        let head = column[0];
+        let size = head.modulus();
+        // R[k][k] points opposite to the head, so that head - diagonal does not cancel.
+        let diagonal = if size > 0.0 { -head.scale(length / size) } else { S::from_f64(-length) };
+        inverse_diagonal[k] = diagonal.reciprocal();
+        column[0] = head - diagonal;
+        // The reflection is I - v v^H / factor, where v is the column from k on as it is now.
+        let inverse_factor = 1.0 / (square + length * size);
+        for other in rest {
+            reflect(column, inverse_factor, &mut other.as_mut()[k..]);
         }
-        solution[k] = remove(column, inverse, right.as_mut());
+        reflect(column, inverse_factor, &mut right.as_mut()[k..]);
     }
+    let mut solution = unknowns.filled(S::ZERO);
     for k in (0..n).rev() {
+        let mut sum = right[k];
         for j in k + 1..n {
-            let known = upper[k][j] * solution[j];
-            solution[k] -= known;
+            sum -= columns[j][k] * solution[j];
         }
+        solution[k] = sum * inverse_diagonal[k];
     }
     solution.as_ref().iter().all(|entry| entry.is_finite()).then_some(solution)
 }
 
-/// Subtracts from `other` its component along `column`, which has the squared length 1/`inverse`,
-/// and returns the factor of `column`.
+/// Subtracts v v^H `other` times the factor.
 #[inline]
-fn remove<S: Scalar>(column: &[S], inverse: f64, other: &mut [S]) -> S {
-    let product = sum_of(column.len().min(other.len()), S::ZERO, |e| column[e].conj() * other[e]);
-    let factor = product.scale(inverse);
-    for (entry, &of_column) in other.iter_mut().zip(column) {
-        *entry -= of_column * factor;
+fn reflect<S: Scalar>(v: &[S], inverse_factor: f64, other: &mut [S]) {
+    let product = sum_of(v.len().min(other.len()), S::ZERO, |e| v[e].conj() * other[e]).scale(inverse_factor);
+    for (entry, &of_v) in other.iter_mut().zip(v) {
+        *entry -= of_v * product;
     }
-    factor
 }
 
 #[inline]

@@ -20,11 +20,7 @@
 //! their columns' degrees rise by one. Nistér's solver for five points (PAMI 2004) is the case of
 //! chains of 3, 2, 2, 1, 1 and 1 that become 4, 3 and 3.
 
-use num_complex::Complex;
-
-use crate::number::scalar::mapped;
 use crate::size::{Matrix, Size, Square, filled_matrix};
-use crate::solver_instance::EigenpairSource;
 
 /// How the basis falls into chains.
 #[derive(Clone, Copy, Debug)]
@@ -305,26 +301,10 @@ fn null_vector<C: Size>(size: C, matrix: &mut Square<C, f64>) -> C::Vector<f64> 
     vector
 }
 
-/// The eigenpairs of the real roots.
-pub(crate) struct HiddenPairs<'a, 'c, B, C: Size, P: Size, M> {
-    pub(crate) basis: B,
-    pub(crate) variable: &'a HiddenVariable<'c, C, P, M>,
-}
-
-impl<B: Size, C: Size, P: Size, M: Size> EigenpairSource<B> for HiddenPairs<'_, '_, B, C, P, M> {
-    fn real(&self, value: f64) -> (f64, B::Vector<f64>) {
-        (value, self.variable.vector(self.basis, value))
-    }
-
-    fn complex(&self, value: Complex<f64>) -> (Complex<f64>, B::Vector<Complex<f64>>) {
-        let (_, vector) = self.real(value.re);
-        (value, mapped(self.basis, &vector, |entry: f64| Complex::from(entry)))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use nalgebra::SMatrix;
+    use num_complex::Complex;
     use rand_xoshiro::Xoshiro256PlusPlus;
     use rand_xoshiro::rand_core::{Rng, SeedableRng};
 

@@ -257,7 +257,7 @@ impl Elimination {
 }
 
 impl Chains {
-    fn of(chains: &plan::chains::Chains) -> Self {
+    fn of(chains: &plan::Chains) -> Self {
         Self {
             order: chains.order.iter().map(|b| b.0).collect(),
             lengths: chains.lengths.iter().map(|&length| length as u16).collect(),
