@@ -4,10 +4,11 @@
 use crate::algebra::{Monomial, PRIMES, PrimeField};
 use crate::emit::{EmitError, Provenance, emit};
 #[cfg(feature = "search")]
+use crate::plan::Chains;
+use crate::plan::Plan;
 use crate::plan::interpret::{self, Eliminated};
 use crate::plan::schedule::{ScheduleError, schedule};
 use crate::plan::solution_count::{SolutionBounds, count_solutions};
-use crate::plan::{Chains, Plan};
 use crate::presolve::{ReducedProblem, presolve};
 use crate::problem::Problem;
 use crate::problem::diagnostic::Diagnostics;

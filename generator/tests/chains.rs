@@ -4,8 +4,7 @@ use std::fs;
 
 use eliminant_generator::algebra::{PRIMES, PrimeField, Random};
 use eliminant_generator::generate::{GenerateError, plan};
-use eliminant_generator::plan::Chains;
-use eliminant_generator::plan::{ActionRow, BasisId, PivotId};
+use eliminant_generator::plan::{ActionRow, BasisId, Chains, PivotId};
 use eliminant_generator::problem::Problem;
 use eliminant_generator::template::RootMethod;
 use eliminant_generator::template::file::TemplateFile;
