@@ -2,6 +2,7 @@
 //! from.
 
 use std::path::PathBuf;
+use std::time::{Duration, Instant};
 
 use eliminant::{Complex, SolveError};
 use eliminant_generator::generate::{Planned, plan};
@@ -28,6 +29,9 @@ pub struct Case {
     pub action_matrix: fn(&[f64]) -> Found<f64>,
     /// `relative_residual` of a complex solution.
     pub residual: Residual,
+    /// The time that `solve` takes for all of these data, one after the other, and the number of
+    /// real solutions that it returns. Data are not flat while the time is taken.
+    pub time: fn(&[Vec<f64>]) -> (Duration, usize),
 }
 
 /// Arrays of any depth from their flat values.
@@ -54,6 +58,16 @@ macro_rules! argument {
     };
     ($data:ident: scalar) => {
         $data
+    };
+}
+
+/// The same where arrays and scalars are behind references.
+macro_rules! referenced {
+    ($data:ident: array) => {
+        $data
+    };
+    ($data:ident: scalar) => {
+        *$data
     };
 }
 
@@ -86,6 +100,24 @@ macro_rules! case {
                 let mut unknowns = [Complex::default(); solvers::$name::UNKNOWNS.len()];
                 unknowns.iter_mut().zip(point).for_each(|(unknown, &value)| *unknown = value);
                 solvers::$name::relative_residual($(argument!($data: $kind),)* &unknowns.into())
+            },
+            time: |instances| {
+                // A problem without data has the data `()`.
+                #[allow(clippy::unused_unit)]
+                let typed = instances.iter().map(|flat| {
+                    let mut _values = flat.iter().copied();
+                    ($({
+                        let $data = FromFlat::take(&mut _values);
+                        $data
+                    },)*)
+                });
+                let typed: Vec<_> = typed.collect();
+                let start = Instant::now();
+                let found = typed.iter().map(|($($data,)*)| {
+                    solvers::$name::solve($(referenced!($data: $kind)),*).map_or(0, |found| found.len())
+                });
+                let count = found.sum();
+                (start.elapsed(), count)
             },
         }
     };
