@@ -1,7 +1,7 @@
 //! The time of `solve` of every emitted solver, on random data and on scenes.
 //!
-//! `cargo bench -p eliminant-tests --bench solve -- [PROBLEM...]`. All solvers take turns, so that a
-//! drifting clock hits all alike. A time is the median over rounds of the mean over the instances
+//! `cargo bench -p eliminant-tests --bench solve -- [PROBLEM...]`. All solvers take turns, so that
+//! a drifting clock hits all alike. A time is the median over rounds of the mean over the instances
 //! of a round.
 
 use std::time::Duration;
