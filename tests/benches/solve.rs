@@ -33,7 +33,7 @@ struct Arguments {
 }
 
 /// The instances of a family take at most this long in one round; fewer of them are solved where
-/// they would take longer.
+/// they would take longer, but at least 8.
 const LONGEST_ROUND: Duration = Duration::from_millis(50);
 
 const FAMILIES: [Family; 2] = [Family::Random, Family::Scene];
@@ -56,7 +56,7 @@ impl Subject {
         let first: Vec<_> = (0..8).map(draw).collect();
         let (time, _) = (case.time)(&first);
         let affordable = (8.0 * LONGEST_ROUND.as_secs_f64() / time.as_secs_f64()) as u64;
-        let data = (0..arguments.instances.min(affordable).max(1)).map(draw).collect();
+        let data = (0..arguments.instances.min(affordable).max(8)).map(draw).collect();
         Self { case: *case, data, nanoseconds: Vec::new(), solutions: 0.0 }
     }
 
