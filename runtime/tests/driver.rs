@@ -286,7 +286,10 @@ fn what_belongs_to_no_solution_is_not_polished_once_all_are_found() {
 }
 
 /// Solutions x = 0, 1 and 2; action x; basis x, x^2. The origin is known to be one.
-struct ThroughOrigin;
+#[derive(Default)]
+struct ThroughOrigin {
+    attempts: usize,
+}
 
 impl SolverInstance for ThroughOrigin {
     type Basis = Fixed<B>;
@@ -307,6 +310,7 @@ impl SolverInstance for ThroughOrigin {
     }
 
     fn action_matrix<R: Real>(&mut self) -> Result<[[R; B]; B], SolveError> {
+        self.attempts += 1;
         // x^3 = 3 x^2 - 2 x.
         Ok([[0.0, 1.0], [-2.0, 3.0]].map(|row| row.map(R::from_f64)))
     }
@@ -333,8 +337,10 @@ fn the_origin_is_returned_without_an_eigenpair() {
         found.sort_by(f64::total_cmp);
         found.len() == 3 && found.iter().zip([0.0, 1.0, 2.0]).all(|(x, root)| (x - root).abs() < 1e-14)
     };
-    let all = complex_solutions(&mut ThroughOrigin).unwrap();
+    let mut solver = ThroughOrigin::default();
+    let all = complex_solutions(&mut solver).unwrap();
     assert!(is_all(&mut all.iter().map(|[x]| x.re)), "{all:?}");
-    let real = real_solutions(&mut ThroughOrigin).unwrap();
+    let real = real_solutions(&mut solver).unwrap();
     assert!(is_all(&mut real.iter().map(|[x]| *x)), "{real:?}");
+    assert_eq!(solver.attempts, 2, "one for the complex and one for the real solutions");
 }

@@ -124,9 +124,9 @@ pub(crate) struct RealSolutions<I: SolverInstance> {
     /// imprecise, only the count tells whether a pair of real solutions became complex.
     all: Option<AllSolutions<I>>,
     most: usize,
-    /// The number of real eigenvalues, if each eigenvalue belongs to one solution: there are as
-    /// many real solutions.
-    real_eigenvalues: Option<usize>,
+    /// The number of real solutions, if each eigenvalue belongs to one: those known beforehand and
+    /// those of real eigenvalues.
+    expected: Option<usize>,
     /// Whether an eigenvalue that is nearly real led to no solution.
     has_failed: bool,
     /// The part of an unknown by which the polish moves precise solutions at most.
@@ -143,7 +143,7 @@ impl<I: SolverInstance> RealSolutions<I> {
             real: known_beforehand(solver),
             all: counts_complex.then(|| AllSolutions::new(solver)),
             most: solver.sizes().solutions.get(),
-            real_eigenvalues: None,
+            expected: None,
             has_failed: false,
             precision: IMPRECISE,
             is_imprecise: false,
@@ -209,7 +209,8 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
     #[inline]
     fn note(&mut self, solver: &I, values: &[Complex<f64>]) {
         if self.all.is_none() && flips(solver).is_empty() {
-            self.real_eigenvalues = Some(values.iter().filter(|value| value.im == 0.0).count());
+            let real = values.iter().filter(|value| value.im == 0.0);
+            self.expected = Some(self.real.len() + real.count());
         }
     }
 
@@ -260,15 +261,15 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
     }
 
     /// Solutions that are not real come in pairs. If they are not counted, some are lost if the
-    /// number of missing real solutions is odd, if it is not that of the complex eigenvalues, or if
-    /// an eigenvalue led to no solution.
+    /// number of missing real solutions is odd, if there are not as many as expected, or if an
+    /// eigenvalue led to no solution.
     #[inline]
     fn lacks_some(&self) -> bool {
         match &self.all {
             Some(all) => all.lacks_some(),
             None => {
                 let is_odd = !(self.most - self.real.len()).is_multiple_of(2);
-                is_odd || self.has_failed || self.real_eigenvalues.is_some_and(|count| count != self.real.len())
+                is_odd || self.has_failed || self.expected.is_some_and(|count| count != self.real.len())
             }
         }
     }
