@@ -59,8 +59,8 @@ fn coefficients_of_instance(plan: &Plan, given: &Ident) -> (TokenStream, TokenSt
     (field, data, quote!(self::coefficients(&emitted::joined(&#given))))
 }
 
-/// A field for the coefficients of the equations by monomials if most of them are not zero, its
-/// value, and the system of equations of an instance.
+/// A field for the coefficients of the equations by monomials if these are stored as a matrix
+/// ([`SystemTable::is_dense`]), its value, and the system of equations of an instance.
 fn equations_of_instance(plan: &Plan, computed: &Ident) -> (TokenStream, TokenStream, TokenStream) {
     let table = SystemTable::of(&plan.equations, plan.unknowns.len());
     if !table.is_dense() {

@@ -46,7 +46,7 @@ impl<'a, N: Size, E: Size, K: Size> Tables<'a, N, E, K> {
 
 impl<N: Size, E: Size, K: Size> DenseSystem<'_, N, E, K> {
     /// The sum over k of `term`(row k times factor k), for each equation. Factors of zero are
-    /// passed over.
+    /// passed over: among derivatives by one unknown, they are those of monomials without it.
     #[inline]
     fn sum<S: Scalar, T: Scalar>(&self, factor: impl Fn(usize) -> S, term: impl Fn(S) -> T) -> E::Vector<T> {
         let (_, equations, count) = self.tables.sizes;

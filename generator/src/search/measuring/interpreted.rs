@@ -289,7 +289,8 @@ pub struct InterpretedInstance<'a> {
     solver: &'a InterpretedSolver,
     data: Vec<f64>,
     coefficients: Vec<f64>,
-    /// The coefficients of all equations, one row for each monomial, if most of them are not zero.
+    /// The coefficients of all equations, one row for each monomial, if they are stored as a
+    /// matrix.
     rows: Option<Vec<Vec<f64>>>,
     /// Monomials that unknowns are read from, as combinations of the basis; known after the
     /// elimination.
