@@ -36,6 +36,12 @@ const MOST_STEPS: usize = 100;
 /// square.
 const LAST_STEP: f64 = 1e-9;
 
+/// Pieces of the axis, and roots, that are computed side by side.
+const LANES: usize = 4;
+
+/// A number for each piece or root.
+type Lanes = [f64; LANES];
+
 /// The real roots of a polynomial.
 pub struct RealRoots<Z: Size> {
     /// The roots, in no order. A root at infinity is left out.
@@ -53,192 +59,308 @@ pub struct RealRoots<Z: Size> {
 #[must_use]
 pub fn real_roots<Z: Size>(size: Z, coefficients: &Z::Vector<f64>) -> RealRoots<Z> {
     let mut result = RealRoots { roots: size.list(), is_certain: false, clearance: f64::INFINITY };
-    let Some(degree) = coefficients.as_ref().iter().rposition(|&c| c != 0.0) else { return result };
-    if !coefficients.as_ref().iter().all(|c| c.is_finite()) {
+    let c = coefficients.as_ref();
+    let Some(degree) = c.iter().rposition(|&c| c != 0.0) else { return result };
+    if !c.iter().all(|c| c.is_finite()) {
         return result;
     }
-    let lowest = coefficients.as_ref().iter().position(|&c| c != 0.0).unwrap_or(0);
+    let lowest = c.iter().position(|&c| c != 0.0).unwrap_or(0);
     result.is_certain = lowest <= 1;
     if lowest > 0 {
         result.roots.push(0.0);
     }
-    let mut isolation = Isolation { size, degree: degree - lowest, power: size.filled(0.0), result };
-    let shift = isolation.scaled(&coefficients.as_ref()[lowest..=degree]);
-    match isolation.degree {
-        0 => {}
-        1 => {
-            let root = -isolation.power[0] / isolation.power[1];
-            isolation.result.roots.push(root);
-        }
-        _ => isolation.all(),
+    let degree = degree - lowest;
+    match degree + 1 == size.get() {
+        true => Isolation::<Z, true> { size, degree, result }.run(c),
+        false => Isolation::<Z, false> { size, degree, result }.run(&c[lowest..]),
     }
-    let Isolation { mut result, .. } = isolation;
-    for root in result.roots.iter_mut() {
-        *root = times_power_of_two(*root * UNIT, shift);
-        result.is_certain &= root.is_finite();
-    }
-    result
 }
 
-/// The polynomial in the scaled variable, lowest coefficient first, and the roots found so far.
-struct Isolation<Z: Size> {
+/// The roots found so far. `FULL`: the degree is one less than the size, which the compiler knows.
+struct Isolation<Z: Size, const FULL: bool> {
     size: Z,
     degree: usize,
-    power: Z::Vector<f64>,
     result: RealRoots<Z>,
 }
 
-/// One of the four unit intervals.
-struct Piece<'a, Z: Size> {
-    /// q, lowest coefficient first, `degree + 1` entries in use.
-    power: &'a Z::Vector<f64>,
-    /// x is this times t, or this over t.
-    sign: f64,
-    is_outer: bool,
-    /// The largest |b_j|.
-    size: f64,
+/// The polynomial on the four unit intervals, lowest coefficient first: x = t, 1/t, -t, -1/t.
+type Pieces<Z> = <Z as Size>::Vector<Lanes>;
+
+/// An interval with one root.
+#[derive(Clone, Copy)]
+struct Bracket {
+    /// The piece of the axis.
+    piece: usize,
+    low: f64,
+    high: f64,
+    /// The zero of the control polygon.
+    start: f64,
+    /// Whether q is negative at the lower end.
+    rises: bool,
 }
 
-impl<Z: Size> Isolation<Z> {
-    /// Takes the coefficients with x = 2^shift UNIT y, which brings the geometric mean of the
-    /// moduli of the roots to about 1. Returns the shift.
-    fn scaled(&mut self, coefficients: &[f64]) -> i32 {
-        let degree = self.degree as i32;
-        if degree == 0 {
-            return 0;
-        }
-        let exponent = |k: usize| float::exponent(coefficients[k]);
-        let shift = (exponent(0) - exponent(self.degree)).div_euclid(degree);
-        let exponents = (0..=self.degree).filter(|&k| coefficients[k] != 0.0).map(|k| exponent(k) + k as i32 * shift);
-        let largest = exponents.max().unwrap_or(0);
-        let mut unit = 1.0;
-        for (k, &c) in coefficients.iter().enumerate() {
-            self.power[k] = unit * times_power_of_two(c, k as i32 * shift - largest);
-            unit *= UNIT;
-        }
-        shift
+impl<Z: Size, const FULL: bool> Isolation<Z, FULL> {
+    #[inline(always)]
+    fn degree(&self) -> usize {
+        if FULL { self.size.get() - 1 } else { self.degree }
     }
 
-    fn all(&mut self) {
-        let n = self.degree;
-        // 1 / C(n, j)
-        let mut weight = self.size.filled(1.0);
-        for j in 0..n {
-            weight[j + 1] = weight[j] * (j + 1) as f64 / (n - j) as f64;
+    /// All roots but 0 of the polynomial with these coefficients; the first one is not zero.
+    #[inline]
+    fn run(mut self, coefficients: &[f64]) -> RealRoots<Z> {
+        let (power, shift) = self.scaled(coefficients);
+        match self.degree() {
+            0 => {}
+            1 => {
+                self.result.roots.push(-power[0] / power[1]);
+            }
+            _ => self.isolate(&self.pieces(&power)),
         }
-        for sign in [1.0, -1.0] {
-            let mut inner = self.power.clone();
-            if sign < 0.0 {
-                (1..=n).step_by(2).for_each(|k| inner[k] = -inner[k]);
+        let mut result = self.result;
+        for root in result.roots.iter_mut() {
+            *root = times_power_of_two(*root * UNIT, shift);
+            result.is_certain &= root.is_finite();
+        }
+        result
+    }
+
+    /// The coefficients with x = 2^shift UNIT y, which brings the geometric mean of the moduli of
+    /// the roots to about 1, and the shift.
+    #[inline]
+    fn scaled(&self, coefficients: &[f64]) -> (Z::Vector<f64>, i32) {
+        let n = self.degree();
+        let mut power = self.size.filled(0.0);
+        let exponent = |k: usize| float::exponent(coefficients[k]);
+        let shift = (exponent(0) - exponent(n)).div_euclid(n.max(1) as i32);
+        // 2^(k shift - first) UNIT^k, unless it is out of range.
+        let (first, step) = (exponent(0), UNIT * float::power_of_two(shift));
+        let mut unit = float::power_of_two(-first);
+        let mut largest = 0.0;
+        for (scaled, &c) in power.as_mut()[..n + 1].iter_mut().zip(coefficients) {
+            *scaled = c * unit;
+            unit *= step;
+            largest = if scaled.abs() > largest { scaled.abs() } else { largest };
+        }
+        let is_in_range = first.abs() < 900 && (n as i32 * shift - first).abs() < 900 && largest < 1e100;
+        if !is_in_range {
+            self.scale_any(coefficients, shift, &mut power);
+        }
+        (power, shift)
+    }
+
+    /// As [`Self::scaled`], for coefficients of any size.
+    #[cold]
+    #[inline(never)]
+    fn scale_any(&self, coefficients: &[f64], shift: i32, power: &mut Z::Vector<f64>) {
+        let n = self.degree();
+        let exponent = |k: usize| float::exponent(coefficients[k]) + k as i32 * shift;
+        let largest = (0..=n).filter(|&k| coefficients[k] != 0.0).map(exponent).max().unwrap_or(0);
+        let mut unit = 1.0;
+        for k in 0..=n {
+            power[k] = unit * times_power_of_two(coefficients[k], k as i32 * shift - largest);
+            unit *= UNIT;
+        }
+    }
+
+    #[inline(always)]
+    fn pieces(&self, power: &Z::Vector<f64>) -> Pieces<Z> {
+        let n = self.degree();
+        let mut pieces = self.size.filled([0.0; LANES]);
+        for k in 0..n + 1 {
+            let (inner, outer) = (power[k], power[n - k]);
+            let is_odd = |power: usize| !power.is_multiple_of(2);
+            pieces[k] =
+                [inner, outer, if is_odd(k) { -inner } else { inner }, if is_odd(n - k) { -outer } else { outer }];
+        }
+        pieces
+    }
+
+    /// Finds the intervals with one root, and then the roots.
+    #[inline(always)]
+    fn isolate(&mut self, pieces: &Pieces<Z>) {
+        let n = self.degree();
+        let mut brackets = self.size.list();
+        let bernstein = self.bernstein(pieces);
+        let (mut largest, mut least) = ([0.0; LANES], [f64::INFINITY; LANES]);
+        for k in 0..n + 1 {
+            for lane in 0..LANES {
+                let size = bernstein[k][lane].abs();
+                largest[lane] = if size > largest[lane] { size } else { largest[lane] };
+                least[lane] = if size < least[lane] { size } else { least[lane] };
             }
-            let mut outer = inner.clone();
-            outer.as_mut()[..=n].reverse();
-            // Both have the same value at t = 1, and must agree about its sign.
-            let at_one: f64 = inner.as_ref()[..=n].iter().sum();
-            for (power, is_outer) in [(&inner, false), (&outer, true)] {
-                let mut bernstein = self.bernstein(power, &weight);
-                bernstein[n] = at_one;
-                let size = largest(&bernstein.as_ref()[..=n]);
-                self.result.is_certain &= at_one.abs() > CLEAR_MIDDLE * size;
-                self.isolate(&Piece { power, sign, is_outer, size }, &mut bernstein, (0.0, 1.0), HALVINGS);
+        }
+        for lane in 0..LANES {
+            // Pieces that meet at t = 1 must be sure of the sign there.
+            self.result.is_certain &= bernstein[n][lane].abs() > CLEAR_MIDDLE * largest[lane];
+            let mut of_lane = self.size.filled(0.0);
+            for k in 0..n + 1 {
+                of_lane[k] = bernstein[k][lane];
             }
+            match sign_changes(&of_lane.as_ref()[..n + 1]) {
+                0 => self.result.clearance = self.result.clearance.min(least[lane] / largest[lane]),
+                1 => self.add_bracket(&mut brackets, lane, &of_lane, (0.0, 1.0)),
+                _ => self.halve(&mut brackets, (lane, largest[lane]), &mut of_lane, (0.0, 1.0), HALVINGS),
+            }
+        }
+        for group in brackets.chunks(LANES) {
+            self.refine(pieces, group);
         }
     }
 
     /// b_j = sum over i <= j of C(j, i) q_i / C(n, i), by Pascal's rule.
-    #[inline]
-    fn bernstein(&self, power: &Z::Vector<f64>, weight: &Z::Vector<f64>) -> Z::Vector<f64> {
-        let n = self.degree;
-        let mut bernstein = power.clone();
-        for j in 0..=n {
-            bernstein[j] *= weight[j];
+    #[inline(always)]
+    fn bernstein(&self, pieces: &Pieces<Z>) -> Pieces<Z> {
+        let n = self.degree();
+        let mut bernstein = pieces.clone();
+        let mut at_one = [0.0; LANES];
+        let mut binomial = 1.0;
+        for k in 0..n + 1 {
+            for lane in 0..LANES {
+                at_one[lane] += bernstein[k][lane];
+                bernstein[k][lane] /= binomial;
+            }
+            binomial = binomial * (n - k) as f64 / (k + 1) as f64;
         }
-        for pass in 1..=n {
-            for j in (pass..=n).rev() {
-                bernstein[j] += bernstein[j - 1];
+        for first in 0..n {
+            let mut below = bernstein[first];
+            for entry in &mut bernstein.as_mut()[first + 1..n + 1] {
+                let own = *entry;
+                for lane in 0..LANES {
+                    entry[lane] += below[lane];
+                }
+                below = own;
             }
         }
+        // Both sides of t = 1 have the same value there, and must agree about its sign.
+        bernstein[n] = [at_one[0], at_one[0], at_one[2], at_one[2]];
         bernstein
     }
 
-    /// Adds the roots between the ends of an interval, on which q has these Bernstein coefficients.
-    fn isolate(&mut self, piece: &Piece<'_, Z>, right: &mut Z::Vector<f64>, ends: (f64, f64), halvings: u32) {
-        let n = self.degree;
-        match sign_changes(&right.as_ref()[..=n]) {
-            0 => self.result.clearance = self.result.clearance.min(least(&right.as_ref()[..=n]) / piece.size),
-            1 => {
-                let t = self.refine(piece.power, right, ends);
-                let root = if piece.is_outer { piece.sign / t } else { piece.sign * t };
-                self.result.is_certain &= self.result.roots.push(root);
+    /// Halves an interval with these Bernstein coefficients, and its halves, until each has one
+    /// root or none. The largest Bernstein coefficient of a piece comes with it.
+    #[inline(never)]
+    fn halve(
+        &mut self,
+        brackets: &mut Z::List<Bracket>,
+        piece: (usize, f64),
+        right: &mut Z::Vector<f64>,
+        ends: (f64, f64),
+        halvings: u32,
+    ) {
+        let n = self.degree();
+        if halvings == 0 {
+            self.result.is_certain = false;
+            return;
+        }
+        // De Casteljau: after pass k, the first entry is the k-th coefficient of the left half, and
+        // the last one that changed is final in the right half.
+        let mut left = right.clone();
+        for pass in 1..n + 1 {
+            let open = &mut right.as_mut()[..n + 2 - pass];
+            for j in 0..open.len() - 1 {
+                open[j] = 0.5 * (open[j] + open[j + 1]);
             }
-            _ if halvings == 0 => self.result.is_certain = false,
-            _ => {
-                // De Casteljau: after pass k, the first entry is the k-th coefficient of the left
-                // half, and the last one that changed is final in the right half.
-                let mut left = right.clone();
-                for pass in 1..=n {
-                    for j in 0..=n - pass {
-                        right[j] = 0.5 * (right[j] + right[j + 1]);
-                    }
-                    left[pass] = right[0];
+            left[pass] = open[0];
+        }
+        // Two close roots in the middle, or a pair, show in neither half.
+        let size = largest(&left.as_ref()[..n + 1]).max(largest(&right.as_ref()[..n + 1]));
+        self.result.is_certain &= right[0].abs() > CLEAR_MIDDLE * size;
+        let middle = 0.5 * (ends.0 + ends.1);
+        for (half, ends) in [(&mut left, (ends.0, middle)), (right, (middle, ends.1))] {
+            match sign_changes(&half.as_ref()[..n + 1]) {
+                0 => {
+                    let clearance = least(&half.as_ref()[..n + 1]) / piece.1;
+                    self.result.clearance = self.result.clearance.min(clearance);
                 }
-                // Two close roots in the middle, or a pair, show in neither half.
-                let size = largest(&left.as_ref()[..=n]).max(largest(&right.as_ref()[..=n]));
-                self.result.is_certain &= right[0].abs() > CLEAR_MIDDLE * size;
-                let middle = 0.5 * (ends.0 + ends.1);
-                self.isolate(piece, &mut left, (ends.0, middle), halvings - 1);
-                self.isolate(piece, right, (middle, ends.1), halvings - 1);
+                1 => self.add_bracket(brackets, piece.0, half, ends),
+                _ => self.halve(brackets, piece, half, ends, halvings - 1),
             }
         }
     }
 
-    /// The one root between the ends: Newton's method from the zero of the control polygon, with
-    /// bisection where a step leaves the bracket.
-    fn refine(&self, power: &Z::Vector<f64>, bernstein: &Z::Vector<f64>, (low, high): (f64, f64)) -> f64 {
-        let n = self.degree;
+    /// Adds an interval whose Bernstein coefficients change their sign once.
+    #[inline]
+    fn add_bracket(
+        &mut self,
+        brackets: &mut Z::List<Bracket>,
+        piece: usize,
+        bernstein: &Z::Vector<f64>,
+        (low, high): (f64, f64),
+    ) {
+        let n = self.degree();
         let rises = bernstein[0] < 0.0;
         let crossing = (0..n).find(|&j| (bernstein[j + 1] < 0.0) != rises).unwrap_or(0);
         let (before, after) = (bernstein[crossing], bernstein[crossing + 1]);
         let part = (crossing as f64 + before / (before - after)) / n as f64;
-        let mut t = low + (high - low) * part;
-        let (mut low, mut high) = (low, high);
-        for _ in 0..MOST_STEPS {
-            let (mut value, mut slope) = (power[n], 0.0);
-            for k in (0..n).rev() {
-                slope = slope * t + value;
-                value = value * t + power[k];
-            }
-            if value == 0.0 {
-                return t;
-            }
-            if (value < 0.0) == rises {
-                low = t;
-            } else {
-                high = t;
-            }
-            let newton = t - value / slope;
-            // A NaN from a slope of zero leads to bisection.
-            let is_newton = newton >= low && newton <= high;
-            let next = if is_newton { newton } else { 0.5 * (low + high) };
-            let step = (next - t).abs();
-            t = next;
-            if step <= if is_newton { LAST_STEP * t } else { 0.0 } {
-                return t;
+        let bracket = Bracket { piece, low, high, start: low + (high - low) * part, rises };
+        self.result.is_certain &= brackets.push(bracket);
+    }
+
+    /// The one root of each of up to four intervals: Newton's method from the zero of the control
+    /// polygon, with bisection where a step leaves the bracket.
+    #[inline(always)]
+    fn refine(&mut self, pieces: &Pieces<Z>, group: &[Bracket]) {
+        let n = self.degree();
+        let bracket = |lane: usize| group[lane.min(group.len() - 1)];
+        let mut power = self.size.filled([0.0; LANES]);
+        for lane in 0..LANES {
+            let piece = bracket(lane).piece;
+            for k in 0..n + 1 {
+                power[k][lane] = pieces[k][piece % LANES];
             }
         }
-        t
+        let mut t = core::array::from_fn(|lane| bracket(lane).start);
+        let mut low: Lanes = core::array::from_fn(|lane| bracket(lane).low);
+        let mut high: Lanes = core::array::from_fn(|lane| bracket(lane).high);
+        let mut is_done = [false; LANES];
+        for _ in 0..MOST_STEPS {
+            let (value, slope) = self.value_and_slope(&power, &t);
+            for lane in 0..LANES {
+                if is_done[lane] || value[lane] == 0.0 {
+                    is_done[lane] = true;
+                    continue;
+                }
+                let end = if (value[lane] < 0.0) == bracket(lane).rises { &mut low } else { &mut high };
+                end[lane] = t[lane];
+                let newton = t[lane] - value[lane] / slope[lane];
+                // A NaN from a slope of zero leads to bisection.
+                let is_newton = newton >= low[lane] && newton <= high[lane];
+                let next = if is_newton { newton } else { 0.5 * (low[lane] + high[lane]) };
+                let step = (next - t[lane]).abs();
+                t[lane] = next;
+                is_done[lane] = step <= if is_newton { LAST_STEP * next } else { 0.0 };
+            }
+            if is_done == [true; LANES] {
+                break;
+            }
+        }
+        for (bracket, t) in group.iter().zip(t) {
+            let modulus = if bracket.piece % 2 == 0 { t } else { 1.0 / t };
+            let root = if bracket.piece < 2 { modulus } else { -modulus };
+            self.result.is_certain &= self.result.roots.push(root);
+        }
+    }
+
+    /// q and its derivative, by Horner's rule.
+    #[inline(always)]
+    fn value_and_slope(&self, power: &Pieces<Z>, t: &Lanes) -> (Lanes, Lanes) {
+        let n = self.degree();
+        let (mut value, mut slope) = (power[n], [0.0; LANES]);
+        for k in (0..n).rev() {
+            for lane in 0..LANES {
+                slope[lane] = slope[lane] * t[lane] + value[lane];
+                value[lane] = value[lane] * t[lane] + power[k][lane];
+            }
+        }
+        (value, slope)
     }
 }
 
-/// How often the sign changes along a list. Zeros do not count.
+/// How often the sign changes along a list. A zero has a sign, too: one between numbers of the other
+/// sign makes two changes, and the interval is halved.
 #[inline]
-fn sign_changes(values: &[f64]) -> usize {
-    let (mut changes, mut last) = (0, 0.0);
-    for &value in values {
-        changes += usize::from(value * last < 0.0);
-        last = if value == 0.0 { last } else { value.signum() };
-    }
-    changes
+fn sign_changes(values: &[f64]) -> u64 {
+    values.windows(2).map(|pair| (pair[0].to_bits() ^ pair[1].to_bits()) >> 63).sum()
 }
 
 /// min |b_j|
