@@ -6,6 +6,18 @@ use eliminant::{Complex, Scalar};
 use support::Random;
 use support::conics::{MONOMIALS, THREE, TWO, polish, product, term, terms, through, through_complex};
 
+/// Values, scales and Jacobian at a point.
+fn evaluate<S: Scalar>(
+    system: &impl System<S, Fixed<2>, Fixed<2>>,
+    x: &[S; 2],
+    at: &mut Values<S, Fixed<2>>,
+    jacobian: &mut [[S; 2]; 2],
+) {
+    let monomials = system.monomials(x);
+    system.residual(&monomials, at);
+    system.derivatives(x, &monomials, jacobian);
+}
+
 #[test]
 fn evaluation_is_that_of_the_written_out_polynomial() {
     let mut random = Random::new(1);
@@ -13,7 +25,7 @@ fn evaluation_is_that_of_the_written_out_polynomial() {
     let system = TWO.bind(&c);
     let [x, y] = [0.75, -1.5];
     let (mut at, mut jacobian) = (Values::zero(Fixed::<2>), [[0.0; 2]; 2]);
-    system.evaluate(&[x, y], &mut at, &mut jacobian);
+    evaluate(&system, &[x, y], &mut at, &mut jacobian);
     let Values { residual, scale } = at;
     for e in 0..2 {
         let k = &c[6 * e..];
@@ -23,17 +35,17 @@ fn evaluation_is_that_of_the_written_out_polynomial() {
         assert!((jacobian[0][e] - (k[1] + 2.0 * k[3] * x + k[4] * y)).abs() < 1e-15);
         assert!((jacobian[1][e] - (k[2] + k[4] * x + 2.0 * k[5] * y)).abs() < 1e-15);
     }
-    let mut again = Values::zero(Fixed::<2>);
-    system.residual(&[x, y], &mut again);
-    assert_eq!((residual, scale), (again.residual, again.scale));
+    let mut again = [0.0; 2];
+    system.values(&system.monomials(&[x, y]), &mut again);
+    assert_eq!(residual, again);
 
     // A complex gradient agrees with a finite difference along the imaginary axis.
     let z = [Complex::new(0.75, 0.25), Complex::new(-1.5, 2.0)];
     let step = Complex::new(0.0, 1e-6);
     let (mut f, mut moved) = (Values::zero(Fixed::<2>), Values::zero(Fixed::<2>));
     let mut j = [[Complex::ZERO; 2]; 2];
-    system.evaluate(&z, &mut f, &mut j);
-    system.residual(&[z[0] + step, z[1]], &mut moved);
+    evaluate(&system, &z, &mut f, &mut j);
+    system.residual(&system.monomials(&[z[0] + step, z[1]]), &mut moved);
     for e in 0..2 {
         assert!(((moved.residual[e] - f.residual[e]) / step - j[0][e]).modulus() < 1e-5);
     }
@@ -53,11 +65,11 @@ fn a_matrix_of_coefficients_evaluates_as_the_table_does() {
         let rows = SYSTEM.rows(c);
         assert_eq!((rows[4][1], rows[3][1]), (0.0, c[9] + c[10]));
         let (table, matrix) = (SYSTEM.bind(c), SYSTEM.with_rows(&rows));
-        let mut at = [(); 3].map(|()| Values::zero(Fixed::<2>));
-        let mut jacobians = [[[S::ZERO; 2]; 2]; 2];
-        table.evaluate(&x, &mut at[0], &mut jacobians[0]);
-        matrix.evaluate(&x, &mut at[1], &mut jacobians[1]);
-        matrix.residual(&x, &mut at[2]);
+        let mut at = [(); 2].map(|()| Values::zero(Fixed::<2>));
+        let (mut jacobians, mut again) = ([[[S::ZERO; 2]; 2]; 2], [S::ZERO; 2]);
+        evaluate(&table, &x, &mut at[0], &mut jacobians[0]);
+        evaluate(&matrix, &x, &mut at[1], &mut jacobians[1]);
+        matrix.values(&matrix.monomials(&x), &mut again);
         let near = |a: S, b: S| (a - b).modulus() < 1e-15;
         for e in 0..2 {
             assert!(near(at[0].residual[e], at[1].residual[e]));
@@ -65,7 +77,7 @@ fn a_matrix_of_coefficients_evaluates_as_the_table_does() {
         }
         // The two terms in x^2 are one in the matrix.
         assert!((at[0].scale[0] - at[1].scale[0]).abs() < 1e-15 && at[1].scale[1] <= at[0].scale[1] + 1e-15);
-        assert_eq!((at[1].residual, at[1].scale), (at[2].residual, at[2].scale));
+        assert_eq!(at[1].residual, again);
     }
     let mut random = Random::new(11);
     for _ in 0..100 {
@@ -164,7 +176,10 @@ fn polish_never_raises_the_residual_and_survives_bad_values() {
         let after = polish(&mut x, &system, 3);
         let residual = polish(&mut x.clone(), &system, 0);
         assert!(residual <= before);
-        assert!(after == residual || (after == f64::INFINITY && residual > 1e-12));
+        // After a short step the scales are those of the point before it, at most 1e-3 away. The
+        // degree is 2.
+        let is_same = (after - residual).abs() <= 2.1e-3 * residual;
+        assert!(is_same || (after == f64::INFINITY && residual > 1e-12), "{after} {residual}");
     }
     let c = [1.0; 12];
     for bad in [f64::NAN, f64::INFINITY, 1e300] {

@@ -19,37 +19,47 @@ struct Chosen<const N: usize, const E: usize, F, J> {
     values: F,
     scale: [f64; E],
     jacobian: J,
-    with_jacobian: Cell<usize>,
-    without: Cell<usize>,
+    jacobians: Cell<usize>,
+    residuals: Cell<usize>,
 }
 
 impl<const N: usize, const E: usize, F: Fn([f64; N]) -> [f64; E], J: Fn([f64; N]) -> [[f64; N]; E]> Chosen<N, E, F, J> {
     fn new(values: F, jacobian: J) -> Self {
-        Self { values, scale: [1.0; E], jacobian, with_jacobian: Cell::new(0), without: Cell::new(0) }
+        Self { values, scale: [1.0; E], jacobian, jacobians: Cell::new(0), residuals: Cell::new(0) }
     }
 
-    /// The polished point, its residual, and the numbers of evaluations with and without Jacobian.
+    /// The polished point, its residual, and the numbers of Jacobians and of residuals computed.
     fn polish(&self, mut x: [f64; N], steps: usize) -> ([f64; N], f64, [usize; 2]) {
-        self.with_jacobian.set(0);
-        self.without.set(0);
+        self.jacobians.set(0);
+        self.residuals.set(0);
         let residual = polish(&mut x, (Fixed::<N>, Fixed::<E>), self, steps);
-        (x, residual, [self.with_jacobian.get(), self.without.get()])
+        (x, residual, [self.jacobians.get(), self.residuals.get()])
     }
 }
 
 impl<const N: usize, const E: usize, F: Fn([f64; N]) -> [f64; E], J: Fn([f64; N]) -> [[f64; N]; E]>
     System<f64, Fixed<N>, Fixed<E>> for Chosen<N, E, F, J>
 {
-    fn evaluate(&self, x: &[f64; N], at: &mut Values<f64, Fixed<E>>, columns: &mut Matrix<Fixed<N>, Fixed<E>, f64>) {
-        self.with_jacobian.update(|count| count + 1);
-        let jacobian = (self.jacobian)(*x);
-        (at.residual, at.scale) = ((self.values)(*x), self.scale);
-        *columns = std::array::from_fn(|j| jacobian.map(|row| row[j]));
+    type Monomials = [f64; N];
+
+    fn monomials(&self, x: &[f64; N]) -> [f64; N] {
+        *x
     }
 
     fn residual(&self, x: &[f64; N], at: &mut Values<f64, Fixed<E>>) {
-        self.without.update(|count| count + 1);
-        (at.residual, at.scale) = ((self.values)(*x), self.scale);
+        self.values(x, &mut at.residual);
+        at.scale = self.scale;
+    }
+
+    fn values(&self, x: &[f64; N], residual: &mut [f64; E]) {
+        self.residuals.update(|count| count + 1);
+        *residual = (self.values)(*x);
+    }
+
+    fn derivatives(&self, x: &[f64; N], _: &[f64; N], columns: &mut Matrix<Fixed<N>, Fixed<E>, f64>) {
+        self.jacobians.update(|count| count + 1);
+        let jacobian = (self.jacobian)(*x);
+        *columns = std::array::from_fn(|j| jacobian.map(|row| row[j]));
     }
 }
 
@@ -63,7 +73,7 @@ fn towards(next: f64, value: impl Fn(f64) -> f64) -> impl Fn([f64; 1], usize) ->
 #[test]
 fn a_point_at_rounding_level_stays() {
     let at = |level: f64| towards(1.25, move |x| if x == 1.0 { level } else { 0.0 })([1.0], 8);
-    assert_eq!(at(ROUNDING), ([1.0], ROUNDING, [1, 0]));
+    assert_eq!(at(ROUNDING), ([1.0], ROUNDING, [0, 1]));
     assert_eq!(at(1.25 * ROUNDING).0, [1.25]);
     assert_eq!(at(f64::INFINITY).0, [1.0]);
 }
@@ -73,10 +83,10 @@ fn a_point_at_rounding_level_stays() {
 #[test]
 fn a_step_to_rounding_level_is_the_last_one_unless_it_is_long() {
     let value = |x: f64| if x == 1.0 { 1.0 } else { ROUNDING };
-    assert_eq!(towards(1.0625, value)([1.0], 8), ([1.0625], ROUNDING, [1, 1]));
-    assert_eq!(towards(1.25, value)([1.0], 8), ([1.25], ROUNDING, [2, 2]));
+    assert_eq!(towards(1.0625, value)([1.0], 8), ([1.0625], ROUNDING, [1, 2]));
+    assert_eq!(towards(1.25, value)([1.0], 8), ([1.25], ROUNDING, [2, 3]));
     let still_above = |x: f64| if x == 1.0 { 1.0 } else { 1.5 * ROUNDING };
-    assert_eq!(towards(1.0625, still_above)([1.0], 8).2, [2, 2]);
+    assert_eq!(towards(1.0625, still_above)([1.0], 8).2, [2, 3]);
 }
 
 /// A step that leaves a high residual as it is is tried with noise set to zero, then shortened six
@@ -84,21 +94,21 @@ fn a_step_to_rounding_level_is_the_last_one_unless_it_is_long() {
 #[test]
 fn a_step_that_does_not_lower_the_residual_is_shortened() {
     let constant = towards(1.5, |_| 1.0)([1.0], 8);
-    assert_eq!((constant.0, constant.2), ([1.0], [1, 8]));
+    assert_eq!((constant.0, constant.2), ([1.0], [1, 9]));
     let first = towards(1.5, |x| if x == 1.0 || x == 1.5 { 1.0 } else { 0.5 })([1.0], 1);
-    assert_eq!((first.0, first.2), ([1.0 + 0.5 * 0.35], [1, 3]));
+    assert_eq!((first.0, first.2), ([1.0 + 0.5 * 0.35], [1, 4]));
     let last = towards(1.5, |x| if x > 1.0 && x < 1.001 { 0.5 } else { 1.0 })([1.0], 1);
-    assert_eq!(last.2, [1, 8]);
+    assert_eq!(last.2, [1, 9]);
     assert!((last.0[0] - (1.0 + 0.5 * 0.35_f64.powi(6))).abs() < 1e-15, "{last:?}");
     // A step that lowers it is taken at once.
-    assert_eq!(towards(1.0625, |x| if x == 1.0 { 1.0 } else { 0.5 })([1.0], 1).2, [1, 1]);
+    assert_eq!(towards(1.0625, |x| if x == 1.0 { 1.0 } else { 0.5 })([1.0], 1).2, [1, 2]);
 }
 
 #[test]
 fn a_residual_that_may_be_rounding_is_worth_one_attempt_only() {
     let at = |level: f64| towards(1.0625, move |x| if x == 1.0 { level } else { 1.0 })([1.0], 8);
-    assert_eq!(at(STALLED), ([1.0], STALLED, [1, 1]));
-    assert_eq!(at(1.25 * STALLED), ([1.0], 1.25 * STALLED, [1, 8]));
+    assert_eq!(at(STALLED), ([1.0], STALLED, [1, 2]));
+    assert_eq!(at(1.25 * STALLED), ([1.0], 1.25 * STALLED, [1, 9]));
 }
 
 /// A long last step shows that no solution is near if the residual is above rounding level, or
@@ -189,7 +199,7 @@ fn values_that_are_not_finite_are_no_residual() {
         let mut chosen = Chosen::new(move |_: [f64; 1]| [value], |_| [[1.0]]);
         chosen.scale = [scale];
         assert_eq!(chosen.polish([1.0], 0).1, f64::INFINITY, "{value} of {scale}");
-        assert_eq!(chosen.polish([1.0], 3), ([1.0], f64::INFINITY, [1, 0]), "{value} of {scale}");
+        assert_eq!(chosen.polish([1.0], 3), ([1.0], f64::INFINITY, [0, 1]), "{value} of {scale}");
     }
     // The largest counts, wherever it is.
     let mut chosen = Chosen::new(|_: [f64; 1]| [3.0, -8.0, 1.0], |_| [[1.0]; 3]);
@@ -211,7 +221,7 @@ fn equations_are_weighted_by_their_scale() {
 fn an_equation_that_vanishes_with_its_gradient_does_not_count() {
     let mut chosen = Chosen::new(|[x]: [f64; 1]| [x - 2.0, 0.0], |_| [[1.0], [0.0]]);
     chosen.scale = [1.0, 0.0];
-    assert_eq!(chosen.polish([1.9], 4), ([2.0], 0.0, [1, 1]));
+    assert_eq!(chosen.polish([1.9], 4), ([2.0], 0.0, [1, 2]));
     // If only the terms vanish, the gradient gives the weight.
     let mut chosen = Chosen::new(|[x, y]: [f64; 2]| [x - 2.0, 0.0 * y], |_| [[1.0, 0.0], [1e200, 1e200]]);
     chosen.scale = [1.0, 0.0];
@@ -226,8 +236,19 @@ struct Linear<S, const N: usize, const E: usize> {
 }
 
 impl<S: Scalar, const N: usize, const E: usize> System<S, Fixed<N>, Fixed<E>> for Linear<S, N, E> {
-    fn evaluate(&self, x: &[S; N], at: &mut Values<S, Fixed<E>>, columns: &mut [[S; E]; N]) {
-        self.residual(x, at);
+    type Monomials = [S; N];
+
+    fn monomials(&self, x: &[S; N]) -> [S; N] {
+        *x
+    }
+
+    fn values(&self, x: &[S; N], residual: &mut [S; E]) {
+        let mut at = Values::zero(Fixed);
+        self.residual(x, &mut at);
+        *residual = at.residual;
+    }
+
+    fn derivatives(&self, _: &[S; N], _: &[S; N], columns: &mut [[S; E]; N]) {
         *columns = std::array::from_fn(|j| self.matrix.map(|row| row[j]));
     }
 

@@ -44,49 +44,60 @@ impl<'a, N: Size, E: Size, K: Size> Tables<'a, N, E, K> {
     }
 }
 
-impl<N: Size, E: Size, K: Size> DenseSystem<'_, N, E, K> {
-    /// The sum over k of `term`(row k times factor k), for each equation. Factors of zero are
-    /// passed over: among derivatives by one unknown, they are those of monomials without it.
+impl<S: Scalar, N: Size, E: Size, K: Size> System<S, N, E> for DenseSystem<'_, N, E, K> {
+    type Monomials = K::Vector<S>;
+
     #[inline]
-    fn sum<S: Scalar, T: Scalar>(&self, factor: impl Fn(usize) -> S, term: impl Fn(S) -> T) -> E::Vector<T> {
+    fn monomials(&self, x: &N::Vector<S>) -> K::Vector<S> {
+        self.tables.products(x)
+    }
+
+    #[inline]
+    fn residual(&self, monomials: &K::Vector<S>, at: &mut Values<S, E>) {
         let (_, equations, count) = self.tables.sizes;
-        // One local vector of sums, which stays in registers.
-        let mut sums = equations.filled(T::ZERO);
+        // Local vectors of sums, which stay in registers.
+        let (mut values, mut scales) = (equations.filled(S::ZERO), equations.filled(0.0));
         // From high degrees down: large terms cancel before small ones are added.
         for k in (0..count.get()).rev() {
-            let (row, factor) = (&self.rows[k], factor(k));
-            if factor != S::ZERO {
-                for e in 0..equations.get() {
-                    sums[e] += term(factor.scale(row[e]));
-                }
+            let (row, factor) = (&self.rows[k], monomials[k]);
+            for e in 0..equations.get() {
+                let term = factor.scale(row[e]);
+                values[e] += term;
+                scales[e] += term.modulus();
             }
         }
-        sums
+        (at.residual, at.scale) = (values, scales);
     }
 
     #[inline]
-    fn values<S: Scalar>(&self, monomials: &K::Vector<S>) -> Values<S, E> {
-        Values {
-            residual: self.sum(|k| monomials[k], |term| term),
-            scale: self.sum(|k| monomials[k], |term| term.modulus()),
+    fn values(&self, monomials: &K::Vector<S>, residual: &mut E::Vector<S>) {
+        let (_, equations, count) = self.tables.sizes;
+        let mut values = equations.filled(S::ZERO);
+        for k in (0..count.get()).rev() {
+            let (row, factor) = (&self.rows[k], monomials[k]);
+            for e in 0..equations.get() {
+                values[e] += factor.scale(row[e]);
+            }
         }
+        *residual = values;
     }
-}
 
-impl<S: Scalar, N: Size, E: Size, K: Size> System<S, N, E> for DenseSystem<'_, N, E, K> {
     #[inline]
-    fn evaluate(&self, x: &N::Vector<S>, at: &mut Values<S, E>, derivatives: &mut Matrix<N, E, S>) {
-        let (unknowns, _, _) = self.tables.sizes;
-        let monomials = self.tables.monomials(x);
-        *at = self.values(&monomials);
-        let gradients = self.tables.gradients(x, &monomials);
+    fn derivatives(&self, x: &N::Vector<S>, monomials: &K::Vector<S>, columns: &mut Matrix<N, E, S>) {
+        let (unknowns, equations, count) = self.tables.sizes;
+        let gradients = self.tables.gradients(x, monomials);
         for j in 0..unknowns.get() {
-            derivatives[j] = self.sum(|k| gradients[k][j], |term| term);
+            let mut column = equations.filled(S::ZERO);
+            for k in (0..count.get()).rev() {
+                let (row, factor) = (&self.rows[k], gradients[k][j]);
+                // Monomials without the unknown are passed over.
+                if factor != S::ZERO {
+                    for e in 0..equations.get() {
+                        column[e] += factor.scale(row[e]);
+                    }
+                }
+            }
+            columns[j] = column;
         }
-    }
-
-    #[inline]
-    fn residual(&self, x: &N::Vector<S>, at: &mut Values<S, E>) {
-        *at = self.values(&self.tables.monomials(x));
     }
 }

@@ -20,6 +20,10 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// A relative residual above this after the last step has a cause other than rounding.
 const STALLED: f64 = 1e-12;
 
+/// A step that changes each unknown by at most this part of it leaves the scale of an equation as
+/// it is, but for this part times the degree.
+const NEAR: f64 = 1e-3;
+
 /// An unknown this small relative to the largest one may be the rounding noise of zero.
 const NOISE: f64 = 1e-12;
 /// An unknown below this times the relative residual, relative to the largest unknown, cannot be
@@ -44,6 +48,8 @@ const LARGE: f64 = 1e6;
 ///
 /// max over equations e of |f_e(x)| / (sum of the moduli of the terms of f_e at x), where 0/0 = 0.
 ///
+/// After a step of less than a thousandth of each unknown the sums are those of the point before it.
+///
 /// Equations are weighted by one over that sum, so their scaling does not matter; the scaling of
 /// unknowns does not matter to Householder QR. A step is kept only if it lowers the residual;
 /// if it does not, a fraction of it is tried. The iteration ends if no fraction lowers the
@@ -65,19 +71,24 @@ pub fn polish<S: Scalar, N: Size, E: Size>(
     system: &impl System<S, N, E>,
     steps: usize,
 ) -> f64 {
-    let mut polish = Polish { unknowns, equations, system, at: Values::zero(equations) };
+    let (at, weight) = (Values::zero(equations), equations.filled(0.0));
+    let mut polish = Polish { unknowns, equations, system, monomials: system.monomials(x), at, weight };
+    let residual = polish.residual();
     match steps {
-        0 => polish.residual(x),
-        _ => polish.run(x, steps),
+        0 => residual,
+        _ => polish.run(x, residual, steps),
     }
 }
 
-/// One polish: the system, and memory for its values.
-struct Polish<'a, S: Scalar, N: Size, E: Size, Y> {
+/// One polish: the system, and what it is at the point where it was evaluated last.
+struct Polish<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> {
     unknowns: N,
     equations: E,
     system: &'a Y,
+    monomials: Y::Monomials,
     at: Values<S, E>,
+    /// One over the scale of each equation; 0 for an equation whose terms all vanish.
+    weight: E::Vector<f64>,
 }
 
 /// The end of an iteration.
@@ -91,32 +102,49 @@ struct Ended<S: Scalar, N: Size> {
 }
 
 impl<S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'_, S, N, E, Y> {
+    /// The relative residual at the point of the monomials.
+    #[inline]
+    fn residual(&mut self) -> f64 {
+        self.system.residual(&self.monomials, &mut self.at);
+        for e in 0..self.equations.get() {
+            let scale = self.at.scale[e];
+            // A scale that is not finite gives NaN.
+            self.weight[e] = if scale > 0.0 { 1.0 / scale } else { 0.0 } + scale * 0.0;
+        }
+        largest_weighted(self.at.residual.as_ref(), self.weight.as_ref())
+    }
+
     /// The relative residual at x.
     #[inline]
-    fn residual(&mut self, x: &N::Vector<S>) -> f64 {
-        self.system.residual(x, &mut self.at);
-        relative_residual(self.at.residual.as_ref(), self.at.scale.as_ref())
+    fn residual_at(&mut self, x: &N::Vector<S>) -> f64 {
+        self.monomials = self.system.monomials(x);
+        self.residual()
+    }
+
+    /// The relative residual at a point close to the one before, by the scales there.
+    #[inline]
+    fn residual_near(&mut self, x: &N::Vector<S>) -> f64 {
+        self.monomials = self.system.monomials(x);
+        self.system.values(&self.monomials, &mut self.at.residual);
+        largest_weighted(self.at.residual.as_ref(), self.weight.as_ref())
     }
 
     #[inline]
-    fn run(&mut self, x: &mut N::Vector<S>, steps: usize) -> f64 {
-        let ended = self.iterate(x, steps);
+    fn run(&mut self, x: &mut N::Vector<S>, residual: f64, steps: usize) -> f64 {
+        let ended = self.iterate(x, residual, steps);
         self.verdict(x, &ended)
     }
 
     #[inline]
-    fn iterate(&mut self, x: &mut N::Vector<S>, steps: usize) -> Ended<S, N> {
+    fn iterate(&mut self, x: &mut N::Vector<S>, residual: f64, steps: usize) -> Ended<S, N> {
         let mut derivatives = filled_matrix(self.unknowns, self.equations, S::ZERO);
-        let (mut best, mut flat) = (f64::INFINITY, false);
+        let (mut best, mut flat) = (residual, false);
         let mut correction = self.unknowns.filled(S::ZERO);
         for step in 0..steps {
-            self.system.evaluate(x, &mut self.at, &mut derivatives);
-            if step == 0 {
-                best = relative_residual(self.at.residual.as_ref(), self.at.scale.as_ref());
-            }
             if (step == 0 && best <= ROUNDING) || best == f64::INFINITY {
                 break;
             }
+            self.system.derivatives(x, &self.monomials, &mut derivatives);
             self.weigh(&mut derivatives);
             let sizes = (self.unknowns, self.equations);
             let Some(step) = least_squares(sizes, &mut derivatives, &mut self.at.residual) else { break };
@@ -137,16 +165,21 @@ impl<S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'_, S, N, E, Y> {
         Ended { best, correction, flat }
     }
 
-    /// Divides each equation by its scale, or by the size of its gradient if all its terms vanish.
+    /// Multiplies each equation by its weight, or divides it by the size of its gradient if all its
+    /// terms vanish.
     #[inline]
     fn weigh(&mut self, derivatives: &mut Matrix<N, E, S>) {
         let (unknowns, equations) = (self.unknowns.get(), self.equations.get());
-        let mut weight = self.equations.filled(0.0);
+        let mut weight = self.weight.clone();
+        if weight.as_ref().contains(&0.0) {
+            for e in 0..equations {
+                let size = (0..unknowns).map(|j| derivatives[j][e].magnitude()).fold(0.0, f64::max);
+                if weight[e] == 0.0 && size > 0.0 {
+                    weight[e] = 1.0 / size;
+                }
+            }
+        }
         for e in 0..equations {
-            let scale = self.at.scale[e];
-            let gradient = || (0..unknowns).map(|j| derivatives[j][e].magnitude()).fold(0.0, f64::max);
-            let size = if scale > 0.0 { scale } else { gradient() };
-            weight[e] = if size > 0.0 { 1.0 / size } else { 0.0 };
             self.at.residual[e] = self.at.residual[e].scale(weight[e]);
         }
         for j in 0..unknowns {
@@ -160,14 +193,15 @@ impl<S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'_, S, N, E, Y> {
     /// residual is tried again with noise set to zero, and then shortened.
     #[inline]
     fn step(&mut self, x: &N::Vector<S>, correction: &N::Vector<S>, best: f64) -> (N::Vector<S>, f64) {
-        let mut moved = x.clone();
+        let (mut moved, mut is_near) = (x.clone(), true);
         for j in 0..self.unknowns.get() {
             moved[j] -= correction[j];
+            is_near &= correction[j].magnitude() <= NEAR * x[j].magnitude();
         }
-        let mut residual = self.residual(&moved);
+        let mut residual = if is_near { self.residual_near(&moved) } else { self.residual_at(&moved) };
         if !(residual < best) && best > STALLED {
             moved = zero_below(self.unknowns, &moved, NOISE);
-            residual = self.residual(&moved);
+            residual = self.residual_at(&moved);
         }
         let mut fraction = 1.0;
         for _ in 0..SHORTER_STEPS {
@@ -178,7 +212,7 @@ impl<S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'_, S, N, E, Y> {
             for j in 0..self.unknowns.get() {
                 moved[j] = x[j] - correction[j].scale(fraction);
             }
-            residual = self.residual(&moved);
+            residual = self.residual_at(&moved);
         }
         (moved, residual)
     }
@@ -190,7 +224,7 @@ impl<S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'_, S, N, E, Y> {
         let is_large = |value: &S| value.magnitude() >= LARGE;
         if x.as_ref().iter().any(is_large) {
             let halved = mapped(self.unknowns, x, |value: S| if is_large(&value) { value.scale(0.5) } else { value });
-            if self.residual(&halved) <= STALLED.max(best) {
+            if self.residual_at(&halved) <= STALLED.max(best) {
                 return f64::INFINITY;
             }
         }
@@ -203,7 +237,7 @@ impl<S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'_, S, N, E, Y> {
         let mut without = x.clone();
         let unknowns = without.as_mut().iter_mut().zip(far.as_ref());
         unknowns.filter(|(_, far)| **far).for_each(|(value, _)| *value = S::ZERO);
-        if best > STALLED || (ended.flat && self.residual(&without) > STALLED) { f64::INFINITY } else { best }
+        if best > STALLED || (ended.flat && self.residual_at(&without) > STALLED) { f64::INFINITY } else { best }
     }
 
     /// The unknowns that a step changes by more than the part [`FAR`], apart from rounding noise of
@@ -238,20 +272,17 @@ pub(crate) fn largest<S: Scalar>(x: &[S]) -> f64 {
     x.iter().map(|value| value.magnitude()).fold(0.0, f64::max)
 }
 
-/// max |f_e| / scale_e; infinity if a number is not finite.
+/// max |f_e| weight_e; infinity if a number is not finite.
 #[inline]
-fn relative_residual<S: Scalar>(values: &[S], scale: &[f64]) -> f64 {
+fn largest_weighted<S: Scalar>(values: &[S], weight: &[f64]) -> f64 {
+    let count = values.len().min(weight.len());
+    let size = |e: usize| values[e].modulus() * weight[e];
     let mut worst = 0.0;
-    for (value, &scale) in values.iter().zip(scale) {
-        if !(value.is_finite() && scale.is_finite()) {
-            return f64::INFINITY;
-        }
-        if scale > 0.0 {
-            let relative = value.modulus() / scale;
-            worst = if relative > worst { relative } else { worst };
-        }
+    for e in 0..count {
+        worst = if size(e) > worst { size(e) } else { worst };
     }
-    worst
+    // x * 0 is 0 for finite x and NaN otherwise.
+    if sum_of(count, 0.0, |e| size(e) * 0.0) == 0.0 { worst } else { f64::INFINITY }
 }
 
 /// The least-squares solution y of E equations in N <= E unknowns, sum over j of columns[j] y[j] =

@@ -6,12 +6,20 @@ use crate::size::{Fixed, Matrix, Size, filled_matrix};
 
 /// E equations in N unknowns, with their derivatives.
 pub trait System<S: Scalar, N: Size, E: Size> {
-    /// Evaluates the system at the point x. The derivatives are the columns of the Jacobian, one
-    /// for each unknown.
-    fn evaluate(&self, x: &N::Vector<S>, values: &mut Values<S, E>, derivatives: &mut Matrix<N, E, S>);
+    /// What all evaluations at one point share: the values of monomials.
+    type Monomials;
 
-    /// Like [`System::evaluate`], without the derivatives.
-    fn residual(&self, x: &N::Vector<S>, values: &mut Values<S, E>);
+    /// The monomials at the point x.
+    fn monomials(&self, x: &N::Vector<S>) -> Self::Monomials;
+
+    /// The equations with their scales at the point of these monomials.
+    fn residual(&self, monomials: &Self::Monomials, at: &mut Values<S, E>);
+
+    /// Like [`System::residual`], without the scales.
+    fn values(&self, monomials: &Self::Monomials, residual: &mut E::Vector<S>);
+
+    /// The columns of the Jacobian, one for each unknown, at the point x of these monomials.
+    fn derivatives(&self, x: &N::Vector<S>, monomials: &Self::Monomials, columns: &mut Matrix<N, E, S>);
 }
 
 /// The equations at a point.
@@ -151,7 +159,7 @@ impl<'a, N: Size, E: Size, K: Size> Tables<'a, N, E, K> {
 
     /// The values of the chain.
     #[inline]
-    pub(crate) fn monomials<S: Scalar>(&self, x: &N::Vector<S>) -> K::Vector<S> {
+    pub(crate) fn products<S: Scalar>(&self, x: &N::Vector<S>) -> K::Vector<S> {
         let (_, _, count) = self.sizes;
         let mut values = count.filled(S::ONE);
         for k in 1..count.get() {
@@ -184,56 +192,72 @@ pub struct PolynomialSystem<'a, N: Size, E: Size, K: Size> {
 }
 
 impl<N: Size, E: Size, K: Size> PolynomialSystem<'_, N, E, K> {
+    #[inline]
+    fn term<S: Scalar>(&self, term: &Term, monomials: &K::Vector<S>) -> S {
+        monomials[usize::from(term.monomial)].scale(self.coefficients[usize::from(term.coefficient)])
+    }
+
     /// Whether the modulus of every polynomial exceeds `level`, relative to the sum of the moduli
     /// of its terms.
     #[inline]
     pub fn exceeds<S: Scalar>(&self, x: &N::Vector<S>, level: f64) -> bool {
         let (_, count, _) = self.tables.sizes;
         let mut values = Values::zero(count);
-        System::residual(self, x, &mut values);
+        self.residual(&self.monomials(x), &mut values);
         let sizes = values.residual.as_ref().iter().map(|value: &S| value.modulus());
         sizes.zip(values.scale.as_ref()).all(|(size, scale)| size > level * scale)
     }
 }
 
 impl<S: Scalar, N: Size, E: Size, K: Size> System<S, N, E> for PolynomialSystem<'_, N, E, K> {
+    type Monomials = K::Vector<S>;
+
     #[inline]
-    fn evaluate(&self, x: &N::Vector<S>, at: &mut Values<S, E>, derivatives: &mut Matrix<N, E, S>) {
-        let (unknowns, _, _) = self.tables.sizes;
-        let values = self.tables.monomials(x);
-        let gradients = self.tables.gradients(x, &values);
+    fn monomials(&self, x: &N::Vector<S>) -> K::Vector<S> {
+        self.tables.products(x)
+    }
+
+    #[inline]
+    fn residual(&self, monomials: &K::Vector<S>, at: &mut Values<S, E>) {
         for (equation, terms) in self.tables.equations().enumerate() {
             // Sums in locals, which stay in registers.
-            let (mut value, mut size, mut gradient) = (S::ZERO, 0.0, unknowns.filled(S::ZERO));
+            let (mut value, mut size) = (S::ZERO, 0.0);
             for term in terms {
-                let (coefficient, monomial) = (self.coefficients[usize::from(term.coefficient)], term.monomial);
-                let product = values[usize::from(monomial)].scale(coefficient);
+                let product = self.term(term, monomials);
                 value += product;
                 size += product.modulus();
-                let of_monomial = &gradients[usize::from(monomial)];
-                for j in 0..unknowns.get() {
-                    gradient[j] += of_monomial[j].scale(coefficient);
-                }
             }
             (at.residual[equation], at.scale[equation]) = (value, size);
-            for j in 0..unknowns.get() {
-                derivatives[j][equation] = gradient[j];
-            }
         }
     }
 
     #[inline]
-    fn residual(&self, x: &N::Vector<S>, at: &mut Values<S, E>) {
-        let values = self.tables.monomials(x);
+    fn values(&self, monomials: &K::Vector<S>, residual: &mut E::Vector<S>) {
         for (equation, terms) in self.tables.equations().enumerate() {
-            let (mut value, mut size) = (S::ZERO, 0.0);
+            let mut value = S::ZERO;
+            for term in terms {
+                value += self.term(term, monomials);
+            }
+            residual[equation] = value;
+        }
+    }
+
+    #[inline]
+    fn derivatives(&self, x: &N::Vector<S>, monomials: &K::Vector<S>, columns: &mut Matrix<N, E, S>) {
+        let (unknowns, _, _) = self.tables.sizes;
+        let gradients = self.tables.gradients(x, monomials);
+        for (equation, terms) in self.tables.equations().enumerate() {
+            let mut gradient = unknowns.filled(S::ZERO);
             for term in terms {
                 let coefficient = self.coefficients[usize::from(term.coefficient)];
-                let product = values[usize::from(term.monomial)].scale(coefficient);
-                value += product;
-                size += product.modulus();
+                let of_monomial = &gradients[usize::from(term.monomial)];
+                for j in 0..unknowns.get() {
+                    gradient[j] += of_monomial[j].scale(coefficient);
+                }
             }
-            (at.residual[equation], at.scale[equation]) = (value, size);
+            for j in 0..unknowns.get() {
+                columns[j][equation] = gradient[j];
+            }
         }
     }
 }
