@@ -18,7 +18,7 @@ use crate::solution::extract::unknowns;
 use crate::solution::shared_value::SharedValue;
 use crate::solver_instance::{BasisVector, EigenpairSource, HiddenVariableSolver, Points, SolverInstance};
 use crate::spectrum::hessenberg::Hessenberg;
-use crate::spectrum::hidden_variable::HiddenVariable;
+use crate::spectrum::hidden_variable::{ChainedBasis, HiddenVariable};
 use crate::spectrum::precise_spectrum::{PreciseSpectrum, with_precise_spectrum};
 use crate::spectrum::real_roots::real_roots;
 
@@ -86,8 +86,8 @@ pub fn real_solutions_by_determinant<I: HiddenVariableSolver>(solver: &mut I) ->
 fn add_roots<I: HiddenVariableSolver>(solver: &mut I, found: &mut RealSolutions<I>) -> bool {
     let Ok(action) = solver.action_matrix::<f64>() else { return false };
     let (solver, chains) = (&*solver, solver.chains());
-    let Some(variable) = HiddenVariable::new::<I::Basis>(chains, &action) else { return false };
-    let roots = real_roots(chains.coefficients, &variable.determinant());
+    let Some(variable) = HiddenVariable::new(&chains, &action) else { return false };
+    let roots = real_roots(chains.sizes().3, &variable.determinant());
     let source = HiddenPairs { basis: solver.sizes().basis, variable: &variable };
     // Without a root, no polish shows whether the polynomial is precise.
     let mut is_certain = roots.is_certain && (!roots.roots.is_empty() || roots.clearance > CLEARANCE);
@@ -100,17 +100,17 @@ fn add_roots<I: HiddenVariableSolver>(solver: &mut I, found: &mut RealSolutions<
 }
 
 /// The eigenpairs of the real roots.
-struct HiddenPairs<'a, 'c, B, C: Size, P: Size, M> {
-    basis: B,
-    variable: &'a HiddenVariable<'c, C, P, M>,
+struct HiddenPairs<'a, 'c, H: ChainedBasis> {
+    basis: H::Basis,
+    variable: &'a HiddenVariable<'c, H>,
 }
 
-impl<B: Size, C: Size, P: Size, M: Size> EigenpairSource<B> for HiddenPairs<'_, '_, B, C, P, M> {
-    fn real(&self, value: f64) -> (f64, B::Vector<f64>) {
-        (value, self.variable.vector(self.basis, value))
+impl<H: ChainedBasis> EigenpairSource<H::Basis> for HiddenPairs<'_, '_, H> {
+    fn real(&self, value: f64) -> (f64, <H::Basis as Size>::Vector<f64>) {
+        (value, self.variable.vector(value))
     }
 
-    fn complex(&self, value: Complex<f64>) -> (Complex<f64>, B::Vector<Complex<f64>>) {
+    fn complex(&self, value: Complex<f64>) -> (Complex<f64>, <H::Basis as Size>::Vector<Complex<f64>>) {
         let (_, vector) = self.real(value.re);
         (value, mapped(self.basis, &vector, |entry: f64| Complex::from(entry)))
     }

@@ -16,16 +16,14 @@ pub use crate::solution::extract::{monomial_values, ratio};
 pub use crate::solution::polish::{POLISH_STEPS, polish};
 pub use crate::solution::sign_changes::SignChanges;
 pub use crate::solution::system::{FixedTables, PolynomialSystem, Product, System, Tables, Term, Values};
-pub use crate::solver_instance::{
-    BasisVector, ChainsOf, HiddenVariableSolver, Point, Points, Sizes, SizesOf, SolverInstance,
-};
+pub use crate::solver_instance::{BasisVector, HiddenVariableSolver, Point, Points, Sizes, SizesOf, SolverInstance};
 pub use crate::spectrum::hessenberg::Hessenberg;
-pub use crate::spectrum::hidden_variable::Chains;
+pub use crate::spectrum::hidden_variable::{ChainTable, ChainedBasis, add_product, entry, subtract_product, value_at};
 pub use crate::spectrum::real_roots::{RealRoots, real_roots};
 pub use crate::unpolished::unpolished_points;
 
 /// The version of this interface. Emitted code states the one that it was written for.
-pub const VERSION: u32 = 2;
+pub const VERSION: u32 = 3;
 
 /// The handshake of emitted code, evaluated when it is compiled.
 ///

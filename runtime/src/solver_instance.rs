@@ -7,7 +7,7 @@ use crate::number::{Real, Scalar};
 use crate::size::{Fixed, Size, Square};
 use crate::solution::distinct::Candidate;
 use crate::solution::sign_changes::SignChanges;
-use crate::spectrum::hidden_variable::Chains;
+use crate::spectrum::hidden_variable::ChainedBasis;
 
 /// The sizes of a solver.
 #[derive(Clone, Copy, Debug)]
@@ -113,27 +113,15 @@ pub trait SolverInstance {
     fn is_admissible<S: Scalar>(&self, unknowns: &Point<Self, S>) -> bool;
 }
 
-/// The chains of a solver.
-pub type ChainsOf<'a, I> = Chains<
-    'a,
-    <I as HiddenVariableSolver>::Chains,
-    <I as HiddenVariableSolver>::Coefficients,
-    <I as HiddenVariableSolver>::Minors,
->;
-
 /// A solver whose real eigenvalues are the roots of the determinant of a small matrix of
 /// polynomials. No eigenvalue is spurious: each belongs to a solution, or to several that differ by
 /// signs.
 pub trait HiddenVariableSolver: SolverInstance {
-    /// The number of chains that stay.
-    type Chains: Size;
-    /// |B| + 1.
-    type Coefficients: Size;
-    /// 2 to the number of chains that stay.
-    type Minors: Size;
-
     /// How the basis falls into chains.
-    fn chains(&self) -> ChainsOf<'_, Self>;
+    type Chains: ChainedBasis<Basis = Self::Basis>;
+
+    /// The chains.
+    fn chains(&self) -> Self::Chains;
 }
 
 /// A source of eigenvectors of the action matrix. For an eigenvalue that the source lists it

@@ -4,8 +4,8 @@ use std::any::TypeId;
 use std::cell::RefCell;
 
 use eliminant::emitted::{
-    Chains, ChainsOf, Fixed, HiddenVariableSolver, MAX_RESIDUAL, Real, SignChanges, Sizes, SizesOf, SolverInstance,
-    complex_solutions, real_solutions, real_solutions_by_determinant, unpolished_points,
+    ChainTable, ChainedBasis, Fixed, HiddenVariableSolver, MAX_RESIDUAL, Real, SignChanges, Sizes, SizesOf,
+    SolverInstance, complex_solutions, real_solutions, real_solutions_by_determinant, unpolished_points, value_at,
 };
 use eliminant::{Complex, Scalar, SolveError};
 
@@ -129,15 +129,45 @@ impl<const B: usize, const MAX: usize> SolverInstance for Listed<B, MAX> {
     }
 }
 
-/// One chain: the determinant is the characteristic polynomial.
 impl<const MAX: usize> HiddenVariableSolver for Listed<4, MAX> {
-    type Chains = Fixed<1>;
-    type Coefficients = Fixed<5>;
-    type Minors = Fixed<2>;
+    type Chains = OneChain;
 
-    fn chains(&self) -> ChainsOf<'_, Self> {
-        let order = &[0, 1, 2, 3];
-        Chains { count: Fixed, coefficients: Fixed, minors: Fixed, order, lengths: &[4], eliminated: 0 }
+    fn chains(&self) -> OneChain {
+        OneChain
+    }
+}
+
+/// One chain of four monomials: the determinant is the characteristic polynomial.
+struct OneChain;
+
+impl ChainedBasis for OneChain {
+    type Basis = Fixed<4>;
+    type Count = Fixed<1>;
+    type Width = Fixed<5>;
+    type Coefficients = Fixed<5>;
+
+    fn sizes(&self) -> (Fixed<4>, Fixed<1>, Fixed<5>, Fixed<5>) {
+        (Fixed, Fixed, Fixed, Fixed)
+    }
+
+    fn table(&self) -> ChainTable<'_> {
+        ChainTable { ends: &[3], leading: &[4], degrees: &[4], heads: &[] }
+    }
+
+    fn polynomials(&self, row: &[f64; 4]) -> [f64; 5] {
+        [-row[0], -row[1], -row[2], -row[3], 0.0]
+    }
+
+    fn determinant(&self, rows: &[[f64; 5]; 1]) -> [f64; 5] {
+        rows[0]
+    }
+
+    fn row_at(&self, row: &[f64; 5], x: f64) -> [f64; 1] {
+        [value_at(row, x)]
+    }
+
+    fn vector(&self, x: f64, heads: &[f64; 1], _eliminated: &[f64; 1]) -> [f64; 4] {
+        [0, 1, 2, 3].map(|power| heads[0] * x.powi(power))
     }
 }
 

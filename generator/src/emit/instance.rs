@@ -3,16 +3,16 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::code;
 use super::names::Names;
 use super::shapes::{as_slice, parameter};
+use super::{chains, code};
 use crate::plan::Plan;
 use crate::plan::program::ProgramForm;
 use crate::plan::system_table::SystemTable;
 use crate::plan::value_layout::ValueLayout;
 
 /// The version of the runtime's hidden interface that is emitted for.
-pub const RUNTIME_VERSION: u32 = 2;
+pub const RUNTIME_VERSION: u32 = 3;
 
 /// That all unknowns 0 is a solution, if it is one.
 fn origin(plan: &Plan) -> TokenStream {
@@ -111,7 +111,7 @@ pub(super) fn instance(plan: &Plan) -> TokenStream {
             quote!(read: [[0.0; #basis]; #count_read],),
         ),
     };
-    let (solver_instance, chains) = (solver_instance(plan, &system), chains(plan));
+    let (solver_instance, chains) = (solver_instance(plan, &system), chains::chains(plan));
     let version = Literal::u32_unsuffixed(RUNTIME_VERSION);
     quote! {
         /// A compile error if the runtime has another version.
@@ -137,34 +137,6 @@ pub(super) fn instance(plan: &Plan) -> TokenStream {
 
         #solver_instance
         #chains
-    }
-}
-
-/// The chains of the basis, if real solutions are found by a determinant.
-fn chains(plan: &Plan) -> TokenStream {
-    let Some(chains) = &plan.chains else { return quote!() };
-    let order = chains.order.iter().map(|b| Literal::u16_unsuffixed(b.0));
-    let lengths = chains.lengths.iter().map(|&length| Literal::usize_unsuffixed(length));
-    let [count, coefficients, minors, eliminated] =
-        [chains.lengths.len(), chains.order.len() + 1, 1 << chains.lengths.len(), chains.eliminated]
-            .map(Literal::usize_unsuffixed);
-    quote! {
-        impl emitted::HiddenVariableSolver for Instance {
-            type Chains = emitted::Fixed<#count>;
-            type Coefficients = emitted::Fixed<#coefficients>;
-            type Minors = emitted::Fixed<#minors>;
-
-            fn chains(&self) -> emitted::ChainsOf<'_, Self> {
-                emitted::Chains {
-                    count: emitted::Fixed,
-                    coefficients: emitted::Fixed,
-                    minors: emitted::Fixed,
-                    order: &[#(#order),*],
-                    lengths: &[#(#lengths),*],
-                    eliminated: #eliminated,
-                }
-            }
-        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Prints a [`crate::plan::Plan`] as Rust source. No decision is taken here.
 
 mod api;
+mod chains;
 mod code;
 mod instance;
 mod listing;

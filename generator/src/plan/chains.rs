@@ -61,6 +61,118 @@ impl Chains {
     }
 }
 
+/// The shape of M(x). A row of it is the polynomials of all columns one after another.
+impl Chains {
+    /// The degree of each column: the length of its chain, and one more if its row eliminates
+    /// another.
+    pub fn degrees(&self) -> Vec<usize> {
+        let lengths = self.lengths.iter().enumerate();
+        lengths.map(|(j, length)| length + usize::from(j < self.eliminated)).collect()
+    }
+
+    /// Where the polynomial of each column starts in a row, and its degree.
+    pub fn columns(&self) -> Vec<(usize, usize)> {
+        let column = |first: &mut usize, degree: usize| {
+            *first += degree + 1;
+            Some((*first - degree - 1, degree))
+        };
+        self.degrees().into_iter().scan(0, column).collect()
+    }
+
+    /// The number of coefficients of a row.
+    pub fn width(&self) -> usize {
+        self.degrees().iter().map(|degree| degree + 1).sum()
+    }
+
+    /// For each chain that stays, the position in the basis of its last monomial.
+    pub fn ends(&self) -> Vec<usize> {
+        let end = |end: &mut usize, length: &usize| {
+            *end += length;
+            Some(usize::from(self.order[*end - 1].0))
+        };
+        self.lengths.iter().scan(0, end).collect()
+    }
+
+    /// For each chain that stays, where x^length stands in its own column.
+    pub fn leading(&self) -> Vec<usize> {
+        self.columns().into_iter().zip(&self.lengths).map(|((first, _), length)| first + length).collect()
+    }
+
+    /// The positions in the basis of the eliminated monomials.
+    pub fn heads(&self) -> Vec<usize> {
+        self.order[self.order.len() - self.eliminated..].iter().map(|b| usize::from(b.0)).collect()
+    }
+
+    /// For each coefficient of a row, the basis monomial that it comes from; `None` if it is zero
+    /// before others are eliminated.
+    pub fn sources(&self) -> Vec<Option<usize>> {
+        let mut order = self.order.iter().map(|b| usize::from(b.0));
+        let mut sources = Vec::with_capacity(self.width());
+        for (&length, degree) in self.lengths.iter().zip(self.degrees()) {
+            sources.extend(order.by_ref().take(length).map(Some));
+            sources.extend((length..=degree).map(|_| None));
+        }
+        sources
+    }
+
+    /// For each basis monomial, the chain that stays and the power of x, or the number of the
+    /// eliminated monomial.
+    pub fn places(&self) -> Vec<ChainPlace> {
+        let kept = self.lengths.iter().enumerate();
+        let kept = kept.flat_map(|(chain, &length)| (0..length).map(move |power| ChainPlace::Kept { chain, power }));
+        let places = kept.chain((0..self.eliminated).map(ChainPlace::Eliminated));
+        let mut of_basis: Vec<(BasisId, ChainPlace)> = self.order.iter().copied().zip(places).collect();
+        of_basis.sort_unstable_by_key(|(b, _)| *b);
+        of_basis.into_iter().map(|(_, place)| place).collect()
+    }
+
+    /// All minors of the first rows of M(x), as sets of columns, in an order in which each needs
+    /// earlier ones only: it is expanded along its last row. Bit j stands for column j.
+    pub fn minors(&self) -> Vec<Minor> {
+        let mut sets: Vec<usize> = (1..1 << self.lengths.len()).collect();
+        sets.sort_by_key(|set| (set.count_ones(), *set));
+        sets.into_iter().map(Minor).collect()
+    }
+}
+
+/// Where the value of a basis monomial comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ChainPlace {
+    /// The head of this chain times this power of x.
+    Kept {
+        /// The chain.
+        chain: usize,
+        /// The power.
+        power: usize,
+    },
+    /// The eliminated monomial of this number.
+    Eliminated(usize),
+}
+
+/// A minor of the first rows of M(x): the set of its columns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Minor(pub usize);
+
+impl Minor {
+    /// Its columns.
+    pub fn columns(self) -> impl Iterator<Item = usize> {
+        (0..usize::BITS as usize).filter(move |column| self.0 >> column & 1 == 1)
+    }
+
+    /// The number of its last row.
+    pub fn row(self) -> usize {
+        self.columns().count() - 1
+    }
+
+    /// The expansion along the last row: whether the product is subtracted, the column of the
+    /// entry, and the minor that it is multiplied by.
+    pub fn products(self) -> impl Iterator<Item = (bool, usize, Minor)> {
+        let row = self.row();
+        let products = self.columns().enumerate();
+        products.map(move |(place, column)| (!(row + place).is_multiple_of(2), column, Minor(self.0 & !(1 << column))))
+    }
+}
+
 /// All chains, short ones first.
 fn chains(action: &[ActionRow]) -> Vec<Vec<usize>> {
     let next = |at: usize| match action[at] {

@@ -22,247 +22,249 @@
 
 use crate::size::{Matrix, Size, Square, filled_matrix};
 
-/// How the basis falls into chains.
+/// Where the monomials of a basis are that falls into chains.
 #[derive(Clone, Copy, Debug)]
-pub struct Chains<'a, C, P, M> {
-    /// The number of chains that stay.
-    pub count: C,
-    /// |B| + 1, the number of coefficients of the determinant.
-    pub coefficients: P,
-    /// 2^count, the number of minors.
-    pub minors: M,
-    /// The positions of the basis: those of the chains that stay, chain after chain from head to
-    /// end, then those of the eliminated chains.
-    pub order: &'a [u16],
-    /// The lengths of the chains that stay. The first ones are those whose rows eliminate others.
-    pub lengths: &'a [u16],
-    /// The number of eliminated chains, of one monomial each.
-    pub eliminated: u16,
+pub struct ChainTable<'a> {
+    /// The position in the basis of the last monomial of each chain that stays. Those whose rows
+    /// eliminate others come first.
+    pub ends: &'a [u16],
+    /// For each of them, where x^length stands in its own column: the position in its row of M(x).
+    pub leading: &'a [u16],
+    /// The degree of each column of M(x).
+    pub degrees: &'a [u16],
+    /// The positions of the eliminated heads.
+    pub heads: &'a [u16],
 }
+
+/// A basis of c chains, with the arithmetic whose lengths differ from chain to chain. A row of M(x)
+/// is a vector: the polynomials of all columns one after another, lowest coefficient first.
+///
+/// ```text
+///   degrees 3, 3, 4:   [ 1 x x^2 x^3 | 1 x x^2 x^3 | 1 x x^2 x^3 x^4 ]     |B| + c numbers
+/// ```
+pub trait ChainedBasis {
+    /// |B|.
+    type Basis: Size;
+    /// The number c of chains that stay.
+    type Count: Size;
+    /// |B| + c.
+    type Width: Size;
+    /// |B| + 1.
+    type Coefficients: Size;
+
+    /// All sizes.
+    fn sizes(&self) -> (Self::Basis, Self::Count, Self::Width, Self::Coefficients);
+
+    /// Where the monomials are.
+    fn table(&self) -> ChainTable<'_>;
+
+    /// Minus a row of the action matrix, without the eliminated monomials, as a row of M(x).
+    fn polynomials(&self, row: &<Self::Basis as Size>::Vector<f64>) -> <Self::Width as Size>::Vector<f64>;
+
+    /// det M(x), lowest coefficient first.
+    fn determinant(&self, rows: &Matrix<Self::Count, Self::Width, f64>) -> <Self::Coefficients as Size>::Vector<f64>;
+
+    /// The values of the polynomials of a row.
+    fn row_at(&self, row: &<Self::Width as Size>::Vector<f64>, x: f64) -> <Self::Count as Size>::Vector<f64>;
+
+    /// The values of all basis monomials from those of the heads: of the chains that stay, and the
+    /// eliminated ones.
+    fn vector(
+        &self,
+        x: f64,
+        heads: &<Self::Count as Size>::Vector<f64>,
+        eliminated: &<Self::Count as Size>::Vector<f64>,
+    ) -> <Self::Basis as Size>::Vector<f64>;
+}
+
+/// The polynomial of degree A - 1 that starts at this position of a row of M(x). The generator's
+/// positions are in range.
+#[inline(always)]
+#[must_use]
+pub fn entry<const A: usize, const W: usize>(row: &[f64; W], first: usize) -> &[f64; A] {
+    let coefficients = row.get(first..).and_then(|row| row.first_chunk::<A>());
+    coefficients.unwrap_or(const { &[f64::NAN; A] })
+}
+
+/// Adds the product of two polynomials. N is A + B - 1. It is a call, because a determinant has
+/// many products, and few lengths.
+#[inline(never)]
+pub fn add_product<const A: usize, const B: usize, const N: usize>(sum: &mut [f64; N], a: &[f64; A], b: &[f64; B]) {
+    for (shift, &factor) in a.iter().enumerate() {
+        for (sum, &value) in sum[shift..].iter_mut().zip(b) {
+            *sum += factor * value;
+        }
+    }
+}
+
+/// Like [`add_product`], with the other sign.
+#[inline(never)]
+pub fn subtract_product<const A: usize, const B: usize, const N: usize>(
+    sum: &mut [f64; N],
+    a: &[f64; A],
+    b: &[f64; B],
+) {
+    for (shift, &factor) in a.iter().enumerate() {
+        for (sum, &value) in sum[shift..].iter_mut().zip(b) {
+            *sum -= factor * value;
+        }
+    }
+}
+
+/// The value of a polynomial, by Horner's rule.
+#[inline(always)]
+#[must_use]
+pub fn value_at<const A: usize>(coefficients: &[f64; A], x: f64) -> f64 {
+    coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c)
+}
+
+/// A row of M(x) for each chain that stays.
+type Rows<H> = Matrix<<H as ChainedBasis>::Count, <H as ChainedBasis>::Width, f64>;
+
+/// The rows of an action matrix.
+type Action<H> = Square<<H as ChainedBasis>::Basis, f64>;
 
 /// M(x), and how the eliminated heads follow.
-pub(crate) struct HiddenVariable<'a, C: Size, P: Size, M> {
-    chains: Chains<'a, C, P, M>,
-    /// The degree of each column.
-    degrees: C::Vector<usize>,
-    /// M(x): entry (i, j) is a polynomial, lowest coefficient first.
-    matrix: Matrix<C, C, P::Vector<f64>>,
+pub(crate) struct HiddenVariable<'a, H: ChainedBasis> {
+    chains: &'a H,
+    rows: Rows<H>,
     /// The first rows are -D^-1 R(x).
-    eliminated: Matrix<C, C, P::Vector<f64>>,
+    eliminated: Rows<H>,
 }
 
-impl<'a, C: Size, P: Size, M: Size> HiddenVariable<'a, C, P, M> {
+impl<'a, H: ChainedBasis> HiddenVariable<'a, H> {
     /// From the rows of the action matrix; `None` if D is singular.
-    pub(crate) fn new<B: Size>(chains: Chains<'a, C, P, M>, action: &Square<B, f64>) -> Option<Self> {
-        let (count, k) = (chains.count.get(), usize::from(chains.eliminated));
-        let zero = chains.coefficients.filled(0.0);
-        let mut degrees = chains.count.filled(0);
-        let mut matrix = filled_matrix(chains.count, chains.count, zero.clone());
-        let mut eliminated = filled_matrix(chains.count, chains.count, zero.clone());
-        let mut replaced = filled_matrix(chains.count, chains.count, zero);
-        let (kept, heads) = chains.order.split_at(chains.order.len() - k);
-        let mut first = 0;
-        for j in 0..count {
-            let length = usize::from(chains.lengths[j]);
-            degrees[j] = length + usize::from(j < k);
-            let positions = &kept[first..first + length];
-            first += length;
-            let mut ends = 0;
-            for i in 0..count {
-                ends += usize::from(chains.lengths[i]);
-                let row = action.as_ref()[usize::from(kept[ends - 1])].as_ref();
-                let target = if i < k { &mut eliminated[i][j] } else { &mut matrix[i][j] };
-                for (power, &position) in positions.iter().enumerate() {
-                    target[power] = -row[usize::from(position)];
-                }
-                if i == j {
-                    target[length] += 1.0;
-                }
-            }
-            for (i, &head) in heads.iter().enumerate() {
-                let row = action.as_ref()[usize::from(head)].as_ref();
-                for (power, &position) in positions.iter().enumerate() {
-                    replaced[i][j][power] = -row[usize::from(position)];
-                }
-            }
+    #[inline]
+    pub(crate) fn new(chains: &'a H, action: &Action<H>) -> Option<Self> {
+        let (_, count, width, _) = chains.sizes();
+        let table = chains.table();
+        let mut rows = filled_matrix(count, width, 0.0);
+        for i in 0..count.get() {
+            rows[i] = chains.polynomials(&action[usize::from(table.ends[i])]);
+            rows[i][usize::from(table.leading[i])] += 1.0;
         }
-        let mut this = Self { chains, degrees, matrix, eliminated };
-        if k > 0 {
-            this.solve_for_heads::<B>(action, kept, heads)?;
-            this.replace_rows::<B>(action, heads, &replaced);
+        let eliminated = rows.clone();
+        let mut this = Self { chains, rows, eliminated };
+        if !table.heads.is_empty() {
+            this.solve_for_heads(action)?;
+            this.replace_rows(action);
         }
         Some(this)
     }
 
     /// `eliminated` := -D^-1 R, by elimination with row pivoting; `None` if D is singular.
-    fn solve_for_heads<B: Size>(&mut self, action: &Square<B, f64>, kept: &[u16], heads: &[u16]) -> Option<()> {
+    #[inline]
+    fn solve_for_heads(&mut self, action: &Action<H>) -> Option<()> {
+        let (_, count, ..) = self.chains.sizes();
+        let ChainTable { ends, heads, .. } = self.chains.table();
         let k = heads.len();
-        let mut d = filled_matrix(self.chains.count, self.chains.count, 0.0);
-        let mut ends = 0;
+        let mut d = filled_matrix(count, count, 0.0);
         for i in 0..k {
-            ends += usize::from(self.chains.lengths[i]);
-            let row = action.as_ref()[usize::from(kept[ends - 1])].as_ref();
-            for (j, &head) in heads.iter().enumerate() {
+            for j in 0..k {
                 // Both signs: -D = row of T.
-                d[i][j] = row[usize::from(head)];
+                d[i][j] = action[usize::from(ends[i])][usize::from(heads[j])];
             }
         }
         for pivot in 0..k {
-            let larger = |a: &usize, b: &usize| d[*a][pivot].abs().total_cmp(&d[*b][pivot].abs());
-            let best = (pivot..k).max_by(larger)?;
+            let mut best = pivot;
+            for i in pivot + 1..k {
+                best = if d[i][pivot].abs() > d[best][pivot].abs() { i } else { best };
+            }
             if !(d[best][pivot].abs() > 0.0) {
                 return None;
             }
             d.as_mut().swap(pivot, best);
             self.eliminated.as_mut().swap(pivot, best);
             let inverse = 1.0 / d[pivot][pivot];
+            let (pivot_d, pivot_row) = (d[pivot].clone(), self.eliminated[pivot].clone());
             for i in 0..k {
-                let factor = if i == pivot { 0.0 } else { d[i][pivot] * inverse };
-                if factor != 0.0 {
-                    for j in pivot + 1..k {
-                        d[i][j] -= factor * d[pivot][j];
-                    }
-                    self.subtract_row(i, pivot, factor);
+                if i != pivot {
+                    let factor = d[i][pivot] * inverse;
+                    subtract::<H::Count>(&mut d[i], factor, &pivot_d);
+                    subtract::<H::Width>(&mut self.eliminated[i], factor, &pivot_row);
                 }
             }
         }
         for i in 0..k {
             let inverse = 1.0 / d[i][i];
-            for j in 0..self.chains.count.get() {
-                let entry = self.eliminated[i][j].as_mut();
-                entry[..=self.degrees[j]].iter_mut().for_each(|c| *c *= inverse);
-            }
+            self.eliminated[i].as_mut().iter_mut().for_each(|c| *c *= inverse);
         }
         Some(())
     }
 
-    /// Row i of `eliminated` minus a multiple of row `pivot`.
-    fn subtract_row(&mut self, i: usize, pivot: usize, factor: f64) {
-        for j in 0..self.chains.count.get() {
-            for power in 0..=self.degrees[j] {
-                let subtrahend = factor * self.eliminated[pivot][j][power];
-                self.eliminated[i][j][power] -= subtrahend;
-            }
-        }
-    }
-
-    /// Rows of the eliminated heads: (x I - A) (-D^-1 R) + C.
-    fn replace_rows<B: Size>(
-        &mut self,
-        action: &Square<B, f64>,
-        heads: &[u16],
-        constant: &Matrix<C, C, P::Vector<f64>>,
-    ) {
-        for (i, &head) in heads.iter().enumerate() {
-            let row = action.as_ref()[usize::from(head)].as_ref();
-            for j in 0..self.chains.count.get() {
-                let degree = self.degrees[j];
-                for power in 0..=degree {
-                    let mut sum = constant[i][j][power];
-                    if power > 0 {
-                        sum += self.eliminated[i][j][power - 1];
-                    }
-                    for (other, &head) in heads.iter().enumerate() {
-                        sum -= row[usize::from(head)] * self.eliminated[other][j][power];
-                    }
-                    self.matrix[i][j][power] = sum;
-                }
-            }
-        }
-        // The rows that stay lose their constants times w.
-        let mut ends = 0;
-        let kept = &self.chains.order[..self.chains.order.len() - heads.len()];
-        for i in 0..self.chains.count.get() {
-            ends += usize::from(self.chains.lengths[i]);
+    /// Rows of the eliminated heads take the place of those that eliminated them:
+    /// (x I - A) (-D^-1 R) + C. The rows that stay lose their constants times w.
+    #[inline]
+    fn replace_rows(&mut self, action: &Action<H>) {
+        let (_, count, width, _) = self.chains.sizes();
+        let ChainTable { ends, heads, .. } = self.chains.table();
+        for i in 0..count.get() {
+            let row = &action[usize::from(if i < heads.len() { heads[i] } else { ends[i] })];
             if i < heads.len() {
-                continue;
-            }
-            let row = action.as_ref()[usize::from(kept[ends - 1])].as_ref();
-            for j in 0..self.chains.count.get() {
-                for power in 0..=self.degrees[j] {
-                    for (other, &head) in heads.iter().enumerate() {
-                        let subtrahend = row[usize::from(head)] * self.eliminated[other][j][power];
-                        self.matrix[i][j][power] -= subtrahend;
-                    }
+                self.rows[i] = self.chains.polynomials(row);
+                // Times x: the last coefficient of each polynomial of R is zero.
+                for at in 1..width.get() {
+                    self.rows[i][at] += self.eliminated[i][at - 1];
                 }
+            }
+            for (other, &head) in heads.iter().enumerate() {
+                subtract::<H::Width>(&mut self.rows[i], row[usize::from(head)], &self.eliminated[other]);
             }
         }
     }
 
-    /// det M(x), lowest coefficient first: minors of the first r rows by expansion along row r,
-    /// where minors of r - 1 rows are shared. A minor is kept under the set of its columns.
-    pub(crate) fn determinant(&self) -> P::Vector<f64> {
-        let count = self.chains.count.get();
-        let mut minors = self.chains.minors.filled(self.chains.coefficients.filled(0.0));
-        minors[0][0] = 1.0;
-        for set in 1_usize..1 << count {
-            let row = set.count_ones() as usize - 1;
-            let columns = (0..count).filter(|column| set & (1 << column) != 0);
-            let mut minor = self.chains.coefficients.filled(0.0);
-            for (place, column) in columns.enumerate() {
-                let others = set & !(1 << column);
-                let degree: usize = (0..count).filter(|j| others & (1 << j) != 0).map(|j| self.degrees[j]).sum();
-                let sign = if (row + place).is_multiple_of(2) { 1.0 } else { -1.0 };
-                let factor = &self.matrix[row][column].as_ref()[..=self.degrees[column]];
-                for (shift, &c) in factor.iter().enumerate() {
-                    let c = sign * c;
-                    let known = &minors[others].as_ref()[..=degree];
-                    for (sum, &value) in minor.as_mut()[shift..].iter_mut().zip(known) {
-                        *sum += c * value;
-                    }
-                }
-            }
-            minors[set] = minor;
-        }
-        minors[(1 << count) - 1].clone()
+    /// det M(x), lowest coefficient first.
+    #[inline]
+    pub(crate) fn determinant(&self) -> <H::Coefficients as Size>::Vector<f64> {
+        self.chains.determinant(&self.rows)
     }
 
-    /// The eigenvector of a root x. For |x| > 1 all is divided by powers of x, so that nothing
-    /// overflows.
-    pub(crate) fn vector<B: Size>(&self, basis: B, x: f64) -> B::Vector<f64> {
-        let is_outer = x.abs() > 1.0;
-        let t = if is_outer { 1.0 / x } else { x };
-        let count = self.chains.count.get();
-        let value = |polynomial: &P::Vector<f64>, degree: usize| {
-            let used = &polynomial.as_ref()[..=degree];
-            match is_outer {
-                true => used.iter().fold(0.0, |sum, c| sum * t + c),
-                false => used.iter().rev().fold(0.0, |sum, c| sum * t + c),
-            }
-        };
-        let mut matrix = filled_matrix(self.chains.count, self.chains.count, 0.0);
-        for i in 0..count {
-            for j in 0..count {
-                matrix[i][j] = value(&self.matrix[i][j], self.degrees[j]);
+    /// The eigenvector of a root x. For |x| > 1 each column of M(x) is divided by the power of x
+    /// that is its degree, so that columns have comparable sizes.
+    #[inline]
+    pub(crate) fn vector(&self, x: f64) -> <H::Basis as Size>::Vector<f64> {
+        let (_, count, ..) = self.chains.sizes();
+        let ChainTable { degrees, heads: removed, .. } = self.chains.table();
+        let inverse = if x.abs() > 1.0 { 1.0 / x } else { 1.0 };
+        let mut scale = count.filled(1.0);
+        for j in 0..count.get() {
+            for _ in 0..degrees[j] {
+                scale[j] *= inverse;
             }
         }
-        let heads = null_vector(self.chains.count, &mut matrix);
-        let mut vector = basis.filled(0.0);
-        let mut at = 0;
-        for j in 0..count {
-            let length = usize::from(self.chains.lengths[j]);
-            // Entry l is m_j x^l, or m_j x^(l - degree).
-            let (mut entry, excess) = (heads[j], self.degrees[j] - length);
-            for _ in 0..if is_outer { excess } else { 0 } {
-                entry *= t;
+        let mut matrix = filled_matrix(count, count, 0.0);
+        for i in 0..count.get() {
+            matrix[i] = self.chains.row_at(&self.rows[i], x);
+            for j in 0..count.get() {
+                matrix[i][j] *= scale[j];
             }
-            for k in 0..length {
-                entry *= if is_outer || k > 0 { t } else { 1.0 };
-                let place = if is_outer { length - 1 - k } else { k };
-                vector[usize::from(self.chains.order[at + place])] = entry;
+        }
+        let mut heads = null_vector(count, &mut matrix);
+        for j in 0..count.get() {
+            heads[j] *= scale[j];
+        }
+        let mut eliminated = count.filled(0.0);
+        for i in 0..removed.len() {
+            let row = self.chains.row_at(&self.eliminated[i], x);
+            for j in 0..count.get() {
+                eliminated[i] += row[j] * heads[j];
             }
-            at += length;
         }
-        for (i, &position) in self.chains.order[at..].iter().enumerate() {
-            vector[usize::from(position)] =
-                (0..count).map(|j| value(&self.eliminated[i][j], self.degrees[j]) * heads[j]).sum();
-        }
-        vector
+        self.chains.vector(x, &heads, &eliminated)
+    }
+}
+
+/// row -= factor * other
+#[inline]
+fn subtract<Z: Size>(row: &mut Z::Vector<f64>, factor: f64, other: &Z::Vector<f64>) {
+    for (entry, &value) in row.as_mut().iter_mut().zip(other.as_ref()) {
+        *entry -= factor * value;
     }
 }
 
 /// The vector that a matrix of rank c - 1 takes to zero, with an entry of 1, by elimination with
 /// complete pivoting. The matrix is overwritten. The entries are not finite if the rank is lower.
+#[inline]
 fn null_vector<C: Size>(size: C, matrix: &mut Square<C, f64>) -> C::Vector<f64> {
     let count = size.get();
     let mut column = size.filled(0);
@@ -311,7 +313,99 @@ mod tests {
     use super::*;
     use crate::size::Fixed;
 
-    const ORDER: [u16; 10] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9];
+    /// A basis of 10 monomials in which chains of these lengths follow one another from head to
+    /// end, then the eliminated ones.
+    struct InOrder<const C: usize> {
+        lengths: [u16; C],
+        ends: [u16; C],
+        leading: [u16; C],
+        degrees: [u16; C],
+        heads: std::vec::Vec<u16>,
+    }
+
+    impl<const C: usize> InOrder<C> {
+        fn new(lengths: [u16; C], eliminated: u16) -> Self {
+            let sum = |count: usize| lengths[..count].iter().sum::<u16>();
+            let ends = core::array::from_fn(|i| sum(i + 1) - 1);
+            let degrees = core::array::from_fn(|i| lengths[i] + u16::from(i < usize::from(eliminated)));
+            let first = |i: usize| degrees[..i].iter().map(|degree| degree + 1).sum::<u16>();
+            let leading = core::array::from_fn(|i| first(i) + lengths[i]);
+            Self { lengths, ends, leading, degrees, heads: (10 - eliminated..10).collect() }
+        }
+
+        /// Where the polynomial of each column starts, and its degree.
+        fn columns(&self) -> impl Iterator<Item = (usize, usize)> {
+            self.degrees.iter().scan(0, |first, &degree| {
+                let degree = usize::from(degree);
+                *first += degree + 1;
+                Some((*first - degree - 1, degree))
+            })
+        }
+    }
+
+    /// The sum over permutations is the determinant by definition.
+    fn sum_over_permutations(rows: &[&[f64]], columns: &[(usize, usize)]) -> std::vec::Vec<f64> {
+        let Some((row, rest)) = rows.split_first() else { return std::vec![1.0] };
+        let mut sum = std::vec![0.0; columns.iter().map(|column| column.1).sum::<usize>() + 1];
+        for (at, &(first, degree)) in columns.iter().enumerate() {
+            let others = [&columns[..at], &columns[at + 1..]].concat();
+            let minor = sum_over_permutations(rest, &others);
+            let sign = if at.is_multiple_of(2) { 1.0 } else { -1.0 };
+            for (i, a) in row[first..=first + degree].iter().enumerate() {
+                for (j, b) in minor.iter().enumerate() {
+                    sum[i + j] += sign * a * b;
+                }
+            }
+        }
+        sum
+    }
+
+    impl<const C: usize> ChainedBasis for InOrder<C> {
+        type Basis = Fixed<10>;
+        type Count = Fixed<C>;
+        type Width = Fixed<16>;
+        type Coefficients = Fixed<11>;
+
+        fn sizes(&self) -> (Fixed<10>, Fixed<C>, Fixed<16>, Fixed<11>) {
+            (Fixed, Fixed, Fixed, Fixed)
+        }
+
+        fn table(&self) -> ChainTable<'_> {
+            let Self { ends, leading, degrees, heads, .. } = self;
+            ChainTable { ends, leading, degrees, heads }
+        }
+
+        fn polynomials(&self, row: &[f64; 10]) -> [f64; 16] {
+            let (mut polynomials, mut at) = ([0.0; 16], 0);
+            for ((first, _), &length) in self.columns().zip(&self.lengths) {
+                for power in 0..usize::from(length) {
+                    polynomials[first + power] = -row[at];
+                    at += 1;
+                }
+            }
+            polynomials
+        }
+
+        fn determinant(&self, rows: &[[f64; 16]; C]) -> [f64; 11] {
+            let rows: std::vec::Vec<&[f64]> = rows.iter().map(|row| &row[..]).collect();
+            sum_over_permutations(&rows, &self.columns().collect::<std::vec::Vec<_>>()).try_into().unwrap()
+        }
+
+        fn row_at(&self, row: &[f64; 16], x: f64) -> [f64; C] {
+            let mut columns = self.columns();
+            core::array::from_fn(|_| {
+                let (first, degree) = columns.next().unwrap();
+                row[first..=first + degree].iter().rev().fold(0.0, |sum, c| sum * x + c)
+            })
+        }
+
+        fn vector(&self, x: f64, heads: &[f64; C], eliminated: &[f64; C]) -> [f64; 10] {
+            let chains = self.lengths.iter().zip(heads);
+            let kept = chains.flat_map(|(&length, &head)| (0..length).map(move |power| head * x.powi(power.into())));
+            let all: std::vec::Vec<f64> = kept.chain(eliminated[..self.heads.len()].iter().copied()).collect();
+            all.try_into().unwrap()
+        }
+    }
 
     /// An action matrix with chains of these lengths, from head to end, numbers of this size.
     fn random_action(random: &mut Xoshiro256PlusPlus, lengths: &[usize], size: f64) -> [[f64; 10]; 10] {
@@ -328,15 +422,14 @@ mod tests {
 
     /// det M(x) has the eigenvalues for roots, and `vector` gives their eigenvectors. `lengths` are
     /// those of the chains that stay; chains of one monomial follow.
-    fn check<const C: usize, const M: usize>(lengths: [u16; C], eliminated: u16) {
+    fn check<const C: usize>(lengths: [u16; C], eliminated: u16) {
         let mut random = Xoshiro256PlusPlus::seed_from_u64(u64::from(eliminated) + 10 * C as u64);
+        let chains = InOrder::new(lengths, eliminated);
         let mut checked = 0;
         for size in [0.3, 1.0, 3.0].repeat(30) {
             let all = lengths.iter().map(|&l| usize::from(l)).chain((0..eliminated).map(|_| 1));
             let action = random_action(&mut random, &all.collect::<std::vec::Vec<_>>(), size);
-            let (count, coefficients, minors) = (Fixed::<C>, Fixed::<11>, Fixed::<M>);
-            let chains = Chains { count, coefficients, minors, order: &ORDER, lengths: &lengths, eliminated };
-            let variable = HiddenVariable::new::<Fixed<10>>(chains, &action).unwrap();
+            let variable = HiddenVariable::new(&chains, &action).unwrap();
             let determinant = variable.determinant();
             let matrix = SMatrix::<f64, 10, 10>::from_fn(|i, j| action[i][j]);
             for value in matrix.complex_eigenvalues().iter() {
@@ -351,7 +444,7 @@ mod tests {
                 if value.im != 0.0 {
                     continue;
                 }
-                let vector = variable.vector(Fixed::<10>, value.re);
+                let vector = variable.vector(value.re);
                 let (v, largest) =
                     (nalgebra::SVector::from(vector), vector.iter().fold(0.0, |m: f64, x| m.max(x.abs())));
                 let error = (matrix * v - v * value.re).amax() / (largest * (1.0 + matrix.norm()));
@@ -364,29 +457,35 @@ mod tests {
 
     #[test]
     fn determinants_have_the_eigenvalues_for_roots() {
-        check::<1, 2>([10], 0);
-        check::<2, 4>([4, 6], 0);
-        check::<3, 8>([3, 3, 4], 0);
-        check::<3, 8>([1, 2, 7], 0);
-        check::<3, 8>([2, 2, 3], 3);
-        check::<3, 8>([2, 3, 4], 1);
-        check::<4, 16>([2, 2, 2, 2], 2);
-        check::<5, 32>([2, 2, 2, 2, 2], 0);
-        check::<6, 64>([2, 1, 1, 1, 1, 3], 1);
+        check([10], 0);
+        check([4, 6], 0);
+        check([3, 3, 4], 0);
+        check([1, 2, 7], 0);
+        check([2, 2, 3], 3);
+        check([2, 3, 4], 1);
+        check([2, 2, 2, 2], 2);
+        check([2, 2, 2, 2, 2], 0);
+        check([2, 1, 1, 1, 1, 3], 1);
     }
 
     #[test]
     fn a_singular_matrix_eliminates_nothing() {
         let mut action = random_action(&mut Xoshiro256PlusPlus::seed_from_u64(1), &[4, 5, 1], 1.0);
         action[3][9] = 0.0;
-        let chains = Chains {
-            count: Fixed::<2>,
-            coefficients: Fixed::<11>,
-            minors: Fixed::<4>,
-            order: &ORDER,
-            lengths: &[4, 5],
-            eliminated: 1,
-        };
-        assert!(HiddenVariable::new::<Fixed<10>>(chains, &action).is_none());
+        assert!(HiddenVariable::new(&InOrder::new([4, 5], 1), &action).is_none());
+    }
+
+    #[test]
+    fn products_of_polynomials() {
+        // (1 + 2 x) (3 - x + x^2) = 3 + 5 x - x^2 + 2 x^3
+        let row = [9.0, 1.0, 2.0, 3.0, -1.0, 1.0];
+        let (a, b) = (entry::<2, 6>(&row, 1), entry::<3, 6>(&row, 3));
+        let mut sum = [1.0; 4];
+        add_product(&mut sum, a, b);
+        assert_eq!(sum, [4.0, 6.0, 0.0, 3.0]);
+        subtract_product(&mut sum, a, b);
+        assert_eq!(sum, [1.0; 4]);
+        assert_eq!((value_at(a, 3.0), value_at(b, 2.0)), (7.0, 5.0));
+        assert!(entry::<2, 6>(&row, 5)[0].is_nan(), "out of range");
     }
 }

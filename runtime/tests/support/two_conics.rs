@@ -1,8 +1,10 @@
 //! The intersection of two conics as a solver instance, with sizes of either kind.
 
+use std::marker::PhantomData;
+
 use eliminant::emitted::{
-    ActionRow, BasisVector, Block, BlockMemory, Chains, ChainsOf, Dynamic, Entry, Fixed, HiddenVariableSolver, Matrix,
-    Point, Product, Real, Size, Sizes, SizesOf, SolverInstance, Square, Tables, Vector, action_matrix, fill,
+    ActionRow, BasisVector, Block, BlockMemory, ChainTable, ChainedBasis, Dynamic, Entry, Fixed, HiddenVariableSolver,
+    Matrix, Point, Product, Real, Size, Sizes, SizesOf, SolverInstance, Square, Tables, Vector, action_matrix, fill,
     filled_matrix, monomial_values, polish, solved_rows,
 };
 use eliminant::{Scalar, SolveError};
@@ -187,14 +189,67 @@ impl<F: Family> SolverInstance for TwoConics<F> {
     }
 }
 
-/// The chains 1, x and y, x y.
 impl<F: Family> HiddenVariableSolver for TwoConics<F> {
-    type Chains = F::Of<2>;
-    type Coefficients = F::Of<5>;
-    type Minors = F::Of<4>;
+    type Chains = TwoChains<F>;
 
-    fn chains(&self) -> ChainsOf<'_, Self> {
-        let (count, coefficients, minors) = (F::of::<2>(), F::of::<5>(), F::of::<4>());
-        Chains { count, coefficients, minors, order: &[0, 1, 2, 3], lengths: &[2, 2], eliminated: 0 }
+    fn chains(&self) -> TwoChains<F> {
+        TwoChains(PhantomData)
+    }
+}
+
+/// The chains 1, x and y, x y: M(x) is a matrix of quadratic polynomials.
+pub(crate) struct TwoChains<F>(PhantomData<F>);
+
+impl<F: Family> ChainedBasis for TwoChains<F> {
+    type Basis = F::Of<4>;
+    type Count = F::Of<2>;
+    type Width = F::Of<6>;
+    type Coefficients = F::Of<5>;
+
+    fn sizes(&self) -> (F::Of<4>, F::Of<2>, F::Of<6>, F::Of<5>) {
+        (F::of::<4>(), F::of::<2>(), F::of::<6>(), F::of::<5>())
+    }
+
+    fn table(&self) -> ChainTable<'_> {
+        ChainTable { ends: &[1, 3], leading: &[2, 5], degrees: &[2, 2], heads: &[] }
+    }
+
+    fn polynomials(&self, row: &<F::Of<4> as Size>::Vector<f64>) -> <F::Of<6> as Size>::Vector<f64> {
+        let mut polynomials = F::of::<6>().filled(0.0);
+        for (at, b) in [(0, 0), (1, 1), (3, 2), (4, 3)] {
+            polynomials[at] = -row[b];
+        }
+        polynomials
+    }
+
+    fn determinant(&self, rows: &Matrix<F::Of<2>, F::Of<6>, f64>) -> <F::Of<5> as Size>::Vector<f64> {
+        let mut sum = F::of::<5>().filled(0.0);
+        for i in 0..3 {
+            for j in 0..3 {
+                sum[i + j] += rows[0][i] * rows[1][3 + j] - rows[0][3 + i] * rows[1][j];
+            }
+        }
+        sum
+    }
+
+    fn row_at(&self, row: &<F::Of<6> as Size>::Vector<f64>, x: f64) -> <F::Of<2> as Size>::Vector<f64> {
+        let mut values = F::of::<2>().filled(0.0);
+        for j in 0..2 {
+            values[j] = row[3 * j] + x * (row[3 * j + 1] + x * row[3 * j + 2]);
+        }
+        values
+    }
+
+    fn vector(
+        &self,
+        x: f64,
+        heads: &<F::Of<2> as Size>::Vector<f64>,
+        _eliminated: &<F::Of<2> as Size>::Vector<f64>,
+    ) -> <F::Of<4> as Size>::Vector<f64> {
+        let mut vector = F::of::<4>().filled(heads[0]);
+        vector[1] = heads[0] * x;
+        vector[2] = heads[1];
+        vector[3] = heads[1] * x;
+        vector
     }
 }

@@ -11,7 +11,9 @@ use crate::plan::program::ProgramForm;
 use crate::plan::program_table::{ProgramTable, StepKind};
 use crate::plan::system_table::SystemTable;
 use crate::plan::value_layout::ValueLayout;
-use crate::plan::{self, ActionRow, Plan, PlannedRecovery};
+use crate::plan::{ActionRow, Plan, PlannedRecovery};
+
+use super::interpreted_chains::{self, InterpretedChains};
 
 /// All tables of a solver, in the runtime's form.
 #[derive(Clone, Debug)]
@@ -19,7 +21,7 @@ pub struct InterpretedSolver {
     unknowns: usize,
     solutions: usize,
     has_origin: bool,
-    chains: Option<Chains>,
+    chains: Option<InterpretedChains>,
     program: Program,
     /// Whether an elimination at twice the precision computes the coefficients anew.
     has_precise_coefficients: bool,
@@ -67,14 +69,6 @@ struct Block {
     coupling: Vec<emitted::Entry>,
 }
 
-/// The chains of the basis, owned.
-#[derive(Clone, Debug)]
-struct Chains {
-    order: Vec<u16>,
-    lengths: Vec<u16>,
-    eliminated: u16,
-}
-
 /// The tables of a polynomial system, owned.
 #[derive(Clone, Debug)]
 struct System {
@@ -93,7 +87,7 @@ impl InterpretedSolver {
             unknowns,
             solutions: plan.solutions,
             has_origin: plan.has_origin,
-            chains: plan.chains.as_ref().map(Chains::of),
+            chains: plan.chains.as_ref().map(InterpretedChains::of),
             program: Program::of(plan),
             has_precise_coefficients: plan.program.form == ProgramForm::Table,
             elimination: Elimination::of(plan),
@@ -256,16 +250,6 @@ impl Elimination {
     }
 }
 
-impl Chains {
-    fn of(chains: &plan::Chains) -> Self {
-        Self {
-            order: chains.order.iter().map(|b| b.0).collect(),
-            lengths: chains.lengths.iter().map(|&length| length as u16).collect(),
-            eliminated: chains.eliminated as u16,
-        }
-    }
-}
-
 impl System {
     fn of(polynomials: &[Vec<crate::plan::Term>], unknowns: usize) -> Self {
         let table = SystemTable::of(polynomials, unknowns);
@@ -413,24 +397,11 @@ impl SolverInstance for InterpretedInstance<'_> {
     }
 }
 
-impl emitted::HiddenVariableSolver for InterpretedInstance<'_> {
-    type Chains = Dynamic;
-    type Coefficients = Dynamic;
-    type Minors = Dynamic;
+impl<'a> emitted::HiddenVariableSolver for InterpretedInstance<'a> {
+    type Chains = &'a InterpretedChains;
 
-    fn chains(&self) -> emitted::ChainsOf<'_, Self> {
+    fn chains(&self) -> &'a InterpretedChains {
         // Without chains nobody asks.
-        let (order, lengths, eliminated) = match &self.solver.chains {
-            Some(chains) => (chains.order.as_slice(), chains.lengths.as_slice(), chains.eliminated),
-            None => (&[][..], &[][..], 0),
-        };
-        emitted::Chains {
-            count: Dynamic(lengths.len()),
-            coefficients: Dynamic(order.len() + 1),
-            minors: Dynamic(1 << lengths.len()),
-            order,
-            lengths,
-            eliminated,
-        }
+        self.solver.chains.as_ref().unwrap_or(&interpreted_chains::NONE)
     }
 }

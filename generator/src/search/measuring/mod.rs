@@ -2,6 +2,7 @@
 //! those of the emitted solver, bit by bit.
 
 pub mod interpreted;
+mod interpreted_chains;
 
 use std::ops::Range;
 use std::sync::OnceLock;
