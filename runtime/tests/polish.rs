@@ -1,10 +1,11 @@
 //! Table-driven systems and their polish.
 mod support;
 
-use eliminant::emitted::{Fixed, FixedTables, System, Term, Values};
+use eliminant::emitted::{DenseSystem, Fixed, FixedTables, System, Term, Values};
 use eliminant::{Complex, Scalar};
 use support::Random;
 use support::conics::{MONOMIALS, THREE, TWO, polish, product, term, terms, through, through_complex};
+use support::rows::rows_of;
 
 /// Values, scales and Jacobian at a point.
 fn evaluate<S: Scalar>(
@@ -62,9 +63,10 @@ fn a_matrix_of_coefficients_evaluates_as_the_table_does() {
     };
     const SYSTEM: FixedTables<2, 2, 6> = FixedTables::new::<12>(&MONOMIALS, &[6, 12], &TERMS);
     fn compare<S: Scalar>(c: &[f64; 12], x: [S; 2]) {
-        let rows = SYSTEM.rows(c);
+        let rows = rows_of(&SYSTEM, c);
         assert_eq!((rows[4][1], rows[3][1]), (0.0, c[9] + c[10]));
-        let (table, matrix) = (SYSTEM.bind(c), SYSTEM.with_rows(&rows));
+        let table = SYSTEM.bind(c);
+        let matrix = DenseSystem { sizes: SYSTEM.sizes, monomials: SYSTEM, rows: &rows };
         let mut at = [(); 2].map(|()| Values::zero(Fixed::<2>));
         let (mut jacobians, mut again) = ([[[S::ZERO; 2]; 2]; 2], [S::ZERO; 2]);
         evaluate(&table, &x, &mut at[0], &mut jacobians[0]);

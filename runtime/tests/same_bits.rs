@@ -5,12 +5,14 @@
 mod support;
 
 use eliminant::emitted::{
-    AtMost, BlockError, BlockMemory, Dynamic, Fixed, List, Point, Product, Size, SolverInstance, Tables, Term,
-    complex_solutions, polish, real_solutions, real_solutions_by_determinant, solve_block_trailing, solve_large_block,
+    AtMost, BlockError, BlockMemory, DenseSystem, Dynamic, Fixed, List, Point, Product, Size, SolverInstance, Tables,
+    Term, complex_solutions, polish, real_solutions, real_solutions_by_determinant, solve_block_trailing,
+    solve_large_block,
 };
 use eliminant::{Complex, Scalar, SolveError};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
+use support::rows::rows_of;
 use support::two_conics::{Constant, Family, RunTime, TwoConics};
 
 fn bits<S: Scalar>(x: &[S]) -> Vec<[u64; 2]> {
@@ -115,7 +117,8 @@ fn polished<S: Scalar, N: Size, E: Size, K: Size>(
     start: N::Vector<S>,
     steps: usize,
 ) -> [Polished; 2] {
-    let (system, rows) = (tables.bind(coefficients), tables.rows(coefficients));
+    let (system, rows) = (tables.bind(coefficients), rows_of(tables, coefficients));
+    let matrix = DenseSystem { sizes: tables.sizes, monomials: *tables, rows: &rows };
     let mut x = start.clone();
     let residual = polish(&mut x, tables.polynomials(), &system, steps);
     assert_eq!(
@@ -124,7 +127,7 @@ fn polished<S: Scalar, N: Size, E: Size, K: Size>(
         "both are below any modulus, or not finite"
     );
     let mut of_matrix = start;
-    let residual_of_matrix = polish(&mut of_matrix, tables.polynomials(), &tables.with_rows(&rows), steps);
+    let residual_of_matrix = polish(&mut of_matrix, tables.polynomials(), &matrix, steps);
     [(bits(x.as_ref()), residual.to_bits()), (bits(of_matrix.as_ref()), residual_of_matrix.to_bits())]
 }
 

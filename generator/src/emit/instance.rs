@@ -3,12 +3,13 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
+use super::listing::Listings;
 use super::names::Names;
+use super::provenance::Provenance;
 use super::shapes::{as_slice, parameter};
-use super::{chains, code};
+use super::{chains, code, elimination, monomials};
 use crate::plan::Plan;
 use crate::plan::program::ProgramForm;
-use crate::plan::system_table::SystemTable;
 use crate::plan::value_layout::ValueLayout;
 
 /// The version of the runtime's hidden interface that is emitted for.
@@ -59,45 +60,16 @@ fn coefficients_of_instance(plan: &Plan, given: &Ident) -> (TokenStream, TokenSt
     (field, data, quote!(self::coefficients(&emitted::joined(&#given))))
 }
 
-/// A field for the coefficients of the equations by monomials if these are stored as a matrix
-/// ([`SystemTable::is_dense`]), its value, and the system of equations of an instance.
-fn equations_of_instance(plan: &Plan, computed: &Ident) -> (TokenStream, TokenStream, TokenStream) {
-    let table = SystemTable::of(&plan.equations, plan.unknowns.len());
-    if !table.is_dense() {
-        return (quote!(), quote!(), quote!(EQUATIONS.bind(&self.coefficients)));
-    }
-    let [equations, monomials] = [table.ends.len(), table.chain.len()].map(Literal::usize_unsuffixed);
-    let field = quote! {
-        /// The coefficients of all equations, one row for each monomial.
-        equations: [[f64; #equations]; #monomials],
-    };
-    (field, quote!(equations: EQUATIONS.rows(&#computed),), quote!(EQUATIONS.with_rows(&self.equations)))
-}
-
-/// The coefficients for an elimination in the precision R. Tables can be executed at twice the
-/// precision, too.
-fn coefficients_of_precision(plan: &Plan) -> TokenStream {
-    if plan.program.form == ProgramForm::Statements {
-        return quote!(let coefficients = &self.coefficients;);
-    }
-    let count = Literal::usize_unsuffixed(plan.coefficients.len());
-    quote! {
-        let coefficients = &R::of::<emitted::Fixed<#count>>(&self.coefficients, || {
-            self::coefficients(&self.data)
-        });
-    }
-}
-
 /// The coefficients for given data, and what they are for.
-pub(super) fn instance(plan: &Plan) -> TokenStream {
+pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> TokenStream {
     let parameters: Vec<_> = plan.data.iter().map(parameter).collect();
     let slices = plan.data.iter().map(as_slice);
     let (count, count_given) =
         (Literal::usize_unsuffixed(plan.coefficients.len()), Literal::usize_unsuffixed(plan.data.len()));
     let mut names = Names::of(&plan.data);
-    let [given, computed, instance] = ["given", "computed", "instance"].map(|name| names.take(name));
+    let [given, instance] = ["given", "instance"].map(|name| names.take(name));
     let (data_field, data, compute) = coefficients_of_instance(plan, &given);
-    let (equations_field, equations, system) = equations_of_instance(plan, &computed);
+    let system = monomials::system(plan);
     let (basis, count_read) =
         (Literal::usize_unsuffixed(plan.elimination.basis), Literal::usize_unsuffixed(plan.read.len()));
     let (read_field, no_read) = match plan.read.is_empty() {
@@ -111,7 +83,8 @@ pub(super) fn instance(plan: &Plan) -> TokenStream {
             quote!(read: [[0.0; #basis]; #count_read],),
         ),
     };
-    let (solver_instance, chains) = (solver_instance(plan, &system), chains::chains(plan));
+    let action_matrix = elimination::action_matrix(plan, provenance, listings);
+    let (solver_instance, chains) = (solver_instance(plan, &system, &action_matrix), chains::chains(plan));
     let version = Literal::u32_unsuffixed(RUNTIME_VERSION);
     quote! {
         /// A compile error if the runtime has another version.
@@ -120,7 +93,6 @@ pub(super) fn instance(plan: &Plan) -> TokenStream {
         /// The coefficients of all equations for given data.
         struct Instance {
             coefficients: [f64; #count],
-            #equations_field
             #data_field
             #read_field
         }
@@ -128,8 +100,7 @@ pub(super) fn instance(plan: &Plan) -> TokenStream {
         impl Instance {
             fn new(#(#parameters),*) -> Result<Self, ::eliminant::SolveError> {
                 let #given: [&[f64]; #count_given] = [#(#slices),*];
-                let #computed = #compute;
-                let #instance = Self { #equations coefficients: #computed, #data #no_read };
+                let #instance = Self { coefficients: #compute, #data #no_read };
                 emitted::check_coefficients(&#instance.coefficients, &#given)?;
                 Ok(#instance)
             }
@@ -141,12 +112,11 @@ pub(super) fn instance(plan: &Plan) -> TokenStream {
 }
 
 /// What the runtime asks of an instance, which has this system of equations.
-fn solver_instance(plan: &Plan, system: &TokenStream) -> TokenStream {
+fn solver_instance(plan: &Plan, system: &TokenStream, action_matrix: &TokenStream) -> TokenStream {
     let layout = ValueLayout::of(plan);
     let [basis, unknowns, values, solutions] =
         [plan.elimination.basis, plan.unknowns.len(), layout.len(), plan.solutions].map(Literal::usize_unsuffixed);
-    let (ratios, origin, sign_changes, action_matrix) =
-        (ratios(plan), origin(plan), sign_changes(plan), action_matrix(plan));
+    let (ratios, origin, sign_changes) = (ratios(plan), origin(plan), sign_changes(plan));
     let precise = match plan.program.form {
         ProgramForm::Statements => quote!(),
         ProgramForm::Table => quote! {
@@ -155,7 +125,8 @@ fn solver_instance(plan: &Plan, system: &TokenStream) -> TokenStream {
             }
         },
     };
-    let has_image = layout.has_image;
+    let (has_image, equations) = (layout.has_image, Literal::usize_unsuffixed(plan.equations.len()));
+    let sizes = quote!((emitted::Fixed::<#unknowns>, emitted::Fixed::<#equations>));
     let read = match plan.read.is_empty() {
         true => quote!(&[[0.0; 0]; 0]),
         false => quote!(&self.read),
@@ -196,7 +167,7 @@ fn solver_instance(plan: &Plan, system: &TokenStream) -> TokenStream {
             }
 
             fn polish<S: ::eliminant::Scalar>(&self, x: &mut [S; #unknowns], steps: usize) -> f64 {
-                emitted::polish(x, EQUATIONS.polynomials(), &#system, steps)
+                emitted::polish(x, #sizes, &#system, steps)
             }
 
             fn is_admissible<S: ::eliminant::Scalar>(&self, x: &[S; #unknowns]) -> bool {
@@ -221,44 +192,6 @@ fn ratios(plan: &Plan) -> TokenStream {
         fn ratios(&self, unknown: usize) -> &[(u16, u16)] {
             const RATIOS: [&[(u16, u16)]; #unknowns] = [#(#pairs),*];
             RATIOS[unknown]
-        }
-    }
-}
-
-/// Fill and elimination.
-fn action_matrix(plan: &Plan) -> TokenStream {
-    let [rows, basis, count_read] =
-        [plan.elimination.rows, plan.elimination.basis, plan.read.len()].map(Literal::usize_unsuffixed);
-    let refined = coefficients_of_precision(plan);
-    let precision = match plan.program.form {
-        ProgramForm::Statements => quote!(f64),
-        ProgramForm::Table => quote!(R),
-    };
-    let blocks = plan.elimination.blocks.iter().enumerate().map(|(at, block)| {
-        let (at, size) = (Literal::usize_unsuffixed(at), Literal::usize_unsuffixed(block.size));
-        let eliminate = if block.is_large() { quote!(eliminate_large) } else { quote!(eliminate) };
-        quote!(BLOCKS[#at].#eliminate::<_, #precision, _, #size>(&mut right, coefficients)?;)
-    });
-    let read = match plan.read.is_empty() {
-        true => quote!(),
-        false => quote! {
-            self.read = emitted::solved_rows(
-                (emitted::Fixed::<#count_read>, emitted::Fixed::<#basis>),
-                &READ,
-                &right,
-            );
-        },
-    };
-    quote! {
-        fn action_matrix<R: emitted::Real>(
-            &mut self,
-        ) -> Result<[[R; #basis]; #basis], ::eliminant::SolveError> {
-            let mut right = [[R::ZERO; #basis]; #rows];
-            #refined
-            emitted::fill::<_, #precision, _>(&mut right, RIGHT, coefficients);
-            #(#blocks)*
-            #read
-            Ok(emitted::action_matrix(emitted::Fixed::<#basis>, &ACTION, &right))
         }
     }
 }

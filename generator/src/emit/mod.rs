@@ -3,8 +3,10 @@
 mod api;
 mod chains;
 mod code;
+mod elimination;
 mod instance;
 mod listing;
+mod monomials;
 mod names;
 mod program;
 mod provenance;
@@ -65,7 +67,7 @@ fn module(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> Toke
     let name = format_ident!("{}", plan.name);
     let header = provenance.lines.iter().map(|line| doc_line(line)).map(|line| quote!(#![doc = #line]));
     let (solution, functions) = (api::solution(plan), api::functions(plan));
-    let instance = instance::instance(plan);
+    let instance = instance::instance(plan, provenance, listings);
     let coefficients = match plan.program.form {
         ProgramForm::Statements => code::statements(plan),
         ProgramForm::Table => program::table(plan, listings),

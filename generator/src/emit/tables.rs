@@ -3,20 +3,34 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use super::elimination::is_filled_by_statements;
 use super::listing::Listings;
+use super::monomials;
 use super::provenance::Provenance;
 use crate::plan::system_table::SystemTable;
 use crate::plan::{ActionRow, Entry, Plan, Term};
 
 /// The tables. Rows and equations have labels as comments.
 pub(super) fn tables(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> TokenStream {
-    let right = entries(&plan.elimination.right, 0, provenance, &provenance.basis);
-    let right = listings.add_labelled(right);
+    let by_statements = is_filled_by_statements(plan);
+    let right = match by_statements {
+        true => quote!(),
+        false => {
+            let right = listings.add_labelled(entries(&plan.elimination.right, 0, provenance, &provenance.basis));
+            quote! {
+                /// Entries of the template in the basis columns: row, column, coefficient.
+                const RIGHT: &[emitted::Entry] = &[#right];
+            }
+        }
+    };
     let blocks = plan.elimination.blocks.iter().enumerate().map(|(number, block)| {
         let number = Literal::usize_unsuffixed(number);
         let (first, needed) = (Literal::usize_unsuffixed(block.first), Literal::usize_unsuffixed(block.needed));
         let columns = provenance.pivots.get(block.first..block.first + block.size).unwrap_or_default();
-        let diagonal = listings.add_labelled(entries(&block.diagonal, block.first, provenance, columns));
+        let diagonal = match by_statements {
+            true => listings.add_labelled(Vec::new()),
+            false => listings.add_labelled(entries(&block.diagonal, block.first, provenance, columns)),
+        };
         let coupling = listings.add_labelled(entries(&block.coupling, block.first, provenance, &[]));
         quote!(emitted::Block {
             number: #number, first: #first, needed: #needed, diagonal: &[#diagonal], coupling: &[#coupling]
@@ -39,9 +53,15 @@ pub(super) fn tables(plan: &Plan, provenance: &Provenance, listings: &mut Listin
             const READ: [u16; #count_read] = [#(#read),*];
         },
     };
-    let labels = (1..).zip(&provenance.equations).map(|(number, text)| format!("equation {number}: {text}")).collect();
-    let name = (quote!(EQUATIONS), " The equations of the problem.");
-    let equations = system(plan, &plan.equations, labels, name, listings);
+    let equations = match monomials::are_statements(plan) {
+        true => monomials::monomials(plan),
+        false => {
+            let labels = (1..).zip(&provenance.equations);
+            let labels = labels.map(|(number, text)| format!("equation {number}: {text}")).collect();
+            let name = (quote!(EQUATIONS), " The equations of the problem.");
+            system(plan, &plan.equations, labels, name, listings)
+        }
+    };
     let nonzero = match plan.nonzero.is_empty() {
         true => quote!(),
         false => {
@@ -50,8 +70,7 @@ pub(super) fn tables(plan: &Plan, provenance: &Provenance, listings: &mut Listin
         }
     };
     quote! {
-        /// Entries of the template in the basis columns: row, column, coefficient.
-        const RIGHT: &[emitted::Entry] = &[#right];
+        #right
 
         /// The diagonal blocks of the template, in order of solution.
         static BLOCKS: [emitted::Block<'static>; #count] = [#(#blocks),*];
@@ -66,7 +85,12 @@ pub(super) fn tables(plan: &Plan, provenance: &Provenance, listings: &mut Listin
 }
 
 /// Entries row by row, each row with its label, the first also with the monomials of the columns.
-fn entries(entries: &[Entry], first: usize, provenance: &Provenance, columns: &[String]) -> Vec<(String, Vec<String>)> {
+pub(super) fn entries(
+    entries: &[Entry],
+    first: usize,
+    provenance: &Provenance,
+    columns: &[String],
+) -> Vec<(String, Vec<String>)> {
     let group = |row: &[Entry]| {
         let at = first + usize::from(row[0].row);
         let label = format!("row {at}: {}", provenance.rows.get(at).map_or("", String::as_str));

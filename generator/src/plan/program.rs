@@ -72,6 +72,16 @@ pub struct Program {
 }
 
 impl Program {
+    /// A value that is zero.
+    pub fn zero(&mut self) -> ValueId {
+        let is_zero = |operation: &Operation| matches!(operation, Operation::Constant(value) if value.numerator() == 0);
+        let at = self.operations.iter().position(is_zero).unwrap_or(self.operations.len());
+        if at == self.operations.len() {
+            self.operations.push(Operation::Constant(Rational::integer(0)));
+        }
+        ValueId(at as u32)
+    }
+
     /// The values that an operation reads; a coefficient reads all operands of its sum.
     pub fn operands(&self, operation: Operation) -> impl Iterator<Item = ValueId> + '_ {
         let (scalars, sum) = match operation {

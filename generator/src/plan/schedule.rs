@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use super::block_triangular::{DiagonalBlock, block_triangular_form};
 use super::constant_rows::{Row, eliminate_constant_rows};
 use super::straight_line::straight_line_program;
+use super::system_table::SystemTable;
 use super::{
     ActionRow, BasisId, Block, CoefficientId, Elimination, Entry, Extraction, KnownMonomial, PivotId, Plan, PlanError,
     PlannedRecovery, Term,
@@ -93,7 +94,7 @@ impl Scheduler<'_> {
     /// The plan with these rows of the template, whose entries are in `graph`.
     fn plan(&self, rows: &[Row], graph: &ExpressionGraph) -> Result<Plan, ScheduleError> {
         let Self { problem, reduced, template, .. } = self;
-        let mut coefficients = Coefficients { ids: HashMap::new(), used: Vec::new() };
+        let mut coefficients = Coefficients::of_equations(problem);
         let (elimination, pivots) = plan_elimination(template, rows, &mut coefficients)?;
         let action = plan_action(template, &pivots)?;
         let is_image = |m: &Monomial| template.basis.contains(&m.over(&template.action));
@@ -119,7 +120,11 @@ impl Scheduler<'_> {
         if coefficients.used.len() > usize::from(u16::MAX) {
             return Err(ScheduleError::TooLarge("coefficients"));
         }
-        let (program, values) = straight_line_program(graph, &coefficients.used, elimination.rows);
+        let used: Vec<ExpressionId> = coefficients.used.iter().flatten().copied().collect();
+        let (mut program, values) = straight_line_program(graph, &used, elimination.rows);
+        let (mut values, zero) = (values.into_iter(), coefficients.used.contains(&None).then(|| program.zero()));
+        let value = |used: &Option<ExpressionId>| used.map_or(zero, |_| values.next());
+        let values = coefficients.used.iter().filter_map(value).collect();
         let plan = Plan {
             name: problem.name.clone(),
             docs: problem.docs.clone(),
@@ -165,18 +170,36 @@ fn check_shape(reduced: &ReducedProblem, template: &EliminationTemplate) -> Resu
     }
 }
 
-/// The coefficients that the tables refer to, in order of first use.
+/// The coefficients that the tables refer to. If the equations are stored as a matrix, it comes
+/// first, row by row. The others follow in order of first use.
+#[derive(Default)]
 struct Coefficients {
     ids: HashMap<ExpressionId, u32>,
-    used: Vec<ExpressionId>,
+    /// `None` for a zero.
+    used: Vec<Option<ExpressionId>>,
 }
 
 impl Coefficients {
+    fn of_equations(problem: &Problem) -> Self {
+        let (mut listed, width) = (Self::default(), problem.unknowns.len());
+        let equations: Vec<Vec<Term>> = problem.polynomials().map(|p| listed.terms(p, width)).collect();
+        let table = SystemTable::of(&equations, width);
+        let mut coefficients = Self::default();
+        if table.is_dense() {
+            let entry = |entry: Option<u16>| entry.and_then(|id| listed.used[usize::from(id)]);
+            coefficients.used = table.matrix().into_iter().map(entry).collect();
+            for (&expression, at) in coefficients.used.iter().zip(0..) {
+                expression.map(|expression| *coefficients.ids.entry(expression).or_insert(at));
+            }
+        }
+        coefficients
+    }
+
     fn id(&mut self, expression: ExpressionId) -> CoefficientId {
         let next = self.used.len() as u32;
         let id = *self.ids.entry(expression).or_insert(next);
         if id == next {
-            self.used.push(expression);
+            self.used.push(Some(expression));
         }
         // A number that does not fit is refused at the end, before anything reads the plan.
         CoefficientId(id as u16)

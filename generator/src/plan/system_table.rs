@@ -20,6 +20,9 @@ pub struct SystemTable {
     pub terms: Vec<(u16, u16)>,
 }
 
+/// A matrix of more entries is not stored: coefficients have 16-bit numbers, and others follow.
+const MOST_ENTRIES: usize = 1 << 15;
+
 impl SystemTable {
     /// The table of polynomials in this number of unknowns.
     pub fn of(polynomials: &[Vec<Term>], unknowns: usize) -> Self {
@@ -41,7 +44,21 @@ impl SystemTable {
     /// matrix costs about a quarter of the time of a term of the table, because the polynomials are
     /// evaluated side by side.
     pub fn is_dense(&self) -> bool {
-        4 * self.terms.len() >= self.ends.len() * self.chain.len()
+        let entries = self.ends.len() * self.chain.len();
+        4 * self.terms.len() >= entries && entries <= MOST_ENTRIES
+    }
+
+    /// The coefficients as a matrix, one row for each monomial, one column for each polynomial,
+    /// row by row; `None` where a polynomial lacks a monomial.
+    pub fn matrix(&self) -> Vec<Option<u16>> {
+        let mut matrix = vec![None; self.ends.len() * self.chain.len()];
+        let starts = std::iter::once(&0).chain(&self.ends);
+        for (polynomial, (&start, &end)) in starts.zip(&self.ends).enumerate() {
+            for &(coefficient, monomial) in &self.terms[start as usize..end as usize] {
+                matrix[usize::from(monomial) * self.ends.len() + polynomial] = Some(coefficient);
+            }
+        }
+        matrix
     }
 
     /// The monomials of the chain.

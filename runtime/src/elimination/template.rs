@@ -21,6 +21,16 @@ pub fn fill<R: Real + Over<C>, C: Copy, V: Vector<R>>(matrix: &mut [V], entries:
     }
 }
 
+/// Like [`fill`](crate::emitted::fill), for few entries: a statement for each of them. `c` is the
+/// list of coefficients.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! fill_entries {
+    ($matrix:ident, $c:ident, [$(($row:literal, $column:literal, $slot:literal)),* $(,)?]) => {
+        $($matrix[$row][$column] = $crate::emitted::Over::from_real($c[$slot]);)*
+    };
+}
+
 /// The tables of one diagonal block of N rows, which start at row `first` of the template.
 ///
 /// ```text
@@ -54,10 +64,24 @@ impl Block<'_> {
         right: &mut [V],
         coefficients: &[C],
     ) -> Result<(), SolveError> {
-        let open = self.couple(right, coefficients)?;
         let mut matrix = [[R::ZERO; N]; N];
         fill(&mut matrix, self.diagonal, coefficients);
-        let solved = solve_block_trailing(&mut matrix, open, usize::from(self.needed));
+        self.eliminate_filled(&mut matrix, right, coefficients)
+    }
+
+    /// Like [`Block::eliminate`], with a diagonal block that is filled already.
+    ///
+    /// # Errors
+    /// As [`Block::eliminate`].
+    #[inline]
+    pub fn eliminate_filled<R: Real + Over<C>, C: Copy, V: Vector<R>, const N: usize>(
+        &self,
+        matrix: &mut [[R; N]; N],
+        right: &mut [V],
+        coefficients: &[C],
+    ) -> Result<(), SolveError> {
+        let open = self.couple(right, coefficients)?;
+        let solved = solve_block_trailing(matrix, open, usize::from(self.needed));
         solved.map_err(|error| self.solve_error(error))
     }
 

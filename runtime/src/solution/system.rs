@@ -22,6 +22,15 @@ pub trait System<S: Scalar, N: Size, E: Size> {
     fn derivatives(&self, x: &N::Vector<S>, monomials: &Self::Monomials, columns: &mut Matrix<N, E, S>);
 }
 
+/// K monomials in N unknowns.
+pub trait Monomials<N: Size, K: Size> {
+    /// Their values at the point x.
+    fn products<S: Scalar>(&self, x: &N::Vector<S>) -> K::Vector<S>;
+
+    /// Their derivatives by each unknown, from their values at x.
+    fn gradients<S: Scalar>(&self, x: &N::Vector<S>, values: &K::Vector<S>) -> Matrix<K, N, S>;
+}
+
 /// The equations at a point.
 pub struct Values<S: Scalar, E: Size> {
     /// The value of each equation.
@@ -156,10 +165,11 @@ impl<'a, N: Size, E: Size, K: Size> Tables<'a, N, E, K> {
             Some(of_equation)
         })
     }
+}
 
-    /// The values of the chain.
+impl<N: Size, E: Size, K: Size> Monomials<N, K> for Tables<'_, N, E, K> {
     #[inline]
-    pub(crate) fn products<S: Scalar>(&self, x: &N::Vector<S>) -> K::Vector<S> {
+    fn products<S: Scalar>(&self, x: &N::Vector<S>) -> K::Vector<S> {
         let (_, _, count) = self.sizes;
         let mut values = count.filled(S::ONE);
         for k in 1..count.get() {
@@ -169,9 +179,8 @@ impl<'a, N: Size, E: Size, K: Size> Tables<'a, N, E, K> {
         values
     }
 
-    /// The derivatives of the chain, which has these values at x.
     #[inline]
-    pub(crate) fn gradients<S: Scalar>(&self, x: &N::Vector<S>, values: &K::Vector<S>) -> Matrix<K, N, S> {
+    fn gradients<S: Scalar>(&self, x: &N::Vector<S>, values: &K::Vector<S>) -> Matrix<K, N, S> {
         let (unknowns, _, count) = self.sizes;
         let mut gradients = filled_matrix(count, unknowns, S::ZERO);
         for k in 1..count.get() {

@@ -3,6 +3,7 @@
 #![allow(dead_code)]
 
 pub(crate) mod conics;
+pub(crate) mod rows;
 #[cfg(feature = "alloc")]
 pub(crate) mod two_conics;
 

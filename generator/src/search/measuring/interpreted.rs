@@ -109,7 +109,11 @@ impl InterpretedSolver {
         let coefficients = self.program.evaluate::<f64>(data);
         emitted::check_coefficients(&coefficients, &[data])?;
         let equations = &self.equations;
-        let rows = equations.is_dense.then(|| equations.tables(self.unknowns).rows(&coefficients));
+        let matrix = || {
+            let rows = coefficients.chunks(equations.ends.len().max(1)).take(equations.chain.len());
+            rows.map(<[f64]>::to_vec).collect()
+        };
+        let rows = equations.is_dense.then(matrix);
         let read = vec![vec![0.0; self.layout.basis]; self.layout.read];
         let (steps, flips) = (self.steps.iter().map(Vec::as_slice), self.flips.iter().map(Vec::as_slice));
         Ok(InterpretedInstance {
@@ -386,7 +390,10 @@ impl SolverInstance for InterpretedInstance<'_> {
     fn polish<S: Scalar>(&self, x: &mut Vec<S>, steps: usize) -> f64 {
         let tables = self.solver.equations.tables(self.solver.unknowns);
         match &self.rows {
-            Some(rows) => emitted::polish(x, tables.polynomials(), &tables.with_rows(rows), steps),
+            Some(rows) => {
+                let system = emitted::DenseSystem { sizes: tables.sizes, monomials: tables, rows };
+                emitted::polish(x, tables.polynomials(), &system, steps)
+            }
             None => emitted::polish(x, tables.polynomials(), &tables.bind(&self.coefficients), steps),
         }
     }

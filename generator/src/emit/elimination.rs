@@ -1,0 +1,106 @@
+//! Prints the fill and the elimination of the template.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::listing::Listings;
+use super::provenance::Provenance;
+use super::tables::entries;
+use crate::plan::Plan;
+use crate::plan::program::ProgramForm;
+
+/// A template of more entries than this is filled from tables, which takes about nine instructions
+/// an entry where statements take two.
+const MOST_STATEMENTS: usize = 512;
+
+/// Whether entries are written by statements.
+pub(super) fn is_filled_by_statements(plan: &Plan) -> bool {
+    let elimination = &plan.elimination;
+    let diagonals: usize = elimination.blocks.iter().map(|block| block.diagonal.len()).sum();
+    elimination.right.len() + diagonals <= MOST_STATEMENTS && !elimination.blocks.iter().any(|block| block.is_large())
+}
+
+/// The coefficients for an elimination in the precision R. Tables can be executed at twice the
+/// precision, too.
+fn coefficients_of_precision(plan: &Plan) -> TokenStream {
+    if plan.program.form == ProgramForm::Statements {
+        return quote!(let coefficients = &self.coefficients;);
+    }
+    let count = Literal::usize_unsuffixed(plan.coefficients.len());
+    quote! {
+        let coefficients = &R::of::<emitted::Fixed<#count>>(&self.coefficients, || {
+            self::coefficients(&self.data)
+        });
+    }
+}
+
+/// Fill and elimination.
+pub(super) fn action_matrix(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> TokenStream {
+    let [rows, basis, count_read] =
+        [plan.elimination.rows, plan.elimination.basis, plan.read.len()].map(Literal::usize_unsuffixed);
+    let coefficients = coefficients_of_precision(plan);
+    let (fill, blocks) = match is_filled_by_statements(plan) {
+        true => by_statements(plan, provenance, listings),
+        false => by_tables(plan),
+    };
+    let read = match plan.read.is_empty() {
+        true => quote!(),
+        false => quote! {
+            self.read = emitted::solved_rows(
+                (emitted::Fixed::<#count_read>, emitted::Fixed::<#basis>),
+                &READ,
+                &right,
+            );
+        },
+    };
+    quote! {
+        fn action_matrix<R: emitted::Real>(
+            &mut self,
+        ) -> Result<[[R; #basis]; #basis], ::eliminant::SolveError> {
+            let mut right = [[R::ZERO; #basis]; #rows];
+            #coefficients
+            #fill
+            #blocks
+            #read
+            Ok(emitted::action_matrix(emitted::Fixed::<#basis>, &ACTION, &right))
+        }
+    }
+}
+
+/// The precision of the coefficients for an elimination in the precision R.
+fn precision(plan: &Plan) -> TokenStream {
+    match plan.program.form {
+        ProgramForm::Statements => quote!(f64),
+        ProgramForm::Table => quote!(R),
+    }
+}
+
+/// The fill of the basis columns, and the elimination of all blocks.
+fn by_tables(plan: &Plan) -> (TokenStream, TokenStream) {
+    let precision = precision(plan);
+    let blocks = plan.elimination.blocks.iter().enumerate().map(|(at, block)| {
+        let (at, size) = (Literal::usize_unsuffixed(at), Literal::usize_unsuffixed(block.size));
+        let eliminate = if block.is_large() { quote!(eliminate_large) } else { quote!(eliminate) };
+        quote!(BLOCKS[#at].#eliminate::<_, #precision, _, #size>(&mut right, coefficients)?;)
+    });
+    (quote!(emitted::fill::<_, #precision, _>(&mut right, RIGHT, coefficients);), quote!(#(#blocks)*))
+}
+
+/// The same with a statement for each entry.
+fn by_statements(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> (TokenStream, TokenStream) {
+    let precision = precision(plan);
+    let right = listings.add_labelled(entries(&plan.elimination.right, 0, provenance, &provenance.basis));
+    let blocks = plan.elimination.blocks.iter().enumerate().map(|(at, block)| {
+        let columns = provenance.pivots.get(block.first..block.first + block.size).unwrap_or_default();
+        let diagonal = listings.add_labelled(entries(&block.diagonal, block.first, provenance, columns));
+        let matrix = format_ident!("block_{at}");
+        let (at, size) = (Literal::usize_unsuffixed(at), Literal::usize_unsuffixed(block.size));
+        quote! {
+            let mut #matrix = [[R::ZERO; #size]; #size];
+            emitted::fill_entries!(#matrix, coefficients, [#diagonal]);
+            BLOCKS[#at].eliminate_filled::<_, #precision, _, #size>(&mut #matrix, &mut right, coefficients)?;
+        }
+    });
+    let blocks = quote!(#(#blocks)*);
+    (quote!(emitted::fill_entries!(right, coefficients, [#right]);), blocks)
+}

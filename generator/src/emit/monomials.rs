@@ -1,0 +1,97 @@
+//! Prints the equations as they are evaluated for the polish and the residual.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use crate::plan::Plan;
+use crate::plan::system_table::SystemTable;
+
+/// Monomials of more values and derivatives than this are computed from tables.
+const MOST_STATEMENTS: usize = 600;
+
+fn table(plan: &Plan) -> SystemTable {
+    SystemTable::of(&plan.equations, plan.unknowns.len())
+}
+
+/// Whether values and derivatives of monomials are emitted as statements. This serves equations
+/// that are stored as a matrix.
+pub(super) fn are_statements(plan: &Plan) -> bool {
+    let table = table(plan);
+    let derivatives: usize = table.monomials().iter().map(|m| involved(plan, m).count()).sum();
+    table.is_dense() && table.chain.len() + derivatives <= MOST_STATEMENTS
+}
+
+/// The unknowns in a monomial.
+fn involved(plan: &Plan, monomial: &crate::algebra::Monomial) -> impl Iterator<Item = usize> {
+    let monomial = *monomial;
+    (0..plan.unknowns.len()).filter(move |&unknown| monomial.exponent(unknown) > 0)
+}
+
+/// The system of equations of an instance.
+pub(super) fn system(plan: &Plan) -> TokenStream {
+    let table = table(plan);
+    if !table.is_dense() {
+        return quote!(EQUATIONS.bind(&self.coefficients));
+    }
+    let [unknowns, equations, monomials] =
+        [plan.unknowns.len(), table.ends.len(), table.chain.len()].map(Literal::usize_unsuffixed);
+    let source = if are_statements(plan) { quote!(Monomials) } else { quote!(EQUATIONS) };
+    quote! {
+        emitted::DenseSystem {
+            sizes: (emitted::Fixed::<#unknowns>, emitted::Fixed::<#equations>, emitted::Fixed::<#monomials>),
+            monomials: #source,
+            rows: emitted::rows::<#equations, #monomials>(&self.coefficients),
+        }
+    }
+}
+
+/// Values and derivatives of the monomials. Each is an earlier one times an unknown, and derivatives
+/// follow by the product rule, without the terms that are zero.
+pub(super) fn monomials(plan: &Plan) -> TokenStream {
+    let table = table(plan);
+    let monomials = table.monomials();
+    let (mut values, mut derivatives) = (Vec::new(), Vec::new());
+    for (k, (monomial, &(parent, unknown))) in monomials.iter().zip(&table.chain).enumerate().skip(1) {
+        let (own, parent_monomial) = (Literal::usize_unsuffixed(k), &monomials[usize::from(parent)]);
+        let factor = usize::from(unknown);
+        let [before, by] = [usize::from(parent), factor].map(Literal::usize_unsuffixed);
+        values.push(match parent {
+            0 => quote!(m[#own] = x[#by];),
+            _ => quote!(m[#own] = m[#before] * x[#by];),
+        });
+        for j in involved(plan, monomial) {
+            let at = Literal::usize_unsuffixed(j);
+            let value = match (parent_monomial.exponent(j) > 0, j == factor) {
+                (false, _) => quote!(m[#before]),
+                (true, false) => quote!(d[#before][#at] * x[#by]),
+                (true, true) => quote!(d[#before][#at] * x[#by] + m[#before]),
+            };
+            derivatives.push(quote!(d[#own][#at] = #value;));
+        }
+    }
+    let [unknowns, count] = [plan.unknowns.len(), monomials.len()].map(Literal::usize_unsuffixed);
+    let names: Vec<String> = monomials.iter().map(|m| m.display(&plan.unknowns).to_string()).collect();
+    let doc = format!(" The monomials {}.", names.join(", "));
+    quote! {
+        #[doc = #doc]
+        struct Monomials;
+
+        impl emitted::Monomials<emitted::Fixed<#unknowns>, emitted::Fixed<#count>> for Monomials {
+            fn products<S: ::eliminant::Scalar>(&self, x: &[S; #unknowns]) -> [S; #count] {
+                let mut m = [S::ONE; #count];
+                #(#values)*
+                m
+            }
+
+            fn gradients<S: ::eliminant::Scalar>(
+                &self,
+                x: &[S; #unknowns],
+                m: &[S; #count],
+            ) -> [[S; #unknowns]; #count] {
+                let mut d = [[S::ZERO; #unknowns]; #count];
+                #(#derivatives)*
+                d
+            }
+        }
+    }
+}
