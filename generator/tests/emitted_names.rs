@@ -253,8 +253,7 @@ fn emitted_code_says_what_is_what() {
         "// columns x*y^2, x^2, x*y, x\n",
         "// row 0: x * equation 1\n",
         "// the action monomial times x*y^2, x^2, x*y, x\n",
-        "// monomials 1, y, x, y^2, x*y, x^2\n",
-        "// equation 2: `dot(Q, terms) == 0`\n",
+        "/// The monomials 1, y, x, y^2, x*y, x^2.\n",
         "// `step * x != 0`\n",
     ] {
         assert!(source.contains(part), "`{part}` is not in\n{source}");

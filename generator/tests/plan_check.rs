@@ -6,6 +6,7 @@ use std::sync::OnceLock;
 
 use eliminant_generator::generate::plan;
 use eliminant_generator::plan::program::{Operation, ValueId};
+use eliminant_generator::plan::system_table::SystemTable;
 use eliminant_generator::plan::value_layout::ValueLayout;
 use eliminant_generator::plan::{ActionRow, BasisId, Block, CoefficientId, KnownMonomial, PivotId, Plan};
 use eliminant_generator::problem::Problem;
@@ -405,6 +406,22 @@ fn the_basis_is_large_enough_for_the_solutions() {
         let error = plan.check().expect_err("one solution too many");
         assert_eq!(error.0, "the basis is smaller than the number of solutions", "{}", plan.name);
     }
+}
+
+#[test]
+fn the_matrix_of_the_equations_comes_first() {
+    assert_refused(
+        "the matrix of the equations is not where it should be",
+        &[
+            // A zero of the matrix becomes another coefficient.
+            |p| {
+                let table = SystemTable::of(&p.equations, p.unknowns.len());
+                let zero = table.matrix().iter().position(Option::is_none).filter(|_| table.is_dense())?;
+                p.coefficients[zero] = *p.coefficients.iter().find(|id| **id != p.coefficients[zero])?;
+                Some(())
+            },
+        ],
+    );
 }
 
 #[test]

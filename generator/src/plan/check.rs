@@ -1,7 +1,7 @@
 //! Whether a plan contradicts itself: every table stays in range, and every value, pivot and
 //! unknown is written before it is read.
 
-use super::program::Operation;
+use super::program::{Operation, ValueId};
 use super::system_table::SystemTable;
 use super::{ActionRow, BasisId, Block, CoefficientId, Elimination, Entry, KnownMonomial, Plan, Term};
 
@@ -21,24 +21,27 @@ impl Plan {
         self.check_elimination()?;
         self.check_monomials()?;
         self.check_chains()?;
-        self.check_unknowns()
+        self.check_unknowns()?;
+        self.check_matrix()
     }
 
     fn check_program(&self) -> Result<(), PlanError> {
         require(self.program.is_ordered(self.inputs()), "a value is read before it is written")?;
         let has_value = self.coefficients.iter().all(|id| (id.0 as usize) < self.program.operations.len());
-        require(has_value, "a coefficient has no value")?;
+        require(has_value, "a coefficient has no value")
+    }
+
+    /// Whether the coefficients begin with the matrix of the equations, if these are stored so.
+    fn check_matrix(&self) -> Result<(), PlanError> {
         let table = SystemTable::of(&self.equations, self.unknowns.len());
         let matrix = if table.is_dense() { table.matrix() } else { Vec::new() };
-        let value = |id: u16| self.coefficients.get(usize::from(id));
-        let is_entry = |(at, id): (u16, &Option<u16>)| match (value(at), id) {
-            (Some(own), Some(id)) => value(*id) == Some(own),
-            (Some(own), None) => {
-                matches!(self.program.operations[own.0 as usize], Operation::Constant(c) if c.numerator() == 0)
-            }
-            (None, _) => false,
+        let is_zero = |id: ValueId| matches!(self.program.operations[id.0 as usize], Operation::Constant(c) if c.numerator() == 0);
+        let is_entry = |(own, entry): (&ValueId, &Option<u16>)| match entry {
+            Some(id) => self.coefficients[usize::from(*id)] == *own,
+            None => is_zero(*own),
         };
-        require((0..).zip(&matrix).all(is_entry), "the matrix of the equations is not where it should be")
+        let is_first = matrix.len() <= self.coefficients.len() && self.coefficients.iter().zip(&matrix).all(is_entry);
+        require(is_first, "the matrix of the equations is not where it should be")
     }
 
     fn check_elimination(&self) -> Result<(), PlanError> {
