@@ -13,7 +13,6 @@ use crate::size::Size;
 /// Algorithms of Dekker (1971) and Knuth as collected by Hida, Li and Bailey, "Algorithms for
 /// quad-double precision floating point arithmetic", ARITH 2001. The range is that of `f64`;
 /// products are exact to the last digits only if their parts neither overflow nor underflow.
-/// Operations are calls and not inlined, because code that runs rarely should be small.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct DoubleDouble {
     high: f64,
@@ -54,7 +53,7 @@ fn two_product(a: f64, b: f64) -> (f64, f64) {
 
 impl Add for DoubleDouble {
     type Output = Self;
-    #[inline(never)]
+    #[inline]
     fn add(self, other: Self) -> Self {
         let (high, error) = two_sum(self.high, other.high);
         let (low, rest) = two_sum(self.low, other.low);
@@ -65,7 +64,7 @@ impl Add for DoubleDouble {
 
 impl Mul for DoubleDouble {
     type Output = Self;
-    #[inline(never)]
+    #[inline]
     fn mul(self, other: Self) -> Self {
         let (high, error) = two_product(self.high, other.high);
         renormalized(high, error + (self.high * other.low + self.low * other.high))
