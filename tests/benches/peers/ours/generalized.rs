@@ -50,7 +50,7 @@ impl SixPoint {
 }
 
 /// The rotation of the quaternion 1 + x i + y j + z k.
-fn cayley(x: f64, y: f64, z: f64) -> Matrix {
+pub(crate) fn cayley(x: f64, y: f64, z: f64) -> Matrix {
     let scale = (1.0 + x * x + y * y + z * z).recip();
     let rows = [
         [1.0 + x * x - y * y - z * z, 2.0 * (x * y - z), 2.0 * (x * z + y)],
@@ -74,18 +74,7 @@ impl Instance for PoseScale {
 
     /// Of the eight equations the solver takes seven; the last tells which solution is returned.
     fn solve(&self, found: &mut Vec<f64>) {
-        let mut rows = [[0.0; 13]; 8];
-        for k in 0..4 {
-            for (side, normal) in across(&self.rays[k]).into_iter().enumerate() {
-                let row = &mut rows[2 * k + side];
-                for at in 0..9 {
-                    row[at] = normal[at / 3] * self.points[k][at % 3];
-                }
-                row[9..12].copy_from_slice(&normal);
-                row[12] = -dot(&normal, &self.centres[k]);
-            }
-        }
-        let [used @ .., last] = rows;
+        let [used @ .., last] = self.equations();
         let basis: [[f64; 13]; 6] = null_space::<7, 13, 6>(used);
         let rotations: [[f64; 9]; 6] = std::array::from_fn(|k| std::array::from_fn(|i| basis[k][i]));
         let Ok(solutions) = pose_4pt_generalized_scale::solve(&rotations) else { return };
@@ -104,6 +93,24 @@ impl Instance for PoseScale {
         if best.0.is_finite() {
             found.extend(best.1);
         }
+    }
+}
+
+impl PoseScale {
+    /// Two equations for each point in R, row by row, t and s.
+    pub(crate) fn equations(&self) -> [[f64; 13]; 8] {
+        let mut rows = [[0.0; 13]; 8];
+        for k in 0..4 {
+            for (side, normal) in across(&self.rays[k]).into_iter().enumerate() {
+                let row = &mut rows[2 * k + side];
+                for at in 0..9 {
+                    row[at] = normal[at / 3] * self.points[k][at % 3];
+                }
+                row[9..12].copy_from_slice(&normal);
+                row[12] = -dot(&normal, &self.centres[k]);
+            }
+        }
+        rows
     }
 }
 
