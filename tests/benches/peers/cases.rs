@@ -123,6 +123,15 @@ pub(crate) fn cases() -> Vec<Case> {
             note: "ours moves the origin to the lines, theirs takes them as they are; ours without the cost",
         },
         Case {
+            title: "circle, least squares, 20 normalised lines",
+            name: "circle_least_squares",
+            driver: "circles",
+            parts: CIRCLE,
+            draw: scenes::twenty_normalised_tangents,
+            ours: ours::<circles::LeastSquares>,
+            note: "both get the lines with their nearest point as the origin, and scaled",
+        },
+        Case {
             title: "circle, minimal, 3 lines",
             name: "circle_minimal",
             driver: "circles",
@@ -201,7 +210,7 @@ pub(crate) fn cases() -> Vec<Case> {
             parts: POSE_AND_SCALAR,
             draw: scenes::four_points_scale,
             ours: ours::<pose_scale_quadrics::PoseScaleQuadrics>,
-            note: "the same by our solver three_quadrics, as PoseLib does",
+            note: "the same by our solver `three_quadrics`, as PoseLib does",
         },
         Case {
             title: "three quadrics (re3q3)",

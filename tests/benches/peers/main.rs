@@ -7,8 +7,10 @@
 //! chunk. Of several builds of a peer the fastest counts.
 
 mod cases;
+mod instructions;
 mod ours;
 mod peer;
+mod report;
 mod scenes;
 
 use std::path::{Path, PathBuf};
@@ -17,11 +19,11 @@ use std::{fs, io};
 
 use cases::{Case, Side, cases};
 use clap::Parser;
-use comfy_table::{CellAlignment, Table, presets};
 use eliminant_generator::algebra::Random;
 use eliminant_tests::ground_truth::FOUND;
 use eliminant_tests::statistics::quantile;
 use peer::{Driver, Peer, drivers};
+use report::{Measured, Row, Theirs};
 use scenes::Scene;
 
 /// Measures our solvers beside peers.
@@ -41,6 +43,18 @@ struct Arguments {
     /// The core on which all runs; the last that is allowed if not given.
     #[arg(long)]
     core: Option<u32>,
+    /// Counts instructions, too, with Valgrind.
+    #[arg(long)]
+    instructions: bool,
+    /// Writes the table into README.md.
+    #[arg(long)]
+    update: bool,
+    /// Solves the first instances of the row with this title, and nothing else: what Valgrind runs.
+    #[arg(long, hide = true)]
+    solve_row: Option<String>,
+    /// How many of them.
+    #[arg(long, hide = true, default_value_t = 0)]
+    solves: usize,
     /// Set by `cargo bench`.
     #[arg(long, hide = true)]
     bench: bool,
@@ -49,22 +63,29 @@ struct Arguments {
 /// How long the slowest side takes for a chunk, nanoseconds.
 const CHUNK: f64 = 1e6;
 
-/// What was measured of one side.
-struct Measured {
-    /// Nanoseconds per solve, for each chunk.
+/// What is measured of one side: nanoseconds per solve, for each chunk, and the share of instances
+/// of which the truth was found.
+struct Measurement {
     times: Vec<f64>,
-    /// The share of instances of which the truth was found.
     found: f64,
 }
 
-impl Measured {
+impl Measurement {
     fn nanoseconds(&self) -> f64 {
         quantile(&mut self.times.clone(), 0.5)
+    }
+
+    fn with(&self, instructions: Option<f64>) -> Measured {
+        Measured { nanoseconds: self.nanoseconds(), found: self.found, instructions }
     }
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments = Arguments::parse();
+    if let Some(title) = &arguments.solve_row {
+        solve_row(title, &arguments);
+        return Ok(());
+    }
     match pin(arguments.core) {
         Ok(core) => println!("pinned to core {core}"),
         Err(reason) => println!("not pinned to a core: {reason}"),
@@ -72,60 +93,61 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (drivers, missing) = drivers();
     missing.iter().for_each(|reason| println!("skipped: {reason}"));
     println!("skipped: the Python wheel of PoseLib, whose calls convert lists and cannot be timed alone");
-    let mut table = Table::new();
-    table.load_preset(presets::ASCII_MARKDOWN).set_header([
-        "case",
-        "peer",
-        "ours ns",
-        "peer ns",
-        "ratio",
-        "ours found",
-        "peer found",
-        "build",
-        "note",
-    ]);
-    table.column_iter_mut().skip(2).take(5).for_each(|column| column.set_cell_alignment(CellAlignment::Right));
     let is_wanted = |case: &Case| {
         let matches = |word: &String| case.title.contains(word.as_str()) || case.name.contains(word.as_str());
         arguments.words.is_empty() || arguments.words.iter().any(matches)
     };
+    let mut rows = Vec::new();
     for case in cases().iter().filter(|case| is_wanted(case)) {
-        let cells = row(case, &drivers, &arguments)?;
-        println!("{}", cells.join(" | "));
-        table.add_row(cells);
+        let row = row(case, &drivers, &arguments)?;
+        let build = row.theirs.as_ref().map_or("", |theirs| theirs.build);
+        println!("{}: {:.0} ns; fastest build of the peer: {build}", row.title, row.ours.nanoseconds);
+        rows.push(row);
     }
+    let table = report::markdown(&rows, arguments.instructions);
     println!("\n{table}");
+    if arguments.update {
+        report::update_readme(&table, arguments.instances, arguments.rounds)?;
+    }
     Ok(())
 }
 
+fn draw(case: &Case, count: u64, seed: u64) -> Vec<Scene> {
+    let mut random = Random::new(seed);
+    (0..count).map(|_| (case.draw)(&mut random)).collect()
+}
+
+fn solve_row(title: &str, arguments: &Arguments) {
+    for case in cases().iter().filter(|case| case.title == title) {
+        let scenes = draw(case, 2 * instructions::INSTANCES as u64, arguments.seed);
+        (case.ours)(&scenes).time(0, arguments.solves.min(scenes.len()));
+    }
+}
+
 /// Measures one row of the table.
-fn row(case: &Case, drivers: &[Driver], arguments: &Arguments) -> Result<Vec<String>, Box<dyn std::error::Error>> {
-    let mut random = Random::new(arguments.seed);
-    let scenes: Vec<Scene> = (0..arguments.instances).map(|_| (case.draw)(&mut random)).collect();
+fn row(case: &Case, drivers: &[Driver], arguments: &Arguments) -> Result<Row, Box<dyn std::error::Error>> {
+    let scenes = draw(case, arguments.instances, arguments.seed);
     let file = write(case, &scenes)?;
+    let drivers: Vec<&Driver> = drivers.iter().filter(|driver| driver.name == case.driver).collect();
     let mut peers = Vec::new();
-    for driver in drivers.iter().filter(|driver| driver.name == case.driver) {
+    for driver in &drivers {
         peers.push(driver.start(case.name, &file)?);
     }
     let mut ours = (case.ours)(&scenes);
     let measured = measure(case, &scenes, ours.as_mut(), &mut peers, arguments.rounds as usize);
     let (first, others) = measured.split_first().ok_or("nothing was measured")?;
-    let mut cells = vec![case.title.to_owned(), case.driver.to_owned(), format!("{:.0}", first.nanoseconds())];
-    let fastest = others.iter().zip(&peers).min_by(|a, b| a.0.nanoseconds().total_cmp(&b.0.nanoseconds()));
-    let share = |measured: &Measured| format!("{:.2} %", 100.0 * measured.found);
-    if let Some((theirs, peer)) = fastest {
+    let fastest = others.iter().zip(&drivers).min_by(|a, b| a.0.nanoseconds().total_cmp(&b.0.nanoseconds()));
+    let theirs = fastest.map(|(theirs, driver)| {
         let mut ratios: Vec<f64> = theirs.times.iter().zip(&first.times).map(|(peer, ours)| peer / ours).collect();
-        let (time, ratio) = (theirs.nanoseconds(), quantile(&mut ratios, 0.5));
-        cells.extend([format!("{time:.0}"), format!("{ratio:.2}"), share(first), share(theirs), peer.build.to_owned()]);
-    } else {
-        cells.extend([String::new(), String::new(), share(first), String::new(), String::new()]);
-    }
-    cells.push(case.note.to_owned());
-    Ok(cells)
+        let counted = arguments.instructions.then(|| instructions::of_driver(driver, case, &file)).flatten();
+        Theirs { measured: theirs.with(counted), ratio: quantile(&mut ratios, 0.5), build: driver.build }
+    });
+    let counted = arguments.instructions.then(|| instructions::of_ours(case, arguments.seed)).flatten();
+    Ok(Row { title: case.title, peer: case.driver, ours: first.with(counted), theirs, note: case.note })
 }
 
 /// Ours, then the peers: all solve the same chunks, one side after the other.
-fn measure(case: &Case, scenes: &[Scene], ours: &mut dyn Side, peers: &mut [Peer], rounds: usize) -> Vec<Measured> {
+fn measure(case: &Case, scenes: &[Scene], ours: &mut dyn Side, peers: &mut [Peer], rounds: usize) -> Vec<Measurement> {
     let mut sides: Vec<&mut dyn Side> = vec![ours];
     sides.extend(peers.iter_mut().map(|peer| peer as &mut dyn Side));
     let slowest = sides.iter_mut().map(|side| side.time(0, 8) / 8.0).fold(1.0, f64::max);
@@ -144,7 +166,7 @@ fn measure(case: &Case, scenes: &[Scene], ours: &mut dyn Side, peers: &mut [Peer
         scenes.iter().enumerate().map(is_found).filter(|&found| found).count() as f64 / scenes.len() as f64
     };
     let shares: Vec<f64> = sides.iter_mut().map(share).collect();
-    times.into_iter().zip(shares).map(|(times, found)| Measured { times, found }).collect()
+    times.into_iter().zip(shares).map(|(times, found)| Measurement { times, found }).collect()
 }
 
 /// The file of instances that drivers read: `drivers/harness.hpp` describes it.

@@ -15,7 +15,8 @@ pub(crate) struct Driver {
     pub(crate) name: &'static str,
     /// How it was compiled, for the table.
     pub(crate) build: &'static str,
-    program: PathBuf,
+    /// The program.
+    pub(crate) program: PathBuf,
 }
 
 const NATIVE: &str = "-march=native";
@@ -103,14 +104,12 @@ impl Driver {
         let missing = || io::Error::other("the driver has no pipe");
         let input = child.stdin.take().ok_or_else(missing)?;
         let output = BufReader::new(child.stdout.take().ok_or_else(missing)?);
-        Ok(Peer { build: self.build, child, input: Some(input), output })
+        Ok(Peer { child, input: Some(input), output })
     }
 }
 
 /// A driver that runs.
 pub(crate) struct Peer {
-    /// How it was compiled.
-    pub(crate) build: &'static str,
     child: Child,
     input: Option<ChildStdin>,
     output: BufReader<ChildStdout>,

@@ -2,8 +2,10 @@
 //! cameras, points and lines as in the scenes of the catalogue.
 
 use eliminant_generator::algebra::Random;
-use eliminant_tests::ground_truth::{Circle, camera, distorted, image, in_ball, two_cameras, uniform};
-use nalgebra::{Matrix3, Vector2, Vector3};
+use eliminant_tests::ground_truth::{
+    Circle, Line, camera, distorted, image, in_ball, normalised, two_cameras, uniform,
+};
+use nalgebra::{Matrix3, Vector3};
 
 /// Flat data and one solution that is known, as [`crate::cases::Case::parts`] describes it.
 pub(crate) struct Scene {
@@ -113,20 +115,27 @@ pub(crate) fn three_points(random: &mut Random) -> Scene {
 }
 
 /// Lines (a, b, c) with a normal (a, b) of length 1 that touch a circle; its centre and radius.
-fn tangents(random: &mut Random, count: usize) -> Scene {
-    let circle = Circle::draw(random);
-    let centre: Vector2<f64> = circle.centre;
-    let data =
-        circle.tangents(random, count).iter().flat_map(|line| [line.normal.x, line.normal.y, line.offset]).collect();
-    Scene { data, truth: vec![centre.x, centre.y, circle.radius] }
+fn tangents(lines: &[Line], circle: &Circle) -> Scene {
+    let data = lines.iter().flat_map(|line| [line.normal.x, line.normal.y, line.offset]).collect();
+    Scene { data, truth: vec![circle.centre.x, circle.centre.y, circle.radius] }
 }
 
 /// Three tangents.
 pub(crate) fn three_tangents(random: &mut Random) -> Scene {
-    tangents(random, 3)
+    let circle = Circle::draw(random);
+    tangents(&circle.tangents(random, 3), &circle)
 }
 
 /// Twenty tangents.
 pub(crate) fn twenty_tangents(random: &mut Random) -> Scene {
-    tangents(random, 20)
+    let circle = Circle::draw(random);
+    tangents(&circle.tangents(random, 20), &circle)
+}
+
+/// Twenty tangents in coordinates in which their nearest point is the origin, at a root mean square
+/// distance of 1.
+pub(crate) fn twenty_normalised_tangents(random: &mut Random) -> Scene {
+    let circle = Circle::draw(random);
+    let (lines, circle) = normalised(&circle.tangents(random, 20), &circle);
+    tangents(&lines, &circle)
 }
