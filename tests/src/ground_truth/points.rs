@@ -41,8 +41,8 @@ fn conics_through_points(random: &mut Random) -> KnownInstance {
     KnownInstance { data: null_space(&rows).concat(), truths: points }
 }
 
-/// Three quadrics through seven points in [-1, 1)^3. All quadrics through these have an eighth point
-/// in common, which is not listed.
+/// Three quadrics through seven points in [-1, 1)^3. All quadrics through these have an eighth
+/// point in common, which is not listed.
 fn quadrics_through_points(random: &mut Random) -> KnownInstance {
     let points: Vec<Vec<f64>> = (0..7).map(|_| (0..3).map(|_| random.symmetric_unit()).collect()).collect();
     let rows: Vec<Vec<f64>> = points

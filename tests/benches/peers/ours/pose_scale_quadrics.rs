@@ -47,8 +47,8 @@ impl Instance for PoseScaleQuadrics {
     }
 }
 
-/// r . R = 0, the rotation row by row, times 1 + x^2 + y^2 + z^2: the coefficients of x^2, x y, x z,
-/// y^2, y z, z^2, x, y, z, 1.
+/// r . R = 0, the rotation row by row, times 1 + x^2 + y^2 + z^2: the coefficients of x^2, x y,
+/// x z, y^2, y z, z^2, x, y, z, 1.
 fn quadric(r: &[f64; 9]) -> [f64; 10] {
     [
         r[0] - r[4] - r[8],
