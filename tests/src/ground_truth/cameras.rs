@@ -7,7 +7,7 @@ use super::uniform;
 
 /// A camera 2 to 6 units from a ball of radius 1, looking at a point inside the ball of half its
 /// radius: x = rotation X + translation are the coordinates in the camera.
-pub(super) fn camera(random: &mut Random) -> (Matrix3<f64>, Vector3<f64>) {
+pub fn camera(random: &mut Random) -> (Matrix3<f64>, Vector3<f64>) {
     let direction = in_ball(random).normalize();
     let centre = direction * uniform(random, 2.0, 6.0);
     let up = in_ball(random);
@@ -17,7 +17,7 @@ pub(super) fn camera(random: &mut Random) -> (Matrix3<f64>, Vector3<f64>) {
 
 /// Two cameras, so that their optical axes do not meet: rotation and translation from the first
 /// camera's coordinates to the second's, and points in the first's.
-pub(super) fn two_cameras(random: &mut Random, points: usize) -> (Matrix3<f64>, Vector3<f64>, Vec<Vector3<f64>>) {
+pub fn two_cameras(random: &mut Random, points: usize) -> (Matrix3<f64>, Vector3<f64>, Vec<Vector3<f64>>) {
     let ((r1, t1), (r2, t2)) = (camera(random), camera(random));
     let rotation = r2 * r1.transpose();
     let points = (0..points).map(|_| r1 * in_ball(random) + t1).collect();
@@ -25,7 +25,7 @@ pub(super) fn two_cameras(random: &mut Random, points: usize) -> (Matrix3<f64>, 
 }
 
 /// A uniform point of the unit ball, not at its very centre.
-pub(super) fn in_ball(random: &mut Random) -> Vector3<f64> {
+pub fn in_ball(random: &mut Random) -> Vector3<f64> {
     loop {
         let point = Vector3::from_fn(|_, _| random.symmetric_unit());
         if (0.01..1.0).contains(&point.norm()) {
@@ -35,12 +35,12 @@ pub(super) fn in_ball(random: &mut Random) -> Vector3<f64> {
 }
 
 /// Image of a point in the camera's coordinates, the principal point at the origin.
-pub(super) fn image(point: &Vector3<f64>, focal: f64) -> Vector2<f64> {
+pub fn image(point: &Vector3<f64>, focal: f64) -> Vector2<f64> {
     focal * point.xy() / point.z
 }
 
 /// The d with d / (1 + radial |d|^2) = point, the division model; `radial` is not positive.
-pub(super) fn distorted(point: Vector2<f64>, radial: f64) -> Vector2<f64> {
+pub fn distorted(point: Vector2<f64>, radial: f64) -> Vector2<f64> {
     point * (2.0 / (1.0 + (1.0 - 4.0 * radial * point.norm_squared()).sqrt()))
 }
 

@@ -15,6 +15,7 @@ mod ranging;
 mod relative_pose;
 mod triangulation;
 
+pub use cameras::{camera, distorted, image, in_ball, two_cameras};
 pub use circles::{Circle, Line, gram, minimal_conic, minimal_data, normalised};
 pub use linear::{combination, null_space, uniform};
 use linear::{solved, weights};

@@ -1,4 +1,4 @@
-//! Points on conics, at known distances, and fixed by a quadratic map.
+//! Points on conics and quadrics, at known distances, and fixed by a quadratic map.
 
 use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, Vector3};
@@ -13,6 +13,11 @@ pub(super) fn makers() -> Vec<Maker> {
             make: orthogonal_tensor,
             // One of them is zero.
             error: |_, solution, truth| distance(solution, truth) / (1.0 + distance(truth, &[0.0; 3])),
+        },
+        Maker {
+            name: "three_quadrics",
+            make: quadrics_through_points,
+            error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "trilateration",
@@ -33,6 +38,20 @@ fn conics_through_points(random: &mut Random) -> KnownInstance {
     let points: Vec<Vec<f64>> = (0..4).map(|_| (0..2).map(|_| random.symmetric_unit()).collect()).collect();
     let rows: Vec<Vec<f64>> =
         points.iter().map(|p| vec![p[0] * p[0], p[0] * p[1], p[1] * p[1], p[0], p[1], 1.0]).collect();
+    KnownInstance { data: null_space(&rows).concat(), truths: points }
+}
+
+/// Three quadrics through seven points in [-1, 1)^3. All quadrics through these have an eighth
+/// point in common, which is not listed.
+fn quadrics_through_points(random: &mut Random) -> KnownInstance {
+    let points: Vec<Vec<f64>> = (0..7).map(|_| (0..3).map(|_| random.symmetric_unit()).collect()).collect();
+    let rows: Vec<Vec<f64>> = points
+        .iter()
+        .map(|p| {
+            let [x, y, z] = [p[0], p[1], p[2]];
+            vec![x * x, x * y, x * z, y * y, y * z, z * z, x, y, z, 1.0]
+        })
+        .collect();
     KnownInstance { data: null_space(&rows).concat(), truths: points }
 }
 

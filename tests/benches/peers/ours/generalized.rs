@@ -1,0 +1,126 @@
+//! Poses of cameras whose rays do not meet in one centre.
+
+use eliminant_solvers::{pose_4pt_generalized_scale, relpose_6pt_generalized};
+
+use super::linear::{Matrix, Vector, cross, dot, minus, null_space, solve, times};
+use super::{Instance, vectors};
+
+/// Rays of six points in two systems, centres and directions, to poses.
+pub(crate) struct SixPoint {
+    first: [[Vector; 2]; 6],
+    second: [[Vector; 2]; 6],
+}
+
+impl Instance for SixPoint {
+    fn load(data: &[f64]) -> Self {
+        let rays = |data: &[f64]| {
+            let (centres, directions) = (vectors::<3, 6>(data), vectors::<3, 6>(&data[18..]));
+            std::array::from_fn(|k| [centres[k], directions[k]])
+        };
+        Self { first: rays(data), second: rays(&data[36..]) }
+    }
+
+    fn solve(&self, found: &mut Vec<f64>) {
+        let Ok(solutions) = relpose_6pt_generalized::solve(&self.first, &self.second) else { return };
+        for s in solutions.iter() {
+            let rotation = cayley(s.x, s.y, s.z);
+            found.extend(rotation.as_flattened());
+            found.extend(self.translation(&rotation));
+        }
+    }
+}
+
+impl SixPoint {
+    /// The rays of a point meet: t . n = (p2 - R p1) . n with n = R x1 x x2. Least squares over all
+    /// points.
+    fn translation(&self, rotation: &Matrix) -> Vector {
+        let (mut normal, mut right) = ([[0.0; 3]; 3], [[0.0]; 3]);
+        for ([p1, x1], [p2, x2]) in self.first.iter().zip(&self.second) {
+            let n = cross(&times(rotation, x1), x2);
+            let along = dot(&n, &minus(p2, &times(rotation, p1)));
+            for i in 0..3 {
+                for j in 0..3 {
+                    normal[i][j] += n[i] * n[j];
+                }
+                right[i][0] += n[i] * along;
+            }
+        }
+        solve(normal, right).map(|[x]| x)
+    }
+}
+
+/// The rotation of the quaternion 1 + x i + y j + z k.
+pub(crate) fn cayley(x: f64, y: f64, z: f64) -> Matrix {
+    let scale = (1.0 + x * x + y * y + z * z).recip();
+    let rows = [
+        [1.0 + x * x - y * y - z * z, 2.0 * (x * y - z), 2.0 * (x * z + y)],
+        [2.0 * (x * y + z), 1.0 - x * x + y * y - z * z, 2.0 * (y * z - x)],
+        [2.0 * (x * z - y), 2.0 * (y * z + x), 1.0 - x * x - y * y + z * z],
+    ];
+    rows.map(|row| row.map(|entry| scale * entry))
+}
+
+/// Centres, rays of length 1 and points to the pose with the scale s: s p + depth x = R X + t.
+pub(crate) struct PoseScale {
+    centres: [Vector; 4],
+    rays: [Vector; 4],
+    points: [Vector; 4],
+}
+
+impl Instance for PoseScale {
+    fn load(data: &[f64]) -> Self {
+        Self { centres: vectors(data), rays: vectors(&data[12..]), points: vectors(&data[24..]) }
+    }
+
+    /// Of the eight equations the solver takes seven; the last tells which solution is returned.
+    fn solve(&self, found: &mut Vec<f64>) {
+        let [used @ .., last] = self.equations();
+        let basis: [[f64; 13]; 6] = null_space::<7, 13, 6>(used);
+        let rotations: [[f64; 9]; 6] = std::array::from_fn(|k| std::array::from_fn(|i| basis[k][i]));
+        let Ok(solutions) = pose_4pt_generalized_scale::solve(&rotations) else { return };
+        let mut best = (f64::INFINITY, [0.0; 13]);
+        for s in solutions.iter() {
+            let weights = [s.v, s.w, s.x, s.y, s.z, 1.0];
+            let all: [f64; 13] = std::array::from_fn(|i| (0..6).map(|k| weights[k] * basis[k][i]).sum());
+            let [a, b, c, ..] = *all.as_chunks::<3>().0 else { continue };
+            let scale = dot(&a, &a).sqrt().recip().copysign(dot(&a, &cross(&b, &c)));
+            let pose = all.map(|x| scale * x);
+            let residual = dot(&last, &pose).abs();
+            if residual < best.0 {
+                best = (residual, pose);
+            }
+        }
+        if best.0.is_finite() {
+            found.extend(best.1);
+        }
+    }
+}
+
+impl PoseScale {
+    /// Two equations for each point in R, row by row, t and s.
+    pub(crate) fn equations(&self) -> [[f64; 13]; 8] {
+        let mut rows = [[0.0; 13]; 8];
+        for k in 0..4 {
+            for (side, normal) in across(&self.rays[k]).into_iter().enumerate() {
+                let row = &mut rows[2 * k + side];
+                for at in 0..9 {
+                    row[at] = normal[at / 3] * self.points[k][at % 3];
+                }
+                row[9..12].copy_from_slice(&normal);
+                row[12] = -dot(&normal, &self.centres[k]);
+            }
+        }
+        rows
+    }
+}
+
+/// Two vectors across a ray of length 1, and across each other.
+fn across(ray: &Vector) -> [Vector; 2] {
+    let smallest = (0..3).fold(0, |best, i| if ray[i].abs() < ray[best].abs() { i } else { best });
+    let mut axis = [0.0; 3];
+    axis[smallest] = 1.0;
+    let first = cross(ray, &axis);
+    let scale = dot(&first, &first).sqrt().recip();
+    let first = first.map(|x| scale * x);
+    [first, cross(ray, &first)]
+}
