@@ -3,6 +3,7 @@
 //!
 //! Exit status: 0 good; 1 the problem, its template or a file is at fault; 2 usage.
 
+mod bench;
 mod check;
 mod emit;
 mod error;
@@ -55,6 +56,7 @@ enum Command {
     Emit(emit::Arguments),
     Inspect(inspect::Arguments),
     Stability(stability::Arguments),
+    Bench(bench::Arguments),
 }
 
 impl Command {
@@ -66,6 +68,7 @@ impl Command {
             Self::Emit(arguments) => emit::run(arguments),
             Self::Inspect(arguments) => inspect::run(arguments),
             Self::Stability(arguments) => stability::run(arguments),
+            Self::Bench(arguments) => bench::run(arguments),
         }
     }
 }

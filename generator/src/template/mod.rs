@@ -94,6 +94,16 @@ pub enum RootMethod {
     Determinant,
 }
 
+impl RootMethod {
+    /// The name in template files and reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Eigenvalues => "eigenvalues",
+            Self::Determinant => "determinant",
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
