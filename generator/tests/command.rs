@@ -386,6 +386,33 @@ fn stability_measures_every_trial() {
     assert!(text.contains(&format!("found       {found} of 800 solutions")), "{text}");
 }
 
+/// The same solver twice: both are compiled and solve the same instances.
+#[test]
+fn bench_times_the_stages_of_solvers() {
+    let folder = searched("bench_times_the_stages_of_solvers");
+    let runtime = concat!(env!("CARGO_MANIFEST_DIR"), "/../runtime");
+    let size = ["--instances", "50", "--rounds", "3"];
+    let report =
+        json(&folder, &[&["bench", "two_conics.rs", "two_conics.rs", "--runtime", runtime], &size[..]].concat());
+    let solvers = report["solvers"].as_array().unwrap();
+    assert_eq!(solvers.len(), 2);
+    for solver in solvers {
+        let figure = |key: &str| solver[key].as_f64().unwrap();
+        assert!(["coefficients", "total", "p99", "source_bytes"].iter().all(|key| figure(key) > 0.0), "{report}");
+        assert!((1.0..=2.5).contains(&figure("found")), "{report}");
+        assert_eq!((&solver["found"], &solver["roots"]), (&solvers[0]["found"], &"determinant".into()));
+    }
+    let output = eliminant(&folder, &["bench", "two_conics.rs", "--runtime", "nowhere"]);
+    assert_eq!(status(&output), 1);
+    assert!(stderr(&output).contains("`nowhere`"), "{}", stderr(&output));
+    let broken = folder.join("broken");
+    fs::create_dir_all(&broken).unwrap();
+    fs::write(broken.join("Cargo.toml"), "[package]\nname = \"other\"\n").unwrap();
+    let output = eliminant(&folder, &["bench", "two_conics.rs", "--runtime", "broken"]);
+    assert_eq!(status(&output), 1);
+    assert!(stderr(&output).contains("cannot compile the solvers") && stderr(&output).contains("help:"));
+}
+
 /// Problem and template, the arguments, and what the message must name.
 #[test]
 fn bad_input_is_named_and_nothing_is_written() {
@@ -508,6 +535,8 @@ fn wrong_usage_is_told_apart() {
         &["stability", "two_conics.rs", "--trials", "1e3"],
         &["stability", "two_conics.rs", "--trials"],
         &["inspect", "two_conics.rs", "--svg"],
+        &["bench"],
+        &["bench", "two_conics.rs", "--rounds", "0"],
     ] {
         let output = eliminant(&folder, arguments);
         assert_eq!(status(&output), 2, "{arguments:?}");
@@ -519,7 +548,7 @@ fn wrong_usage_is_told_apart() {
 #[test]
 fn every_subcommand_helps_with_an_example() {
     let folder = folder("every_subcommand_helps_with_an_example");
-    for subcommand in ["new", "check", "search", "emit", "inspect", "stability"] {
+    for subcommand in ["new", "check", "search", "emit", "inspect", "stability", "bench"] {
         let output = eliminant(&folder, &[subcommand, "--help"]);
         let text = stdout(&output);
         assert_eq!(status(&output), 0);

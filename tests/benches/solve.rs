@@ -8,7 +8,6 @@ use std::time::Duration;
 
 use clap::Parser;
 use comfy_table::{CellAlignment, Table, presets};
-use eliminant_generator::template::RootMethod;
 use eliminant_tests::families::{DataSource, Family};
 use eliminant_tests::statistics::quantile;
 use eliminant_tests::{Case, cases};
@@ -100,12 +99,8 @@ fn main() {
     for (case, [random, scene]) in cases.iter().zip(&subjects) {
         let file = case.template();
         let (template, basis) = (&file.template, file.template.basis.len());
-        let roots = match file.roots {
-            RootMethod::Determinant => "determinant",
-            RootMethod::Eigenvalues => "eigenvalues",
-        };
         let size = format!("{}x{}", template.rows(), template.columns());
-        let words = [case.name.to_owned(), size, basis.to_string(), roots.to_owned()];
+        let words = [case.name.to_owned(), size, basis.to_string(), file.roots.name().to_owned()];
         table.add_row(words.into_iter().chain(random.cells()).chain(scene.cells()));
     }
     table.column_iter_mut().skip(4).for_each(|column| column.set_cell_alignment(CellAlignment::Right));

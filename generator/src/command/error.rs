@@ -45,7 +45,9 @@ pub(super) enum CommandError {
     #[error("error: {}: {error}\nhelp: search a template for the problem as it is now: `eliminant search {}`", template.display(), problem.display())]
     Template { template: PathBuf, problem: PathBuf, error: Box<GenerateError> },
     /// Solvers cannot be compiled or run.
-    #[error("error: cannot {action}: {reason}\nhelp: `eliminant bench` needs cargo and the runtime crate `eliminant`; --runtime FOLDER names a checkout of it")]
+    #[error(
+        "error: cannot {action}: {reason}\nhelp: `eliminant bench` needs cargo and the runtime crate `eliminant`; --runtime FOLDER names a checkout of it"
+    )]
     Bench { action: &'static str, reason: String },
     /// No solver can be made although the template holds.
     #[error("error: {}: {error}", problem.display())]

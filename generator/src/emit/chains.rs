@@ -1,5 +1,5 @@
-//! Prints the arithmetic of M(x), the matrix of polynomials whose determinant has the eigenvalues for
-//! roots: see `runtime/src/spectrum/hidden_variable.rs`.
+//! Prints the arithmetic of M(x), the matrix of polynomials whose determinant has the eigenvalues
+//! for roots: see `runtime/src/spectrum/hidden_variable.rs`.
 //!
 //! Each polynomial has a length of its own. Code in which all lengths are constants is several
 //! times as fast as loops over tables.

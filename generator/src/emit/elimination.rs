@@ -5,9 +5,8 @@ use quote::{format_ident, quote};
 
 use super::listing::Listings;
 use super::provenance::Provenance;
-use super::tables::entries;
-use crate::plan::Plan;
 use crate::plan::program::ProgramForm;
+use crate::plan::{Entry, Plan};
 
 /// A template of more entries than this is filled from tables, which takes about nine instructions
 /// an entry where statements take two.
@@ -103,4 +102,24 @@ fn by_statements(plan: &Plan, provenance: &Provenance, listings: &mut Listings) 
     });
     let blocks = quote!(#(#blocks)*);
     (quote!(emitted::fill_entries!(right, coefficients, [#right]);), blocks)
+}
+
+/// Entries row by row, each row with its label, the first also with the monomials of the columns.
+pub(super) fn entries(
+    entries: &[Entry],
+    first: usize,
+    provenance: &Provenance,
+    columns: &[String],
+) -> Vec<(String, Vec<String>)> {
+    let group = |row: &[Entry]| {
+        let at = first + usize::from(row[0].row);
+        let label = format!("row {at}: {}", provenance.rows.get(at).map_or("", String::as_str));
+        let entry = |entry: &Entry| format!("({}, {}, {})", entry.row, entry.column, entry.coefficient.0);
+        (label, row.iter().map(entry).collect())
+    };
+    let mut groups: Vec<(String, Vec<String>)> = entries.chunk_by(|a, b| a.row == b.row).map(group).collect();
+    if let (Some((label, _)), false) = (groups.first_mut(), columns.is_empty()) {
+        *label = format!("columns {}\n{label}", columns.join(", "));
+    }
+    groups
 }

@@ -45,8 +45,8 @@ pub(super) fn system(plan: &Plan) -> TokenStream {
     }
 }
 
-/// Values and derivatives of the monomials. Each is an earlier one times an unknown, and derivatives
-/// follow by the product rule, without the terms that are zero.
+/// Values and derivatives of the monomials. Each is an earlier one times an unknown, and
+/// derivatives follow by the product rule, without the terms that are zero.
 pub(super) fn monomials(plan: &Plan) -> TokenStream {
     let table = table(plan);
     let monomials = table.monomials();

@@ -3,12 +3,12 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::elimination::is_filled_by_statements;
+use super::elimination::{entries, is_filled_by_statements};
 use super::listing::Listings;
 use super::monomials;
 use super::provenance::Provenance;
 use crate::plan::system_table::SystemTable;
-use crate::plan::{ActionRow, Entry, Plan, Term};
+use crate::plan::{ActionRow, Plan, Term};
 
 /// The tables. Rows and equations have labels as comments.
 pub(super) fn tables(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> TokenStream {
@@ -53,6 +53,23 @@ pub(super) fn tables(plan: &Plan, provenance: &Provenance, listings: &mut Listin
             const READ: [u16; #count_read] = [#(#read),*];
         },
     };
+    let equations = equations(plan, provenance, listings);
+    quote! {
+        #right
+
+        /// The diagonal blocks of the template, in order of solution.
+        static BLOCKS: [emitted::Block<'static>; #count] = [#(#blocks),*];
+
+        /// Where the rows of the action matrix come from.
+        const ACTION: [emitted::ActionRow; #basis] = [#action];
+
+        #read
+        #equations
+    }
+}
+
+/// The equations, and what must not vanish.
+fn equations(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> TokenStream {
     let equations = match monomials::are_statements(plan) {
         true => monomials::monomials(plan),
         false => {
@@ -70,38 +87,9 @@ pub(super) fn tables(plan: &Plan, provenance: &Provenance, listings: &mut Listin
         }
     };
     quote! {
-        #right
-
-        /// The diagonal blocks of the template, in order of solution.
-        static BLOCKS: [emitted::Block<'static>; #count] = [#(#blocks),*];
-
-        /// Where the rows of the action matrix come from.
-        const ACTION: [emitted::ActionRow; #basis] = [#action];
-
-        #read
         #equations
         #nonzero
     }
-}
-
-/// Entries row by row, each row with its label, the first also with the monomials of the columns.
-pub(super) fn entries(
-    entries: &[Entry],
-    first: usize,
-    provenance: &Provenance,
-    columns: &[String],
-) -> Vec<(String, Vec<String>)> {
-    let group = |row: &[Entry]| {
-        let at = first + usize::from(row[0].row);
-        let label = format!("row {at}: {}", provenance.rows.get(at).map_or("", String::as_str));
-        let entry = |entry: &Entry| format!("({}, {}, {})", entry.row, entry.column, entry.coefficient.0);
-        (label, row.iter().map(entry).collect())
-    };
-    let mut groups: Vec<(String, Vec<String>)> = entries.chunk_by(|a, b| a.row == b.row).map(group).collect();
-    if let (Some((label, _)), false) = (groups.first_mut(), columns.is_empty()) {
-        *label = format!("columns {}\n{label}", columns.join(", "));
-    }
-    groups
 }
 
 /// Polynomials as tables over a chain of monomials, each polynomial with its label.

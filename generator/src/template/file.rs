@@ -93,8 +93,10 @@ struct RawShifts {
     multipliers: Vec<String>,
 }
 
-const ROOTS: [(&str, RootMethod); 2] =
-    [("eigenvalues", RootMethod::Eigenvalues), ("determinant", RootMethod::Determinant)];
+const ROOTS: [(&str, RootMethod); 2] = [
+    (RootMethod::Eigenvalues.name(), RootMethod::Eigenvalues),
+    (RootMethod::Determinant.name(), RootMethod::Determinant),
+];
 
 impl TemplateFile {
     /// Reads a file; `unknowns` are the names of the problem.

@@ -96,7 +96,7 @@ pub enum RootMethod {
 
 impl RootMethod {
     /// The name in template files and reports.
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Self::Eigenvalues => "eigenvalues",
             Self::Determinant => "determinant",

@@ -48,7 +48,7 @@ const LARGE: f64 = 1e6;
 ///
 /// max over equations e of |f_e(x)| / (sum of the moduli of the terms of f_e at x), where 0/0 = 0.
 ///
-/// After a step of less than a thousandth of each unknown the sums are those of the point before it.
+/// After a step of less than a thousandth of each unknown the sums are those of the point before.
 ///
 /// Equations are weighted by one over that sum, so their scaling does not matter; the scaling of
 /// unknowns does not matter to Householder QR. A step is kept only if it lowers the residual;

@@ -356,8 +356,8 @@ impl<Z: Size, const FULL: bool> Isolation<Z, FULL> {
     }
 }
 
-/// How often the sign changes along a list. A zero has a sign, too: one between numbers of the other
-/// sign makes two changes, and the interval is halved.
+/// How often the sign changes along a list. A zero has a sign, too: one between numbers of the
+/// other sign makes two changes, and the interval is halved.
 #[inline]
 fn sign_changes(values: &[f64]) -> u64 {
     values.windows(2).map(|pair| (pair[0].to_bits() ^ pair[1].to_bits()) >> 63).sum()

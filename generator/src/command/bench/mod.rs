@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 
-use self::timing_crate::{Subject, TimingCrate};
+use self::timing_crate::{Subject, Times, TimingCrate};
 use super::error::CommandError;
 use super::files::Loaded;
 use super::report::{Output, seconds};
@@ -75,23 +75,6 @@ struct SolverReport {
     times: Times,
 }
 
-/// Nanoseconds of one solve, and what was found.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub(super) struct Times {
-    /// Coefficients from the data, and one residual.
-    coefficients: f64,
-    /// Fill and elimination of the template.
-    elimination: f64,
-    /// Roots, vectors, polish, and second attempts.
-    solutions: f64,
-    /// The whole of `solve`.
-    total: f64,
-    /// The 99th percentile of single solves.
-    p99: f64,
-    /// Real solutions per instance.
-    found: f64,
-}
-
 pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     let start = Instant::now();
     let (mut reports, mut subjects) = (Vec::new(), Vec::new());
@@ -116,7 +99,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
             times: Times::default(),
         });
         let parameters = plan.data.iter().map(|parameter| parameter.shape.clone()).collect();
-        subjects.push(Subject { name: plan.name.clone(), source, parameters, unknowns: plan.unknowns.len(), instances });
+        subjects.push(Subject {
+            name: plan.name.clone(),
+            source,
+            parameters,
+            unknowns: plan.unknowns.len(),
+            instances,
+        });
     }
     let timing = TimingCrate::new(&subjects, arguments.runtime.as_deref(), &arguments.files[0])?;
     let compile_seconds = timing.compile()?;
@@ -133,29 +122,28 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     }))
 }
 
-impl Default for Times {
-    fn default() -> Self {
-        Self { coefficients: 0.0, elimination: 0.0, solutions: 0.0, total: 0.0, p99: 0.0, found: 0.0 }
-    }
-}
-
-impl Times {
-    /// From the measured times: the residual of a point, which begins with the coefficients; the
-    /// action matrix, which begins with them, too; all of `solve`; its percentile; the solutions.
-    pub(super) fn of([residual, matrix, total, p99, found]: [f64; 5]) -> Self {
-        let elimination = (matrix - residual).max(0.0);
-        Self { coefficients: residual, elimination, solutions: (total - matrix).max(0.0), total, p99, found }
-    }
-}
-
 impl fmt::Display for BenchReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let width = self.solvers.iter().map(|solver| solver.file.len()).max().unwrap_or(0).max(6);
-        writeln!(f, "Nanoseconds per solve, medians of {} rounds of {} instances (seed {}):", self.rounds, self.instances, self.seed)?;
+        writeln!(
+            f,
+            "Nanoseconds per solve, medians of {} rounds of {} instances (seed {}):",
+            self.rounds, self.instances, self.seed
+        )?;
         writeln!(
             f,
             "\n{:width$} {:>9} {:>5} {:<11} {:>12} {:>11} {:>9} {:>9} {:>9} {:>7} {:>9}",
-            "solver", "template", "basis", "roots", "coefficients", "elimination", "solutions", "total", "p99", "found", "source"
+            "solver",
+            "template",
+            "basis",
+            "roots",
+            "coefficients",
+            "elimination",
+            "solutions",
+            "total",
+            "p99",
+            "found",
+            "source"
         )?;
         for SolverReport { file, rows, columns, basis, roots, source_bytes, times, .. } in &self.solvers {
             let size = format!("{rows}x{columns}");
@@ -171,18 +159,5 @@ impl fmt::Display for BenchReport {
             "\ncoefficients: from the data, with one residual; solutions: roots, vectors, polish, second attempts; found: real\nsolutions per instance"
         )?;
         writeln!(f, "compiled in {}; all took {}", seconds(self.compile_seconds), seconds(self.seconds))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn stages_are_differences_and_never_negative() {
-        let times = Times::of([100.0, 250.0, 900.0, 1500.0, 4.2]);
-        assert_eq!((times.coefficients, times.elimination, times.solutions), (100.0, 150.0, 650.0));
-        assert_eq!((times.total, times.p99, times.found), (900.0, 1500.0, 4.2));
-        assert_eq!(Times::of([100.0, 90.0, 80.0, 80.0, 0.0]).elimination, 0.0);
     }
 }

@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::time::Instant;
 
-use super::Times;
+use serde::Serialize;
+
 use crate::command::error::CommandError;
 
 /// The program: a function for each solver that reads its instances, and the loop over rounds.
@@ -25,6 +26,32 @@ pub(super) struct Subject {
     pub(super) instances: Vec<f64>,
 }
 
+/// Nanoseconds of one solve, and what was found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub(super) struct Times {
+    /// Coefficients from the data, and one residual.
+    pub(super) coefficients: f64,
+    /// Fill and elimination of the template.
+    pub(super) elimination: f64,
+    /// Roots, vectors, polish, and second attempts.
+    pub(super) solutions: f64,
+    /// The whole of `solve`.
+    pub(super) total: f64,
+    /// The 99th percentile of single solves.
+    pub(super) p99: f64,
+    /// Real solutions per instance.
+    pub(super) found: f64,
+}
+
+impl Times {
+    /// From the measured times: the residual of a point, which begins with the coefficients; the
+    /// action matrix, which begins with them, too; all of `solve`; its percentile; the solutions.
+    fn of([residual, matrix, total, p99, found]: [f64; 5]) -> Self {
+        let elimination = (matrix - residual).max(0.0);
+        Self { coefficients: residual, elimination, solutions: (total - matrix).max(0.0), total, p99, found }
+    }
+}
+
 /// The crate. Its folder is removed when this is dropped.
 pub(super) struct TimingCrate {
     folder: PathBuf,
@@ -40,11 +67,7 @@ impl Drop for TimingCrate {
 impl TimingCrate {
     /// Writes the crate. Without a `runtime` folder, that of the checkout around `problem` is used,
     /// or else the published crate.
-    pub(super) fn new(
-        subjects: &[Subject],
-        runtime: Option<&Path>,
-        problem: &Path,
-    ) -> Result<Self, CommandError> {
+    pub(super) fn new(subjects: &[Subject], runtime: Option<&Path>, problem: &Path) -> Result<Self, CommandError> {
         let folder = std::env::temp_dir().join(format!("eliminant-bench-{}", std::process::id()));
         let this = Self { folder };
         let source = this.folder.join("src");
@@ -106,7 +129,9 @@ impl TimingCrate {
         let times: Vec<Times> = text.lines().filter_map(times).collect();
         match times.len() == count {
             true => Ok(times),
-            false => Err(CommandError::Bench { action: "run the solvers", reason: format!("unexpected output:\n{text}") }),
+            false => {
+                Err(CommandError::Bench { action: "run the solvers", reason: format!("unexpected output:\n{text}") })
+            }
         }
     }
 }
@@ -195,6 +220,14 @@ fn array_value(shape: &[usize]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn stages_are_differences_and_never_negative() {
+        let times = Times::of([100.0, 250.0, 900.0, 1500.0, 4.2]);
+        assert_eq!((times.coefficients, times.elimination, times.solutions), (100.0, 150.0, 650.0));
+        assert_eq!((times.total, times.p99, times.found), (900.0, 1500.0, 4.2));
+        assert_eq!(Times::of([100.0, 90.0, 80.0, 80.0, 0.0]).elimination, 0.0);
+    }
 
     #[test]
     fn parameters_are_read_by_their_shapes() {

@@ -1,5 +1,5 @@
-//! The chains of a plan for the runtime's kernels, without compiling them: the operations of emitted
-//! code in the same order, by loops over tables.
+//! The chains of a plan for the runtime's kernels, without compiling them: the operations of
+//! emitted code in the same order, by loops over tables.
 
 use eliminant::emitted::{self, ChainTable, Dynamic};
 
