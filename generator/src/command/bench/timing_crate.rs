@@ -1,5 +1,6 @@
 //! A crate in a temporary folder that times solvers.
 
+use std::env::consts::EXE_SUFFIX;
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -122,7 +123,7 @@ impl TimingCrate {
 
     /// Runs the program: the times of each solver.
     pub(super) fn run(&self, count: usize, rounds: u64) -> Result<Vec<Times>, CommandError> {
-        let mut command = Command::new(self.folder.join("target/release/eliminant-bench"));
+        let mut command = Command::new(self.folder.join(format!("target/release/eliminant-bench{EXE_SUFFIX}")));
         command.arg(rounds.to_string()).current_dir(&self.folder);
         let output = run(command, "run the solvers")?;
         let text = String::from_utf8_lossy(&output.stdout);
