@@ -5,10 +5,10 @@ pub use crate::driver::{VANISHING, complex_solutions, real_solutions, real_solut
 #[cfg(feature = "alloc")]
 pub use crate::dynamic_size::{BoundedVec, Dynamic};
 pub use crate::elimination::lu::{BlockError, BlockMemory, solve_block, solve_block_trailing, solve_large_block};
-pub use crate::elimination::program::{Operation, PolynomialProduct, ProductSum, ProductSums, Program, Run, joined};
+pub use crate::elimination::program::{Operation, PolynomialProduct, ProductSum, ProductSums, Program, Run, joined, outlined};
 pub use crate::elimination::template::{ActionRow, Block, Entry, action_matrix, check_coefficients, fill, solved_rows};
 pub use crate::fill_entries;
-pub use crate::number::{Over, Real};
+pub use crate::number::{Arithmetic, Eliminated, Over, Real};
 pub use crate::size::{AtMost, Fixed, List, Matrix, Size, Square, Vector, filled_matrix};
 pub use crate::solution::candidates::MAX_RESIDUAL;
 pub use crate::solution::dense_system::{DenseSystem, rows};
@@ -19,12 +19,12 @@ pub use crate::solution::sign_changes::SignChanges;
 pub use crate::solution::system::{FixedTables, Monomials, PolynomialSystem, Product, System, Tables, Term, Values};
 pub use crate::solver_instance::{BasisVector, HiddenVariableSolver, Point, Points, Sizes, SizesOf, SolverInstance};
 pub use crate::spectrum::hessenberg::Hessenberg;
-pub use crate::spectrum::hidden_variable::{ChainTable, ChainedBasis, add_product, entry, subtract_product, value_at};
+pub use crate::spectrum::hidden_variable::{ChainTable, ChainedBasis, entry, value_at};
 pub use crate::spectrum::real_roots::{RealRoots, real_roots};
 pub use crate::unpolished::unpolished_points;
 
 /// The version of this interface. Emitted code states the one that it was written for.
-pub const VERSION: u32 = 3;
+pub const VERSION: u32 = 4;
 
 /// The handshake of emitted code, evaluated when it is compiled.
 ///

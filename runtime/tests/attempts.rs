@@ -4,7 +4,7 @@ use std::any::TypeId;
 use std::cell::RefCell;
 
 use eliminant::emitted::{
-    ChainTable, ChainedBasis, Fixed, HiddenVariableSolver, MAX_RESIDUAL, Real, SignChanges, Sizes, SizesOf,
+    Arithmetic, ChainTable, ChainedBasis, Fixed, HiddenVariableSolver, MAX_RESIDUAL, Real, SignChanges, Sizes, SizesOf,
     SolverInstance, complex_solutions, real_solutions, real_solutions_by_determinant, unpolished_points, value_at,
 };
 use eliminant::{Complex, Scalar, SolveError};
@@ -154,20 +154,20 @@ impl ChainedBasis for OneChain {
         ChainTable { ends: &[3], leading: &[4], degrees: &[4], heads: &[] }
     }
 
-    fn polynomials(&self, row: &[f64; 4]) -> [f64; 5] {
-        [-row[0], -row[1], -row[2], -row[3], 0.0]
+    fn polynomials<T: Arithmetic>(&self, row: &[T; 4]) -> [T; 5] {
+        [-row[0], -row[1], -row[2], -row[3], row[0].constant(0.0)]
     }
 
-    fn determinant(&self, rows: &[[f64; 5]; 1]) -> [f64; 5] {
+    fn determinant<T: Arithmetic>(&self, rows: &[[T; 5]; 1]) -> [T; 5] {
         rows[0]
     }
 
-    fn row_at(&self, row: &[f64; 5], x: f64) -> [f64; 1] {
+    fn row_at<T: Arithmetic>(&self, row: &[T; 5], x: T) -> [T; 1] {
         [value_at(row, x)]
     }
 
-    fn vector(&self, x: f64, heads: &[f64; 1], _eliminated: &[f64; 1]) -> [f64; 4] {
-        [0, 1, 2, 3].map(|power| heads[0] * x.powi(power))
+    fn vector<T: Arithmetic>(&self, x: T, heads: &[T; 1], _eliminated: &[T; 1]) -> [T; 4] {
+        [heads[0], heads[0] * x, heads[0] * x * x, heads[0] * x * x * x]
     }
 }
 

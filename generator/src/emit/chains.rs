@@ -21,7 +21,7 @@ pub(super) fn chains(plan: &Plan) -> TokenStream {
             let b = Literal::usize_unsuffixed(b);
             quote!(-row[#b])
         }
-        None => quote!(0.0),
+        None => quote!(zero),
     });
     let values = (0..chains.lengths.len()).map(|column| {
         let entry = entry(chains, &quote!(row), column);
@@ -44,15 +44,19 @@ pub(super) fn chains(plan: &Plan) -> TokenStream {
 
             #table
 
-            fn polynomials(&self, row: &[f64; #basis]) -> [f64; #width] {
+            #[inline(always)]
+            fn polynomials<T: emitted::Arithmetic>(&self, row: &[T; #basis]) -> [T; #width] {
+                let zero = row[0].constant(0.0);
                 [#(#polynomials),*]
             }
 
-            fn determinant(&self, rows: &[[f64; #width]; #count]) -> [f64; #coefficients] {
+            #[inline(always)]
+            fn determinant<T: emitted::Arithmetic>(&self, rows: &[[T; #width]; #count]) -> [T; #coefficients] {
                 #determinant
             }
 
-            fn row_at(&self, row: &[f64; #width], x: f64) -> [f64; #count] {
+            #[inline(always)]
+            fn row_at<T: emitted::Arithmetic>(&self, row: &[T; #width], x: T) -> [T; #count] {
                 [#(#values),*]
             }
 
@@ -73,7 +77,7 @@ pub(super) fn chains(plan: &Plan) -> TokenStream {
 fn entry(chains: &Chains, row: &TokenStream, column: usize) -> TokenStream {
     let (first, degree) = chains.columns()[column];
     let [length, width, first] = [degree + 1, chains.width(), first].map(Literal::usize_unsuffixed);
-    quote!(emitted::entry::<#length, #width>(#row, #first))
+    quote!(emitted::entry::<#length, #first, #width, T>(#row))
 }
 
 /// Where the monomials are.
@@ -97,7 +101,12 @@ fn determinant(chains: &Chains) -> TokenStream {
     let last = minors.last().map(|&minor| name(minor));
     let last = if minors.len() == 1 { quote!(*#last) } else { quote!(#last) };
     let minors = minors.into_iter().map(|minor| expansion(chains, minor));
+    let zero = match chains.lengths.len() {
+        1 => quote!(),
+        _ => quote!(let zero = rows[0][0].constant(0.0);),
+    };
     quote! {
+        #zero
         #(#minors)*
         #last
     }
@@ -121,10 +130,10 @@ fn expansion(chains: &Chains, minor: Minor) -> TokenStream {
         let (entry, known) = (entry(column), name(others));
         let known = if others.row() == 0 { quote!(#known) } else { quote!(&#known) };
         let add = if is_negative { quote!(subtract_product) } else { quote!(add_product) };
-        quote!(emitted::#add(&mut #name_of_minor, #entry, #known);)
+        quote!(T::#add(&mut #name_of_minor, #entry, #known);)
     });
     quote! {
-        let mut #name_of_minor = [0.0; #length];
+        let mut #name_of_minor = [zero; #length];
         #(#products)*
     }
 }
@@ -155,7 +164,8 @@ fn vector(chains: &Chains) -> TokenStream {
     let unread = if longest == 1 { quote!(let _ = x;) } else { quote!() };
     let none = if chains.eliminated == 0 { quote!(let _ = eliminated;) } else { quote!() };
     quote! {
-        fn vector(&self, x: f64, heads: &[f64; #count], eliminated: &[f64; #count]) -> [f64; #basis] {
+        #[inline(always)]
+        fn vector<T: emitted::Arithmetic>(&self, x: T, heads: &[T; #count], eliminated: &[T; #count]) -> [T; #basis] {
             #unread
             #none
             #(#powers)*

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 
 use super::names::Names;
-use super::shapes::{indices, parameter};
+use super::shapes::indices;
 use crate::expression::rational::Rational;
 use crate::plan::program::{Operation, ValueId};
 use crate::plan::statements::{Place, Statements};
@@ -15,19 +15,21 @@ use crate::problem::DataParameter;
 
 /// The function from the data to the coefficients, with the statements of [`Statements`].
 pub(super) fn statements(plan: &Plan) -> TokenStream {
-    let parameters = plan.data.iter().map(parameter);
     let planned = Statements::of(&plan.program, &plan.coefficients);
     let inputs = inputs(plan);
-    let locals = elements_read(plan, &inputs, &planned);
     let mut names = Names::of(&plan.data);
     names.reserve(&inputs);
-    let values = names.take("v");
+    let [values, data, one] = ["v", "data", "one"].map(|name| names.take(name));
+    let locals = inputs_read(plan, (&inputs, &data), &planned);
     let mut statements: Vec<TokenStream> = Vec::new();
     let mut printed: Vec<Expression> = Vec::with_capacity(plan.program.operations.len());
     for (operation, &place) in plan.program.operations.iter().zip(&planned.places) {
         let operand = |id: ValueId| &printed[id.0 as usize];
         let expression = match *operation {
-            Operation::Constant(value) => Expression::atom(constant(value)),
+            Operation::Constant(value) => {
+                let value = constant(value);
+                Expression::atom(quote!(#one.constant(#value)))
+            }
             Operation::Input(input) => Expression::atom(inputs[input as usize].to_token_stream()),
             Operation::Add(a, b) => Expression::binary(operand(a), quote!(+), SUM, operand(b)),
             Operation::Subtract(a, b) => Expression::binary(operand(a), quote!(-), SUM, operand(b)),
@@ -36,7 +38,7 @@ pub(super) fn statements(plan: &Plan) -> TokenStream {
             Operation::Negate(a) => Expression::negated(operand(a)),
             Operation::Coefficient { sum, at } => {
                 let terms = plan.program.product_sums[sum as usize].terms(at as usize);
-                Expression::sum(terms.map(|(negative, a, b)| {
+                Expression::sum(&one, terms.map(|(negative, a, b)| {
                     let product = Expression::binary(operand(a), quote!(*), PRODUCT, operand(b));
                     (negative, product)
                 }))
@@ -57,21 +59,43 @@ pub(super) fn statements(plan: &Plan) -> TokenStream {
             }
         });
     }
-    let [count, length] = [planned.slots, plan.coefficients.len()].map(Literal::usize_unsuffixed);
+    let [count, length, inputs] =
+        [planned.slots, plan.coefficients.len(), inputs.len()].map(Literal::usize_unsuffixed);
     let declaration = match planned.slots {
         0 => quote!(),
-        _ => quote!(let mut #values = [0.0; #count];),
+        _ => quote!(let mut #values = [#one.constant(0.0); #count];),
     };
     let results = plan.coefficients.iter().map(|id| &printed[id.0 as usize].tokens);
+    let results = quote!([#(#results),*]);
+    let unread = match planned.slots == 0 && !mentions(&statements, &results, &one) {
+        true => quote!(let _ = #one;),
+        false => quote!(),
+    };
+    let unread_data = if locals.is_empty() { quote!(let _ = #data;) } else { quote!() };
     quote! {
-        /// The coefficients that the tables refer to.
-        fn coefficients(#(#parameters),*) -> [f64; #length] {
+        /// The coefficients that the tables refer to, from all data, one parameter after another.
+        #[inline(always)]
+        fn coefficients<T: emitted::Arithmetic>(#one: T, #data: &[T; #inputs]) -> [T; #length] {
+            #unread
+            #unread_data
             #locals
             #declaration
             #(#statements)*
-            [#(#results),*]
+            #results
         }
     }
+}
+
+/// Whether the code names this variable.
+fn mentions(statements: &[TokenStream], results: &TokenStream, variable: &Ident) -> bool {
+    fn names(tokens: &TokenStream, variable: &Ident) -> bool {
+        tokens.clone().into_iter().any(|token| match token {
+            TokenTree::Ident(ident) => ident == *variable,
+            TokenTree::Group(group) => names(&group.stream(), variable),
+            _ => false,
+        })
+    }
+    statements.iter().chain([results]).any(|tokens| names(tokens, variable))
 }
 
 /// How tightly operators bind.
@@ -104,9 +128,9 @@ impl Expression {
     }
 
     /// The first term is taken as it is, the others are added one after another.
-    fn sum(mut terms: impl Iterator<Item = (bool, Self)>) -> Self {
+    fn sum(one: &Ident, mut terms: impl Iterator<Item = (bool, Self)>) -> Self {
         let first = match terms.next() {
-            None => Self::atom(quote!(0.0)),
+            None => Self::atom(quote!(#one.constant(0.0))),
             Some((false, term)) => term,
             Some((true, term)) => Self::negated(&term),
         };
@@ -143,17 +167,14 @@ fn inputs(plan: &Plan) -> Vec<Ident> {
     }
 }
 
-/// Declarations of the elements that are read: `let gram_0_2 = gram[0][2];`.
-fn elements_read(plan: &Plan, inputs: &[Ident], statements: &Statements) -> TokenStream {
-    let elements = plan.data.iter().filter(|parameter| !parameter.shape.is_empty()).flat_map(|parameter| {
-        let elements = elements(parameter).into_iter().enumerate();
-        elements.map(|(at, element)| (parameter.first_input + at, element))
-    });
-    let declaration = |(input, element): (usize, TokenStream)| {
-        let local = &inputs[input];
-        quote!(let #local = #element;)
+/// Declarations of the data that are read: `let gram_0_2 = data[2];`.
+fn inputs_read(plan: &Plan, (inputs, data): (&[Ident], &Ident), statements: &Statements) -> TokenStream {
+    let declaration = |(input, local): (usize, &Ident)| {
+        let at = Literal::usize_unsuffixed(input);
+        quote!(let #local = #data[#at];)
     };
-    elements.filter(|(input, _)| statements.reads_input(&plan.program, *input)).map(declaration).collect()
+    let read = inputs.iter().enumerate().filter(|(input, _)| statements.reads_input(&plan.program, *input));
+    read.map(declaration).collect()
 }
 
 /// `gram_0_2` for every scalar of a parameter, in flat order.
@@ -164,27 +185,12 @@ fn names(parameter: &DataParameter, separator: &str) -> Vec<String> {
     indices(&parameter.shape).map(name).collect()
 }
 
-/// `gram[0][2]` for every scalar of a parameter, in flat order.
-fn elements(parameter: &DataParameter) -> Vec<TokenStream> {
-    let name = format_ident!("{}", parameter.name);
-    let element = |indices: Vec<usize>| {
-        let indices = indices.into_iter().map(Literal::usize_unsuffixed);
-        quote!(#name #([#indices])*)
-    };
-    indices(&parameter.shape).map(element).collect()
-}
-
-/// A constant in parentheses where it is not a plain positive number; fractions are divided as the
-/// interpreter does.
+/// A constant; fractions are divided as the interpreter does.
 pub(super) fn constant(value: Rational) -> TokenStream {
     let magnitude = Literal::f64_unsuffixed((value.numerator() as f64).abs());
     let signed = if value.numerator() < 0 { quote!(-#magnitude) } else { quote!(#magnitude) };
     let denominator = Literal::f64_unsuffixed(value.denominator() as f64);
-    match (value.denominator(), value.numerator() < 0) {
-        (1, false) => signed,
-        (1, true) => quote!((#signed)),
-        _ => quote!((#signed / #denominator)),
-    }
+    if value.denominator() == 1 { signed } else { quote!(#signed / #denominator) }
 }
 
 /// `x[unknown] = sum of terms`, for real and complex numbers.

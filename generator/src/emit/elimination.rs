@@ -34,13 +34,12 @@ fn coefficients_of_precision(plan: &Plan) -> TokenStream {
 }
 
 /// Fill and elimination.
-pub(super) fn action_matrix(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> TokenStream {
-    let [rows, basis, count_read] =
-        [plan.elimination.rows, plan.elimination.basis, plan.read.len()].map(Literal::usize_unsuffixed);
+pub(super) fn action_matrix(plan: &Plan) -> TokenStream {
+    let [basis, count_read] = [plan.elimination.basis, plan.read.len()].map(Literal::usize_unsuffixed);
     let coefficients = coefficients_of_precision(plan);
-    let (fill, blocks) = match is_filled_by_statements(plan) {
-        true => by_statements(plan, provenance, listings),
-        false => by_tables(plan),
+    let precision = match plan.program.form {
+        ProgramForm::Statements => quote!(f64),
+        ProgramForm::Table => quote!(R),
     };
     let read = match plan.read.is_empty() {
         true => quote!(),
@@ -56,38 +55,50 @@ pub(super) fn action_matrix(plan: &Plan, provenance: &Provenance, listings: &mut
         fn action_matrix<R: emitted::Real>(
             &mut self,
         ) -> Result<[[R; #basis]; #basis], ::eliminant::SolveError> {
-            let mut right = [[R::ZERO; #basis]; #rows];
             #coefficients
-            #fill
-            #blocks
+            let right = self::eliminated::<#precision, R>(R::ZERO, coefficients)?;
             #read
             Ok(emitted::action_matrix(emitted::Fixed::<#basis>, &ACTION, &right))
         }
     }
 }
 
-/// The precision of the coefficients for an elimination in the precision R.
-fn precision(plan: &Plan) -> TokenStream {
-    match plan.program.form {
-        ProgramForm::Statements => quote!(f64),
-        ProgramForm::Table => quote!(R),
+/// The function from the coefficients to the basis columns of the solved template.
+pub(super) fn eliminated(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> TokenStream {
+    let [rows, basis, count] =
+        [plan.elimination.rows, plan.elimination.basis, plan.coefficients.len()].map(Literal::usize_unsuffixed);
+    let (fill, blocks) = match is_filled_by_statements(plan) {
+        true => by_statements(plan, provenance, listings),
+        false => by_tables(plan),
+    };
+    let kind = if is_filled_by_statements(plan) { quote!(Eliminated) } else { quote!(Real) };
+    quote! {
+        /// The basis columns of the solved template. `zero` is 0.
+        #[inline(always)]
+        fn eliminated<C: Copy, T: emitted::#kind + emitted::Over<C>>(
+            zero: T,
+            coefficients: &[C; #count],
+        ) -> Result<[[T; #basis]; #rows], ::eliminant::SolveError> {
+            let mut right = [[zero; #basis]; #rows];
+            #fill
+            #blocks
+            Ok(right)
+        }
     }
 }
 
 /// The fill of the basis columns, and the elimination of all blocks.
 fn by_tables(plan: &Plan) -> (TokenStream, TokenStream) {
-    let precision = precision(plan);
     let blocks = plan.elimination.blocks.iter().enumerate().map(|(at, block)| {
         let (at, size) = (Literal::usize_unsuffixed(at), Literal::usize_unsuffixed(block.size));
         let eliminate = if block.is_large() { quote!(eliminate_large) } else { quote!(eliminate) };
-        quote!(BLOCKS[#at].#eliminate::<_, #precision, _, #size>(&mut right, coefficients)?;)
+        quote!(BLOCKS[#at].#eliminate::<T, C, _, #size>(&mut right, coefficients)?;)
     });
-    (quote!(emitted::fill::<_, #precision, _>(&mut right, RIGHT, coefficients);), quote!(#(#blocks)*))
+    (quote!(emitted::fill::<T, C, _>(&mut right, RIGHT, coefficients);), quote!(#(#blocks)*))
 }
 
 /// The same with a statement for each entry.
 fn by_statements(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> (TokenStream, TokenStream) {
-    let precision = precision(plan);
     let right = listings.add_labelled(entries(&plan.elimination.right, 0, provenance, &provenance.basis));
     let blocks = plan.elimination.blocks.iter().enumerate().map(|(at, block)| {
         let columns = provenance.pivots.get(block.first..block.first + block.size).unwrap_or_default();
@@ -95,9 +106,9 @@ fn by_statements(plan: &Plan, provenance: &Provenance, listings: &mut Listings) 
         let matrix = format_ident!("block_{at}");
         let (at, size) = (Literal::usize_unsuffixed(at), Literal::usize_unsuffixed(block.size));
         quote! {
-            let mut #matrix = [[R::ZERO; #size]; #size];
+            let mut #matrix = [[zero; #size]; #size];
             emitted::fill_entries!(#matrix, coefficients, [#diagonal]);
-            BLOCKS[#at].eliminate_filled::<_, #precision, _, #size>(&mut #matrix, &mut right, coefficients)?;
+            BLOCKS[#at].eliminate_filled::<T, C, _, #size>(&mut #matrix, &mut right, coefficients)?;
         }
     });
     let blocks = quote!(#(#blocks)*);

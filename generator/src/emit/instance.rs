@@ -1,7 +1,7 @@
 //! Prints an instance: the coefficients for given data, and what the runtime asks of them.
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 use super::listing::Listings;
 use super::names::Names;
@@ -13,7 +13,7 @@ use crate::plan::program::ProgramForm;
 use crate::plan::value_layout::ValueLayout;
 
 /// The version of the runtime's hidden interface that is emitted for.
-pub const RUNTIME_VERSION: u32 = 3;
+pub const RUNTIME_VERSION: u32 = 4;
 
 /// That all unknowns 0 is a solution, if it is one.
 fn origin(plan: &Plan) -> TokenStream {
@@ -48,8 +48,8 @@ fn sign_changes(plan: &Plan) -> TokenStream {
 /// coefficients are computed when an instance is made. `given` is the list of all data as slices.
 fn coefficients_of_instance(plan: &Plan, given: &Ident) -> (TokenStream, TokenStream, TokenStream) {
     if plan.program.form == ProgramForm::Statements {
-        let arguments = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name));
-        return (quote!(), quote!(), quote!(self::coefficients(#(#arguments),*)));
+        let compute = quote!(emitted::outlined(|| self::coefficients(1.0, &emitted::joined(&#given))));
+        return (quote!(), quote!(), compute);
     }
     let inputs = Literal::usize_unsuffixed(plan.inputs());
     let field = quote! {
@@ -83,7 +83,8 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
             quote!(read: [[0.0; #basis]; #count_read],),
         ),
     };
-    let action_matrix = elimination::action_matrix(plan, provenance, listings);
+    let action_matrix = elimination::action_matrix(plan);
+    let eliminated = elimination::eliminated(plan, provenance, listings);
     let (solver_instance, chains) = (solver_instance(plan, &system, &action_matrix), chains::chains(plan));
     let version = Literal::u32_unsuffixed(RUNTIME_VERSION);
     quote! {
@@ -107,6 +108,7 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
         }
 
         #solver_instance
+        #eliminated
         #chains
     }
 }

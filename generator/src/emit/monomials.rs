@@ -40,7 +40,7 @@ pub(super) fn system(plan: &Plan) -> TokenStream {
         emitted::DenseSystem {
             sizes: (emitted::Fixed::<#unknowns>, emitted::Fixed::<#equations>, emitted::Fixed::<#monomials>),
             monomials: #source,
-            rows: emitted::rows::<#equations, #monomials>(&self.coefficients),
+            rows: emitted::rows::<#equations, #monomials, _, _>(&self.coefficients),
         }
     }
 }
@@ -77,18 +77,20 @@ pub(super) fn monomials(plan: &Plan) -> TokenStream {
         struct Monomials;
 
         impl emitted::Monomials<emitted::Fixed<#unknowns>, emitted::Fixed<#count>> for Monomials {
-            fn products<S: ::eliminant::Scalar>(&self, x: &[S; #unknowns]) -> [S; #count] {
-                let mut m = [S::ONE; #count];
+            #[inline(always)]
+            fn products<T: emitted::Arithmetic>(&self, x: &[T; #unknowns]) -> [T; #count] {
+                let mut m = [x[0].constant(1.0); #count];
                 #(#values)*
                 m
             }
 
-            fn gradients<S: ::eliminant::Scalar>(
+            #[inline(always)]
+            fn gradients<T: emitted::Arithmetic>(
                 &self,
-                x: &[S; #unknowns],
-                m: &[S; #count],
-            ) -> [[S; #unknowns]; #count] {
-                let mut d = [[S::ZERO; #unknowns]; #count];
+                x: &[T; #unknowns],
+                m: &[T; #count],
+            ) -> [[T; #unknowns]; #count] {
+                let mut d = [[x[0].constant(0.0); #unknowns]; #count];
                 #(#derivatives)*
                 d
             }

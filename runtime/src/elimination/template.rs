@@ -1,8 +1,8 @@
 //! Fills and eliminates a block-triangular elimination template from tables.
 
-use crate::elimination::lu::{BlockError, BlockMemory, solve_block_trailing, solve_large_block};
+use crate::elimination::lu::{BlockError, BlockMemory, solve_large_block};
 use crate::error::SolveError;
-use crate::number::{Over, Real};
+use crate::number::{Arithmetic, Eliminated, Over, Real};
 use crate::size::{Matrix, Size, Square, Vector, filled_matrix};
 
 /// A table entry: row, column, slot of the coefficient.
@@ -73,15 +73,15 @@ impl Block<'_> {
     ///
     /// # Errors
     /// As [`Block::eliminate`].
-    #[inline]
-    pub fn eliminate_filled<R: Real + Over<C>, C: Copy, V: Vector<R>, const N: usize>(
+    #[inline(always)]
+    pub fn eliminate_filled<R: Eliminated + Over<C>, C: Copy, V: Vector<R>, const N: usize>(
         &self,
         matrix: &mut [[R; N]; N],
         right: &mut [V],
         coefficients: &[C],
     ) -> Result<(), SolveError> {
         let open = self.couple(right, coefficients)?;
-        let solved = solve_block_trailing(matrix, open, usize::from(self.needed));
+        let solved = R::solve_block(matrix, open, usize::from(self.needed));
         solved.map_err(|error| self.solve_error(error))
     }
 
@@ -128,8 +128,8 @@ impl Block<'_> {
 
     /// Subtracts the contribution of the pivots solved before; returns the rows from the block's
     /// first on.
-    #[inline]
-    fn couple<'r, R: Real + Over<C>, C: Copy, V: Vector<R>>(
+    #[inline(always)]
+    fn couple<'r, R: Over<C>, C: Copy, V: Vector<R>>(
         &self,
         right: &'r mut [V],
         coefficients: &[C],
@@ -171,15 +171,26 @@ pub enum ActionRow {
 
 /// The action matrix of a solved template, a row for each of `rows`. A position out of range leaves
 /// a row of zeros; the generator's tables stay in range.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn action_matrix<R: Real, B: Size>(basis: B, rows: &[ActionRow], right: &[B::Vector<R>]) -> Square<B, R> {
-    let mut action = filled_matrix(basis, basis, R::ZERO);
+    action_matrix_from(basis, rows, right, R::ZERO)
+}
+
+/// Like [`action_matrix`], for all kinds of numbers. `zero` is 0.
+#[inline(always)]
+pub(crate) fn action_matrix_from<R: Arithmetic, B: Size>(
+    basis: B,
+    rows: &[ActionRow],
+    right: &[B::Vector<R>],
+    zero: R,
+) -> Square<B, R> {
+    let mut action = filled_matrix(basis, basis, zero);
     for (row, source) in action.as_mut().iter_mut().zip(rows) {
         match source {
             ActionRow::Unit(column) => {
                 if let Some(entry) = row.as_mut().get_mut(usize::from(*column)) {
-                    *entry = R::ONE;
+                    *entry = zero.constant(1.0);
                 }
             }
             ActionRow::Solved(pivot) => negate_into(row.as_mut(), right, *pivot, |value| value),
@@ -189,22 +200,33 @@ pub fn action_matrix<R: Real, B: Size>(basis: B, rows: &[ActionRow], right: &[B:
 }
 
 /// The pivots as combinations of the basis: minus their solved rows.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn solved_rows<R: Real, K: Size, B: Size>(
-    (count, basis): (K, B),
+    sizes: (K, B),
     pivots: &[u16],
     right: &[B::Vector<R>],
 ) -> Matrix<K, B, f64> {
-    let mut rows = filled_matrix(count, basis, 0.0);
+    solved_rows_from(sizes, pivots, right, (0.0, R::real))
+}
+
+/// Like [`solved_rows`], for all kinds of numbers: a zero, and what is made of each number.
+#[inline(always)]
+pub(crate) fn solved_rows_from<R: Copy, T: Arithmetic, K: Size, B: Size>(
+    (count, basis): (K, B),
+    pivots: &[u16],
+    right: &[B::Vector<R>],
+    (zero, convert): (T, impl Fn(R) -> T),
+) -> Matrix<K, B, T> {
+    let mut rows = filled_matrix(count, basis, zero);
     for (row, pivot) in rows.as_mut().iter_mut().zip(pivots) {
-        negate_into(row.as_mut(), right, *pivot, R::real);
+        negate_into(row.as_mut(), right, *pivot, &convert);
     }
     rows
 }
 
-#[inline]
-fn negate_into<R: Real, S: core::ops::Neg<Output = S>, V: Vector<R>>(
+#[inline(always)]
+fn negate_into<R: Copy, S: core::ops::Neg<Output = S>, V: Vector<R>>(
     row: &mut [S],
     right: &[V],
     pivot: u16,

@@ -1,6 +1,7 @@
 //! Real and complex numbers under one trait, for code that serves `solve` and `solve_complex`
 //! alike.
 
+use super::arithmetic::Arithmetic;
 use super::float;
 use crate::size::Size;
 use core::fmt::Debug;
@@ -94,7 +95,7 @@ pub(crate) fn mapped<Z: Size, A: Copy, S: Scalar>(size: Z, x: &Z::Vector<A>, f: 
 }
 
 /// A number whose parts are of type `R`: real, or real and imaginary.
-pub trait Over<R>: Scalar {
+pub trait Over<R>: Arithmetic {
     /// The real number `x`.
     fn from_real(x: R) -> Self;
     /// Product with a real number.

@@ -25,13 +25,12 @@ pub struct DenseSystem<'a, N: Size, E: Size, K: Size, Q> {
     pub rows: &'a Matrix<K, E, f64>,
 }
 
-/// The coefficients of E equations at the front of a list, one row for each of K monomials. The
-/// generator's lists are long enough; of a shorter one nothing is read.
-#[inline]
+/// The coefficients of E equations at the front of a list of C, one row for each of K monomials.
+#[inline(always)]
 #[must_use]
-pub fn rows<const E: usize, const K: usize>(coefficients: &[f64]) -> &[[f64; E]; K] {
-    let (rows, _) = coefficients.as_chunks::<E>();
-    rows.first_chunk::<K>().unwrap_or(const { &[[f64::NAN; E]; K] })
+pub fn rows<const E: usize, const K: usize, const C: usize, T>(coefficients: &[T; C]) -> &[[T; E]; K] {
+    const { assert!(E * K <= C, "the list holds the matrix") };
+    coefficients.as_chunks().0.first_chunk().unwrap_or_else(|| unreachable!("E K <= C"))
 }
 
 impl<S: Scalar, N: Size, E: Size, K: Size, Q: Monomials<N, K>> System<S, N, E> for DenseSystem<'_, N, E, K, Q> {

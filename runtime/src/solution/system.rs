@@ -1,7 +1,6 @@
 //! Evaluates the original equations from tables, so that emitted code is data, not arithmetic.
 
-use crate::number::Scalar;
-use crate::number::scalar::mapped;
+use crate::number::{Arithmetic, Scalar};
 use crate::size::{Fixed, Matrix, Size, filled_matrix};
 
 /// E equations in N unknowns, with their derivatives.
@@ -25,10 +24,10 @@ pub trait System<S: Scalar, N: Size, E: Size> {
 /// K monomials in N unknowns.
 pub trait Monomials<N: Size, K: Size> {
     /// Their values at the point x.
-    fn products<S: Scalar>(&self, x: &N::Vector<S>) -> K::Vector<S>;
+    fn products<T: Arithmetic>(&self, x: &N::Vector<T>) -> K::Vector<T>;
 
     /// Their derivatives by each unknown, from their values at x.
-    fn gradients<S: Scalar>(&self, x: &N::Vector<S>, values: &K::Vector<S>) -> Matrix<K, N, S>;
+    fn gradients<T: Arithmetic>(&self, x: &N::Vector<T>, values: &K::Vector<T>) -> Matrix<K, N, T>;
 }
 
 /// The equations at a point.
@@ -169,9 +168,9 @@ impl<'a, N: Size, E: Size, K: Size> Tables<'a, N, E, K> {
 
 impl<N: Size, E: Size, K: Size> Monomials<N, K> for Tables<'_, N, E, K> {
     #[inline]
-    fn products<S: Scalar>(&self, x: &N::Vector<S>) -> K::Vector<S> {
+    fn products<T: Arithmetic>(&self, x: &N::Vector<T>) -> K::Vector<T> {
         let (_, _, count) = self.sizes;
-        let mut values = count.filled(S::ONE);
+        let mut values = count.filled(x[0].constant(1.0));
         for k in 1..count.get() {
             let Product { parent, unknown } = self.chain[k];
             values[k] = values[usize::from(parent)] * x[usize::from(unknown)];
@@ -180,15 +179,17 @@ impl<N: Size, E: Size, K: Size> Monomials<N, K> for Tables<'_, N, E, K> {
     }
 
     #[inline]
-    fn gradients<S: Scalar>(&self, x: &N::Vector<S>, values: &K::Vector<S>) -> Matrix<K, N, S> {
+    fn gradients<T: Arithmetic>(&self, x: &N::Vector<T>, values: &K::Vector<T>) -> Matrix<K, N, T> {
         let (unknowns, _, count) = self.sizes;
-        let mut gradients = filled_matrix(count, unknowns, S::ZERO);
+        let mut gradients = filled_matrix(count, unknowns, x[0].constant(0.0));
         for k in 1..count.get() {
             let Product { parent, unknown } = self.chain[k];
             let (parent, unknown) = (usize::from(parent), usize::from(unknown));
             let factor = x[unknown];
-            gradients[k] = mapped(unknowns, &gradients[parent], |derivative: S| derivative * factor);
-            gradients[k][unknown] += values[parent];
+            let mut gradient = gradients[parent].clone();
+            gradient.as_mut().iter_mut().for_each(|derivative| *derivative = *derivative * factor);
+            gradient[unknown] += values[parent];
+            gradients[k] = gradient;
         }
         gradients
     }

@@ -3,7 +3,7 @@
 use crate::elimination::lu::all_finite;
 use crate::error::SolveError;
 use crate::number::scalar::mapped;
-use crate::number::{Over, Real, float};
+use crate::number::{Over, Real, Scalar, float};
 use crate::size::{Fixed, Size, Square, Vector, filled_matrix};
 
 /// A real N x N matrix A, balanced and reduced by orthogonal similarity:
@@ -270,7 +270,7 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
 
     /// Takes an eigenvector of H back to one of A: D Q y.
     #[inline]
-    pub(crate) fn transform_back<S: Over<R>>(&self, vector: &mut Z::Vector<S>) {
+    pub(crate) fn transform_back<S: Scalar + Over<R>>(&self, vector: &mut Z::Vector<S>) {
         let n = self.size.get();
         for k in (0..n.saturating_sub(2)).rev() {
             if self.tau[k] == R::ZERO {

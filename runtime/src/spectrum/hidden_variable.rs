@@ -20,6 +20,7 @@
 //! their columns' degrees rise by one. Nistér's solver for five points (PAMI 2004) is the case of
 //! chains of 3, 2, 2, 1, 1 and 1 that become 4, 3 and 3.
 
+use crate::number::Arithmetic;
 use crate::size::{Matrix, Size, Square, filled_matrix};
 
 /// Where the monomials of a basis are that falls into chains.
@@ -59,63 +60,44 @@ pub trait ChainedBasis {
     fn table(&self) -> ChainTable<'_>;
 
     /// Minus a row of the action matrix, without the eliminated monomials, as a row of M(x).
-    fn polynomials(&self, row: &<Self::Basis as Size>::Vector<f64>) -> <Self::Width as Size>::Vector<f64>;
+    fn polynomials<T: Arithmetic>(&self, row: &<Self::Basis as Size>::Vector<T>) -> <Self::Width as Size>::Vector<T>;
 
     /// det M(x), lowest coefficient first.
-    fn determinant(&self, rows: &Matrix<Self::Count, Self::Width, f64>) -> <Self::Coefficients as Size>::Vector<f64>;
+    fn determinant<T: Arithmetic>(
+        &self,
+        rows: &Matrix<Self::Count, Self::Width, T>,
+    ) -> <Self::Coefficients as Size>::Vector<T>;
 
     /// The values of the polynomials of a row.
-    fn row_at(&self, row: &<Self::Width as Size>::Vector<f64>, x: f64) -> <Self::Count as Size>::Vector<f64>;
+    fn row_at<T: Arithmetic>(&self, row: &<Self::Width as Size>::Vector<T>, x: T) -> <Self::Count as Size>::Vector<T>;
 
     /// The values of all basis monomials from those of the heads: of the chains that stay, and the
     /// eliminated ones.
-    fn vector(
+    fn vector<T: Arithmetic>(
         &self,
-        x: f64,
-        heads: &<Self::Count as Size>::Vector<f64>,
-        eliminated: &<Self::Count as Size>::Vector<f64>,
-    ) -> <Self::Basis as Size>::Vector<f64>;
+        x: T,
+        heads: &<Self::Count as Size>::Vector<T>,
+        eliminated: &<Self::Count as Size>::Vector<T>,
+    ) -> <Self::Basis as Size>::Vector<T>;
 }
 
-/// The polynomial of degree A - 1 that starts at this position of a row of M(x). The generator's
-/// positions are in range.
+/// The polynomial of degree A - 1 that starts at position F of a row of M(x).
 #[inline(always)]
 #[must_use]
-pub fn entry<const A: usize, const W: usize>(row: &[f64; W], first: usize) -> &[f64; A] {
-    let coefficients = row.get(first..).and_then(|row| row.first_chunk::<A>());
-    coefficients.unwrap_or(const { &[f64::NAN; A] })
-}
-
-/// Adds the product of two polynomials. N is A + B - 1. It is a call, because a determinant has
-/// many products, and few lengths.
-#[inline(never)]
-pub fn add_product<const A: usize, const B: usize, const N: usize>(sum: &mut [f64; N], a: &[f64; A], b: &[f64; B]) {
-    for (shift, &factor) in a.iter().enumerate() {
-        for (sum, &value) in sum[shift..].iter_mut().zip(b) {
-            *sum += factor * value;
-        }
-    }
-}
-
-/// Like [`add_product`], with the other sign.
-#[inline(never)]
-pub fn subtract_product<const A: usize, const B: usize, const N: usize>(
-    sum: &mut [f64; N],
-    a: &[f64; A],
-    b: &[f64; B],
-) {
-    for (shift, &factor) in a.iter().enumerate() {
-        for (sum, &value) in sum[shift..].iter_mut().zip(b) {
-            *sum -= factor * value;
-        }
-    }
+pub fn entry<const A: usize, const F: usize, const W: usize, T>(row: &[T; W]) -> &[T; A] {
+    const { assert!(F + A <= W, "the polynomial is part of the row") };
+    row[F..].first_chunk().unwrap_or_else(|| unreachable!("F + A <= W"))
 }
 
 /// The value of a polynomial, by Horner's rule.
 #[inline(always)]
 #[must_use]
-pub fn value_at<const A: usize>(coefficients: &[f64; A], x: f64) -> f64 {
-    coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c)
+pub fn value_at<const A: usize, T: Arithmetic>(coefficients: &[T; A], x: T) -> T {
+    let mut sum = x.constant(0.0);
+    for &c in coefficients.iter().rev() {
+        sum = sum * x + c;
+    }
+    sum
 }
 
 /// A row of M(x) for each chain that stays.
@@ -344,15 +326,15 @@ mod tests {
     }
 
     /// The sum over permutations is the determinant by definition.
-    fn sum_over_permutations(rows: &[&[f64]], columns: &[(usize, usize)]) -> std::vec::Vec<f64> {
-        let Some((row, rest)) = rows.split_first() else { return std::vec![1.0] };
-        let mut sum = std::vec![0.0; columns.iter().map(|column| column.1).sum::<usize>() + 1];
+    fn sum_over_permutations<T: Arithmetic>(rows: &[&[T]], columns: &[(usize, usize)], one: T) -> std::vec::Vec<T> {
+        let Some((row, rest)) = rows.split_first() else { return std::vec![one] };
+        let mut sum = std::vec![one.constant(0.0); columns.iter().map(|column| column.1).sum::<usize>() + 1];
         for (at, &(first, degree)) in columns.iter().enumerate() {
             let others = [&columns[..at], &columns[at + 1..]].concat();
-            let minor = sum_over_permutations(rest, &others);
-            let sign = if at.is_multiple_of(2) { 1.0 } else { -1.0 };
-            for (i, a) in row[first..=first + degree].iter().enumerate() {
-                for (j, b) in minor.iter().enumerate() {
+            let minor = sum_over_permutations(rest, &others, one);
+            let sign = one.constant(if at.is_multiple_of(2) { 1.0 } else { -1.0 });
+            for (i, &a) in row[first..=first + degree].iter().enumerate() {
+                for (j, &b) in minor.iter().enumerate() {
                     sum[i + j] += sign * a * b;
                 }
             }
@@ -375,8 +357,8 @@ mod tests {
             ChainTable { ends, leading, degrees, heads }
         }
 
-        fn polynomials(&self, row: &[f64; 10]) -> [f64; 16] {
-            let (mut polynomials, mut at) = ([0.0; 16], 0);
+        fn polynomials<T: Arithmetic>(&self, row: &[T; 10]) -> [T; 16] {
+            let (mut polynomials, mut at) = ([row[0].constant(0.0); 16], 0);
             for ((first, _), &length) in self.columns().zip(&self.lengths) {
                 for power in 0..usize::from(length) {
                     polynomials[first + power] = -row[at];
@@ -386,24 +368,26 @@ mod tests {
             polynomials
         }
 
-        fn determinant(&self, rows: &[[f64; 16]; C]) -> [f64; 11] {
-            let rows: std::vec::Vec<&[f64]> = rows.iter().map(|row| &row[..]).collect();
-            sum_over_permutations(&rows, &self.columns().collect::<std::vec::Vec<_>>()).try_into().unwrap()
+        fn determinant<T: Arithmetic>(&self, rows: &[[T; 16]; C]) -> [T; 11] {
+            let one = rows[0][0].constant(1.0);
+            let rows: std::vec::Vec<&[T]> = rows.iter().map(|row| &row[..]).collect();
+            let sum = sum_over_permutations(&rows, &self.columns().collect::<std::vec::Vec<_>>(), one);
+            core::array::from_fn(|power| sum[power])
         }
 
-        fn row_at(&self, row: &[f64; 16], x: f64) -> [f64; C] {
+        fn row_at<T: Arithmetic>(&self, row: &[T; 16], x: T) -> [T; C] {
             let mut columns = self.columns();
             core::array::from_fn(|_| {
                 let (first, degree) = columns.next().unwrap();
-                row[first..=first + degree].iter().rev().fold(0.0, |sum, c| sum * x + c)
+                row[first..=first + degree].iter().rev().fold(x.constant(0.0), |sum, &c| sum * x + c)
             })
         }
 
-        fn vector(&self, x: f64, heads: &[f64; C], eliminated: &[f64; C]) -> [f64; 10] {
+        fn vector<T: Arithmetic>(&self, x: T, heads: &[T; C], eliminated: &[T; C]) -> [T; 10] {
             let chains = self.lengths.iter().zip(heads);
-            let kept = chains.flat_map(|(&length, &head)| (0..length).map(move |power| head * x.powi(power.into())));
-            let all: std::vec::Vec<f64> = kept.chain(eliminated[..self.heads.len()].iter().copied()).collect();
-            all.try_into().unwrap()
+            let kept = chains.flat_map(|(&length, &head)| (0..length).map(move |n| (0..n).fold(head, |y, _| y * x)));
+            let all: std::vec::Vec<T> = kept.chain(eliminated[..self.heads.len()].iter().copied()).collect();
+            core::array::from_fn(|b| all[b])
         }
     }
 
@@ -479,13 +463,12 @@ mod tests {
     fn products_of_polynomials() {
         // (1 + 2 x) (3 - x + x^2) = 3 + 5 x - x^2 + 2 x^3
         let row = [9.0, 1.0, 2.0, 3.0, -1.0, 1.0];
-        let (a, b) = (entry::<2, 6>(&row, 1), entry::<3, 6>(&row, 3));
+        let (a, b) = (entry::<2, 1, 6, _>(&row), entry::<3, 3, 6, _>(&row));
         let mut sum = [1.0; 4];
-        add_product(&mut sum, a, b);
+        f64::add_product(&mut sum, a, b);
         assert_eq!(sum, [4.0, 6.0, 0.0, 3.0]);
-        subtract_product(&mut sum, a, b);
+        f64::subtract_product(&mut sum, a, b);
         assert_eq!(sum, [1.0; 4]);
         assert_eq!((value_at(a, 3.0), value_at(b, 2.0)), (7.0, 5.0));
-        assert!(entry::<2, 6>(&row, 5)[0].is_nan(), "out of range");
     }
 }

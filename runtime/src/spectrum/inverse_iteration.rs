@@ -48,7 +48,7 @@ impl<S: Scalar, Z: Size> ShiftedLu<S, Z> {
     #[inline]
     pub(crate) fn factor<R: Real>(&mut self, form: &Hessenberg<Z, R>, value: S)
     where
-        S: Over<R>,
+        S: Scalar + Over<R>,
     {
         self.smallest = form.smallest_pivot();
         let (h, n, smallest) = (&form.matrix, self.size.get(), self.smallest);
@@ -153,7 +153,7 @@ impl<Z: Size, R: Real> Hessenberg<Z, R> {
     /// small multiple of N epsilon |H|. Vectors of equal or nearly equal eigenvalues may be nearly
     /// parallel. The result is not finite only if `value` is not.
     #[must_use]
-    pub fn eigenvector<S: Over<R>>(&self, value: S) -> Z::Vector<S> {
+    pub fn eigenvector<S: Scalar + Over<R>>(&self, value: S) -> Z::Vector<S> {
         let n = self.size.get();
         let mut lu = ShiftedLu::new(self.size);
         lu.factor(self, value.scale(1.0 / self.unit));

@@ -41,7 +41,7 @@ fn reduced<Z: Size, R: Real>(size: Z, entries: &[f64]) -> Result<Hessenberg<Z, R
 }
 
 /// The form, its eigenvalues and eigenvectors.
-fn eigenpairs<Z: Size, R: Real, C: Over<R>>(size: Z, entries: &[f64]) -> Result<Bits, SolveError> {
+fn eigenpairs<Z: Size, R: Real, C: Scalar + Over<R>>(size: Z, entries: &[f64]) -> Result<Bits, SolveError> {
     let form = reduced::<Z, R>(size, entries)?;
     let (n, mut bits) = (size.get(), Bits::default());
     form.matrix.as_ref()[..n].iter().for_each(|row| bits.add(&row.as_ref()[..n]));

@@ -3,7 +3,7 @@
 use std::marker::PhantomData;
 
 use eliminant::emitted::{
-    ActionRow, BasisVector, Block, BlockMemory, ChainTable, ChainedBasis, Dynamic, Entry, Fixed, HiddenVariableSolver,
+    ActionRow, Arithmetic, BasisVector, Block, BlockMemory, ChainTable, ChainedBasis, Dynamic, Entry, Fixed, HiddenVariableSolver,
     Matrix, Point, Product, Real, Size, Sizes, SizesOf, SolverInstance, Square, Tables, Vector, action_matrix, fill,
     filled_matrix, monomial_values, polish, solved_rows,
 };
@@ -214,16 +214,16 @@ impl<F: Family> ChainedBasis for TwoChains<F> {
         ChainTable { ends: &[1, 3], leading: &[2, 5], degrees: &[2, 2], heads: &[] }
     }
 
-    fn polynomials(&self, row: &<F::Of<4> as Size>::Vector<f64>) -> <F::Of<6> as Size>::Vector<f64> {
-        let mut polynomials = F::of::<6>().filled(0.0);
+    fn polynomials<T: Arithmetic>(&self, row: &<F::Of<4> as Size>::Vector<T>) -> <F::Of<6> as Size>::Vector<T> {
+        let mut polynomials = F::of::<6>().filled(row[0].constant(0.0));
         for (at, b) in [(0, 0), (1, 1), (3, 2), (4, 3)] {
             polynomials[at] = -row[b];
         }
         polynomials
     }
 
-    fn determinant(&self, rows: &Matrix<F::Of<2>, F::Of<6>, f64>) -> <F::Of<5> as Size>::Vector<f64> {
-        let mut sum = F::of::<5>().filled(0.0);
+    fn determinant<T: Arithmetic>(&self, rows: &Matrix<F::Of<2>, F::Of<6>, T>) -> <F::Of<5> as Size>::Vector<T> {
+        let mut sum = F::of::<5>().filled(rows[0][0].constant(0.0));
         for i in 0..3 {
             for j in 0..3 {
                 sum[i + j] += rows[0][i] * rows[1][3 + j] - rows[0][3 + i] * rows[1][j];
@@ -232,20 +232,20 @@ impl<F: Family> ChainedBasis for TwoChains<F> {
         sum
     }
 
-    fn row_at(&self, row: &<F::Of<6> as Size>::Vector<f64>, x: f64) -> <F::Of<2> as Size>::Vector<f64> {
-        let mut values = F::of::<2>().filled(0.0);
+    fn row_at<T: Arithmetic>(&self, row: &<F::Of<6> as Size>::Vector<T>, x: T) -> <F::Of<2> as Size>::Vector<T> {
+        let mut values = F::of::<2>().filled(x);
         for j in 0..2 {
             values[j] = row[3 * j] + x * (row[3 * j + 1] + x * row[3 * j + 2]);
         }
         values
     }
 
-    fn vector(
+    fn vector<T: Arithmetic>(
         &self,
-        x: f64,
-        heads: &<F::Of<2> as Size>::Vector<f64>,
-        _eliminated: &<F::Of<2> as Size>::Vector<f64>,
-    ) -> <F::Of<4> as Size>::Vector<f64> {
+        x: T,
+        heads: &<F::Of<2> as Size>::Vector<T>,
+        _eliminated: &<F::Of<2> as Size>::Vector<T>,
+    ) -> <F::Of<4> as Size>::Vector<T> {
         let mut vector = F::of::<4>().filled(heads[0]);
         vector[1] = heads[0] * x;
         vector[2] = heads[1];

@@ -1,7 +1,7 @@
 //! The chains of a plan for the runtime's kernels, without compiling them: the operations of
 //! emitted code in the same order, by loops over tables.
 
-use eliminant::emitted::{self, ChainTable, Dynamic};
+use eliminant::emitted::{self, Arithmetic, ChainTable, Dynamic};
 
 use crate::plan::Chains;
 use crate::plan::chains::{ChainPlace, Minor};
@@ -49,7 +49,7 @@ impl InterpretedChains {
         }
     }
 
-    fn entry<'r>(&self, row: &'r [f64], column: usize) -> &'r [f64] {
+    fn entry<'r, T>(&self, row: &'r [T], column: usize) -> &'r [T] {
         let (first, degree) = self.columns[column];
         &row[first..=first + degree]
     }
@@ -69,11 +69,13 @@ impl emitted::ChainedBasis for &InterpretedChains {
         ChainTable { ends: &self.ends, leading: &self.leading, degrees: &self.degrees, heads: &self.heads }
     }
 
-    fn polynomials(&self, row: &Vec<f64>) -> Vec<f64> {
-        self.sources.iter().map(|source| source.map_or(0.0, |b| -row[b])).collect()
+    fn polynomials<T: Arithmetic>(&self, row: &Vec<T>) -> Vec<T> {
+        let zero = row[0].constant(0.0);
+        self.sources.iter().map(|source| source.map_or(zero, |b| -row[b])).collect()
     }
 
-    fn determinant(&self, rows: &Vec<Vec<f64>>) -> Vec<f64> {
+    fn determinant<T: Arithmetic>(&self, rows: &Vec<Vec<T>>) -> Vec<T> {
+        let zero = rows[0][0].constant(0.0);
         let mut known = vec![Vec::new(); 1 << self.columns.len()];
         for &minor in &self.minors {
             let entry = |column: usize| self.entry(&rows[minor.row()], column);
@@ -81,7 +83,7 @@ impl emitted::ChainedBasis for &InterpretedChains {
                 known[minor.0] = minor.columns().flat_map(entry).copied().collect();
                 continue;
             }
-            let mut sum = vec![0.0; minor.columns().map(|column| self.columns[column].1).sum::<usize>() + 1];
+            let mut sum = vec![zero; minor.columns().map(|column| self.columns[column].1).sum::<usize>() + 1];
             for (is_negative, column, others) in minor.products() {
                 for (shift, &factor) in entry(column).iter().enumerate() {
                     for (sum, &value) in sum[shift..].iter_mut().zip(&known[others.0]) {
@@ -94,12 +96,12 @@ impl emitted::ChainedBasis for &InterpretedChains {
         known.pop().unwrap_or_default()
     }
 
-    fn row_at(&self, row: &Vec<f64>, x: f64) -> Vec<f64> {
-        let value = |column| self.entry(row, column).iter().rev().fold(0.0, |sum, c| sum * x + c);
+    fn row_at<T: Arithmetic>(&self, row: &Vec<T>, x: T) -> Vec<T> {
+        let value = |column| self.entry(row, column).iter().rev().fold(x.constant(0.0), |sum, &c| sum * x + c);
         (0..self.columns.len()).map(value).collect()
     }
 
-    fn vector(&self, x: f64, heads: &Vec<f64>, eliminated: &Vec<f64>) -> Vec<f64> {
+    fn vector<T: Arithmetic>(&self, x: T, heads: &Vec<T>, eliminated: &Vec<T>) -> Vec<T> {
         // A product of x with itself, one factor after another.
         let power = |power: usize| (1..power).fold(x, |product, _| product * x);
         let value = |place: &ChainPlace| match *place {
