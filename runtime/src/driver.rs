@@ -29,7 +29,7 @@ const NO_SOLUTION: f64 = 1e-6;
 
 /// A determinant without real roots is certain to have none if errors of its coefficients that
 /// could give it one are larger than this, relative to them.
-const CLEARANCE: f64 = 1e-6;
+pub(crate) const CLEARANCE: f64 = 1e-6;
 
 /// A factor that must not vanish counts as zero if its modulus is at most this, relative to the sum
 /// of the moduli of its terms.

@@ -51,6 +51,9 @@ mod solution;
 /// missing.
 mod driver;
 
+/// Several instances side by side.
+mod batch;
+
 /// The points of the eigenpairs before the polish, for measurements.
 mod unpolished;
 

@@ -193,8 +193,24 @@ pub(super) fn constant(value: Rational) -> TokenStream {
     if value.denominator() == 1 { signed } else { quote!(#signed / #denominator) }
 }
 
-/// `x[unknown] = sum of terms`, for real and complex numbers.
-pub(super) fn recovery(recovery: &PlannedRecovery) -> TokenStream {
+/// The function that computes the unknowns that follow from those that were read.
+pub(super) fn recovered(plan: &Plan) -> TokenStream {
+    if plan.recoveries.is_empty() {
+        return quote!();
+    }
+    let recoveries = plan.recoveries.iter().map(recovery);
+    let [count, unknowns] = [plan.coefficients.len(), plan.unknowns.len()].map(Literal::usize_unsuffixed);
+    quote! {
+        /// Computes the unknowns that follow from those that were read.
+        #[inline(always)]
+        fn recovered<C: Copy, T: emitted::Over<C>>(coefficients: &[C; #count], x: &mut [T; #unknowns]) {
+            #(#recoveries)*
+        }
+    }
+}
+
+/// `x[unknown] = sum of terms`.
+fn recovery(recovery: &PlannedRecovery) -> TokenStream {
     let unknown = Literal::usize_unsuffixed(recovery.unknown);
     let terms = recovery.terms.iter().map(|term| {
         let slot = Literal::u16_unsuffixed(term.coefficient.0);
@@ -202,10 +218,10 @@ pub(super) fn recovery(recovery: &PlannedRecovery) -> TokenStream {
             let at = Literal::usize_unsuffixed(at);
             std::iter::repeat_n(quote!(* x[#at]), e.into())
         });
-        quote!(S::from_f64(self.coefficients[#slot]) #(#factors)*)
+        quote!(T::from_real(coefficients[#slot]) #(#factors)*)
     });
     if recovery.terms.is_empty() {
-        return quote!(x[#unknown] = S::ZERO;);
+        return quote!(x[#unknown] = x[#unknown].constant(0.0););
     }
     quote!(x[#unknown] = #(#terms)+*;)
 }

@@ -32,16 +32,25 @@ fn sign_changes(plan: &Plan) -> TokenStream {
     if plan.flips.is_empty() {
         return quote!();
     }
+    let changes = sign_changes_of(plan);
+    quote! {
+        fn sign_changes(&self) -> Option<emitted::SignChanges<'_>> {
+            #changes
+        }
+    }
+}
+
+/// The changes of sign, or `None`.
+pub(super) fn sign_changes_of(plan: &Plan) -> TokenStream {
+    if plan.flips.is_empty() {
+        return quote!(None);
+    }
     let steps = plan.steps().into_iter().map(|exponents| {
         let exponents = exponents.into_iter().map(Literal::i8_unsuffixed);
         quote!(&[#(#exponents),*])
     });
     let flips = plan.flips.iter().map(|flip| quote!(&[#(#flip),*]));
-    quote! {
-        fn sign_changes(&self) -> Option<emitted::SignChanges<'_>> {
-            Some(emitted::SignChanges { steps: &[#(#steps),*], flips: &[#(#flips),*] })
-        }
-    }
+    quote!(Some(emitted::SignChanges { steps: &[#(#steps),*], flips: &[#(#flips),*] }))
 }
 
 /// A field for the data if an elimination at twice the precision needs them, its value, and how the
@@ -85,6 +94,7 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
     };
     let action_matrix = elimination::action_matrix(plan);
     let eliminated = elimination::eliminated(plan, provenance, listings);
+    let (ratios, recovered) = (ratios(plan), code::recovered(plan));
     let (solver_instance, chains) = (solver_instance(plan, &system, &action_matrix), chains::chains(plan));
     let version = Literal::u32_unsuffixed(RUNTIME_VERSION);
     quote! {
@@ -108,6 +118,8 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
         }
 
         #solver_instance
+        #ratios
+        #recovered
         #eliminated
         #chains
     }
@@ -118,7 +130,7 @@ fn solver_instance(plan: &Plan, system: &TokenStream, action_matrix: &TokenStrea
     let layout = ValueLayout::of(plan);
     let [basis, unknowns, values, solutions] =
         [plan.elimination.basis, plan.unknowns.len(), layout.len(), plan.solutions].map(Literal::usize_unsuffixed);
-    let (ratios, origin, sign_changes) = (ratios(plan), origin(plan), sign_changes(plan));
+    let (origin, sign_changes) = (origin(plan), sign_changes(plan));
     let precise = match plan.program.form {
         ProgramForm::Statements => quote!(),
         ProgramForm::Table => quote! {
@@ -135,7 +147,7 @@ fn solver_instance(plan: &Plan, system: &TokenStream, action_matrix: &TokenStrea
     };
     let recover = match plan.recoveries.is_empty() {
         true => quote!(let _ = x;),
-        false => plan.recoveries.iter().map(code::recovery).collect(),
+        false => quote!(self::recovered(&self.coefficients, x)),
     };
     let admissible = match plan.nonzero.is_empty() {
         true => quote! {
@@ -154,7 +166,9 @@ fn solver_instance(plan: &Plan, system: &TokenStream, action_matrix: &TokenStrea
             fn sizes(&self) -> emitted::SizesOf<Self> {
                 emitted::Sizes::FIXED
             }
-            #ratios
+            fn ratios(&self, unknown: usize) -> &[(u16, u16)] {
+                RATIOS[unknown]
+            }
             #origin
             #sign_changes
             #precise
@@ -191,9 +205,7 @@ fn ratios(plan: &Plan) -> TokenStream {
     });
     let unknowns = Literal::usize_unsuffixed(plan.unknowns.len());
     quote! {
-        fn ratios(&self, unknown: usize) -> &[(u16, u16)] {
-            const RATIOS: [&[(u16, u16)]; #unknowns] = [#(#pairs),*];
-            RATIOS[unknown]
-        }
+        /// For each unknown x, the positions of (m, x m) among the monomial values.
+        const RATIOS: [&[(u16, u16)]; #unknowns] = [#(#pairs),*];
     }
 }

@@ -1,6 +1,7 @@
 //! Prints a [`crate::plan::Plan`] as Rust source. No decision is taken here.
 
 mod api;
+mod batch;
 mod chains;
 mod code;
 mod elimination;
@@ -67,6 +68,7 @@ fn module(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> Toke
     let name = format_ident!("{}", plan.name);
     let header = provenance.lines.iter().map(|line| doc_line(line)).map(|line| quote!(#![doc = #line]));
     let (solution, functions) = (api::solution(plan), api::functions(plan));
+    let batch = batch::batch(plan);
     let instance = instance::instance(plan, provenance, listings);
     let coefficients = match plan.program.form {
         ProgramForm::Statements => code::statements(plan),
@@ -85,6 +87,7 @@ fn module(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> Toke
 
             #solution
             #functions
+            #batch
             #instance
             #coefficients
             #tables

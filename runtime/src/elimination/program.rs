@@ -183,8 +183,14 @@ pub fn outlined<T>(compute: impl FnOnce() -> T) -> T {
 #[must_use]
 pub fn joined<const I: usize>(data: &[&[f64]]) -> [f64; I] {
     let mut joined = [0.0; I];
-    joined.iter_mut().zip(data.iter().copied().flatten()).for_each(|(place, &value)| *place = value);
+    join_into(data, &mut joined);
     joined
+}
+
+/// Writes all data, one parameter after another; data for which there is no place are dropped.
+#[inline]
+pub fn join_into(data: &[&[f64]], joined: &mut [f64]) {
+    joined.iter_mut().zip(data.iter().copied().flatten()).for_each(|(place, &value)| *place = value);
 }
 
 #[cfg(test)]

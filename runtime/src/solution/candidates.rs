@@ -27,9 +27,9 @@ const NEARLY_REAL: f64 = 0.1;
 const IMPRECISE: f64 = 1e-4;
 /// The same for the roots of a determinant. An error of this size in its coefficients moves two
 /// roots by about 3e-4 if they are close to each other; closer ones are not certain.
-const IMPRECISE_ROOT: f64 = 1e-7;
+pub(crate) const IMPRECISE_ROOT: f64 = 1e-7;
 /// An unknown may be moved by this part of the largest unknown, relative to the bound.
-const IMPRECISE_FLOOR: f64 = 1e-2;
+pub(crate) const IMPRECISE_FLOOR: f64 = 1e-2;
 
 /// The collected solutions of a solve: [`AllSolutions`] or [`RealSolutions`].
 pub(crate) trait Collection<I: SolverInstance> {

@@ -15,9 +15,9 @@ pub(crate) const FLOOR: f64 = 1e-13;
 
 /// Two solutions may be one double solution if every unknown agrees to this relative distance, or
 /// to [`CLOSE_FLOOR`] of the largest unknown.
-const CLOSE: f64 = 1e-3;
+pub(crate) const CLOSE: f64 = 1e-3;
 /// See [`CLOSE`].
-const CLOSE_FLOOR: f64 = 1e-6;
+pub(crate) const CLOSE_FLOOR: f64 = 1e-6;
 
 /// A relative residual at most this, halfway between two close solutions, shows a double solution.
 /// The residual grows with the square of the distance from a double solution, and reaches this at

@@ -15,17 +15,17 @@ const SHORTER: f64 = 0.35;
 const SHORTER_STEPS: usize = 6;
 
 /// A relative residual at most this is rounding: a step could hardly lower it.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
+pub(crate) const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// A relative residual above this after the last step has a cause other than rounding.
-const STALLED: f64 = 1e-12;
+pub(crate) const STALLED: f64 = 1e-12;
 
 /// A step that changes each unknown by at most this part of it leaves the scale of an equation as
 /// it is, but for this part times the degree.
 const NEAR: f64 = 1e-3;
 
 /// An unknown this small relative to the largest one may be the rounding noise of zero.
-const NOISE: f64 = 1e-12;
+pub(crate) const NOISE: f64 = 1e-12;
 /// An unknown below this times the relative residual, relative to the largest unknown, cannot be
 /// told from zero. The polish converges slowly towards solutions that are not isolated, such as
 /// solutions at which an excluded factor vanishes.
@@ -33,7 +33,7 @@ const UNCERTAIN: f64 = 1e3;
 
 /// A step that changes an unknown by more than this part of it shows that no solution is near, if
 /// the residual has a cause other than rounding or stays below [`FLAT`].
-const FAR: f64 = 0.1;
+pub(crate) const FAR: f64 = 0.1;
 
 /// If the relative residual is below this after a long step away from x, the equations are nearly
 /// constant in that direction, and no solution is near. Away from a double solution the residual
@@ -42,7 +42,7 @@ const FLAT: f64 = 1e-6;
 
 /// Unknowns at least this large may be on the way to infinity. They are if the residual of half of
 /// them is rounding, too. (At such points steps are rounding errors and show nothing.)
-const LARGE: f64 = 1e6;
+pub(crate) const LARGE: f64 = 1e6;
 
 /// Improves x by at most `steps` Gauss-Newton steps and returns its relative residual,
 ///

@@ -1,0 +1,303 @@
+//! The stages of a group of instances that fills the lanes.
+
+use fearless_simd::{Level, Simd};
+
+use crate::batch::hidden_pairs::HiddenPairs;
+use crate::batch::lanes::Lanes;
+use crate::batch::polish::{Equations, lanes_in_use};
+use crate::batch::{BatchData, BatchSolver};
+use crate::driver::CLEARANCE;
+use crate::elimination::template::{action_matrix_from, solved_rows_from};
+use crate::number::Arithmetic;
+use crate::size::{List, Matrix, Size};
+use crate::solution::candidates::{IMPRECISE_FLOOR, IMPRECISE_ROOT};
+use crate::solution::distinct::{CLOSE, CLOSE_FLOOR};
+use crate::solver_instance::{Point, Points, SolverInstance};
+use crate::spectrum::hidden_variable::ChainedBasis;
+use crate::spectrum::real_roots::{RealRoots, real_roots};
+
+/// The largest number of instances in a group.
+const MOST: usize = 8;
+
+/// A square is negative beyond doubt if its ratio is, and if its monomial exceeds this part of the
+/// largest entry of the eigenvector.
+const CLEARLY_NEGATIVE: f64 = 1e-6;
+
+/// A lane for each basis monomial.
+type BasisLanes<I, S> = <<I as SolverInstance>::Basis as Size>::Vector<Lanes<S>>;
+
+/// Solves all instances in groups. Returns false if the processor has no wide registers.
+#[inline]
+pub(super) fn solve_all<I: BatchSolver, D: BatchData<I>>(data: &[D], results: &mut [D::Result]) -> bool {
+    let Some(level) = Level::try_detect() else { return false };
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    {
+        if let Some(avx512) = level.as_avx512() {
+            solve_groups::<_, I, D>(avx512, data, results);
+            return true;
+        }
+        if let Some(avx2) = level.as_avx2() {
+            solve_groups::<_, I, D>(avx2, data, results);
+            return true;
+        }
+    }
+    #[cfg(target_arch = "aarch64")]
+    if let Some(neon) = level.as_neon() {
+        solve_groups::<_, I, D>(neon, data, results);
+        return true;
+    }
+    let _ = level;
+    false
+}
+
+#[inline(never)]
+fn solve_groups<S: Simd, I: BatchSolver, D: BatchData<I>>(simd: S, data: &[D], results: &mut [D::Result]) {
+    let (sizes, batch) = I::all_sizes();
+    let count = Lanes::<S>::COUNT.min(MOST);
+    let zero = Lanes::splat(simd, 0.0);
+    for (data, results) in data.chunks(count).zip(results.chunks_mut(count)) {
+        let mut inputs = batch.inputs.filled(zero);
+        for lane in 0..count {
+            // The last instance fills lanes that are left over.
+            let Some(instance) = data.get(lane).or(data.last()) else { break };
+            let mut of_lane = batch.inputs.filled(0.0);
+            instance.inputs(of_lane.as_mut());
+            for at in 0..batch.inputs.get() {
+                inputs[at].set(lane, of_lane[at]);
+            }
+        }
+        let mut points: [Points<I, f64>; MOST] = core::array::from_fn(|_| sizes.solutions.list());
+        let is_certain = solve_group::<S, I>(simd, &inputs, &mut points);
+        for (lane, (data, result)) in data.iter().zip(results).enumerate() {
+            *result = if is_certain >> lane & 1 == 1 { D::result(&points[lane]) } else { data.solve() };
+        }
+    }
+}
+
+/// Adds the real solutions of each instance. Returns a bit for each instance for which these are
+/// certain to be all.
+#[inline(always)]
+fn solve_group<S: Simd, I: BatchSolver>(
+    simd: S,
+    inputs: &<I::Inputs as Size>::Vector<Lanes<S>>,
+    points: &mut [Points<I, f64>; MOST],
+) -> u64 {
+    let (sizes, batch) = I::all_sizes();
+    let (zero, one) = (Lanes::splat(simd, 0.0), Lanes::splat(simd, 1.0));
+    let mut coefficients = batch.coefficients.filled(zero);
+    simd.vectorize(
+        #[inline(always)]
+        || coefficients = I::coefficients(one, inputs),
+    );
+    let pairs = simd.vectorize(
+        #[inline(always)]
+        || {
+            let right = I::eliminated(zero, &coefficients).ok()?;
+            let action = action_matrix_from(sizes.basis, I::ACTION, right.as_ref(), zero);
+            let read = solved_rows_from((batch.read, sizes.basis), I::READ, right.as_ref(), (zero, |x| x));
+            let pairs = HiddenPairs::new(I::all_chains(), &action);
+            let determinant = pairs.determinant();
+            Some((pairs, read, determinant))
+        },
+    );
+    let Some((pairs, read, determinant)) = pairs else { return 0 };
+    let (roots, mut is_certain) = roots_of_lanes::<S, I>(&determinant);
+    let most = roots.iter().map(|roots| roots.roots.len()).max().unwrap_or(0);
+    for number in 0..most {
+        let mut x = zero;
+        let mut in_use = 0;
+        for (lane, roots) in roots.iter().enumerate().take(Lanes::<S>::COUNT) {
+            if let Some(&root) = roots.roots.get(number) {
+                x.set(lane, root);
+                in_use |= 1 << lane;
+            }
+        }
+        let found = simd.vectorize(
+            #[inline(always)]
+            || Solved::<S, I>::at(&coefficients, (&pairs, &read), x),
+        );
+        is_certain &= found.is_certain | found.is_imaginary | !in_use;
+        let new = in_use & is_certain & !found.is_imaginary;
+        for (lane, points) in points.iter_mut().enumerate().take(Lanes::<S>::COUNT) {
+            if new >> lane & 1 == 1 && !push::<S, I>(points, &found.unknowns, lane) {
+                is_certain &= !(1 << lane);
+            }
+        }
+    }
+    is_certain & lanes_in_use::<S>()
+}
+
+/// The roots of the determinant of each instance, and a bit for each instance for which they are
+/// certain.
+#[inline(always)]
+fn roots_of_lanes<S: Simd, I: BatchSolver>(
+    determinant: &<<I::Chains as ChainedBasis>::Coefficients as Size>::Vector<Lanes<S>>,
+) -> ([RealRoots<<I::Chains as ChainedBasis>::Coefficients>; MOST], u64) {
+    let (_, _, _, size) = I::all_chains().sizes();
+    let mut is_certain = 0;
+    let roots = core::array::from_fn(|lane| {
+        let mut of_lane = size.filled(0.0);
+        if lane < Lanes::<S>::COUNT {
+            for k in 0..size.get() {
+                of_lane[k] = determinant[k].get(lane);
+            }
+        }
+        let roots = real_roots(size, &of_lane);
+        // Without a root, no polish shows whether the polynomial is precise.
+        let is_sure = roots.is_certain && (!roots.roots.is_empty() || roots.clearance > CLEARANCE);
+        is_certain |= u64::from(is_sure) << lane;
+        roots
+    });
+    (roots, is_certain)
+}
+
+/// The solutions of a root of each instance.
+struct Solved<S: Simd, I: BatchSolver> {
+    unknowns: Point<I, Lanes<S>>,
+    /// A bit for each instance whose solution is precise.
+    is_certain: u64,
+    /// A bit for each instance for which the square of an unknown is negative.
+    is_imaginary: u64,
+}
+
+impl<S: Simd, I: BatchSolver> Solved<S, I> {
+    /// At the root x of each instance.
+    #[inline(always)]
+    fn at(
+        coefficients: &<I::Coefficients as Size>::Vector<Lanes<S>>,
+        (pairs, read): (&HiddenPairs<S, I::Chains>, &Matrix<I::Read, I::Basis, Lanes<S>>),
+        x: Lanes<S>,
+    ) -> Self {
+        let (sizes, batch) = I::all_sizes();
+        let vector = pairs.vector(x);
+        let mut largest = x.constant(0.0);
+        for b in 0..sizes.basis.get() {
+            largest = vector[b].abs().max(largest);
+        }
+        let values = monomial_values::<S, I>(&vector, read);
+        let mut unknowns = sizes.unknowns.filled(x.constant(0.0));
+        let mut is_imaginary = 0;
+        for (at, pairs) in I::RATIOS.iter().enumerate() {
+            if !pairs.is_empty() {
+                let (ratio, monomial) = ratio::<S, I>(&values, pairs);
+                unknowns[at] = ratio;
+                if I::SIGN_CHANGES.is_some_and(|changes| changes.steps[at][at] == 2) {
+                    let is_clear = monomial.above(largest * x.constant(CLEARLY_NEGATIVE)).bits();
+                    is_imaginary |= x.constant(0.0).above(ratio).bits() & is_clear;
+                }
+            }
+        }
+        resolve::<S, I>(&mut unknowns);
+        I::recovered(coefficients, &mut unknowns);
+        let start = unknowns.clone();
+        let equations = Equations {
+            sizes: (sizes.unknowns, batch.equations, batch.products),
+            monomials: I::monomials(),
+            rows: I::equations(coefficients),
+        };
+        let mut is_certain = equations.polish(&mut unknowns);
+        // The same bound as for one instance: see `RealSolutions::by_determinant`.
+        let mut size = x.constant(0.0);
+        for j in 0..sizes.unknowns.get() {
+            size = unknowns[j].abs().max(size);
+        }
+        let floor = size * x.constant(IMPRECISE_FLOOR * IMPRECISE_ROOT);
+        for j in 0..sizes.unknowns.get() {
+            let bound = floor + unknowns[j].abs() * x.constant(IMPRECISE_ROOT);
+            is_certain &= (unknowns[j] - start[j]).abs().at_most(bound).bits();
+        }
+        Self { unknowns, is_certain, is_imaginary }
+    }
+}
+
+/// The values of basis monomials, and of those that are read besides.
+#[inline(always)]
+fn monomial_values<S: Simd, I: BatchSolver>(
+    vector: &BasisLanes<I, S>,
+    read: &Matrix<I::Read, I::Basis, Lanes<S>>,
+) -> <I::Values as Size>::Vector<Lanes<S>> {
+    let (sizes, batch) = I::all_sizes();
+    let zero = vector[0].constant(0.0);
+    let mut values = sizes.values.filled(zero);
+    let basis = sizes.basis.get();
+    for b in 0..basis {
+        values[b] = vector[b];
+    }
+    for (at, row) in (0..batch.read.get()).map(|k| (basis + k, &read[k])) {
+        for b in 0..basis {
+            values[at] += vector[b] * row[b];
+        }
+    }
+    values
+}
+
+/// The least-squares ratio of monomial values: see [`ratio`](crate::emitted::ratio). The modulus of
+/// the largest numerator comes with it.
+#[inline(always)]
+fn ratio<S: Simd, I: BatchSolver>(
+    values: &<I::Values as Size>::Vector<Lanes<S>>,
+    pairs: &[(u16, u16)],
+) -> (Lanes<S>, Lanes<S>) {
+    let zero = values[0].constant(0.0);
+    let (mut numerator, mut denominator, mut largest) = (zero, zero, zero);
+    for &(from, to) in pairs {
+        let (from, to) = (values[usize::from(from)], values[usize::from(to)]);
+        numerator += from * to;
+        denominator += from * from;
+        largest = to.abs().max(largest);
+    }
+    (numerator / denominator, largest)
+}
+
+/// Computes the unknowns from the ratios of their pairs: see
+/// [`SignChanges`](crate::emitted::SignChanges).
+#[inline(always)]
+fn resolve<S: Simd, I: BatchSolver>(ratios: &mut Point<I, Lanes<S>>) {
+    let Some(changes) = I::SIGN_CHANGES else { return };
+    for (at, steps) in changes.steps.iter().enumerate() {
+        if steps[at] == 2 {
+            ratios[at] = ratios[at].sqrt();
+        }
+    }
+    for (at, steps) in changes.steps.iter().enumerate().filter(|(at, steps)| steps[*at] == 1) {
+        for (other, &step) in steps.iter().enumerate().filter(|(other, _)| *other != at) {
+            match step {
+                0 => {}
+                1 => ratios[at] = ratios[at] / ratios[other],
+                _ => ratios[at] = ratios[at] * ratios[other],
+            }
+        }
+    }
+}
+
+/// Adds the point of a lane and its images under the sign changes. Returns false if one of them may
+/// be the same as a point before, or if there is no room.
+#[inline]
+fn push<S: Simd, I: BatchSolver>(points: &mut Points<I, f64>, unknowns: &Point<I, Lanes<S>>, lane: usize) -> bool {
+    let (sizes, _) = I::all_sizes();
+    let mut point = sizes.unknowns.filled(0.0);
+    let mut largest = 0.0;
+    for j in 0..sizes.unknowns.get() {
+        point[j] = unknowns[j].get(lane);
+        largest = if point[j].abs() > largest { point[j].abs() } else { largest };
+    }
+    let mut is_new = push_one::<I>(points, &point, largest);
+    for flip in I::SIGN_CHANGES.map_or(&[][..], |changes| changes.flips) {
+        let mut flipped = point.clone();
+        for (unknown, &changes) in flipped.as_mut().iter_mut().zip(*flip) {
+            *unknown = if changes { -*unknown } else { *unknown };
+        }
+        is_new &= push_one::<I>(points, &flipped, largest);
+    }
+    is_new
+}
+
+#[inline]
+fn push_one<I: BatchSolver>(points: &mut Points<I, f64>, point: &Point<I, f64>, largest: f64) -> bool {
+    let agrees = |x: f64, y: f64| {
+        // A point that is close has a largest unknown of about the same size.
+        (x - y).abs() <= 1.01 * CLOSE_FLOOR * largest + CLOSE * if x.abs() > y.abs() { x.abs() } else { y.abs() }
+    };
+    let is_close = |known: &Point<I, f64>| known.as_ref().iter().zip(point.as_ref()).all(|(&x, &y)| agrees(x, y));
+    !points.iter().any(is_close) && points.push(point.clone())
+}

@@ -1,0 +1,222 @@
+//! A number for each of several instances, in one register of the processor.
+
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+use fearless_simd::prelude::*;
+
+use crate::batch::shared_pivots;
+use crate::elimination::lu::BlockError;
+use crate::number::{Arithmetic, Eliminated, Over};
+use crate::size::Vector;
+
+/// A number for each instance: 8 with AVX-512, 4 with AVX2, 2 with NEON. `S` stands for the
+/// instruction set, which is known when the program runs.
+///
+/// All arithmetic on lanes is `inline(always)`: it must become part of a function that is compiled
+/// for the instruction set.
+pub(super) struct Lanes<S: Simd>(pub(super) S::f64s);
+
+impl<S: Simd> Clone for Lanes<S> {
+    #[inline(always)]
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S: Simd> Copy for Lanes<S> {}
+
+/// A truth for each instance.
+pub(super) struct Mask<S: Simd>(<S::f64s as SimdBase<S>>::Mask);
+
+impl<S: Simd> Clone for Mask<S> {
+    #[inline(always)]
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S: Simd> Copy for Mask<S> {}
+
+impl<S: Simd> Lanes<S> {
+    /// The number of instances.
+    pub(super) const COUNT: usize = <S::f64s as SimdBase<S>>::LEN;
+
+    /// x for each instance.
+    #[inline(always)]
+    pub(super) fn splat(simd: S, x: f64) -> Self {
+        Self(S::f64s::simd_from(simd, x))
+    }
+
+    /// The number of an instance.
+    #[inline(always)]
+    pub(super) fn get(&self, lane: usize) -> f64 {
+        self.0.as_slice()[lane]
+    }
+
+    #[inline(always)]
+    pub(super) fn set(&mut self, lane: usize, x: f64) {
+        self.0.as_mut_slice()[lane] = x;
+    }
+
+    #[inline(always)]
+    pub(super) fn abs(self) -> Self {
+        Self(self.0.abs())
+    }
+
+    #[inline(always)]
+    pub(super) fn sqrt(self) -> Self {
+        Self(self.0.sqrt())
+    }
+
+    /// The larger number of each lane; the second one if the first one is NaN.
+    #[inline(always)]
+    pub(super) fn max(self, other: Self) -> Self {
+        self.above(other).select(self, other)
+    }
+
+    /// self > other; false for NaN.
+    #[inline(always)]
+    pub(super) fn above(self, other: Self) -> Mask<S> {
+        Mask(self.0.simd_gt(other.0))
+    }
+
+    /// self <= other; false for NaN.
+    #[inline(always)]
+    pub(super) fn at_most(self, other: Self) -> Mask<S> {
+        Mask(other.0.simd_ge(self.0))
+    }
+
+    /// The least number of all instances; NaN counts as less.
+    #[inline(always)]
+    pub(super) fn least(self) -> f64 {
+        let mut least = f64::INFINITY;
+        for &x in self.0.as_slice() {
+            least = if x >= least { least } else { x };
+        }
+        least
+    }
+}
+
+impl<S: Simd> Mask<S> {
+    /// `yes` where this is true, `no` elsewhere.
+    #[inline(always)]
+    pub(super) fn select(self, yes: Lanes<S>, no: Lanes<S>) -> Lanes<S> {
+        Lanes(self.0.select(yes.0, no.0))
+    }
+
+    /// A bit for each instance.
+    #[inline(always)]
+    pub(super) fn bits(self) -> u64 {
+        self.0.to_bitmask()
+    }
+}
+
+impl<S: Simd> Add for Lanes<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
+}
+
+impl<S: Simd> Sub for Lanes<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self(self.0 - other.0)
+    }
+}
+
+impl<S: Simd> Mul for Lanes<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Self(self.0 * other.0)
+    }
+}
+
+impl<S: Simd> Div for Lanes<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        Self(self.0 / other.0)
+    }
+}
+
+impl<S: Simd> Neg for Lanes<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl<S: Simd> AddAssign for Lanes<S> {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl<S: Simd> SubAssign for Lanes<S> {
+    #[inline(always)]
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+
+impl<S: Simd> Arithmetic for Lanes<S> {
+    #[inline(always)]
+    fn constant(self, x: f64) -> Self {
+        Self::splat(self.0.token(), x)
+    }
+
+    #[inline(always)]
+    fn add_product<const A: usize, const B: usize, const N: usize>(
+        sum: &mut [Self; N],
+        a: &[Self; A],
+        b: &[Self; B],
+    ) {
+        for i in 0..A {
+            for j in 0..B {
+                sum[i + j] += a[i] * b[j];
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn subtract_product<const A: usize, const B: usize, const N: usize>(
+        sum: &mut [Self; N],
+        a: &[Self; A],
+        b: &[Self; B],
+    ) {
+        for i in 0..A {
+            for j in 0..B {
+                sum[i + j] -= a[i] * b[j];
+            }
+        }
+    }
+}
+
+impl<S: Simd> Over<Self> for Lanes<S> {
+    #[inline(always)]
+    fn from_real(x: Self) -> Self {
+        x
+    }
+
+    #[inline(always)]
+    fn times(self, factor: Self) -> Self {
+        self * factor
+    }
+}
+
+impl<S: Simd> Eliminated for Lanes<S> {
+    #[inline(always)]
+    fn solve_block<V: Vector<Self>, const N: usize>(
+        matrix: &mut [[Self; N]; N],
+        right: &mut [V],
+        needed: usize,
+    ) -> Result<(), BlockError> {
+        shared_pivots::solve_block(matrix, right, needed)
+    }
+}

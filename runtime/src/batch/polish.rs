@@ -1,0 +1,213 @@
+//! Gauss-Newton steps on the equations of several instances.
+
+use fearless_simd::prelude::*;
+
+use crate::batch::lanes::Lanes;
+use crate::number::Arithmetic;
+use crate::size::{Matrix, Size, filled_matrix};
+use crate::solution::polish::{FAR, LARGE, NOISE, ROUNDING, STALLED};
+use crate::solution::system::Monomials;
+
+/// Instances that need more steps are rare. They are solved by themselves.
+const MOST_STEPS: usize = 4;
+
+/// The equations of several instances, as in [`DenseSystem`](crate::emitted::DenseSystem).
+pub(super) struct Equations<'a, S: Simd, N: Size, E: Size, K: Size, Q> {
+    pub(super) sizes: (N, E, K),
+    pub(super) monomials: Q,
+    pub(super) rows: &'a Matrix<K, E, Lanes<S>>,
+}
+
+impl<S: Simd, N: Size, E: Size, K: Size, Q: Monomials<N, K>> Equations<'_, S, N, E, K, Q> {
+    /// Polishes x. Returns a bit for each instance for which the polish gives what that of one
+    /// instance would give: few short steps lower the residual to rounding.
+    #[inline(always)]
+    pub(super) fn polish(&self, x: &mut N::Vector<Lanes<S>>) -> u64 {
+        let (unknowns, equations, _) = self.sizes;
+        let (zero, one) = (x[0].constant(0.0), x[0].constant(1.0));
+        let (mut values, scales) = self.values_and_scales(&self.monomials.products(x));
+        let mut weight = equations.filled(zero);
+        let mut has_scales = u64::MAX;
+        for e in 0..equations.get() {
+            has_scales &= scales[e].above(zero).bits();
+            weight[e] = one / scales[e];
+        }
+        let rounding = zero.constant(ROUNDING);
+        let mut residual = largest_weighted::<S, E>(equations, &values, &weight);
+        let mut open = !residual.at_most(rounding).bits();
+        let mut is_near = u64::MAX;
+        for _ in 0..MOST_STEPS {
+            if open & lanes_in_use::<S>() == 0 {
+                break;
+            }
+            let mut columns = self.weighted_derivatives(x, &weight);
+            for e in 0..equations.get() {
+                values[e] = values[e] * weight[e];
+            }
+            let step = least_squares::<S, N, E>((unknowns, equations), &mut columns, &mut values);
+            let mut moved = x.clone();
+            let mut size = zero;
+            for j in 0..unknowns.get() {
+                moved[j] -= step[j];
+                size = moved[j].abs().max(size);
+            }
+            let noise = size * zero.constant(NOISE);
+            for j in 0..unknowns.get() {
+                let bound = x[j].abs() * zero.constant(FAR) + noise;
+                is_near &= step[j].abs().at_most(bound).bits() | !open;
+            }
+            values = self.values(&self.monomials.products(&moved));
+            let moved_residual = largest_weighted::<S, E>(equations, &values, &weight);
+            let lowers = residual.above(moved_residual);
+            for j in 0..unknowns.get() {
+                x[j] = lowers.select(moved[j], x[j]);
+            }
+            residual = lowers.select(moved_residual, residual);
+            open &= lowers.bits() & !residual.at_most(rounding).bits();
+        }
+        let mut is_small = u64::MAX;
+        for j in 0..unknowns.get() {
+            is_small &= zero.constant(LARGE).above(x[j].abs()).bits();
+        }
+        has_scales & is_near & is_small & residual.at_most(zero.constant(STALLED)).bits()
+    }
+
+    #[inline(always)]
+    fn values_and_scales(
+        &self,
+        monomials: &K::Vector<Lanes<S>>,
+    ) -> (E::Vector<Lanes<S>>, E::Vector<Lanes<S>>) {
+        let (_, equations, count) = self.sizes;
+        let zero = monomials[0].constant(0.0);
+        let (mut values, mut scales) = (equations.filled(zero), equations.filled(zero));
+        for k in (0..count.get()).rev() {
+            let (row, factor) = (&self.rows[k], monomials[k]);
+            for e in 0..equations.get() {
+                let term = factor * row[e];
+                values[e] += term;
+                scales[e] += term.abs();
+            }
+        }
+        (values, scales)
+    }
+
+    #[inline(always)]
+    fn values(&self, monomials: &K::Vector<Lanes<S>>) -> E::Vector<Lanes<S>> {
+        let (_, equations, count) = self.sizes;
+        let mut values = equations.filled(monomials[0].constant(0.0));
+        for k in (0..count.get()).rev() {
+            let (row, factor) = (&self.rows[k], monomials[k]);
+            for e in 0..equations.get() {
+                values[e] += factor * row[e];
+            }
+        }
+        values
+    }
+
+    #[inline(always)]
+    fn weighted_derivatives(
+        &self,
+        x: &N::Vector<Lanes<S>>,
+        weight: &E::Vector<Lanes<S>>,
+    ) -> Matrix<N, E, Lanes<S>> {
+        let (unknowns, equations, count) = self.sizes;
+        let zero = x[0].constant(0.0);
+        let gradients = self.monomials.gradients(x, &self.monomials.products(x));
+        let mut columns = filled_matrix(unknowns, equations, zero);
+        for j in 0..unknowns.get() {
+            let mut column = equations.filled(zero);
+            for k in (0..count.get()).rev() {
+                let (row, factor) = (&self.rows[k], gradients[k][j]);
+                // Monomials without the unknown are passed over.
+                if factor.abs().above(zero).bits() != 0 {
+                    for e in 0..equations.get() {
+                        column[e] += factor * row[e];
+                    }
+                }
+            }
+            for e in 0..equations.get() {
+                column[e] = column[e] * weight[e];
+            }
+            columns[j] = column;
+        }
+        columns
+    }
+}
+
+/// A bit for each instance.
+#[inline(always)]
+pub(super) fn lanes_in_use<S: Simd>() -> u64 {
+    (1 << Lanes::<S>::COUNT) - 1
+}
+
+/// max |f_e| weight_e; NaN if a number is not finite.
+#[inline(always)]
+fn largest_weighted<S: Simd, E: Size>(
+    equations: E,
+    values: &E::Vector<Lanes<S>>,
+    weight: &E::Vector<Lanes<S>>,
+) -> Lanes<S> {
+    let zero = values[0].constant(0.0);
+    let (mut worst, mut finite) = (zero, zero);
+    for e in 0..equations.get() {
+        let size = values[e].abs() * weight[e];
+        worst = size.max(worst);
+        finite += size * zero;
+    }
+    worst + finite
+}
+
+/// The least-squares solution by Householder QR, as that of one instance. Numbers of an instance
+/// that has lost rank are not finite.
+#[inline(always)]
+fn least_squares<S: Simd, N: Size, E: Size>(
+    (unknowns, equations): (N, E),
+    columns: &mut Matrix<N, E, Lanes<S>>,
+    right: &mut E::Vector<Lanes<S>>,
+) -> N::Vector<Lanes<S>> {
+    let (n, count) = (unknowns.get(), equations.get());
+    let zero = right[0].constant(0.0);
+    let one = zero.constant(1.0);
+    let mut solution = unknowns.filled(zero);
+    let mut inverse_diagonal = unknowns.filled(zero);
+    for k in 0..n {
+        let mut square = zero;
+        for e in k..count {
+            square += columns[k][e] * columns[k][e];
+        }
+        let length = square.sqrt();
+        let head = columns[k][k];
+        // R[k][k] points opposite to the head, so that head - diagonal does not cancel.
+        let diagonal = head.above(zero).select(-length, length);
+        inverse_diagonal[k] = one / diagonal;
+        columns[k][k] = head - diagonal;
+        let inverse_factor = one / (square + length * head.abs());
+        for j in k + 1..n {
+            let mut product = zero;
+            for e in k..count {
+                product += columns[k][e] * columns[j][e];
+            }
+            product = product * inverse_factor;
+            for e in k..count {
+                let reflected = columns[k][e] * product;
+                columns[j][e] -= reflected;
+            }
+        }
+        let mut product = zero;
+        for e in k..count {
+            product += columns[k][e] * right[e];
+        }
+        product = product * inverse_factor;
+        for e in k..count {
+            right[e] -= columns[k][e] * product;
+        }
+    }
+    for k in (0..n).rev() {
+        let mut sum = right[k];
+        for j in k + 1..n {
+            sum -= columns[j][k] * solution[j];
+        }
+        solution[k] = sum * inverse_diagonal[k];
+    }
+    solution
+}

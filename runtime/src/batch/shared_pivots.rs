@@ -1,0 +1,114 @@
+//! Elimination with the same pivots for all instances.
+//!
+//! Lanes cannot swap rows of their own. All swap the same rows: the row is chosen whose candidate
+//! for the pivot, relative to the largest candidate of its instance, is best in the worst instance.
+//! On random templates of five points in four lanes, the least of these ratios in all columns is
+//! 0.19 (median) and 0.026 (minimum), and the backward error stays below 4e-15.
+
+use fearless_simd::prelude::*;
+
+use crate::batch::lanes::Lanes;
+use crate::elimination::lu::BlockError;
+use crate::number::Arithmetic;
+use crate::size::Vector;
+
+/// An instance whose pivot is smaller than this, relative to its largest candidate, would lose too
+/// many digits: it is solved by itself.
+const LEAST_RATIO: f64 = 1e-3;
+
+/// A largest candidate below this, relative to the sum of its row before the elimination, may be
+/// rounding noise: the instance is solved by itself.
+const NOISE: f64 = 1e-9;
+
+/// The row, of those from `first` on, whose entry is the best pivot for all instances, and the
+/// pivot. It is NaN for an instance that must be solved by itself, and so are its results. `size`
+/// is the size of the candidate of a row.
+#[inline(always)]
+pub(super) fn choose<S: Simd>(
+    (first, end): (usize, usize),
+    entry: impl Fn(usize) -> Lanes<S>,
+    size: impl Fn(usize) -> Lanes<S>,
+) -> (usize, Lanes<S>) {
+    let mut largest = size(first);
+    for i in first + 1..end {
+        largest = size(i).max(largest);
+    }
+    let inverse = largest.constant(1.0) / largest;
+    let (mut best, mut ratio) = (first, -1.0);
+    for i in first..end {
+        let of_row = (size(i) * inverse).least();
+        (best, ratio) = if of_row > ratio { (i, of_row) } else { (best, ratio) };
+    }
+    let is_good = (size(best) * inverse).above(inverse.constant(LEAST_RATIO));
+    let is_clear = largest.above(inverse.constant(NOISE));
+    let nan = inverse.constant(f64::NAN);
+    (best, is_clear.select(is_good.select(entry(best), nan), nan))
+}
+
+/// Solves `matrix * X = right` for the last `needed` rows of X, like
+/// [`solve_block_trailing`](crate::elimination::lu::solve_block_trailing). The results of an
+/// instance that must be solved by itself are NaN.
+///
+/// # Errors
+/// [`BlockError::Shape`].
+#[inline(always)]
+pub(super) fn solve_block<S: Simd, V: Vector<Lanes<S>>, const N: usize>(
+    matrix: &mut [[Lanes<S>; N]; N],
+    right: &mut [V],
+    needed: usize,
+) -> Result<(), BlockError> {
+    if N == 0 {
+        return Ok(());
+    }
+    let Some(right) = right.get_mut(..N) else { return Err(BlockError::Shape) };
+    let zero = matrix[0][0].constant(0.0);
+    let mut row_scale = [zero; N];
+    for i in 0..N {
+        let mut sum = zero;
+        for j in 0..N {
+            sum += matrix[i][j].abs();
+        }
+        row_scale[i] = zero.constant(1.0) / sum;
+    }
+    let mut inverses = [zero; N];
+    for k in 0..N {
+        let size = |i: usize| matrix[i][k].abs() * row_scale[i];
+        let (best, pivot) = choose((k, N), |i| matrix[i][k], size);
+        matrix.swap(k, best);
+        right.swap(k, best);
+        row_scale.swap(k, best);
+        inverses[k] = zero.constant(1.0) / pivot;
+        for i in k + 1..N {
+            // Zero in all instances, as most entries of a sparse template.
+            if matrix[i][k].abs().above(zero).bits() == 0 {
+                continue;
+            }
+            let multiplier = matrix[i][k] * inverses[k];
+            for j in k + 1..N {
+                let product = multiplier * matrix[k][j];
+                matrix[i][j] -= product;
+            }
+            let (above, below) = right.split_at_mut(i);
+            for (entry, &known) in below[0].as_mut().iter_mut().zip(above[k].as_ref()) {
+                *entry -= multiplier * known;
+            }
+        }
+    }
+    // 0, or NaN for an instance without some pivot.
+    let mut missing = zero;
+    for k in 0..N {
+        missing += inverses[k] * zero;
+    }
+    for k in (N.saturating_sub(needed)..N).rev() {
+        let inverse = inverses[k] + missing;
+        let (above, below) = right.split_at_mut(k + 1);
+        let row = above[k].as_mut();
+        for (&factor, solved) in matrix[k][k + 1..].iter().zip(below.iter()) {
+            for (entry, &known) in row.iter_mut().zip(solved.as_ref()) {
+                *entry -= factor * known;
+            }
+        }
+        row.iter_mut().for_each(|entry| *entry = *entry * inverse);
+    }
+    Ok(())
+}
