@@ -57,4 +57,8 @@ impl<T> List<T> for BoundedVec<T> {
         }
         has_room
     }
+
+    fn pop(&mut self) -> Option<T> {
+        self.entries.pop()
+    }
 }

@@ -23,6 +23,8 @@ impl<T, V: Clone + AsRef<[T]> + AsMut<[T]> + Index<usize, Output = T> + IndexMut
 pub trait List<T>: Deref<Target = [T]> + DerefMut {
     /// Appends an entry. If the list is full, it stays as it is, and the result is false.
     fn push(&mut self, entry: T) -> bool;
+    /// Removes the last entry.
+    fn pop(&mut self) -> Option<T>;
 }
 
 /// The number of entries of a vector. Each type that implements it keeps them in its own way.
@@ -104,6 +106,10 @@ impl<T, const N: usize> List<T> for ArrayVec<T, N> {
     #[inline]
     fn push(&mut self, entry: T) -> bool {
         self.try_push(entry).is_ok()
+    }
+    #[inline]
+    fn pop(&mut self) -> Option<T> {
+        ArrayVec::pop(self)
     }
 }
 

@@ -5,6 +5,7 @@ use fearless_simd::{Level, Simd};
 use crate::batch::hidden_pairs::HiddenPairs;
 use crate::batch::lanes::Lanes;
 use crate::batch::polish::{Equations, lanes_in_use};
+use crate::batch::roots::Isolation;
 use crate::batch::{BatchData, BatchSolver};
 use crate::driver::CLEARANCE;
 use crate::elimination::template::{action_matrix_from, solved_rows_from};
@@ -14,10 +15,9 @@ use crate::solution::candidates::{IMPRECISE_FLOOR, IMPRECISE_ROOT};
 use crate::solution::distinct::{CLOSE, CLOSE_FLOOR};
 use crate::solver_instance::{Point, Points, SolverInstance};
 use crate::spectrum::hidden_variable::ChainedBasis;
-use crate::spectrum::real_roots::{RealRoots, real_roots};
 
 /// The largest number of instances in a group.
-const MOST: usize = 8;
+pub(super) const MOST: usize = 8;
 
 /// A square is negative beyond doubt if its ratio is, and if its monomial exceeds this part of the
 /// largest entry of the eigenvector.
@@ -101,7 +101,17 @@ fn solve_group<S: Simd, I: BatchSolver>(
         },
     );
     let Some((pairs, read, determinant)) = pairs else { return 0 };
-    let (roots, mut is_certain) = roots_of_lanes::<S, I>(&determinant);
+    let (_, _, _, degree) = I::all_chains().sizes();
+    let roots = simd.vectorize(
+        #[inline(always)]
+        || Isolation::run(simd, degree, &determinant),
+    );
+    let mut is_certain = 0;
+    for (lane, roots) in roots.iter().enumerate() {
+        // Without a root, no polish shows whether the polynomial is precise.
+        let is_sure = roots.is_certain && (!roots.roots.is_empty() || roots.clearance > CLEARANCE);
+        is_certain |= u64::from(is_sure) << lane;
+    }
     let most = roots.iter().map(|roots| roots.roots.len()).max().unwrap_or(0);
     for number in 0..most {
         let mut x = zero;
@@ -125,30 +135,6 @@ fn solve_group<S: Simd, I: BatchSolver>(
         }
     }
     is_certain & lanes_in_use::<S>()
-}
-
-/// The roots of the determinant of each instance, and a bit for each instance for which they are
-/// certain.
-#[inline(always)]
-fn roots_of_lanes<S: Simd, I: BatchSolver>(
-    determinant: &<<I::Chains as ChainedBasis>::Coefficients as Size>::Vector<Lanes<S>>,
-) -> ([RealRoots<<I::Chains as ChainedBasis>::Coefficients>; MOST], u64) {
-    let (_, _, _, size) = I::all_chains().sizes();
-    let mut is_certain = 0;
-    let roots = core::array::from_fn(|lane| {
-        let mut of_lane = size.filled(0.0);
-        if lane < Lanes::<S>::COUNT {
-            for k in 0..size.get() {
-                of_lane[k] = determinant[k].get(lane);
-            }
-        }
-        let roots = real_roots(size, &of_lane);
-        // Without a root, no polish shows whether the polynomial is precise.
-        let is_sure = roots.is_certain && (!roots.roots.is_empty() || roots.clearance > CLEARANCE);
-        is_certain |= u64::from(is_sure) << lane;
-        roots
-    });
-    (roots, is_certain)
 }
 
 /// The solutions of a root of each instance.

@@ -58,15 +58,16 @@ impl<S: Simd, H: ChainedBasis> HiddenPairs<S, H> {
         }
         for pivot in 0..k {
             // The sizes of rows of solved pivots are comparable: none is scaled.
-            let largest = |i: usize| {
-                let mut size = zero;
+            let mut candidates = count.filled(zero);
+            for i in pivot..k {
+                let mut largest = zero;
                 for j in 0..k {
-                    size = d[i][j].abs().max(size);
+                    largest = d[i][j].abs().max(largest);
                 }
-                size
-            };
-            let (best, value) =
-                shared_pivots::choose((pivot, k), |i| d[i][pivot], |i| d[i][pivot].abs() / largest(i));
+                candidates[i] = d[i][pivot].abs() / largest;
+            }
+            let (best, is_good) = shared_pivots::choose::<S, H::Count>((pivot, k), &candidates);
+            let value = is_good.select(d[best][pivot], zero.constant(f64::NAN));
             d.as_mut().swap(pivot, best);
             self.eliminated.as_mut().swap(pivot, best);
             let inverse = zero.constant(1.0) / value;

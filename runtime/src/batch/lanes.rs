@@ -47,6 +47,12 @@ impl<S: Simd> Lanes<S> {
         Self(S::f64s::simd_from(simd, x))
     }
 
+    /// The instruction set.
+    #[inline(always)]
+    pub(super) fn token(&self) -> S {
+        self.0.token()
+    }
+
     /// The number of an instance.
     #[inline(always)]
     pub(super) fn get(&self, lane: usize) -> f64 {
@@ -102,6 +108,12 @@ impl<S: Simd> Mask<S> {
     #[inline(always)]
     pub(super) fn select(self, yes: Lanes<S>, no: Lanes<S>) -> Lanes<S> {
         Lanes(self.0.select(yes.0, no.0))
+    }
+
+    /// From a bit for each instance.
+    #[inline(always)]
+    pub(super) fn from_bits(simd: S, bits: u64) -> Self {
+        Self(SimdMask::from_bitmask(simd, bits))
     }
 
     /// A bit for each instance.
@@ -168,7 +180,7 @@ impl<S: Simd> SubAssign for Lanes<S> {
 impl<S: Simd> Arithmetic for Lanes<S> {
     #[inline(always)]
     fn constant(self, x: f64) -> Self {
-        Self::splat(self.0.token(), x)
+        Self::splat(self.token(), x)
     }
 
     #[inline(always)]

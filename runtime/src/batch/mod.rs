@@ -22,6 +22,8 @@ mod lanes;
 #[cfg(feature = "lanes")]
 mod polish;
 #[cfg(feature = "lanes")]
+mod roots;
+#[cfg(feature = "lanes")]
 mod shared_pivots;
 
 use crate::elimination::template::ActionRow;

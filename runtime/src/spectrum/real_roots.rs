@@ -19,22 +19,22 @@ use crate::size::{List, Size};
 /// An interval is halved at most this often. Roots of one interval are then at most 2^-12 = 2e-4
 /// apart, relative to the scaled variable, and coefficients that are wrong by 2e-4 squared may make
 /// them a complex pair.
-const HALVINGS: u32 = 12;
+pub(crate) const HALVINGS: u32 = 12;
 
 /// A factor of the scaled variable: the square root of 3/4. Without it, numbers such as 1 and 3/8
 /// would lie where intervals meet, and they are the roots of many polynomials that people write.
-const UNIT: f64 = 0.866_025_403_784_438_6;
+pub(crate) const UNIT: f64 = 0.866_025_403_784_438_6;
 
 /// The value where an interval is halved must exceed this, relative to the largest Bernstein
 /// coefficient: it is about the square of the distance 2^-12.
-const CLEAR_MIDDLE: f64 = 1e-7;
+pub(crate) const CLEAR_MIDDLE: f64 = 1e-7;
 
 /// The largest number of steps to a root. They are Newton's, or halve the bracket.
-const MOST_STEPS: usize = 100;
+pub(crate) const MOST_STEPS: usize = 100;
 
 /// A Newton step of this size, relative to the root, is the last one: the next one would be its
 /// square.
-const LAST_STEP: f64 = 1e-9;
+pub(crate) const LAST_STEP: f64 = 1e-9;
 
 /// Pieces of the axis, and roots, that are computed side by side.
 const LANES: usize = 4;
@@ -88,15 +88,15 @@ type Pieces<Z> = <Z as Size>::Vector<Lanes>;
 
 /// An interval with one root.
 #[derive(Clone, Copy)]
-struct Bracket {
+pub(crate) struct Bracket {
     /// The piece of the axis.
-    piece: usize,
-    low: f64,
-    high: f64,
+    pub(crate) piece: usize,
+    pub(crate) low: f64,
+    pub(crate) high: f64,
     /// The zero of the control polygon.
-    start: f64,
+    pub(crate) start: f64,
     /// Whether q is negative at the lower end.
-    rises: bool,
+    pub(crate) rises: bool,
 }
 
 impl<Z: Size, const FULL: bool> Isolation<Z, FULL> {
