@@ -92,7 +92,9 @@ fn solve_group<S: Simd, I: BatchSolver>(
     let pairs = simd.vectorize(
         #[inline(always)]
         || {
-            let right = I::eliminated(zero, &coefficients).ok()?;
+            // The template stays in its result: a move would copy it.
+            let right = I::eliminated(zero, &coefficients);
+            let Ok(right) = &right else { return None };
             let action = action_matrix_from(sizes.basis, I::ACTION, right.as_ref(), zero);
             let read = solved_rows_from((batch.read, sizes.basis), I::READ, right.as_ref(), (zero, |x| x));
             let pairs = HiddenPairs::new(I::all_chains(), &action);
@@ -100,11 +102,11 @@ fn solve_group<S: Simd, I: BatchSolver>(
             Some((pairs, read, determinant))
         },
     );
-    let Some((pairs, read, determinant)) = pairs else { return 0 };
+    let Some((pairs, read, determinant)) = &pairs else { return 0 };
     let (_, _, _, degree) = I::all_chains().sizes();
     let roots = simd.vectorize(
         #[inline(always)]
-        || Isolation::run(simd, degree, &determinant),
+        || Isolation::run(simd, degree, determinant),
     );
     let mut is_certain = 0;
     for (lane, roots) in roots.iter().enumerate() {
@@ -124,7 +126,7 @@ fn solve_group<S: Simd, I: BatchSolver>(
         }
         let found = simd.vectorize(
             #[inline(always)]
-            || Solved::<S, I>::at(&coefficients, (&pairs, &read), x),
+            || Solved::<S, I>::at(&coefficients, (pairs, read), x),
         );
         is_certain &= found.is_certain | found.is_imaginary | !in_use;
         let new = in_use & is_certain & !found.is_imaginary;
@@ -211,7 +213,7 @@ fn monomial_values<S: Simd, I: BatchSolver>(
     }
     for (at, row) in (0..batch.read.get()).map(|k| (basis + k, &read[k])) {
         for b in 0..basis {
-            values[at] += vector[b] * row[b];
+            values[at] = values[at].plus(vector[b], row[b]);
         }
     }
     values
@@ -228,8 +230,8 @@ fn ratio<S: Simd, I: BatchSolver>(
     let (mut numerator, mut denominator, mut largest) = (zero, zero, zero);
     for &(from, to) in pairs {
         let (from, to) = (values[usize::from(from)], values[usize::from(to)]);
-        numerator += from * to;
-        denominator += from * from;
+        numerator = numerator.plus(from, to);
+        denominator = denominator.plus(from, from);
         largest = to.abs().max(largest);
     }
     (numerator / denominator, largest)

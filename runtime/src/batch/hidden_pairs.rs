@@ -81,12 +81,10 @@ impl<S: Simd, H: ChainedBasis> HiddenPairs<S, H> {
                 if i != pivot {
                     let factor = d[i][pivot];
                     for j in 0..k {
-                        let product = factor * d[pivot][j];
-                        d[i][j] -= product;
+                        d[i][j] = d[i][j].minus(factor, d[pivot][j]);
                     }
                     for at in 0..width.get() {
-                        let product = factor * self.eliminated[pivot][at];
-                        self.eliminated[i][at] -= product;
+                        self.eliminated[i][at] = self.eliminated[i][at].minus(factor, self.eliminated[pivot][at]);
                     }
                 }
             }
@@ -111,8 +109,7 @@ impl<S: Simd, H: ChainedBasis> HiddenPairs<S, H> {
             for (other, &head) in heads.iter().enumerate() {
                 let factor = row[usize::from(head)];
                 for at in 0..width.get() {
-                    let product = factor * self.eliminated[other][at];
-                    self.rows[i][at] -= product;
+                    self.rows[i][at] = self.rows[i][at].minus(factor, self.eliminated[other][at]);
                 }
             }
         }

@@ -64,6 +64,18 @@ impl<S: Simd> Lanes<S> {
         self.0.as_mut_slice()[lane] = x;
     }
 
+    /// self + a b, rounded once where the processor can.
+    #[inline(always)]
+    pub(super) fn plus(self, a: Self, b: Self) -> Self {
+        Self(a.0.mul_add(b.0, self.0))
+    }
+
+    /// self - a b, rounded once where the processor can.
+    #[inline(always)]
+    pub(super) fn minus(self, a: Self, b: Self) -> Self {
+        Self((-a.0).mul_add(b.0, self.0))
+    }
+
     #[inline(always)]
     pub(super) fn abs(self) -> Self {
         Self(self.0.abs())
@@ -191,7 +203,7 @@ impl<S: Simd> Arithmetic for Lanes<S> {
     ) {
         for i in 0..A {
             for j in 0..B {
-                sum[i + j] += a[i] * b[j];
+                sum[i + j] = sum[i + j].plus(a[i], b[j]);
             }
         }
     }
@@ -204,7 +216,7 @@ impl<S: Simd> Arithmetic for Lanes<S> {
     ) {
         for i in 0..A {
             for j in 0..B {
-                sum[i + j] -= a[i] * b[j];
+                sum[i + j] = sum[i + j].minus(a[i], b[j]);
             }
         }
     }

@@ -36,15 +36,16 @@ impl<S: Simd, N: Size, E: Size, K: Size, Q: Monomials<N, K>> Equations<'_, S, N,
         let mut residual = largest_weighted::<S, E>(equations, &values, &weight);
         let mut open = !residual.at_most(rounding).bits();
         let mut is_near = u64::MAX;
+        // Solutions are polished in steps so short that one Jacobian serves all.
+        let jacobian = LeastSquares::factored((unknowns, equations), self.weighted_derivatives(x, &weight));
         for _ in 0..MOST_STEPS {
             if open & lanes_in_use::<S>() == 0 {
                 break;
             }
-            let mut columns = self.weighted_derivatives(x, &weight);
             for e in 0..equations.get() {
                 values[e] = values[e] * weight[e];
             }
-            let step = least_squares::<S, N, E>((unknowns, equations), &mut columns, &mut values);
+            let step = jacobian.solution(&mut values);
             let mut moved = x.clone();
             let mut size = zero;
             for j in 0..unknowns.get() {
@@ -98,7 +99,7 @@ impl<S: Simd, N: Size, E: Size, K: Size, Q: Monomials<N, K>> Equations<'_, S, N,
         for k in (0..count.get()).rev() {
             let (row, factor) = (&self.rows[k], monomials[k]);
             for e in 0..equations.get() {
-                values[e] += factor * row[e];
+                values[e] = values[e].plus(factor, row[e]);
             }
         }
         values
@@ -121,7 +122,7 @@ impl<S: Simd, N: Size, E: Size, K: Size, Q: Monomials<N, K>> Equations<'_, S, N,
                 // Monomials without the unknown are passed over.
                 if factor.abs().above(zero).bits() != 0 {
                     for e in 0..equations.get() {
-                        column[e] += factor * row[e];
+                        column[e] = column[e].plus(factor, row[e]);
                     }
                 }
             }
@@ -157,57 +158,88 @@ fn largest_weighted<S: Simd, E: Size>(
     worst + finite
 }
 
-/// The least-squares solution by Householder QR, as that of one instance. Numbers of an instance
-/// that has lost rank are not finite.
+/// The Householder QR decomposition of the weighted Jacobian, as that of one instance.
+struct LeastSquares<S: Simd, N: Size, E: Size> {
+    sizes: (N, E),
+    /// Column k holds the vector of reflection k from row k on, and R above.
+    columns: Matrix<N, E, Lanes<S>>,
+    /// 2 / (squared length) of the vectors of the reflections.
+    inverse_factors: N::Vector<Lanes<S>>,
+    /// One over the diagonal of R.
+    inverse_diagonal: N::Vector<Lanes<S>>,
+}
+
+impl<S: Simd, N: Size, E: Size> LeastSquares<S, N, E> {
+    /// Numbers of an instance that has lost rank are not finite, or so large that no step is short.
+    #[inline(always)]
+    fn factored((unknowns, equations): (N, E), mut columns: Matrix<N, E, Lanes<S>>) -> Self {
+        let (n, count) = (unknowns.get(), equations.get());
+        let zero = columns[0][0].constant(0.0);
+        let one = zero.constant(1.0);
+        let mut inverse_diagonal = unknowns.filled(zero);
+        let mut inverse_factors = unknowns.filled(zero);
+        for k in 0..n {
+            let square = product::<S, E>((k, count), &columns[k], &columns[k]);
+            let length = square.sqrt();
+            let head = columns[k][k];
+            // R[k][k] points opposite to the head, so that head - diagonal does not cancel.
+            let diagonal = head.above(zero).select(-length, length);
+            inverse_diagonal[k] = one / diagonal;
+            columns[k][k] = head - diagonal;
+            inverse_factors[k] = one / (square + length * head.abs());
+            let (done, rest) = columns.as_mut().split_at_mut(k + 1);
+            for other in rest {
+                reflect::<S, E>((k, count), &done[k], inverse_factors[k], other);
+            }
+        }
+        Self { sizes: (unknowns, equations), columns, inverse_factors, inverse_diagonal }
+    }
+
+    /// The least-squares solution for this right side, which is overwritten.
+    #[inline(always)]
+    fn solution(&self, right: &mut E::Vector<Lanes<S>>) -> N::Vector<Lanes<S>> {
+        let (unknowns, equations) = self.sizes;
+        let n = unknowns.get();
+        let mut solution = unknowns.filled(right[0].constant(0.0));
+        for k in 0..n {
+            reflect::<S, E>((k, equations.get()), &self.columns[k], self.inverse_factors[k], right);
+        }
+        for k in (0..n).rev() {
+            let mut sum = right[k];
+            for j in k + 1..n {
+                sum = sum.minus(self.columns[j][k], solution[j]);
+            }
+            solution[k] = sum * self.inverse_diagonal[k];
+        }
+        solution
+    }
+}
+
+/// The scalar product of two columns from row k on.
 #[inline(always)]
-fn least_squares<S: Simd, N: Size, E: Size>(
-    (unknowns, equations): (N, E),
-    columns: &mut Matrix<N, E, Lanes<S>>,
-    right: &mut E::Vector<Lanes<S>>,
-) -> N::Vector<Lanes<S>> {
-    let (n, count) = (unknowns.get(), equations.get());
-    let zero = right[0].constant(0.0);
-    let one = zero.constant(1.0);
-    let mut solution = unknowns.filled(zero);
-    let mut inverse_diagonal = unknowns.filled(zero);
-    for k in 0..n {
-        let mut square = zero;
-        for e in k..count {
-            square += columns[k][e] * columns[k][e];
-        }
-        let length = square.sqrt();
-        let head = columns[k][k];
-        // R[k][k] points opposite to the head, so that head - diagonal does not cancel.
-        let diagonal = head.above(zero).select(-length, length);
-        inverse_diagonal[k] = one / diagonal;
-        columns[k][k] = head - diagonal;
-        let inverse_factor = one / (square + length * head.abs());
-        for j in k + 1..n {
-            let mut product = zero;
-            for e in k..count {
-                product += columns[k][e] * columns[j][e];
-            }
-            product = product * inverse_factor;
-            for e in k..count {
-                let reflected = columns[k][e] * product;
-                columns[j][e] -= reflected;
-            }
-        }
-        let mut product = zero;
-        for e in k..count {
-            product += columns[k][e] * right[e];
-        }
-        product = product * inverse_factor;
-        for e in k..count {
-            right[e] -= columns[k][e] * product;
-        }
+fn product<S: Simd, E: Size>(
+    (k, count): (usize, usize),
+    a: &E::Vector<Lanes<S>>,
+    b: &E::Vector<Lanes<S>>,
+) -> Lanes<S> {
+    // Two sums, so that none waits for the one before it.
+    let mut sums = [a[0].constant(0.0); 2];
+    for e in k..count {
+        sums[e % 2] = sums[e % 2].plus(a[e], b[e]);
     }
-    for k in (0..n).rev() {
-        let mut sum = right[k];
-        for j in k + 1..n {
-            sum -= columns[j][k] * solution[j];
-        }
-        solution[k] = sum * inverse_diagonal[k];
+    sums[0] + sums[1]
+}
+
+/// Subtracts v v^T `other` times the factor, from row k on.
+#[inline(always)]
+fn reflect<S: Simd, E: Size>(
+    (k, count): (usize, usize),
+    v: &E::Vector<Lanes<S>>,
+    inverse_factor: Lanes<S>,
+    other: &mut E::Vector<Lanes<S>>,
+) {
+    let factor = product::<S, E>((k, count), v, other) * inverse_factor;
+    for e in k..count {
+        other[e] = other[e].minus(v[e], factor);
     }
-    solution
 }

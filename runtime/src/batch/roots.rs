@@ -268,8 +268,8 @@ impl<S: Simd, Z: Size> Isolation<S, Z> {
         for _ in 0..MOST_STEPS {
             let (mut value, mut slope) = (power[n], zero);
             for k in (0..n).rev() {
-                slope = slope * t + value;
-                value = value * t + power[k];
+                slope = value.plus(slope, t);
+                value = power[k].plus(value, t);
             }
             let is_below = zero.above(value * rise);
             low = is_below.select(t, low);

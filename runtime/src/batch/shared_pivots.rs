@@ -16,6 +16,9 @@ use crate::size::{Fixed, Size, Vector};
 /// many digits: it is solved by itself.
 const LEAST_RATIO: f64 = 1e-3;
 
+/// The first row whose ratios all exceed this is taken without a look at the others.
+const GOOD_RATIO: f64 = 0.25;
+
 /// A largest candidate below this, relative to the sum of its row before the elimination, may be
 /// rounding noise: the instance is solved by itself.
 const NOISE: f64 = 1e-9;
@@ -34,9 +37,17 @@ pub(super) fn choose<S: Simd, Z: Size>(
     let one = largest.constant(1.0);
     let inverse = one / largest;
     let (mut best, mut ratio) = (first, -1.0);
+    let (good, zero) = (largest * one.constant(GOOD_RATIO), one.constant(0.0));
     for i in first..end {
-        let of_row = (sizes[i] * inverse).least();
-        (best, ratio) = if of_row > ratio { (i, of_row) } else { (best, ratio) };
+        if sizes[i].at_most(good).bits() == 0 {
+            best = i;
+            break;
+        }
+        // Zero in all instances, as most entries of a sparse template.
+        if sizes[i].above(zero).bits() != 0 {
+            let of_row = (sizes[i] * inverse).least();
+            (best, ratio) = if of_row > ratio { (i, of_row) } else { (best, ratio) };
+        }
     }
     let is_good = (sizes[best] * inverse).above(one.constant(LEAST_RATIO)).bits();
     let is_clear = largest.above(one.constant(NOISE)).bits();
@@ -75,9 +86,17 @@ pub(super) fn solve_block<S: Simd, V: Vector<Lanes<S>>, const N: usize>(
             sizes[i] = matrix[i][k].abs() * row_scale[i];
         }
         let (best, is_good) = choose::<S, Fixed<N>>((k, N), &sizes);
-        matrix.swap(k, best);
-        right.swap(k, best);
-        row_scale.swap(k, best);
+        if best != k {
+            // Entry by entry: whole rows of lanes would be swapped by calls.
+            for j in k..N {
+                (matrix[k][j], matrix[best][j]) = (matrix[best][j], matrix[k][j]);
+            }
+            let (above, below) = right.split_at_mut(best);
+            for (a, b) in above[k].as_mut().iter_mut().zip(below[0].as_mut()) {
+                (*a, *b) = (*b, *a);
+            }
+            (row_scale[k], row_scale[best]) = (row_scale[best], row_scale[k]);
+        }
         inverses[k] = is_good.select(zero.constant(1.0) / matrix[k][k], zero.constant(f64::NAN));
         for i in k + 1..N {
             // Zero in all instances, as most entries of a sparse template.
@@ -86,12 +105,11 @@ pub(super) fn solve_block<S: Simd, V: Vector<Lanes<S>>, const N: usize>(
             }
             let multiplier = matrix[i][k] * inverses[k];
             for j in k + 1..N {
-                let product = multiplier * matrix[k][j];
-                matrix[i][j] -= product;
+                matrix[i][j] = matrix[i][j].minus(multiplier, matrix[k][j]);
             }
             let (above, below) = right.split_at_mut(i);
             for (entry, &known) in below[0].as_mut().iter_mut().zip(above[k].as_ref()) {
-                *entry -= multiplier * known;
+                *entry = entry.minus(multiplier, known);
             }
         }
     }
@@ -106,7 +124,7 @@ pub(super) fn solve_block<S: Simd, V: Vector<Lanes<S>>, const N: usize>(
         let row = above[k].as_mut();
         for (&factor, solved) in matrix[k][k + 1..].iter().zip(below.iter()) {
             for (entry, &known) in row.iter_mut().zip(solved.as_ref()) {
-                *entry -= factor * known;
+                *entry = entry.minus(factor, known);
             }
         }
         row.iter_mut().for_each(|entry| *entry = *entry * inverse);
