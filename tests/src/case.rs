@@ -9,6 +9,7 @@ use eliminant_generator::generate::{Planned, plan};
 use eliminant_generator::problem::Problem;
 use eliminant_generator::template::file::TemplateFile;
 use eliminant_solvers as solvers;
+use rayon::prelude::*;
 
 /// Solutions as lists of unknowns.
 pub type Found<T> = Result<Vec<Vec<T>>, SolveError>;
@@ -32,7 +33,24 @@ pub struct Case {
     /// The time that `solve` takes for all of these data, one after the other, and the number of
     /// real solutions that it returns. Data are not flat while the time is taken.
     pub time: fn(&[Vec<f64>]) -> (Duration, usize),
+    /// `solve_batch`.
+    pub solve_batch: fn(&[Vec<f64>]) -> Vec<Found<f64>>,
+    /// The time that `solve_batch` takes for all of these data, on one core or, in pieces of
+    /// [`PIECE`] instances, on all.
+    pub time_batch: fn(&[Vec<f64>], Cores) -> Duration,
 }
+
+/// Where a batch is solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cores {
+    /// On the core of the caller.
+    One,
+    /// On all of them.
+    All,
+}
+
+/// The number of instances that a core takes at once.
+pub const PIECE: usize = 256;
 
 /// Arrays of any depth from their flat values.
 trait FromFlat {
@@ -71,6 +89,20 @@ macro_rules! referenced {
     };
 }
 
+/// The `Data` of a solver from flat lists.
+macro_rules! typed {
+    ($instances:ident, $name:ident, ($($data:ident),*)) => {
+        $instances
+            .iter()
+            .map(|flat| {
+                let mut _values = flat.iter().copied();
+                $(let $data = FromFlat::take(&mut _values);)*
+                solvers::$name::Data { $($data),* }
+            })
+            .collect::<Vec<_>>()
+    };
+}
+
 /// `case!(name, (points: array, length: scalar))`; `()` for a problem without data.
 macro_rules! case {
     ($name:ident, ($($data:ident: $kind:ident),*)) => {
@@ -102,22 +134,35 @@ macro_rules! case {
                 solvers::$name::relative_residual($(argument!($data: $kind),)* &unknowns.into())
             },
             time: |instances| {
-                // A problem without data has the data `()`.
-                #[allow(clippy::unused_unit)]
-                let typed = instances.iter().map(|flat| {
-                    let mut _values = flat.iter().copied();
-                    ($({
-                        let $data = FromFlat::take(&mut _values);
-                        $data
-                    },)*)
-                });
-                let typed: Vec<_> = typed.collect();
+                let typed = typed!(instances, $name, ($($data),*));
                 let start = Instant::now();
-                let found = typed.iter().map(|($($data,)*)| {
+                let found = typed.iter().map(|solvers::$name::Data { $($data),* }| {
                     solvers::$name::solve($(referenced!($data: $kind)),*).map_or(0, |found| found.len())
                 });
                 let count = found.sum();
                 (start.elapsed(), count)
+            },
+            solve_batch: |instances| {
+                let typed = typed!(instances, $name, ($($data),*));
+                let mut results = vec![Ok(eliminant::Solutions::new()); typed.len()];
+                solvers::$name::solve_batch(&typed, &mut results);
+                let lists = |found: &eliminant::Solutions<solvers::$name::Solution, _>| {
+                    found.iter().map(|s| s.to_array().to_vec()).collect()
+                };
+                results.iter().map(|found| found.as_ref().map(lists).map_err(|&error| error)).collect()
+            },
+            time_batch: |instances, cores| {
+                let typed = typed!(instances, $name, ($($data),*));
+                let mut results = vec![Ok(eliminant::Solutions::new()); typed.len()];
+                let start = Instant::now();
+                match cores {
+                    Cores::One => solvers::$name::solve_batch(&typed, &mut results),
+                    Cores::All => typed
+                        .par_chunks(PIECE)
+                        .zip(results.par_chunks_mut(PIECE))
+                        .for_each(|(data, results)| solvers::$name::solve_batch(data, results)),
+                }
+                start.elapsed()
             },
         }
     };

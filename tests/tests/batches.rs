@@ -1,0 +1,113 @@
+//! `solve_batch` returns what `solve` returns, up to rounding.
+
+use eliminant::SolveError;
+use eliminant_tests::families::{DataSource, Family};
+use eliminant_tests::statistics::complex;
+use eliminant_tests::{Case, cases};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+
+/// Instances of each problem and family; an odd number, so that a group stays incomplete.
+const INSTANCES: u64 = 203;
+/// Fewer, for solvers that take a millisecond or more.
+const FEW: u64 = 13;
+
+/// Solutions may differ by this part of their largest unknown: that much rounding moves solutions
+/// of badly conditioned instances.
+const DIFFERENCE: f64 = 1e-6;
+
+/// No solution of a batch may have a larger relative residual.
+const MAX_RESIDUAL: f64 = 1e-10;
+
+fn draw(case: &Case, family: Family) -> Vec<Vec<f64>> {
+    let source = DataSource::new(case);
+    let (time, _) = (case.time)(&[source.draw(family, 1)]);
+    let count = if time.as_secs_f64() > 1e-3 { FEW } else { INSTANCES };
+    (0..count).map(|k| source.draw(family, 7_000 + k)).collect()
+}
+
+/// Whether every point of a list has one of its own in the other list.
+fn are_same(a: &[Vec<f64>], b: &[Vec<f64>]) -> bool {
+    let is_same = |x: &[f64], y: &[f64]| {
+        let largest = x.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+        x.iter().zip(y).all(|(x, y)| (x - y).abs() <= DIFFERENCE * largest)
+    };
+    a.len() == b.len() && a.iter().all(|x| b.iter().any(|y| is_same(x, y)))
+}
+
+#[test]
+fn batches_have_the_solutions_of_their_instances() {
+    let subjects: Vec<(Case, Family)> =
+        cases().into_iter().flat_map(|case| [(case, Family::Random), (case, Family::Scene)]).collect();
+    let failures: Vec<String> = subjects
+        .into_par_iter()
+        .flat_map(|(case, family)| {
+            let data = draw(&case, family);
+            let results = (case.solve_batch)(&data);
+            assert_eq!(results.len(), data.len());
+            let failure = |(k, (data, of_batch)): (usize, (&Vec<f64>, &Result<Vec<Vec<f64>>, SolveError>))| {
+                let alone = (case.solve)(data);
+                let worst = of_batch.iter().flatten().map(|x| (case.residual)(data, &complex(x)).unwrap_or(f64::NAN));
+                let residuals_are_good = worst.into_iter().all(|residual| residual <= MAX_RESIDUAL);
+                let is_equal = match (&alone, of_batch) {
+                    (Ok(alone), Ok(of_batch)) => are_same(alone, of_batch),
+                    (alone, of_batch) => alone == of_batch,
+                };
+                let message = || format!("{} {family:?} {k}: {alone:?} alone, {of_batch:?} in a batch", case.name);
+                (!(is_equal && residuals_are_good)).then(message)
+            };
+            data.iter().zip(&results).enumerate().filter_map(failure).collect::<Vec<_>>()
+        })
+        .collect();
+    assert!(failures.is_empty(), "{} differ:\n{}", failures.len(), failures.join("\n"));
+}
+
+#[test]
+fn one_bad_instance_leaves_the_others_alone() {
+    for case in cases() {
+        let source = DataSource::new(&case);
+        let mut data: Vec<Vec<f64>> = (0..9).map(|k| source.draw(Family::Random, k)).collect();
+        if data[0].is_empty() {
+            continue;
+        }
+        data[3][0] = f64::NAN;
+        data[6].fill(0.0);
+        let alone: Vec<_> = data.iter().map(|data| (case.solve)(data)).collect();
+        let results = (case.solve_batch)(&data);
+        assert_eq!(results[3], Err(SolveError::NonFiniteInput), "{}", case.name);
+        for (k, (alone, of_batch)) in alone.iter().zip(&results).enumerate() {
+            match (alone, of_batch) {
+                (Ok(alone), Ok(of_batch)) => assert!(are_same(alone, of_batch), "{} {k}", case.name),
+                _ => assert_eq!(alone, of_batch, "{} {k}", case.name),
+            }
+        }
+    }
+}
+
+#[test]
+fn lists_of_any_length_are_solved() {
+    let case = cases().into_iter().find(|case| case.name == "two_conics").expect("it is in the catalogue");
+    let source = DataSource::new(&case);
+    for count in 0..20 {
+        let data: Vec<Vec<f64>> = (0..count).map(|k| source.draw(Family::Random, k)).collect();
+        let results = (case.solve_batch)(&data);
+        assert_eq!(results.len(), data.len());
+        for (data, of_batch) in data.iter().zip(results) {
+            assert!(are_same(&(case.solve)(data).unwrap(), &of_batch.unwrap()));
+        }
+    }
+}
+
+#[test]
+fn the_longer_list_is_left_alone() {
+    use eliminant_solvers::two_conics::{Data, solve_batch};
+    let data = [Data { p: [1.0, 0.0, 1.0, 0.0, 0.0, -1.0], q: [1.0, 0.5, 0.0, 0.25, -1.0, 0.0] }; 3];
+    let untouched = Err(SolveError::NoConvergence);
+    let mut results = [const { Err(SolveError::NoConvergence) }; 5];
+    solve_batch(&data, &mut results);
+    assert!(results[..3].iter().all(Result::is_ok) && results[3..].iter().all(|result| *result == untouched));
+    let mut results = [const { Err(SolveError::NoConvergence) }; 2];
+    solve_batch(&data, &mut results);
+    assert!(results.iter().all(Result::is_ok));
+    solve_batch(&data, &mut []);
+    solve_batch(&[], &mut results);
+}
