@@ -72,7 +72,7 @@ impl<S: Simd, H: ChainedBasis> HiddenPairs<S, H> {
                 }
                 candidates[i] = d[i][pivot].abs() / largest;
             }
-            let (best, is_good) = shared_pivots::choose::<S, H::Count>((pivot, k), &candidates);
+            let (best, is_good) = shared_pivots::choose::<S, H::Count>((pivot, k), &candidates, zero);
             let value = is_good.select(d[best][pivot], zero.constant(f64::NAN));
             d.as_mut().swap(pivot, best);
             self.eliminated.as_mut().swap(pivot, best);

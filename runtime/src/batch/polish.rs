@@ -53,10 +53,12 @@ impl<S: Simd, N: Size, E: Size, K: Size, Q: Monomials<N, K>> Equations<'_, S, N,
                 size = moved[j].abs().max(size);
             }
             let noise = size * zero.constant(NOISE);
+            let mut is_short = u64::MAX;
             for j in 0..unknowns.get() {
-                let bound = x[j].abs() * zero.constant(FAR) + noise;
-                is_near &= step[j].abs().at_most(bound).bits() | !open;
+                is_short &= step[j].abs().at_most(moved[j].abs() * zero.constant(FAR) + noise).bits();
             }
+            // The last step of each instance counts, taken or not.
+            is_near = (is_near & !open) | (is_short & open);
             values = self.values(&self.monomials.products(&moved));
             let moved_residual = largest_weighted::<S, E>(equations, &values, &weight);
             let lowers = residual.above(moved_residual);
@@ -64,13 +66,34 @@ impl<S: Simd, N: Size, E: Size, K: Size, Q: Monomials<N, K>> Equations<'_, S, N,
                 x[j] = lowers.select(moved[j], x[j]);
             }
             residual = lowers.select(moved_residual, residual);
-            open &= lowers.bits() & !residual.at_most(rounding).bits();
+            // After a long step one more is taken.
+            open &= lowers.bits() & !(residual.at_most(rounding).bits() & is_short);
         }
-        let mut is_small = u64::MAX;
+        has_scales & is_near & residual.at_most(zero.constant(STALLED)).bits() & self.is_bounded(x)
+    }
+
+    /// A bit for each instance whose point is not on the way to infinity, where halves of large
+    /// unknowns would be a solution, too.
+    #[inline(always)]
+    fn is_bounded(&self, x: &N::Vector<Lanes<S>>) -> u64 {
+        let (unknowns, equations, _) = self.sizes;
+        let large = x[0].constant(LARGE);
+        let mut halved = x.clone();
+        let mut is_large = 0;
         for j in 0..unknowns.get() {
-            is_small &= zero.constant(LARGE).above(x[j].abs()).bits();
+            let of_unknown = large.at_most(x[j].abs());
+            is_large |= of_unknown.bits();
+            halved[j] = of_unknown.select(x[j] * large.constant(0.5), x[j]);
         }
-        has_scales & is_near & is_small & residual.at_most(zero.constant(STALLED)).bits()
+        if is_large == 0 {
+            return u64::MAX;
+        }
+        let (values, mut scales) = self.values_and_scales(&self.monomials.products(&halved));
+        for e in 0..equations.get() {
+            scales[e] = large.constant(1.0) / scales[e];
+        }
+        let residual = largest_weighted::<S, E>(equations, &values, &scales);
+        residual.above(large.constant(STALLED)).bits() | !is_large
     }
 
     #[inline(always)]

@@ -19,16 +19,14 @@ const LEAST_RATIO: f64 = 1e-3;
 /// The first row whose ratios all exceed this is taken without a look at the others.
 const GOOD_RATIO: f64 = 0.25;
 
-/// A largest candidate below this, relative to the sum of its row before the elimination, may be
-/// rounding noise: the instance is solved by itself.
-const NOISE: f64 = 1e-9;
-
 /// The row, of those from `first` on, whose entry is the best pivot for all instances, given the
-/// size of the entry of each row; and for which instances it is good enough.
+/// size of the entry of each row; and for which instances it is good enough. Entries of at most
+/// `noise` may be rounding errors.
 #[inline(always)]
 pub(super) fn choose<S: Simd, Z: Size>(
     (first, end): (usize, usize),
     sizes: &Z::Vector<Lanes<S>>,
+    noise: Lanes<S>,
 ) -> (usize, Mask<S>) {
     let mut largest = sizes[first];
     for i in first + 1..end {
@@ -50,7 +48,7 @@ pub(super) fn choose<S: Simd, Z: Size>(
         }
     }
     let is_good = (sizes[best] * inverse).above(one.constant(LEAST_RATIO)).bits();
-    let is_clear = largest.above(one.constant(NOISE)).bits();
+    let is_clear = largest.above(noise).bits();
     (best, Mask::from_bits(one.token(), is_good & is_clear))
 }
 
@@ -72,20 +70,25 @@ pub(super) fn solve_block<S: Simd, V: Vector<Lanes<S>>, const N: usize>(
     let Some(right) = right.get_mut(..N) else { return Err(BlockError::Shape) };
     let zero = matrix[0][0].constant(0.0);
     let mut row_scale = [zero; N];
+    let mut noise = [zero; N];
     for i in 0..N {
         let mut sum = zero;
         for j in 0..N {
             sum += matrix[i][j].abs();
         }
         row_scale[i] = zero.constant(1.0) / sum;
+        for j in 0..N {
+            noise[j] = (matrix[i][j].abs() * row_scale[i]).max(noise[j]);
+        }
     }
+    let rounding = zero.constant(N as f64 * f64::EPSILON);
     let mut inverses = [zero; N];
     for k in 0..N {
         let mut sizes = [zero; N];
         for i in k..N {
             sizes[i] = matrix[i][k].abs() * row_scale[i];
         }
-        let (best, is_good) = choose::<S, Fixed<N>>((k, N), &sizes);
+        let (best, is_good) = choose::<S, Fixed<N>>((k, N), &sizes, noise[k] * rounding);
         if best != k {
             // Entry by entry: whole rows of lanes would be swapped by calls.
             for j in k..N {
