@@ -6,7 +6,9 @@ pub use crate::driver::{VANISHING, complex_solutions, real_solutions, real_solut
 #[cfg(feature = "alloc")]
 pub use crate::dynamic_size::{BoundedVec, Dynamic};
 pub use crate::elimination::lu::{BlockError, BlockMemory, solve_block, solve_block_trailing, solve_large_block};
-pub use crate::elimination::program::{Operation, PolynomialProduct, ProductSum, ProductSums, Program, Run, join_into, joined, outlined};
+pub use crate::elimination::program::{
+    Operation, PolynomialProduct, ProductSum, ProductSums, Program, Run, join_into, joined, outlined,
+};
 pub use crate::elimination::template::{ActionRow, Block, Entry, action_matrix, check_coefficients, fill, solved_rows};
 pub use crate::fill_entries;
 pub use crate::number::{Arithmetic, Eliminated, Over, Real};

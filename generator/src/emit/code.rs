@@ -38,10 +38,13 @@ pub(super) fn statements(plan: &Plan) -> TokenStream {
             Operation::Negate(a) => Expression::negated(operand(a)),
             Operation::Coefficient { sum, at } => {
                 let terms = plan.program.product_sums[sum as usize].terms(at as usize);
-                Expression::sum(&one, terms.map(|(negative, a, b)| {
-                    let product = Expression::binary(operand(a), quote!(*), PRODUCT, operand(b));
-                    (negative, product)
-                }))
+                Expression::sum(
+                    &one,
+                    terms.map(|(negative, a, b)| {
+                        let product = Expression::binary(operand(a), quote!(*), PRODUCT, operand(b));
+                        (negative, product)
+                    }),
+                )
             }
         };
         printed.push(match place {
@@ -59,8 +62,7 @@ pub(super) fn statements(plan: &Plan) -> TokenStream {
             }
         });
     }
-    let [count, length, inputs] =
-        [planned.slots, plan.coefficients.len(), inputs.len()].map(Literal::usize_unsuffixed);
+    let [count, length, inputs] = [planned.slots, plan.coefficients.len(), inputs.len()].map(Literal::usize_unsuffixed);
     let declaration = match planned.slots {
         0 => quote!(),
         _ => quote!(let mut #values = [#one.constant(0.0); #count];),

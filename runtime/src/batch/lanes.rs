@@ -41,6 +41,12 @@ impl<S: Simd> Lanes<S> {
     /// The number of instances.
     pub(super) const COUNT: usize = <S::f64s as SimdBase<S>>::LEN;
 
+    /// The number of instances of an instruction set.
+    #[cfg(test)]
+    pub(super) const fn count_of(_: S) -> usize {
+        Self::COUNT
+    }
+
     /// x for each instance.
     #[inline(always)]
     pub(super) fn splat(simd: S, x: f64) -> Self {
@@ -196,11 +202,7 @@ impl<S: Simd> Arithmetic for Lanes<S> {
     }
 
     #[inline(always)]
-    fn add_product<const A: usize, const B: usize, const N: usize>(
-        sum: &mut [Self; N],
-        a: &[Self; A],
-        b: &[Self; B],
-    ) {
+    fn add_product<const A: usize, const B: usize, const N: usize>(sum: &mut [Self; N], a: &[Self; A], b: &[Self; B]) {
         for i in 0..A {
             for j in 0..B {
                 sum[i + j] = sum[i + j].plus(a[i], b[j]);

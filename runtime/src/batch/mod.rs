@@ -19,6 +19,8 @@ mod group;
 mod hidden_pairs;
 #[cfg(feature = "lanes")]
 mod lanes;
+#[cfg(all(test, feature = "lanes"))]
+mod levels;
 #[cfg(feature = "lanes")]
 mod polish;
 #[cfg(feature = "lanes")]

@@ -97,10 +97,7 @@ impl<S: Simd, N: Size, E: Size, K: Size, Q: Monomials<N, K>> Equations<'_, S, N,
     }
 
     #[inline(always)]
-    fn values_and_scales(
-        &self,
-        monomials: &K::Vector<Lanes<S>>,
-    ) -> (E::Vector<Lanes<S>>, E::Vector<Lanes<S>>) {
+    fn values_and_scales(&self, monomials: &K::Vector<Lanes<S>>) -> (E::Vector<Lanes<S>>, E::Vector<Lanes<S>>) {
         let (_, equations, count) = self.sizes;
         let zero = monomials[0].constant(0.0);
         let (mut values, mut scales) = (equations.filled(zero), equations.filled(zero));
@@ -129,11 +126,7 @@ impl<S: Simd, N: Size, E: Size, K: Size, Q: Monomials<N, K>> Equations<'_, S, N,
     }
 
     #[inline(always)]
-    fn weighted_derivatives(
-        &self,
-        x: &N::Vector<Lanes<S>>,
-        weight: &E::Vector<Lanes<S>>,
-    ) -> Matrix<N, E, Lanes<S>> {
+    fn weighted_derivatives(&self, x: &N::Vector<Lanes<S>>, weight: &E::Vector<Lanes<S>>) -> Matrix<N, E, Lanes<S>> {
         let (unknowns, equations, count) = self.sizes;
         let zero = x[0].constant(0.0);
         let gradients = self.monomials.gradients(x, &self.monomials.products(x));
@@ -240,11 +233,7 @@ impl<S: Simd, N: Size, E: Size> LeastSquares<S, N, E> {
 
 /// The scalar product of two columns from row k on.
 #[inline(always)]
-fn product<S: Simd, E: Size>(
-    (k, count): (usize, usize),
-    a: &E::Vector<Lanes<S>>,
-    b: &E::Vector<Lanes<S>>,
-) -> Lanes<S> {
+fn product<S: Simd, E: Size>((k, count): (usize, usize), a: &E::Vector<Lanes<S>>, b: &E::Vector<Lanes<S>>) -> Lanes<S> {
     // Two sums, so that none waits for the one before it.
     let mut sums = [a[0].constant(0.0); 2];
     for e in k..count {

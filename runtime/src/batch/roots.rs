@@ -359,3 +359,88 @@ fn bernstein<S: Simd, Z: Size>(size: Z, polynomial: &Polynomials<S, Z>) -> Polyn
     bernstein[n] = at_one;
     bernstein
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::batch::levels::on_all_levels;
+    use crate::size::Fixed;
+    use crate::spectrum::real_roots::real_roots;
+    use rand_xoshiro::Xoshiro256PlusPlus;
+    use rand_xoshiro::rand_core::{Rng, SeedableRng};
+
+    type Polynomial = [f64; 11];
+
+    /// The roots of polynomials side by side; the first one fills lanes that are left over.
+    fn side_by_side<S: Simd>(simd: S, polynomials: &[Polynomial]) -> [RealRoots<Fixed<11>>; MOST] {
+        let mut coefficients = [Lanes::splat(simd, 0.0); 11];
+        for lane in 0..Lanes::<S>::COUNT {
+            let polynomial = polynomials.get(lane).unwrap_or(&polynomials[0]);
+            (0..11).for_each(|k| coefficients[k].set(lane, polynomial[k]));
+        }
+        Isolation::run(simd, Fixed::<11>, &coefficients)
+    }
+
+    /// The product of ten factors x - r with real roots, or of x^2 - 2 r x + r^2 + s^2.
+    fn with_roots(random: &mut Xoshiro256PlusPlus, pairs: usize) -> Polynomial {
+        let mut number = || ((random.next_u64() >> 11) as f64 * 2.0_f64.powi(-52) - 1.0) * 3.0;
+        let mut product = [0.0; 11];
+        product[0] = 1.0;
+        for k in 0..10 - pairs {
+            let (r, s) = (number(), number());
+            let factor = if k < pairs { [r * r + s * s, -2.0 * r, 1.0] } else { [-r, 1.0, 0.0] };
+            let known = product;
+            for at in 0..11 {
+                let before = |by: usize| if at >= by { known[at - by] } else { 0.0 };
+                product[at] = factor[0] * known[at] + factor[1] * before(1) + factor[2] * before(2);
+            }
+        }
+        product
+    }
+
+    #[test]
+    fn roots_are_those_of_each_polynomial_alone() {
+        on_all_levels!(|simd| {
+            let mut random = Xoshiro256PlusPlus::seed_from_u64(1);
+            let (mut compared, mut roots) = (0, 0);
+            for round in 0..300 {
+                let polynomials: [Polynomial; 8] = core::array::from_fn(|_| with_roots(&mut random, round % 6));
+                let found = side_by_side(simd, &polynomials);
+                for (polynomial, found) in polynomials.iter().zip(&found).take(Lanes::<_>::count_of(simd)) {
+                    let alone = real_roots(Fixed::<11>, polynomial);
+                    if !(alone.is_certain && found.is_certain) {
+                        continue;
+                    }
+                    assert_eq!(found.roots.len(), alone.roots.len(), "{polynomial:?}");
+                    for (x, y) in found.roots.iter().zip(&alone.roots) {
+                        assert!((x - y).abs() <= 1e-6 * y.abs(), "{x} {y} of {polynomial:?}");
+                    }
+                    compared += 1;
+                    roots += alone.roots.len();
+                }
+            }
+            assert!(compared > 400 && roots > 1_000, "{compared} polynomials with {roots} roots");
+        });
+    }
+
+    #[test]
+    fn what_needs_care_is_not_certain() {
+        on_all_levels!(|simd| {
+            let good = with_roots(&mut Xoshiro256PlusPlus::seed_from_u64(2), 3);
+            let with = |at: usize, value: f64| {
+                let mut bad = good;
+                bad[at] = value;
+                bad
+            };
+            let cases =
+                [(0, 0.0), (10, 0.0), (5, f64::NAN), (0, f64::INFINITY), (10, f64::NAN), (3, 1e300), (0, 1e300)];
+            for (at, value) in cases {
+                let found = side_by_side(simd, &[good, with(at, value)]);
+                assert!(found[0].is_certain && !found[1].is_certain, "{value} at {at}");
+            }
+            // (x - 1)^2 (x^8 + 1)
+            let double = [1.0, -2.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, -2.0, 1.0];
+            assert!(!side_by_side(simd, &[double])[0].is_certain, "a double root");
+        });
+    }
+}

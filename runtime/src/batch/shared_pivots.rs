@@ -32,19 +32,26 @@ pub(super) fn choose<S: Simd, Z: Size>(
     for i in first + 1..end {
         largest = sizes[i].max(largest);
     }
-    let one = largest.constant(1.0);
+    let (one, zero) = (largest.constant(1.0), largest.constant(0.0));
+    // Instances that are left out already have NaN, and no say.
+    let alive = largest.above(zero);
     let inverse = one / largest;
-    let (mut best, mut ratio) = (first, -1.0);
-    let (good, zero) = (largest * one.constant(GOOD_RATIO), one.constant(0.0));
+    let (mut best, mut ratio, mut most) = (first, -1.0, 0);
     for i in first..end {
-        if sizes[i].at_most(good).bits() == 0 {
+        // Zero in all instances, as most entries of a sparse template.
+        if sizes[i].above(zero).bits() == 0 {
+            continue;
+        }
+        let of_row = alive.select(sizes[i] * inverse, one);
+        if of_row.at_most(one.constant(GOOD_RATIO)).bits() == 0 {
             best = i;
             break;
         }
-        // Zero in all instances, as most entries of a sparse template.
-        if sizes[i].above(zero).bits() != 0 {
-            let of_row = (sizes[i] * inverse).least();
-            (best, ratio) = if of_row > ratio { (i, of_row) } else { (best, ratio) };
+        // The row that suits most instances if none suits all.
+        let suited = of_row.above(one.constant(LEAST_RATIO)).bits().count_ones();
+        let least = of_row.least();
+        if suited > most || (suited == most && least > ratio) {
+            (best, ratio, most) = (i, least, suited);
         }
     }
     let is_good = (sizes[best] * inverse).above(one.constant(LEAST_RATIO)).bits();
@@ -133,4 +140,94 @@ pub(super) fn solve_block<S: Simd, V: Vector<Lanes<S>>, const N: usize>(
         row.iter_mut().for_each(|entry| *entry = *entry * inverse);
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::batch::levels::on_all_levels;
+    use crate::elimination::lu::solve_block as solve_alone;
+    use crate::number::Real;
+    use rand_xoshiro::Xoshiro256PlusPlus;
+    use rand_xoshiro::rand_core::{Rng, SeedableRng};
+
+    const N: usize = 5;
+
+    /// Numbers in a system A X = B.
+    type Block<T> = ([[T; N]; N], [[T; 2]; N]);
+
+    fn random(seed: u64) -> Block<f64> {
+        let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
+        let mut number = || (random.next_u64() >> 11) as f64 * 2.0_f64.powi(-52) - 1.0;
+        (core::array::from_fn(|_| core::array::from_fn(|_| number())), core::array::from_fn(|_| [number(), number()]))
+    }
+
+    /// The results of blocks side by side; the first one fills lanes that are left over.
+    fn side_by_side<S: Simd>(simd: S, blocks: &[Block<f64>]) -> std::vec::Vec<[[f64; 2]; N]> {
+        let zero = Lanes::splat(simd, 0.0);
+        let (mut matrix, mut right) = ([[zero; N]; N], [[zero; 2]; N]);
+        for lane in 0..Lanes::<S>::COUNT {
+            let block = blocks.get(lane).unwrap_or(&blocks[0]);
+            for i in 0..N {
+                (0..N).for_each(|j| matrix[i][j].set(lane, block.0[i][j]));
+                (0..2).for_each(|j| right[i][j].set(lane, block.1[i][j]));
+            }
+        }
+        solve_block(&mut matrix, &mut right, N).unwrap();
+        let of_lane = |lane: usize| right.map(|row| row.map(|entry| entry.get(lane)));
+        (0..blocks.len().min(Lanes::<S>::COUNT)).map(of_lane).collect()
+    }
+
+    fn alone<R: Real>((mut matrix, mut right): Block<R>) -> [[R; 2]; N] {
+        solve_alone(&mut matrix, &mut right).unwrap();
+        right
+    }
+
+    #[test]
+    fn blocks_have_the_solutions_that_they_have_alone() {
+        on_all_levels!(|simd| {
+            for seed in 0..50 {
+                let blocks: std::vec::Vec<_> = (0..8).map(|k| random(8 * seed + k)).collect();
+                for (found, block) in side_by_side(simd, &blocks).iter().zip(&blocks) {
+                    let expected = alone(*block);
+                    let size = expected.as_flattened().iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+                    for (x, y) in found.as_flattened().iter().zip(expected.as_flattened()) {
+                        let is_left_out = found.as_flattened().iter().all(|x| x.is_nan());
+                        assert!(is_left_out || (x - y).abs() < 1e-9 * (1.0 + size * size), "{x} {y}");
+                    }
+                }
+            }
+        });
+    }
+
+    #[test]
+    fn a_singular_block_leaves_the_others_alone() {
+        on_all_levels!(|simd| {
+            for bad in [0.0, f64::NAN, f64::INFINITY] {
+                let mut blocks = [random(1), random(2)];
+                blocks[1].0[3] = [bad; N];
+                let found = side_by_side(simd, &blocks);
+                assert!(found[1].as_flattened().iter().all(|x| x.is_nan()), "{found:?}");
+                let expected = alone(blocks[0]);
+                for (x, y) in found[0].as_flattened().iter().zip(expected.as_flattened()) {
+                    assert!((x - y).abs() < 1e-12 * (1.0 + y.abs()), "{x} {y}");
+                }
+            }
+        });
+    }
+
+    #[test]
+    fn blocks_that_agree_on_no_pivot_are_left_out() {
+        on_all_levels!(|simd| {
+            // Each is easy alone: the first column has one entry that is not small.
+            let with = |row: usize| {
+                let mut block = random(3);
+                (0..N).for_each(|i| block.0[i][0] = if i == row { 1.0 } else { 1e-8 });
+                block
+            };
+            let found = side_by_side(simd, &[with(0), with(1)]);
+            let left_out = found.iter().filter(|found| found.as_flattened().iter().all(|x| x.is_nan())).count();
+            assert_eq!(left_out, 1, "{found:?}");
+        });
+    }
 }

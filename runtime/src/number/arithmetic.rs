@@ -24,11 +24,7 @@ pub trait Arithmetic:
     fn constant(self, x: f64) -> Self;
 
     /// Adds the product of two polynomials, lowest coefficient first. N is A + B - 1.
-    fn add_product<const A: usize, const B: usize, const N: usize>(
-        sum: &mut [Self; N],
-        a: &[Self; A],
-        b: &[Self; B],
-    );
+    fn add_product<const A: usize, const B: usize, const N: usize>(sum: &mut [Self; N], a: &[Self; A], b: &[Self; B]);
 
     /// Like [`Arithmetic::add_product`], with the other sign.
     fn subtract_product<const A: usize, const B: usize, const N: usize>(

@@ -3,9 +3,9 @@
 use std::marker::PhantomData;
 
 use eliminant::emitted::{
-    ActionRow, Arithmetic, BasisVector, Block, BlockMemory, ChainTable, ChainedBasis, Dynamic, Entry, Fixed, HiddenVariableSolver,
-    Matrix, Point, Product, Real, Size, Sizes, SizesOf, SolverInstance, Square, Tables, Vector, action_matrix, fill,
-    filled_matrix, monomial_values, polish, solved_rows,
+    ActionRow, Arithmetic, BasisVector, Block, BlockMemory, ChainTable, ChainedBasis, Dynamic, Entry, Fixed,
+    HiddenVariableSolver, Matrix, Point, Product, Real, Size, Sizes, SizesOf, SolverInstance, Square, Tables, Vector,
+    action_matrix, fill, filled_matrix, monomial_values, polish, solved_rows,
 };
 use eliminant::{Scalar, SolveError};
 
