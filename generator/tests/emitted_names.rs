@@ -243,7 +243,7 @@ fn emitted_code_says_what_is_what() {
     fn helped(value: f64) -> f64 { let inside = value * value * value; inside + 1 }";
     let source = emitted("named", text, TWO_CONICS);
     for part in [
-        "let scale = 1.0 + v_2[0];",
+        "let scale = one.constant(1.0) + v_2[0];",
         "let q_0_2 = ",
         "let step = ",
         "let step_2 = ",

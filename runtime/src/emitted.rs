@@ -1,17 +1,20 @@
 //! The interface that emitted code and the interpreted plans of the generator call. It changes with
 //! every version: people should not call it.
 
-pub use crate::batch::{BatchData, BatchSizes, BatchSizesOf, BatchSolver, solve_batch};
+pub use crate::batch::solve_batch;
+pub use crate::batch::solver::{BatchData, BatchSizes, BatchSizesOf, BatchSolver};
 pub use crate::driver::{VANISHING, complex_solutions, real_solutions, real_solutions_by_determinant};
 #[cfg(feature = "alloc")]
 pub use crate::dynamic_size::{BoundedVec, Dynamic};
-pub use crate::elimination::lu::{BlockError, BlockMemory, solve_block, solve_block_trailing, solve_large_block};
+pub use crate::elimination::lu::{
+    BlockError, BlockMemory, Eliminated, solve_block, solve_block_trailing, solve_large_block,
+};
 pub use crate::elimination::program::{
     Operation, PolynomialProduct, ProductSum, ProductSums, Program, Run, join_into, joined, outlined,
 };
 pub use crate::elimination::template::{ActionRow, Block, Entry, action_matrix, check_coefficients, fill, solved_rows};
 pub use crate::fill_entries;
-pub use crate::number::{Arithmetic, Eliminated, Over, Real};
+pub use crate::number::{Arithmetic, Over, Real};
 pub use crate::size::{AtMost, Fixed, List, Matrix, Size, Square, Vector, filled_matrix};
 pub use crate::solution::candidates::MAX_RESIDUAL;
 pub use crate::solution::dense_system::{DenseSystem, rows};

@@ -85,38 +85,53 @@ pub(super) fn batch(plan: &Plan) -> TokenStream {
 /// What the runtime asks of instances side by side.
 fn implementation(plan: &Plan) -> TokenStream {
     let table = SystemTable::of(&plan.equations, plan.unknowns.len());
-    let [inputs, coefficients, rows, read, equations, products, basis, unknowns] = [
+    let [inputs, coefficients, rows, read, equations, products] = [
         plan.inputs(),
         plan.coefficients.len(),
         plan.elimination.rows,
         plan.read.len(),
         table.ends.len(),
         table.chain.len(),
-        plan.elimination.basis,
-        plan.unknowns.len(),
     ]
     .map(Literal::usize_unsuffixed);
     let of_read = if plan.read.is_empty() { quote!(&[]) } else { quote!(&READ) };
     let sign_changes = instance::sign_changes_of(plan);
+    let of_data = of_data(plan);
+    let constants = quote! {
+        type Inputs = emitted::Fixed<#inputs>;
+        type Coefficients = emitted::Fixed<#coefficients>;
+        type Rows = emitted::Fixed<#rows>;
+        type Read = emitted::Fixed<#read>;
+        type Equations = emitted::Fixed<#equations>;
+        type Products = emitted::Fixed<#products>;
+        type Monomials = Monomials;
+
+        const ACTION: &'static [emitted::ActionRow] = &ACTION;
+        const READ: &'static [u16] = #of_read;
+        const RATIOS: &'static [&'static [(u16, u16)]] = &RATIOS;
+        const SIGN_CHANGES: Option<emitted::SignChanges<'static>> = #sign_changes;
+    };
+    let functions = functions(plan, [&inputs, &coefficients, &rows, &equations, &products]);
+    quote! {
+        impl emitted::BatchSolver for Instance {
+            #constants
+            #functions
+        }
+
+        #of_data
+    }
+}
+
+/// The functions of the implementation, with the numbers of data, coefficients, rows of the
+/// template, equations and their monomials.
+fn functions(plan: &Plan, sizes: [&Literal; 5]) -> TokenStream {
+    let [inputs, coefficients, rows, equations, products] = sizes;
+    let [basis, unknowns] = [plan.elimination.basis, plan.unknowns.len()].map(Literal::usize_unsuffixed);
     let recovered = match plan.recoveries.is_empty() {
         true => quote!(let _ = (coefficients, x);),
         false => quote!(self::recovered(coefficients, x)),
     };
-    let of_data = of_data(plan);
     quote! {
-        impl emitted::BatchSolver for Instance {
-            type Inputs = emitted::Fixed<#inputs>;
-            type Coefficients = emitted::Fixed<#coefficients>;
-            type Rows = emitted::Fixed<#rows>;
-            type Read = emitted::Fixed<#read>;
-            type Equations = emitted::Fixed<#equations>;
-            type Products = emitted::Fixed<#products>;
-            type Monomials = Monomials;
-
-            const ACTION: &'static [emitted::ActionRow] = &ACTION;
-            const READ: &'static [u16] = #of_read;
-            const RATIOS: &'static [&'static [(u16, u16)]] = &RATIOS;
-            const SIGN_CHANGES: Option<emitted::SignChanges<'static>> = #sign_changes;
 
             fn all_sizes() -> (emitted::SizesOf<Self>, emitted::BatchSizesOf<Self>) {
                 (emitted::Sizes::FIXED, emitted::BatchSizes::FIXED)
@@ -155,9 +170,6 @@ fn implementation(plan: &Plan) -> TokenStream {
             ) {
                 #recovered
             }
-        }
-
-        #of_data
     }
 }
 

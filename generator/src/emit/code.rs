@@ -26,10 +26,7 @@ pub(super) fn statements(plan: &Plan) -> TokenStream {
     for (operation, &place) in plan.program.operations.iter().zip(&planned.places) {
         let operand = |id: ValueId| &printed[id.0 as usize];
         let expression = match *operation {
-            Operation::Constant(value) => {
-                let value = constant(value);
-                Expression::atom(quote!(#one.constant(#value)))
-            }
+            Operation::Constant(value) => Expression::constant(&one, value),
             Operation::Input(input) => Expression::atom(inputs[input as usize].to_token_stream()),
             Operation::Add(a, b) => Expression::binary(operand(a), quote!(+), SUM, operand(b)),
             Operation::Subtract(a, b) => Expression::binary(operand(a), quote!(-), SUM, operand(b)),
@@ -114,6 +111,11 @@ struct Expression {
 }
 
 impl Expression {
+    fn constant(one: &Ident, value: Rational) -> Self {
+        let value = constant(value);
+        Self::atom(quote!(#one.constant(#value)))
+    }
+
     fn atom(tokens: TokenStream) -> Self {
         Self { tokens, precedence: ATOM }
     }

@@ -3,10 +3,10 @@
 use fearless_simd::{Level, Simd};
 
 use crate::batch::hidden_pairs::HiddenPairs;
-use crate::batch::lanes::Lanes;
-use crate::batch::polish::{Equations, lanes_in_use};
+use crate::batch::lanes::{Lanes, MOST, lanes_in_use};
+use crate::batch::polish::Equations;
 use crate::batch::roots::Isolation;
-use crate::batch::{BatchData, BatchSolver};
+use crate::batch::solver::{BatchData, BatchSolver};
 use crate::driver::{CLEARANCE, PRECISE};
 use crate::elimination::template::{action_matrix_from, solved_rows_from};
 use crate::number::Arithmetic;
@@ -14,9 +14,6 @@ use crate::size::{List, Matrix, Size};
 use crate::solution::distinct::{CLOSE, CLOSE_FLOOR};
 use crate::solver_instance::{HiddenVariableSolver, Point, Points, SolverInstance};
 use crate::spectrum::hidden_variable::ChainedBasis;
-
-/// The largest number of instances in a group.
-pub(super) const MOST: usize = 8;
 
 /// A square is negative beyond doubt if its ratio is, and if its monomial exceeds this part of the
 /// largest entry of the eigenvector.

@@ -4,10 +4,10 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use fearless_simd::prelude::*;
 
-use crate::batch::shared_pivots;
-use crate::elimination::lu::BlockError;
-use crate::number::{Arithmetic, Eliminated, Over};
-use crate::size::Vector;
+use crate::number::{Arithmetic, Over};
+
+/// The largest number of instances side by side.
+pub(super) const MOST: usize = 8;
 
 /// A number for each instance: 8 with AVX-512, 4 with AVX2, 2 with NEON. `S` stands for the
 /// instruction set, which is known when the program runs.
@@ -236,13 +236,8 @@ impl<S: Simd> Over<Self> for Lanes<S> {
     }
 }
 
-impl<S: Simd> Eliminated for Lanes<S> {
-    #[inline(always)]
-    fn solve_block<V: Vector<Self>, const N: usize>(
-        matrix: &mut [[Self; N]; N],
-        right: &mut [V],
-        needed: usize,
-    ) -> Result<(), BlockError> {
-        shared_pivots::solve_block(matrix, right, needed)
-    }
+/// A bit for each instance.
+#[inline(always)]
+pub(super) fn lanes_in_use<S: Simd>() -> u64 {
+    (1 << Lanes::<S>::COUNT) - 1
 }

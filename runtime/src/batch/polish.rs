@@ -2,7 +2,7 @@
 
 use fearless_simd::prelude::*;
 
-use crate::batch::lanes::Lanes;
+use crate::batch::lanes::{Lanes, lanes_in_use};
 use crate::number::Arithmetic;
 use crate::size::{Matrix, Size, filled_matrix};
 use crate::solution::polish::{FAR, LARGE, NOISE, ROUNDING, STALLED};
@@ -149,12 +149,6 @@ impl<S: Simd, N: Size, E: Size, K: Size, Q: Monomials<N, K>> Equations<'_, S, N,
         }
         columns
     }
-}
-
-/// A bit for each instance.
-#[inline(always)]
-pub(super) fn lanes_in_use<S: Simd>() -> u64 {
-    (1 << Lanes::<S>::COUNT) - 1
 }
 
 /// max |f_e| weight_e; NaN if a number is not finite.

@@ -7,12 +7,10 @@
 
 use fearless_simd::Simd;
 
-use crate::batch::lanes::{Lanes, Mask};
+use crate::batch::lanes::{Lanes, MOST, Mask, lanes_in_use};
 use crate::number::{Arithmetic, float};
 use crate::size::{List, Size};
 use crate::spectrum::real_roots::{Bracket, CLEAR_MIDDLE, HALVINGS, LAST_STEP, MOST_STEPS, RealRoots, UNIT};
-
-use super::group::MOST;
 
 /// The pieces of the axis: x = t, 1/t, -t, -1/t for t in the unit interval.
 const PIECES: usize = 4;
@@ -283,7 +281,7 @@ impl<S: Simd, Z: Size> Isolation<S, Z> {
             let is_last = (next - t).abs().at_most(last).bits();
             t = Mask::from_bits(self.simd, done | is_root).select(t, next);
             done |= is_root | is_last;
-            if done == super::polish::lanes_in_use::<S>() {
+            if done == lanes_in_use::<S>() {
                 break;
             }
         }

@@ -8,7 +8,7 @@
 use fearless_simd::Simd;
 
 use crate::batch::lanes::{Lanes, Mask};
-use crate::elimination::lu::BlockError;
+use crate::elimination::lu::{BlockError, Eliminated};
 use crate::number::Arithmetic;
 use crate::size::{Fixed, Size, Vector};
 
@@ -59,43 +59,55 @@ pub(super) fn choose<S: Simd, Z: Size>(
     (best, Mask::from_bits(one.token(), is_good & is_clear))
 }
 
-/// Solves `matrix * X = right` for the last `needed` rows of X, like
-/// [`solve_block_trailing`](crate::elimination::lu::solve_block_trailing). The results of an
-/// instance that must be solved by itself are NaN.
-///
-/// # Errors
-/// [`BlockError::Shape`].
+/// Eliminates with the same pivots for all instances. The results of an instance that must be
+/// solved by itself are NaN.
+impl<S: Simd> Eliminated for Lanes<S> {
+    #[inline(always)]
+    fn solve_block<V: Vector<Self>, const N: usize>(
+        matrix: &mut [[Self; N]; N],
+        right: &mut [V],
+        needed: usize,
+    ) -> Result<(), BlockError> {
+        if N == 0 {
+            return Ok(());
+        }
+        let Some(right) = right.get_mut(..N) else { return Err(BlockError::Shape) };
+        let inverses = eliminate(matrix, right);
+        // 0, or NaN for an instance without some pivot.
+        let mut missing = inverses[0].constant(0.0);
+        for inverse in inverses {
+            missing += inverse * inverse.constant(0.0);
+        }
+        for k in (N.saturating_sub(needed)..N).rev() {
+            let inverse = inverses[k] + missing;
+            let (above, below) = right.split_at_mut(k + 1);
+            let row = above[k].as_mut();
+            for (&factor, solved) in matrix[k][k + 1..].iter().zip(below.iter()) {
+                for (entry, &known) in row.iter_mut().zip(solved.as_ref()) {
+                    *entry = entry.minus(factor, known);
+                }
+            }
+            row.iter_mut().for_each(|entry| *entry = *entry * inverse);
+        }
+        Ok(())
+    }
+}
+
+/// Eliminates forward in matrix and right together; returns one over each pivot.
 #[inline(always)]
-pub(super) fn solve_block<S: Simd, V: Vector<Lanes<S>>, const N: usize>(
+fn eliminate<S: Simd, V: Vector<Lanes<S>>, const N: usize>(
     matrix: &mut [[Lanes<S>; N]; N],
     right: &mut [V],
-    needed: usize,
-) -> Result<(), BlockError> {
-    if N == 0 {
-        return Ok(());
-    }
-    let Some(right) = right.get_mut(..N) else { return Err(BlockError::Shape) };
-    let zero = matrix[0][0].constant(0.0);
-    let mut row_scale = [zero; N];
-    let mut noise = [zero; N];
-    for i in 0..N {
-        let mut sum = zero;
-        for j in 0..N {
-            sum += matrix[i][j].abs();
-        }
-        row_scale[i] = zero.constant(1.0) / sum;
-        for j in 0..N {
-            noise[j] = (matrix[i][j].abs() * row_scale[i]).max(noise[j]);
-        }
-    }
-    let rounding = zero.constant(N as f64 * f64::EPSILON);
+) -> [Lanes<S>; N] {
+    let (mut row_scale, noise) = equilibrated(matrix);
+    let zero = row_scale[0].constant(0.0);
     let mut inverses = [zero; N];
     for k in 0..N {
         let mut sizes = [zero; N];
         for i in k..N {
             sizes[i] = matrix[i][k].abs() * row_scale[i];
         }
-        let (best, is_good) = choose::<S, Fixed<N>>((k, N), &sizes, noise[k] * rounding);
+        let (best, is_good) = choose::<S, Fixed<N>>((k, N), &sizes, noise[k]);
         if best != k {
             // Entry by entry: whole rows of lanes would be swapped by calls.
             for j in k..N {
@@ -105,7 +117,7 @@ pub(super) fn solve_block<S: Simd, V: Vector<Lanes<S>>, const N: usize>(
             for (a, b) in above[k].as_mut().iter_mut().zip(below[0].as_mut()) {
                 (*a, *b) = (*b, *a);
             }
-            (row_scale[k], row_scale[best]) = (row_scale[best], row_scale[k]);
+            row_scale.swap(k, best);
         }
         inverses[k] = is_good.select(zero.constant(1.0) / matrix[k][k], zero.constant(f64::NAN));
         for i in k + 1..N {
@@ -123,23 +135,26 @@ pub(super) fn solve_block<S: Simd, V: Vector<Lanes<S>>, const N: usize>(
             }
         }
     }
-    // 0, or NaN for an instance without some pivot.
-    let mut missing = zero;
-    for k in 0..N {
-        missing += inverses[k] * zero;
-    }
-    for k in (N.saturating_sub(needed)..N).rev() {
-        let inverse = inverses[k] + missing;
-        let (above, below) = right.split_at_mut(k + 1);
-        let row = above[k].as_mut();
-        for (&factor, solved) in matrix[k][k + 1..].iter().zip(below.iter()) {
-            for (entry, &known) in row.iter_mut().zip(solved.as_ref()) {
-                *entry = entry.minus(factor, known);
-            }
+    inverses
+}
+
+/// One over the 1-norm of each row, and the size that rounding errors of each column may have.
+#[inline(always)]
+fn equilibrated<S: Simd, const N: usize>(matrix: &[[Lanes<S>; N]; N]) -> ([Lanes<S>; N], [Lanes<S>; N]) {
+    let zero = matrix[0][0].constant(0.0);
+    let rounding = zero.constant(N as f64 * f64::EPSILON);
+    let (mut row_scale, mut noise) = ([zero; N], [zero; N]);
+    for i in 0..N {
+        let mut sum = zero;
+        for j in 0..N {
+            sum += matrix[i][j].abs();
         }
-        row.iter_mut().for_each(|entry| *entry = *entry * inverse);
+        row_scale[i] = zero.constant(1.0) / sum;
+        for j in 0..N {
+            noise[j] = (matrix[i][j].abs() * row_scale[i] * rounding).max(noise[j]);
+        }
     }
-    Ok(())
+    (row_scale, noise)
 }
 
 #[cfg(test)]
@@ -173,7 +188,7 @@ mod tests {
                 (0..2).for_each(|j| right[i][j].set(lane, block.1[i][j]));
             }
         }
-        solve_block(&mut matrix, &mut right, N).unwrap();
+        Lanes::solve_block(&mut matrix, &mut right, N).unwrap();
         let of_lane = |lane: usize| right.map(|row| row.map(|entry| entry.get(lane)));
         (0..blocks.len().min(Lanes::<S>::COUNT)).map(of_lane).collect()
     }

@@ -1,6 +1,6 @@
 //! Elimination of one diagonal block of an elimination template.
 
-use crate::number::Real;
+use crate::number::{Arithmetic, Real};
 use crate::size::Vector;
 
 /// Why a block has no solution.
@@ -86,6 +86,30 @@ pub fn solve_large_block<R: Real, V: Vector<R>>(
     needed: usize,
 ) -> Result<(), BlockError> {
     solve_rows(memory, right, needed)
+}
+
+/// Numbers with which a block of a template is eliminated.
+pub trait Eliminated: Arithmetic {
+    /// Solves a diagonal block: see [`solve_block_trailing`].
+    ///
+    /// # Errors
+    /// As [`solve_block_trailing`].
+    fn solve_block<V: Vector<Self>, const N: usize>(
+        matrix: &mut [[Self; N]; N],
+        right: &mut [V],
+        needed: usize,
+    ) -> Result<(), BlockError>;
+}
+
+impl<R: Real> Eliminated for R {
+    #[inline(always)]
+    fn solve_block<V: Vector<Self>, const N: usize>(
+        matrix: &mut [[R; N]; N],
+        right: &mut [V],
+        needed: usize,
+    ) -> Result<(), BlockError> {
+        solve_block_trailing(matrix, right, needed)
+    }
 }
 
 #[inline(always)]

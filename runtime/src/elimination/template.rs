@@ -1,8 +1,8 @@
 //! Fills and eliminates a block-triangular elimination template from tables.
 
-use crate::elimination::lu::{BlockError, BlockMemory, solve_large_block};
+use crate::elimination::lu::{BlockError, BlockMemory, Eliminated, solve_large_block};
 use crate::error::SolveError;
-use crate::number::{Arithmetic, Eliminated, Over, Real};
+use crate::number::{Arithmetic, Over, Real};
 use crate::size::{Matrix, Size, Square, Vector, filled_matrix};
 
 /// A table entry: row, column, slot of the coefficient.

@@ -5,5 +5,5 @@ pub(crate) mod double_double;
 pub(crate) mod float;
 pub(crate) mod scalar;
 
-pub use arithmetic::{Arithmetic, Eliminated};
+pub use arithmetic::Arithmetic;
 pub use scalar::{Over, Real, Scalar};

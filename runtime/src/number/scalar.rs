@@ -60,6 +60,32 @@ pub trait Scalar:
     fn is_finite(self) -> bool;
 }
 
+impl<S: Scalar> Arithmetic for S {
+    #[inline(always)]
+    fn constant(self, x: f64) -> Self {
+        S::from_f64(x)
+    }
+
+    /// It is a call, because a determinant has many products, and few lengths.
+    #[inline(never)]
+    fn add_product<const A: usize, const B: usize, const N: usize>(sum: &mut [S; N], a: &[S; A], b: &[S; B]) {
+        for (shift, &factor) in a.iter().enumerate() {
+            for (sum, &value) in sum[shift..].iter_mut().zip(b) {
+                *sum += factor * value;
+            }
+        }
+    }
+
+    #[inline(never)]
+    fn subtract_product<const A: usize, const B: usize, const N: usize>(sum: &mut [S; N], a: &[S; A], b: &[S; B]) {
+        for (shift, &factor) in a.iter().enumerate() {
+            for (sum, &value) in sum[shift..].iter_mut().zip(b) {
+                *sum -= factor * value;
+            }
+        }
+    }
+}
+
 /// A real number: `f64`, or one of twice its precision.
 pub trait Real: Scalar + Over<Self> {
     /// The distance from 1 to the next number.
