@@ -16,9 +16,9 @@ use crate::size::{List, Size, Square, filled_matrix};
 use crate::solution::candidates::{AllSolutions, Collection, RealSolutions, flips};
 use crate::solution::extract::unknowns;
 use crate::solution::shared_value::SharedValue;
-use crate::solver_instance::{BasisVector, EigenpairSource, HiddenVariableSolver, Point, Points, SolverInstance};
+use crate::solver_instance::{BasisVector, EigenpairSource, HiddenVariableSolver, Points, SolverInstance};
 use crate::spectrum::hessenberg::Hessenberg;
-use crate::spectrum::hidden_variable::{ChainedBasis, HiddenVariable, backward_error};
+use crate::spectrum::hidden_variable::{ChainedBasis, HiddenVariable};
 use crate::spectrum::precise_spectrum::{PreciseSpectrum, with_precise_spectrum};
 use crate::spectrum::real_roots::real_roots;
 
@@ -30,11 +30,6 @@ const NO_SOLUTION: f64 = 1e-6;
 /// A determinant without real roots is certain to have none if errors of its coefficients that
 /// could give it one are larger than this, relative to them.
 pub(crate) const CLEARANCE: f64 = 1e-6;
-
-/// A root of a determinant is where the solution is to which it leads, if the coefficients are
-/// wrong by this much, relative to them. The roots are counted correctly if the coefficients are
-/// wrong by 1e-7; cancellation in the Bernstein coefficients may take the digits between.
-pub(crate) const PRECISE: f64 = 1e-10;
 
 /// A factor that must not vanish counts as zero if its modulus is at most this, relative to the sum
 /// of the moduli of its terms.
@@ -71,14 +66,14 @@ pub fn real_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, f64
 }
 
 /// Returns all real solutions, by the real roots of a determinant. If a root is not certain, or
-/// leads to no solution of its own, or a solution shows that the determinant is not precise, all is
-/// done again as by [`real_solutions`].
+/// leads to no solution of its own, or the polish moves one far, all is done again as by
+/// [`real_solutions`].
 ///
 /// # Errors
 /// As [`real_solutions`].
 #[inline]
 pub fn real_solutions_by_determinant<I: HiddenVariableSolver>(solver: &mut I) -> Result<Points<I, f64>, SolveError> {
-    let mut found = RealSolutions::new(solver, false);
+    let mut found = RealSolutions::by_determinant(solver);
     match add_roots(solver, &mut found) {
         true => Ok(found.admissible(solver)),
         false => real_solutions(solver),
@@ -92,18 +87,16 @@ fn add_roots<I: HiddenVariableSolver>(solver: &mut I, found: &mut RealSolutions<
     let Ok(action) = solver.action_matrix::<f64>() else { return false };
     let (solver, chains) = (&*solver, solver.chains());
     let Some(variable) = HiddenVariable::new(&chains, &action) else { return false };
-    let determinant = variable.determinant();
-    let roots = real_roots(chains.sizes().3, &determinant);
+    let roots = real_roots(chains.sizes().3, &variable.determinant());
     let source = HiddenPairs { basis: solver.sizes().basis, variable: &variable };
-    // Without a root, no solution shows whether the polynomial is precise.
+    // Without a root, no polish shows whether the polynomial is precise.
     let mut is_certain = roots.is_certain && (!roots.roots.is_empty() || roots.clearance > CLEARANCE);
     for &root in roots.roots.iter() {
         let value = root.into();
         let mut is_solution = || found.add(solver, &source, value) || found.is_imaginary(solver, &source, value);
         is_certain = is_certain && is_solution();
     }
-    let error = |x: &Point<I, f64>| backward_error(determinant.as_ref(), chains.action_value(x.as_ref()));
-    is_certain && found.points().all(|x| error(x) <= PRECISE)
+    is_certain && !found.is_imprecise()
 }
 
 /// The eigenpairs of the real roots.

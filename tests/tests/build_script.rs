@@ -254,7 +254,7 @@ fn names_of_data_are_not_taken() {
     project.write("clash.rs", text);
     project.run().expect("a small problem");
     let solver = project.solver("clash");
-    for declaration in ["let c_at_0 = c[0];", "let c_at_1 = c[1];", "let mut v_2 = [0.0;"] {
+    for declaration in ["let c_at_0 = data[0];", "let c_at_1 = data[1];", "let mut v_2 = [one.constant(0.0);"] {
         assert!(solver.contains(declaration), "{declaration} in\n{solver}");
     }
 }

@@ -28,7 +28,6 @@ pub(super) fn chains(plan: &Plan) -> TokenStream {
         quote!(emitted::value_at(#entry, x))
     });
     let (table, determinant, vector) = (table(chains), determinant(chains), vector(chains));
-    let action_value = action_value(plan);
     quote! {
         /// How the basis falls into chains.
         struct Chains;
@@ -44,11 +43,6 @@ pub(super) fn chains(plan: &Plan) -> TokenStream {
             }
 
             #table
-
-            #[inline(always)]
-            fn action_value<T: emitted::Arithmetic>(&self, x: &[T]) -> T {
-                #action_value
-            }
 
             #[inline(always)]
             fn polynomials<T: emitted::Arithmetic>(&self, row: &[T; #basis]) -> [T; #width] {
@@ -84,20 +78,6 @@ fn entry(chains: &Chains, row: &TokenStream, column: usize) -> TokenStream {
     let (first, degree) = chains.columns()[column];
     let [length, width, first] = [degree + 1, chains.width(), first].map(Literal::usize_unsuffixed);
     quote!(emitted::entry::<#length, #first, #width, T>(#row))
-}
-
-/// The action monomial of the unknowns.
-fn action_value(plan: &Plan) -> TokenStream {
-    let powers = |sign: i8| {
-        let unknowns = plan.action_exponents.iter().enumerate();
-        let factors = unknowns.flat_map(|(at, &exponent)| {
-            let at = Literal::usize_unsuffixed(at);
-            std::iter::repeat_n(quote!(x[#at]), (exponent * sign).max(0) as usize)
-        });
-        factors.reduce(|product, x| quote!(#product * #x))
-    };
-    let above = powers(1).unwrap_or(quote!(x[0].constant(1.0)));
-    powers(-1).map_or(above.clone(), |below| quote!(#above / (#below)))
 }
 
 /// Where the monomials are.

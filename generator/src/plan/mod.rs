@@ -236,8 +236,6 @@ pub struct Plan {
     pub coefficients: Vec<ValueId>,
     /// The elimination.
     pub elimination: Elimination,
-    /// The exponent of each unknown in the action monomial.
-    pub action_exponents: Vec<i8>,
     /// The rows of the action matrix, |B| of them.
     pub action: Vec<ActionRow>,
     /// Pivots outside the image a B of the basis from which unknowns are read.

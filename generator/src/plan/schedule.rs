@@ -136,7 +136,6 @@ impl Scheduler<'_> {
             program,
             coefficients: values,
             elimination,
-            action_exponents: template.action.exponents()[..width].to_vec(),
             action,
             read,
             chains: None,

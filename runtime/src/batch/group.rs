@@ -7,24 +7,18 @@ use crate::batch::lanes::{Lanes, MOST, lanes_in_use};
 use crate::batch::polish::Equations;
 use crate::batch::roots::Isolation;
 use crate::batch::solver::{BatchData, BatchSolver};
-use crate::driver::{CLEARANCE, PRECISE};
+use crate::driver::CLEARANCE;
 use crate::elimination::template::{action_matrix_from, solved_rows_from};
 use crate::number::Arithmetic;
 use crate::size::{List, Matrix, Size};
+use crate::solution::candidates::{IMPRECISE_FLOOR, IMPRECISE_ROOT};
 use crate::solution::distinct::{CLOSE, CLOSE_FLOOR};
-use crate::solver_instance::{HiddenVariableSolver, Point, Points, SolverInstance};
+use crate::solver_instance::{Point, Points, SolverInstance};
 use crate::spectrum::hidden_variable::ChainedBasis;
 
 /// A square is negative beyond doubt if its ratio is, and if its monomial exceeds this part of the
 /// largest entry of the eigenvector.
 const CLEARLY_NEGATIVE: f64 = 1e-6;
-
-/// M(x), the monomials that are read besides, and the coefficients of det M(x).
-type Determined<S, I> = (
-    HiddenPairs<S, <I as HiddenVariableSolver>::Chains>,
-    Matrix<<I as BatchSolver>::Read, <I as SolverInstance>::Basis, Lanes<S>>,
-    <<<I as HiddenVariableSolver>::Chains as ChainedBasis>::Coefficients as Size>::Vector<Lanes<S>>,
-);
 
 /// A lane for each basis monomial.
 type BasisLanes<I, S> = <<I as SolverInstance>::Basis as Size>::Vector<Lanes<S>>;
@@ -92,7 +86,7 @@ fn solve_group<S: Simd, I: BatchSolver>(
         #[inline(always)]
         || coefficients = I::coefficients(one, inputs),
     );
-    let determined = simd.vectorize(
+    let pairs = simd.vectorize(
         #[inline(always)]
         || {
             // The template stays in its result: a move would copy it.
@@ -105,11 +99,11 @@ fn solve_group<S: Simd, I: BatchSolver>(
             Some((pairs, read, determinant))
         },
     );
-    let Some(determined) = &determined else { return 0 };
+    let Some((pairs, read, determinant)) = &pairs else { return 0 };
     let (_, _, _, degree) = I::all_chains().sizes();
     let roots = simd.vectorize(
         #[inline(always)]
-        || Isolation::run(simd, degree, &determined.2),
+        || Isolation::run(simd, degree, determinant),
     );
     let mut is_certain = 0;
     for (lane, roots) in roots.iter().enumerate() {
@@ -129,7 +123,7 @@ fn solve_group<S: Simd, I: BatchSolver>(
         }
         let found = simd.vectorize(
             #[inline(always)]
-            || Solved::<S, I>::at(&coefficients, determined, x),
+            || Solved::<S, I>::at(&coefficients, (pairs, read), x),
         );
         is_certain &= found.is_certain | found.is_imaginary | !in_use;
         let new = in_use & is_certain & !found.is_imaginary;
@@ -156,7 +150,7 @@ impl<S: Simd, I: BatchSolver> Solved<S, I> {
     #[inline(always)]
     fn at(
         coefficients: &<I::Coefficients as Size>::Vector<Lanes<S>>,
-        (pairs, read, determinant): &Determined<S, I>,
+        (pairs, read): (&HiddenPairs<S, I::Chains>, &Matrix<I::Read, I::Basis, Lanes<S>>),
         x: Lanes<S>,
     ) -> Self {
         let (sizes, batch) = I::all_sizes();
@@ -180,33 +174,25 @@ impl<S: Simd, I: BatchSolver> Solved<S, I> {
         }
         resolve::<S, I>(&mut unknowns);
         I::recovered(coefficients, &mut unknowns);
+        let start = unknowns.clone();
         let equations = Equations {
             sizes: (sizes.unknowns, batch.equations, batch.products),
             monomials: I::monomials(),
             rows: I::equations(coefficients),
         };
         let mut is_certain = equations.polish(&mut unknowns);
-        let root = pairs.chains().action_value(unknowns.as_ref());
-        is_certain &= backward_error::<S>(determinant.as_ref(), root).at_most(x.constant(PRECISE)).bits();
+        // The same bound as for one instance: see `RealSolutions::by_determinant`.
+        let mut size = x.constant(0.0);
+        for j in 0..sizes.unknowns.get() {
+            size = unknowns[j].abs().max(size);
+        }
+        let floor = size * x.constant(IMPRECISE_FLOOR * IMPRECISE_ROOT);
+        for j in 0..sizes.unknowns.get() {
+            let bound = floor + unknowns[j].abs() * x.constant(IMPRECISE_ROOT);
+            is_certain &= (unknowns[j] - start[j]).abs().at_most(bound).bits();
+        }
         Self { unknowns, is_certain, is_imaginary }
     }
-}
-
-/// The relative error of coefficients, lowest first, that would make x a root: see
-/// [`backward_error`](crate::spectrum::hidden_variable::backward_error).
-#[inline(always)]
-fn backward_error<S: Simd>(coefficients: &[Lanes<S>], x: Lanes<S>) -> Lanes<S> {
-    let (zero, one) = (x.constant(0.0), x.constant(1.0));
-    let n = coefficients.len();
-    let from_low = x.abs().above(one);
-    let y = from_low.select(one / x, x);
-    let (mut sum, mut size) = (zero, zero);
-    for k in 0..n {
-        let c = from_low.select(coefficients[k], coefficients[n - 1 - k]);
-        sum = c.plus(sum, y);
-        size = c.abs().plus(size, y.abs());
-    }
-    sum.abs() / size
 }
 
 /// The values of basis monomials, and of those that are read besides.

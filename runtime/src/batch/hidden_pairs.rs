@@ -42,12 +42,6 @@ impl<S: Simd, H: ChainedBasis> HiddenPairs<S, H> {
         this
     }
 
-    /// The chains.
-    #[inline(always)]
-    pub(super) fn chains(&self) -> &H {
-        &self.chains
-    }
-
     /// `eliminated` := -D^-1 R, with the same row pivots for all instances.
     #[inline(always)]
     fn solve_for_heads(&mut self, action: &Square<H::Basis, Lanes<S>>) {

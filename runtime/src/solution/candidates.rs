@@ -25,8 +25,11 @@ const NEARLY_REAL: f64 = 0.1;
 /// If the polish moves a real solution by more than this part of an unknown, the eigenvalues are
 /// imprecise, and those of a pair of real solutions may be complex, far from the real axis.
 const IMPRECISE: f64 = 1e-4;
+/// The same for the roots of a determinant. An error of this size in its coefficients moves two
+/// roots by about 3e-4 if they are close to each other; closer ones are not certain.
+pub(crate) const IMPRECISE_ROOT: f64 = 1e-7;
 /// An unknown may be moved by this part of the largest unknown, relative to the bound.
-const IMPRECISE_FLOOR: f64 = 1e-2;
+pub(crate) const IMPRECISE_FLOOR: f64 = 1e-2;
 
 /// The collected solutions of a solve: [`AllSolutions`] or [`RealSolutions`].
 pub(crate) trait Collection<I: SolverInstance> {
@@ -126,7 +129,9 @@ pub(crate) struct RealSolutions<I: SolverInstance> {
     expected: Option<usize>,
     /// Whether an eigenvalue that is nearly real led to no solution.
     has_failed: bool,
-    /// Whether the polish moved a solution far from its eigenpair.
+    /// The part of an unknown by which the polish moves precise solutions at most.
+    precision: f64,
+    /// Whether the polish moved a solution further from its eigenpair.
     is_imprecise: bool,
 }
 
@@ -140,8 +145,15 @@ impl<I: SolverInstance> RealSolutions<I> {
             most: solver.sizes().solutions.get(),
             expected: None,
             has_failed: false,
+            precision: IMPRECISE,
             is_imprecise: false,
         }
+    }
+
+    /// For the roots of a determinant.
+    #[inline]
+    pub(crate) fn by_determinant(solver: &I) -> Self {
+        Self { precision: IMPRECISE_ROOT, ..Self::new(solver, false) }
     }
 
     /// Whether a real eigenvalue belongs to solutions that are not real, because the square of an
@@ -151,10 +163,10 @@ impl<I: SolverInstance> RealSolutions<I> {
         !flips(solver).is_empty() && polished(solver, source.complex(value)).is_some()
     }
 
-    /// The solutions found so far.
+    /// Whether the polish moved a solution so far that others may be missing.
     #[inline]
-    pub(crate) fn points(&self) -> impl Iterator<Item = &Point<I, f64>> {
-        self.real.iter().map(|candidate| &candidate.unknowns)
+    pub(crate) fn is_imprecise(&self) -> bool {
+        self.is_imprecise
     }
 
     /// The solutions at which no excluded factor vanishes. If all complex solutions are known, a
@@ -183,7 +195,7 @@ impl<I: SolverInstance> RealSolutions<I> {
         let start = unknowns(solver, value, &vector)?;
         let end = polish_from(solver, start.clone())?;
         let start = Candidate { unknowns: start, residual: f64::INFINITY };
-        self.is_imprecise |= !end.agrees(&start, IMPRECISE, IMPRECISE_FLOOR * IMPRECISE);
+        self.is_imprecise |= !end.agrees(&start, self.precision, IMPRECISE_FLOOR * self.precision);
         Some(end)
     }
 }

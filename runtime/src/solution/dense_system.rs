@@ -30,7 +30,12 @@ pub struct DenseSystem<'a, N: Size, E: Size, K: Size, Q> {
 #[must_use]
 pub fn rows<const E: usize, const K: usize, const C: usize, T>(coefficients: &[T; C]) -> &[[T; E]; K] {
     const { assert!(E * K <= C, "the list holds the matrix") };
-    coefficients.as_chunks().0.first_chunk().unwrap_or_else(|| unreachable!("E K <= C"))
+    loop {
+        // Always: the list is long enough.
+        if let Some(matrix) = coefficients.as_chunks().0.first_chunk() {
+            return matrix;
+        }
+    }
 }
 
 impl<S: Scalar, N: Size, E: Size, K: Size, Q: Monomials<N, K>> System<S, N, E> for DenseSystem<'_, N, E, K, Q> {

@@ -59,9 +59,6 @@ pub trait ChainedBasis {
     /// Where the monomials are.
     fn table(&self) -> ChainTable<'_>;
 
-    /// The value of the action monomial at these values of the unknowns.
-    fn action_value<T: Arithmetic>(&self, unknowns: &[T]) -> T;
-
     /// Minus a row of the action matrix, without the eliminated monomials, as a row of M(x).
     fn polynomials<T: Arithmetic>(&self, row: &<Self::Basis as Size>::Vector<T>) -> <Self::Width as Size>::Vector<T>;
 
@@ -89,7 +86,12 @@ pub trait ChainedBasis {
 #[must_use]
 pub fn entry<const A: usize, const F: usize, const W: usize, T>(row: &[T; W]) -> &[T; A] {
     const { assert!(F + A <= W, "the polynomial is part of the row") };
-    row[F..].first_chunk().unwrap_or_else(|| unreachable!("F + A <= W"))
+    loop {
+        // Always: the row is long enough.
+        if let Some(polynomial) = row[F..].first_chunk() {
+            return polynomial;
+        }
+    }
 }
 
 /// The value of a polynomial, by Horner's rule.
@@ -239,24 +241,6 @@ impl<'a, H: ChainedBasis> HiddenVariable<'a, H> {
     }
 }
 
-/// The relative error of coefficients, lowest first, that would make x a root:
-///
-/// |sum of c_k x^k| / (sum of |c_k x^k|)
-#[inline]
-pub(crate) fn backward_error(coefficients: &[f64], x: f64) -> f64 {
-    // For |x| > 1 the polynomial is divided by its highest power of x.
-    let from_low = x.abs() > 1.0;
-    let y = if from_low { 1.0 / x } else { x };
-    let n = coefficients.len();
-    let (mut sum, mut size) = (0.0, 0.0);
-    for k in 0..n {
-        let c = coefficients[if from_low { k } else { n - 1 - k }];
-        sum = sum * y + c;
-        size = size * y.abs() + c.abs();
-    }
-    sum.abs() / size
-}
-
 /// row -= factor * other
 #[inline]
 fn subtract<Z: Size>(row: &mut Z::Vector<f64>, factor: f64, other: &Z::Vector<f64>) {
@@ -376,10 +360,6 @@ mod tests {
         fn table(&self) -> ChainTable<'_> {
             let Self { ends, leading, degrees, heads, .. } = self;
             ChainTable { ends, leading, degrees, heads }
-        }
-
-        fn action_value<T: Arithmetic>(&self, unknowns: &[T]) -> T {
-            unknowns[0]
         }
 
         fn polynomials<T: Arithmetic>(&self, row: &[T; 10]) -> [T; 16] {

@@ -214,10 +214,6 @@ impl<F: Family> ChainedBasis for TwoChains<F> {
         ChainTable { ends: &[1, 3], leading: &[2, 5], degrees: &[2, 2], heads: &[] }
     }
 
-    fn action_value<T: Arithmetic>(&self, unknowns: &[T]) -> T {
-        unknowns[0]
-    }
-
     fn polynomials<T: Arithmetic>(&self, row: &<F::Of<4> as Size>::Vector<T>) -> <F::Of<6> as Size>::Vector<T> {
         let mut polynomials = F::of::<6>().filled(row[0].constant(0.0));
         for (at, b) in [(0, 0), (1, 1), (3, 2), (4, 3)] {

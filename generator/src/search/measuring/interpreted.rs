@@ -87,7 +87,7 @@ impl InterpretedSolver {
             unknowns,
             solutions: plan.solutions,
             has_origin: plan.has_origin,
-            chains: plan.chains.as_ref().map(|chains| InterpretedChains::of(chains, &plan.action_exponents)),
+            chains: plan.chains.as_ref().map(InterpretedChains::of),
             program: Program::of(plan),
             has_precise_coefficients: plan.program.form == ProgramForm::Table,
             elimination: Elimination::of(plan),

@@ -10,7 +10,6 @@ use crate::plan::chains::{ChainPlace, Minor};
 #[derive(Clone, Debug)]
 pub struct InterpretedChains {
     basis: usize,
-    action_exponents: Vec<i8>,
     ends: Vec<u16>,
     leading: Vec<u16>,
     degrees: Vec<u16>,
@@ -24,7 +23,6 @@ pub struct InterpretedChains {
 /// No chains.
 pub(super) static NONE: InterpretedChains = InterpretedChains {
     basis: 0,
-    action_exponents: Vec::new(),
     ends: Vec::new(),
     leading: Vec::new(),
     degrees: Vec::new(),
@@ -36,11 +34,10 @@ pub(super) static NONE: InterpretedChains = InterpretedChains {
 };
 
 impl InterpretedChains {
-    pub(super) fn of(chains: &Chains, action_exponents: &[i8]) -> Self {
+    pub(super) fn of(chains: &Chains) -> Self {
         let short = |list: Vec<usize>| list.into_iter().map(|number| number as u16).collect();
         Self {
             basis: chains.order.len(),
-            action_exponents: action_exponents.to_vec(),
             ends: short(chains.ends()),
             leading: short(chains.leading()),
             degrees: short(chains.degrees()),
@@ -70,16 +67,6 @@ impl emitted::ChainedBasis for &InterpretedChains {
 
     fn table(&self) -> ChainTable<'_> {
         ChainTable { ends: &self.ends, leading: &self.leading, degrees: &self.degrees, heads: &self.heads }
-    }
-
-    fn action_value<T: Arithmetic>(&self, unknowns: &[T]) -> T {
-        let powers = |sign: i8| {
-            let powers = self.action_exponents.iter().zip(unknowns);
-            let factors = powers.flat_map(move |(&e, &x)| std::iter::repeat_n(x, (e * sign).max(0) as usize));
-            factors.reduce(|product, x| product * x)
-        };
-        let above = powers(1).unwrap_or(unknowns[0].constant(1.0));
-        powers(-1).map_or(above, |below| above / below)
     }
 
     fn polynomials<T: Arithmetic>(&self, row: &Vec<T>) -> Vec<T> {
