@@ -3,7 +3,8 @@
 
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// Numbers with the four operations: a [`Scalar`](crate::Scalar), or a number for each of several instances.
+/// Numbers with the four operations: a [`Scalar`](crate::Scalar), or a number for each of several
+/// instances.
 pub trait Arithmetic:
     Copy
     + Add<Output = Self>
