@@ -44,7 +44,8 @@ fn batches_have_the_solutions_of_their_instances() {
             let data = draw(&case, family);
             let results = (case.solve_batch)(&data);
             assert_eq!(results.len(), data.len());
-            let failure = |(k, (data, of_batch)): (usize, (&Vec<f64>, &Result<Vec<Vec<f64>>, SolveError>))| {
+            let failure = |k: usize| {
+                let (data, of_batch) = (&data[k], &results[k]);
                 let alone = (case.solve)(data);
                 let worst = of_batch.iter().flatten().map(|x| (case.residual)(data, &complex(x)).unwrap_or(f64::NAN));
                 let residuals_are_good = worst.into_iter().all(|residual| residual <= MAX_RESIDUAL);
@@ -55,7 +56,7 @@ fn batches_have_the_solutions_of_their_instances() {
                 let message = || format!("{} {family:?} {k}: {alone:?} alone, {of_batch:?} in a batch", case.name);
                 (!(is_equal && residuals_are_good)).then(message)
             };
-            data.iter().zip(&results).enumerate().filter_map(failure).collect::<Vec<_>>()
+            (0..data.len()).filter_map(failure).collect::<Vec<_>>()
         })
         .collect();
     assert!(failures.is_empty(), "{} differ:\n{}", failures.len(), failures.join("\n"));

@@ -20,6 +20,9 @@ use crate::spectrum::hidden_variable::ChainedBasis;
 /// largest entry of the eigenvector.
 const CLEARLY_NEGATIVE: f64 = 1e-6;
 
+/// The monomials that are read besides, as combinations of the basis.
+type ReadRows<I, S> = Matrix<<I as BatchSolver>::Read, <I as SolverInstance>::Basis, Lanes<S>>;
+
 /// A lane for each basis monomial.
 type BasisLanes<I, S> = <<I as SolverInstance>::Basis as Size>::Vector<Lanes<S>>;
 
@@ -150,7 +153,7 @@ impl<S: Simd, I: BatchSolver> Solved<S, I> {
     #[inline(always)]
     fn at(
         coefficients: &<I::Coefficients as Size>::Vector<Lanes<S>>,
-        (pairs, read): (&HiddenPairs<S, I::Chains>, &Matrix<I::Read, I::Basis, Lanes<S>>),
+        (pairs, read): (&HiddenPairs<S, I::Chains>, &ReadRows<I, S>),
         x: Lanes<S>,
     ) -> Self {
         let (sizes, batch) = I::all_sizes();

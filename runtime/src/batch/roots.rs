@@ -31,6 +31,9 @@ struct Interval {
     largest: f64,
 }
 
+/// An interval that must be halved, with its Bernstein coefficients.
+type Open<Z> = (Interval, <Z as Size>::Vector<f64>);
+
 /// What the Bernstein coefficients of an interval of each instance say.
 struct Control<S: Simd> {
     /// The largest and the least modulus.
@@ -84,7 +87,7 @@ pub(super) struct Isolation<S: Simd, Z: Size> {
     size: Z,
     pieces: [Polynomials<S, Z>; PIECES],
     /// Intervals that must be halved, with their Bernstein coefficients.
-    open: [Z::List<(Interval, Z::Vector<f64>)>; MOST],
+    open: [Z::List<Open<Z>>; MOST],
     brackets: [Z::List<Bracket>; MOST],
     result: [RealRoots<Z>; MOST],
 }
@@ -235,7 +238,7 @@ impl<S: Simd, Z: Size> Isolation<S, Z> {
             let t = self.refine(&group, count);
             for (lane, &(instance, at)) in group[..count].iter().enumerate() {
                 let (t, piece) = (t.get(lane), self.brackets[instance][at].piece);
-                let modulus = if piece % 2 == 0 { t } else { 1.0 / t };
+                let modulus = if piece.is_multiple_of(2) { t } else { 1.0 / t };
                 let root = if piece < 2 { modulus } else { -modulus };
                 self.result[instance].is_certain &= self.result[instance].roots.push(root);
             }
@@ -327,7 +330,7 @@ fn piece_of<S: Simd, Z: Size>(size: Z, piece: usize, power: &Polynomials<S, Z>) 
     let n = size.get() - 1;
     let mut polynomial = power.clone();
     for k in 0..n + 1 {
-        let of_x = if piece % 2 == 0 { k } else { n - k };
+        let of_x = if piece.is_multiple_of(2) { k } else { n - k };
         polynomial[k] = if piece >= 2 && of_x % 2 == 1 { -power[of_x] } else { power[of_x] };
     }
     polynomial
