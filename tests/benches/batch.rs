@@ -14,7 +14,7 @@ use eliminant_tests::{Case, cases};
 /// Measures the time of `solve_batch`.
 #[derive(Parser)]
 struct Arguments {
-    /// Only these problems; otherwise those whose scenes take few second attempts.
+    /// These problems; otherwise those of the table in README.md.
     problems: Vec<String>,
     /// Instances of each problem, the same in every round.
     #[arg(long, default_value_t = 4_096)]
@@ -33,8 +33,8 @@ struct Arguments {
     bench: bool,
 }
 
-/// Solvers whose instances are computed side by side.
-const SIDE_BY_SIDE: [&str; 8] = [
+/// The solvers of the table in README.md: eight of the eleven that compute instances side by side.
+const LISTED: [&str; 8] = [
     "circle_least_squares",
     "circle_minimal",
     "pose_35pt_focal",
@@ -86,7 +86,7 @@ impl Subject {
 fn main() {
     let arguments = Arguments::parse();
     let is_wanted = |case: &Case| match arguments.problems.is_empty() {
-        true => SIDE_BY_SIDE.contains(&case.name),
+        true => LISTED.contains(&case.name),
         false => arguments.problems.iter().any(|name| name == case.name),
     };
     let wanted = cases().into_iter().filter(is_wanted);

@@ -53,12 +53,12 @@ pub(super) fn batch(plan: &Plan) -> TokenStream {
             (each, quote!())
         }
     };
-    let how = match is_side_by_side {
-        true => {
-            " With the feature `lanes` of `eliminant`, as many as the registers of the processor hold are \
-             computed side by side; results are then those of [`solve`] up to rounding."
-        }
-        false => " This solver computes them one after another.",
+    let how: &[&str] = match is_side_by_side {
+        true => &[
+            " With the feature `lanes` of `eliminant`, as many as the registers of the processor hold are",
+            " computed side by side; results are then those of [`solve`] up to rounding.",
+        ],
+        false => &[" This solver computes them one after another."],
     };
     quote! {
         /// The data of an instance: the arguments of [`solve`].
@@ -70,7 +70,7 @@ pub(super) fn batch(plan: &Plan) -> TokenStream {
         /// Solves many instances: `results[i]` becomes what [`solve`] returns for `data[i]`. If one
         /// of the lists is longer, its rest is left alone.
         ///
-        #[doc = #how]
+        #(#[doc = #how])*
         pub fn solve_batch(
             data: &[Data],
             results: &mut [Result<::eliminant::Solutions<Solution, MAX_SOLUTIONS>, ::eliminant::SolveError>],

@@ -52,22 +52,26 @@ pub(super) fn solve_all<I: BatchSolver, D: BatchData<I>>(data: &[D], results: &m
 
 #[inline(never)]
 fn solve_groups<S: Simd, I: BatchSolver, D: BatchData<I>>(simd: S, data: &[D], results: &mut [D::Result]) {
+    const { assert!(Lanes::<S>::COUNT <= MOST, "there is a place for each instance") };
     let (sizes, batch) = I::all_sizes();
-    let count = Lanes::<S>::COUNT.min(MOST);
+    let count = Lanes::<S>::COUNT;
     let zero = Lanes::splat(simd, 0.0);
     for (data, results) in data.chunks(count).zip(results.chunks_mut(count)) {
         let mut inputs = batch.inputs.filled(zero);
+        let mut is_finite = 0;
         for lane in 0..count {
             // The last instance fills lanes that are left over.
             let Some(instance) = data.get(lane).or(data.last()) else { break };
             let mut of_lane = batch.inputs.filled(0.0);
             instance.inputs(of_lane.as_mut());
+            // Data that no equation reads must be finite, too.
+            is_finite |= u64::from(of_lane.as_ref().iter().all(|x| x.is_finite())) << lane;
             for at in 0..batch.inputs.get() {
                 inputs[at].set(lane, of_lane[at]);
             }
         }
         let mut points: [Points<I, f64>; MOST] = core::array::from_fn(|_| sizes.solutions.list());
-        let is_certain = solve_group::<S, I>(simd, &inputs, &mut points);
+        let is_certain = is_finite & solve_group::<S, I>(simd, &inputs, &mut points);
         for (lane, (data, result)) in data.iter().zip(results).enumerate() {
             *result = if is_certain >> lane & 1 == 1 { D::result(&points[lane]) } else { data.solve() };
         }
@@ -202,7 +206,7 @@ impl<S: Simd, I: BatchSolver> Solved<S, I> {
 #[inline(always)]
 fn monomial_values<S: Simd, I: BatchSolver>(
     vector: &BasisLanes<I, S>,
-    read: &Matrix<I::Read, I::Basis, Lanes<S>>,
+    read: &ReadRows<I, S>,
 ) -> <I::Values as Size>::Vector<Lanes<S>> {
     let (sizes, batch) = I::all_sizes();
     let zero = vector[0].constant(0.0);

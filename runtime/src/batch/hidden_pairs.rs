@@ -7,7 +7,7 @@ use crate::batch::lanes::Lanes;
 use crate::batch::shared_pivots;
 use crate::number::Arithmetic;
 use crate::size::{Matrix, Size, Square, filled_matrix};
-use crate::spectrum::hidden_variable::{ChainTable, ChainedBasis};
+use crate::spectrum::hidden_variable::{ChainTable, ChainedBasis, replace_rows, rows_of_ends};
 
 /// A row of M(x) for each chain that stays.
 type Rows<S, H> = Matrix<<H as ChainedBasis>::Count, <H as ChainedBasis>::Width, Lanes<S>>;
@@ -24,20 +24,13 @@ impl<S: Simd, H: ChainedBasis> HiddenPairs<S, H> {
     /// From the rows of the action matrices. Numbers of an instance with a singular D are NaN.
     #[inline(always)]
     pub(super) fn new(chains: H, action: &Square<H::Basis, Lanes<S>>) -> Self {
-        let zero = action[0][0].constant(0.0);
-        let (_, count, width, _) = chains.sizes();
-        let mut rows = filled_matrix(count, width, zero);
-        let table = chains.table();
-        for i in 0..count.get() {
-            rows[i] = chains.polynomials(&action[usize::from(table.ends[i])]);
-            rows[i][usize::from(table.leading[i])] += zero.constant(1.0);
-        }
+        let rows = rows_of_ends(&chains, action);
         let eliminated = rows.clone();
-        let eliminates = !table.heads.is_empty();
+        let eliminates = !chains.table().heads.is_empty();
         let mut this = Self { chains, rows, eliminated };
         if eliminates {
             this.solve_for_heads(action);
-            this.replace_rows(action);
+            replace_rows(&this.chains, action, &mut this.rows, &this.eliminated);
         }
         this
     }
@@ -86,30 +79,6 @@ impl<S: Simd, H: ChainedBasis> HiddenPairs<S, H> {
                     for at in 0..width.get() {
                         self.eliminated[i][at] = self.eliminated[i][at].minus(factor, self.eliminated[pivot][at]);
                     }
-                }
-            }
-        }
-    }
-
-    /// Rows of the eliminated heads take the place of those that eliminated them:
-    /// (x I - A) (-D^-1 R) + C. The rows that stay lose their constants times w.
-    #[inline(always)]
-    fn replace_rows(&mut self, action: &Square<H::Basis, Lanes<S>>) {
-        let (_, count, width, _) = self.chains.sizes();
-        let ChainTable { ends, heads, .. } = self.chains.table();
-        for i in 0..count.get() {
-            let row = &action[usize::from(if i < heads.len() { heads[i] } else { ends[i] })];
-            if i < heads.len() {
-                self.rows[i] = self.chains.polynomials(row);
-                // Times x: the last coefficient of each polynomial of R is zero.
-                for at in 1..width.get() {
-                    self.rows[i][at] += self.eliminated[i][at - 1];
-                }
-            }
-            for (other, &head) in heads.iter().enumerate() {
-                let factor = row[usize::from(head)];
-                for at in 0..width.get() {
-                    self.rows[i][at] = self.rows[i][at].minus(factor, self.eliminated[other][at]);
                 }
             }
         }

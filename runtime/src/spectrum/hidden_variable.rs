@@ -123,18 +123,12 @@ impl<'a, H: ChainedBasis> HiddenVariable<'a, H> {
     /// From the rows of the action matrix; `None` if D is singular.
     #[inline]
     pub(crate) fn new(chains: &'a H, action: &Action<H>) -> Option<Self> {
-        let (_, count, width, _) = chains.sizes();
-        let table = chains.table();
-        let mut rows = filled_matrix(count, width, 0.0);
-        for i in 0..count.get() {
-            rows[i] = chains.polynomials(&action[usize::from(table.ends[i])]);
-            rows[i][usize::from(table.leading[i])] += 1.0;
-        }
+        let rows = rows_of_ends(chains, action);
         let eliminated = rows.clone();
         let mut this = Self { chains, rows, eliminated };
-        if !table.heads.is_empty() {
+        if !chains.table().heads.is_empty() {
             this.solve_for_heads(action)?;
-            this.replace_rows(action);
+            replace_rows(chains, action, &mut this.rows, &this.eliminated);
         }
         Some(this)
     }
@@ -179,27 +173,6 @@ impl<'a, H: ChainedBasis> HiddenVariable<'a, H> {
         Some(())
     }
 
-    /// Rows of the eliminated heads take the place of those that eliminated them:
-    /// (x I - A) (-D^-1 R) + C. The rows that stay lose their constants times w.
-    #[inline]
-    fn replace_rows(&mut self, action: &Action<H>) {
-        let (_, count, width, _) = self.chains.sizes();
-        let ChainTable { ends, heads, .. } = self.chains.table();
-        for i in 0..count.get() {
-            let row = &action[usize::from(if i < heads.len() { heads[i] } else { ends[i] })];
-            if i < heads.len() {
-                self.rows[i] = self.chains.polynomials(row);
-                // Times x: the last coefficient of each polynomial of R is zero.
-                for at in 1..width.get() {
-                    self.rows[i][at] += self.eliminated[i][at - 1];
-                }
-            }
-            for (other, &head) in heads.iter().enumerate() {
-                subtract::<H::Width>(&mut self.rows[i], row[usize::from(head)], &self.eliminated[other]);
-            }
-        }
-    }
-
     /// det M(x), lowest coefficient first.
     #[inline]
     pub(crate) fn determinant(&self) -> <H::Coefficients as Size>::Vector<f64> {
@@ -238,6 +211,52 @@ impl<'a, H: ChainedBasis> HiddenVariable<'a, H> {
             }
         }
         self.chains.vector(x, &heads, &eliminated)
+    }
+}
+
+/// M(x) before chains are eliminated: a row for each chain that stays.
+#[inline(always)]
+pub(crate) fn rows_of_ends<H: ChainedBasis, T: Arithmetic>(
+    chains: &H,
+    action: &Square<H::Basis, T>,
+) -> Matrix<H::Count, H::Width, T> {
+    let zero = action[0][0].constant(0.0);
+    let (_, count, width, _) = chains.sizes();
+    let table = chains.table();
+    let mut rows = filled_matrix(count, width, zero);
+    for i in 0..count.get() {
+        rows[i] = chains.polynomials(&action[usize::from(table.ends[i])]);
+        rows[i][usize::from(table.leading[i])] += zero.constant(1.0);
+    }
+    rows
+}
+
+/// Rows of the eliminated heads take the place of those that eliminated them:
+/// (x I - A) (-D^-1 R) + C. The rows that stay lose their constants times w.
+#[inline(always)]
+pub(crate) fn replace_rows<H: ChainedBasis, T: Arithmetic>(
+    chains: &H,
+    action: &Square<H::Basis, T>,
+    rows: &mut Matrix<H::Count, H::Width, T>,
+    eliminated: &Matrix<H::Count, H::Width, T>,
+) {
+    let (_, count, width, _) = chains.sizes();
+    let ChainTable { ends, heads, .. } = chains.table();
+    for i in 0..count.get() {
+        let row = &action[usize::from(if i < heads.len() { heads[i] } else { ends[i] })];
+        if i < heads.len() {
+            rows[i] = chains.polynomials(row);
+            // Times x: the last coefficient of each polynomial of R is zero.
+            for at in 1..width.get() {
+                rows[i][at] += eliminated[i][at - 1];
+            }
+        }
+        for (other, &head) in heads.iter().enumerate() {
+            let factor = row[usize::from(head)];
+            for at in 0..width.get() {
+                rows[i][at] -= factor * eliminated[other][at];
+            }
+        }
     }
 }
 
