@@ -106,7 +106,7 @@ fn every_datum_must_be_finite() {
 
 /// Without it, the tests above would pass if every instance were solved by itself: all results
 /// would then have the same bits. Lanes round differently, because they multiply and add in one
-/// step. How many instances are solved by themselves is a matter of time, which the benchmark shows.
+/// step. How many instances are solved by themselves shows in the benchmark.
 #[test]
 #[cfg(target_arch = "x86_64")]
 fn some_instances_are_computed_side_by_side() {
