@@ -391,17 +391,21 @@ fn stability_measures_every_trial() {
 fn bench_times_the_stages_of_solvers() {
     let folder = searched("bench_times_the_stages_of_solvers");
     let runtime = concat!(env!("CARGO_MANIFEST_DIR"), "/../runtime");
-    let size = ["--instances", "50", "--rounds", "3"];
+    let size = ["--instances", "50", "--rounds", "3", "--fit"];
     let report =
         json(&folder, &[&["bench", "two_conics.rs", "two_conics.rs", "--runtime", runtime], &size[..]].concat());
     let solvers = report["solvers"].as_array().unwrap();
     assert_eq!(solvers.len(), 2);
+    let positive = ["coefficients", "total", "p99", "source_bytes", "program_bytes", "compile_seconds", "predicted"];
     for solver in solvers {
         let figure = |key: &str| solver[key].as_f64().unwrap();
-        assert!(["coefficients", "total", "p99", "source_bytes"].iter().all(|key| figure(key) > 0.0), "{report}");
+        assert!(positive.iter().all(|key| figure(key) > 0.0), "{report}");
         assert!((1.0..=2.5).contains(&figure("found")), "{report}");
         assert_eq!((&solver["found"], &solver["roots"]), (&solvers[0]["found"], &"determinant".into()));
     }
+    // Both have the same counts: the fit is between their times.
+    let factor = report["fit"]["fitted"]["largest_factor"].as_f64().unwrap();
+    assert!(factor.is_finite() && factor >= 1.0, "{report}");
     let output = eliminant(&folder, &["bench", "two_conics.rs", "--runtime", "nowhere"]);
     assert_eq!(status(&output), 1);
     assert!(stderr(&output).contains("`nowhere`"), "{}", stderr(&output));

@@ -316,7 +316,7 @@ fn second_attempt<I: SolverInstance>(
             }
         }
     };
-    with_precise_spectrum(action.as_ref().len(), &|at| action[at].as_ref(), add_all).or(first)
+    with_precise_spectrum(solver.sizes().basis.get(), &|at| action[at].as_ref(), add_all).or(first)
 }
 
 /// The eigenpairs of the second attempt, listed under the eigenvalues.

@@ -80,9 +80,9 @@ impl Estimator for DirectionEstimator<'_> {
         common_direction(&self.planes[sample[0]], &self.planes[sample[1]]).into_iter().collect()
     }
 
-    /// Square of the sine of the angle.
-    fn square(&self, direction: &Self::Model, datum: usize) -> f64 {
-        self.planes[datum].normal.dot(direction).powi(2)
+    /// Squares of the sines of the angles.
+    fn write_squares(&self, direction: &Self::Model, squares: &mut [f64]) {
+        squares.iter_mut().zip(self.planes).for_each(|(square, plane)| *square = plane.normal.dot(direction).powi(2));
     }
 
     fn fitted(&self, _: &Self::Model, data: &[usize]) -> Option<Self::Model> {

@@ -257,10 +257,14 @@ impl Frame {
     fn beside(cylinder: &Cylinder, lines: &[MeasuredLine]) -> Result<Self, RefineError> {
         let w = cylinder.direction.into_inner();
         let (mut heights, mut unit) = (Vec::with_capacity(lines.len()), 0.0);
-        for line in lines {
-            let distance = line.distance(cylinder).ok_or(RefineError::CameraInside { view: line.view })?;
-            heights.push(w.dot(&(line.contact(&distance) - cylinder.axis_point)));
-            unit += cylinder.vector_to_axis(&line.centre).norm() / lines.len() as f64;
+        for of_view in lines.chunk_by(|a, b| a.view == b.view) {
+            let MeasuredLine { view, centre, .. } = of_view[0];
+            let silhouettes = of_view[0].silhouettes(cylinder).ok_or(RefineError::CameraInside { view })?;
+            for line in of_view {
+                let distance = line.distance_from(cylinder, &silhouettes);
+                heights.push(w.dot(&(line.contact(&distance) - cylinder.axis_point)));
+            }
+            unit += cylinder.vector_to_axis(&centre).norm() * of_view.len() as f64 / lines.len() as f64;
         }
         // The median is used because the ray to a line that is not a silhouette may run along the
         // axis.
@@ -323,16 +327,25 @@ impl LeastSquares<5> for SilhouetteCost {
             return Err(RefineError::NoRadius);
         }
         let (cylinder, tangents) = (parameters.cylinder(), parameters.tangents());
-        let mut sum = Linearised { cost: 0.0, gradient: SVector::zeros(), normal_matrix: SMatrix::zeros() };
-        for line in &self.lines {
-            let distance = line.distance(&cylinder).ok_or(RefineError::CameraInside { view: line.view })?;
-            let derivatives = tangents.map(|tangent| line.derivative(&cylinder, &distance, &tangent));
-            let jacobian = SMatrix::<f64, 2, 5>::from_columns(&derivatives);
-            let (cost, weight) = self.loss.value_and_weight(distance.mean_square());
-            sum.cost += cost;
-            sum.gradient += jacobian.tr_mul(&distance.distances) * (weight / 2.0);
-            sum.normal_matrix += jacobian.tr_mul(&jacobian) * (weight / 2.0);
+        let mut sum: Linearised<5> = Linearised { cost: 0.0, gradient: SVector::zeros(), normal_matrix: SMatrix::zeros() };
+        for of_view in self.lines.chunk_by(|a, b| a.view == b.view) {
+            let view = of_view[0].view;
+            let silhouettes = of_view[0].silhouettes(&cylinder).ok_or(RefineError::CameraInside { view })?;
+            for line in of_view {
+                let distance = line.distance_from(&cylinder, &silhouettes);
+                let derivatives = line.derivatives(&cylinder, &distance, &tangents);
+                let (cost, weight) = self.loss.value_and_weight(distance.mean_square());
+                sum.cost += cost;
+                for (row, derivative) in derivatives.iter().enumerate() {
+                    let weighted = derivative * (weight / 2.0);
+                    sum.gradient[row] += weighted.dot(&distance.distances);
+                    for (column, other) in derivatives.iter().enumerate().take(row + 1) {
+                        sum.normal_matrix[(row, column)] += weighted.dot(other);
+                    }
+                }
+            }
         }
+        sum.normal_matrix.fill_upper_triangle_with_lower_triangle();
         Ok(sum)
     }
 
@@ -417,7 +430,8 @@ mod tests {
             for line in &problem.lines {
                 let model = parameters.cylinder();
                 let distance = line.distance(&model).expect("a camera outside");
-                for (index, tangent) in parameters.tangents().iter().enumerate() {
+                let derivatives = line.derivatives(&model, &distance, &parameters.tangents());
+                for (index, found) in derivatives.into_iter().enumerate() {
                     let step = 1e-5;
                     let at = |sign: f64| {
                         let mut theta = SVector::zeros();
@@ -425,7 +439,6 @@ mod tests {
                         line.distance(&problem.moved(&parameters, &theta).cylinder()).expect("outside").distances
                     };
                     let expected = (at(1.0) - at(-1.0)) / (2.0 * step);
-                    let found = line.derivative(&model, &distance, tangent);
                     let size = problem.linearise(&parameters).expect("a cost").normal_matrix.amax().sqrt();
                     assert!((found - expected).norm() < 1e-8 * size, "{unit:?}, {index}: {found} {expected}");
                 }

@@ -185,12 +185,16 @@ impl CylinderEstimator {
         data.iter().map(|&index| self.measured[index]).collect()
     }
 
-    fn agrees(&self, cylinder: &Cylinder, datum: usize) -> bool {
-        self.square(cylinder, datum) < self.square_threshold
+    /// Whether all lines of a sample agree with a cylinder.
+    fn agree(&self, cylinder: &Cylinder, sample: &[usize]) -> bool {
+        let square = |&datum: &usize| Some(self.measured[datum].square(&self.measured[datum].silhouettes(cylinder)?));
+        sample.iter().all(|datum| square(datum).is_some_and(|square| square < self.square_threshold))
     }
 
     fn inliers(&self, cylinder: &Cylinder) -> Vec<usize> {
-        (0..self.count()).filter(|&datum| self.agrees(cylinder, datum)).collect()
+        let mut squares = vec![0.0; self.count()];
+        self.write_squares(cylinder, &mut squares);
+        (0..squares.len()).filter(|&datum| squares[datum] < self.square_threshold).collect()
     }
 
     /// The known direction, or the least squares direction of the three planes of the sample. The
@@ -229,16 +233,19 @@ impl Estimator for CylinderEstimator {
             let line = |index: usize| rectification.line(&self.planes[sample[index]].1);
             let circles = tangent_circles(&[line(0)?, line(1)?, line(2)?]).ok()?;
             let cylinder = |circle| Cylinder::from_circle(&circle, &rectification, direction);
-            let agree = |cylinder: &Cylinder| sample.iter().all(|&datum| self.agrees(cylinder, datum));
-            Some(circles.into_iter().map(cylinder).filter(agree).collect())
+            Some(circles.into_iter().map(cylinder).filter(|cylinder| self.agree(cylinder, sample)).collect())
         };
         cylinders().unwrap_or_default()
     }
 
-    fn square(&self, cylinder: &Cylinder, datum: usize) -> f64 {
-        match self.measured[datum].distance(cylinder) {
-            Some(distance) if distance.depth > 0.0 => distance.mean_square(),
-            _ => f64::INFINITY,
+    /// The silhouettes of a view are computed once for all its lines.
+    fn write_squares(&self, cylinder: &Cylinder, squares: &mut [f64]) {
+        let mut squares = squares.iter_mut();
+        for of_view in self.measured.chunk_by(|a, b| a.view == b.view) {
+            let silhouettes = of_view[0].silhouettes(cylinder);
+            for (line, square) in of_view.iter().zip(&mut squares) {
+                *square = silhouettes.as_ref().map_or(f64::INFINITY, |silhouettes| line.square(silhouettes));
+            }
         }
     }
 

@@ -4,7 +4,8 @@
 //! `sum_i min(e_i^2 / t^2, 1)` over all data (Torr & Zisserman, "MLESAC", 2000). Each model that is
 //! the best so far is optimised on its inliers at once (Chum, Matas & Kittler, "Locally optimized
 //! RANSAC", 2003). Models from samples are further from the inliers than the noise, so they are
-//! compared with a wider threshold. If the best model has the share `p` of samples that consist of
+//! compared with a wider threshold, with optimised ones, too: once the inliers are found, hardly any
+//! sample is optimised again. If the best model has the share `p` of samples that consist of
 //! its inliers only, the search ends after
 //!
 //! ```text
@@ -21,9 +22,13 @@ use thiserror::Error;
 /// samples are compared with the first multiple.
 const WIDTHS: [f64; 3] = [3.0, 2.0, 1.0];
 
-/// Limit on the repetitions of local optimisation at the threshold itself, while the cost
-/// decreases.
+/// Limit on the repetitions of local optimisation at the threshold itself, while the cost decreases
+/// by more than [`LITTLE`].
 const REPETITIONS: usize = 10;
+
+/// A relative decrease of the cost that another repetition is not worth: far less than a datum more
+/// or less.
+const LITTLE: f64 = 1e-4;
 
 /// Options of RANSAC.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,8 +93,8 @@ pub(crate) trait Estimator {
     /// Models through a minimal sample.
     fn models(&self, sample: &[usize]) -> Vec<Self::Model>;
 
-    /// Squared residual of a datum; infinite if the model cannot explain it.
-    fn square(&self, model: &Self::Model, datum: usize) -> f64;
+    /// Writes the squared residual of each datum; infinite if the model cannot explain it.
+    fn write_squares(&self, model: &Self::Model, squares: &mut [f64]);
 
     /// The model of least squares on some data, from a first guess; `None` if the data determine no
     /// model.
@@ -117,22 +122,27 @@ pub(crate) fn ransac<E: Estimator>(estimator: &E, options: &RansacOptions) -> Op
     let mut random = Xoshiro256PlusPlus::seed_from_u64(options.seed);
     let (mut best, mut least_cost, mut least_wide_cost) = (None, f64::INFINITY, f64::INFINITY);
     let (mut needed, mut samples) = (options.max_samples, 0);
+    let mut squares = vec![0.0; count];
     while samples < needed {
         samples += 1;
         for model in estimator.models(&sample(&mut random, E::SAMPLE, count)) {
-            let Some(wide_cost) = search.cost(&model, WIDTHS[0], least_wide_cost) else { continue };
-            least_wide_cost = wide_cost;
-            let model = search.optimised(model);
-            if let Some(cost) = search.cost(&model, 1.0, least_cost) {
+            estimator.write_squares(&model, &mut squares);
+            let wide_cost = search.cost(&squares, WIDTHS[0]);
+            if wide_cost >= least_wide_cost {
+                continue;
+            }
+            let model = search.optimised(model, &mut squares);
+            least_wide_cost = wide_cost.min(search.cost(&squares, WIDTHS[0]));
+            let cost = search.cost(&squares, 1.0);
+            if cost < least_cost {
                 least_cost = cost;
-                needed = samples_needed(search.inliers(&model, 1.0).len(), count, E::SAMPLE, options);
-                best = Some(model);
+                let inliers = search.inliers(&squares, 1.0);
+                needed = samples_needed(inliers.len(), count, E::SAMPLE, options);
+                best = Some((model, inliers));
             }
         }
     }
-    let model = best?;
-    let inliers = search.inliers(&model, 1.0);
-    Some(Consensus { model, inliers, samples })
+    best.map(|(model, inliers)| Consensus { model, inliers, samples })
 }
 
 /// Number of samples of which at least one has no outliers, with the required confidence.
@@ -162,36 +172,36 @@ struct Search<'a, E> {
 }
 
 impl<E: Estimator> Search<'_, E> {
-    /// The cost at a multiple of the threshold; `None` as soon as it reaches a limit.
-    fn cost(&self, model: &E::Model, width: f64, limit: f64) -> Option<f64> {
+    /// The cost at a multiple of the threshold.
+    fn cost(&self, squares: &[f64], width: f64) -> f64 {
         let scale = 1.0 / (width * width * self.square_threshold);
-        let mut cost = 0.0;
-        for datum in 0..self.estimator.count() {
-            // A NaN counts as one: the minimum of NaN and one is one.
-            cost += (self.estimator.square(model, datum) * scale).min(1.0);
-            if cost >= limit {
-                return None;
-            }
-        }
-        Some(cost)
+        // A NaN counts as one: the minimum of NaN and one is one.
+        squares.iter().map(|square| (square * scale).min(1.0)).sum()
     }
 
     /// The data within a multiple of the threshold.
-    fn inliers(&self, model: &E::Model, width: f64) -> Vec<usize> {
+    fn inliers(&self, squares: &[f64], width: f64) -> Vec<usize> {
         let limit = width * width * self.square_threshold;
-        (0..self.estimator.count()).filter(|&datum| self.estimator.square(model, datum) < limit).collect()
+        (0..squares.len()).filter(|&datum| squares[datum] < limit).collect()
     }
 
-    /// Fits to inliers, first those of wide thresholds, while this lowers the cost.
-    fn optimised(&self, mut model: E::Model) -> E::Model {
-        let mut cost = self.cost(&model, 1.0, f64::INFINITY).unwrap_or(f64::INFINITY);
+    /// Fits to inliers, first those of wide thresholds, while this lowers the cost. The squared
+    /// residuals become those of the result.
+    fn optimised(&self, mut model: E::Model, squares: &mut Vec<f64>) -> E::Model {
+        let mut cost = self.cost(squares, 1.0);
+        let mut of_fitted = vec![0.0; squares.len()];
         for width in WIDTHS.into_iter().chain([1.0; REPETITIONS]) {
-            let fitted = self.estimator.fitted(&model, &self.inliers(&model, width));
-            let lower = |fitted: E::Model| Some((self.cost(&fitted, 1.0, cost)?, fitted));
-            match fitted.and_then(lower) {
-                Some((lower, fitted)) => (model, cost) = (fitted, lower),
-                None if width > 1.0 => {}
-                None => break,
+            let before = cost;
+            if let Some(fitted) = self.estimator.fitted(&model, &self.inliers(squares, width)) {
+                self.estimator.write_squares(&fitted, &mut of_fitted);
+                let lower = self.cost(&of_fitted, 1.0);
+                if lower < cost {
+                    (model, cost) = (fitted, lower);
+                    std::mem::swap(squares, &mut of_fitted);
+                }
+            }
+            if width <= 1.0 && cost >= (1.0 - LITTLE) * before {
+                break;
             }
         }
         model
@@ -217,8 +227,8 @@ mod tests {
             sample.iter().map(|&datum| self.0[datum]).collect()
         }
 
-        fn square(&self, model: &f64, datum: usize) -> f64 {
-            (self.0[datum] - model).powi(2)
+        fn write_squares(&self, model: &f64, squares: &mut [f64]) {
+            squares.iter_mut().zip(&self.0).for_each(|(square, number)| *square = (number - model).powi(2));
         }
 
         fn fitted(&self, _: &f64, data: &[usize]) -> Option<f64> {

@@ -215,6 +215,22 @@ pub(crate) struct SilhouetteDistance {
     side: f64,
 }
 
+/// A silhouette of a cylinder in a view.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Silhouette {
+    /// Unit normal `s` of the tangent plane.
+    normal: Vector3<f64>,
+    /// `s / |B s|`: its products with rays are distances.
+    scaled: Vector3<f64>,
+    /// Perpendicular from the camera to the line of contact.
+    to_contact_line: Vector3<f64>,
+    /// `+1` or `-1`.
+    side: f64,
+}
+
+/// Both silhouettes, the one with positive side first.
+pub(crate) type Silhouettes = [Silhouette; 2];
+
 /// A direction of change of a cylinder: `(dw, dA, dr)`.
 pub(crate) type CylinderTangent = (Vector3<f64>, Vector3<f64>, f64);
 
@@ -256,8 +272,10 @@ impl MeasuredLine {
         seen.then(|| [0, 1].map(|end| self.centre + self.rays[end] * depths[end]))
     }
 
-    /// Distance from the nearer silhouette line; `None` if the camera is not outside the cylinder.
-    pub(crate) fn distance(&self, cylinder: &Cylinder) -> Option<SilhouetteDistance> {
+    /// The silhouettes of a cylinder in the view of the line; `None` if the camera is not outside
+    /// the cylinder.
+    #[inline]
+    pub(crate) fn silhouettes(&self, cylinder: &Cylinder) -> Option<Silhouettes> {
         let to_axis = cylinder.vector_to_axis(&self.centre);
         let (square, radius) = (to_axis.norm_squared(), cylinder.radius);
         let norm = square.sqrt();
@@ -266,49 +284,99 @@ impl MeasuredLine {
             return None;
         }
         let tangent_length = ((norm - radius) * (norm + radius)).sqrt();
-        let across = cylinder.direction.cross(&to_axis);
-        let middle = self.middle();
-        let measured = |side: f64| {
-            let normal = (to_axis * radius + across * (side * tangent_length)) / square;
-            let scale = (self.scale * normal).norm();
-            let distances = Vector2::new(normal.dot(&self.rays[0]), normal.dot(&self.rays[1])) / scale;
-            let depth = depth(&middle, cylinder, &(to_axis - normal * radius));
-            SilhouetteDistance { distances, depth, normal, side }
+        let (across, inverse_square) = (cylinder.direction.cross(&to_axis), 1.0 / square);
+        let silhouette = |side: f64| {
+            let normal = (to_axis * radius + across * (side * tangent_length)) * inverse_square;
+            let scaled = normal * (1.0 / (self.scale * normal).norm());
+            Silhouette { normal, scaled, to_contact_line: to_axis - normal * radius, side }
         };
-        let (left, right) = (measured(1.0), measured(-1.0));
-        Some(if right.mean_square() < left.mean_square() { right } else { left })
+        Some([silhouette(1.0), silhouette(-1.0)])
     }
 
-    /// Derivative of the two distances along a change of the cylinder.
-    pub(crate) fn derivative(
+    /// Distances from a silhouette.
+    #[inline]
+    fn distances(&self, silhouette: &Silhouette) -> Vector2<f64> {
+        Vector2::new(silhouette.scaled.dot(&self.rays[0]), silhouette.scaled.dot(&self.rays[1]))
+    }
+
+    /// The nearer silhouette, and the distances from it.
+    #[inline]
+    fn nearer<'a>(&self, [first, second]: &'a Silhouettes) -> (&'a Silhouette, Vector2<f64>) {
+        let (of_first, of_second) = (self.distances(first), self.distances(second));
+        match of_second.norm_squared() < of_first.norm_squared() {
+            true => (second, of_second),
+            false => (first, of_first),
+        }
+    }
+
+    /// The mean square distance from the nearer silhouette of its view; infinite if the point of
+    /// contact is behind the camera.
+    #[inline]
+    pub(crate) fn square(&self, silhouettes: &Silhouettes) -> f64 {
+        let (silhouette, distances) = self.nearer(silhouettes);
+        // The depth of the middle has the sign of this product.
+        match (self.rays[0] + self.rays[1]).dot(&silhouette.to_contact_line) > 0.0 {
+            true => distances.norm_squared() / 2.0,
+            false => f64::INFINITY,
+        }
+    }
+
+    /// Distance from the nearer silhouette line; `None` if the camera is not outside the cylinder.
+    pub(crate) fn distance(&self, cylinder: &Cylinder) -> Option<SilhouetteDistance> {
+        Some(self.distance_from(cylinder, &self.silhouettes(cylinder)?))
+    }
+
+    /// Distance from the nearer of the silhouettes of a cylinder in the view of the line.
+    #[inline]
+    pub(crate) fn distance_from(&self, cylinder: &Cylinder, silhouettes: &Silhouettes) -> SilhouetteDistance {
+        let (&Silhouette { normal, to_contact_line, side, .. }, distances) = self.nearer(silhouettes);
+        SilhouetteDistance { distances, depth: depth(&self.middle(), cylinder, &to_contact_line), normal, side }
+    }
+
+    /// Derivatives of the two distances along changes of the cylinder.
+    ///
+    /// With the perpendicular t from the camera to the axis, L^2 = t^2 - r^2 and the side +-1, the
+    /// normal is s = (r t +- L w x t) / t^2. A distance is e = s.d / |B s|, and its derivative along
+    /// ds is p.ds t^2 with p = (d - e B^T B s / |B s|) / (|B s| t^2). The change of t is
+    /// dt = (I - w w^T) dA - (w.(A - C) I + w (A - C)^T) dw, so that
+    ///
+    /// ```text
+    ///   de = g.dt +- L (t x p).dw + (p.t -+ p.(w x t) r / L) dr
+    ///   g  = r p + (+-p.(w x t) / L - 2 p.s) t +- L p x w
+    /// ```
+    #[inline]
+    pub(crate) fn derivatives<const N: usize>(
         &self,
         cylinder: &Cylinder,
         distance: &SilhouetteDistance,
-        &(d_direction, d_point, d_radius): &CylinderTangent,
-    ) -> Vector2<f64> {
+        tangents: &[CylinderTangent; N],
+    ) -> [Vector2<f64>; N] {
         let (w, radius, normal) = (cylinder.direction.into_inner(), cylinder.radius, distance.normal);
         let difference = cylinder.axis_point - self.centre;
         let along = w.dot(&difference);
         let to_axis = difference - w * along;
         let across = w.cross(&to_axis);
         let square = to_axis.norm_squared();
-        let tangent_length = (square - radius * radius).sqrt();
-
-        let d_to_axis = d_point - w * (d_direction.dot(&difference) + w.dot(&d_point)) - d_direction * along;
-        let d_across = d_direction.cross(&to_axis) + w.cross(&d_to_axis);
-        let half_d_square = to_axis.dot(&d_to_axis);
-        let d_tangent_length = (half_d_square - radius * d_radius) / tangent_length;
-        let d_normal = (to_axis * d_radius
-            + d_to_axis * radius
-            + (across * d_tangent_length + d_across * tangent_length) * distance.side
-            - normal * (2.0 * half_d_square))
-            / square;
-
-        let (scaled, d_scaled) = (self.scale * normal, self.scale * d_normal);
+        let length = distance.side * (square - radius * radius).sqrt();
+        let scaled = self.scale * normal;
         let scale_square = scaled.norm_squared();
-        let slope = scaled.dot(&d_scaled) / scale_square;
-        let moved = Vector2::new(d_normal.dot(&self.rays[0]), d_normal.dot(&self.rays[1]));
-        moved / scale_square.sqrt() - distance.distances * slope
+        let slope = self.scale.tr_mul(&scaled) * (1.0 / scale_square);
+        let (inverse_scale, inverse_square, inverse_length) = (1.0 / scale_square.sqrt(), 1.0 / square, 1.0 / length);
+
+        let mut derivatives = [Vector2::zeros(); N];
+        for end in 0..2 {
+            let p = (self.rays[end] * inverse_scale - slope * distance.distances[end]) * inverse_square;
+            let by_length = p.dot(&across) * inverse_length;
+            let g = p * radius + to_axis * (by_length - 2.0 * p.dot(&normal)) + p.cross(&w) * length;
+            let g_along = g.dot(&w);
+            let by_direction = to_axis.cross(&p) * length - difference * g_along - g * along;
+            let by_point = g - w * g_along;
+            let by_radius = p.dot(&to_axis) - by_length * radius;
+            for (derivative, (d_direction, d_point, d_radius)) in derivatives.iter_mut().zip(tangents) {
+                derivative[end] = by_direction.dot(d_direction) + by_point.dot(d_point) + by_radius * d_radius;
+            }
+        }
+        derivatives
     }
 }
 

@@ -62,6 +62,8 @@ pub(super) struct Summary {
     action: String,
     operations: usize,
     operation_counts: OperationCounts,
+    /// Predicted nanoseconds of a solve without a second attempt.
+    nanoseconds: f64,
 }
 
 #[derive(Debug, Serialize)]
@@ -96,6 +98,7 @@ impl Summary {
                 elimination: operations.elimination,
                 roots: operations.roots,
             },
+            nanoseconds: plan.predicted_nanoseconds(0.0).round(),
         }
     }
 }
@@ -122,7 +125,8 @@ impl fmt::Display for Summary {
             f,
             "operations  {} = {} for coefficients + {} for the elimination + about {} for the roots",
             self.operations, counts.coefficients, counts.elimination, counts.roots
-        )
+        )?;
+        writeln!(f, "time        {} ns, predicted", self.nanoseconds)
     }
 }
 

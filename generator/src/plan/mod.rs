@@ -24,6 +24,7 @@ pub mod solution_count;
 pub mod statements;
 mod straight_line;
 pub mod system_table;
+pub mod time;
 pub mod value_layout;
 
 pub use check::PlanError;
@@ -186,10 +187,8 @@ pub struct OperationCount {
     pub coefficients: usize,
     /// Elimination and back-substitution.
     pub elimination: usize,
-    /// Hessenberg form and eigenvalues, by the usual estimate 10 |B|^3. A determinant takes fewer.
-    /// It does not decide between templates: a basis of few chains gives a small determinant, but
-    /// no more than one solution per chain can have the same value of the action monomial, and on
-    /// symmetric data more of them do.
+    /// Hessenberg form and eigenvalues, by the usual estimate 10 |B|^3. A determinant takes fewer;
+    /// [`time`] knows it.
     pub roots: usize,
 }
 
@@ -264,6 +263,14 @@ impl Block {
     pub fn is_large(&self) -> bool {
         self.size > LARGE_BLOCK
     }
+
+    /// Floating-point operations of its elimination and back-substitution.
+    fn operations(&self, basis: usize) -> usize {
+        let n = self.size;
+        let factor: usize = (0..n).map(|k| (n - k - 1) * (1 + 2 * (n - k - 1))).sum();
+        let (forward, backward) = (n * (n - 1) * basis, self.needed * self.needed * basis);
+        factor + forward + backward + 2 * self.coupling.len() * basis
+    }
 }
 
 impl Plan {
@@ -290,13 +297,7 @@ impl Plan {
     pub fn operations(&self) -> OperationCount {
         let coefficients = self.program.steps();
         let width = self.elimination.basis;
-        let elimination = self.elimination.blocks.iter().map(|block| {
-            let n = block.size;
-            let factor: usize = (0..n).map(|k| (n - k - 1) * (1 + 2 * (n - k - 1))).sum();
-            let forward = n * (n - 1) * width;
-            let backward = block.needed * block.needed * width;
-            factor + forward + backward + 2 * block.coupling.len() * width
-        });
+        let elimination = self.elimination.blocks.iter().map(|block| block.operations(width));
         OperationCount { coefficients, elimination: elimination.sum(), roots: 10 * width * width * width }
     }
 }

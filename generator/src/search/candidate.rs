@@ -52,7 +52,13 @@ impl TemplateCandidate {
 
     /// The cost of the solver.
     pub fn cost(&self) -> Cost {
-        let operations = self.plan.operations().total();
-        Cost { operations, rows: self.template.rows(), basis: self.template.basis.len() }
+        let nanoseconds = self.plan.predicted_nanoseconds(0.0);
+        Cost {
+            nanoseconds: nanoseconds.round() as usize,
+            second_attempt: (self.plan.predicted_nanoseconds(1.0) - nanoseconds).round() as usize,
+            operations: self.plan.operations().total(),
+            rows: self.template.rows(),
+            basis: self.template.basis.len(),
+        }
     }
 }

@@ -6,7 +6,7 @@
 #[cfg_attr(feature = "command", derive(clap::ValueEnum, serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "command", serde(rename_all = "lowercase"))]
 pub enum Preference {
-    /// Fewest operations
+    /// Least predicted time of a solve
     #[default]
     Speed,
     /// Fewest missed solutions, then smallest residuals, at a bounded cost
@@ -18,7 +18,11 @@ pub enum Preference {
 /// The cost of a candidate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cost {
-    /// Operations of one solve.
+    /// Predicted nanoseconds of a solve without a second attempt: [`crate::plan::time`].
+    pub nanoseconds: usize,
+    /// Predicted nanoseconds of a second attempt.
+    pub second_attempt: usize,
+    /// Operations of one solve, by which the work of measuring it is bounded.
     pub operations: usize,
     /// Rows of the template.
     pub rows: usize,
@@ -31,8 +35,8 @@ impl Preference {
     /// and is measured: cheap candidates are measured first.
     pub fn key(self, cost: &Cost) -> [usize; 3] {
         match self {
-            Self::Speed | Self::Stability => [cost.operations, cost.rows, cost.basis],
-            Self::Size => [cost.rows, cost.basis, cost.operations],
+            Self::Speed | Self::Stability => [cost.nanoseconds, cost.rows, cost.basis],
+            Self::Size => [cost.rows, cost.basis, cost.nanoseconds],
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Eigenpairs at twice the precision, for the second attempt of all solvers.
 //!
 //! Code that runs rarely should be small: it is compiled for a few sizes of arrays and not for each
-//! |B|.
+//! |B|, and a program holds those that its solvers need.
 
 use num_complex::Complex;
 
@@ -42,37 +42,44 @@ impl<const C: usize> Eigenvectors for Hessenberg<AtMost<C>, DoubleDouble> {
 /// solver.
 pub(crate) type Row<'a> = &'a dyn Fn(usize) -> &'a [DoubleDouble];
 
-/// Calls `with` for the spectrum of the square matrix with these rows. It takes the stack of the
-/// next larger of the sizes listed below.
-///
-/// # Errors
-/// As [`Hessenberg::reduce`] and [`Hessenberg::eigenvalues`]; [`SolveError::TooLarge`] beyond 256
-/// rows, for which no memory is reserved.
-pub(crate) fn with_precise_spectrum(
-    order: usize,
-    row: Row<'_>,
-    with: &mut dyn FnMut(&PreciseSpectrum<'_>),
-) -> Result<(), SolveError> {
-    match order {
-        0..=16 => at_capacity::<16>(order, row, with),
-        17..=32 => at_capacity::<32>(order, row, with),
-        33..=64 => at_capacity::<64>(order, row, with),
-        65..=96 => at_capacity::<96>(order, row, with),
-        97..=128 => at_capacity::<128>(order, row, with),
-        129..=160 => at_capacity::<160>(order, row, with),
-        161..=192 => at_capacity::<192>(order, row, with),
-        193..=256 => at_capacity::<256>(order, row, with),
-        _ => Err(SolveError::TooLarge),
-    }
+/// Functions that reserve memory for matrices up to each of these sizes, in increasing order, and
+/// the one that takes the first that suffices. They are no instances of a generic function, which
+/// each solver would compile; and where the order is constant, only one of them is called, and the
+/// linker leaves out the others.
+macro_rules! capacities {
+    ($($name:ident $capacity:literal)*) => {
+        $(#[inline(never)]
+        fn $name(order: usize, row: Row<'_>, with: Reader<'_>) -> Result<(), SolveError> {
+            at_capacity::<$capacity>(order, row, with)
+        })*
+
+        /// Calls `with` for the spectrum of the square matrix with these rows. It takes the stack
+        /// of the next larger of the sizes listed below.
+        ///
+        /// # Errors
+        /// As [`Hessenberg::reduce`] and [`Hessenberg::eigenvalues`]; [`SolveError::TooLarge`]
+        /// beyond 256 rows, for which no memory is reserved.
+        #[inline(always)]
+        pub(crate) fn with_precise_spectrum(
+            order: usize,
+            row: Row<'_>,
+            with: Reader<'_>,
+        ) -> Result<(), SolveError> {
+            $(if order <= $capacity {
+                return $name(order, row, with);
+            })*
+            Err(SolveError::TooLarge)
+        }
+    };
 }
 
-/// A function of its own, so that only the size in use takes its memory from the stack.
-#[inline(never)]
-fn at_capacity<const C: usize>(
-    order: usize,
-    row: Row<'_>,
-    with: &mut dyn FnMut(&PreciseSpectrum<'_>),
-) -> Result<(), SolveError> {
+capacities!(up_to_16 16 up_to_32 32 up_to_64 64 up_to_96 96 up_to_128 128 up_to_160 160 up_to_192 192 up_to_256 256);
+
+/// What is called with a spectrum.
+pub(crate) type Reader<'a> = &'a mut dyn FnMut(&PreciseSpectrum<'_>);
+
+#[inline(always)]
+fn at_capacity<const C: usize>(order: usize, row: Row<'_>, with: Reader<'_>) -> Result<(), SolveError> {
     let mut form = Hessenberg::<AtMost<C>, DoubleDouble>::zero(AtMost(order));
     for (at, place) in form.matrix.iter_mut().enumerate().take(order) {
         for (entry, &known) in place.iter_mut().zip(row(at)) {

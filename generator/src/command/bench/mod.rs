@@ -1,5 +1,7 @@
 //! `eliminant bench`: compiles emitted solvers and times them.
 
+mod fit;
+mod subject;
 mod timing_crate;
 
 use std::fmt;
@@ -8,14 +10,16 @@ use std::time::Instant;
 
 use serde::Serialize;
 
-use self::timing_crate::{Subject, Times, TimingCrate};
+use self::fit::{Fit, Sample};
+use self::subject::Subject;
+use self::timing_crate::{BuildCost, Times, TimingCrate};
 use super::error::CommandError;
 use super::files::Loaded;
-use super::report::{Output, seconds};
-use crate::algebra::Random;
-use crate::expression::arithmetic::Float64;
+use super::progress::bar;
+use super::report::{Output, seconds, table};
 use crate::generate::generate;
-use crate::problem::instance::draw_inputs;
+use crate::plan::time::counts;
+use crate::search::measuring::{random_instance, stability};
 
 /// Compile solvers and measure the time of a solve
 #[derive(clap::Args, Debug)]
@@ -43,6 +47,9 @@ pub(super) struct Arguments {
     /// Seed of the instances
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
+    /// Fit the model by which the search predicts the time of a solve, and say how far it is off
+    #[arg(long)]
+    fit: bool,
     /// The folder of the runtime crate
     #[arg(long, value_name = "FOLDER")]
     runtime: Option<PathBuf>,
@@ -54,8 +61,8 @@ struct BenchReport {
     instances: u64,
     rounds: u64,
     seed: u64,
-    /// Seconds to compile all solvers, without the runtime.
-    compile_seconds: f64,
+    /// The model of `--fit`.
+    fit: Option<Fit>,
     seconds: f64,
 }
 
@@ -70,23 +77,37 @@ struct SolverReport {
     /// `determinant` or `eigenvalues`.
     roots: &'static str,
     operations: usize,
-    source_bytes: usize,
+    /// The portion of instances on which the search for all complex solutions takes a second
+    /// attempt.
+    repeated: f64,
+    /// Nanoseconds of a solve that the model of the search predicts.
+    predicted: f64,
     #[serde(flatten)]
     times: Times,
+    source_bytes: usize,
+    #[serde(flatten)]
+    cost: BuildCost,
 }
+
+/// Instances of which the portion of second attempts is counted: as many as this number of
+/// operations allows, but at least [`FEWEST_COUNTED`].
+const COUNTING_WORK: usize = 300_000_000;
+const FEWEST_COUNTED: usize = 50;
 
 pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     let start = Instant::now();
-    let (mut reports, mut subjects) = (Vec::new(), Vec::new());
+    let (mut reports, mut subjects, mut all_counts) = (Vec::new(), Vec::new(), Vec::new());
+    let progress = bar(2 * arguments.files.len());
     for file in &arguments.files {
         let loaded = Loaded::read(file, None)?;
         let source = generate(&loaded.problem, &loaded.file)
             .map_err(|error| CommandError::Generate { problem: file.clone(), error: error.into() })?;
-        let plan = &loaded.planned.plan;
-        let template = &loaded.file.template;
-        let mut random = Random::new(arguments.seed);
-        let draw = |_| draw_inputs(&plan.data, Float64, &mut random);
-        let instances = (0..arguments.instances).flat_map(draw).collect();
+        let (plan, template) = (&loaded.planned.plan, &loaded.file.template);
+        let operations = plan.operations().total();
+        let count = arguments.instances as usize;
+        let counted = count.min((COUNTING_WORK / operations.max(1)).max(FEWEST_COUNTED));
+        let repeated = stability(plan, counted, arguments.seed, &|| ()).repeated as f64 / counted as f64;
+        all_counts.push(counts(plan, repeated));
         reports.push(SolverReport {
             file: file.display().to_string(),
             problem: plan.name.clone(),
@@ -94,70 +115,91 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
             columns: template.columns(),
             basis: template.basis.len(),
             roots: plan.roots().name(),
-            operations: plan.operations().total(),
-            source_bytes: source.len(),
+            operations,
+            repeated,
+            predicted: plan.predicted_nanoseconds(repeated),
             times: Times::default(),
+            source_bytes: source.len(),
+            cost: BuildCost::default(),
         });
-        let parameters = plan.data.iter().map(|parameter| parameter.shape.clone()).collect();
         subjects.push(Subject {
             name: plan.name.clone(),
             source,
-            parameters,
+            parameters: plan.data.iter().map(|parameter| parameter.shape.clone()).collect(),
             unknowns: plan.unknowns.len(),
-            instances,
+            count,
+            instances: (0..count).flat_map(|k| random_instance(plan, arguments.seed, k)).collect(),
         });
+        progress.inc(1);
     }
     let timing = TimingCrate::new(&subjects, arguments.runtime.as_deref(), &arguments.files[0])?;
-    let compile_seconds = timing.compile()?;
-    for (report, times) in reports.iter_mut().zip(timing.run(subjects.len(), arguments.rounds)?) {
-        report.times = times;
+    let costs = timing.compile(&|| progress.inc(1))?;
+    progress.finish_and_clear();
+    let mut samples = Vec::new();
+    let measured = timing.run(arguments.rounds)?.into_iter().zip(costs).zip(all_counts);
+    for (report, ((times, cost), counts)) in reports.iter_mut().zip(measured) {
+        (report.times, report.cost) = (times, cost);
+        samples.push(Sample { counts, times });
     }
     Ok(Output::of(&BenchReport {
         solvers: reports,
         instances: arguments.instances,
         rounds: arguments.rounds,
         seed: arguments.seed,
-        compile_seconds,
+        fit: arguments.fit.then(|| Fit::of(&samples)),
         seconds: start.elapsed().as_secs_f64(),
     }))
 }
 
+const HEAD: [&str; 14] = [
+    "solver",
+    "roots",
+    "template",
+    "basis",
+    "coefficients",
+    "elimination",
+    "solutions",
+    "total",
+    "predicted",
+    "p99",
+    "found",
+    "repeated",
+    "program KB",
+    "compile s",
+];
+
+impl SolverReport {
+    fn cells(&self) -> Vec<String> {
+        let Times { coefficients, elimination, solutions, total, p99, found } = self.times;
+        let mut cells = vec![self.file.clone(), self.roots.to_owned(), format!("{}x{}", self.rows, self.columns)];
+        cells.push(self.basis.to_string());
+        cells.extend([coefficients, elimination, solutions, total, self.predicted, p99].map(|x| format!("{x:.0}")));
+        cells.extend([format!("{found:.2}"), format!("{:.2} %", 100.0 * self.repeated)]);
+        cells.extend([self.cost.program_bytes.div_ceil(1000).to_string(), format!("{:.1}", self.cost.compile_seconds)]);
+        cells
+    }
+}
+
 impl fmt::Display for BenchReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let width = self.solvers.iter().map(|solver| solver.file.len()).max().unwrap_or(0).max(6);
         writeln!(
             f,
-            "Nanoseconds per solve, medians of {} rounds of {} instances (seed {}):",
+            "Nanoseconds per solve, medians of {} rounds of {} instances (seed {}):\n",
             self.rounds, self.instances, self.seed
         )?;
+        let rows: Vec<Vec<String>> = self.solvers.iter().map(SolverReport::cells).collect();
+        write!(f, "{}", table(&HEAD, &rows, 2))?;
         writeln!(
             f,
-            "\n{:width$} {:>9} {:>5} {:<11} {:>12} {:>11} {:>9} {:>9} {:>9} {:>7} {:>9}",
-            "solver",
-            "template",
-            "basis",
-            "roots",
-            "coefficients",
-            "elimination",
-            "solutions",
-            "total",
-            "p99",
-            "found",
-            "source"
+            "
+coefficients: from the data, with one residual; solutions: roots, vectors, polish, second attempts;
+predicted: the total by the model of the search; p99: of single solves; found: real solutions per instance;
+repeated: instances of which the complex solutions take a second attempt;
+program, compile: what the solver adds to a program, and the time to compile and link it alone"
         )?;
-        for SolverReport { file, rows, columns, basis, roots, source_bytes, times, .. } in &self.solvers {
-            let size = format!("{rows}x{columns}");
-            let Times { coefficients, elimination, solutions, total, p99, found } = times;
-            writeln!(
-                f,
-                "{file:width$} {size:>9} {basis:>5} {roots:<11} {coefficients:>12.0} {elimination:>11.0} {solutions:>9.0} {total:>9.0} {p99:>9.0} {found:>7.2} {:>6} KB",
-                source_bytes.div_ceil(1000)
-            )?;
+        if let Some(fit) = &self.fit {
+            write!(f, "{fit}")?;
         }
-        writeln!(
-            f,
-            "\ncoefficients: from the data, with one residual; solutions: roots, vectors, polish, second attempts; found: real\nsolutions per instance"
-        )?;
-        writeln!(f, "compiled in {}; all took {}", seconds(self.compile_seconds), seconds(self.seconds))
+        writeln!(f, "\nall took {}", seconds(self.seconds))
     }
 }

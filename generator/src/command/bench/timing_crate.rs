@@ -1,31 +1,42 @@
-//! A crate in a temporary folder that times solvers.
+//! A workspace in a temporary folder that times solvers.
+//!
+//! ```text
+//! timing       the loop over rounds, and `base`, a program with nothing to solve
+//! solver_0     a solver: a library, and a program of its own, whose size is compared with `base`
+//! solver_1     ..
+//! all          the program in which all solvers take turns
+//! ```
 
 use std::env::consts::EXE_SUFFIX;
-use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use serde::Serialize;
 
+use super::subject::Subject;
 use crate::command::error::CommandError;
 
-/// The program: a function for each solver that reads its instances, and the loop over rounds.
-const MAIN: &str = include_str!("timing_main.rs.txt");
+/// The library `timing`.
+const TIMING: &str = include_str!("timing.rs.txt");
 
-/// A solver with its instances.
-pub(super) struct Subject {
-    /// The module of the solver.
-    pub(super) name: String,
-    /// Its source.
-    pub(super) source: String,
-    /// The shapes of the parameters.
-    pub(super) parameters: Vec<Vec<usize>>,
-    pub(super) unknowns: usize,
-    /// The data of all instances, one after another.
-    pub(super) instances: Vec<f64>,
+/// The program `base`.
+const BASE: &str = "use timing::{Timed, read_all, run};
+
+const POSITIVE: fn(&f64) -> bool = |x| *x > 0.0;
+const WHOLE: fn(&f64) -> usize = |x| *x as usize;
+
+fn main() {
+    let instances = read_all(\"instances_0\", 1, |next| next());
+    run(vec![Box::new(Timed { instances, residual: POSITIVE, matrix: POSITIVE, solve: WHOLE })]);
 }
+";
+
+/// Whether Ctrl-C was pressed.
+static IS_INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
 /// Nanoseconds of one solve, and what was found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
@@ -53,9 +64,19 @@ impl Times {
     }
 }
 
-/// The crate. Its folder is removed when this is dropped.
+/// What a solver costs those who compile it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub(super) struct BuildCost {
+    /// Bytes that the solver adds to a program: machine code and tables, without symbols.
+    pub(super) program_bytes: u64,
+    /// Seconds to compile and link it alone, with all its dependencies there.
+    pub(super) compile_seconds: f64,
+}
+
+/// The workspace. Its folder is removed when this is dropped.
 pub(super) struct TimingCrate {
     folder: PathBuf,
+    solvers: usize,
 }
 
 impl Drop for TimingCrate {
@@ -66,73 +87,125 @@ impl Drop for TimingCrate {
 }
 
 impl TimingCrate {
-    /// Writes the crate. Without a `runtime` folder, that of the checkout around `problem` is used,
-    /// or else the published crate.
+    /// Writes the crates. Without a `runtime` folder, that of the checkout around `problem` is
+    /// used, or else the published crate. From now on Ctrl-C ends the steps below with an error,
+    /// and the folder is removed.
     pub(super) fn new(subjects: &[Subject], runtime: Option<&Path>, problem: &Path) -> Result<Self, CommandError> {
-        let folder = std::env::temp_dir().join(format!("eliminant-bench-{}", std::process::id()));
-        let this = Self { folder };
-        let source = this.folder.join("src");
-        fs::create_dir_all(&source).map_err(|source| CommandError::Write { path: this.folder.clone(), source })?;
+        listen();
+        let this = Self { folder: new_folder()?, solvers: subjects.len() };
         let runtime = runtime.map(Path::to_owned).or_else(|| runtime_around(problem));
-        this.write("Cargo.toml", &manifest(runtime.as_deref())?)?;
+        this.write(
+            "Cargo.toml",
+            "[workspace]\nmembers = [\"timing\", \"solver_*\", \"all\"]\nresolver = \"3\"\n\n\
+             [profile.release]\nstrip = true\n",
+        )?;
         // The versions of the checkout, whose crates are on this machine already.
         if let Some(lock) = runtime.as_deref().and_then(Path::parent).map(|root| root.join("Cargo.lock"))
             && let Ok(text) = fs::read_to_string(lock)
         {
             this.write("Cargo.lock", &text)?;
         }
-        let mut main = MAIN.to_owned();
-        let mut calls = String::new();
+        this.write("timing/Cargo.toml", &manifest("timing", ""))?;
+        this.write("timing/src/lib.rs", TIMING)?;
+        this.write("timing/src/bin/base.rs", BASE)?;
+        let timing = "timing = { path = \"../timing\" }\n";
+        let dependencies = format!("{timing}eliminant = {}\n", runtime_dependency(runtime.as_deref())?);
         for (number, subject) in subjects.iter().enumerate() {
-            this.write(&format!("src/solver_{number}.rs"), &subject.source)?;
+            let name = format!("solver_{number}");
+            this.write(&format!("{name}/Cargo.toml"), &manifest(&name, &dependencies))?;
+            this.write(&format!("{name}/src/lib.rs"), &subject.library(&format!("instances_{number}")))?;
+            let main = format!("fn main() {{\n    timing::run(vec![{name}::subject()]);\n}}\n");
+            this.write(&format!("{name}/src/main.rs"), &main)?;
             let bytes: Vec<u8> = subject.instances.iter().flat_map(|value| value.to_le_bytes()).collect();
-            let path = this.folder.join(format!("instances_{number}"));
-            fs::write(&path, bytes).map_err(|source| CommandError::Write { path, source })?;
-            main += &loader(number, subject);
-            let _ = write!(calls, "Box::new(subject_{number}()), ");
+            this.write(&format!("instances_{number}"), &bytes)?;
         }
-        let _ = write!(main, "\nfn main() {{\n    run(vec![{calls}]);\n}}\n");
-        this.write("src/main.rs", &main)?;
+        let all = 0..subjects.len();
+        let solvers: String = all.clone().map(|k| format!("solver_{k} = {{ path = \"../solver_{k}\" }}\n")).collect();
+        this.write("all/Cargo.toml", &manifest("all", &(timing.to_owned() + &solvers)))?;
+        let calls: String = all.map(|k| format!("solver_{k}::subject(), ")).collect();
+        this.write("all/src/main.rs", &format!("fn main() {{\n    timing::run(vec![{calls}]);\n}}\n"))?;
         Ok(this)
     }
 
-    fn write(&self, name: &str, text: &str) -> Result<(), CommandError> {
+    fn write(&self, name: &str, content: &(impl AsRef<[u8]> + ?Sized)) -> Result<(), CommandError> {
         let path = self.folder.join(name);
-        fs::write(&path, text).map_err(|source| CommandError::Write { path, source })
+        let folder = path.parent().unwrap_or(&self.folder);
+        let written = fs::create_dir_all(folder).and_then(|()| fs::write(&path, content));
+        written.map_err(|source| CommandError::Write { path, source })
     }
 
-    /// Compiles the crate. Returns the seconds that it took, without its dependencies.
-    pub(super) fn compile(&self) -> Result<f64, CommandError> {
+    /// Compiles the crates. Returns what each solver costs; `each` is called after each.
+    pub(super) fn compile(&self, each: &dyn Fn()) -> Result<Vec<BuildCost>, CommandError> {
         // What is on this machine suffices as a rule; otherwise crates are fetched.
         if self.build(&["--offline", "--package", "eliminant"]).is_err() {
             self.build(&["--package", "eliminant"])?;
         }
-        let start = Instant::now();
-        self.build(&["--offline"])?;
-        Ok(start.elapsed().as_secs_f64())
+        self.build(&["--offline", "--package", "timing"])?;
+        let base = self.program_bytes("base")?;
+        let mut costs = Vec::new();
+        for number in 0..self.solvers {
+            let (start, name) = (Instant::now(), format!("solver_{number}"));
+            self.build(&["--offline", "--package", &name])?;
+            let compile_seconds = start.elapsed().as_secs_f64();
+            costs.push(BuildCost { program_bytes: self.program_bytes(&name)?.saturating_sub(base), compile_seconds });
+            each();
+        }
+        self.build(&["--offline", "--package", "all"])?;
+        Ok(costs)
     }
 
     fn build(&self, arguments: &[&str]) -> Result<(), CommandError> {
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let mut command = Command::new(cargo);
         command.args(["build", "--release", "--quiet"]).args(arguments).current_dir(&self.folder);
-        // Settings of the folder that the user is in are not settings of this crate.
+        // Settings of the folder that the user is in are not settings of these crates.
         command.env("CARGO_TARGET_DIR", self.folder.join("target"));
         run(command, "compile the solvers").map(|_| ())
     }
 
+    fn program(&self, name: &str) -> PathBuf {
+        self.folder.join(format!("target/release/{name}{EXE_SUFFIX}"))
+    }
+
+    fn program_bytes(&self, name: &str) -> Result<u64, CommandError> {
+        let path = self.program(name);
+        let length = fs::metadata(&path).map(|metadata| metadata.len());
+        length.map_err(|error| CommandError::Read { path, reason: error.to_string() })
+    }
+
     /// Runs the program: the times of each solver.
-    pub(super) fn run(&self, count: usize, rounds: u64) -> Result<Vec<Times>, CommandError> {
-        let mut command = Command::new(self.folder.join(format!("target/release/eliminant-bench{EXE_SUFFIX}")));
+    pub(super) fn run(&self, rounds: u64) -> Result<Vec<Times>, CommandError> {
+        let mut command = Command::new(self.program("all"));
         command.arg(rounds.to_string()).current_dir(&self.folder);
         let output = run(command, "run the solvers")?;
         let text = String::from_utf8_lossy(&output.stdout);
         let times: Vec<Times> = text.lines().filter_map(times).collect();
-        match times.len() == count {
+        match times.len() == self.solvers {
             true => Ok(times),
             false => {
                 Err(CommandError::Bench { action: "run the solvers", reason: format!("unexpected output:\n{text}") })
             }
+        }
+    }
+}
+
+/// Begins to listen to Ctrl-C. The programs that run get it, too, and end.
+fn listen() {
+    static LISTENS: OnceLock<bool> = OnceLock::new();
+    // If no handler can be set, Ctrl-C ends the process as usual, and leaves the folder.
+    LISTENS.get_or_init(|| ctrlc::set_handler(|| IS_INTERRUPTED.store(true, Ordering::Relaxed)).is_ok());
+}
+
+/// A folder that was not there before: its name can be guessed, and what others put there must not
+/// be compiled.
+fn new_folder() -> Result<PathBuf, CommandError> {
+    let mut number = 0;
+    loop {
+        let path = std::env::temp_dir().join(format!("eliminant-bench-{}-{number}", std::process::id()));
+        match fs::create_dir(&path) {
+            Ok(()) => return Ok(path),
+            Err(error) if error.kind() == std::io::ErrorKind::AlreadyExists && number < 1000 => number += 1,
+            Err(source) => return Err(CommandError::Write { path, source }),
         }
     }
 }
@@ -146,6 +219,9 @@ fn times(line: &str) -> Option<Times> {
 fn run(mut command: Command, action: &'static str) -> Result<Output, CommandError> {
     let fail = |reason: String| CommandError::Bench { action, reason };
     let output = command.output().map_err(|error| fail(error.to_string()))?;
+    if IS_INTERRUPTED.load(Ordering::Relaxed) {
+        return Err(fail("interrupted".to_owned()));
+    }
     match output.status.success() {
         true => Ok(output),
         false => Err(fail(format!("{}\n{}", output.status, String::from_utf8_lossy(&output.stderr)))),
@@ -162,60 +238,22 @@ fn runtime_around(problem: &Path) -> Option<PathBuf> {
     problem.ancestors().map(|folder| folder.join("runtime")).find(is_runtime)
 }
 
-fn manifest(runtime: Option<&Path>) -> Result<String, CommandError> {
-    let dependency = match runtime {
-        Some(folder) => {
-            let folder = fs::canonicalize(folder)
-                .map_err(|error| CommandError::Read { path: folder.to_owned(), reason: error.to_string() })?;
-            format!("{{ path = {:?} }}", folder.display().to_string())
-        }
-        None => format!("\"={}\"", env!("CARGO_PKG_VERSION")),
-    };
-    Ok(format!(
-        "[package]\nname = \"eliminant-bench\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[workspace]\n\n\
-         [dependencies]\neliminant = {dependency}\n"
-    ))
-}
-
-/// The module of a solver, and a function that reads its instances.
-fn loader(number: usize, subject: &Subject) -> String {
-    let Subject { name, parameters, unknowns, .. } = subject;
-    let types: Vec<String> = parameters.iter().map(|shape| array_type(shape)).collect();
-    let values: Vec<String> = parameters.iter().map(|shape| array_value(shape)).collect();
-    let arguments: Vec<String> = (0..parameters.len())
-        .map(|at| if parameters[at].is_empty() { format!("data.{at}") } else { format!("&data.{at}") })
-        .collect();
-    let (types, values, arguments) = (types.join(", "), values.join(", "), arguments.join(", "));
+fn manifest(name: &str, dependencies: &str) -> String {
     format!(
-        "
-mod solver_{number};
-
-fn subject_{number}() -> impl Subject {{
-    use solver_{number}::{name} as solver;
-    type Data = ({types},);
-    fn read(next: &mut dyn FnMut() -> f64) -> Data {{
-        ({values},)
-    }}
-    Timed {{
-        instances: read_all(\"instances_{number}\", read),
-        residual: |data: &Data| {{
-            let point = solver::Solution::from([0.5; {unknowns}]);
-            solver::relative_residual({arguments}, &point).is_ok()
-        }},
-        matrix: |data: &Data| solver::action_matrix({arguments}).is_ok(),
-        solve: |data: &Data| solver::solve({arguments}).map_or(0, |found| found.len()),
-    }}
-}}
-"
+        "[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n\
+         [dependencies]\n{dependencies}"
     )
 }
 
-fn array_type(shape: &[usize]) -> String {
-    shape.iter().rev().fold("f64".to_owned(), |inner, length| format!("[{inner}; {length}]"))
-}
-
-fn array_value(shape: &[usize]) -> String {
-    shape.iter().fold("next()".to_owned(), |inner, _| format!("std::array::from_fn(|_| {inner})"))
+fn runtime_dependency(runtime: Option<&Path>) -> Result<String, CommandError> {
+    match runtime {
+        Some(folder) => {
+            let folder = fs::canonicalize(folder)
+                .map_err(|error| CommandError::Read { path: folder.to_owned(), reason: error.to_string() })?;
+            Ok(format!("{{ path = {:?} }}", folder.display().to_string()))
+        }
+        None => Ok(format!("\"={}\"", env!("CARGO_PKG_VERSION"))),
+    }
 }
 
 #[cfg(test)]
@@ -231,15 +269,15 @@ mod tests {
     }
 
     #[test]
-    fn parameters_are_read_by_their_shapes() {
-        assert_eq!((array_type(&[]), array_value(&[])), ("f64".into(), "next()".into()));
-        assert_eq!(array_type(&[4, 3]), "[[f64; 3]; 4]");
-        assert_eq!(array_value(&[4, 3]), "std::array::from_fn(|_| std::array::from_fn(|_| next()))");
-    }
-
-    #[test]
     fn lines_of_five_numbers_are_times() {
         assert_eq!(times("1 2.5 4 5 0"), Some(Times::of([1.0, 2.5, 4.0, 5.0, 0.0])));
         assert_eq!((times("1 2 3 4"), times("1 2 3 4 x")), (None, None));
+    }
+
+    #[test]
+    fn folders_are_new() {
+        let (a, b) = (new_folder().ok().unwrap(), new_folder().ok().unwrap());
+        assert!(a != b && a.is_dir() && b.is_dir());
+        [a, b].iter().for_each(|folder| fs::remove_dir(folder).unwrap());
     }
 }

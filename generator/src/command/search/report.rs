@@ -10,7 +10,7 @@ use crate::command::report::{Summary, counted, one_decimal, seconds, table};
 use crate::command::watch::End;
 use crate::problem::Problem;
 use crate::search::Found;
-use crate::search::choose::{Choice, INCOMPLETE_ONE_IN, Measured, Verdict, expected_operations};
+use crate::search::choose::{Choice, INCOMPLETE_ONE_IN, Measured, Verdict, expected_nanoseconds};
 use crate::search::pareto::front;
 use crate::search::preference::Preference;
 
@@ -116,6 +116,8 @@ struct Row {
     presolve: &'static str,
     growth: String,
     operations: usize,
+    /// Predicted nanoseconds of a solve, second attempts included.
+    nanoseconds: f64,
     trials: usize,
     /// log10 of the relative residual.
     median: Option<f64>,
@@ -126,7 +128,7 @@ struct Row {
     failures: usize,
     /// `accepted`, `screened` (neither accepted nor rejected) or `rejected`.
     verdict: &'static str,
-    /// Whether it is on the Pareto front of operations (second attempts included), rows, 99 %
+    /// Whether it is on the Pareto front of the predicted time, rows, 99 %
     /// quantile (to one decimal) and portion of unsolved instances.
     pareto: bool,
 }
@@ -157,7 +159,7 @@ fn point(measured: &Measured) -> [f64; 4] {
     let (cost, stability) = (measured.candidate.cost(), &measured.stability);
     let p99 = stability.quantile(0.99).map_or(f64::INFINITY, |p99| (10.0 * p99).round());
     let unsolved = (stability.incomplete + stability.failures) as f64 / stability.trials.max(1) as f64;
-    [expected_operations(cost.operations, stability).round(), cost.rows as f64, p99, unsolved]
+    [expected_nanoseconds(&cost, stability).round(), cost.rows as f64, p99, unsolved]
 }
 
 fn warnings(problem: &Problem, choice: &Choice, cut: Option<&Cut>) -> Vec<String> {
@@ -193,6 +195,7 @@ impl Row {
             presolve: candidate.presolve.name(),
             growth: candidate.growth.to_string(),
             operations: candidate.plan.operations().total(),
+            nanoseconds: expected_nanoseconds(&candidate.cost(), stability).round(),
             trials: stability.trials,
             median: stability.quantile(0.5),
             p99: stability.quantile(0.99),
@@ -214,6 +217,7 @@ impl Row {
             self.verdict.to_owned(),
             self.basis.to_string(),
             self.operations.to_string(),
+            format!("{:.0}", self.nanoseconds),
             one_decimal(self.median),
             one_decimal(self.p99),
             self.trials.to_string(),
@@ -224,7 +228,7 @@ impl Row {
     }
 }
 
-const HEAD: [&str; 14] = [
+const HEAD: [&str; 15] = [
     "",
     "size",
     "action",
@@ -233,6 +237,7 @@ const HEAD: [&str; 14] = [
     "verdict",
     "|B|",
     "operations",
+    "ns",
     "median",
     "p99",
     "trials",
@@ -251,7 +256,7 @@ impl fmt::Display for SearchReport {
         write!(f, "{}", table(&HEAD, &rows, 6))?;
         writeln!(
             f,
-            "(* chosen; + on the Pareto front of operations with second attempts, rows, p99 and unsolved instances;\n median and p99 of the log10 relative residual)\n"
+            "(* chosen; + on the Pareto front of predicted ns with second attempts, rows, p99 and unsolved instances;\n median and p99 of the log10 relative residual)\n"
         )?;
         for warning in &self.warnings {
             writeln!(f, "warning: {warning}")?;

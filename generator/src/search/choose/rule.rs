@@ -1,6 +1,7 @@
 //! The numbers of the rule by which a template is chosen; [`super`] states the rule.
 
 use crate::search::measuring::Stability;
+use crate::search::preference::Cost;
 
 /// Candidates that are screened in any case.
 pub const SCREENED: usize = 8;
@@ -13,18 +14,17 @@ pub const INCOMPLETE_ONE_IN: usize = 1000;
 pub const SIGNIFICANCE: f64 = 0.01;
 /// A 99 % quantile of the log10 relative residual that is good enough.
 pub const GOOD_RESIDUAL: f64 = -12.0;
-/// Limit on the cost of stability, as a factor of operations.
+/// Limit on the cost of stability, as a factor of the predicted time.
 pub const STABILITY_COST: f64 = 2.0;
-/// Limit on the cost of few rows, as a factor of operations: a larger basis nearly always saves
+/// Limit on the cost of few rows, as a factor of the predicted time: a larger basis nearly always saves
 /// rows, and its eigenvalue problem costs the cube of its size.
 pub const SIZE_COST: f64 = 2.5;
-/// Candidates whose operations differ by no more than this factor cost the same for the choice.
+/// Candidates whose predicted times differ by no more than this factor cost the same for the
+/// choice.
 pub const SIMILAR_COST: f64 = 1.1;
-/// Candidates within this factor of the fewest operations are equally fast, as far as the estimate
+/// Candidates within this factor of the least predicted time are equally fast, as far as the model
 /// tells. Fewer rows then take less memory and less code.
 pub const EQUAL_COST: f64 = 1.05;
-/// Operations of a second attempt, at twice the precision, as a factor of those of the first.
-pub const SECOND_ATTEMPT: f64 = 15.0;
 /// Candidates that are confirmed besides the first accepted one.
 pub const OTHERS_CONFIRMED: usize = 2;
 /// Operations that screening one candidate may take, without the polish. If a solve takes so many
@@ -71,10 +71,10 @@ impl Verdict {
     }
 }
 
-/// Average operations of a solve. A solve without a second attempt takes `operations`.
-pub fn expected_operations(operations: usize, stability: &Stability) -> f64 {
-    let Stability { trials, repeated, .. } = *stability;
-    operations as f64 * (1.0 + SECOND_ATTEMPT * repeated as f64 / trials.max(1) as f64)
+/// The average predicted nanoseconds of a solve, second attempts included.
+pub fn expected_nanoseconds(cost: &Cost, stability: &Stability) -> f64 {
+    let repeated = stability.repeated as f64 / stability.trials.max(1) as f64;
+    cost.nanoseconds as f64 + cost.second_attempt as f64 * repeated
 }
 
 /// Whether a candidate fails, lacks a solution on more instances than `confirm` instances may, or

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::rule::{
     BLOCK, CONFIRMING_WORK, EQUAL_COST, GOOD_RESIDUAL, INCOMPLETE_ONE_IN, MEASURING_WORK, Measuring, OTHERS_CONFIRMED,
-    SCREENED, SCREENED_AT_MOST, SCREENING_WORK, SIMILAR_COST, STABILITY_COST, Verdict, expected_operations,
+    SCREENED, SCREENED_AT_MOST, SCREENING_WORK, SIMILAR_COST, STABILITY_COST, Verdict, expected_nanoseconds,
     is_rejected,
 };
 use crate::search::measuring::Stability;
@@ -83,7 +83,7 @@ impl Tournament<'_> {
         let first = self.entries.iter().position(|entry| entry.verdict != Verdict::Rejected);
         match (self.preference, first) {
             (Preference::Stability, Some(first)) => {
-                self.costs[at].operations as f64 <= STABILITY_COST * self.costs[first].operations as f64
+                self.costs[at].nanoseconds as f64 <= STABILITY_COST * self.costs[first].nanoseconds as f64
             }
             _ => true,
         }
@@ -148,13 +148,13 @@ impl Tournament<'_> {
     /// Whether the confirmation shows that another finalist costs less, second attempts included.
     /// Screening sees too few instances to count second attempts well.
     fn is_dearer_than_screened(&self, at: usize) -> bool {
-        let is_cheaper = |&other: &usize| EQUAL_COST * self.expected_operations(other) < self.expected_operations(at);
+        let is_cheaper = |&other: &usize| EQUAL_COST * self.expected_nanoseconds(other) < self.expected_nanoseconds(at);
         self.preference == Preference::Speed && self.finalists().iter().any(is_cheaper)
     }
 
     fn is_similar(&self, a: usize, b: usize) -> bool {
         match self.preference {
-            Preference::Speed => self.expected_operations(b) <= SIMILAR_COST * self.expected_operations(a),
+            Preference::Speed => self.expected_nanoseconds(b) <= SIMILAR_COST * self.expected_nanoseconds(a),
             Preference::Size => self.costs[b].rows == self.costs[a].rows,
             Preference::Stability => true,
         }
@@ -216,18 +216,26 @@ impl Tournament<'_> {
         self.unsolved(a).cmp(&self.unsolved(b)).then(by_quantile(0.99)).then(by_quantile(0.5)).then(a.cmp(&b))
     }
 
-    /// Average operations of a solve, second attempts included.
-    fn expected_operations(&self, at: usize) -> f64 {
-        expected_operations(self.costs[at].operations, &self.entries[at].stability)
+    /// The average predicted nanoseconds of a solve, second attempts included.
+    fn expected_nanoseconds(&self, at: usize) -> f64 {
+        expected_nanoseconds(&self.costs[at], &self.entries[at].stability)
     }
 
-    /// Sorts by expected operations. Candidates that cost as much as the cheapest come first, in
-    /// the order of their rows.
+    /// The operations that take this time.
+    fn expected_operations(&self, at: usize) -> f64 {
+        let Cost { nanoseconds, operations, .. } = self.costs[at];
+        operations as f64 * self.expected_nanoseconds(at) / nanoseconds.max(1) as f64
+    }
+
+    /// Sorts by the expected time. Candidates that are as fast as the fastest, as far as the model
+    /// tells, come first, in the order of their rows and operations.
     fn sort_by_speed(&self, candidates: &mut [usize]) {
-        let expected = |at: usize| self.expected_operations(at);
+        let expected = |at: usize| self.expected_nanoseconds(at);
         let least = candidates.iter().map(|&at| expected(at)).fold(f64::INFINITY, f64::min);
-        let rows = |at: usize| if expected(at) <= EQUAL_COST * least { self.costs[at].rows } else { usize::MAX };
-        candidates.sort_by(|&a, &b| rows(a).cmp(&rows(b)).then(expected(a).total_cmp(&expected(b))).then(a.cmp(&b)));
+        let is_fast = |at: usize| expected(at) <= EQUAL_COST * least;
+        let rows = |at: usize| if is_fast(at) { self.costs[at].rows } else { usize::MAX };
+        let cost = |at: usize| if is_fast(at) { self.expected_operations(at) } else { expected(at) };
+        candidates.sort_by(|&a, &b| rows(a).cmp(&rows(b)).then(cost(a).total_cmp(&cost(b))).then(a.cmp(&b)));
     }
 
     fn p99(&self, at: usize) -> f64 {

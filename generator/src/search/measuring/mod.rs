@@ -81,9 +81,7 @@ pub fn measure(plan: &Plan, instances: Range<usize>, seed: u64, each: &(dyn Fn()
     use rayon::prelude::*;
     let solver = InterpretedSolver::of(plan);
     let solve = |k: usize| {
-        let mut random = Random::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(k as u64));
-        let inputs = draw_inputs(&plan.data, Float64, &mut random);
-        let solved = Solved::of(&solver, &inputs);
+        let solved = Solved::of(&solver, &random_instance(plan, seed, k));
         each();
         solved
     };
@@ -92,6 +90,12 @@ pub fn measure(plan: &Plan, instances: Range<usize>, seed: u64, each: &(dyn Fn()
     results.into_iter().for_each(|solved| stability.add(plan.solutions, solved));
     stability.residuals_log10.sort_by(f64::total_cmp);
     stability
+}
+
+/// Instance k: data on their variety, which depend on (seed, k) only.
+pub fn random_instance(plan: &Plan, seed: u64, k: usize) -> Vec<f64> {
+    let mut random = Random::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(k as u64));
+    draw_inputs(&plan.data, Float64, &mut random)
 }
 
 /// What the solver does on one instance.

@@ -1,0 +1,134 @@
+//! The time of a solve, predicted from its plan: a sum over what is done, each times the
+//! nanoseconds that it took on the machine to which the model was fitted.
+//!
+//! ```text
+//!   stage          what is counted                                       n: |B|
+//!   coefficients   solves, operations in statements, steps of tables,    d: degree of the
+//!                  terms of the equations                                   determinant
+//!   elimination    entries of the template, operations in small and in   c: its chains
+//!                  large blocks                                          r: real solutions,
+//!   solutions      n^2 and n^3 for eigenvalues, or d^2 for the roots of     about the square
+//!                  a determinant; vectors, r n^2 or r c^3; terms of         root of all
+//!                  the polish; operations of second attempts
+//! ```
+//!
+//! The model is deterministic, so that a search chooses the same template on every machine. The
+//! command `eliminant bench templates/*.rs --fit` fits it anew and says by how much it is wrong.
+
+use super::program::ProgramForm;
+use super::{Plan, Term};
+
+/// A stage of a solve, as `eliminant bench` times them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// From the data to the coefficients, and one residual.
+    Coefficients,
+    /// Fill and elimination.
+    Elimination,
+    /// Roots, vectors, polish, second attempts.
+    Solutions,
+}
+
+/// The stages in their order.
+pub const STAGES: [Stage; 3] = [Stage::Coefficients, Stage::Elimination, Stage::Solutions];
+
+/// What is counted in a stage, and the nanoseconds of one of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cost {
+    /// The stage.
+    pub stage: Stage,
+    /// What is counted.
+    pub what: &'static str,
+    /// Nanoseconds of one.
+    pub nanoseconds: f64,
+}
+
+const fn cost(stage: Stage, what: &'static str, nanoseconds: f64) -> Cost {
+    Cost { stage, what, nanoseconds }
+}
+
+/// The number of costs.
+pub const COSTS: usize = 15;
+
+use Stage::{Coefficients, Elimination, Solutions};
+
+/// The model. `eliminant bench templates/*.rs --fit` prints these lines.
+pub const MODEL: [Cost; COSTS] = [
+    cost(Coefficients, "solve", 29.116),
+    cost(Coefficients, "operation in a statement", 0.058),
+    cost(Coefficients, "step of a table", 0.352),
+    cost(Coefficients, "term of an equation", 0.448),
+    cost(Elimination, "entry of the template", 0.946),
+    cost(Elimination, "operation in a small block", 0.089),
+    cost(Elimination, "operation in a large block", 0.038),
+    cost(Solutions, "|B|^2 for eigenvalues", 61.828),
+    cost(Solutions, "|B|^3 for eigenvalues", 0.451),
+    cost(Solutions, "|B|^2 for eigenvectors", 0.703),
+    cost(Solutions, "degree^2 for the roots of a determinant", 13.245),
+    cost(Solutions, "chains^3 for its null vectors", 1.773),
+    cost(Solutions, "root", 16.059),
+    cost(Solutions, "term of the polish", 0.367),
+    cost(Solutions, "operation of second attempts", 1.857),
+];
+
+/// How often each cost arises in a solve of which the portion `repeated` of all instances takes a
+/// second attempt.
+pub fn counts(plan: &Plan, repeated: f64) -> [f64; COSTS] {
+    let operations = plan.operations();
+    let of_form = |form| if plan.program.form == form { operations.coefficients as f64 } else { 0.0 };
+    let terms: usize = plan.equations.iter().flatten().map(Term::factors).sum();
+    let e = &plan.elimination;
+    let entries = e.right.len() + e.blocks.iter().map(|block| block.diagonal.len() + block.coupling.len()).sum::<usize>();
+    let in_blocks = |is_large: bool| {
+        let blocks = e.blocks.iter().filter(|block| block.is_large() == is_large);
+        blocks.map(|block| block.operations(e.basis)).sum::<usize>() as f64
+    };
+    let (n, real) = (e.basis as f64, (plan.solutions as f64).sqrt());
+    let by_eigenvalues = if plan.chains.is_some() { 0.0 } else { 1.0 };
+    // Where some eigenpairs belong to no solution, all are computed, half of the complex ones.
+    let has_spurious = e.basis * (1 + plan.flips.len()) + usize::from(plan.has_origin) > plan.solutions;
+    let pairs = if has_spurious { 2.0 * n } else { real };
+    let [degree, chains] = plan.chains.as_ref().map_or([0.0; 2], |chains| {
+        [chains.degrees().iter().sum::<usize>() as f64, chains.lengths.len() as f64]
+    });
+    [
+        1.0,
+        of_form(ProgramForm::Statements),
+        of_form(ProgramForm::Table),
+        terms as f64,
+        entries as f64,
+        in_blocks(false),
+        in_blocks(true),
+        by_eigenvalues * n.powi(2),
+        by_eigenvalues * n.powi(3),
+        by_eigenvalues * pairs * n.powi(2),
+        degree.powi(2),
+        real * chains.powi(3),
+        real,
+        if has_spurious { pairs } else { real } * terms as f64,
+        repeated * (operations.elimination + operations.roots) as f64,
+    ]
+}
+
+/// Nanoseconds that a model predicts for each stage.
+pub fn predicted(model: &[Cost; COSTS], counts: &[f64; COSTS]) -> [f64; STAGES.len()] {
+    STAGES.map(|stage| {
+        let of_stage = model.iter().zip(counts).filter(|(cost, _)| cost.stage == stage);
+        of_stage.map(|(cost, count)| cost.nanoseconds * count).sum()
+    })
+}
+
+impl Plan {
+    /// The predicted nanoseconds of a solve of which the portion `repeated` of all instances takes a
+    /// second attempt.
+    pub fn predicted_nanoseconds(&self, repeated: f64) -> f64 {
+        predicted(&MODEL, &counts(self, repeated)).iter().sum()
+    }
+}
+
+impl Term {
+    /// The factors of the term, its coefficient among them.
+    fn factors(&self) -> usize {
+        1 + self.exponents.iter().map(|&e| usize::from(e)).sum::<usize>()
+    }
+}
