@@ -327,7 +327,8 @@ impl LeastSquares<5> for SilhouetteCost {
             return Err(RefineError::NoRadius);
         }
         let (cylinder, tangents) = (parameters.cylinder(), parameters.tangents());
-        let mut sum: Linearised<5> = Linearised { cost: 0.0, gradient: SVector::zeros(), normal_matrix: SMatrix::zeros() };
+        let mut sum: Linearised<5> =
+            Linearised { cost: 0.0, gradient: SVector::zeros(), normal_matrix: SMatrix::zeros() };
         for of_view in self.lines.chunk_by(|a, b| a.view == b.view) {
             let view = of_view[0].view;
             let silhouettes = of_view[0].silhouettes(&cylinder).ok_or(RefineError::CameraInside { view })?;

@@ -4,8 +4,8 @@
 //! `sum_i min(e_i^2 / t^2, 1)` over all data (Torr & Zisserman, "MLESAC", 2000). Each model that is
 //! the best so far is optimised on its inliers at once (Chum, Matas & Kittler, "Locally optimized
 //! RANSAC", 2003). Models from samples are further from the inliers than the noise, so they are
-//! compared with a wider threshold, with optimised ones, too: once the inliers are found, hardly any
-//! sample is optimised again. If the best model has the share `p` of samples that consist of
+//! compared with a wider threshold, with optimised ones, too: once the inliers are found, hardly
+//! any sample is optimised again. If the best model has the share `p` of samples that consist of
 //! its inliers only, the search ends after
 //!
 //! ```text

@@ -336,8 +336,8 @@ impl MeasuredLine {
     /// Derivatives of the two distances along changes of the cylinder.
     ///
     /// With the perpendicular t from the camera to the axis, L^2 = t^2 - r^2 and the side +-1, the
-    /// normal is s = (r t +- L w x t) / t^2. A distance is e = s.d / |B s|, and its derivative along
-    /// ds is p.ds t^2 with p = (d - e B^T B s / |B s|) / (|B s| t^2). The change of t is
+    /// normal is s = (r t +- L w x t) / t^2. A distance is e = s.d / |B s|, and its derivative
+    /// along ds is t^2 p.ds with p = (d - e B^T B s / |B s|) / (|B s| t^2). The change of t is
     /// dt = (I - w w^T) dA - (w.(A - C) I + w (A - C)^T) dw, so that
     ///
     /// ```text

@@ -78,7 +78,8 @@ pub fn counts(plan: &Plan, repeated: f64) -> [f64; COSTS] {
     let of_form = |form| if plan.program.form == form { operations.coefficients as f64 } else { 0.0 };
     let terms: usize = plan.equations.iter().flatten().map(Term::factors).sum();
     let e = &plan.elimination;
-    let entries = e.right.len() + e.blocks.iter().map(|block| block.diagonal.len() + block.coupling.len()).sum::<usize>();
+    let entries =
+        e.right.len() + e.blocks.iter().map(|block| block.diagonal.len() + block.coupling.len()).sum::<usize>();
     let in_blocks = |is_large: bool| {
         let blocks = e.blocks.iter().filter(|block| block.is_large() == is_large);
         blocks.map(|block| block.operations(e.basis)).sum::<usize>() as f64
@@ -88,9 +89,10 @@ pub fn counts(plan: &Plan, repeated: f64) -> [f64; COSTS] {
     // Where some eigenpairs belong to no solution, all are computed, half of the complex ones.
     let has_spurious = e.basis * (1 + plan.flips.len()) + usize::from(plan.has_origin) > plan.solutions;
     let pairs = if has_spurious { 2.0 * n } else { real };
-    let [degree, chains] = plan.chains.as_ref().map_or([0.0; 2], |chains| {
-        [chains.degrees().iter().sum::<usize>() as f64, chains.lengths.len() as f64]
-    });
+    let [degree, chains] = plan
+        .chains
+        .as_ref()
+        .map_or([0.0; 2], |chains| [chains.degrees().iter().sum::<usize>() as f64, chains.lengths.len() as f64]);
     [
         1.0,
         of_form(ProgramForm::Statements),
@@ -119,8 +121,8 @@ pub fn predicted(model: &[Cost; COSTS], counts: &[f64; COSTS]) -> [f64; STAGES.l
 }
 
 impl Plan {
-    /// The predicted nanoseconds of a solve of which the portion `repeated` of all instances takes a
-    /// second attempt.
+    /// The predicted nanoseconds of a solve of which the portion `repeated` of all instances takes
+    /// a second attempt.
     pub fn predicted_nanoseconds(&self, repeated: f64) -> f64 {
         predicted(&MODEL, &counts(self, repeated)).iter().sum()
     }

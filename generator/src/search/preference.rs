@@ -22,7 +22,8 @@ pub struct Cost {
     pub nanoseconds: usize,
     /// Predicted nanoseconds of a second attempt.
     pub second_attempt: usize,
-    /// Operations of one solve, by which the work of measuring it is bounded.
+    /// Operations of one solve, by which the work of measuring it is bounded, and the cost of few
+    /// rows.
     pub operations: usize,
     /// Rows of the template.
     pub rows: usize,
@@ -36,7 +37,7 @@ impl Preference {
     pub fn key(self, cost: &Cost) -> [usize; 3] {
         match self {
             Self::Speed | Self::Stability => [cost.nanoseconds, cost.rows, cost.basis],
-            Self::Size => [cost.rows, cost.basis, cost.nanoseconds],
+            Self::Size => [cost.rows, cost.basis, cost.operations],
         }
     }
 }

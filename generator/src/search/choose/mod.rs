@@ -4,8 +4,8 @@
 //! # The rule
 //! Candidates are considered in the order of the preference ([`Preference::key`]):
 //! - *speed*: the least predicted time of a solve first ([`crate::plan::time`]);
-//! - *size*: fewest rows first, among candidates with at most [`SIZE_COST`] times the predicted
-//!   time of the fastest;
+//! - *size*: fewest rows first, among candidates with at most [`SIZE_COST`] times the operations of
+//!   the cheapest;
 //! - *stability*: the least predicted time first, up to [`STABILITY_COST`] times that of the first
 //!   one that is not rejected.
 //!
@@ -20,9 +20,9 @@
 //! 2. *Confirmation.* Precise candidates that are not rejected are the *finalists*. They are
 //!    measured on [`Measuring::confirm`] instances one after another, each only until it is
 //!    rejected. The order is that of the preference, with two exceptions. For *speed*, the time
-//!    of second attempts is added, and of those that take at most [`EQUAL_COST`] times the least the
-//!    one with fewest rows comes first, then the one with fewest operations. For *stability*, the order is fewest
-//!    unsolved instances, then smallest 99 % quantile, then smallest median. The first finalist
+//!    of second attempts is added, and of those that take at most [`EQUAL_COST`] times the least
+//!    the one with fewest rows comes first, then the one with fewest operations. For *stability*,
+//!    the order is fewest unsolved instances, then smallest 99 % quantile, then smallest median. The first finalist
 //!    that lasts and lacks a solution on at most one instance in [`INCOMPLETE_ONE_IN`] is
 //!    *accepted*. If none is, further candidates are screened, up to [`SCREENED_AT_MOST`] and until
 //!    all measurements together take [`MEASURING_WORK`].
@@ -121,7 +121,7 @@ pub fn screen<'a>(
 ) -> Vec<(&'a TemplateCandidate, Option<Stability>)> {
     let mut different = affordable(different(candidates), preference);
     // The limit on the cost of few rows depends on the cheapest candidate of all shards.
-    let cheapest = different.iter().copied().min_by_key(|candidate| candidate.cost().nanoseconds);
+    let cheapest = different.iter().copied().min_by_key(|candidate| candidate.plan.operations().total());
     let dropped = different.split_off(different.len().min(HANDED_OVER));
     different.extend(cheapest.filter(|cheapest| dropped.iter().any(|candidate| std::ptr::eq(*candidate, *cheapest))));
     let rule = Rule { preference, measuring };
@@ -183,9 +183,9 @@ fn different(candidates: &[TemplateCandidate]) -> Vec<&TemplateCandidate> {
 
 /// For *size* the candidates within the limit on its cost; for other preferences all.
 fn affordable(candidates: Vec<&TemplateCandidate>, preference: Preference) -> Vec<&TemplateCandidate> {
-    let time = |candidate: &&TemplateCandidate| candidate.cost().nanoseconds as f64;
-    let least = candidates.iter().map(time).fold(f64::INFINITY, f64::min);
+    let operations = |candidate: &&TemplateCandidate| candidate.plan.operations().total() as f64;
+    let least = candidates.iter().map(operations).fold(f64::INFINITY, f64::min);
     let is_affordable =
-        |candidate: &&TemplateCandidate| preference != Preference::Size || time(candidate) <= SIZE_COST * least;
+        |candidate: &&TemplateCandidate| preference != Preference::Size || operations(candidate) <= SIZE_COST * least;
     candidates.into_iter().filter(is_affordable).collect()
 }

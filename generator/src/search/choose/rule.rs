@@ -16,7 +16,7 @@ pub const SIGNIFICANCE: f64 = 0.01;
 pub const GOOD_RESIDUAL: f64 = -12.0;
 /// Limit on the cost of stability, as a factor of the predicted time.
 pub const STABILITY_COST: f64 = 2.0;
-/// Limit on the cost of few rows, as a factor of the predicted time: a larger basis nearly always saves
+/// Limit on the cost of few rows, as a factor of operations: a larger basis nearly always saves
 /// rows, and its eigenvalue problem costs the cube of its size.
 pub const SIZE_COST: f64 = 2.5;
 /// Candidates whose predicted times differ by no more than this factor cost the same for the

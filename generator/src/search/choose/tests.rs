@@ -4,8 +4,8 @@ use super::rule::{BLOCK, at_least, is_rejected};
 use super::*;
 use crate::search::monitor::Unmonitored;
 
-/// A candidate: operations, each of a nanosecond, rows, log10 of all its residuals, and the period of instances that lack
-/// a solution (0: none does).
+/// A candidate: operations, each of a nanosecond, rows, log10 of all its residuals, and the period
+/// of instances that lack a solution (0: none does).
 type Made = (usize, usize, f64, usize);
 
 fn measure_made(made: &[Made], at: usize, instances: Range<usize>) -> Stability {
@@ -26,8 +26,12 @@ fn decide_by(
     made: &[Made],
     measure: &dyn Fn(usize, Range<usize>) -> Stability,
 ) -> (Option<(usize, Verdict)>, Vec<usize>) {
-    let cost = |&(operations, rows, ..): &Made| {
-        Cost { nanoseconds: operations, second_attempt: 15 * operations, operations, rows, basis: 1 }
+    let cost = |&(operations, rows, ..): &Made| Cost {
+        nanoseconds: operations,
+        second_attempt: 15 * operations,
+        operations,
+        rows,
+        basis: 1,
     };
     let costs: Vec<Cost> = made.iter().map(cost).collect();
     let measuring = Measuring { trials: 300, confirm: 10_000, seed: 1 };
