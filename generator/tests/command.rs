@@ -152,6 +152,9 @@ fn search_prefers_what_it_is_told() {
     let (size, speed, stability) = (search("size"), search("speed"), search("stability"));
     assert!(figure(&size, "rows") < figure(&speed, "rows"), "{size} {speed}");
     assert!(figure(&speed, "operations") < figure(&size, "operations"), "{speed} {size}");
+    let time = |report: &Value| report["nanoseconds"].as_f64().unwrap();
+    let times = speed["candidates"].as_array().unwrap().iter().map(time);
+    assert!(time(&speed) <= 1.05 * times.fold(f64::INFINITY, f64::min) && time(&speed) > 0.0, "{speed}");
     assert!(figure(&stability, "operations") <= 2 * figure(&speed, "operations"), "{stability} {speed}");
     for report in [size, speed, stability] {
         check_summary(&report);

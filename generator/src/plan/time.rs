@@ -86,7 +86,7 @@ pub fn counts(plan: &Plan, repeated: f64) -> [f64; COSTS] {
     };
     let (n, real) = (e.basis as f64, (plan.solutions as f64).sqrt());
     let by_eigenvalues = if plan.chains.is_some() { 0.0 } else { 1.0 };
-    // Where some eigenpairs belong to no solution, all are computed, half of the complex ones.
+    // Where some eigenpairs belong to no solution, all are computed: a complex one counts as two.
     let has_spurious = e.basis * (1 + plan.flips.len()) + usize::from(plan.has_origin) > plan.solutions;
     let pairs = if has_spurious { 2.0 * n } else { real };
     let [degree, chains] = plan

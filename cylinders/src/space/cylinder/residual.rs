@@ -50,17 +50,17 @@ impl Cylinder {
         let residual = |(index, (line, plane)): (usize, (&Vector3<f64>, ViewingPlane))| {
             // Lines have no sign: the angle is between 0 and pi / 2.
             let angle = |other: &Vector3<f64>| line.cross(other).norm().atan2(line.dot(other).abs());
-            let [right, left] = &silhouette;
+            let [right, left] = silhouette.each_ref().map(|line| (angle(line), line));
             let at_ends = at_ends[index].as_ref();
-            let by_angle = if angle(left) < angle(right) { Side::Left } else { Side::Right };
+            let by_angle = if left.0 < right.0 { Side::Left } else { Side::Right };
             let side = at_ends.map_or(by_angle, SilhouetteDistance::side);
-            let nearest = if side == Side::Left { left } else { right };
+            let (angle, nearest) = if side == Side::Left { left } else { right };
             let pixels = match at_ends {
                 Some(distance) => camera.calibration().map(|_| distance.mean_square().sqrt()),
                 None => pixel_distance(camera, line, nearest),
             };
             let distance = self.plane_distance(&plane);
-            LineResidual { view, line: index, side, distance, angle: angle(nearest), pixels }
+            LineResidual { view, line: index, side, distance, angle, pixels }
         };
         Some(lines.lines().iter().zip(lines.planes()).enumerate().map(residual).collect())
     }
