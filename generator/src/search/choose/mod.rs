@@ -24,8 +24,8 @@
 //!    the one with fewest rows comes first, then the one with fewest operations. For *stability*,
 //!    the order is fewest unsolved instances, then smallest 99 % quantile, then smallest median.
 //!    The first finalist that lasts and lacks a solution on at most one instance in
-//!    [`INCOMPLETE_ONE_IN`] is *accepted*. If none is, further candidates are screened, up to [`SCREENED_AT_MOST`] and until
-//!    all measurements together take [`MEASURING_WORK`].
+//!    [`INCOMPLETE_ONE_IN`] is *accepted*. If none is, further candidates are screened, up to
+//!    [`SCREENED_AT_MOST`] and until all measurements together take [`MEASURING_WORK`].
 //! 3. *Choice.* If the accepted candidate solves every instance it is chosen. There are two
 //!    exceptions: *stability* always looks at others, and *speed* does if second attempts turn out
 //!    to make the accepted candidate dearer than another. Then up to [`OTHERS_CONFIRMED`] others of
