@@ -288,6 +288,11 @@ impl Plan {
         (0..self.unknowns.len()).map(step).collect()
     }
 
+    /// Whether some eigenvalues belong to no solution, or to one that is known beforehand.
+    pub fn has_spurious_values(&self) -> bool {
+        self.elimination.basis * (1 + self.flips.len()) + usize::from(self.has_origin) > self.solutions
+    }
+
     /// How real solutions are found.
     pub fn roots(&self) -> RootMethod {
         if self.chains.is_some() { RootMethod::Determinant } else { RootMethod::Eigenvalues }

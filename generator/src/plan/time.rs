@@ -34,7 +34,7 @@ pub const STAGES: [Stage; 3] = [Stage::Coefficients, Stage::Elimination, Stage::
 
 /// What is counted in a stage, and the nanoseconds of one of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cost {
+pub struct Weight {
     /// The stage.
     pub stage: Stage,
     /// What is counted.
@@ -43,37 +43,37 @@ pub struct Cost {
     pub nanoseconds: f64,
 }
 
-const fn cost(stage: Stage, what: &'static str, nanoseconds: f64) -> Cost {
-    Cost { stage, what, nanoseconds }
+const fn weight(stage: Stage, what: &'static str, nanoseconds: f64) -> Weight {
+    Weight { stage, what, nanoseconds }
 }
 
-/// The number of costs.
-pub const COSTS: usize = 15;
+/// The number of weights.
+pub const WEIGHTS: usize = 15;
 
 use Stage::{Coefficients, Elimination, Solutions};
 
 /// The model. `eliminant bench templates/*.rs --fit` prints these lines.
-pub const MODEL: [Cost; COSTS] = [
-    cost(Coefficients, "solve", 29.116),
-    cost(Coefficients, "operation in a statement", 0.058),
-    cost(Coefficients, "step of a table", 0.352),
-    cost(Coefficients, "term of an equation", 0.448),
-    cost(Elimination, "entry of the template", 0.946),
-    cost(Elimination, "operation in a small block", 0.089),
-    cost(Elimination, "operation in a large block", 0.038),
-    cost(Solutions, "|B|^2 for eigenvalues", 61.828),
-    cost(Solutions, "|B|^3 for eigenvalues", 0.451),
-    cost(Solutions, "|B|^2 for eigenvectors", 0.703),
-    cost(Solutions, "degree^2 for the roots of a determinant", 13.245),
-    cost(Solutions, "chains^3 for its null vectors", 1.773),
-    cost(Solutions, "root", 16.059),
-    cost(Solutions, "term of the polish", 0.367),
-    cost(Solutions, "operation of second attempts", 1.857),
+pub const MODEL: [Weight; WEIGHTS] = [
+    weight(Coefficients, "solve", 29.116),
+    weight(Coefficients, "operation in a statement", 0.058),
+    weight(Coefficients, "step of a table", 0.352),
+    weight(Coefficients, "term of an equation", 0.448),
+    weight(Elimination, "entry of the template", 0.946),
+    weight(Elimination, "operation in a small block", 0.089),
+    weight(Elimination, "operation in a large block", 0.038),
+    weight(Solutions, "|B|^2 for eigenvalues", 61.828),
+    weight(Solutions, "|B|^3 for eigenvalues", 0.451),
+    weight(Solutions, "|B|^2 for eigenvectors", 0.703),
+    weight(Solutions, "degree^2 for the roots of a determinant", 13.245),
+    weight(Solutions, "chains^3 for its null vectors", 1.773),
+    weight(Solutions, "root", 16.059),
+    weight(Solutions, "term of the polish", 0.367),
+    weight(Solutions, "operation of second attempts", 1.857),
 ];
 
-/// How often each cost arises in a solve of which the portion `repeated` of all instances takes a
+/// How often each of it is done in a solve of which the portion `repeated` of all instances takes a
 /// second attempt.
-pub fn counts(plan: &Plan, repeated: f64) -> [f64; COSTS] {
+pub fn counts(plan: &Plan, repeated: f64) -> [f64; WEIGHTS] {
     let operations = plan.operations();
     let of_form = |form| if plan.program.form == form { operations.coefficients as f64 } else { 0.0 };
     let terms: usize = plan.equations.iter().flatten().map(Term::factors).sum();
@@ -87,8 +87,7 @@ pub fn counts(plan: &Plan, repeated: f64) -> [f64; COSTS] {
     let (n, real) = (e.basis as f64, (plan.solutions as f64).sqrt());
     let by_eigenvalues = if plan.chains.is_some() { 0.0 } else { 1.0 };
     // Where some eigenpairs belong to no solution, all are computed: a complex one counts as two.
-    let has_spurious = e.basis * (1 + plan.flips.len()) + usize::from(plan.has_origin) > plan.solutions;
-    let pairs = if has_spurious { 2.0 * n } else { real };
+    let pairs = if plan.has_spurious_values() { 2.0 * n } else { real };
     let [degree, chains] = plan
         .chains
         .as_ref()
@@ -107,16 +106,16 @@ pub fn counts(plan: &Plan, repeated: f64) -> [f64; COSTS] {
         degree.powi(2),
         real * chains.powi(3),
         real,
-        if has_spurious { pairs } else { real } * terms as f64,
+        if plan.has_spurious_values() { pairs } else { real } * terms as f64,
         repeated * (operations.elimination + operations.roots) as f64,
     ]
 }
 
 /// Nanoseconds that a model predicts for each stage.
-pub fn predicted(model: &[Cost; COSTS], counts: &[f64; COSTS]) -> [f64; STAGES.len()] {
+pub fn predicted(model: &[Weight; WEIGHTS], counts: &[f64; WEIGHTS]) -> [f64; STAGES.len()] {
     STAGES.map(|stage| {
-        let of_stage = model.iter().zip(counts).filter(|(cost, _)| cost.stage == stage);
-        of_stage.map(|(cost, count)| cost.nanoseconds * count).sum()
+        let of_stage = model.iter().zip(counts).filter(|(weight, _)| weight.stage == stage);
+        of_stage.map(|(weight, count)| weight.nanoseconds * count).sum()
     })
 }
 

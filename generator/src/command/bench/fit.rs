@@ -5,11 +5,11 @@ use std::fmt;
 use serde::Serialize;
 
 use super::timing_crate::Times;
-use crate::plan::time::{COSTS, Cost, MODEL, STAGES, predicted};
+use crate::plan::time::{MODEL, STAGES, WEIGHTS, Weight, predicted};
 
 /// A solver: what is counted in its plan, and what it took.
 pub(super) struct Sample {
-    pub(super) counts: [f64; COSTS],
+    pub(super) counts: [f64; WEIGHTS],
     pub(super) times: Times,
 }
 
@@ -39,7 +39,7 @@ struct Judged {
     largest_factor: f64,
 }
 
-/// A cost of a model.
+/// A weight of a model.
 #[derive(Serialize)]
 struct Line {
     stage: String,
@@ -55,14 +55,15 @@ impl Fit {
 }
 
 impl Judged {
-    fn of(model: &[Cost; COSTS], samples: &[Sample]) -> Self {
+    fn of(model: &[Weight; WEIGHTS], samples: &[Sample]) -> Self {
         let predicted: Vec<f64> =
             samples.iter().map(|sample| predicted(model, &sample.counts).iter().sum::<f64>()).collect();
         let factor = |(sample, predicted): (&Sample, &f64)| (predicted / sample.times.total).ln().abs().exp();
         let mut factors: Vec<f64> = samples.iter().zip(&predicted).map(factor).collect();
         factors.sort_by(f64::total_cmp);
         let quantile = |q: f64| factors.get(((factors.len() - 1) as f64 * q).round() as usize).copied().unwrap_or(1.0);
-        let line = |&Cost { stage, what, nanoseconds }: &Cost| Line { stage: format!("{stage:?}"), what, nanoseconds };
+        let line =
+            |&Weight { stage, what, nanoseconds }: &Weight| Line { stage: format!("{stage:?}"), what, nanoseconds };
         Self {
             model: model.iter().map(line).collect(),
             predicted,
@@ -73,18 +74,18 @@ impl Judged {
     }
 }
 
-/// The model that minimises the squares of the relative errors of each stage, no cost negative.
-fn fitted(samples: &[Sample]) -> [Cost; COSTS] {
+/// The model that minimises the squares of the relative errors of each stage, no weight negative.
+fn fitted(samples: &[Sample]) -> [Weight; WEIGHTS] {
     let mut model = MODEL;
     for (at, &stage) in STAGES.iter().enumerate() {
-        let columns: Vec<usize> = (0..COSTS).filter(|&cost| MODEL[cost].stage == stage).collect();
+        let columns: Vec<usize> = (0..WEIGHTS).filter(|&at| MODEL[at].stage == stage).collect();
         // A stage counts by its part of the whole: what takes little matters little.
-        let weight = |sample: &Sample| 1.0 / sample.stages()[at].max(0.02 * sample.times.total);
+        let importance = |sample: &Sample| 1.0 / sample.stages()[at].max(0.02 * sample.times.total);
         let rows: Vec<Vec<f64>> = samples
             .iter()
-            .map(|sample| columns.iter().map(|&column| sample.counts[column] * weight(sample)).collect())
+            .map(|sample| columns.iter().map(|&column| sample.counts[column] * importance(sample)).collect())
             .collect();
-        let right: Vec<f64> = samples.iter().map(|sample| sample.stages()[at] * weight(sample)).collect();
+        let right: Vec<f64> = samples.iter().map(|sample| sample.stages()[at] * importance(sample)).collect();
         for (&column, value) in columns.iter().zip(nonnegative_least_squares(&rows, &right)) {
             model[column].nanoseconds = value;
         }
@@ -121,7 +122,7 @@ impl fmt::Display for Fit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "\nThe model of the time of a solve (`generator/src/plan/time.rs`), fitted to these times:\n")?;
         for Line { stage, what, nanoseconds } in &self.fitted.model {
-            writeln!(f, "    cost({stage}, {what:?}, {nanoseconds:.3}),")?;
+            writeln!(f, "    weight({stage}, {what:?}, {nanoseconds:.3}),")?;
         }
         writeln!(f)?;
         for (name, judged) in [("shipped", &self.shipped), ("fitted", &self.fitted)] {
@@ -152,7 +153,7 @@ mod tests {
 
     #[test]
     fn a_model_that_made_the_times_is_found() {
-        let model: [Cost; COSTS] = std::array::from_fn(|at| Cost { nanoseconds: 1.0 + at as f64, ..MODEL[at] });
+        let model: [Weight; WEIGHTS] = std::array::from_fn(|at| Weight { nanoseconds: 1.0 + at as f64, ..MODEL[at] });
         let mut random = crate::algebra::Random::new(1);
         let samples: Vec<Sample> = (0..60)
             .map(|_| {

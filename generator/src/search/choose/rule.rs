@@ -23,8 +23,11 @@ pub const SIZE_COST: f64 = 2.5;
 /// choice.
 pub const SIMILAR_COST: f64 = 1.1;
 /// Candidates within this factor of the least predicted time are equally fast, as far as the model
-/// tells. Fewer rows then take less memory and less code.
-pub const EQUAL_COST: f64 = 1.05;
+/// tells, which is off by such a factor in the median. Fewer rows then take less memory and less
+/// code. It also keeps a difference of one chain from deciding: a determinant of fewer chains is a
+/// little faster, but no more than one solution per chain can have the same value of the action
+/// monomial, and on symmetric data more of them do.
+pub const EQUAL_COST: f64 = 1.1;
 /// Candidates that are confirmed besides the first accepted one.
 pub const OTHERS_CONFIRMED: usize = 2;
 /// Operations that screening one candidate may take, without the polish. If a solve takes so many

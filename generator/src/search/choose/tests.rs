@@ -60,8 +60,8 @@ fn the_first_acceptable_candidate_wins() {
 #[test]
 fn of_those_as_fast_the_one_with_fewest_rows_wins() {
     let made = |operations| [(100, 9, -15.0, 0), (104, 7, -15.0, 0), (operations, 5, -15.0, 0)];
-    assert_eq!(decide(Speed, &Unmonitored, &made(105)), (Some((2, Accepted)), vec![300, 300, 10_000]));
-    assert_eq!(decide(Speed, &Unmonitored, &made(106)), (Some((1, Accepted)), vec![300, 10_000, 300]));
+    assert_eq!(decide(Speed, &Unmonitored, &made(110)), (Some((2, Accepted)), vec![300, 300, 10_000]));
+    assert_eq!(decide(Speed, &Unmonitored, &made(111)), (Some((1, Accepted)), vec![300, 10_000, 300]));
     assert_eq!(chosen(Stable, &made(105)), Some((0, Accepted)));
     // It lacks solutions, and is no faster.
     let made = [(100, 9, -15.0, 0), (104, 7, -15.0, 3000)];
