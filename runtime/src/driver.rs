@@ -13,7 +13,7 @@ use crate::number::Scalar;
 use crate::number::double_double::DoubleDouble;
 use crate::number::scalar::mapped;
 use crate::size::{List, Size, Square, filled_matrix};
-use crate::solution::candidates::{AllSolutions, Collection, RealSolutions, flips};
+use crate::solution::candidates::{AllSolutions, Collection, IMPRECISE_ROOT, RealSolutions, flips};
 use crate::solution::extract::unknowns;
 use crate::solution::shared_value::SharedValue;
 use crate::solver_instance::{BasisVector, EigenpairSource, HiddenVariableSolver, Points, SolverInstance};
@@ -21,6 +21,7 @@ use crate::spectrum::hessenberg::Hessenberg;
 use crate::spectrum::hidden_variable::{ChainedBasis, HiddenVariable};
 use crate::spectrum::precise_spectrum::{PreciseSpectrum, with_precise_spectrum};
 use crate::spectrum::real_roots::real_roots;
+use crate::spectrum::root_count::count_is_certain;
 
 /// If |B| exceeds the number of solutions and all solutions are found, an eigenpair with a larger
 /// relative residual than this before the polish counts as spurious. Residuals of solutions are
@@ -66,14 +67,14 @@ pub fn real_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, f64
 }
 
 /// Returns all real solutions, by the real roots of a determinant. If a root is not certain, or
-/// leads to no solution of its own, or the polish moves one far, all is done again as by
-/// [`real_solutions`].
+/// leads to no solution of its own, or the polish moves one so far that errors of the determinant
+/// could hide others, all is done again as by [`real_solutions`].
 ///
 /// # Errors
 /// As [`real_solutions`].
 #[inline]
 pub fn real_solutions_by_determinant<I: HiddenVariableSolver>(solver: &mut I) -> Result<Points<I, f64>, SolveError> {
-    let mut found = RealSolutions::by_determinant(solver);
+    let mut found = RealSolutions::new(solver, false);
     match add_roots(solver, &mut found) {
         true => Ok(found.admissible(solver)),
         false => real_solutions(solver),
@@ -87,16 +88,21 @@ fn add_roots<I: HiddenVariableSolver>(solver: &mut I, found: &mut RealSolutions<
     let Ok(action) = solver.action_matrix::<f64>() else { return false };
     let (solver, chains) = (&*solver, solver.chains());
     let Some(variable) = HiddenVariable::new(&chains, &action) else { return false };
-    let roots = real_roots(chains.sizes().3, &variable.determinant());
+    let determinant = variable.determinant();
+    let roots = real_roots(chains.sizes().3, &determinant);
     let source = HiddenPairs { basis: solver.sizes().basis, variable: &variable };
     // Without a root, no polish shows whether the polynomial is precise.
     let mut is_certain = roots.is_certain && (!roots.roots.is_empty() || roots.clearance > CLEARANCE);
+    let mut moved = chains.sizes().3.list();
+    let mut is_precise = true;
     for &root in roots.roots.iter() {
         let value = root.into();
         let mut is_solution = || found.add(solver, &source, value) || found.is_imaginary(solver, &source, value);
         is_certain = is_certain && is_solution();
+        is_precise &= found.moved() <= IMPRECISE_ROOT;
+        moved.push((root, found.moved()));
     }
-    is_certain && !found.is_imprecise()
+    is_certain && !found.is_imprecise() && (is_precise || count_is_certain(chains.sizes().3, &determinant, &moved))
 }
 
 /// The eigenpairs of the real roots.

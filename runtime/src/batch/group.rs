@@ -188,7 +188,7 @@ impl<S: Simd, I: BatchSolver> Solved<S, I> {
             rows: I::equations(coefficients),
         };
         let mut is_certain = equations.polish(&mut unknowns);
-        // The same bound as for one instance: see `RealSolutions::by_determinant`.
+        // One instance by itself is told more of its roots: see `count_is_certain`.
         let mut size = x.constant(0.0);
         for j in 0..sizes.unknowns.get() {
             size = unknowns[j].abs().max(size);

@@ -25,8 +25,9 @@ const NEARLY_REAL: f64 = 0.1;
 /// If the polish moves a real solution by more than this part of an unknown, the eigenvalues are
 /// imprecise, and those of a pair of real solutions may be complex, far from the real axis.
 const IMPRECISE: f64 = 1e-4;
-/// The same for the roots of a determinant. An error of this size in its coefficients moves two
-/// roots by about 3e-4 if they are close to each other; closer ones are not certain.
+/// If it moves no root of a determinant by more than this part of an unknown, the coefficients are
+/// precise: an error of this size in them moves two roots by about 3e-4 if they are close to each
+/// other, and closer ones are not certain.
 pub(crate) const IMPRECISE_ROOT: f64 = 1e-7;
 /// An unknown may be moved by this part of the largest unknown, relative to the bound.
 pub(crate) const IMPRECISE_FLOOR: f64 = 1e-2;
@@ -129,9 +130,9 @@ pub(crate) struct RealSolutions<I: SolverInstance> {
     expected: Option<usize>,
     /// Whether an eigenvalue that is nearly real led to no solution.
     has_failed: bool,
-    /// The part of an unknown by which the polish moves precise solutions at most.
-    precision: f64,
-    /// Whether the polish moved a solution further from its eigenpair.
+    /// The part of an unknown by which the polish moved the last solution, 0 if it found none.
+    moved: f64,
+    /// Whether it moved one by more than [`IMPRECISE`].
     is_imprecise: bool,
 }
 
@@ -145,15 +146,9 @@ impl<I: SolverInstance> RealSolutions<I> {
             most: solver.sizes().solutions.get(),
             expected: None,
             has_failed: false,
-            precision: IMPRECISE,
+            moved: 0.0,
             is_imprecise: false,
         }
-    }
-
-    /// For the roots of a determinant.
-    #[inline]
-    pub(crate) fn by_determinant(solver: &I) -> Self {
-        Self { precision: IMPRECISE_ROOT, ..Self::new(solver, false) }
     }
 
     /// Whether a real eigenvalue belongs to solutions that are not real, because the square of an
@@ -167,6 +162,12 @@ impl<I: SolverInstance> RealSolutions<I> {
     #[inline]
     pub(crate) fn is_imprecise(&self) -> bool {
         self.is_imprecise
+    }
+
+    /// The part of an unknown by which the polish moved the last solution, 0 if it found none.
+    #[inline]
+    pub(crate) fn moved(&self) -> f64 {
+        self.moved
     }
 
     /// The solutions at which no excluded factor vanishes. If all complex solutions are known, a
@@ -192,10 +193,12 @@ impl<I: SolverInstance> RealSolutions<I> {
         solver: &I,
         (value, vector): (S, BasisVector<I, S>),
     ) -> Option<Candidate<S, I::Unknowns>> {
+        self.moved = 0.0;
         let start = unknowns(solver, value, &vector)?;
         let end = polish_from(solver, start.clone())?;
         let start = Candidate { unknowns: start, residual: f64::INFINITY };
-        self.is_imprecise |= !end.agrees(&start, self.precision, IMPRECISE_FLOOR * self.precision);
+        self.moved = end.distance(&start, IMPRECISE_FLOOR);
+        self.is_imprecise |= !(self.moved <= IMPRECISE);
         Some(end)
     }
 }

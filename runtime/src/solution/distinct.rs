@@ -59,6 +59,21 @@ impl<S: Scalar, N: Size> Candidate<S, N> {
         let is_near = |x: S, y: S| (x - y).magnitude() <= floor + tolerance * x.magnitude().max(y.magnitude());
         own.iter().zip(others).all(|(&x, &y)| is_near(x, y))
     }
+
+    /// The largest distance of an unknown, relative to it plus `floor` times the largest one.
+    #[inline]
+    pub(crate) fn distance(&self, other: &Self, floor: f64) -> f64 {
+        let (own, others) = (self.unknowns.as_ref(), other.unknowns.as_ref());
+        let floor = floor * largest(own).max(largest(others));
+        let part = |x: S, y: S| (x - y).magnitude() / (floor + x.magnitude().max(y.magnitude()));
+        let mut distance = 0.0;
+        for (&x, &y) in own.iter().zip(others) {
+            // A NaN stays; unknowns that are all zero agree.
+            let part = if x == y { 0.0 } else { part(x, y) };
+            distance = if part <= distance { distance } else { part };
+        }
+        distance
+    }
 }
 
 /// Adds `candidate` unless its solution is in the list already. Returns true if it was added. Of

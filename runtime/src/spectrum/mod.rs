@@ -15,6 +15,7 @@ pub(crate) mod invariant_subspace;
 pub(crate) mod inverse_iteration;
 pub(crate) mod precise_spectrum;
 pub(crate) mod real_roots;
+pub(crate) mod root_count;
 
 #[cfg(all(test, feature = "alloc"))]
 mod same_bits;

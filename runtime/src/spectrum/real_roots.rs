@@ -37,10 +37,10 @@ pub(crate) const MOST_STEPS: usize = 100;
 pub(crate) const LAST_STEP: f64 = 1e-9;
 
 /// Pieces of the axis, and roots, that are computed side by side.
-const LANES: usize = 4;
+pub(crate) const LANES: usize = 4;
 
 /// A number for each piece or root.
-type Lanes = [f64; LANES];
+pub(crate) type Lanes = [f64; LANES];
 
 /// The real roots of a polynomial.
 pub struct RealRoots<Z: Size> {
@@ -77,14 +77,14 @@ pub fn real_roots<Z: Size>(size: Z, coefficients: &Z::Vector<f64>) -> RealRoots<
 }
 
 /// The roots found so far. `FULL`: the degree is one less than the size, which the compiler knows.
-struct Isolation<Z: Size, const FULL: bool> {
+pub(crate) struct Isolation<Z: Size, const FULL: bool> {
     size: Z,
     degree: usize,
     result: RealRoots<Z>,
 }
 
 /// The polynomial on the four unit intervals, lowest coefficient first: x = t, 1/t, -t, -1/t.
-type Pieces<Z> = <Z as Size>::Vector<Lanes>;
+pub(crate) type Pieces<Z> = <Z as Size>::Vector<Lanes>;
 
 /// An interval with one root.
 #[derive(Clone, Copy)]
@@ -100,6 +100,12 @@ pub(crate) struct Bracket {
 }
 
 impl<Z: Size, const FULL: bool> Isolation<Z, FULL> {
+    /// A polynomial of the largest degree, no root found.
+    pub(crate) fn new(size: Z) -> Self {
+        let result = RealRoots { roots: size.list(), is_certain: false, clearance: f64::INFINITY };
+        Self { size, degree: size.get() - 1, result }
+    }
+
     #[inline(always)]
     fn degree(&self) -> usize {
         if FULL { self.size.get() - 1 } else { self.degree }
@@ -127,7 +133,7 @@ impl<Z: Size, const FULL: bool> Isolation<Z, FULL> {
     /// The coefficients with x = 2^shift UNIT y, which brings the geometric mean of the moduli of
     /// the roots to about 1, and the shift.
     #[inline]
-    fn scaled(&self, coefficients: &[f64]) -> (Z::Vector<f64>, i32) {
+    pub(crate) fn scaled(&self, coefficients: &[f64]) -> (Z::Vector<f64>, i32) {
         let n = self.degree();
         let mut power = self.size.filled(0.0);
         let exponent = |k: usize| float::exponent(coefficients[k]);
@@ -163,7 +169,7 @@ impl<Z: Size, const FULL: bool> Isolation<Z, FULL> {
     }
 
     #[inline(always)]
-    fn pieces(&self, power: &Z::Vector<f64>) -> Pieces<Z> {
+    pub(crate) fn pieces(&self, power: &Z::Vector<f64>) -> Pieces<Z> {
         let n = self.degree();
         let mut pieces = self.size.filled([0.0; LANES]);
         for k in 0..n + 1 {
@@ -209,7 +215,7 @@ impl<Z: Size, const FULL: bool> Isolation<Z, FULL> {
 
     /// b_j = sum over i <= j of C(j, i) q_i / C(n, i), by Pascal's rule.
     #[inline(always)]
-    fn bernstein(&self, pieces: &Pieces<Z>) -> Pieces<Z> {
+    pub(crate) fn bernstein(&self, pieces: &Pieces<Z>) -> Pieces<Z> {
         let n = self.degree();
         let mut bernstein = pieces.clone();
         let mut at_one = [0.0; LANES];
@@ -252,16 +258,7 @@ impl<Z: Size, const FULL: bool> Isolation<Z, FULL> {
             self.result.is_certain = false;
             return;
         }
-        // De Casteljau: after pass k, the first entry is the k-th coefficient of the left half, and
-        // the last one that changed is final in the right half.
-        let mut left = right.clone();
-        for pass in 1..n + 1 {
-            let open = &mut right.as_mut()[..n + 2 - pass];
-            for j in 0..open.len() - 1 {
-                open[j] = 0.5 * (open[j] + open[j + 1]);
-            }
-            left[pass] = open[0];
-        }
+        let mut left = left_half::<Z>(n, right);
         // Two close roots in the middle, or a pair, show in neither half.
         let size = largest(&left.as_ref()[..n + 1]).max(largest(&right.as_ref()[..n + 1]));
         self.result.is_certain &= right[0].abs() > CLEAR_MIDDLE * size;
@@ -343,7 +340,7 @@ impl<Z: Size, const FULL: bool> Isolation<Z, FULL> {
 
     /// q and its derivative, by Horner's rule.
     #[inline(always)]
-    fn value_and_slope(&self, power: &Pieces<Z>, t: &Lanes) -> (Lanes, Lanes) {
+    pub(crate) fn value_and_slope(&self, power: &Pieces<Z>, t: &Lanes) -> (Lanes, Lanes) {
         let n = self.degree();
         let (mut value, mut slope) = (power[n], [0.0; LANES]);
         for k in (0..n).rev() {
@@ -354,6 +351,22 @@ impl<Z: Size, const FULL: bool> Isolation<Z, FULL> {
         }
         (value, slope)
     }
+}
+
+/// Bernstein coefficients of the left half of an interval; those of the interval become those of
+/// the right half. De Casteljau: after pass k, the first entry is the k-th coefficient of the left
+/// half, and the last one that changed is final in the right half.
+#[inline(always)]
+pub(crate) fn left_half<Z: Size>(degree: usize, right: &mut Z::Vector<f64>) -> Z::Vector<f64> {
+    let mut left = right.clone();
+    for pass in 1..degree + 1 {
+        let open = &mut right.as_mut()[..degree + 2 - pass];
+        for j in 0..open.len() - 1 {
+            open[j] = 0.5 * (open[j] + open[j + 1]);
+        }
+        left[pass] = open[0];
+    }
+    left
 }
 
 /// How often the sign changes along a list. A zero has a sign, too: one between numbers of the
@@ -377,7 +390,7 @@ fn largest(values: &[f64]) -> f64 {
 
 /// x * 2^exponent, even if 2^exponent itself is out of range.
 #[inline]
-fn times_power_of_two(x: f64, exponent: i32) -> f64 {
+pub(crate) fn times_power_of_two(x: f64, exponent: i32) -> f64 {
     let half = exponent / 2;
     x * float::power_of_two(half) * float::power_of_two(exponent - half)
 }
