@@ -6,9 +6,9 @@
 /// A point X, and the ray from c along d by which the camera sees it, satisfy d x (R X + t - s c) =
 /// 0: two equations, linear in the entries of R, t and s up to a common factor. Seven of the eight
 /// leave a null space of dimension six; `basis` holds the entries of R, row by row, of vectors that
-/// span it, the last with the coefficient 1.
-fn pose_4pt_generalized_scale(basis: [[f64; 9]; 6]) -> (v, w, x, y, z) {
-    let s = v * basis[0] + w * basis[1] + x * basis[2] + y * basis[3] + z * basis[4] + basis[5];
+/// span it; R is their sum, each times its weight, up to scale.
+fn pose_4pt_generalized_scale(basis: [[f64; 9]; 6]) -> (#[projective] weights: [f64; 6]) {
+    let s = weights * basis;
     let rows = [[s[0], s[1], s[2]], [s[3], s[4], s[5]], [s[6], s[7], s[8]]];
     let columns = rows.t();
     dot(rows[0], rows[0]) - dot(rows[1], rows[1]) == 0;

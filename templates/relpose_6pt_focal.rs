@@ -6,10 +6,10 @@
 /// eigenvalue solutions to the 5-pt and 6-pt relative pose problems", BMVC 2008. Published as
 /// `focal6p`.
 ///
-/// `basis` spans the null space of the six epipolar equations; the fundamental matrix is basis\[0\]
-/// + x basis\[1\] + y basis\[2\].
-fn relpose_6pt_focal(basis: [[[f64; 3]; 3]; 3]) -> (x, y, w) {
-    let f = basis[0] + x * basis[1] + y * basis[2];
+/// `basis` spans the null space of the six epipolar equations; the fundamental matrix is the
+/// sum of its matrices, each times its weight.
+fn relpose_6pt_focal(basis: [[[f64; 3]; 3]; 3]) -> (#[projective] weights: [f64; 3], w) {
+    let f = weights[0] * basis[0] + weights[1] * basis[1] + weights[2] * basis[2];
     let omega = [[1, 0, 0], [0, 1, 0], [0, 0, w]];
     let left = f * omega * f.t() * omega;
     det(f) == 0;

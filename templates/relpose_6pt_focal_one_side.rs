@@ -5,10 +5,10 @@
 /// length", ICCV 2009. Published as `focal6p_1s`.
 ///
 /// `basis` spans the null space of the six epipolar equations x2^T F x1 = 0, the first camera
-/// having the unknown focal length f and the second none; the fundamental matrix is basis\[0\] + x
-/// basis\[1\] + y basis\[2\], and w = 1/f^2.
-fn relpose_6pt_focal_one_side(basis: [[[f64; 3]; 3]; 3]) -> (x, y, w) {
-    let f = basis[0] + x * basis[1] + y * basis[2];
+/// having the unknown focal length f and the second none; the fundamental matrix is the sum
+/// of its matrices, each times its weight, and w = 1/f^2.
+fn relpose_6pt_focal_one_side(basis: [[[f64; 3]; 3]; 3]) -> (#[projective] weights: [f64; 3], w) {
+    let f = weights[0] * basis[0] + weights[1] * basis[1] + weights[2] * basis[2];
     let omega = [[1, 0, 0], [0, 1, 0], [0, 0, w]];
     let left = f * omega * f.t();
     det(f) == 0;

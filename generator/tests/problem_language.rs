@@ -346,6 +346,34 @@ fn arrays_of_unknowns_have_elements_like_scalars() {
     assert_ne!(arrays.problem.fingerprint(), scalars.problem.fingerprint());
 }
 
+/// A vector that is given up to scale is Q (u, 1), times 17 here, with Q = 17 - 2 v v^T and v = (2,
+/// 3, 2). The unknowns are u.
+#[test]
+fn a_vector_given_up_to_scale_is_read_in_a_chart() {
+    let of_vector = |signature: &str, point: &str| {
+        Sample::new(&format!(
+            "fn conics(a: [f64; 6], b: [f64; 6]) -> ({signature}, s) {{
+                let [x, y, z] = {point};
+                let monomials = [x * x, x * y, y * y, x * z, y * z, z * z];
+                dot(a, monomials) == s * x * y;
+                s * dot(b, monomials) == s * s * z * z;
+                s * x == y;
+                x - 2 * y != 0;
+            }}"
+        ))
+    };
+    let chart = of_vector("#[projective] point: [f64; 3]", "point");
+    let affine = of_vector("u, v", "[9 * u - 12 * v - 8, -12 * u - v - 12, -8 * u - 12 * v + 9]");
+    assert_eq!(chart.problem.unknowns, ["point[0]", "point[1]", "s"]);
+    assert_eq!(chart.residuals(), affine.residuals());
+    assert_eq!(chart.value(&chart.problem.nonzero[0].polynomial), affine.value(&affine.problem.nonzero[0].polynomial));
+    let fields = chart.problem.fields.iter();
+    let fields: Vec<_> = fields.map(|field| (field.name.as_str(), field.unknowns(), field.is_projective)).collect();
+    assert_eq!(fields, [("point", 0..2, true), ("s", 2..3, false)]);
+    let q = chart.problem.fields[0].chart().unwrap();
+    assert!((q[0][2] + 8.0 / 17.0).abs() < 1e-15 && (q[2][2] - 9.0 / 17.0).abs() < 1e-15, "{q:?}");
+}
+
 #[test]
 fn one_array_of_unknowns_may_stand_alone() {
     for output in ["v: [f64; 2]", "(v: [f64; 2])", "((v: [f64; 2],))", "(v: [f64; 2],)", "(v: [f64; 1 + 1])"] {

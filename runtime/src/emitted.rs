@@ -17,6 +17,7 @@ pub use crate::fill_entries;
 pub use crate::number::{Arithmetic, Over, Real};
 pub use crate::size::{AtMost, Fixed, List, Matrix, Size, Square, Vector, filled_matrix};
 pub use crate::solution::candidates::MAX_RESIDUAL;
+pub use crate::solution::chart::{from_chart, to_chart, vector_of};
 pub use crate::solution::dense_system::{DenseSystem, rows};
 pub use crate::solution::distinct::{Candidate, push_distinct};
 pub use crate::solution::extract::{monomial_values, ratio};
@@ -30,7 +31,7 @@ pub use crate::spectrum::real_roots::{RealRoots, real_roots};
 pub use crate::unpolished::unpolished_points;
 
 /// The version of this interface. Emitted code states the one that it was written for.
-pub const VERSION: u32 = 4;
+pub const VERSION: u32 = 5;
 
 /// The handshake of emitted code, evaluated when it is compiled.
 ///

@@ -17,7 +17,8 @@ pub type Found<T> = Result<Vec<Vec<T>>, SolveError>;
 /// The relative residual of a complex solution for given data.
 pub type Residual = fn(&[f64], &[Complex<f64>]) -> Result<f64, SolveError>;
 
-/// One emitted solver. Data are flat, parameters one after another, arrays row by row.
+/// One emitted solver. Data are flat, parameters one after another, arrays row by row. Solutions are
+/// the unknowns that are solved for: of a vector that is given up to scale, its coordinates.
 #[derive(Clone, Copy)]
 pub struct Case {
     /// Name of the problem.
@@ -112,13 +113,13 @@ macro_rules! case {
                 let mut _values = flat.iter().copied();
                 $(let $data = FromFlat::take(&mut _values);)*
                 let found = solvers::$name::solve($(argument!($data: $kind)),*)?;
-                Ok(found.iter().map(|s| s.to_array().to_vec()).collect())
+                Ok(found.iter().map(|s| s.to_unknowns().to_vec()).collect())
             },
             solve_complex: |flat| {
                 let mut _values = flat.iter().copied();
                 $(let $data = FromFlat::take(&mut _values);)*
                 let found = solvers::$name::solve_complex($(argument!($data: $kind)),*)?;
-                Ok(found.iter().map(|s| s.to_array().to_vec()).collect())
+                Ok(found.iter().map(|s| s.to_unknowns().to_vec()).collect())
             },
             action_matrix: |flat| {
                 let mut _values = flat.iter().copied();
@@ -129,9 +130,9 @@ macro_rules! case {
             residual: |flat, point| {
                 let mut _values = flat.iter().copied();
                 $(let $data = FromFlat::take(&mut _values);)*
-                let mut unknowns = [Complex::default(); solvers::$name::UNKNOWNS.len()];
-                unknowns.iter_mut().zip(point).for_each(|(unknown, &value)| *unknown = value);
-                solvers::$name::relative_residual($(argument!($data: $kind),)* &unknowns.into())
+                let unknowns = std::array::from_fn(|k| point.get(k).copied().unwrap_or_default());
+                let solution = solvers::$name::Solution::from_unknowns(unknowns);
+                solvers::$name::relative_residual($(argument!($data: $kind),)* &solution)
             },
             time: |instances| {
                 let typed = typed!(instances, $name, ($($data),*));
@@ -147,7 +148,7 @@ macro_rules! case {
                 let mut results = vec![Ok(eliminant::Solutions::new()); typed.len()];
                 solvers::$name::solve_batch(&typed, &mut results);
                 let lists = |found: &eliminant::Solutions<solvers::$name::Solution, _>| {
-                    found.iter().map(|s| s.to_array().to_vec()).collect()
+                    found.iter().map(|s| s.to_unknowns().to_vec()).collect()
                 };
                 results.iter().map(|found| found.as_ref().map(lists).map_err(|&error| error)).collect()
             },

@@ -3,10 +3,12 @@
 //!
 //! So what a search measures on interpreted plans is what the emitted solver does.
 
-use eliminant::SolveError;
+use eliminant::emitted::{to_chart, vector_of};
+use eliminant::{Scalar, SolveError};
 use eliminant_generator::algebra::Random;
 use eliminant_generator::expression::arithmetic::Float64;
 use eliminant_generator::plan::Plan;
+use eliminant_generator::problem::SolutionField;
 use eliminant_generator::problem::instance::draw_inputs;
 use eliminant_generator::search::measuring::interpreted::InterpretedSolver;
 use eliminant_tests::ground_truth::makers;
@@ -50,14 +52,30 @@ fn bits<T: Into<eliminant::Complex<f64>> + Copy>(
     found.clone().map(|found| found.iter().map(|point| point.iter().map(number).collect()).collect())
 }
 
+/// Vectors that are given up to scale as solvers return them, then their unknowns again: a solution
+/// of an emitted solver takes both ways.
+fn returned<T: Scalar>(fields: &[SolutionField], mut point: Vec<T>) -> Vec<T> {
+    for field in fields {
+        if let Some(chart) = field.chart() {
+            let mut vector = vec![T::ZERO; field.scalars()];
+            vector_of(&chart, &point[field.unknowns()], &mut vector);
+            to_chart(&chart, &vector, &mut point[field.unknowns()]);
+        }
+    }
+    point
+}
+
 /// Compares `solve` and `solve_complex` on one instance.
-fn compare(case: &Case, solver: &InterpretedSolver, data: &[f64]) -> Counts {
+fn compare(case: &Case, (plan, solver): (&Plan, &InterpretedSolver), data: &[f64]) -> Counts {
+    let fields = &plan.fields;
     let (real, complex) = ((case.solve)(data), (case.solve_complex)(data));
-    assert_eq!(bits(&real), bits(&solver.solve(data)), "{}: solve of {data:?}", case.name);
+    let of_plan = solver.solve(data).map(|found| found.into_iter().map(|x| returned(fields, x)).collect());
+    assert_eq!(bits(&real), bits(&of_plan), "{}: solve of {data:?}", case.name);
     let instance = solver.instance(data);
     let mut second_attempts = 0;
     let interpreted = instance.and_then(|mut instance| {
         let found = instance.solve_complex();
+        let found = found.map(|found| found.into_iter().map(|x| returned(fields, x)).collect());
         second_attempts = usize::from(instance.attempts() > 1);
         found
     });
@@ -75,7 +93,7 @@ fn compare_all(case: &Case, plan: &Plan, family: &str, draw: impl Fn(u64) -> Vec
     let solver = InterpretedSolver::of(plan);
     // A second attempt takes some twenty times as long: of large problems a few instances must do.
     let instances = affordable(plan, INSTANCES, WORK).clamp(4, INSTANCES);
-    let compared = (0..instances).into_par_iter().map(|k| compare(case, &solver, &draw(k)));
+    let compared = (0..instances).into_par_iter().map(|k| compare(case, (plan, &solver), &draw(k)));
     let counts = compared.reduce(Counts::default, Counts::plus);
     println!(
         "{} ({family}): {} instances, {} solutions, {} errors, {} second attempts",

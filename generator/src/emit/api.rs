@@ -1,11 +1,12 @@
 //! Prints what users see: the solution and the functions that return it.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::names::Names;
 use super::shapes::{array_type, doc_line, indices, parameter};
 use crate::plan::Plan;
+use crate::problem::SolutionField;
 use crate::template::RootMethod;
 
 /// The struct `Solution`, its conversions, and the constants that describe it.
@@ -13,9 +14,10 @@ pub(super) fn solution(plan: &Plan) -> TokenStream {
     let doc = format!(" A solution of `{}`: real, or complex with `T = Complex<f64>`.", plan.name);
     let names: Vec<_> = plan.fields.iter().map(|field| format_ident!("{}", field.name)).collect();
     let types = plan.fields.iter().map(|field| array_type(quote!(T), &field.shape));
-    let field_docs = plan.fields.iter().map(|field| match field.shape[..] {
-        [] => format!(" The unknown `{}`.", field.name),
-        _ => format!(" The unknowns `{}`.", field.name),
+    let field_docs = plan.fields.iter().map(|field| match (field.is_projective, &field.shape[..]) {
+        (true, _) => format!(" The unknowns `{}`, given up to scale: of length 1.", field.name),
+        (false, []) => format!(" The unknown `{}`.", field.name),
+        (false, _) => format!(" The unknowns `{}`.", field.name),
     });
     let elements = plan.fields.iter().zip(&names).flat_map(|(field, name)| {
         indices(&field.shape).map(move |indices| {
@@ -23,9 +25,15 @@ pub(super) fn solution(plan: &Plan) -> TokenStream {
             quote!(self.#name #([#indices])*)
         })
     });
-    let values = plan.fields.iter().map(|field| array_of_unknowns(&field.shape, field.first_unknown));
-    let [unknowns, solutions] = [plan.unknowns.len(), plan.solutions].map(Literal::usize_unsuffixed);
-    let texts = &plan.unknowns;
+    let first = plan.fields.iter().scan(0, |next, field| {
+        let first = *next;
+        *next += field.scalars();
+        Some(first)
+    });
+    let values = plan.fields.iter().zip(first).map(|(field, first)| array_of_unknowns(&field.shape, first));
+    let texts: Vec<String> = plan.fields.iter().flat_map(SolutionField::names).collect();
+    let [scalars, solutions] = [texts.len(), plan.solutions].map(Literal::usize_unsuffixed);
+    let points = points(plan);
     quote! {
         #[doc = #doc]
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,30 +42,100 @@ pub(super) fn solution(plan: &Plan) -> TokenStream {
         }
 
         /// The names of the unknowns, in the order of [`Solution::to_array`].
-        pub const UNKNOWNS: [&str; #unknowns] = [#(#texts),*];
+        pub const UNKNOWNS: [&str; #scalars] = [#(#texts),*];
 
         /// The number of complex solutions for general data. No call returns more.
         pub const MAX_SOLUTIONS: usize = #solutions;
 
         impl<T: Copy> Solution<T> {
             /// The unknowns in the order of [`UNKNOWNS`].
-            pub fn to_array(self) -> [T; #unknowns] {
+            pub fn to_array(self) -> [T; #scalars] {
                 [#(#elements),*]
             }
         }
 
-        impl<T: Copy> From<[T; #unknowns]> for Solution<T> {
-            fn from(unknowns: [T; #unknowns]) -> Self {
+        impl<T: Copy> From<[T; #scalars]> for Solution<T> {
+            fn from(unknowns: [T; #scalars]) -> Self {
                 Self { #(#names: #values),* }
             }
         }
 
-        impl<T: Copy> From<Solution<T>> for [T; #unknowns] {
+        impl<T: Copy> From<Solution<T>> for [T; #scalars] {
             fn from(solution: Solution<T>) -> Self {
                 solution.to_array()
             }
         }
+
+        #points
     }
+}
+
+/// Solutions from the unknowns that are solved for, and back. The two differ where vectors are given
+/// up to scale: their unknowns are coordinates in a chart.
+fn points(plan: &Plan) -> TokenStream {
+    let unknowns = Literal::usize_unsuffixed(plan.unknowns.len());
+    let names: Vec<_> = plan.fields.iter().map(|field| format_ident!("{}", field.name)).collect();
+    let charts = plan.fields.iter().filter_map(|field| {
+        let (name, size) = (chart_name(field), Literal::usize_unsuffixed(field.scalars()));
+        let doc = format!(" From coordinates, the last of which is 1, to `{}`, up to scale, and back.", field.name);
+        let rows = field.chart()?.into_iter().map(|row| {
+            let entries = row.into_iter().map(Literal::f64_unsuffixed);
+            quote!([#(#entries),*])
+        });
+        Some(quote!(#[doc = #doc] const #name: [[f64; #size]; #size] = [#(#rows),*];))
+    });
+    let values = plan.fields.iter().map(|field| {
+        let (chart, coordinates) = (chart_name(field), coordinates(field));
+        match field.is_projective {
+            true => quote!(emitted::from_chart(&#chart, &unknowns[#coordinates])),
+            false => array_of_unknowns(&field.shape, field.first_unknown),
+        }
+    });
+    let of_fields = plan.fields.iter().zip(&names).map(|(field, name)| {
+        let (chart, coordinates) = (chart_name(field), coordinates(field));
+        if field.is_projective {
+            return quote!(emitted::to_chart(&#chart, &self.#name, &mut unknowns[#coordinates]););
+        }
+        let elements = indices(&field.shape).zip(field.unknowns()).map(|(indices, unknown)| {
+            let indices = indices.into_iter().map(Literal::usize_unsuffixed);
+            let unknown = Literal::usize_unsuffixed(unknown);
+            quote!(unknowns[#unknown] = self.#name #([#indices])*;)
+        });
+        quote!(#(#elements)*)
+    });
+    quote! {
+        #(#charts)*
+
+        impl<T: ::eliminant::Scalar> Solution<T> {
+            /// The solution of the unknowns that are solved for: coordinates of a vector that is
+            /// given up to scale.
+            #[doc(hidden)]
+            #[inline]
+            pub fn from_unknowns(unknowns: [T; #unknowns]) -> Self {
+                Self { #(#names: #values),* }
+            }
+
+            /// The unknowns that are solved for.
+            #[doc(hidden)]
+            #[inline]
+            pub fn to_unknowns(self) -> [T; #unknowns] {
+                let mut unknowns = [T::ZERO; #unknowns];
+                #(#of_fields)*
+                unknowns
+            }
+        }
+    }
+}
+
+/// The constant that holds the chart of a vector.
+fn chart_name(field: &SolutionField) -> Ident {
+    format_ident!("CHART_OF_{}", field.name.to_uppercase())
+}
+
+/// The range of the unknowns of a field.
+fn coordinates(field: &SolutionField) -> TokenStream {
+    let [first, end] = [field.unknowns().start, field.unknowns().end].map(Literal::usize_unsuffixed);
+    quote!(#first..#end)
 }
 
 /// The unknowns from one on as an array of this shape: `[unknowns[3], unknowns[4]]`.
@@ -97,7 +175,7 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
         ) -> Result<::eliminant::Solutions<Solution, MAX_SOLUTIONS>, ::eliminant::SolveError> {
             let mut #instance = Instance::new(#(#arguments),*)?;
             let points = emitted::#roots(&mut #instance)?;
-            Ok(::eliminant::Solutions::from_points(&points, Solution::from))
+            Ok(::eliminant::Solutions::from_points(&points, Solution::from_unknowns))
         }
 
         /// Like [`solve`], with all complex solutions. Where solutions are missing, all is computed
@@ -114,7 +192,7 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
         > {
             let mut #instance = Instance::new(#(#arguments),*)?;
             let points = emitted::complex_solutions(&mut #instance)?;
-            Ok(::eliminant::Solutions::from_points(&points, Solution::from))
+            Ok(::eliminant::Solutions::from_points(&points, Solution::from_unknowns))
         }
 
         /// The matrix of multiplication by the action monomial on the basis, as the elimination
@@ -136,7 +214,7 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
             #solution: &Solution<S>,
         ) -> Result<f64, ::eliminant::SolveError> {
             let #instance = Instance::new(#(#arguments),*)?;
-            Ok(emitted::SolverInstance::polish(&#instance, &mut #solution.to_array(), 0))
+            Ok(emitted::SolverInstance::polish(&#instance, &mut #solution.to_unknowns(), 0))
         }
     }
 }

@@ -203,7 +203,7 @@ fn of_data(plan: &Plan) -> TokenStream {
             }
 
             fn result(points: &emitted::Points<Instance, f64>) -> Self::Result {
-                Ok(::eliminant::Solutions::from_points(points, Solution::from))
+                Ok(::eliminant::Solutions::from_points(points, Solution::from_unknowns))
             }
         }
     }

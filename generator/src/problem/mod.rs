@@ -1,6 +1,7 @@
 //! A polynomial problem: unknowns, data with their variety, equations with coefficients in the
 //! data.
 
+pub mod chart;
 pub mod diagnostic;
 mod evaluate;
 mod functions;
@@ -92,20 +93,34 @@ pub struct SolutionField {
     pub name: String,
     /// Outermost dimension first; empty for a scalar.
     pub shape: Vec<usize>,
-    /// Index of its first scalar among all unknowns.
+    /// `#[projective]`: a vector that is given up to scale. One of its coordinates in a chart is 1,
+    /// the others are unknowns.
+    pub is_projective: bool,
+    /// Index of its first unknown among all.
     pub first_unknown: usize,
     /// Where it was declared.
     pub span: Span,
 }
 
 impl SolutionField {
-    /// Indices of its scalars among all unknowns, row by row.
+    /// Number of scalars.
+    pub fn scalars(&self) -> usize {
+        self.shape.iter().product()
+    }
+
+    /// Indices of its unknowns among all, row by row: its scalars, or all coordinates but the last.
     pub fn unknowns(&self) -> Range<usize> {
-        self.first_unknown..self.first_unknown + self.shape.iter().product::<usize>()
+        self.first_unknown..self.first_unknown + self.scalars() - usize::from(self.is_projective)
+    }
+
+    /// The orthogonal matrix that takes the coordinates in the chart, the last of which is 1, to
+    /// the vector, up to scale. It is its own inverse.
+    pub fn chart(&self) -> Option<Vec<Vec<f64>>> {
+        self.is_projective.then(|| chart::chart(self.scalars()))
     }
 
     /// The scalars as a problem file names them.
-    fn names(&self) -> Vec<String> {
+    pub fn names(&self) -> Vec<String> {
         element_names(&self.name, &self.shape)
     }
 }
@@ -150,9 +165,10 @@ pub struct Problem {
     /// The data.
     pub data: Vec<DataParameter>,
     /// Names of the unknowns, elements of arrays one by one: `x`, `v[0]`, `v[1]`. Monomials index
-    /// into this.
+    /// into this. Coordinates of a vector that is given up to scale have the names of its elements,
+    /// without the last.
     pub unknowns: Vec<String>,
-    /// The same as the solver returns them, with their shapes.
+    /// What the solver returns: the unknowns with their shapes, and vectors given up to scale.
     pub fields: Vec<SolutionField>,
     /// Each polynomial is 0 at a solution.
     pub equations: Vec<Statement>,

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use syn::{Attribute, Item, ItemConst, ItemFn, ReturnType, Safety, Visibility};
 
+use super::chart::{check_homogeneous, dehomogenised, homogeneous};
 use super::functions::BUILT_IN;
 use super::interpret::Interpreter;
 use super::names::{refuse, refuse_module};
@@ -76,6 +77,7 @@ fn parse_source(source: &SourceFile) -> Result<Problem, Vec<Diagnostic>> {
     body.scopes.enter();
     declare_signature(&mut body, &data, &unknowns);
     body.run_block(&function.block);
+    enter_charts(&mut body, &unknowns);
     check_counts(&mut body, function, &unknowns);
     check_data(&mut body, &data);
     if body.has_messages() {
@@ -212,15 +214,42 @@ fn declare_signature(interpreter: &mut Interpreter<'_>, data: &[DataParameter], 
         let binding = Binding { value, kind: Kind::Data, span: parameter.span.clone() };
         interpreter.scopes.declare(parameter.name.clone(), binding);
     }
+    interpreter.unknowns = unknowns.iter().flat_map(|field| field.names()[..field.unknowns().len()].to_vec()).collect();
     for field in unknowns {
         let polynomial = |unknown| -> Polynomial<ExpressionId> {
             Polynomial::from_terms(vec![(Monomial::unknown(unknown), ExpressionGraph::ONE)])
         };
-        let value = Ok(Value::array(field.shape.clone(), field.unknowns().map(polynomial).collect()));
+        let elements = if field.is_projective {
+            let scale = interpreter.unknowns.len();
+            interpreter.unknowns.extend(field.names().pop());
+            homogeneous(&mut interpreter.algebra, field, scale)
+        } else {
+            field.unknowns().map(polynomial).collect()
+        };
+        let value = Ok(Value::array(field.shape.clone(), elements));
         let binding = Binding { value, kind: Kind::Unknown, span: field.span.clone() };
         interpreter.scopes.declare(field.name.clone(), binding);
     }
-    interpreter.unknowns = unknowns.iter().flat_map(SolutionField::names).collect();
+}
+
+/// Sets the last coordinate of each vector that is given up to scale to 1. All statements must be
+/// homogeneous in the vector.
+fn enter_charts(body: &mut Interpreter<'_>, unknowns: &[SolutionField]) {
+    let first = unknowns.last().map_or(0, |last| last.unknowns().end);
+    let mut messages = Vec::new();
+    for (at, field) in unknowns.iter().filter(|field| field.is_projective).enumerate() {
+        let statements = body.equations.iter().chain(&body.nonzero);
+        messages.extend(statements.filter_map(|statement| check_homogeneous(statement, field, first + at).err()));
+    }
+    body.unknowns.truncate(first);
+    if messages.is_empty() {
+        for statement in body.equations.iter_mut().chain(&mut body.nonzero) {
+            statement.polynomial = dehomogenised(&statement.polynomial, first);
+        }
+    }
+    for message in messages {
+        body.report(message);
+    }
 }
 
 /// Every parameter must be read: by a coefficient of some equation or exclusion, at least one of

@@ -9,7 +9,7 @@ use super::interpret::Interpreter;
 use super::names::{closest, refuse};
 use super::scope::{Outcome, Reported};
 use super::syntax::place;
-use super::unknown_shapes::Shapes;
+use super::unknown_shapes::{Shapes, UnknownShape};
 use super::value::{Checked, MAX_ELEMENTS, describe, fault};
 use super::{DataAttribute, DataParameter, SolutionField, Span};
 use crate::algebra::MAX_UNKNOWNS;
@@ -164,17 +164,21 @@ impl Interpreter<'_> {
             if let Some(diagnostic) = refuse(ident, "an unknown").or_else(|| self.function_named(ident)) {
                 self.report(diagnostic);
             }
-            let Ok(shape) = shapes.get(&span.start).map_or(Ok(Vec::new()), |ty| self.shape_of_unknown(ty)) else {
-                continue;
-            };
+            let Ok((shape, is_projective)) = self.shape_beside(shapes.get(&span.start)) else { continue };
             let first_unknown = unknowns.last().map_or(0, |last| last.unknowns().end);
-            unknowns.push(SolutionField { name, shape, first_unknown, span });
+            unknowns.push(SolutionField { name, shape, is_projective, first_unknown, span });
         }
-        let count = unknowns.last().map_or(0, |last| last.unknowns().end);
-        if let Some(first) = unknowns.iter().position(|field| field.unknowns().end > MAX_UNKNOWNS) {
+        // The equations of a vector that is given up to scale are read with all its coordinates.
+        let count = unknowns.iter().map(SolutionField::scalars).sum::<usize>();
+        let mut sum = 0;
+        let is_too_much = |field: &SolutionField| {
+            sum += field.scalars();
+            sum > MAX_UNKNOWNS
+        };
+        if let Some(first) = unknowns.iter().position(is_too_much) {
             let message = format!("the problem has {count} unknowns, at most {MAX_UNKNOWNS} are allowed");
             let diagnostic = Diagnostic::new(message, unknowns[first].span.clone());
-            let diagnostic = match unknowns[first].unknowns().len() {
+            let diagnostic = match unknowns[first].scalars() {
                 1 => diagnostic.label("one too many"),
                 elements => diagnostic.label(format!("{elements} of them")),
             };
@@ -182,6 +186,21 @@ impl Interpreter<'_> {
             unknowns.truncate(first);
         }
         unknowns
+    }
+
+    /// The shape of an unknown, and whether it is given up to scale.
+    fn shape_beside(&mut self, beside: Option<&UnknownShape>) -> Outcome<(Vec<usize>, bool)> {
+        let Some(UnknownShape { ty, projective }) = beside else { return Ok((Vec::new(), false)) };
+        let shape = ty.as_ref().map_or(Ok(Vec::new()), |ty| self.shape_of_unknown(ty))?;
+        match projective {
+            Some(span) if shape.len() != 1 || shape[0] < 2 => {
+                let diagnostic = Diagnostic::new("only a vector of two or more is given up to scale", span.clone());
+                let found = if shape.is_empty() { "a scalar".to_owned() } else { describe(&shape) };
+                let diagnostic = diagnostic.label(format!("this is {found}"));
+                Err(self.report(diagnostic.hint("write `#[projective] v: [f64; 3]`")))
+            }
+            _ => Ok((shape, projective.is_some())),
+        }
     }
 
     fn shape_of_unknown(&mut self, ty: &Type) -> Outcome<Vec<usize>> {

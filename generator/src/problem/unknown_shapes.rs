@@ -1,7 +1,7 @@
-//! Shapes in a list of unknowns: `-> (v: [f64; 3], s)`.
+//! Shapes in a list of unknowns, and attributes: `-> (#[projective] v: [f64; 3], s)`.
 //!
-//! Rust has no such type. The shapes are taken out before the text is parsed, so that the list is
-//! a tuple of names.
+//! Rust has no such type. Both are taken out before the text is parsed, so that the list is a tuple
+//! of names.
 
 use std::collections::BTreeMap;
 
@@ -11,8 +11,17 @@ use syn::Type;
 use super::Span;
 use crate::problem::diagnostic::Diagnostic;
 
-/// The types behind names of unknowns, by the byte at which the name begins.
-pub(super) type Shapes = BTreeMap<usize, Type>;
+/// What stands beside the names of unknowns, by the byte at which the name begins.
+pub(super) type Shapes = BTreeMap<usize, UnknownShape>;
+
+/// What stands beside the name of an unknown.
+#[derive(Default)]
+pub(super) struct UnknownShape {
+    /// The type behind it.
+    pub(super) ty: Option<Type>,
+    /// Where `#[projective]` stands before it.
+    pub(super) projective: Option<Span>,
+}
 
 /// The tokens of a file without the shapes of unknowns, and these.
 pub(super) fn take_shapes(tokens: TokenStream) -> Result<(TokenStream, Shapes), Diagnostic> {
@@ -64,9 +73,15 @@ fn without_shape(tokens: &[TokenTree], shapes: &mut Shapes) -> Result<Vec<TokenT
         }
         [TokenTree::Punct(hash), attribute @ TokenTree::Group(_), ..] if hash.as_char() == '#' => {
             let span = hash.span().byte_range().start..attribute.span().byte_range().end;
-            Err(Diagnostic::new("unknowns have no attributes", span)
-                .label("attributes describe data")
-                .hint("state what the unknowns satisfy as an equation: `dot(v, v) == 1;`"))
+            match (attribute.to_string().as_str(), &tokens[2..]) {
+                ("[projective]", [TokenTree::Ident(name), ..]) => {
+                    shapes.entry(name.span().byte_range().start).or_default().projective = Some(span);
+                    without_shape(&tokens[2..], shapes)
+                }
+                _ => Err(Diagnostic::new("unknown attribute of an unknown", span)
+                    .label("expected `#[projective]`, for a vector that is given up to scale")
+                    .hint("state what the unknowns satisfy as an equation: `dot(v, v) == 1;`")),
+            }
         }
         [TokenTree::Ident(name), TokenTree::Punct(colon), shape @ ..]
             if colon.as_char() == ':' && colon.spacing() == Spacing::Alone =>
@@ -77,7 +92,7 @@ fn without_shape(tokens: &[TokenTree], shapes: &mut Shapes) -> Result<Vec<TokenT
                 [only] => only.span().byte_range(),
             };
             let shape = syn::parse2(shape.iter().cloned().collect()).map_err(|_| no_shape(name, span))?;
-            shapes.insert(name.span().byte_range().start, shape);
+            shapes.entry(name.span().byte_range().start).or_default().ty = Some(shape);
             Ok(vec![name.clone().into()])
         }
         _ => Ok(tokens.to_vec()),

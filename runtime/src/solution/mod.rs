@@ -7,8 +7,10 @@
 //! 3. [`distinct`] removes solutions that were found more than once.
 //! 4. `shared_value` tells apart the solutions that share an eigenvalue.
 //! 5. `candidates` collects real solutions, or all solutions.
+//! 6. [`chart`] gives vectors up to scale from the coordinates that were solved for.
 
 pub(crate) mod candidates;
+pub(crate) mod chart;
 pub(crate) mod dense_system;
 pub(crate) mod distinct;
 pub(crate) mod extract;

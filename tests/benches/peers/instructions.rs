@@ -20,7 +20,8 @@ pub(crate) fn of_ours(case: &Case, seed: u64) -> Option<f64> {
     per_solve(count)
 }
 
-/// Instructions of one solve of a driver, on the first instances of the file.
+/// Instructions of one solve of a driver, on the first instances of the file; `None` where Valgrind
+/// does not know its instructions, which it does not if they are of AVX-512.
 pub(crate) fn of_driver(driver: &Driver, case: &Case, file: &Path) -> Option<f64> {
     per_solve(|solves| count(&driver.program, &[case.name, file.to_str()?], &format!("time 0 {solves}\n")))
 }
@@ -41,7 +42,7 @@ fn count(program: &Path, arguments: &[&str], input: &str) -> Option<f64> {
         .spawn()
         .ok()?;
     child.stdin.take()?.write_all(input.as_bytes()).ok()?;
-    let output = child.wait_with_output().ok()?;
+    let output = child.wait_with_output().ok().filter(|output| output.status.success())?;
     let text = String::from_utf8_lossy(&output.stderr);
     let line = text.lines().find(|line| line.contains("Collected :"))?;
     line.rsplit(':').next()?.trim().parse().ok()

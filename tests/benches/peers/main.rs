@@ -139,7 +139,12 @@ fn row(case: &Case, drivers: &[Driver], arguments: &Arguments) -> Result<Row, Bo
     let fastest = others.iter().zip(&drivers).min_by(|a, b| a.0.nanoseconds().total_cmp(&b.0.nanoseconds()));
     let theirs = fastest.map(|(theirs, driver)| {
         let mut ratios: Vec<f64> = theirs.times.iter().zip(&first.times).map(|(peer, ours)| peer / ours).collect();
-        let counted = arguments.instructions.then(|| instructions::of_driver(driver, case, &file)).flatten();
+        // The fastest build, or else another one.
+        let count = || {
+            let mut builds = [driver].into_iter().chain(&drivers);
+            builds.find_map(|driver| instructions::of_driver(driver, case, &file))
+        };
+        let counted = arguments.instructions.then(count).flatten();
         Theirs { measured: theirs.with(counted), ratio: quantile(&mut ratios, 0.5), build: driver.build }
     });
     let counted = arguments.instructions.then(|| instructions::of_ours(case, arguments.seed)).flatten();

@@ -8,7 +8,8 @@ use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
 
 use super::cameras::{camera, distorted, image, in_ball, quaternion};
 use super::{
-    KnownInstance, Maker, combination, null_space, projective_error, relative_error, solved, uniform, weights,
+    KnownInstance, Maker, combination, coordinates, null_space, projective_error, relative_error, solved, uniform,
+    vector, weights,
 };
 
 pub(super) fn makers() -> Vec<Maker> {
@@ -31,26 +32,26 @@ pub(super) fn makers() -> Vec<Maker> {
         Maker {
             name: "pose_4pt_focal_radial",
             make: |random| {
-                let RadialPose { null_vectors, lower, weights: [w, z, y], radial } = RadialPose::draw(random);
+                let RadialPose { null_vectors, lower, weights, radial } = RadialPose::draw(random);
                 let upper = (0..8).filter(|i| i % 4 < 3).flat_map(|i| from_fn::<f64, 4, _>(|c| null_vectors[c][i]));
                 let data = upper.chain(lower.into_iter().flatten()).collect();
-                KnownInstance { data, truths: vec![vec![w, radial, y, z]] }
+                KnownInstance { data, truths: vec![[coordinates(&weights), vec![radial]].concat()] }
             },
             error: |_, s, truth| {
-                let matrix = projective_error(&[s[0], s[2], s[3], 1.0], &[truth[0], truth[2], truth[3], 1.0]);
-                matrix.max(relative_error(&s[1..2], &truth[1..2]))
+                let matrix = projective_error(&vector(&s[..3]), &vector(&truth[..3]));
+                matrix.max(relative_error(&s[3..], &truth[3..]))
             },
         },
         Maker {
             name: "pose_4pt_focal_radial_cut",
             make: |random| {
-                let RadialPose { null_vectors, lower, weights: [x, y, z], radial } = RadialPose::draw(random);
+                let RadialPose { null_vectors, lower, weights, radial } = RadialPose::draw(random);
                 let upper = [0, 4, 1, 5, 2, 6].into_iter().flat_map(|i| from_fn::<f64, 4, _>(|c| null_vectors[c][i]));
-                let lower = lower.iter().flat_map(|row| [0, 1, 2, 4, 5, 6, 7, 3].map(|c| row[c]));
-                KnownInstance { data: upper.chain(lower).collect(), truths: vec![vec![radial, x, y, z]] }
+                let data = upper.chain(lower.into_iter().flatten()).collect();
+                KnownInstance { data, truths: vec![[vec![radial], coordinates(&weights)].concat()] }
             },
             error: |_, s, truth| {
-                let matrix = projective_error(&[s[1], s[2], s[3], 1.0], &[truth[1], truth[2], truth[3], 1.0]);
+                let matrix = projective_error(&vector(&s[1..]), &vector(&truth[1..]));
                 matrix.max(relative_error(&s[..1], &truth[..1]))
             },
         },
@@ -58,7 +59,7 @@ pub(super) fn makers() -> Vec<Maker> {
             name: "pose_4pt_generalized_scale",
             make: generalized_camera,
             error: |data, s, truth| {
-                let [s, truth] = [s, truth].map(|x| combination(data, &[x, &[1.0]].concat()));
+                let [s, truth] = [s, truth].map(|x| combination(data, &vector(x)));
                 projective_error(&s, &truth)
             },
         },
@@ -109,14 +110,13 @@ fn three_and_a_half_points(random: &mut Random) -> KnownInstance {
 
 /// The camera P = diag(1, 1, 1/f) [R t], up to scale, by four distorted image points.
 struct RadialPose {
-    /// The first two rows of P, one after the other, are a combination of these, the last with
-    /// coefficient 1.
+    /// The first two rows of P, one after the other, are a combination of these.
     null_vectors: Vec<Vec<f64>>,
     /// The first three entries of the third row, in the coefficients of the null vectors, then
     /// radial times these.
     lower: Vec<Vec<f64>>,
-    /// The coefficients of the first three null vectors.
-    weights: [f64; 3],
+    /// The coefficients of the null vectors.
+    weights: [f64; 4],
     /// Of the division model.
     radial: f64,
 }
@@ -152,8 +152,7 @@ impl RadialPose {
         let upper: Vec<f64> =
             (0..2).flat_map(|i| [rotation[(i, 0)], rotation[(i, 1)], rotation[(i, 2)], translation[i]]).collect();
         let along = |n: &Vec<f64>| n.iter().zip(&upper).map(|(n, p)| n * p).sum::<f64>();
-        let last = along(&null_vectors[3]);
-        let weights = from_fn(|c| along(&null_vectors[c]) / last);
+        let weights = from_fn(|c| along(&null_vectors[c]));
         Self { null_vectors, lower, weights, radial }
     }
 }
@@ -175,8 +174,8 @@ fn generalized_camera(random: &mut Random) -> KnownInstance {
     }
     rows.pop();
     let data: Vec<f64> = null_space(&rows).iter().flat_map(|vector| vector[..9].to_vec()).collect();
-    let weights = weights(&data, rotation.transpose().as_slice());
-    KnownInstance { data, truths: vec![weights[..5].iter().map(|weight| weight / weights[5]).collect()] }
+    let truth = coordinates(&weights(&data, rotation.transpose().as_slice()));
+    KnownInstance { data, truths: vec![truth] }
 }
 
 /// A camera 2 to 6 units from the centre of the unit ball, turned about its first axis, and points

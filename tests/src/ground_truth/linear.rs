@@ -1,6 +1,8 @@
 //! Random numbers, null spaces and linear equations: what the makers of all families need.
 
+use eliminant::emitted::{to_chart, vector_of};
 use eliminant_generator::algebra::Random;
+use eliminant_generator::problem::chart::chart;
 use nalgebra::{DMatrix, DVector};
 
 /// Sum of weight times matrix, the matrices 3x3 and stored one after another.
@@ -14,6 +16,20 @@ pub(super) fn weights(matrices: &[f64], matrix: &[f64]) -> Vec<f64> {
     let right = DVector::from_column_slice(matrix);
     let solution = columns.svd(true, true).solve(&right, 0.0).expect("asked for");
     solution.as_slice().to_vec()
+}
+
+/// The unknowns of a vector that is given up to scale.
+pub fn coordinates(vector: &[f64]) -> Vec<f64> {
+    let mut coordinates = vec![0.0; vector.len() - 1];
+    to_chart(&chart(vector.len()), vector, &mut coordinates);
+    coordinates
+}
+
+/// The vector of length 1 with these unknowns.
+pub fn vector(coordinates: &[f64]) -> Vec<f64> {
+    let mut vector = vec![0.0; coordinates.len() + 1];
+    vector_of(&chart(vector.len()), coordinates, &mut vector);
+    vector
 }
 
 /// A uniform number in [low, high).

@@ -17,7 +17,7 @@ mod triangulation;
 
 pub use cameras::{camera, distorted, image, in_ball, two_cameras};
 pub use circles::{Circle, Line, gram, minimal_conic, minimal_data, normalised};
-pub use linear::{combination, null_space, uniform};
+pub use linear::{combination, coordinates, null_space, uniform, vector};
 use linear::{solved, weights};
 pub use maker::{FOUND, KnownInstance, Maker, largest_relative_error, projective_error, relative_error};
 

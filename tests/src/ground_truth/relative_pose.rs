@@ -7,13 +7,13 @@ use nalgebra::{Matrix2, Matrix3, Rotation3, Vector2, Vector3};
 
 use super::cameras::{camera, cayley, distorted, image, in_ball, quaternion, two_cameras};
 use super::{
-    KnownInstance, Maker, combination, largest_relative_error, null_space, projective_error, relative_error, uniform,
-    weights,
+    KnownInstance, Maker, combination, coordinates, largest_relative_error, null_space, projective_error,
+    relative_error, uniform, vector, weights,
 };
 
 pub(super) fn makers() -> Vec<Maker> {
     let focal_error = |data: &[f64], s: &[f64], truth: &[f64]| {
-        let [solved, known] = [s, truth].map(|x| combination(data, &[1.0, x[0], x[1]]));
+        let [solved, known] = [s, truth].map(|x| combination(data, &vector(&x[..2])));
         projective_error(&solved, &known).max(relative_error(&s[2..], &truth[2..]))
     };
     vec![
@@ -36,7 +36,7 @@ pub(super) fn makers() -> Vec<Maker> {
             name: "relpose_5pt",
             make: five_points,
             error: |data, s, truth| {
-                let [solved, known] = [s, truth].map(|x| combination(data, &[x, &[1.0]].concat()));
+                let [solved, known] = [s, truth].map(|x| combination(data, &vector(x)));
                 projective_error(&solved, &known)
             },
         },
@@ -91,8 +91,8 @@ fn epipolar(random: &mut Random, count: usize, focal: [f64; 2]) -> (Vec<f64>, Ve
 
 fn five_points(random: &mut Random) -> KnownInstance {
     let (data, essential) = epipolar(random, 5, [1.0; 2]);
-    let weights = weights(&data, &essential);
-    KnownInstance { data, truths: vec![weights[..3].iter().map(|weight| weight / weights[3]).collect()] }
+    let truth = coordinates(&weights(&data, &essential));
+    KnownInstance { data, truths: vec![truth] }
 }
 
 /// Focal lengths of 0.5 to 3 times the unit of the image coordinates, which reach up to about one
@@ -110,8 +110,8 @@ fn six_points_one_side(random: &mut Random) -> KnownInstance {
 }
 
 fn with_focal(data: Vec<f64>, fundamental: &[f64], focal: f64) -> KnownInstance {
-    let weights = weights(&data, fundamental);
-    let truth = vec![weights[1] / weights[0], weights[2] / weights[0], 1.0 / (focal * focal)];
+    let mut truth = coordinates(&weights(&data, fundamental));
+    truth.push(1.0 / (focal * focal));
     KnownInstance { data, truths: vec![truth] }
 }
 

@@ -126,7 +126,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
             name: plan.name.clone(),
             source,
             parameters: plan.data.iter().map(|parameter| parameter.shape.clone()).collect(),
-            unknowns: plan.unknowns.len(),
             count,
             instances: (0..count).flat_map(|k| random_instance(plan, arguments.seed, k)).collect(),
         });

@@ -8,7 +8,6 @@ pub(super) struct Subject {
     pub(super) source: String,
     /// The shapes of the parameters.
     pub(super) parameters: Vec<Vec<usize>>,
-    pub(super) unknowns: usize,
     /// Number of instances.
     pub(super) count: usize,
     /// The data of all instances, one after another.
@@ -18,7 +17,7 @@ pub(super) struct Subject {
 impl Subject {
     /// The library: the solver, and `subject`, which reads its instances from this file.
     pub(super) fn library(&self, instances: &str) -> String {
-        let Self { name, source, parameters, unknowns, count, .. } = self;
+        let Self { name, source, parameters, count, .. } = self;
         let tuple = |entry: &dyn Fn(usize) -> String| (0..parameters.len()).map(entry).collect::<String>();
         // A problem without data has the empty tuple, `()`.
         let types = tuple(&|at| format!("{}, ", array_type(&parameters[at])));
@@ -37,7 +36,7 @@ pub fn subject() -> Box<dyn ::timing::Subject> {{
     Box::new(::timing::Timed {{
         instances: ::timing::read_all({instances:?}, {count}, read),
         residual: |data: &Data| {{
-            let point = solver::Solution::from([0.5; {unknowns}]);
+            let point = solver::Solution::from([0.5; solver::UNKNOWNS.len()]);
             solver::relative_residual({arguments}&point).is_ok()
         }},
         matrix: |data: &Data| solver::action_matrix({arguments}).is_ok(),
@@ -74,7 +73,6 @@ mod tests {
             name: "s".into(),
             source: String::new(),
             parameters: parameters.to_vec(),
-            unknowns: 1,
             count: 3,
             instances: Vec::new(),
         };

@@ -80,8 +80,7 @@ impl Instance for PoseScale {
         let Ok(solutions) = pose_4pt_generalized_scale::solve(&rotations) else { return };
         let mut best = (f64::INFINITY, [0.0; 13]);
         for s in solutions.iter() {
-            let weights = [s.v, s.w, s.x, s.y, s.z, 1.0];
-            let all: [f64; 13] = std::array::from_fn(|i| (0..6).map(|k| weights[k] * basis[k][i]).sum());
+            let all: [f64; 13] = std::array::from_fn(|i| (0..6).map(|k| s.weights[k] * basis[k][i]).sum());
             let [a, b, c, ..] = *all.as_chunks::<3>().0 else { continue };
             let scale = dot(&a, &a).sqrt().recip().copysign(dot(&a, &cross(&b, &c)));
             let pose = all.map(|x| scale * x);

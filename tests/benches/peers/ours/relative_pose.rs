@@ -27,10 +27,9 @@ impl Instance for FivePoint {
         let basis: [[f64; 9]; 4] = null_space(rows);
         let Ok(solutions) = relpose_5pt::solve(&basis.map(matrix)) else { return };
         for s in solutions.iter() {
-            // The basis is orthonormal.
-            let scale = (s.x * s.x + s.y * s.y + s.z * s.z + 1.0).sqrt().recip();
-            let [x, y, z] = [s.x, s.y, s.z].map(|x| scale * x);
-            found.extend((0..9).map(|i| x * basis[0][i] + y * basis[1][i] + z * basis[2][i] + scale * basis[3][i]));
+            // The basis is orthonormal, and the weights have length 1.
+            let [a, b, c, d] = s.weights;
+            found.extend((0..9).map(|i| a * basis[0][i] + b * basis[1][i] + c * basis[2][i] + d * basis[3][i]));
         }
     }
 }
@@ -50,7 +49,8 @@ impl Instance for SixPointFocal {
         for s in solutions.iter().filter(|s| s.w > 0.0) {
             let focal = s.w.sqrt().recip();
             let calibration = [focal, focal, 1.0];
-            let f = matrix(std::array::from_fn(|i| basis[0][i] + s.x * basis[1][i] + s.y * basis[2][i]));
+            let [a, b, c] = s.weights;
+            let f = matrix(std::array::from_fn(|i| a * basis[0][i] + b * basis[1][i] + c * basis[2][i]));
             let e: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| calibration[i] * f[i][j] * calibration[j]));
             let rays = |x: &Vector| [x[0] / focal, x[1] / focal, x[2]];
             let (first, second) = (self.0.each_ref().map(rays), self.1.each_ref().map(rays));

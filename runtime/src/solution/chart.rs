@@ -1,0 +1,84 @@
+//! Vectors that are given up to scale, and their coordinates in a chart.
+//!
+//! With an orthogonal matrix Q that is its own inverse, a vector e of n numbers is Q (u, 1) up to
+//! scale, where the n - 1 coordinates u are solved for. Vectors with (Q e)_n = 0 have none.
+
+use crate::number::{Scalar, float};
+
+/// The vector of length 1 with these coordinates: Q (u, 1) / |(u, 1)|.
+#[inline]
+pub fn from_chart<T: Scalar, const N: usize>(chart: &[[f64; N]; N], coordinates: &[T]) -> [T; N] {
+    let mut vector = [T::ZERO; N];
+    vector_of(chart, coordinates, &mut vector);
+    vector
+}
+
+/// As [`from_chart`], for a length that is known at run time: that of `vector`.
+pub fn vector_of<T: Scalar, R: AsRef<[f64]>>(chart: &[R], coordinates: &[T], vector: &mut [T]) {
+    // Divided by the largest entry, so that no square overflows.
+    let largest = coordinates.iter().fold(1.0, |largest: f64, u| largest.max(u.modulus()));
+    let last = 1.0 / largest;
+    let square = coordinates.iter().fold(last * last, |sum, u| sum + u.scale(last).modulus_squared());
+    let scale = last / float::sqrt(square);
+    for (entry, row) in vector.iter_mut().zip(chart) {
+        let Some((&of_last, row)) = row.as_ref().split_last() else { continue };
+        *entry = T::from_f64(of_last * scale);
+        for (&u, &factor) in coordinates.iter().zip(row) {
+            *entry += u.scale(factor * scale);
+        }
+    }
+}
+
+/// The coordinates of a vector of any length but 0: the entries of Q e but the last, divided by it.
+#[inline]
+pub fn to_chart<T: Scalar, R: AsRef<[f64]>>(chart: &[R], vector: &[T], coordinates: &mut [T]) {
+    let entry = |row: &R| {
+        let terms = vector.iter().zip(row.as_ref());
+        terms.fold(T::ZERO, |sum, (&x, &factor)| sum + x.scale(factor))
+    };
+    let Some(last) = chart.last() else { return };
+    let inverse = entry(last).reciprocal();
+    for (coordinate, row) in coordinates.iter_mut().zip(chart) {
+        *coordinate = entry(row) * inverse;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use num_complex::Complex;
+
+    use super::*;
+
+    /// I - 2 v v^T / 17 with v = (2, 3, 2).
+    fn chart() -> [[f64; 3]; 3] {
+        let v = [2.0, 3.0, 2.0];
+        core::array::from_fn(|i| core::array::from_fn(|j| f64::from(u8::from(i == j)) - 2.0 * v[i] * v[j] / 17.0))
+    }
+
+    #[test]
+    fn vectors_have_length_1_and_their_coordinates_back() {
+        for coordinates in [[0.3, -2.0], [0.0, 0.0], [1e200, -3e200], [1e-300, 1.0], [5e7, 0.0]] {
+            let vector = from_chart(&chart(), &coordinates);
+            let square: f64 = vector.iter().map(|x| x * x).sum();
+            assert!((square - 1.0).abs() < 1e-15, "{vector:?}");
+            let mut back = [0.0; 2];
+            to_chart(&chart(), &vector.map(|x| -7.0 * x), &mut back);
+            let size = coordinates.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
+            if size < 1e100 {
+                let error = |k: usize| (back[k] - coordinates[k]).abs();
+                assert!((0..2).all(|k| error(k) <= 1e-14 * size * size), "{coordinates:?}: {back:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn complex_vectors() {
+        let coordinates = [Complex::new(0.3, 0.7), Complex::new(-1.0, 2.0)];
+        let vector = from_chart(&chart(), &coordinates);
+        let square: f64 = vector.iter().map(Complex::norm_sqr).sum();
+        assert!((square - 1.0).abs() < 1e-15);
+        let mut back = [Complex::ZERO; 2];
+        to_chart(&chart(), &vector.map(|x| x * Complex::new(0.1, -2.0)), &mut back);
+        assert!(back.iter().zip(&coordinates).all(|(x, y)| (x - y).norm() < 1e-14));
+    }
+}
