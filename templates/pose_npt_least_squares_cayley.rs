@@ -5,22 +5,22 @@
 /// Published as `opt_pnp_nakanoC`.
 ///
 /// With the best translation and the best depths the cost is r^T `cost` r, r being the entries of
-/// the rotation of the quaternion q = (1, x, y, z), row by row. With r times |q|^2 in its place the
+/// the rotation of the quaternion q, row by row. With r times |q|^2 in its place the
 /// cost grows with the fourth power of the length of q, so q is stationary up to its length where
 /// the gradient d is parallel to it.
-fn pose_npt_least_squares_cayley(#[symmetric] cost: [[f64; 9]; 9]) -> (x, y, z) {
-    let q = [1, x, y, z];
+fn pose_npt_least_squares_cayley(#[symmetric] cost: [[f64; 9]; 9]) -> (#[projective] q: [f64; 4]) {
+    let [w, x, y, z] = q;
     let entries = [
-        1 + x * x - y * y - z * z, 2 * (x * y - z), 2 * (x * z + y),
-        2 * (x * y + z), 1 - x * x + y * y - z * z, 2 * (y * z - x),
-        2 * (x * z - y), 2 * (y * z + x), 1 - x * x - y * y + z * z,
+        w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y),
+        2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x),
+        2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z,
     ];
     // Half of their derivatives by the entries of q.
     let slopes = [
-        [1, -z, y, z, 1, -x, -y, x, 1],
-        [x, y, z, y, -x, -1, z, 1, -x],
-        [-y, x, 1, x, y, z, -1, z, -y],
-        [-z, -1, x, 1, -z, y, x, y, z],
+        [w, -z, y, z, w, -x, -y, x, w],
+        [x, y, z, y, -x, -w, z, w, -x],
+        [-y, x, w, x, y, z, -w, z, -y],
+        [-z, -w, x, w, -z, y, x, y, z],
     ];
     let d = slopes * (cost * entries);
     for i in 0..4 {

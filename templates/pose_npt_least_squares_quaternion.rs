@@ -8,12 +8,12 @@
 /// the pose is linear in the products of two of its entries, and the cost is |`rows` p|^2 with p =
 /// (1, w w, w x, w y, w z, x x, x y, x z, y y, y z, z z): `rows` are the equations of ten points,
 /// or, of another number of points, their triangular factor and zeros, since only the Gram matrix
-/// matters. Since q and -q are the same rotation, the unknowns are the ratios in q = s (w, 1, y,
-/// z). The derivatives, divided by s, are linear in the square of s, with the coefficients `cubic`
-/// and `linear` below: it follows from any of them, and is eliminated here.
-fn pose_npt_least_squares_quaternion(rows: [[f64; 11]; 20]) -> (w, y, z) {
-    let q = [w, 1, y, z];
-    let products = [0, w * w, w, w * y, w * z, 1, y, z, y * y, y * z, z * z];
+/// matters. Since q and -q are the same rotation, q is an unknown scale s times the unknown
+/// direction below. The derivatives, divided by s, are linear in the square of s, with the
+/// coefficients `cubic` and `linear`: it follows from any of them, and is eliminated here.
+fn pose_npt_least_squares_quaternion(rows: [[f64; 11]; 20]) -> (#[projective] q: [f64; 4]) {
+    let [w, x, y, z] = q;
+    let products = [0, w * w, w * x, w * y, w * z, x * x, x * y, x * z, y * y, y * z, z * z];
     let cubic = derivatives(rows.t() * (rows * products)) * q;
     let linear = derivatives(rows.t() * (rows * [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0])) * q;
     for i in 0..4 {

@@ -6,15 +6,15 @@
 ///
 /// `first` and `second` hold the rays of the points in either system of cameras: a point of the
 /// ray, and its direction. The rotation from the first system to the second is that of the
-/// quaternion 1 + x i + y j + z k, and points of the second system are multiplied by its scale.
+/// quaternion q, and points of the second system are multiplied by its scale.
 /// That the rays of one point meet gives the translation up to the depths of that point along
 /// either ray and the scale; that the rays of any four others meet, too, are linear equations for
 /// these three. What is stated depends on these five points, not on which is the first.
 ///
 /// Call it in a thread with a stack of more than 2 MiB: a second attempt, at twice the precision,
 /// takes 2.3.
-fn relpose_7pt_generalized_scale(first: [[[f64; 3]; 2]; 7], second: [[[f64; 3]; 2]; 7]) -> (x, y, z) {
-    let r = rotation(x, y, z);
+fn relpose_7pt_generalized_scale(first: [[[f64; 3]; 2]; 7], second: [[[f64; 3]; 2]; 7]) -> (#[projective] q: [f64; 4]) {
+    let r = rotation(q);
     for i in 0..3 {
         for j in i + 1..4 {
             for k in j + 1..5 {
@@ -45,11 +45,12 @@ fn meet(r: [[f64; 3]; 3], first_i: _, second_i: _, first_j: _, second_j: _) -> [
     ]
 }
 
-/// (1 + x^2 + y^2 + z^2) times the rotation of the quaternion 1 + x i + y j + z k.
-fn rotation(x: f64, y: f64, z: f64) -> [[f64; 3]; 3] {
+/// |q|^2 times the rotation of the quaternion q.
+fn rotation(q: [f64; 4]) -> [[f64; 3]; 3] {
+    let [w, x, y, z] = q;
     [
-        [1 + x * x - y * y - z * z, 2 * (x * y - z), 2 * (x * z + y)],
-        [2 * (x * y + z), 1 - x * x + y * y - z * z, 2 * (y * z - x)],
-        [2 * (x * z - y), 2 * (y * z + x), 1 - x * x - y * y + z * z],
+        [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
     ]
 }

@@ -17,8 +17,8 @@ pub type Found<T> = Result<Vec<Vec<T>>, SolveError>;
 /// The relative residual of a complex solution for given data.
 pub type Residual = fn(&[f64], &[Complex<f64>]) -> Result<f64, SolveError>;
 
-/// One emitted solver. Data are flat, parameters one after another, arrays row by row. Solutions are
-/// the unknowns that are solved for: of a vector that is given up to scale, its coordinates.
+/// One emitted solver. Data are flat, parameters one after another, arrays row by row. Solutions
+/// are the unknowns that are solved for: of a vector that is given up to scale, its coordinates.
 #[derive(Clone, Copy)]
 pub struct Case {
     /// Name of the problem.

@@ -70,7 +70,7 @@ pub(super) fn solution(plan: &Plan) -> TokenStream {
     }
 }
 
-/// Solutions from the unknowns that are solved for, and back. The two differ where vectors are given
+/// Solutions from the unknowns that are solved for, and back. They differ where vectors are given
 /// up to scale: their unknowns are coordinates in a chart.
 fn points(plan: &Plan) -> TokenStream {
     let unknowns = Literal::usize_unsuffixed(plan.unknowns.len());

@@ -4,7 +4,7 @@ use eliminant_generator::algebra::Random;
 use nalgebra::{DMatrix, Matrix3, SMatrix, Vector3};
 
 use super::cameras::{camera, cayley, image, in_ball, quaternion};
-use super::{KnownInstance, Maker, projective_error, relative_error};
+use super::{KnownInstance, Maker, coordinates, projective_error, relative_error, vector};
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![
@@ -20,14 +20,15 @@ pub(super) fn makers() -> Vec<Maker> {
             name: "pose_npt_least_squares_cayley",
             make: |random| {
                 let (cost, rotation) = object_space_cost(random);
-                KnownInstance { data: cost.as_slice().to_vec(), truths: vec![cayley(&rotation)] }
+                let truth = coordinates(&quaternion(&rotation));
+                KnownInstance { data: cost.as_slice().to_vec(), truths: vec![truth] }
             },
-            error: |_, solution, truth| relative_error(solution, truth),
+            error: |_, solution, truth| projective_error(&vector(solution), &vector(truth)),
         },
         Maker {
             name: "pose_npt_least_squares_quaternion",
             make: relative_depths,
-            error: |_, s, truth| projective_error(&[s[0], 1.0, s[1], s[2]], &[truth[0], 1.0, truth[1], truth[2]]),
+            error: |_, solution, truth| projective_error(&vector(solution), &vector(truth)),
         },
         Maker {
             name: "pose_npt_weak_perspective",
@@ -147,8 +148,8 @@ fn relative_depths(random: &mut Random) -> KnownInstance {
         _ => ENTRIES[i - 1][j - 1],
     });
     let root = (rows * products / (n as f64).sqrt()).qr().unpack_r();
-    let [w, _, y, z] = ratios(&rotation, 1.0);
-    KnownInstance { data: root.resize_vertically(20, 0.0).transpose().as_slice().to_vec(), truths: vec![vec![w, y, z]] }
+    let truth = coordinates(&quaternion(&rotation));
+    KnownInstance { data: root.resize_vertically(20, 0.0).transpose().as_slice().to_vec(), truths: vec![truth] }
 }
 
 /// Points far away from a camera, in their principal axes: their standard deviations, and their

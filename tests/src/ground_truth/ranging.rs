@@ -6,7 +6,7 @@ use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, RowSVector, SMatrix, Vector3};
 
 use super::cameras::in_ball;
-use super::{KnownInstance, Maker, null_space, relative_error};
+use super::{KnownInstance, Maker, coordinates, null_space, projective_error, relative_error, vector};
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![
@@ -18,7 +18,7 @@ pub(super) fn makers() -> Vec<Maker> {
         Maker {
             name: "pose_5tdoa_two_receivers",
             make: two_receivers,
-            error: |_, solution, truth| relative_error(solution, truth),
+            error: |_, solution, truth| projective_error(&vector(solution), &vector(truth)),
         },
     ]
 }
@@ -82,6 +82,6 @@ fn two_receivers(random: &mut Random) -> KnownInstance {
     let quadric = (SMatrix::<f64, 1, 5>::from_row_slice(without) * right).normalize();
     let linear = left.pseudo_inverse(0.0).expect("the tolerance is not negative") * right;
     let data = quadric.iter().chain(linear.transpose().iter()).copied().collect();
-    let n = direction / direction.z;
-    KnownInstance { data, truths: vec![vec![n.x, n.y, n.dot(&centre)]] }
+    let truth = coordinates(&[direction.x, direction.y, direction.z, direction.dot(&centre)]);
+    KnownInstance { data, truths: vec![truth] }
 }

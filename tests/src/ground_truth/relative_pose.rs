@@ -5,7 +5,7 @@ use std::array::from_fn;
 use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix2, Matrix3, Rotation3, Vector2, Vector3};
 
-use super::cameras::{camera, cayley, distorted, image, in_ball, quaternion, two_cameras};
+use super::cameras::{camera, distorted, image, in_ball, quaternion, two_cameras};
 use super::{
     KnownInstance, Maker, combination, coordinates, largest_relative_error, null_space, projective_error,
     relative_error, uniform, vector, weights,
@@ -48,12 +48,12 @@ pub(super) fn makers() -> Vec<Maker> {
         Maker {
             name: "relpose_6pt_generalized",
             make: six_points_generalized,
-            error: |_, solution, truth| relative_error(solution, truth),
+            error: |_, solution, truth| projective_error(&vector(solution), &vector(truth)),
         },
         Maker {
             name: "relpose_7pt_generalized_scale",
             make: seven_points_generalized,
-            error: |_, solution, truth| relative_error(solution, truth),
+            error: |_, solution, truth| projective_error(&vector(solution), &vector(truth)),
         },
         Maker {
             name: "relpose_7pt_angle_focal_centre",
@@ -146,7 +146,7 @@ fn five_points_generalized(random: &mut Random) -> KnownInstance {
 
 fn six_points_generalized(random: &mut Random) -> KnownInstance {
     let (data, rotation) = generalized(random, 6);
-    KnownInstance { data, truths: vec![cayley(&rotation)] }
+    KnownInstance { data, truths: vec![coordinates(&quaternion(&rotation))] }
 }
 
 /// The second system measures in a unit of 0.5 to 2 times that of the first.
@@ -155,7 +155,7 @@ fn seven_points_generalized(random: &mut Random) -> KnownInstance {
     let scale = uniform(random, 0.5, 2.0);
     let (_, second) = data.split_at_mut(7 * 6);
     second.chunks_mut(6).flat_map(|ray| &mut ray[..3]).for_each(|coordinate| *coordinate /= scale);
-    KnownInstance { data, truths: vec![cayley(&rotation)] }
+    KnownInstance { data, truths: vec![coordinates(&quaternion(&rotation))] }
 }
 
 /// A camera of focal length 0.5 to 3, whose image is turned and scaled so that one of six points is

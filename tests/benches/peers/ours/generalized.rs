@@ -23,7 +23,7 @@ impl Instance for SixPoint {
     fn solve(&self, found: &mut Vec<f64>) {
         let Ok(solutions) = relpose_6pt_generalized::solve(&self.first, &self.second) else { return };
         for s in solutions.iter() {
-            let rotation = cayley(s.x, s.y, s.z);
+            let rotation = of_quaternion(s.q);
             found.extend(rotation.as_flattened());
             found.extend(self.translation(&rotation));
         }
@@ -49,15 +49,13 @@ impl SixPoint {
     }
 }
 
-/// The rotation of the quaternion 1 + x i + y j + z k.
-pub(crate) fn cayley(x: f64, y: f64, z: f64) -> Matrix {
-    let scale = (1.0 + x * x + y * y + z * z).recip();
-    let rows = [
-        [1.0 + x * x - y * y - z * z, 2.0 * (x * y - z), 2.0 * (x * z + y)],
-        [2.0 * (x * y + z), 1.0 - x * x + y * y - z * z, 2.0 * (y * z - x)],
-        [2.0 * (x * z - y), 2.0 * (y * z + x), 1.0 - x * x - y * y + z * z],
-    ];
-    rows.map(|row| row.map(|entry| scale * entry))
+/// The rotation of a quaternion of length 1.
+pub(crate) fn of_quaternion([w, x, y, z]: [f64; 4]) -> Matrix {
+    [
+        [w * w + x * x - y * y - z * z, 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
+        [2.0 * (x * y + w * z), w * w - x * x + y * y - z * z, 2.0 * (y * z - w * x)],
+        [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), w * w - x * x - y * y + z * z],
+    ]
 }
 
 /// Centres, rays of length 1 and points to the pose with the scale s: s p + depth x = R X + t.

@@ -5,7 +5,7 @@
 use eliminant_solvers::three_quadrics;
 
 use super::Instance;
-use super::generalized::{PoseScale, cayley};
+use super::generalized::{PoseScale, of_quaternion};
 use super::linear::{dot, solve};
 
 /// As [`PoseScale`]: four of seven equations give translation and scale, linear in the rotation;
@@ -30,7 +30,8 @@ impl Instance for PoseScaleQuadrics {
         let Ok(solutions) = three_quadrics::solve(&quadrics) else { return };
         let mut best = (f64::INFINITY, [0.0; 13]);
         for s in solutions.iter() {
-            let rotation = cayley(s.x, s.y, s.z);
+            let scale = (1.0 + s.x * s.x + s.y * s.y + s.z * s.z).sqrt().recip();
+            let rotation = of_quaternion([1.0, s.x, s.y, s.z].map(|entry| scale * entry));
             let mut pose = [0.0; 13];
             pose[..9].copy_from_slice(rotation.as_flattened());
             for i in 0..4 {
