@@ -37,7 +37,7 @@ const INCOMPLETE: f64 = 0.05;
 /// instances that are solved at the next exponents outside. A factor of the data is no factor of
 /// the equations: it moves the solutions, the monomials of the basis differ by powers of it, and an
 /// eigenvector in `f64` does not hold both.
-const UNITS: [(&str, i32, i32); 15] = [
+const UNITS: [(&str, i32, i32); 14] = [
     // 0.88 at -4 and 0.04 at 4.
     ("calibration_6_receivers_4_senders", -2, 2),
     // 0.36 at -6 and 0.93 at 10.
@@ -50,8 +50,6 @@ const UNITS: [(&str, i32, i32); 15] = [
     ("pose_3pt_depths", -10, 6),
     // 0.95 at 8 and 0.00 at 10.
     ("pose_5pt_refraction", -10, 6),
-    // 0.74 at -6.
-    ("pose_5tdoa_two_receivers", -4, 10),
     // 0.94 at -10.
     ("pose_6pt_rolling_shutter", -8, 10),
     // 0.00 at -6 and 0.50 at 10.

@@ -1,4 +1,4 @@
-//! Unknowns that are given up to scale, and the chart in which they are solved for.
+//! The chart in which a vector that is given up to scale is solved for.
 //!
 //! A problem whose equations are homogeneous in a vector e of n unknowns determines it up to scale.
 //! A solver needs n - 1 numbers. With an unknown set to 1 it loses all solutions in which that
@@ -16,15 +16,8 @@
 //! the combination that is 1, have comparable sizes and are all different: they cancel on no vector
 //! of a few equal entries and zeros, as structure makes them.
 
-use super::value::Algebra;
-use super::{SolutionField, Statement};
-use crate::algebra::{Monomial, Polynomial};
-use crate::expression::SymbolicPolynomial;
-use crate::expression::rational::Rational;
-use crate::problem::diagnostic::Diagnostic;
-
 /// The entry of Q in a row and a column, as a fraction whose denominator is that of all entries.
-fn entry(size: usize, row: usize, column: usize) -> (i64, i64) {
+pub(super) fn entry(size: usize, row: usize, column: usize) -> (i64, i64) {
     let last = if size < 4 { size - 1 } else { size };
     let v = |at: usize| (if at + 1 == size { last } else { at + 2 }) as i64;
     let square: i64 = (0..size).map(|at| v(at) * v(at)).sum();
@@ -35,54 +28,6 @@ fn entry(size: usize, row: usize, column: usize) -> (i64, i64) {
 pub fn chart(size: usize) -> Vec<Vec<f64>> {
     let value = |(numerator, denominator): (i64, i64)| numerator as f64 / denominator as f64;
     (0..size).map(|row| (0..size).map(|column| value(entry(size, row, column))).collect()).collect()
-}
-
-/// The unknowns of a field as polynomials in its coordinates, and in one more unknown in place of
-/// 1, so that what is homogeneous stays so.
-pub(super) fn homogeneous(algebra: &mut Algebra, field: &SolutionField, scale: usize) -> Vec<SymbolicPolynomial> {
-    let size = field.unknowns().len() + 1;
-    let coordinates: Vec<usize> = field.unknowns().chain([scale]).collect();
-    let unknown = |algebra: &mut Algebra, row: usize| {
-        let mut terms = Vec::with_capacity(size);
-        for (column, &coordinate) in coordinates.iter().enumerate() {
-            // Times the denominator, which is a scale: integers are exact.
-            let value = Rational::integer(entry(size, row, column).0);
-            if let [(_, coefficient)] = algebra.constant(value).terms() {
-                terms.push((Monomial::unknown(coordinate), *coefficient));
-            }
-        }
-        Polynomial::from_terms(terms)
-    };
-    (0..size).map(|row| unknown(algebra, row)).collect()
-}
-
-/// Checks that a statement is homogeneous in the unknowns of a field.
-pub(super) fn check_homogeneous(statement: &Statement, field: &SolutionField, scale: usize) -> Result<(), Diagnostic> {
-    let degree = |monomial: Monomial| -> i32 {
-        field.unknowns().chain([scale]).map(|unknown| i32::from(monomial.exponent(unknown))).sum()
-    };
-    let (mut least, mut largest) = (i32::MAX, 0);
-    for monomial in statement.polynomial.monomials() {
-        (least, largest) = (least.min(degree(monomial)), largest.max(degree(monomial)));
-    }
-    if least >= largest {
-        return Ok(());
-    }
-    let name = &field.name;
-    let diagnostic = Diagnostic::new(format!("the terms have different degrees in `{name}`"), statement.span.clone());
-    Err(diagnostic
-        .label(format!("degrees {least} to {largest}"))
-        .context(field.span.clone(), "given up to scale")
-        .hint(format!("with `{name}` any multiple of it is a solution only if all terms have one degree in it")))
-}
-
-/// A homogeneous polynomial where the unknowns from `first` on are 1.
-pub(super) fn dehomogenised(polynomial: &SymbolicPolynomial, first: usize) -> SymbolicPolynomial {
-    let terms = polynomial
-        .terms()
-        .iter()
-        .map(|&(monomial, coefficient)| (Monomial::from_exponents(&monomial.exponents()[..first]), coefficient));
-    Polynomial::from_terms(terms.collect())
 }
 
 #[cfg(test)]

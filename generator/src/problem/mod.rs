@@ -9,6 +9,7 @@ pub mod instance;
 mod interpret;
 mod names;
 mod parse;
+mod projective;
 mod scope;
 mod signature;
 mod syntax;

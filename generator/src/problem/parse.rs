@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use syn::{Attribute, Item, ItemConst, ItemFn, ReturnType, Safety, Visibility};
 
-use super::chart::{check_homogeneous, dehomogenised, homogeneous};
 use super::functions::BUILT_IN;
 use super::interpret::Interpreter;
 use super::names::{refuse, refuse_module};
+use super::projective::{check_homogeneous, dehomogenised, homogeneous};
 use super::scope::{Binding, Kind};
 use super::signature::{doc_lines, unknown_list};
 use super::syntax::{parse_file, place};

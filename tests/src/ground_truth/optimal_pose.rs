@@ -202,8 +202,8 @@ mod tests {
             assert!(value.abs() < 1e-12 * norm * norm);
 
             let instance = relative_depths(&mut random);
-            let [w, y, z] = instance.truths[0][..] else { panic!("three unknowns") };
-            let products = [0.0, w * w, w, w * y, w * z, 1.0, y, z, y * y, y * z, z * z];
+            let [w, x, y, z] = vector(&instance.truths[0])[..] else { panic!("a quaternion") };
+            let products = [0.0, w * w, w * x, w * y, w * z, x * x, x * y, x * z, y * y, y * z, z * z];
             let root = SMatrix::<f64, 20, 11>::from_row_slice(&instance.data);
             let (constant, slope) = (root.column(0), root * SVector::from(products));
             let cost = constant - slope * (slope.dot(&constant) / slope.norm_squared());
