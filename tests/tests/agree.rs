@@ -96,7 +96,8 @@ fn on_badly_scaled_data() {
 fn on_special_data() {
     let shares = solved_shares(Family::Special, 3_000_000);
     assert!(shares.iter().any(|&(_, share)| share > 0.1), "no problem solves special data: {shares:?}");
-    let (complete, others): (Vec<_>, Vec<_>) = shares.iter().copied().partition(|(name, _)| NEVER_DEGENERATE.contains(name));
+    let (complete, others): (Vec<_>, Vec<_>) =
+        shares.iter().copied().partition(|(name, _)| NEVER_DEGENERATE.contains(name));
     assert_shares(&others, 0.0..=0.999);
     assert!(complete.iter().all(|&(_, share)| share == 1.0), "not all solved: {complete:?}");
 }

@@ -16,8 +16,11 @@ pub(super) fn homogeneous(algebra: &mut Algebra, field: &SolutionField, scale: u
     let unknown = |algebra: &mut Algebra, row: usize| {
         let mut terms = Vec::with_capacity(size);
         for (column, &coordinate) in coordinates.iter().enumerate() {
-            // Times the denominator, which is a scale: integers are exact.
-            let value = Rational::integer(entry(size, row, column).0);
+            // A power of two in place of the denominator changes the scale alone: coefficients keep
+            // their size, and are exact in `f64`.
+            let (numerator, denominator) = entry(size, row, column);
+            let power = denominator.cast_unsigned().next_power_of_two().cast_signed();
+            let Some(value) = Rational::new(numerator, power) else { continue };
             if let [(_, coefficient)] = algebra.constant(value).terms() {
                 terms.push((Monomial::unknown(coordinate), *coefficient));
             }
