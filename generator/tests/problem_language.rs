@@ -346,8 +346,8 @@ fn arrays_of_unknowns_have_elements_like_scalars() {
     assert_ne!(arrays.problem.fingerprint(), scalars.problem.fingerprint());
 }
 
-/// A vector that is given up to scale is Q (u, 1), times 17 here, with Q = 17 - 2 v v^T and v = (2,
-/// 3, 2). The unknowns are u.
+/// A vector that is given up to scale is Q (u, 1) with 17 Q = 17 - 2 v v^T and v = (2, 3, 2), times
+/// 17 / 32. The unknowns are u.
 #[test]
 fn a_vector_given_up_to_scale_is_read_in_a_chart() {
     let of_vector = |signature: &str, point: &str| {
@@ -363,7 +363,7 @@ fn a_vector_given_up_to_scale_is_read_in_a_chart() {
         ))
     };
     let chart = of_vector("#[projective] point: [f64; 3]", "point");
-    let affine = of_vector("u, v", "[9 * u - 12 * v - 8, -12 * u - v - 12, -8 * u - 12 * v + 9]");
+    let affine = of_vector("u, v", "[9 * u - 12 * v - 8, -12 * u - v - 12, -8 * u - 12 * v + 9] / 32");
     assert_eq!(chart.problem.unknowns, ["point[0]", "point[1]", "s"]);
     assert_eq!(chart.residuals(), affine.residuals());
     assert_eq!(chart.value(&chart.problem.nonzero[0].polynomial), affine.value(&affine.problem.nonzero[0].polynomial));

@@ -19,8 +19,11 @@ const FOUND: f64 = 1e-6;
 /// Rotation R and translation t: x2 = R x1 + t.
 type Motion = (Matrix3<f64>, Vector3<f64>);
 
+/// Draws a motion of one kind.
+type Draw = fn(&mut Random) -> Motion;
+
 /// The motions, by name.
-const MOTIONS: [(&str, fn(&mut Random) -> Motion); 8] = [
+const MOTIONS: [(&str, Draw); 8] = [
     ("general", |random| {
         let axis = in_ball(random).normalize();
         (turn(axis, uniform(random, 0.05, 0.6)), in_ball(random))
