@@ -54,6 +54,9 @@ mod driver;
 /// Several instances side by side.
 mod batch;
 
+/// Units of data and unknowns in which a template is accurate.
+mod scaling;
+
 /// The points of the eigenpairs before the polish, for measurements.
 mod unpolished;
 

@@ -4,6 +4,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::names::Names;
+use super::scaling;
 use super::shapes::{array_type, doc_line, indices, parameter};
 use crate::plan::Plan;
 use crate::problem::SolutionField;
@@ -163,6 +164,12 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
         RootMethod::Eigenvalues => quote!(real_solutions),
         RootMethod::Determinant => quote!(real_solutions_by_determinant),
     };
+    let constructor = scaling::constructor(plan);
+    let to_solution = scaling::to_solution(plan, &quote!(&#instance.exponents));
+    let to_unknowns = match scaling::has_units(plan) {
+        true => quote!(emitted::scaled(&#instance.exponents, #solution.to_unknowns())),
+        false => quote!(#solution.to_unknowns()),
+    };
     quote! {
         #(#[doc = #docs])*
         /// Returns the real solutions, polished on the equations of the problem: `Ok` and empty if
@@ -173,9 +180,9 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
         pub fn solve(
             #(#parameters),*
         ) -> Result<::eliminant::Solutions<Solution, MAX_SOLUTIONS>, ::eliminant::SolveError> {
-            let mut #instance = Instance::new(#(#arguments),*)?;
+            let mut #instance = Instance::#constructor(#(#arguments),*)?;
             let points = emitted::#roots(&mut #instance)?;
-            Ok(::eliminant::Solutions::from_points(&points, Solution::from_unknowns))
+            Ok(::eliminant::Solutions::from_points(&points, #to_solution))
         }
 
         /// Like [`solve`], with all complex solutions. Where solutions are missing, all is computed
@@ -190,9 +197,9 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
             ::eliminant::Solutions<Solution<::eliminant::Complex<f64>>, MAX_SOLUTIONS>,
             ::eliminant::SolveError,
         > {
-            let mut #instance = Instance::new(#(#arguments),*)?;
+            let mut #instance = Instance::#constructor(#(#arguments),*)?;
             let points = emitted::complex_solutions(&mut #instance)?;
-            Ok(::eliminant::Solutions::from_points(&points, Solution::from_unknowns))
+            Ok(::eliminant::Solutions::from_points(&points, #to_solution))
         }
 
         /// The matrix of multiplication by the action monomial on the basis, as the elimination
@@ -213,8 +220,8 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
             #(#parameters,)*
             #solution: &Solution<S>,
         ) -> Result<f64, ::eliminant::SolveError> {
-            let #instance = Instance::new(#(#arguments),*)?;
-            Ok(emitted::SolverInstance::polish(&#instance, &mut #solution.to_unknowns(), 0))
+            let #instance = Instance::#constructor(#(#arguments),*)?;
+            Ok(emitted::SolverInstance::polish(&#instance, &mut #to_unknowns, 0))
         }
     }
 }

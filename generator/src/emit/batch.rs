@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use super::elimination::is_filled_by_statements;
 use super::names::Names;
 use super::shapes::{array_type, as_slice};
-use super::{instance, monomials};
+use super::{instance, monomials, scaling};
 use crate::plan::Plan;
 use crate::plan::program::ProgramForm;
 use crate::plan::system_table::SystemTable;
@@ -177,7 +177,13 @@ fn functions(plan: &Plan, sizes: [&Literal; 5]) -> TokenStream {
 fn of_data(plan: &Plan) -> TokenStream {
     let names: Vec<_> = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name)).collect();
     let mut taken = Names::of(&plan.data);
-    let [write, given] = ["write", "given"].map(|name| taken.take(name));
+    let [write, given, of_unknowns] = ["write", "given", "exponents"].map(|name| taken.take(name));
+    let apply = match scaling::has_units(plan) {
+        true => quote!(SCALINGS.apply_into(#write, #of_unknowns);),
+        false => quote!(let _ = #of_unknowns;),
+    };
+    let use_exponents = (!scaling::has_units(plan)).then(|| quote!(let _ = exponents;));
+    let to_solution = scaling::to_solution(plan, &quote!(exponents));
     let slices = plan.data.iter().zip(&names).map(|(parameter, name)| match parameter.shape.is_empty() {
         true => quote!(::core::slice::from_ref(#name)),
         false => as_slice(parameter),
@@ -191,10 +197,11 @@ fn of_data(plan: &Plan) -> TokenStream {
         impl emitted::BatchData<Instance> for Data {
             type Result = Result<::eliminant::Solutions<Solution, MAX_SOLUTIONS>, ::eliminant::SolveError>;
 
-            fn inputs(&self, #write: &mut [f64]) {
+            fn inputs(&self, #write: &mut [f64], #of_unknowns: &mut [i16]) {
                 let Self { #(#names),* } = self;
                 let #given: [&[f64]; #count] = [#(#slices),*];
                 emitted::join_into(&#given, #write);
+                #apply
             }
 
             fn solve(&self) -> Self::Result {
@@ -202,8 +209,12 @@ fn of_data(plan: &Plan) -> TokenStream {
                 self::solve(#(#arguments),*)
             }
 
-            fn result(points: &emitted::Points<Instance, f64>) -> Self::Result {
-                Ok(::eliminant::Solutions::from_points(points, Solution::from_unknowns))
+            fn result(
+                points: &emitted::Points<Instance, f64>,
+                exponents: &emitted::Point<Instance, i16>,
+            ) -> Self::Result {
+                #use_exponents
+                Ok(::eliminant::Solutions::from_points(points, #to_solution))
             }
         }
     }

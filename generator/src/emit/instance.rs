@@ -1,19 +1,17 @@
 //! Prints an instance: the coefficients for given data, and what the runtime asks of them.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::listing::Listings;
-use super::names::Names;
 use super::provenance::Provenance;
-use super::shapes::{as_slice, parameter};
-use super::{chains, code, elimination, monomials};
+use super::{chains, code, elimination, monomials, scaling};
 use crate::plan::Plan;
 use crate::plan::program::ProgramForm;
 use crate::plan::value_layout::ValueLayout;
 
 /// The version of the runtime's hidden interface that is emitted for.
-pub const RUNTIME_VERSION: u32 = 5;
+pub const RUNTIME_VERSION: u32 = 6;
 
 /// That all unknowns 0 is a solution, if it is one.
 fn origin(plan: &Plan) -> TokenStream {
@@ -54,10 +52,10 @@ pub(super) fn sign_changes_of(plan: &Plan) -> TokenStream {
 }
 
 /// A field for the data if an elimination at twice the precision needs them, its value, and how the
-/// coefficients are computed when an instance is made. `given` is the list of all data as slices.
-fn coefficients_of_instance(plan: &Plan, given: &Ident) -> (TokenStream, TokenStream, TokenStream) {
+/// coefficients are computed from `data`.
+fn coefficients_of_instance(plan: &Plan) -> (TokenStream, TokenStream, TokenStream) {
     if plan.program.form == ProgramForm::Statements {
-        let compute = quote!(emitted::outlined(|| self::coefficients(1.0, &emitted::joined(&#given))));
+        let compute = quote!(emitted::outlined(|| self::coefficients(1.0, data)));
         return (quote!(), quote!(), compute);
     }
     let inputs = Literal::usize_unsuffixed(plan.inputs());
@@ -65,19 +63,14 @@ fn coefficients_of_instance(plan: &Plan, given: &Ident) -> (TokenStream, TokenSt
         /// All data, one parameter after another.
         data: [f64; #inputs],
     };
-    let data = quote!(data: emitted::joined(&#given),);
-    (field, data, quote!(self::coefficients(&emitted::joined(&#given))))
+    (field, quote!(data: *data,), quote!(self::coefficients(data)))
 }
 
 /// The coefficients for given data, and what they are for.
 pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> TokenStream {
-    let parameters: Vec<_> = plan.data.iter().map(parameter).collect();
-    let slices = plan.data.iter().map(as_slice);
-    let (count, count_given) =
-        (Literal::usize_unsuffixed(plan.coefficients.len()), Literal::usize_unsuffixed(plan.data.len()));
-    let mut names = Names::of(&plan.data);
-    let [given, instance] = ["given", "instance"].map(|name| names.take(name));
-    let (data_field, data, compute) = coefficients_of_instance(plan, &given);
+    let count = Literal::usize_unsuffixed(plan.coefficients.len());
+    let (data_field, data, compute) = coefficients_of_instance(plan);
+    let (units_field, units) = scaling::field(plan);
     let system = monomials::system(plan);
     let (basis, count_read) =
         (Literal::usize_unsuffixed(plan.elimination.basis), Literal::usize_unsuffixed(plan.read.len()));
@@ -96,6 +89,8 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
     let eliminated = elimination::eliminated(plan, provenance, listings);
     let (ratios, recovered) = (ratios(plan), code::recovered(plan));
     let (solver_instance, chains) = (solver_instance(plan, &system, &action_matrix), chains::chains(plan));
+    let value = quote!(Self { coefficients: #compute, #data #units #no_read });
+    let (constructors, scalings) = (scaling::constructors(plan, &value), scaling::table(plan));
     let version = Literal::u32_unsuffixed(RUNTIME_VERSION);
     quote! {
         /// A compile error if the runtime has another version.
@@ -105,18 +100,15 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
         struct Instance {
             coefficients: [f64; #count],
             #data_field
+            #units_field
             #read_field
         }
 
         impl Instance {
-            fn new(#(#parameters),*) -> Result<Self, ::eliminant::SolveError> {
-                let #given: [&[f64]; #count_given] = [#(#slices),*];
-                let #instance = Self { coefficients: #compute, #data #no_read };
-                emitted::check_coefficients(&#instance.coefficients, &#given)?;
-                Ok(#instance)
-            }
+            #constructors
         }
 
+        #scalings
         #solver_instance
         #ratios
         #recovered

@@ -11,6 +11,7 @@ mod monomials;
 mod names;
 mod program;
 mod provenance;
+mod scaling;
 mod shapes;
 mod tables;
 mod wrap;

@@ -29,6 +29,7 @@ pub mod value_layout;
 
 pub use check::PlanError;
 
+use crate::problem::scaling::Scaling;
 use crate::problem::{DataParameter, SolutionField};
 use crate::template::RootMethod;
 use program::{Program, ValueId};
@@ -252,6 +253,8 @@ pub struct Plan {
     pub equations: Vec<Vec<Term>>,
     /// Polynomials that must not vanish at a solution.
     pub nonzero: Vec<Vec<Term>>,
+    /// Scalings under which the problem stays the same, if some change unknowns.
+    pub scalings: Vec<Scaling>,
 }
 
 /// Larger blocks than this are eliminated by code that is not compiled for their size: it is as
@@ -277,6 +280,17 @@ impl Plan {
     /// The number of scalars in the data.
     pub fn inputs(&self) -> usize {
         self.data.iter().map(DataParameter::len).sum()
+    }
+
+    /// The weights of the data in all scalings, those of the first datum first.
+    pub fn weights_of_data(&self) -> Vec<i8> {
+        (0..self.inputs()).flat_map(|input| self.scalings.iter().map(move |scaling| scaling.data[input])).collect()
+    }
+
+    /// The weights of the unknowns in all scalings, those of the first unknown first.
+    pub fn weights_of_unknowns(&self) -> Vec<i8> {
+        let weights = |unknown: usize| self.scalings.iter().map(move |scaling| scaling.unknowns[unknown]);
+        (0..self.unknowns.len()).flat_map(weights).collect()
     }
 
     /// For each unknown the exponents of the monomial s of its extraction; zeros if it is not read.

@@ -14,6 +14,7 @@ use crate::algebra::Monomial;
 use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
 use crate::presolve::ReducedProblem;
 use crate::presolve::symmetry::{Reading, Symmetry};
+use crate::problem::scaling::scalings;
 use crate::problem::{Problem, Statement};
 use crate::template::{EliminationTemplate, Shift};
 
@@ -144,6 +145,7 @@ impl Scheduler<'_> {
             recoveries,
             equations,
             nonzero,
+            scalings: scalings(problem),
         };
         plan.check()?;
         Ok(plan)

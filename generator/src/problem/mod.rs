@@ -10,6 +10,7 @@ mod interpret;
 mod names;
 mod parse;
 mod projective;
+pub mod scaling;
 mod scope;
 mod signature;
 mod syntax;

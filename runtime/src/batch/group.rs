@@ -58,12 +58,13 @@ fn solve_groups<S: Simd, I: BatchSolver, D: BatchData<I>>(simd: S, data: &[D], r
     let zero = Lanes::splat(simd, 0.0);
     for (data, results) in data.chunks(count).zip(results.chunks_mut(count)) {
         let mut inputs = batch.inputs.filled(zero);
+        let mut exponents: [Point<I, i16>; MOST] = core::array::from_fn(|_| sizes.unknowns.filled(0));
         let mut is_finite = 0;
         for lane in 0..count {
             // The last instance fills lanes that are left over.
             let Some(instance) = data.get(lane).or(data.last()) else { break };
             let mut of_lane = batch.inputs.filled(0.0);
-            instance.inputs(of_lane.as_mut());
+            instance.inputs(of_lane.as_mut(), exponents[lane].as_mut());
             // Data that no equation reads must be finite, too.
             is_finite |= u64::from(of_lane.as_ref().iter().all(|x| x.is_finite())) << lane;
             for at in 0..batch.inputs.get() {
@@ -73,7 +74,8 @@ fn solve_groups<S: Simd, I: BatchSolver, D: BatchData<I>>(simd: S, data: &[D], r
         let mut points: [Points<I, f64>; MOST] = core::array::from_fn(|_| sizes.solutions.list());
         let is_certain = is_finite & solve_group::<S, I>(simd, &inputs, &mut points);
         for (lane, (data, result)) in data.iter().zip(results).enumerate() {
-            *result = if is_certain >> lane & 1 == 1 { D::result(&points[lane]) } else { data.solve() };
+            *result =
+                if is_certain >> lane & 1 == 1 { D::result(&points[lane], &exponents[lane]) } else { data.solve() };
         }
     }
 }

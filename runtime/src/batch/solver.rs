@@ -7,7 +7,7 @@ use crate::number::{Arithmetic, Over};
 use crate::size::{Fixed, Matrix, Size};
 use crate::solution::sign_changes::SignChanges;
 use crate::solution::system::Monomials;
-use crate::solver_instance::{HiddenVariableSolver, Points, SizesOf, SolverInstance};
+use crate::solver_instance::{HiddenVariableSolver, Point, Points, SizesOf, SolverInstance};
 
 /// The sizes that instances side by side need besides [`SizesOf`].
 #[derive(Clone, Copy, Debug)]
@@ -114,10 +114,11 @@ pub trait BatchSolver: HiddenVariableSolver + Sized {
 pub trait BatchData<I: SolverInstance> {
     /// A list of solutions, or an error.
     type Result;
-    /// All data of an instance, one parameter after another. The list may be longer.
-    fn inputs(&self, write: &mut [f64]);
+    /// All data of an instance, one parameter after another, and the exponents of the powers of two
+    /// by which its unknowns are scaled with them. The lists may be longer.
+    fn inputs(&self, write: &mut [f64], exponents: &mut [i16]);
     /// Solves one instance.
     fn solve(&self) -> Self::Result;
-    /// The solutions for these points.
-    fn result(points: &Points<I, f64>) -> Self::Result;
+    /// The solutions for these points, which are scaled by powers of two.
+    fn result(points: &Points<I, f64>, exponents: &Point<I, i16>) -> Self::Result;
 }

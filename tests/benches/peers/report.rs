@@ -97,7 +97,7 @@ pub(crate) fn update_readme(table: &str, instances: u64, rounds: u64) -> io::Res
     let (before, rest) = text.split_once(MARKS[0]).ok_or_else(missing)?;
     let (_, after) = rest.split_once(MARKS[1]).ok_or_else(missing)?;
     let machine = format!(
-        "One core of {}, {}; {}, {}.\n{instances} instances a row, {rounds} chunks:\n\n",
+        "One core of {}, {};\n{}, {}.\n{instances} instances a row, {rounds} chunks:\n\n",
         processor(),
         line_of("date", &["-u", "+%F"]),
         line_of("rustc", &["--version"]).split(" (").next().unwrap_or_default(),

@@ -34,6 +34,8 @@ pub struct InterpretedSolver {
     recoveries: Vec<PlannedRecovery>,
     equations: System,
     nonzero: System,
+    /// The number of scalings, and the weights of data and unknowns in them.
+    scalings: (usize, Vec<i8>, Vec<i8>),
 }
 
 /// The runtime's `Program`, owned.
@@ -98,6 +100,7 @@ impl InterpretedSolver {
             recoveries: plan.recoveries.clone(),
             equations: System::of(&plan.equations, unknowns),
             nonzero: System::of(&plan.nonzero, unknowns),
+            scalings: (plan.scalings.len(), plan.weights_of_data(), plan.weights_of_unknowns()),
         }
     }
 
@@ -106,7 +109,11 @@ impl InterpretedSolver {
     /// # Errors
     /// [`SolveError::NonFiniteInput`] or [`SolveError::Overflow`].
     pub fn instance(&self, data: &[f64]) -> Result<InterpretedInstance<'_>, SolveError> {
-        let coefficients = self.program.evaluate::<f64>(data);
+        let (count, of_data, of_unknowns) = &self.scalings;
+        let scalings = emitted::Scalings { count: *count, data: of_data, unknowns: of_unknowns };
+        let (mut scaled, mut exponents) = (data.to_vec(), vec![0; self.unknowns]);
+        scalings.apply_into(&mut scaled, &mut exponents);
+        let coefficients = self.program.evaluate::<f64>(&scaled);
         emitted::check_coefficients(&coefficients, &[data])?;
         let equations = &self.equations;
         let matrix = || {
@@ -118,7 +125,8 @@ impl InterpretedSolver {
         let (steps, flips) = (self.steps.iter().map(Vec::as_slice), self.flips.iter().map(Vec::as_slice));
         Ok(InterpretedInstance {
             solver: self,
-            data: data.to_vec(),
+            data: scaled,
+            exponents,
             coefficients,
             rows,
             read,
@@ -275,7 +283,10 @@ impl System {
 #[derive(Clone, Debug)]
 pub struct InterpretedInstance<'a> {
     solver: &'a InterpretedSolver,
+    /// Scaled, as all that follows.
     data: Vec<f64>,
+    /// Exponents of the powers of two by which the unknowns are scaled.
+    exponents: Vec<i16>,
     coefficients: Vec<f64>,
     /// The coefficients of all equations, one row for each monomial, if they are stored as a
     /// matrix.
@@ -295,7 +306,9 @@ impl InterpretedInstance<'_> {
     /// # Errors
     /// As the emitted solver.
     pub fn solve_complex(&mut self) -> Result<Vec<Vec<Complex<f64>>>, SolveError> {
-        Ok(emitted::complex_solutions(self)?.to_vec())
+        let mut points = emitted::complex_solutions(self)?.to_vec();
+        points.iter_mut().for_each(|point| emitted::unscale(&self.exponents, point));
+        Ok(points)
     }
 
     /// The points of all eigenpairs of one attempt, neither polished nor judged: those of
@@ -306,12 +319,16 @@ impl InterpretedInstance<'_> {
     pub fn unpolished_points(&mut self) -> Result<Vec<Vec<Complex<f64>>>, SolveError> {
         let mut points = Vec::new();
         emitted::unpolished_points(self, |point| points.push(point.clone()))?;
+        points.iter_mut().for_each(|point| emitted::unscale(&self.exponents, point));
         Ok(points)
     }
 
     /// The relative residual of a point.
     pub fn residual<S: Scalar>(&self, point: &[S]) -> f64 {
-        self.polish(&mut point.to_vec(), 0)
+        let negative: Vec<i16> = self.exponents.iter().map(|exponent| -exponent).collect();
+        let mut point = point.to_vec();
+        emitted::unscale(&negative, &mut point);
+        self.polish(&mut point, 0)
     }
 
     /// How often the template was eliminated: twice if there was a second attempt.

@@ -1,0 +1,257 @@
+//! Units of data and unknowns: scalings under which a problem stays the same.
+//!
+//! Data in other units than those that a template likes lose digits: the monomials of its basis
+//! differ by powers of the unit. A problem stays the same under
+//!
+//! ```text
+//!   data d_i -> 2^(w_i . s) d_i,   unknowns x_j -> 2^(u_j . s) x_j       s: one number per scaling
+//! ```
+//!
+//! with weights w and u that the generator finds. The s that makes the data about 1 is a problem of
+//! least squares, in the logarithms e_i = log2 |d_i|:
+//!
+//! ```text
+//!   minimise the sum of a_i (e_i + w_i . s)^2
+//! ```
+//!
+//! Factors are powers of two, so that no digit changes. Entries that are far below the others, as
+//! zeros are after rounding, say nothing of the unit: their parts a_i are small.
+
+use crate::number::Scalar;
+use crate::number::float::{exponent, power_of_two};
+
+/// Solvers have no more scalings.
+pub const MOST_SCALINGS: usize = 8;
+
+/// Data from 2^-this to 2^this are left as they are.
+const ORDINARY: i32 = 10;
+/// Unknowns that would change by a smaller power of two are left as they are, with the data.
+const LEAST: i32 = 3;
+/// Unknowns and data are not changed by larger powers of two.
+const MOST: i32 = 500;
+/// An entry so many powers of two below the unit has half a part in it.
+const LOW: f64 = 6.0;
+/// The parts follow from the unit, and the unit from the parts, so many times.
+const ROUNDS: usize = 8;
+/// Scaled data that are further from 1, by so many powers of two in the mean square, have not been
+/// explained by units.
+const EXPLAINED: f64 = 6.0;
+/// The part of the identity in the normal equations: directions without data stay as they are.
+const RIDGE: f64 = 1e-6;
+
+/// The scalings of a problem.
+#[derive(Clone, Copy, Debug)]
+pub struct Scalings<'a> {
+    /// How many there are, up to [`MOST_SCALINGS`].
+    pub count: usize,
+    /// The weights of each datum: `count` for the first, then those of the next.
+    pub data: &'a [i8],
+    /// The weights of each unknown.
+    pub unknowns: &'a [i8],
+}
+
+/// A number per scaling.
+type Scales = [f64; MOST_SCALINGS];
+
+impl Scalings<'_> {
+    /// Scales data that are far from 1. Returns the exponents of the powers of two by which the
+    /// unknowns of the scaled problem exceed those of the given one.
+    #[inline]
+    pub fn apply<const N: usize>(&self, data: &mut [f64]) -> [i16; N] {
+        let mut exponents = [0; N];
+        self.apply_into(data, &mut exponents);
+        exponents
+    }
+
+    /// As [`Scalings::apply`], for a number of unknowns that is known at run time.
+    #[inline]
+    pub fn apply_into(&self, data: &mut [f64], exponents: &mut [i16]) {
+        const RANGE: [f64; 2] = [1.0 / (1_u64 << ORDINARY) as f64, (1_u64 << ORDINARY) as f64];
+        // No early end, so that it is done with vector instructions.
+        let is_ordinary = data.iter().fold(true, |all, x| {
+            let size = x.abs();
+            all & ((size == 0.0) | ((size >= RANGE[0]) & (size <= RANGE[1])))
+        });
+        if !is_ordinary {
+            self.fit(data, exponents);
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn fit(&self, data: &mut [f64], exponents: &mut [i16]) {
+        // A sum of infinities or NaN is none, and `check_coefficients` refuses them.
+        if self.count == 0 || self.count > MOST_SCALINGS || !data.iter().all(|x| x.is_finite()) {
+            return;
+        }
+        let (scales, rest) = self.scales(data);
+        if rest > EXPLAINED * EXPLAINED {
+            return;
+        }
+        let scales = scales.map(rounded);
+        let shift = |weights: &[i8]| weights.iter().zip(scales).map(|(&w, s)| i32::from(w) * s).sum::<i32>();
+        let of_unknowns = || self.unknowns.chunks_exact(self.count).map(shift);
+        let largest = of_unknowns().map(i32::abs).max().unwrap_or(0);
+        let fits = |(x, weights): (&f64, &[i8])| {
+            let shift = shift(weights);
+            shift.abs() <= MOST && (*x == 0.0 || (exponent(*x) + shift).abs() < 1000)
+        };
+        let weights = || self.data.chunks_exact(self.count);
+        if !(LEAST..=MOST).contains(&largest) || !data.iter().zip(weights()).all(fits) {
+            return;
+        }
+        for (x, weights) in data.iter_mut().zip(weights()) {
+            *x *= power_of_two(shift(weights));
+        }
+        for (exponent, shift) in exponents.iter_mut().zip(of_unknowns()) {
+            *exponent = shift as i16;
+        }
+    }
+
+    /// The scalings that make data about 1, and the mean square of the logarithms of what these make
+    /// of the data.
+    fn scales(&self, data: &[f64]) -> (Scales, f64) {
+        let (mut scales, mut rest) = ([0.0; MOST_SCALINGS], 0.0);
+        for round in 0..=ROUNDS {
+            let (mut normal, mut right) = ([[0.0; MOST_SCALINGS]; MOST_SCALINGS], [0.0; MOST_SCALINGS]);
+            let [mut squares, mut parts] = [0.0; 2];
+            for (&x, weights) in data.iter().zip(self.data.chunks_exact(self.count)) {
+                if x == 0.0 {
+                    continue;
+                }
+                let size = f64::from(exponent(x)) + 0.5;
+                let scaled = weights.iter().zip(&scales).fold(size, |sum, (&w, s)| sum + f64::from(w) * s);
+                // All count alike at first.
+                let low = if round == 0 { 0.0 } else { scaled.min(0.0) / LOW };
+                let part = 1.0 / (1.0 + low * low);
+                squares += part * scaled * scaled;
+                parts += part;
+                for (i, &w) in weights.iter().enumerate() {
+                    let w = f64::from(w) * part;
+                    right[i] -= w * size;
+                    for (entry, &v) in normal[i].iter_mut().zip(weights) {
+                        *entry += w * f64::from(v);
+                    }
+                }
+            }
+            rest = if parts > 0.0 { squares / parts } else { 0.0 };
+            let new = solved(&mut normal, &mut right, self.count);
+            if round == ROUNDS || new.iter().zip(&scales).all(|(a, b)| (a - b).abs() < 0.25) {
+                break;
+            }
+            scales = new;
+        }
+        (scales, rest)
+    }
+}
+
+/// The nearest integer; 0 for what is no number.
+fn rounded(x: f64) -> i32 {
+    (x + if x < 0.0 { -0.5 } else { 0.5 }) as i32
+}
+
+/// The solution of positive semidefinite equations with a small part of the identity added.
+fn solved(a: &mut [[f64; MOST_SCALINGS]; MOST_SCALINGS], b: &mut Scales, count: usize) -> Scales {
+    for (i, row) in a.iter_mut().enumerate() {
+        row[i] += RIDGE;
+    }
+    for k in 0..count {
+        let (row, of_row) = (a[k], b[k]);
+        for i in k + 1..count {
+            let factor = a[i][k] / row[k];
+            for (entry, above) in a[i].iter_mut().zip(row).skip(k) {
+                *entry -= factor * above;
+            }
+            b[i] -= factor * of_row;
+        }
+    }
+    let mut x = [0.0; MOST_SCALINGS];
+    for k in (0..count).rev() {
+        let known = (k + 1..count).fold(b[k], |sum, j| sum - a[k][j] * x[j]);
+        x[k] = known / a[k][k];
+    }
+    x
+}
+
+/// The unknowns of the problem as it was given, from those of the scaled one, in place.
+#[inline]
+pub fn unscale<T: Scalar>(exponents: &[i16], unknowns: &mut [T]) {
+    for (x, &exponent) in unknowns.iter_mut().zip(exponents) {
+        *x = x.scale(power_of_two(-i32::from(exponent)));
+    }
+}
+
+/// As [`unscale`], of an array.
+#[inline]
+pub fn unscaled<T: Scalar, const N: usize>(exponents: &[i16; N], mut unknowns: [T; N]) -> [T; N] {
+    unscale(exponents, &mut unknowns);
+    unknowns
+}
+
+/// The unknowns of the scaled problem.
+#[inline]
+pub fn scaled<T: Scalar, const N: usize>(exponents: &[i16; N], unknowns: [T; N]) -> [T; N] {
+    unscaled(&exponents.map(|exponent| -exponent), unknowns)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// x^2 d0 + x d1 + d2 and y d3 + d4: x and y have units, and each equation has a factor.
+    const SCALINGS: Scalings<'static> = Scalings {
+        count: 4,
+        data: &[-2, 0, 1, 0, -1, 0, 1, 0, 0, 0, 1, 0, 0, -1, 0, 1, 0, 0, 0, 1],
+        unknowns: &[1, 0, 0, 0, 0, 1, 0, 0],
+    };
+
+    fn applied(mut data: [f64; 5]) -> ([f64; 5], [i16; 2]) {
+        let exponents = SCALINGS.apply(&mut data);
+        (data, exponents)
+    }
+
+    #[test]
+    fn ordinary_data_stay_as_they_are() {
+        for data in [[1.0, -2.0, 3.0, 1e3, 1e-3], [0.0; 5], [0.0, 1.0, 0.0, -1.0, 0.0]] {
+            assert_eq!(applied(data), (data, [0, 0]));
+        }
+    }
+
+    #[test]
+    fn units_are_found_and_change_nothing() {
+        for unit in [1e-60, 1e-12, 1e-8, 1e8, 1e12, 1e60_f64] {
+            // Roots are 1 and 2 units, and -3.
+            let (data, exponents) = applied([1.0, -3.0 * unit, 2.0 * unit * unit, 1.0, 3.0]);
+            let binary = unit.log2();
+            assert!(
+                (f64::from(exponents[0]) + binary).abs() < 2.0 && exponents[1].abs() < 2,
+                "{unit:e}: {exponents:?}"
+            );
+            assert!(data.iter().all(|x| x.abs() > 0.05 && x.abs() < 20.0), "{unit:e}: {data:?}");
+            let x = scaled(&exponents, [unit, -3.0]);
+            assert!((data[3] * x[1] + data[4]).abs() == 0.0);
+            assert!((data[0] * x[0] * x[0] + data[1] * x[0] + data[2]).abs() < 1e-14 * data[2].abs());
+            assert_eq!(unscaled(&exponents, x), [unit, -3.0]);
+        }
+    }
+
+    #[test]
+    fn what_should_be_zero_says_nothing_of_the_unit() {
+        let (data, exponents) = applied([1.0, -3e-17, 2.0, 1.0, 3.0]);
+        assert_eq!((data, exponents), ([1.0, -3e-17, 2.0, 1.0, 3.0], [0, 0]));
+        let (_, exponents) = applied([1.0, -3e-25, 2e-16, 1.0, 3.0]);
+        assert!((25..29).contains(&exponents[0]), "{exponents:?}");
+    }
+
+    #[test]
+    fn data_that_are_no_numbers_stay_as_they_are() {
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let (data, exponents) = applied([1e20, bad, 1.0, 1.0, 1.0]);
+            assert_eq!((data[0], exponents), (1e20, [0, 0]));
+        }
+        for extreme in [f64::MAX, f64::MIN_POSITIVE, 5e-324] {
+            let (data, exponents) = applied([extreme, 1.0, 1.0 / extreme.max(1e-300), 1.0, 1.0]);
+            assert!(data.iter().all(|x| x.is_finite()), "{data:?} {exponents:?}");
+        }
+    }
+}
