@@ -66,11 +66,11 @@ impl Scalings<'_> {
     /// As [`Scalings::apply`], for a number of unknowns that is known at run time.
     #[inline]
     pub fn apply_into(&self, data: &mut [f64], exponents: &mut [i16]) {
-        const RANGE: [f64; 2] = [1.0 / (1_u64 << ORDINARY) as f64, (1_u64 << ORDINARY) as f64];
+        const LARGE: f64 = (1_u64 << ORDINARY) as f64;
         // No early end, so that it is done with vector instructions.
         let is_ordinary = data.iter().fold(true, |all, x| {
             let size = x.abs();
-            all & ((size == 0.0) | ((size >= RANGE[0]) & (size <= RANGE[1])))
+            all & ((size == 0.0) | (1.0 / LARGE..=LARGE).contains(&size))
         });
         if !is_ordinary {
             self.fit(data, exponents);
