@@ -108,8 +108,8 @@ impl Scalings<'_> {
         }
     }
 
-    /// The scalings that make data about 1, and the mean square of the logarithms of what these make
-    /// of the data.
+    /// The scalings that make data about 1, and the mean square of the logarithms of what these
+    /// make of the data.
     fn scales(&self, data: &[f64]) -> (Scales, f64) {
         let (mut scales, mut rest) = ([0.0; MOST_SCALINGS], 0.0);
         for round in 0..=ROUNDS {

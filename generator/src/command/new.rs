@@ -69,8 +69,8 @@ fn starter(name: &str) -> String {
         "\
 //! A problem file is Rust syntax, so editors and rustfmt work on it. It is never compiled: the body
 //! is interpreted symbolically. Parameters are the data, known when the solver runs. The names in
-//! the return type are the unknowns, scalars as here or arrays such as `v: [f64; 3]`. A vector whose
-//! length is free, so that any multiple is a solution, too, is `#[projective] v: [f64; 3]`.
+//! the return type are the unknowns, scalars as here or arrays such as `v: [f64; 3]`. A vector
+//! whose length is free, so that any multiple is a solution, too, is `#[projective] v: [f64; 3]`.
 //!
 //! `eliminant check {name}.rs` counts the solutions.
 //! `eliminant search {name}.rs` finds an elimination template.

@@ -159,17 +159,13 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
     let arguments: Vec<_> = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name)).collect();
     let mut names = Names::of(&plan.data);
     let (instance, solution) = (names.take("instance"), names.take("solution"));
-    let basis = Literal::usize_unsuffixed(plan.elimination.basis);
+    let measures = measures(plan, &parameters, &arguments, [&instance, &solution]);
     let roots = match plan.roots() {
         RootMethod::Eigenvalues => quote!(real_solutions),
         RootMethod::Determinant => quote!(real_solutions_by_determinant),
     };
     let constructor = scaling::constructor(plan);
     let to_solution = scaling::to_solution(plan, &quote!(&#instance.exponents));
-    let to_unknowns = match scaling::has_units(plan) {
-        true => quote!(emitted::scaled(&#instance.exponents, #solution.to_unknowns())),
-        false => quote!(#solution.to_unknowns()),
-    };
     quote! {
         #(#[doc = #docs])*
         /// Returns the real solutions, polished on the equations of the problem: `Ok` and empty if
@@ -202,6 +198,25 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
             Ok(::eliminant::Solutions::from_points(&points, #to_solution))
         }
 
+        #measures
+    }
+}
+
+/// The functions that measure: the action matrix, and the residual of a solution. The names are
+/// those of an instance and of a solution.
+fn measures(
+    plan: &Plan,
+    parameters: &[TokenStream],
+    arguments: &[Ident],
+    [instance, solution]: [&Ident; 2],
+) -> TokenStream {
+    let basis = Literal::usize_unsuffixed(plan.elimination.basis);
+    let constructor = scaling::constructor(plan);
+    let to_unknowns = match scaling::has_units(plan) {
+        true => quote!(emitted::scaled(&#instance.exponents, #solution.to_unknowns())),
+        false => quote!(#solution.to_unknowns()),
+    };
+    quote! {
         /// The matrix of multiplication by the action monomial on the basis, as the elimination
         /// gives it.
         ///

@@ -1,7 +1,7 @@
 //! Scalings of data and unknowns under which a problem stays the same: its units.
 //!
 //! ```text
-//!   data d_i -> 2^(w_i s) d_i,   unknowns x_j -> 2^(u_j s) x_j,   every equation -> 2^(..) equation
+//!   data d_i -> 2^(w_i s) d_i,  unknowns x_j -> 2^(u_j s) x_j,  every equation -> 2^(..) equation
 //! ```
 //!
 //! The weights (w, u) are the integer points of a vector space. Every value that is computed from

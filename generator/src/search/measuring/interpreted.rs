@@ -146,7 +146,9 @@ impl InterpretedSolver {
             None => emitted::real_solutions(&mut instance)?,
             Some(_) => emitted::real_solutions_by_determinant(&mut instance)?,
         };
-        Ok(found.to_vec())
+        let mut points = found.to_vec();
+        points.iter_mut().for_each(|point| emitted::unscale(&instance.exponents, point));
+        Ok(points)
     }
 
     /// All solutions, as `solve_complex` of the emitted solver returns them.
