@@ -13,10 +13,14 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::{DataAttribute, DataParameter, Problem};
 use crate::algebra::{Echelon, PRIMES, PrimeField};
+use crate::expression::product_sum::Product;
 use crate::expression::{Expression, ExpressionGraph, ExpressionId};
 
 /// Larger weights are not taken: powers of the scale would leave the range of `f64` soon.
 const LARGEST: i64 = 32;
+
+/// Values of larger weights, which helpers that call helpers can make, have no scalings.
+const LARGEST_OF_VALUES: i64 = 1 << 40;
 
 /// The runtime takes no more scalings, `eliminant::emitted::MOST_SCALINGS`.
 const MOST: usize = 8;
@@ -37,13 +41,19 @@ type Form = BTreeMap<usize, i64>;
 struct Weights<'a> {
     graph: &'a ExpressionGraph,
     of_nodes: Vec<Form>,
+    /// Of the coefficients of sums of products, once one of them is asked for.
+    of_sums: Vec<Vec<Form>>,
     conditions: BTreeSet<Vec<(usize, i64)>>,
+    /// Whether some weight is too large.
+    is_too_large: bool,
 }
 
+/// a + factor b
 fn sum(a: &Form, b: &Form, factor: i64) -> Form {
     let mut sum = a.clone();
     for (&column, &value) in b {
-        *sum.entry(column).or_default() += factor * value;
+        let entry = sum.entry(column).or_default();
+        *entry = entry.saturating_add(factor.saturating_mul(value));
     }
     sum.retain(|_, value| *value != 0);
     sum
@@ -53,9 +63,16 @@ impl<'a> Weights<'a> {
     /// The weights of all nodes that these depend on. The weight of input i is in column i.
     fn of(graph: &'a ExpressionGraph, used: &[ExpressionId]) -> Self {
         let needed = graph.needed(used);
-        let mut weights = Self { graph, of_nodes: Vec::with_capacity(needed.len()), conditions: BTreeSet::new() };
+        let mut weights = Self {
+            graph,
+            of_nodes: Vec::with_capacity(needed.len()),
+            of_sums: vec![Vec::new(); graph.product_sums().len()],
+            conditions: BTreeSet::new(),
+            is_too_large: false,
+        };
         for (node, needed) in graph.nodes().iter().zip(needed) {
             let weight = if needed { weights.of_node(node) } else { Form::new() };
+            weights.is_too_large |= weight.values().any(|value| value.abs() > LARGEST_OF_VALUES);
             weights.of_nodes.push(weight);
         }
         weights
@@ -76,15 +93,30 @@ impl<'a> Weights<'a> {
                 let terms = [a, b].map(|id| (id, self.of_value(id).clone()));
                 self.of_sum(terms.into_iter())
             }
-            Expression::Coefficient { sum: number, at } => {
-                let products = self.graph.product_sums()[number as usize].terms(at as usize);
-                let terms: Vec<_> = products
-                    .filter(|&(_, a, b)| !self.graph.is_zero(a) && !self.graph.is_zero(b))
-                    .map(|(_, a, b)| (ExpressionGraph::ONE, sum(self.of_value(a), self.of_value(b), 1)))
-                    .collect();
-                self.of_sum(terms.into_iter())
+            Expression::Coefficient { sum, at } => {
+                let (sum, at) = (sum as usize, at as usize);
+                if self.of_sums[sum].is_empty() {
+                    self.of_sums[sum] = self.of_product_sum(sum);
+                }
+                self.of_sums[sum][at].clone()
             }
         }
+    }
+
+    /// The weights of all coefficients of a sum of products.
+    fn of_product_sum(&mut self, number: usize) -> Vec<Form> {
+        let graph = self.graph;
+        let products = &graph.product_sums()[number];
+        let mut weights: Vec<Option<Form>> = vec![None; products.length];
+        let pairs = products.products.iter().flat_map(Product::pairs);
+        for (place, a, b) in pairs.filter(|&(_, a, b)| !graph.is_zero(a) && !graph.is_zero(b)) {
+            let term = sum(self.of_value(a), self.of_value(b), 1);
+            match &weights[place] {
+                Some(first) => self.require(&sum(first, &term, -1)),
+                None => weights[place] = Some(term),
+            }
+        }
+        weights.into_iter().map(Option::unwrap_or_default).collect()
     }
 
     /// The weight of a sum, whose terms must have the same.
@@ -129,6 +161,9 @@ fn all_scalings(problem: &Problem) -> Vec<Scaling> {
     }
     problem.data.iter().for_each(|parameter| keep_on_variety(parameter, &mut weights));
     fix_unread(problem, &used, &mut weights);
+    if weights.is_too_large {
+        return Vec::new();
+    }
     null_space(&weights.conditions, inputs, problem.unknowns.len())
 }
 
@@ -219,4 +254,62 @@ fn integer_solution(echelon: &Echelon, free: usize) -> Option<Vec<i8>> {
         let scaled = values.iter().map(|&value| signed(field.mul(value, field.from_integer(scale))));
         scaled.map(|value| i8::try_from(value).ok().filter(|value| i64::from(value.abs()) <= LARGEST)).collect()
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of_text(text: &str) -> Vec<Scaling> {
+        scalings(&Problem::parse("problem.rs", text).expect("a problem"))
+    }
+
+    #[cfg(feature = "search")]
+    #[test]
+    fn the_runtime_takes_as_many() {
+        assert_eq!(MOST, eliminant::emitted::MOST_SCALINGS);
+    }
+
+    #[test]
+    fn lengths_have_a_unit() {
+        let found = of_text(
+            "fn f(a: [f64; 2], r: f64, k: f64) -> (x, y) { x * y == a[0] * a[1]; x * x + y * y == r * r; k * x == y; }",
+        );
+        // The two lengths whose product is an area may change against each other.
+        let area = Scaling { data: vec![-1, 1, 0, 0], unknowns: vec![0, 0] };
+        let lengths = Scaling { data: vec![2, 0, 1, 0], unknowns: vec![1, 1] };
+        assert_eq!(found, [area, lengths]);
+    }
+
+    #[test]
+    fn data_with_conditions_and_constants_have_none() {
+        for text in [
+            "fn f(#[unit] u: [f64; 2]) -> (x, y) { u[0] * x == u[1]; y * y == u[0]; }",
+            "fn f(#[integer] n: f64) -> x { x * x == n; }",
+            "fn f(a: f64) -> x { x * x + x + 1 == a; }",
+            "fn f(a: f64) -> (x, y) { x * a == 1 + a; y * y == x; }",
+        ] {
+            assert_eq!(of_text(text), [], "{text}");
+        }
+    }
+
+    #[test]
+    fn mirrored_entries_have_one_weight() {
+        for text in [
+            "fn f(#[symmetric] m: [[f64; 2]; 2]) -> (x, y) { let v = [x, y]; let w = m * v; w[0] == 1; w[1] == x; }",
+            "fn f(#[rank(1)] m: [[f64; 2]; 2], c: f64) -> (x, y) { x * x == m[0][0] * c; y * x == m[0][1]; \
+             y == m[1][0] + m[1][1]; }",
+        ] {
+            let found = of_text(text);
+            assert!(found.iter().all(|scaling| scaling.data[1] == scaling.data[2]), "{text}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn weights_that_are_large_are_none() {
+        assert_eq!(of_text("fn f(a: f64) -> x { x == a.pow(32) * a; }"), []);
+        let doubled: String = (0..60).map(|k| format!("let a{} = a{k} * a{k};", k + 1)).collect();
+        let powers = format!("fn f(a: f64) -> x {{ let a0 = a; {doubled} x * x == a60; }}");
+        assert_eq!(of_text(&powers), []);
+    }
 }
