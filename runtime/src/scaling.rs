@@ -80,7 +80,7 @@ impl Scalings<'_> {
     #[cold]
     #[inline(never)]
     fn fit(&self, data: &mut [f64], exponents: &mut [i16]) {
-        // A sum of infinities or NaN is none, and `check_coefficients` refuses them.
+        // Data that are not finite have no unit, and `check_coefficients` refuses them.
         if self.count == 0 || self.count > MOST_SCALINGS || !data.iter().all(|x| x.is_finite()) {
             return;
         }

@@ -62,6 +62,36 @@ fn batches_have_the_solutions_of_their_instances() {
     assert!(failures.is_empty(), "{} differ:\n{}", failures.len(), failures.join("\n"));
 }
 
+/// Scenes in other units, in each direction of scalings that changes unknowns. Groups are scaled
+/// lane by lane.
+#[test]
+fn batches_in_other_units() {
+    let mut directions = 0;
+    for name in ["circle_minimal", "pose_3pt_depths", "relpose_6pt_focal_one_side", "three_quadrics", "two_conics"] {
+        let case = cases().into_iter().find(|case| case.name == name).expect("it is in the catalogue");
+        let scenes = draw(&case, Family::Scene);
+        for scaling in case.planned().plan.scalings.iter().filter(|scaling| scaling.unknowns.iter().any(|&w| w != 0)) {
+            directions += 1;
+            // Each instance in a unit of its own, most of them far from the usual one.
+            let factor = |k: usize, weight: i8| 2f64.powi(i32::from(weight) * (9 * (k as i32 % 7) - 27));
+            let scaled = |(k, scene): (usize, &Vec<f64>)| -> Vec<f64> {
+                scene.iter().zip(&scaling.data).map(|(x, &weight)| x * factor(k, weight)).collect()
+            };
+            let unscaled = |k: usize, found: &[Vec<f64>]| -> Vec<Vec<f64>> {
+                let point = |x: &Vec<f64>| x.iter().zip(&scaling.unknowns).map(|(x, &w)| x / factor(k, w)).collect();
+                found.iter().map(point).collect()
+            };
+            let data: Vec<Vec<f64>> = scenes.iter().enumerate().map(scaled).collect();
+            for (k, of_batch) in (case.solve_batch)(&data).iter().enumerate() {
+                let alone = (case.solve)(&data[k]).expect("a scene");
+                let of_batch = of_batch.as_ref().expect("a scene");
+                assert!(are_same(&unscaled(k, &alone), &unscaled(k, of_batch)), "{name} {k}: {alone:?} {of_batch:?}");
+            }
+        }
+    }
+    assert!(directions >= 9, "only {directions} units");
+}
+
 #[test]
 fn one_bad_instance_leaves_the_others_alone() {
     for case in cases() {

@@ -160,7 +160,7 @@ fn all_scalings(problem: &Problem) -> Vec<Scaling> {
         weights.of_sum(terms.into_iter());
     }
     problem.data.iter().for_each(|parameter| keep_on_variety(parameter, &mut weights));
-    fix_unread(problem, &used, &mut weights);
+    fix_unread(problem, &mut weights);
     if weights.is_too_large {
         return Vec::new();
     }
@@ -191,18 +191,11 @@ fn keep_on_variety(parameter: &DataParameter, weights: &mut Weights<'_>) {
 }
 
 /// Data that no equation reads stay as they are, but the mirrored entries of symmetric ones.
-fn fix_unread(problem: &Problem, used: &[ExpressionId], weights: &mut Weights<'_>) {
-    let needed = problem.graph.needed(used);
-    let reads: BTreeSet<usize> = problem
-        .graph
-        .nodes()
-        .iter()
-        .zip(needed)
-        .filter_map(|(node, needed)| match node {
-            Expression::Input(input) if needed => Some(*input as usize),
-            _ => None,
-        })
-        .collect();
+fn fix_unread(problem: &Problem, weights: &mut Weights<'_>) {
+    // The weight of an input that is read is that of its own column, and of no other input.
+    let nodes = problem.graph.nodes().iter().zip(&weights.of_nodes);
+    let reads = nodes.filter(|(node, _)| matches!(node, Expression::Input(_)));
+    let reads: BTreeSet<usize> = reads.flat_map(|(_, weight)| weight.keys().copied()).collect();
     for parameter in problem.data.iter().filter(|parameter| parameter.attribute != DataAttribute::Symmetric) {
         for input in (parameter.first_input..).take(parameter.len()).filter(|input| !reads.contains(input)) {
             weights.require(&Form::from([(input, 1)]));
@@ -295,14 +288,21 @@ mod tests {
 
     #[test]
     fn mirrored_entries_have_one_weight() {
-        for text in [
-            "fn f(#[symmetric] m: [[f64; 2]; 2]) -> (x, y) { let v = [x, y]; let w = m * v; w[0] == 1; w[1] == x; }",
-            "fn f(#[rank(1)] m: [[f64; 2]; 2], c: f64) -> (x, y) { x * x == m[0][0] * c; y * x == m[0][1]; \
-             y == m[1][0] + m[1][1]; }",
-        ] {
-            let found = of_text(text);
-            assert!(found.iter().all(|scaling| scaling.data[1] == scaling.data[2]), "{text}: {found:?}");
-        }
+        let found = of_text(
+            "fn f(#[symmetric] m: [[f64; 2]; 2]) -> (x, y) { let w = m * [x, y]; w[0] == 1; w[1] == x * x * y; }",
+        );
+        // The weights of m00 x, m01 y are 0; those of m01 x, m11 y and x^2 y are the same.
+        assert_eq!(found, [Scaling { data: vec![2, -1, -1, -4], unknowns: vec![-2, 1] }]);
+    }
+
+    #[test]
+    fn matrices_keep_their_rank() {
+        let found = of_text(
+            "fn f(#[rank(1)] m: [[f64; 2]; 2], c: f64) -> (x, y) {
+                x * x == m[0][0] * c; y * x == m[0][1]; y == m[1][0] + m[1][1];
+            }",
+        );
+        assert_eq!(found, [Scaling { data: vec![1, 1, 1, 1, -1], unknowns: vec![0, 1] }]);
     }
 
     #[test]
