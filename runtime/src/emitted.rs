@@ -14,6 +14,7 @@ pub use crate::elimination::program::{
 };
 pub use crate::elimination::template::{ActionRow, Block, Entry, action_matrix, check_coefficients, fill, solved_rows};
 pub use crate::fill_entries;
+pub use crate::number::double_double::DoubleDouble;
 pub use crate::number::{Arithmetic, Over, Real};
 pub use crate::scaling::{MOST_SCALINGS, Scalings, scaled, unscale, unscaled};
 pub use crate::size::{AtMost, Fixed, List, Matrix, Size, Square, Vector, filled_matrix};
@@ -23,8 +24,9 @@ pub use crate::solution::dense_system::{DenseSystem, rows};
 pub use crate::solution::distinct::{Candidate, push_distinct};
 pub use crate::solution::extract::{monomial_values, ratio};
 pub use crate::solution::polish::{POLISH_STEPS, polish};
+pub use crate::solution::refine::{error_bound, polish_precisely};
 pub use crate::solution::sign_changes::SignChanges;
-pub use crate::solution::system::{FixedTables, Monomials, PolynomialSystem, Product, System, Tables, Term, Values};
+pub use crate::solution::system::{FixedTables, Monomials, PolynomialSystem, PreciseSystem, Product, System, Tables, Term, Values};
 pub use crate::solver_instance::{BasisVector, HiddenVariableSolver, Point, Points, Sizes, SizesOf, SolverInstance};
 pub use crate::spectrum::hessenberg::Hessenberg;
 pub use crate::spectrum::hidden_variable::{ChainTable, ChainedBasis, entry, value_at};
@@ -32,7 +34,7 @@ pub use crate::spectrum::real_roots::{RealRoots, real_roots};
 pub use crate::unpolished::unpolished_points;
 
 /// The version of this interface. Emitted code states the one that it was written for.
-pub const VERSION: u32 = 6;
+pub const VERSION: u32 = 7;
 
 /// The handshake of emitted code, evaluated when it is compiled.
 ///

@@ -238,5 +238,20 @@ fn measures(
             let #instance = Instance::#constructor(#(#arguments),*)?;
             Ok(emitted::SolverInstance::polish(&#instance, &mut #to_unknowns, 0))
         }
+
+        /// A bound on the error of a solution: the largest error of an unknown that is solved for,
+        /// relative to the largest of them, from steps of Newton's method whose residuals are
+        /// computed at twice the precision. Infinity if no solution is known to be near: the
+        /// Jacobian has lost rank, or the steps do not shorten.
+        ///
+        /// # Errors
+        /// As [`solve`], for the data.
+        pub fn error_bound<S: ::eliminant::Scalar>(
+            #(#parameters,)*
+            #solution: &Solution<S>,
+        ) -> Result<f64, ::eliminant::SolveError> {
+            let #instance = Instance::new(#(#arguments),*)?;
+            Ok(emitted::SolverInstance::error_bound(&#instance, &#solution.to_unknowns()))
+        }
     }
 }

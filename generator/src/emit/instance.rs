@@ -5,13 +5,13 @@ use quote::quote;
 
 use super::listing::Listings;
 use super::provenance::Provenance;
-use super::{chains, code, elimination, monomials, scaling};
+use super::{chains, code, elimination, monomials, program, scaling};
 use crate::plan::Plan;
 use crate::plan::program::ProgramForm;
 use crate::plan::value_layout::ValueLayout;
 
 /// The version of the runtime's hidden interface that is emitted for.
-pub const RUNTIME_VERSION: u32 = 6;
+pub const RUNTIME_VERSION: u32 = 7;
 
 /// That all unknowns 0 is a solution, if it is one.
 fn origin(plan: &Plan) -> TokenStream {
@@ -51,25 +51,24 @@ pub(super) fn sign_changes_of(plan: &Plan) -> TokenStream {
     quote!(Some(emitted::SignChanges { steps: &[#(#steps),*], flips: &[#(#flips),*] }))
 }
 
-/// A field for the data if an elimination at twice the precision needs them, its value, and how the
-/// coefficients are computed from `data`.
-fn coefficients_of_instance(plan: &Plan) -> (TokenStream, TokenStream, TokenStream) {
-    if plan.program.form == ProgramForm::Statements {
-        let compute = quote!(emitted::outlined(|| self::coefficients(1.0, data)));
-        return (quote!(), quote!(), compute);
+/// How the coefficients are computed from `data`.
+fn coefficients_of_instance(plan: &Plan) -> TokenStream {
+    match plan.program.form {
+        ProgramForm::Statements => quote!(emitted::outlined(|| self::coefficients(1.0, data))),
+        ProgramForm::Table => quote!(self::coefficients(data)),
     }
-    let inputs = Literal::usize_unsuffixed(plan.inputs());
-    let field = quote! {
-        /// All data, one parameter after another.
-        data: [f64; #inputs],
-    };
-    (field, quote!(data: *data,), quote!(self::coefficients(data)))
+}
+
+/// The coefficients at twice the precision.
+fn precise_coefficients(plan: &Plan) -> TokenStream {
+    let function = program::name_of_table_function(plan);
+    quote!(self::#function::<emitted::DoubleDouble>(&self.data))
 }
 
 /// The coefficients for given data, and what they are for.
 pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> TokenStream {
     let count = Literal::usize_unsuffixed(plan.coefficients.len());
-    let (data_field, data, compute) = coefficients_of_instance(plan);
+    let (inputs, compute) = (Literal::usize_unsuffixed(plan.inputs()), coefficients_of_instance(plan));
     let (units_field, units) = scaling::field(plan);
     let system = monomials::system(plan);
     let (basis, count_read) =
@@ -89,7 +88,7 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
     let eliminated = elimination::eliminated(plan, provenance, listings);
     let (ratios, recovered) = (ratios(plan), code::recovered(plan));
     let (solver_instance, chains) = (solver_instance(plan, &system, &action_matrix), chains::chains(plan));
-    let value = quote!(Self { coefficients: #compute, #data #units #no_read });
+    let value = quote!(Self { coefficients: #compute, data: *data, #units #no_read });
     let (constructors, scalings) = (scaling::constructors(plan, &value), scaling::table(plan));
     let version = Literal::u32_unsuffixed(RUNTIME_VERSION);
     quote! {
@@ -99,7 +98,8 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
         /// The coefficients of all equations for given data.
         struct Instance {
             coefficients: [f64; #count],
-            #data_field
+            /// All data, one parameter after another.
+            data: [f64; #inputs],
             #units_field
             #read_field
         }
@@ -133,6 +133,7 @@ fn solver_instance(plan: &Plan, system: &TokenStream, action_matrix: &TokenStrea
     };
     let (has_image, equations) = (layout.has_image, Literal::usize_unsuffixed(plan.equations.len()));
     let sizes = quote!((emitted::Fixed::<#unknowns>, emitted::Fixed::<#equations>));
+    let coefficients = precise_coefficients(plan);
     let read = match plan.read.is_empty() {
         true => quote!(&[[0.0; 0]; 0]),
         false => quote!(&self.read),
@@ -175,7 +176,11 @@ fn solver_instance(plan: &Plan, system: &TokenStream, action_matrix: &TokenStrea
             }
 
             fn polish<S: ::eliminant::Scalar>(&self, x: &mut [S; #unknowns], steps: usize) -> f64 {
-                emitted::polish(x, #sizes, &#system, steps)
+                emitted::polish_precisely(x, #sizes, &#system, steps, || #coefficients)
+            }
+
+            fn error_bound<S: ::eliminant::Scalar>(&self, x: &[S; #unknowns]) -> f64 {
+                emitted::error_bound(x, #sizes, &#system, &#coefficients)
             }
 
             fn is_admissible<S: ::eliminant::Scalar>(&self, x: &[S; #unknowns]) -> bool {

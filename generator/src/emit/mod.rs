@@ -71,10 +71,11 @@ fn module(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> Toke
     let (solution, functions) = (api::solution(plan), api::functions(plan));
     let batch = batch::batch(plan);
     let instance = instance::instance(plan, provenance, listings);
-    let coefficients = match plan.program.form {
+    let statements = match plan.program.form {
         ProgramForm::Statements => code::statements(plan),
-        ProgramForm::Table => program::table(plan, listings),
+        ProgramForm::Table => quote!(),
     };
+    let program = program::table(plan, listings);
     let tables = tables::tables(plan, provenance, listings);
     // One more parameter is the solution of which the residual is asked.
     let arguments = (plan.data.len() >= MOST_PARAMETERS).then(|| quote!(clippy::too_many_arguments,));
@@ -90,7 +91,8 @@ fn module(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> Toke
             #functions
             #batch
             #instance
-            #coefficients
+            #statements
+            #program
             #tables
         }
     }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::code;
@@ -10,9 +10,18 @@ use super::listing::Listings;
 use super::shapes::doc_line;
 use super::wrap::wrapped;
 use crate::plan::Plan;
-use crate::plan::program::{Operation, ValueId};
+use crate::plan::program::{Operation, ProgramForm, ValueId};
 use crate::plan::program_table::ProgramTable;
 use crate::problem::DataParameter;
+
+/// The name of the function that executes the table: where statements compute the coefficients, it
+/// is for twice the precision only.
+pub(super) fn name_of_table_function(plan: &Plan) -> Ident {
+    match plan.program.form {
+        ProgramForm::Statements => format_ident!("precise_coefficients"),
+        ProgramForm::Table => format_ident!("coefficients"),
+    }
+}
 
 /// The function from the data to the coefficients, and the table that it executes.
 pub(super) fn table(plan: &Plan, listings: &mut Listings) -> TokenStream {
@@ -27,12 +36,12 @@ pub(super) fn table(plan: &Plan, listings: &mut Listings) -> TokenStream {
     let results = listings.add(table.results.iter().map(u32::to_string));
     let [inputs, values, length] =
         [plan.inputs(), table.values, plan.coefficients.len()].map(Literal::usize_unsuffixed);
-    let names = names_of_coefficients(plan);
+    let (function, names) = (name_of_table_function(plan), names_of_coefficients(plan));
     let names = names.iter().map(|line| doc_line(line));
     quote! {
         /// The coefficients that the tables refer to.
         #(#[doc = #names])*
-        fn coefficients<R: emitted::Real>(data: &[f64; #inputs]) -> [R; #length] {
+        fn #function<R: emitted::Real>(data: &[f64; #inputs]) -> [R; #length] {
             PROGRAM.evaluate::<R, #values, #length>(&[data])
         }
 

@@ -5,7 +5,7 @@ use fearless_simd::prelude::*;
 use crate::batch::lanes::{Lanes, lanes_in_use};
 use crate::number::Arithmetic;
 use crate::size::{Matrix, Size, filled_matrix};
-use crate::solution::polish::{FAR, LARGE, NOISE, ROUNDING, STALLED};
+use crate::solution::polish::{FAR, ILL_CONDITIONED, LARGE, NOISE, ROUNDING, STALLED};
 use crate::solution::system::Monomials;
 
 /// Instances that need more steps are rare. They are solved by themselves.
@@ -69,7 +69,8 @@ impl<S: Simd, N: Size, E: Size, K: Size, Q: Monomials<N, K>> Equations<'_, S, N,
             // After a long step one more is taken.
             open &= lowers.bits() & !(residual.at_most(rounding).bits() & is_short);
         }
-        has_scales & is_near & residual.at_most(zero.constant(STALLED)).bits() & self.is_bounded(x)
+        let is_solved = has_scales & is_near & residual.at_most(zero.constant(STALLED)).bits();
+        is_solved & jacobian.is_well_conditioned(x) & self.is_bounded(x)
     }
 
     /// A bit for each instance whose point is not on the way to infinity, where halves of large
@@ -203,6 +204,17 @@ impl<S: Simd, N: Size, E: Size> LeastSquares<S, N, E> {
             }
         }
         Self { sizes: (unknowns, equations), columns, inverse_factors, inverse_diagonal }
+    }
+
+    /// A bit for each instance whose solution x needs no refinement at twice the precision.
+    #[inline(always)]
+    fn is_well_conditioned(&self, x: &N::Vector<Lanes<S>>) -> u64 {
+        let (mut enlargement, mut size) = (self.inverse_diagonal[0].abs(), x[0].abs());
+        for k in 1..self.sizes.0.get() {
+            enlargement = self.inverse_diagonal[k].abs().max(enlargement);
+            size = x[k].abs().max(size);
+        }
+        enlargement.at_most(size * size.constant(ILL_CONDITIONED)).bits()
     }
 
     /// The least-squares solution for this right side, which is overwritten.

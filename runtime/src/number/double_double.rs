@@ -14,7 +14,7 @@ use crate::size::Size;
 /// quad-double precision floating point arithmetic", ARITH 2001. The range is that of `f64`;
 /// products are exact to the last digits only if their parts neither overflow nor underflow.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct DoubleDouble {
+pub struct DoubleDouble {
     high: f64,
     low: f64,
 }
@@ -202,7 +202,7 @@ impl Real for DoubleDouble {
 /// A complex number with [`DoubleDouble`] parts. (`num_complex` requires remainders and parsing of
 /// its parts.)
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct DoubleComplex {
+pub struct DoubleComplex {
     re: DoubleDouble,
     im: DoubleDouble,
 }

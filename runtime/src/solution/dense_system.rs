@@ -1,8 +1,9 @@
 //! Evaluates equations that share most of their monomials: a matrix times the vector of monomials.
 
-use crate::number::Scalar;
+use crate::number::double_double::{DoubleComplex, DoubleDouble};
+use crate::number::{Over, Scalar};
 use crate::size::{Matrix, Size};
-use crate::solution::system::{Monomials, System, Values};
+use crate::solution::system::{Monomials, PreciseSystem, System, Values, precise_coefficient};
 
 /// A system with its coefficients as a matrix, one row for each of K monomials, one column for each
 /// of E equations:
@@ -93,5 +94,20 @@ impl<S: Scalar, N: Size, E: Size, K: Size, Q: Monomials<N, K>> System<S, N, E> f
             }
             columns[j] = column;
         }
+    }
+}
+
+impl<N: Size, E: Size, K: Size, Q: Monomials<N, K>> PreciseSystem<N, E> for DenseSystem<'_, N, E, K, Q> {
+    fn precise_values(&self, x: &N::Vector<DoubleComplex>, coefficients: &[DoubleDouble]) -> E::Vector<DoubleComplex> {
+        let (_, equations, count) = self.sizes;
+        let monomials = self.monomials.products(x);
+        let mut values = equations.filled(DoubleComplex::ZERO);
+        for k in 0..count.get() {
+            for e in 0..equations.get() {
+                let coefficient = precise_coefficient(coefficients, k * equations.get() + e);
+                values[e] += monomials[k].times(coefficient);
+            }
+        }
+        values
     }
 }

@@ -3,7 +3,8 @@
 //! 1. [`extract`] reads unknowns off an eigenvector; [`sign_changes`] resolves unknowns that are
 //!    known up to sign.
 //! 2. [`mod@polish`] improves a solution on the original equations, which [`system`] evaluates from
-//!    tables, or [`dense_system`] from a matrix.
+//!    tables, or [`dense_system`] from a matrix; [`refine`] does so at twice the precision where a
+//!    solution is ill-conditioned.
 //! 3. [`distinct`] removes solutions that were found more than once.
 //! 4. `shared_value` tells apart the solutions that share an eigenvalue.
 //! 5. `candidates` collects real solutions, or all solutions.
@@ -15,6 +16,7 @@ pub(crate) mod dense_system;
 pub(crate) mod distinct;
 pub(crate) mod extract;
 pub(crate) mod polish;
+pub(crate) mod refine;
 pub(crate) mod shared_value;
 pub(crate) mod sign_changes;
 pub(crate) mod system;

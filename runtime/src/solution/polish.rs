@@ -44,6 +44,11 @@ const FLAT: f64 = 1e-6;
 /// them is rounding, too. (At such points steps are rounding errors and show nothing.)
 pub(crate) const LARGE: f64 = 1e6;
 
+/// A point is ill-conditioned if a relative error of the equations may move it by more than so many
+/// times this error, relative to its largest unknown: rounding then costs it more than 9 of its 16
+/// digits.
+pub(crate) const ILL_CONDITIONED: f64 = 1e6;
+
 /// Improves x by at most `steps` Gauss-Newton steps and returns its relative residual,
 ///
 /// max over equations e of |f_e(x)| / (sum of the moduli of the terms of f_e at x), where 0/0 = 0.
@@ -71,17 +76,36 @@ pub fn polish<S: Scalar, N: Size, E: Size>(
     system: &impl System<S, N, E>,
     steps: usize,
 ) -> f64 {
-    let (at, weight) = (Values::zero(equations), equations.filled(0.0));
-    let mut polish = Polish { unknowns, equations, system, monomials: system.monomials(x), at, weight };
+    polish_and_judge(x, (unknowns, equations), system, steps).residual
+}
+
+/// A polished point.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Polished {
+    /// The relative residual.
+    pub(crate) residual: f64,
+    /// Whether errors of the equations are enlarged by more than [`ILL_CONDITIONED`].
+    pub(crate) is_ill_conditioned: bool,
+}
+
+/// As [`polish`]; says in addition whether the point is ill-conditioned, which only steps show.
+#[inline]
+pub(crate) fn polish_and_judge<S: Scalar, N: Size, E: Size>(
+    x: &mut N::Vector<S>,
+    (unknowns, equations): (N, E),
+    system: &impl System<S, N, E>,
+    steps: usize,
+) -> Polished {
+    let mut polish = Polish::new(x, (unknowns, equations), system);
     let residual = polish.residual();
     match steps {
-        0 => residual,
+        0 => Polished { residual, is_ill_conditioned: false },
         _ => polish.run(x, residual, steps),
     }
 }
 
 /// One polish: the system, and what it is at the point where it was evaluated last.
-struct Polish<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> {
+pub(crate) struct Polish<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> {
     unknowns: N,
     equations: E,
     system: &'a Y,
@@ -96,15 +120,31 @@ struct Ended<S: Scalar, N: Size> {
     /// The residual of the point.
     best: f64,
     /// The last step, taken or not.
-    correction: N::Vector<S>,
+    step: Step<S, N>,
     /// Whether the last step leads from a residual that is rounding to one that is small, too.
     flat: bool,
 }
 
-impl<S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'_, S, N, E, Y> {
+/// A Gauss-Newton step, which is subtracted from a point.
+pub(crate) struct Step<S: Scalar, N: Size> {
+    pub(crate) correction: N::Vector<S>,
+    /// The largest 1 / |R\[k\]\[k\]| of the QR decomposition of the weighted Jacobian: at most by so
+    /// much, up to a factor that grows with the number of unknowns only, a relative error of the
+    /// equations moves the point.
+    pub(crate) enlargement: f64,
+}
+
+impl<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'a, S, N, E, Y> {
+    /// At this point, nothing evaluated but the monomials.
+    #[inline]
+    pub(crate) fn new(x: &N::Vector<S>, (unknowns, equations): (N, E), system: &'a Y) -> Self {
+        let (at, weight) = (Values::zero(equations), equations.filled(0.0));
+        Self { unknowns, equations, system, monomials: system.monomials(x), at, weight }
+    }
+
     /// The relative residual at the point of the monomials.
     #[inline]
-    fn residual(&mut self) -> f64 {
+    pub(crate) fn residual(&mut self) -> f64 {
         self.system.residual(&self.monomials, &mut self.at);
         for e in 0..self.equations.get() {
             let scale = self.at.scale[e];
@@ -116,7 +156,7 @@ impl<S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'_, S, N, E, Y> {
 
     /// The relative residual at x.
     #[inline]
-    fn residual_at(&mut self, x: &N::Vector<S>) -> f64 {
+    pub(crate) fn residual_at(&mut self, x: &N::Vector<S>) -> f64 {
         self.monomials = self.system.monomials(x);
         self.residual()
     }
@@ -130,26 +170,29 @@ impl<S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'_, S, N, E, Y> {
     }
 
     #[inline]
-    fn run(&mut self, x: &mut N::Vector<S>, residual: f64, steps: usize) -> f64 {
+    fn run(&mut self, x: &mut N::Vector<S>, residual: f64, steps: usize) -> Polished {
         let ended = self.iterate(x, residual, steps);
-        self.verdict(x, &ended)
+        let is_ill_conditioned = ended.step.enlargement > ILL_CONDITIONED * largest(x.as_ref());
+        Polished { residual: self.verdict(x, &ended), is_ill_conditioned }
     }
 
     #[inline]
     fn iterate(&mut self, x: &mut N::Vector<S>, residual: f64, steps: usize) -> Ended<S, N> {
         let mut derivatives = filled_matrix(self.unknowns, self.equations, S::ZERO);
         let (mut best, mut flat) = (residual, false);
-        let mut correction = self.unknowns.filled(S::ZERO);
+        let mut last = Step { correction: self.unknowns.filled(S::ZERO), enlargement: 0.0 };
         for step in 0..steps {
-            if (step == 0 && best <= ROUNDING) || best == f64::INFINITY {
+            if best == f64::INFINITY {
                 break;
             }
-            self.system.derivatives(x, &self.monomials, &mut derivatives);
-            self.weigh(&mut derivatives);
-            let sizes = (self.unknowns, self.equations);
-            let Some(step) = least_squares(sizes, &mut derivatives, &mut self.at.residual) else { break };
-            correction = step;
-            let (moved, residual) = self.step(x, &correction, best);
+            let Some(next) = self.newton_step(x, &mut derivatives) else { break };
+            // At a residual that is rounding the step is only asked for the condition.
+            if step == 0 && best <= ROUNDING {
+                last.enlargement = next.enlargement;
+                break;
+            }
+            last = next;
+            let (moved, residual) = self.step(x, &last.correction, best);
             flat = best <= STALLED && residual <= FLAT;
             if !(residual < best) {
                 break;
@@ -158,11 +201,35 @@ impl<S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'_, S, N, E, Y> {
             *x = moved;
             // After a long step one more is taken: it stays near x if the solution is badly
             // determined, and leads away if there is no solution.
-            if best <= ROUNDING && !self.is_far(x, &correction).as_ref().contains(&true) {
+            if best <= ROUNDING && !self.is_far(x, &last.correction).as_ref().contains(&true) {
                 break;
             }
         }
-        Ended { best, correction, flat }
+        Ended { best, step: last, flat }
+    }
+
+    /// The step at x, where the equations were evaluated, for other values of theirs.
+    pub(crate) fn step_for(
+        &mut self,
+        x: &N::Vector<S>,
+        values: E::Vector<S>,
+        derivatives: &mut Matrix<N, E, S>,
+    ) -> Option<Step<S, N>> {
+        self.at.residual = values;
+        self.newton_step(x, derivatives)
+    }
+
+    /// The Gauss-Newton step at x for the residuals at hand, which are overwritten, as are the
+    /// derivatives. `None` if the Jacobian has lost rank.
+    #[inline]
+    fn newton_step(
+        &mut self,
+        x: &N::Vector<S>,
+        derivatives: &mut Matrix<N, E, S>,
+    ) -> Option<Step<S, N>> {
+        self.system.derivatives(x, &self.monomials, derivatives);
+        self.weigh(derivatives);
+        least_squares((self.unknowns, self.equations), derivatives, &mut self.at.residual)
     }
 
     /// Multiplies each equation by its weight, or divides it by the size of its gradient if all its
@@ -228,7 +295,7 @@ impl<S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'_, S, N, E, Y> {
                 return f64::INFINITY;
             }
         }
-        let far = self.is_far(x, &ended.correction);
+        let far = self.is_far(x, &ended.step.correction);
         if !far.as_ref().contains(&true) {
             return best;
         }
@@ -293,7 +360,7 @@ fn least_squares<S: Scalar, N: Size, E: Size>(
     (unknowns, equations): (N, E),
     columns: &mut Matrix<N, E, S>,
     right: &mut E::Vector<S>,
-) -> Option<N::Vector<S>> {
+) -> Option<Step<S, N>> {
     let n = unknowns.get();
     if equations.get() < n {
         return None;
@@ -333,7 +400,9 @@ fn least_squares<S: Scalar, N: Size, E: Size>(
         }
         solution[k] = sum * inverse_diagonal[k];
     }
-    solution.as_ref().iter().all(|entry| entry.is_finite()).then_some(solution)
+    let is_finite = solution.as_ref().iter().all(|entry| entry.is_finite());
+    let enlargement = largest(inverse_diagonal.as_ref());
+    is_finite.then_some(Step { correction: solution, enlargement })
 }
 
 /// Subtracts v v^H `other` times the factor.

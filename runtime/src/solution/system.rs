@@ -1,6 +1,7 @@
 //! Evaluates the original equations from tables, so that emitted code is data, not arithmetic.
 
-use crate::number::{Arithmetic, Scalar};
+use crate::number::double_double::{DoubleComplex, DoubleDouble};
+use crate::number::{Arithmetic, Over, Scalar};
 use crate::size::{Fixed, Matrix, Size, filled_matrix};
 
 /// E equations in N unknowns, with their derivatives.
@@ -19,6 +20,19 @@ pub trait System<S: Scalar, N: Size, E: Size> {
 
     /// The columns of the Jacobian, one for each unknown, at the point x of these monomials.
     fn derivatives(&self, x: &N::Vector<S>, monomials: &Self::Monomials, columns: &mut Matrix<N, E, S>);
+}
+
+/// E equations in N unknowns, evaluated at twice the precision.
+pub trait PreciseSystem<N: Size, E: Size> {
+    /// The equations at a point of twice the precision, with these coefficients in place of the
+    /// rounded ones. A coefficient that is not in the list counts as zero.
+    fn precise_values(&self, x: &N::Vector<DoubleComplex>, coefficients: &[DoubleDouble]) -> E::Vector<DoubleComplex>;
+}
+
+/// The coefficient in a slot; zero if there is no such slot.
+#[inline]
+pub(crate) fn precise_coefficient(coefficients: &[DoubleDouble], slot: usize) -> DoubleDouble {
+    coefficients.get(slot).copied().unwrap_or(DoubleDouble::ZERO)
 }
 
 /// K monomials in N unknowns.
@@ -269,5 +283,20 @@ impl<S: Scalar, N: Size, E: Size, K: Size> System<S, N, E> for PolynomialSystem<
                 columns[j][equation] = gradient[j];
             }
         }
+    }
+}
+
+impl<N: Size, E: Size, K: Size> PreciseSystem<N, E> for PolynomialSystem<'_, N, E, K> {
+    fn precise_values(&self, x: &N::Vector<DoubleComplex>, coefficients: &[DoubleDouble]) -> E::Vector<DoubleComplex> {
+        let (_, equations, _) = self.tables.sizes;
+        let monomials = self.tables.products(x);
+        let mut values = equations.filled(DoubleComplex::ZERO);
+        for (equation, terms) in self.tables.equations().enumerate() {
+            for term in terms {
+                let coefficient = precise_coefficient(coefficients, usize::from(term.coefficient));
+                values[equation] += monomials[usize::from(term.monomial)].times(coefficient);
+            }
+        }
+        values
     }
 }

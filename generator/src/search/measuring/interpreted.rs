@@ -338,6 +338,10 @@ impl InterpretedInstance<'_> {
         self.attempts
     }
 
+    fn precise_coefficients(&self) -> Vec<emitted::DoubleDouble> {
+        self.solver.program.evaluate(&self.data)
+    }
+
     fn eliminated<R: emitted::Real>(&self) -> Result<Vec<Vec<R>>, SolveError> {
         let InterpretedSolver { elimination, layout, has_precise_coefficients, program, .. } = self.solver;
         if !has_precise_coefficients {
@@ -408,12 +412,25 @@ impl SolverInstance for InterpretedInstance<'_> {
 
     fn polish<S: Scalar>(&self, x: &mut Vec<S>, steps: usize) -> f64 {
         let tables = self.solver.equations.tables(self.solver.unknowns);
+        let (sizes, coefficients) = (tables.polynomials(), || self.precise_coefficients());
         match &self.rows {
             Some(rows) => {
                 let system = emitted::DenseSystem { sizes: tables.sizes, monomials: tables, rows };
-                emitted::polish(x, tables.polynomials(), &system, steps)
+                emitted::polish_precisely(x, sizes, &system, steps, coefficients)
             }
-            None => emitted::polish(x, tables.polynomials(), &tables.bind(&self.coefficients), steps),
+            None => emitted::polish_precisely(x, sizes, &tables.bind(&self.coefficients), steps, coefficients),
+        }
+    }
+
+    fn error_bound<S: Scalar>(&self, x: &Vec<S>) -> f64 {
+        let tables = self.solver.equations.tables(self.solver.unknowns);
+        let (sizes, coefficients) = (tables.polynomials(), self.precise_coefficients());
+        match &self.rows {
+            Some(rows) => {
+                let system = emitted::DenseSystem { sizes: tables.sizes, monomials: tables, rows };
+                emitted::error_bound(x, sizes, &system, &coefficients)
+            }
+            None => emitted::error_bound(x, sizes, &tables.bind(&self.coefficients), &coefficients),
         }
     }
 
