@@ -26,7 +26,9 @@ pub use crate::solution::extract::{monomial_values, ratio};
 pub use crate::solution::polish::{POLISH_STEPS, polish};
 pub use crate::solution::refine::{error_bound, polish_precisely};
 pub use crate::solution::sign_changes::SignChanges;
-pub use crate::solution::system::{FixedTables, Monomials, PolynomialSystem, PreciseSystem, Product, System, Tables, Term, Values};
+pub use crate::solution::system::{
+    FixedTables, Monomials, PolynomialSystem, PreciseSystem, Product, System, Tables, Term, Values,
+};
 pub use crate::solver_instance::{BasisVector, HiddenVariableSolver, Point, Points, Sizes, SizesOf, SolverInstance};
 pub use crate::spectrum::hessenberg::Hessenberg;
 pub use crate::spectrum::hidden_variable::{ChainTable, ChainedBasis, entry, value_at};

@@ -18,7 +18,8 @@ impl NearlyTangent {
     fn new(angle: f64, random: &mut Random) -> Self {
         let [x, y] = [0, 1].map(|_| 0.5 + random.symmetric().abs());
         let number = DoubleDouble::from_f64;
-        let monomials = [number(1.0), number(x), number(y), number(x) * number(x), number(x) * number(y), number(y) * number(y)];
+        let monomials =
+            [number(1.0), number(x), number(y), number(x) * number(x), number(x) * number(y), number(y) * number(y)];
         let mut through = || {
             let mut conic: [DoubleDouble; 6] = std::array::from_fn(|_| number(random.symmetric()));
             conic[0] = (1..6).fold(DoubleDouble::ZERO, |sum, k| sum - conic[k] * monomials[k]);
@@ -56,18 +57,18 @@ fn beside(point: [f64; 2], distance: f64, random: &mut Random) -> [f64; 2] {
 #[test]
 fn ill_conditioned_solutions_have_all_digits() {
     let mut random = Random::new(3);
-    for angle in [1e-7, 1e-9, 1e-11] {
+    for angle in [1e-8, 1e-9, 1e-10] {
         let mut plain = Vec::new();
         for _ in 0..100 {
             let conics = NearlyTangent::new(angle, &mut random);
-            let start = beside(conics.point, 0.1 * angle, &mut random);
+            let start = beside(conics.point, 1e-6, &mut random);
             let mut polished = start;
             polish(&mut polished, &TWO.bind(&conics.rounded), 24);
             plain.push(conics.error(&polished));
             let (x, residual) = conics.refined(start);
             assert!(conics.error(&x) < 1e-14 && residual < 1e-14, "{angle}: {x:?} {residual}");
-            let (z, _) = conics.refined(start.map(|x| Complex::new(x, 0.01 * angle)));
-            assert!(conics.error(&z) < 1e-14, "{angle}: {z:?}");
+            let (z, of_z) = conics.refined(start.map(|x| Complex::new(x, 1e-6 * x)));
+            assert!(conics.error(&z) < 1e-14, "{angle}: {z:?} {of_z}");
         }
         plain.sort_by(f64::total_cmp);
         assert!(plain[50] > 1e-18 / angle, "without refinement {}", plain[50]);
@@ -79,15 +80,12 @@ fn well_conditioned_solutions_are_not_refined() {
     let mut random = Random::new(4);
     for _ in 0..100 {
         let conics = NearlyTangent::new(1.0, &mut random);
-        let (mut x, system) = (beside(conics.point, 1e-6, &mut random), TWO.bind(&conics.rounded));
-        let mut refined = x;
-        polish(&mut x, &system, 24);
-        let none: fn() -> [DoubleDouble; 12] = || panic!("the coefficients are not asked for");
-        let is_rare = conics.bound(&x) < 1e-12;
-        if is_rare {
-            polish_precisely::<f64, Fixed<2>, Fixed<2>, _>(&mut refined, (Fixed, Fixed), &system, 24, none);
-            assert_eq!(x, refined);
-        }
+        let mut plain = beside(conics.point, 1e-6, &mut random);
+        let (mut refined, system) = (plain, TWO.bind(&conics.rounded));
+        polish(&mut plain, &system, 24);
+        let unread: fn() -> [DoubleDouble; 12] = || panic!("the coefficients are not asked for");
+        polish_precisely::<f64, Fixed<2>, Fixed<2>, _>(&mut refined, (Fixed, Fixed), &system, 24, unread);
+        assert_eq!(plain, refined);
     }
 }
 

@@ -128,9 +128,9 @@ struct Ended<S: Scalar, N: Size> {
 /// A Gauss-Newton step, which is subtracted from a point.
 pub(crate) struct Step<S: Scalar, N: Size> {
     pub(crate) correction: N::Vector<S>,
-    /// The largest 1 / |R\[k\]\[k\]| of the QR decomposition of the weighted Jacobian: at most by so
-    /// much, up to a factor that grows with the number of unknowns only, a relative error of the
-    /// equations moves the point.
+    /// The largest 1 / |R\[k\]\[k\]| of the QR decomposition of the weighted Jacobian: a relative
+    /// error of the equations may move the point by so much, and by several times that where
+    /// columns of R are long beside their diagonal entry.
     pub(crate) enlargement: f64,
 }
 
@@ -222,11 +222,7 @@ impl<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'a, S, N, E, Y>
     /// The Gauss-Newton step at x for the residuals at hand, which are overwritten, as are the
     /// derivatives. `None` if the Jacobian has lost rank.
     #[inline]
-    fn newton_step(
-        &mut self,
-        x: &N::Vector<S>,
-        derivatives: &mut Matrix<N, E, S>,
-    ) -> Option<Step<S, N>> {
+    fn newton_step(&mut self, x: &N::Vector<S>, derivatives: &mut Matrix<N, E, S>) -> Option<Step<S, N>> {
         self.system.derivatives(x, &self.monomials, derivatives);
         self.weigh(derivatives);
         least_squares((self.unknowns, self.equations), derivatives, &mut self.at.residual)

@@ -17,7 +17,8 @@ use crate::number::Scalar;
 use crate::number::double_double::{DoubleComplex, DoubleDouble};
 use crate::number::scalar::mapped;
 use crate::size::{Matrix, Size, filled_matrix};
-use crate::solution::polish::{Polish, STALLED, largest, polish_and_judge};
+use crate::solution::candidates::MAX_RESIDUAL;
+use crate::solution::polish::{Polish, largest, polish_and_judge};
 use crate::solution::system::{PreciseSystem, System};
 
 /// Steps at most. Each multiplies the error by about u / s.
@@ -42,7 +43,7 @@ pub fn polish_precisely<S: Scalar, N: Size, E: Size, C: AsRef<[DoubleDouble]>>(
     coefficients: impl Fn() -> C,
 ) -> f64 {
     let polished = polish_and_judge(x, sizes, system, steps);
-    match polished.is_ill_conditioned && polished.residual <= STALLED {
+    match polished.is_ill_conditioned && polished.residual <= MAX_RESIDUAL {
         true => refined(x, sizes, system, polished.residual, coefficients),
         false => polished.residual,
     }
@@ -71,7 +72,7 @@ fn refined<S: Scalar, N: Size, E: Size, C: AsRef<[DoubleDouble]>>(
     }
     let moved = newton.point();
     let of_moved = Polish::new(&moved, sizes, system).residual();
-    if last <= NEAR && of_moved <= STALLED {
+    if last <= NEAR && of_moved <= MAX_RESIDUAL {
         *x = moved;
         return of_moved;
     }

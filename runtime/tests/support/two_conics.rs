@@ -3,9 +3,9 @@
 use std::marker::PhantomData;
 
 use eliminant::emitted::{
-    ActionRow, Arithmetic, BasisVector, Block, BlockMemory, ChainTable, ChainedBasis, DoubleDouble, Dynamic, Entry, Fixed,
+    ActionRow, Arithmetic, BasisVector, Block, BlockMemory, ChainTable, ChainedBasis, Dynamic, Entry, Fixed,
     HiddenVariableSolver, Matrix, Point, Product, Real, Size, Sizes, SizesOf, SolverInstance, Square, Tables, Vector,
-    action_matrix, error_bound, fill, filled_matrix, monomial_values, polish, solved_rows,
+    action_matrix, fill, filled_matrix, monomial_values, polish, solved_rows,
 };
 use eliminant::{Scalar, SolveError};
 
@@ -182,13 +182,6 @@ impl<F: Family> SolverInstance for TwoConics<F> {
         let sizes = (F::of::<2>(), F::of::<2>(), F::of::<6>());
         let tables = Tables { sizes, chain: &self.chain, ends: &self.ends, terms: &terms::<12>() };
         polish(unknowns, tables.polynomials(), &tables.bind(&self.coefficients), steps)
-    }
-
-    fn error_bound<S: Scalar>(&self, unknowns: &Point<Self, S>) -> f64 {
-        let sizes = (F::of::<2>(), F::of::<2>(), F::of::<6>());
-        let tables = Tables { sizes, chain: &self.chain, ends: &self.ends, terms: &terms::<12>() };
-        let precise = self.coefficients.map(DoubleDouble::from_f64);
-        error_bound(unknowns, tables.polynomials(), &tables.bind(&self.coefficients), &precise)
     }
 
     fn is_admissible<S: Scalar>(&self, _unknowns: &Point<Self, S>) -> bool {
