@@ -6,7 +6,7 @@ use eliminant_generator::problem::DataParameter;
 use eliminant_generator::problem::instance::draw_inputs;
 
 use crate::Case;
-use crate::ground_truth::{KnownInstance, makers};
+use crate::ground_truth::{Make, makers};
 
 /// A family of data of one problem.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,7 +28,7 @@ pub enum Family {
 /// Draws data of one problem.
 pub struct DataSource {
     data: Vec<DataParameter>,
-    make: fn(&mut Random) -> KnownInstance,
+    make: Make,
 }
 
 impl DataSource {
@@ -51,7 +51,7 @@ impl DataSource {
     pub fn draw(&self, family: Family, seed: u64) -> Vec<f64> {
         let mut random = Random::new(seed);
         if family == Family::Scene {
-            return (self.make)(&mut random).data;
+            return self.make.draw(&mut random).data;
         }
         let mut data = draw_inputs(&self.data, Float64, &mut random);
         match family {

@@ -108,7 +108,7 @@ fn known_solutions_satisfy_the_equations() {
         let problem = case(maker.name).problem();
         let mut residuals: Vec<f64> = (0..100)
             .flat_map(|k| {
-                let instance = (maker.make)(&mut Random::new(11_000_000 + k));
+                let instance = maker.make.draw(&mut Random::new(11_000_000 + k));
                 let equations = Equations::new(&problem, &instance.data).expect("no divisor vanishes");
                 assert!(instance.truths.iter().all(|truth| truth.len() == problem.unknowns.len()), "{}", maker.name);
                 instance.truths.iter().map(|truth| equations.residual(&complex(truth))).collect::<Vec<f64>>()
@@ -135,7 +135,7 @@ fn known_solutions_are_found() {
         let results: Vec<(usize, Vec<Miss>)> = (0..instances)
             .into_par_iter()
             .map(|k| {
-                let instance = (maker.make)(&mut Random::new(10_000_000 + k));
+                let instance = maker.make.draw(&mut Random::new(10_000_000 + k));
                 (instance.truths.len(), misses(&maker, &case, &instance))
             })
             .collect();

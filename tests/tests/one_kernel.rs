@@ -122,7 +122,7 @@ fn on_scenes() {
     for maker in makers() {
         let case = cases.iter().find(|case| case.name == maker.name).expect("every maker has a case");
         let plan = case.planned().plan;
-        let draw = |k| (maker.make)(&mut Random::new(8_000_000 + k)).data;
+        let draw = |k| maker.make.draw(&mut Random::new(8_000_000 + k)).data;
         let counts = compare_all(case, &plan, "scenes", draw);
         assert!(counts.errors * 20 <= counts.instances, "{}: {} errors", case.name, counts.errors);
         second_attempts += counts.second_attempts;

@@ -38,7 +38,7 @@ struct Measured {
 fn measured(case: &Case, maker: &Maker, scaling: &Scaling, exponent: i32, scenes: u64) -> Measured {
     let factor = |&weight: &i8| 2f64.powi(i32::from(weight) * exponent);
     let of_scene = |k| {
-        let instance = (maker.make)(&mut Random::new(7_000_000 + k));
+        let instance = maker.make.draw(&mut Random::new(7_000_000 + k));
         let data: Vec<f64> = instance.data.iter().zip(&scaling.data).map(|(x, weight)| x * factor(weight)).collect();
         let solutions = (case.solve)(&data).unwrap_or_default();
         let residuals: Vec<f64> =

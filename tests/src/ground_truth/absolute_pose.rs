@@ -8,35 +8,35 @@ use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
 
 use super::cameras::{camera, distorted, image, in_ball, quaternion};
 use super::{
-    KnownInstance, Maker, combination, coordinates, null_space, projective_error, relative_error, solved, uniform,
-    vector, weights,
+    KnownInstance, Make, Maker, combination, coordinates, null_space, projective_error, relative_error, solved,
+    uniform, vector, weights,
 };
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![
         Maker {
             name: "pose_35pt_focal",
-            make: three_and_a_half_points,
+            make: Make::Scene(three_and_a_half_points),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "pose_3pt_depths",
-            make: three_depths,
+            make: Make::Scene(three_depths),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "pose_3pt_upright_error_bound",
-            make: three_stationary_errors,
+            make: Make::Scene(three_stationary_errors),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "pose_4pt_focal_radial",
-            make: |random| {
+            make: Make::Scene(|random| {
                 let RadialPose { null_vectors, lower, weights, radial } = RadialPose::draw(random);
                 let upper = (0..8).filter(|i| i % 4 < 3).flat_map(|i| from_fn::<f64, 4, _>(|c| null_vectors[c][i]));
                 let data = upper.chain(lower.into_iter().flatten()).collect();
                 KnownInstance { data, truths: vec![[coordinates(&weights), vec![radial]].concat()] }
-            },
+            }),
             error: |_, s, truth| {
                 let matrix = projective_error(&vector(&s[..3]), &vector(&truth[..3]));
                 matrix.max(relative_error(&s[3..], &truth[3..]))
@@ -44,12 +44,12 @@ pub(super) fn makers() -> Vec<Maker> {
         },
         Maker {
             name: "pose_4pt_focal_radial_cut",
-            make: |random| {
+            make: Make::Scene(|random| {
                 let RadialPose { null_vectors, lower, weights, radial } = RadialPose::draw(random);
                 let upper = [0, 4, 1, 5, 2, 6].into_iter().flat_map(|i| from_fn::<f64, 4, _>(|c| null_vectors[c][i]));
                 let data = upper.chain(lower.into_iter().flatten()).collect();
                 KnownInstance { data, truths: vec![[vec![radial], coordinates(&weights)].concat()] }
-            },
+            }),
             error: |_, s, truth| {
                 let matrix = projective_error(&vector(&s[1..]), &vector(&truth[1..]));
                 matrix.max(relative_error(&s[..1], &truth[..1]))
@@ -57,7 +57,7 @@ pub(super) fn makers() -> Vec<Maker> {
         },
         Maker {
             name: "pose_4pt_generalized_scale",
-            make: generalized_camera,
+            make: Make::Scene(generalized_camera),
             error: |data, s, truth| {
                 let [s, truth] = [s, truth].map(|x| combination(data, &vector(x)));
                 projective_error(&s, &truth)
@@ -65,17 +65,17 @@ pub(super) fn makers() -> Vec<Maker> {
         },
         Maker {
             name: "pose_4pt_upright_error_bound",
-            make: four_errors_at_bounds,
+            make: Make::Scene(four_errors_at_bounds),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "pose_5pt_refraction",
-            make: through_water,
+            make: Make::Scene(through_water),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "pose_6pt_rolling_shutter",
-            make: rolling_shutter,
+            make: Make::Scene(rolling_shutter),
             error: |_, solution, truth| relative_error(solution, truth),
         },
     ]

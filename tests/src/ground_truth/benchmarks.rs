@@ -1,12 +1,12 @@
 //! Benchmark systems without data.
 
-use super::{KnownInstance, Maker, relative_error};
+use super::{KnownInstance, Make, Maker, relative_error};
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![Maker {
         name: "katsura_5",
         // The only rational solution: v is 1, all others vanish.
-        make: |_| KnownInstance { data: vec![], truths: vec![vec![0.0, 0.0, 1.0, 0.0, 0.0, 0.0]] },
+        make: Make::Scene(|_| KnownInstance { data: vec![], truths: vec![vec![0.0, 0.0, 1.0, 0.0, 0.0, 0.0]] }),
         error: |_, solution, truth| relative_error(solution, truth),
     }]
 }

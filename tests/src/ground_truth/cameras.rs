@@ -1,5 +1,7 @@
 //! Cameras that look at points: what the families of pose problems share.
 
+use std::f64::consts::PI;
+
 use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector2, Vector3};
 
@@ -15,9 +17,79 @@ pub fn camera(random: &mut Random) -> (Matrix3<f64>, Vector3<f64>) {
     (rotation, -rotation * centre)
 }
 
-/// Two cameras, so that their optical axes do not meet: rotation and translation from the first
-/// camera's coordinates to the second's, and points in the first's.
-pub fn two_cameras(random: &mut Random, points: usize) -> (Matrix3<f64>, Vector3<f64>, Vec<Vector3<f64>>) {
+/// How the second camera is placed beside the first. All but the first kind are motions of vehicles,
+/// robots and turntables, of which data have structure: entries of null vectors vanish, or are
+/// equal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Motion {
+    /// Independently of the first.
+    General,
+    /// A turn about the vertical, and a translation in the plane.
+    Planar,
+    /// Along the optical axis, without a rotation.
+    Forward,
+    /// Along the horizontal axis of the image, without a rotation.
+    Sideways,
+    /// Any translation, without a rotation.
+    Translation,
+    /// A half turn about the optical axis, and any translation.
+    HalfTurn,
+    /// A quarter turn about the optical axis, and any translation.
+    QuarterTurn,
+    /// About a vertical axis through the middle of the points.
+    Turntable,
+}
+
+impl Motion {
+    /// All kinds.
+    pub const ALL: [Self; 8] = [
+        Self::General,
+        Self::Planar,
+        Self::Forward,
+        Self::Sideways,
+        Self::Translation,
+        Self::HalfTurn,
+        Self::QuarterTurn,
+        Self::Turntable,
+    ];
+
+    /// Rotation R and translation t of a special motion, x2 = R x1 + t, where the points are
+    /// [`DEPTH`] in front of the first camera; `None` for a general one.
+    fn draw(self, random: &mut Random) -> Option<(Matrix3<f64>, Vector3<f64>)> {
+        let turn = |axis: Vector3<f64>, angle: f64| Rotation3::new(axis * angle).into_inner();
+        let identity = Matrix3::identity();
+        Some(match self {
+            Self::General => return None,
+            Self::Planar => {
+                let (angle, way) = (uniform(random, -0.5, 0.5), uniform(random, 0.0, 2.0 * PI));
+                (turn(Vector3::y(), angle), Vector3::new(way.sin(), 0.0, way.cos()))
+            }
+            Self::Forward => (identity, Vector3::z()),
+            Self::Sideways => (identity, Vector3::x()),
+            Self::Translation => (identity, in_ball(random)),
+            Self::HalfTurn => (turn(Vector3::z(), PI), in_ball(random)),
+            Self::QuarterTurn => (turn(Vector3::z(), 0.5 * PI), in_ball(random)),
+            Self::Turntable => {
+                let rotation = turn(Vector3::y(), uniform(random, 0.1, 0.6));
+                (rotation, DEPTH * (Vector3::z() - rotation * Vector3::z()))
+            }
+        })
+    }
+}
+
+/// The distance of the middle of the points from the first camera of a special motion.
+const DEPTH: f64 = 5.0;
+
+/// Two cameras: rotation and translation from the first camera's coordinates to the second's, and
+/// points in the first's. The optical axes of a general motion do not meet.
+pub fn two_cameras(
+    (random, motion): (&mut Random, Motion),
+    points: usize,
+) -> (Matrix3<f64>, Vector3<f64>, Vec<Vector3<f64>>) {
+    if let Some((rotation, translation)) = motion.draw(random) {
+        let points = (0..points).map(|_| in_ball(random) + DEPTH * Vector3::z()).collect();
+        return (rotation, translation, points);
+    }
     let ((r1, t1), (r2, t2)) = (camera(random), camera(random));
     let rotation = r2 * r1.transpose();
     let points = (0..points).map(|_| r1 * in_ball(random) + t1).collect();
@@ -64,8 +136,8 @@ mod tests {
     #[test]
     fn points_are_in_front_of_both_cameras() {
         let mut random = Random::new(1);
-        for _ in 0..1000 {
-            let (rotation, translation, points) = two_cameras(&mut random, 6);
+        for motion in (0..200).flat_map(|_| Motion::ALL) {
+            let (rotation, translation, points) = two_cameras((&mut random, motion), 6);
             assert!((rotation.determinant() - 1.0).abs() < 1e-12);
             assert!((rotation * rotation.transpose() - Matrix3::identity()).norm() < 1e-12);
             for point in points {

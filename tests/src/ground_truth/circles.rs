@@ -3,24 +3,24 @@
 use eliminant_generator::algebra::Random;
 use nalgebra::{SMatrix, Vector2};
 
-use super::{KnownInstance, Maker, null_space, relative_error, uniform};
+use super::{KnownInstance, Make, Maker, null_space, relative_error, uniform};
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![
         Maker {
             name: "circle_least_squares",
             // The multipliers vanish with the cost.
-            make: |random| known_circle(random, |d| [&d[..], &[0.0; 2]].concat()),
+            make: Make::Scene(|random| known_circle(random, |d| [&d[..], &[0.0; 2]].concat())),
             error: |_, solution, truth| relative_error(&solution[..5], &truth[..5]),
         },
         Maker {
             name: "circle_least_squares_dual",
-            make: |random| known_circle(random, |d| d[2..].to_vec()),
+            make: Make::Scene(|random| known_circle(random, |d| d[2..].to_vec())),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "circle_minimal",
-            make: |random| {
+            make: Make::Scene(|random| {
                 let circle = Circle::draw(random);
                 let lines = circle.tangents(random, 3);
                 let (data, [d1, d2, d3, d4, d5]) = (minimal_data(&lines), circle.dual_conic());
@@ -31,7 +31,7 @@ pub(super) fn makers() -> Vec<Maker> {
                 };
                 let truth = vec![along(0) / along(2), along(1) / along(2)];
                 KnownInstance { data, truths: vec![truth] }
-            },
+            }),
             error: |data, s, truth| relative_error(&minimal_conic(data, s), &minimal_conic(data, truth)),
         },
     ]

@@ -2,6 +2,7 @@
 
 use eliminant_generator::algebra::Random;
 
+use super::cameras::Motion;
 use crate::Case;
 use crate::statistics::worst;
 
@@ -16,12 +17,31 @@ pub struct KnownInstance {
     pub truths: Vec<Vec<f64>>,
 }
 
+/// Draws instances.
+#[derive(Clone, Copy)]
+pub enum Make {
+    /// Of any scene.
+    Scene(fn(&mut Random) -> KnownInstance),
+    /// Of two cameras, between which there is a motion of some kind.
+    TwoCameras(fn(&mut Random, Motion) -> KnownInstance),
+}
+
+impl Make {
+    /// Draws an instance; of two cameras that are placed independently of each other.
+    pub fn draw(self, random: &mut Random) -> KnownInstance {
+        match self {
+            Self::Scene(make) => make(random),
+            Self::TwoCameras(make) => make(random, Motion::General),
+        }
+    }
+}
+
 /// Makes instances of one problem.
 pub struct Maker {
     /// Name of the problem.
     pub name: &'static str,
-    /// Draws an instance.
-    pub make: fn(&mut Random) -> KnownInstance,
+    /// How an instance is drawn.
+    pub make: Make,
     /// The relative error of a solution against a truth: `error(data, solution, truth)`.
     pub error: fn(&[f64], &[f64], &[f64]) -> f64,
 }
@@ -30,7 +50,7 @@ impl Maker {
     /// Draws an instance and solves it: the error of the truth that is found worst, infinite where
     /// a solution is missing altogether.
     pub fn worst_error(&self, case: &Case, random: &mut Random) -> f64 {
-        let instance = (self.make)(random);
+        let instance = self.make.draw(random);
         let Ok(found) = (case.solve)(&instance.data) else { return f64::INFINITY };
         let error_of = |truth: &Vec<f64>| {
             found.iter().map(|solution| (self.error)(&instance.data, solution, truth)).fold(f64::INFINITY, f64::min)

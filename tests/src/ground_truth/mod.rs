@@ -15,11 +15,11 @@ mod ranging;
 mod relative_pose;
 mod triangulation;
 
-pub use cameras::{camera, distorted, image, in_ball, two_cameras};
+pub use cameras::{Motion, camera, distorted, image, in_ball, two_cameras};
 pub use circles::{Circle, Line, gram, minimal_conic, minimal_data, normalised};
 pub use linear::{combination, coordinates, null_space, uniform, vector};
 use linear::{solved, weights};
-pub use maker::{FOUND, KnownInstance, Maker, largest_relative_error, projective_error, relative_error};
+pub use maker::{FOUND, KnownInstance, Make, Maker, largest_relative_error, projective_error, relative_error};
 
 /// One maker for every problem, by name.
 pub fn makers() -> Vec<Maker> {

@@ -4,35 +4,35 @@ use eliminant_generator::algebra::Random;
 use nalgebra::{DMatrix, Matrix3, SMatrix, Vector3};
 
 use super::cameras::{camera, cayley, image, in_ball, quaternion};
-use super::{KnownInstance, Maker, coordinates, projective_error, relative_error, vector};
+use super::{KnownInstance, Make, Maker, coordinates, projective_error, relative_error, vector};
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![
         Maker {
             name: "pose_npt_direct_least_squares",
-            make: |random| {
+            make: Make::Scene(|random| {
                 let (cost, rotation) = object_space_cost(random);
                 KnownInstance { data: quartic(&cost)[1..].to_vec(), truths: vec![cayley(&rotation)] }
-            },
+            }),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "pose_npt_least_squares_cayley",
-            make: |random| {
+            make: Make::Scene(|random| {
                 let (cost, rotation) = object_space_cost(random);
                 let truth = coordinates(&quaternion(&rotation));
                 KnownInstance { data: cost.as_slice().to_vec(), truths: vec![truth] }
-            },
+            }),
             error: |_, solution, truth| projective_error(&vector(solution), &vector(truth)),
         },
         Maker {
             name: "pose_npt_least_squares_quaternion",
-            make: relative_depths,
+            make: Make::Scene(relative_depths),
             error: |_, solution, truth| projective_error(&vector(solution), &vector(truth)),
         },
         Maker {
             name: "pose_npt_weak_perspective",
-            make: weak_perspective,
+            make: Make::Scene(weak_perspective),
             error: |_, solution, truth| quaternion_error(solution, truth),
         },
     ]

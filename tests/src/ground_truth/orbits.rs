@@ -6,12 +6,12 @@ use eliminant_generator::algebra::Random;
 use nalgebra::{Rotation3, Vector3};
 
 use super::cameras::in_ball;
-use super::{KnownInstance, Maker, relative_error, uniform};
+use super::{KnownInstance, Make, Maker, relative_error, uniform};
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![Maker {
         name: "orbit_5_lines_of_sight",
-        make: five_sights,
+        make: Make::Scene(five_sights),
         error: |_, solution, truth| relative_error(solution, truth),
     }]
 }

@@ -7,12 +7,12 @@ use nalgebra::{Matrix3, Rotation3, SMatrix, Vector3};
 
 use super::cameras::{camera, cayley, in_ball};
 use super::optimal_pose::ENTRIES;
-use super::{KnownInstance, Maker, null_space, relative_error};
+use super::{KnownInstance, Make, Maker, null_space, relative_error};
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![Maker {
         name: "platform_forward_kinematics",
-        make: |random| known_pose(&Platform::draw(random)),
+        make: Make::Scene(|random| known_pose(&Platform::draw(random))),
         error: |_, solution, truth| relative_error(solution, truth),
     }]
 }

@@ -4,29 +4,29 @@ use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, Vector3};
 
 use super::cameras::in_ball;
-use super::{KnownInstance, Maker, null_space, relative_error, uniform};
+use super::{KnownInstance, Make, Maker, null_space, relative_error, uniform};
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![
         Maker {
             name: "tensor_eigenvectors",
-            make: orthogonal_tensor,
+            make: Make::Scene(orthogonal_tensor),
             // One of them is zero.
             error: |_, solution, truth| distance(solution, truth) / (1.0 + distance(truth, &[0.0; 3])),
         },
         Maker {
             name: "three_quadrics",
-            make: quadrics_through_points,
+            make: Make::Scene(quadrics_through_points),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "trilateration",
-            make: distances_to_points,
+            make: Make::Scene(distances_to_points),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "two_conics",
-            make: conics_through_points,
+            make: Make::Scene(conics_through_points),
             error: |_, solution, truth| relative_error(solution, truth),
         },
     ]

@@ -6,18 +6,18 @@ use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, RowSVector, SMatrix, Vector3};
 
 use super::cameras::in_ball;
-use super::{KnownInstance, Maker, coordinates, null_space, projective_error, relative_error, vector};
+use super::{KnownInstance, Make, Maker, coordinates, null_space, projective_error, relative_error, vector};
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![
         Maker {
             name: "calibration_6_receivers_4_senders",
-            make: six_receivers,
+            make: Make::Scene(six_receivers),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "pose_5tdoa_two_receivers",
-            make: two_receivers,
+            make: Make::Scene(two_receivers),
             error: |_, solution, truth| projective_error(&vector(solution), &vector(truth)),
         },
     ]

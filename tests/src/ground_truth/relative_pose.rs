@@ -5,9 +5,9 @@ use std::array::from_fn;
 use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix2, Matrix3, Rotation3, Vector2, Vector3};
 
-use super::cameras::{camera, distorted, image, in_ball, quaternion, two_cameras};
+use super::cameras::{Motion, camera, distorted, image, in_ball, quaternion, two_cameras};
 use super::{
-    KnownInstance, Maker, combination, coordinates, largest_relative_error, null_space, projective_error,
+    KnownInstance, Make, Maker, combination, coordinates, largest_relative_error, null_space, projective_error,
     relative_error, uniform, vector, weights,
 };
 
@@ -19,22 +19,22 @@ pub(super) fn makers() -> Vec<Maker> {
     vec![
         Maker {
             name: "relpose_3pt_angle_zero_screw",
-            make: three_points,
+            make: Make::Scene(three_points),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "relpose_4pt_angle",
-            make: four_points,
+            make: Make::TwoCameras(four_points),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "relpose_5pt_generalized_angle",
-            make: five_points_generalized,
+            make: Make::TwoCameras(five_points_generalized),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "relpose_5pt",
-            make: five_points,
+            make: Make::TwoCameras(five_points),
             error: |data, s, truth| {
                 let [solved, known] = [s, truth].map(|x| combination(data, &vector(x)));
                 projective_error(&solved, &known)
@@ -42,29 +42,29 @@ pub(super) fn makers() -> Vec<Maker> {
         },
         Maker {
             name: "relpose_5pt_semi_generalized_focal",
-            make: five_points_and_a_known_one,
+            make: Make::Scene(five_points_and_a_known_one),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "relpose_6pt_generalized",
-            make: six_points_generalized,
+            make: Make::TwoCameras(six_points_generalized),
             error: |_, solution, truth| projective_error(&vector(solution), &vector(truth)),
         },
         Maker {
             name: "relpose_7pt_generalized_scale",
-            make: seven_points_generalized,
+            make: Make::TwoCameras(seven_points_generalized),
             error: |_, solution, truth| projective_error(&vector(solution), &vector(truth)),
         },
         Maker {
             name: "relpose_7pt_angle_focal_centre",
-            make: calibration_by_angle,
+            make: Make::TwoCameras(calibration_by_angle),
             error: |_, solution, truth| relative_error(solution, truth),
         },
-        Maker { name: "relpose_6pt_focal", make: six_points, error: focal_error },
-        Maker { name: "relpose_6pt_focal_one_side", make: six_points_one_side, error: focal_error },
+        Maker { name: "relpose_6pt_focal", make: Make::TwoCameras(six_points), error: focal_error },
+        Maker { name: "relpose_6pt_focal_one_side", make: Make::TwoCameras(six_points_one_side), error: focal_error },
         Maker {
             name: "stitching_3pt_radial_focal",
-            make: panorama,
+            make: Make::Scene(panorama),
             error: |_, solution, truth| largest_relative_error(solution, truth),
         },
     ]
@@ -77,8 +77,8 @@ fn epipolar_row(x1: &Vector3<f64>, x2: &Vector3<f64>) -> Vec<f64> {
 
 /// `count` points seen by two cameras with focal lengths `focal`: the null space of the epipolar
 /// equations, and the fundamental matrix.
-fn epipolar(random: &mut Random, count: usize, focal: [f64; 2]) -> (Vec<f64>, Vec<f64>) {
-    let (rotation, translation, points) = two_cameras(random, count);
+fn epipolar((random, motion): (&mut Random, Motion), count: usize, focal: [f64; 2]) -> (Vec<f64>, Vec<f64>) {
+    let (rotation, translation, points) = two_cameras((random, motion), count);
     let row = |x: &Vector3<f64>| {
         let [x1, x2] = [image(x, focal[0]), image(&(rotation * x + translation), focal[1])];
         epipolar_row(&x1.push(1.0), &x2.push(1.0))
@@ -89,23 +89,23 @@ fn epipolar(random: &mut Random, count: usize, focal: [f64; 2]) -> (Vec<f64>, Ve
     (null_space(&rows).concat(), fundamental.transpose().as_slice().to_vec())
 }
 
-fn five_points(random: &mut Random) -> KnownInstance {
-    let (data, essential) = epipolar(random, 5, [1.0; 2]);
+fn five_points(random: &mut Random, motion: Motion) -> KnownInstance {
+    let (data, essential) = epipolar((random, motion), 5, [1.0; 2]);
     let truth = coordinates(&weights(&data, &essential));
     KnownInstance { data, truths: vec![truth] }
 }
 
 /// Focal lengths of 0.5 to 3 times the unit of the image coordinates, which reach up to about one
 /// focal length.
-fn six_points(random: &mut Random) -> KnownInstance {
+fn six_points(random: &mut Random, motion: Motion) -> KnownInstance {
     let focal = uniform(random, 0.5, 3.0);
-    let (data, fundamental) = epipolar(random, 6, [focal; 2]);
+    let (data, fundamental) = epipolar((random, motion), 6, [focal; 2]);
     with_focal(data, &fundamental, focal)
 }
 
-fn six_points_one_side(random: &mut Random) -> KnownInstance {
+fn six_points_one_side(random: &mut Random, motion: Motion) -> KnownInstance {
     let focal = uniform(random, 0.5, 3.0);
-    let (data, fundamental) = epipolar(random, 6, [focal, 1.0]);
+    let (data, fundamental) = epipolar((random, motion), 6, [focal, 1.0]);
     with_focal(data, &fundamental, focal)
 }
 
@@ -126,8 +126,8 @@ fn known_angle(rotation: &Matrix3<f64>, first: &[Vector3<f64>], second: &[Vector
 
 /// The rays to points from cameras that are up to half a unit from the origins of two systems: a
 /// point of each, and its direction; and the rotation between the systems.
-fn generalized(random: &mut Random, count: usize) -> (Vec<f64>, Matrix3<f64>) {
-    let (rotation, translation, points) = two_cameras(random, count);
+fn generalized((random, motion): (&mut Random, Motion), count: usize) -> (Vec<f64>, Matrix3<f64>) {
+    let (rotation, translation, points) = two_cameras((random, motion), count);
     let second = points.iter().map(|x| rotation * x + translation);
     let seen: Vec<Vector3<f64>> = points.iter().copied().chain(second).collect();
     let rays = seen.iter().flat_map(|x| {
@@ -137,21 +137,21 @@ fn generalized(random: &mut Random, count: usize) -> (Vec<f64>, Matrix3<f64>) {
     (rays.collect(), rotation)
 }
 
-fn five_points_generalized(random: &mut Random) -> KnownInstance {
-    let (mut data, rotation) = generalized(random, 5);
+fn five_points_generalized(random: &mut Random, motion: Motion) -> KnownInstance {
+    let (mut data, rotation) = generalized((random, motion), 5);
     let [w, x, y, z] = quaternion(&rotation);
     data.extend([w, Vector3::new(x, y, z).norm()]);
     KnownInstance { data, truths: vec![vec![x, y, z]] }
 }
 
-fn six_points_generalized(random: &mut Random) -> KnownInstance {
-    let (data, rotation) = generalized(random, 6);
+fn six_points_generalized(random: &mut Random, motion: Motion) -> KnownInstance {
+    let (data, rotation) = generalized((random, motion), 6);
     KnownInstance { data, truths: vec![coordinates(&quaternion(&rotation))] }
 }
 
 /// The second system measures in a unit of 0.5 to 2 times that of the first.
-fn seven_points_generalized(random: &mut Random) -> KnownInstance {
-    let (mut data, rotation) = generalized(random, 7);
+fn seven_points_generalized(random: &mut Random, motion: Motion) -> KnownInstance {
+    let (mut data, rotation) = generalized((random, motion), 7);
     let scale = uniform(random, 0.5, 2.0);
     let (_, second) = data.split_at_mut(7 * 6);
     second.chunks_mut(6).flat_map(|ray| &mut ray[..3]).for_each(|coordinate| *coordinate /= scale);
@@ -189,8 +189,8 @@ fn five_points_and_a_known_one(random: &mut Random) -> KnownInstance {
 /// The fundamental matrix, of norm 1, of two cameras with focal length 0.7 to 2 and principal point
 /// in \[-0.2, 0.2\]^2, by its singular value decomposition; cosine and sine of half the angle
 /// between them.
-fn calibration_by_angle(random: &mut Random) -> KnownInstance {
-    let (rotation, translation, _) = two_cameras(random, 0);
+fn calibration_by_angle(random: &mut Random, motion: Motion) -> KnownInstance {
+    let (rotation, translation, _) = two_cameras((random, motion), 0);
     let (focal, x, y) = (uniform(random, 0.7, 2.0), uniform(random, -0.2, 0.2), uniform(random, -0.2, 0.2));
     let inverse = Matrix3::new(1.0, 0.0, -x, 0.0, 1.0, -y, 0.0, 0.0, focal) / focal;
     let fundamental = (inverse.transpose() * translation.cross_matrix() * rotation * inverse).normalize();
@@ -204,8 +204,8 @@ fn calibration_by_angle(random: &mut Random) -> KnownInstance {
     KnownInstance { data, truths: vec![vec![x, y, focal * focal]] }
 }
 
-fn four_points(random: &mut Random) -> KnownInstance {
-    let (rotation, translation, points) = two_cameras(random, 4);
+fn four_points(random: &mut Random, motion: Motion) -> KnownInstance {
+    let (rotation, translation, points) = two_cameras((random, motion), 4);
     let second: Vec<Vector3<f64>> = points.iter().map(|x| rotation * x + translation).collect();
     known_angle(&rotation, &points, &second)
 }
@@ -214,7 +214,7 @@ fn four_points(random: &mut Random) -> KnownInstance {
 /// stay in front of the second.
 fn three_points(random: &mut Random) -> KnownInstance {
     loop {
-        let (rotation, translation, points) = two_cameras(random, 3);
+        let (rotation, translation, points) = two_cameras((random, Motion::General), 3);
         let [_, x, y, z] = quaternion(&rotation);
         let axis = Vector3::new(x, y, z).normalize();
         let translation = translation - axis * axis.dot(&translation);

@@ -6,18 +6,18 @@ use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix2, Matrix3, Matrix4, RowVector4, SMatrix, SVector, Vector2, Vector3, Vector4};
 
 use super::cameras::{camera, image, in_ball};
-use super::{KnownInstance, Maker, null_space, relative_error};
+use super::{KnownInstance, Make, Maker, null_space, relative_error};
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![
         Maker {
             name: "triangulation_3view",
-            make: three_depths,
+            make: Make::Scene(three_depths),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "triangulation_3view_relaxed",
-            make: three_views,
+            make: Make::Scene(three_views),
             error: |_, solution, truth| relative_error(&solution[..6], &truth[..6]),
         },
     ]
