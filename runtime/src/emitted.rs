@@ -14,9 +14,12 @@ pub use crate::elimination::program::{
 };
 pub use crate::elimination::template::{ActionRow, Block, Entry, action_matrix, check_coefficients, fill, solved_rows};
 pub use crate::fill_entries;
+pub use crate::memory::Memory;
+#[cfg(feature = "alloc")]
+pub use crate::memory::{HeapList, HeapMatrix, HeapRows, OnHeap};
 pub use crate::number::{Arithmetic, Over, Real};
 pub use crate::scaling::{MOST_SCALINGS, Scalings, scaled, unscale, unscaled};
-pub use crate::size::{AtMost, Fixed, List, Matrix, Size, Square, Vector, filled_matrix};
+pub use crate::size::{AtMost, Element, Fixed, List, Matrix, Size, Square, Vector, filled_matrix};
 pub use crate::solution::candidates::MAX_RESIDUAL;
 pub use crate::solution::chart::{from_chart, to_chart, vector_of};
 pub use crate::solution::dense_system::{DenseSystem, rows};
@@ -32,7 +35,7 @@ pub use crate::spectrum::real_roots::{RealRoots, real_roots};
 pub use crate::unpolished::unpolished_points;
 
 /// The version of this interface. Emitted code states the one that it was written for.
-pub const VERSION: u32 = 6;
+pub const VERSION: u32 = 7;
 
 /// The handshake of emitted code, evaluated when it is compiled.
 ///

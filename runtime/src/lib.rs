@@ -31,9 +31,11 @@ compile_error!("eliminant needs one of its features `std` (default) and `libm` f
 #[cfg(feature = "alloc")]
 mod dynamic_size;
 mod error;
+mod memory;
 mod number;
 mod size;
 mod solutions;
+mod workspace;
 
 /// From the data to the action matrix: coefficients, template, elimination.
 mod elimination;
@@ -67,6 +69,29 @@ pub use error::SolveError;
 pub use num_complex::Complex;
 pub use number::Scalar;
 pub use solutions::{IntoIter, Solutions};
+pub use workspace::{SecondAttempts, Workspace};
+
+/// In the module of a solver that keeps its matrices on the heap: the runtime has one.
+#[cfg(feature = "alloc")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! needs_alloc {
+    ($solver:literal) => {};
+}
+
+/// The same, where the runtime has none.
+#[cfg(not(feature = "alloc"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! needs_alloc {
+    ($solver:literal) => {
+        compile_error!(concat!(
+            "the solver `",
+            $solver,
+            "` keeps its matrices on the heap: turn on the feature `alloc` of `eliminant`, which `std` turns on, too"
+        ));
+    };
+}
 
 /// Includes the solver of that name, which the build script wrote. The file holds `pub mod NAME {
 /// .. }`.

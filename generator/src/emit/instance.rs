@@ -5,13 +5,13 @@ use quote::quote;
 
 use super::listing::Listings;
 use super::provenance::Provenance;
-use super::{chains, code, elimination, monomials, scaling};
+use super::{chains, code, elimination, monomials, scaling, storage};
 use crate::plan::Plan;
 use crate::plan::program::ProgramForm;
 use crate::plan::value_layout::ValueLayout;
 
 /// The version of the runtime's hidden interface that is emitted for.
-pub const RUNTIME_VERSION: u32 = 6;
+pub const RUNTIME_VERSION: u32 = 7;
 
 /// That all unknowns 0 is a solution, if it is one.
 fn origin(plan: &Plan) -> TokenStream {
@@ -63,7 +63,11 @@ fn coefficients_of_instance(plan: &Plan) -> (TokenStream, TokenStream, TokenStre
         /// All data, one parameter after another.
         data: [f64; #inputs],
     };
-    (field, quote!(data: *data,), quote!(self::coefficients(data)))
+    let compute = match plan.is_on_heap() {
+        true => quote!(self::coefficients(data, workspace.memory())),
+        false => quote!(self::coefficients(data)),
+    };
+    (field, quote!(data: *data,), compute)
 }
 
 /// The coefficients for given data, and what they are for.
@@ -89,22 +93,26 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
     let eliminated = elimination::eliminated(plan, provenance, listings);
     let (ratios, recovered) = (ratios(plan), code::recovered(plan));
     let (solver_instance, chains) = (solver_instance(plan, &system, &action_matrix), chains::chains(plan));
-    let value = quote!(Self { coefficients: #compute, #data #units #no_read });
+    let ((storage, storage_type), generics) = (storage::field(plan), storage::generics(plan));
+    let value = quote!(Self { coefficients: #compute, #data #units #no_read #storage });
     let (constructors, scalings) = (scaling::constructors(plan, &value), scaling::table(plan));
-    let version = Literal::u32_unsuffixed(RUNTIME_VERSION);
+    let (version, handshake) = (Literal::u32_unsuffixed(RUNTIME_VERSION), storage::handshake(plan));
     quote! {
         /// A compile error if the runtime has another version.
         const _: () = emitted::check_version(#version);
 
+        #handshake
+
         /// The coefficients of all equations for given data.
-        struct Instance {
+        struct Instance #generics {
             coefficients: [f64; #count],
             #data_field
             #units_field
             #read_field
+            #storage: #storage_type,
         }
 
-        impl Instance {
+        impl #generics Instance #generics {
             #constructors
         }
 
@@ -122,7 +130,19 @@ fn solver_instance(plan: &Plan, system: &TokenStream, action_matrix: &TokenStrea
     let layout = ValueLayout::of(plan);
     let [basis, unknowns, values, solutions] =
         [plan.elimination.basis, plan.unknowns.len(), layout.len(), plan.solutions].map(Literal::usize_unsuffixed);
-    let (origin, sign_changes) = (origin(plan), sign_changes(plan));
+    let (origin, sign_changes, second_attempts) = (origin(plan), sign_changes(plan), storage::second_attempts(plan));
+    let (generics, (basis_type, basis_size)) = (storage::generics(plan), storage::basis(plan));
+    let all_sizes = match plan.has_basis_on_heap() {
+        true => quote! {
+            emitted::Sizes {
+                basis: #basis_size,
+                unknowns: emitted::Fixed,
+                values: emitted::Fixed,
+                solutions: emitted::Fixed,
+            }
+        },
+        false => quote!(emitted::Sizes::FIXED),
+    };
     let precise = match plan.program.form {
         ProgramForm::Statements => quote!(),
         ProgramForm::Table => quote! {
@@ -149,14 +169,14 @@ fn solver_instance(plan: &Plan, system: &TokenStream, action_matrix: &TokenStrea
         false => quote!(NONZERO.bind(&self.coefficients).exceeds(x, emitted::VANISHING)),
     };
     quote! {
-        impl emitted::SolverInstance for Instance {
-            type Basis = emitted::Fixed<#basis>;
+        impl #generics emitted::SolverInstance for Instance #generics {
+            type Basis = #basis_type;
             type Unknowns = emitted::Fixed<#unknowns>;
             type Values = emitted::Fixed<#values>;
             type Solutions = emitted::Fixed<#solutions>;
 
             fn sizes(&self) -> emitted::SizesOf<Self> {
-                emitted::Sizes::FIXED
+                #all_sizes
             }
             fn ratios(&self, unknown: usize) -> &[(u16, u16)] {
                 RATIOS[unknown]
@@ -164,6 +184,7 @@ fn solver_instance(plan: &Plan, system: &TokenStream, action_matrix: &TokenStrea
             #origin
             #sign_changes
             #precise
+            #second_attempts
             #action_matrix
 
             fn monomial_values<S: ::eliminant::Scalar>(&self, value: S, vector: &[S; #basis]) -> [S; #values] {

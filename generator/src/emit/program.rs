@@ -27,13 +27,20 @@ pub(super) fn table(plan: &Plan, listings: &mut Listings) -> TokenStream {
     let results = listings.add(table.results.iter().map(u32::to_string));
     let [inputs, values, length] =
         [plan.inputs(), table.values, plan.coefficients.len()].map(Literal::usize_unsuffixed);
+    let (memory, evaluate) = match plan.is_on_heap() {
+        true => (
+            quote!(, memory: &emitted::Memory),
+            quote!(PROGRAM.evaluate_on_heap::<R, #length>(#values, &[data], memory)),
+        ),
+        false => (quote!(), quote!(PROGRAM.evaluate::<R, #values, #length>(&[data]))),
+    };
     let names = names_of_coefficients(plan);
     let names = names.iter().map(|line| doc_line(line));
     quote! {
         /// The coefficients that the tables refer to.
         #(#[doc = #names])*
-        fn coefficients<R: emitted::Real>(data: &[f64; #inputs]) -> [R; #length] {
-            PROGRAM.evaluate::<R, #values, #length>(&[data])
+        fn coefficients<R: emitted::Real>(data: &[f64; #inputs] #memory) -> [R; #length] {
+            #evaluate
         }
 
         /// From the data to the coefficients.

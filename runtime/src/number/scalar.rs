@@ -3,7 +3,7 @@
 
 use super::arithmetic::Arithmetic;
 use super::float;
-use crate::size::Size;
+use crate::size::{Element, Size};
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 use num_complex::Complex;
@@ -28,6 +28,7 @@ pub trait Scalar:
     + AddAssign
     + SubAssign
     + MulAssign
+    + Send
     + 'static
 {
     /// 0.
@@ -112,7 +113,11 @@ impl Real for f64 {
 ///
 /// The standard library's `map` compiles to several times as much code, for each closure and size.
 #[inline]
-pub(crate) fn mapped<Z: Size, A: Copy, S: Scalar>(size: Z, x: &Z::Vector<A>, f: impl Fn(A) -> S) -> Z::Vector<S> {
+pub(crate) fn mapped<Z: Size, A: Element + Copy, S: Scalar>(
+    size: Z,
+    x: &Z::Vector<A>,
+    f: impl Fn(A) -> S,
+) -> Z::Vector<S> {
     let mut mapped = size.filled(S::ZERO);
     for j in 0..size.get() {
         mapped[j] = f(x[j]);

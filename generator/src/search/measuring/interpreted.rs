@@ -133,6 +133,7 @@ impl InterpretedSolver {
             steps: steps.collect(),
             flips: flips.collect(),
             attempts: 0,
+            memory: emitted::Memory::new(),
         })
     }
 
@@ -282,7 +283,7 @@ impl System {
 }
 
 /// An interpreted solver with the coefficients of one instance.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct InterpretedInstance<'a> {
     solver: &'a InterpretedSolver,
     /// Scaled, as all that follows.
@@ -300,6 +301,8 @@ pub struct InterpretedInstance<'a> {
     flips: Vec<&'a [bool]>,
     /// How often the template was eliminated.
     attempts: usize,
+    /// Memory of second attempts.
+    memory: emitted::Memory,
 }
 
 impl InterpretedInstance<'_> {
@@ -378,6 +381,10 @@ impl SolverInstance for InterpretedInstance<'_> {
 
     fn has_precise_coefficients(&self) -> bool {
         self.solver.has_precise_coefficients
+    }
+
+    fn memory(&self) -> Option<&emitted::Memory> {
+        Some(&self.memory)
     }
 
     fn action_matrix<R: emitted::Real>(&mut self) -> Result<Vec<Vec<R>>, SolveError> {
