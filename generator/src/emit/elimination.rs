@@ -30,12 +30,12 @@ fn coefficients_of_precision(plan: &Plan) -> TokenStream {
         return quote!(let coefficients = &self.coefficients;);
     }
     let count = Literal::usize_unsuffixed(plan.coefficients.len());
-    let arguments = match plan.is_on_heap() {
-        true => quote!(&self.data, self.workspace.memory()),
-        false => quote!(&self.data),
+    let (size, arguments) = match plan.is_on_heap() {
+        true => (quote!(emitted::OnHeap<'w, emitted::Fixed<#count>>), quote!(&self.data, self.workspace.memory())),
+        false => (quote!(emitted::Fixed<#count>), quote!(&self.data)),
     };
     quote! {
-        let coefficients = &R::of::<emitted::Fixed<#count>>(&self.coefficients, || {
+        let coefficients = &R::of::<#size>(&self.coefficients, || {
             self::coefficients(#arguments)
         });
     }
@@ -47,6 +47,8 @@ pub(super) fn action_matrix(plan: &Plan) -> TokenStream {
         true => (quote!(right.as_ref()), quote!(, self.workspace.memory())),
         false => (quote!(&right), quote!()),
     };
+    let list =
+        if storage::has_coefficients_on_heap(plan) { quote!(coefficients.as_ref()) } else { quote!(coefficients) };
     let (basis_type, basis_size) = storage::basis(plan);
     let [basis, count_read] = [plan.elimination.basis, plan.read.len()].map(Literal::usize_unsuffixed);
     let coefficients = coefficients_of_precision(plan);
@@ -69,7 +71,7 @@ pub(super) fn action_matrix(plan: &Plan) -> TokenStream {
             &mut self,
         ) -> Result<emitted::Square<#basis_type, R>, ::eliminant::SolveError> {
             #coefficients
-            let right = self::eliminated::<#precision, R>(R::ZERO, coefficients #memory)?;
+            let right = self::eliminated::<#precision, R>(R::ZERO, #list #memory)?;
             #read
             Ok(emitted::action_matrix(#basis_size, &ACTION, #right))
         }
@@ -90,7 +92,7 @@ pub(super) fn eliminated(plan: &Plan, provenance: &Provenance, listings: &mut Li
             /// The basis columns of the solved template, on the heap. `zero` is 0.
             fn eliminated<'w, C: Copy, T: emitted::Real + emitted::Over<C>>(
                 zero: T,
-                coefficients: &[C; #count],
+                coefficients: &[C],
                 memory: &'w emitted::Memory,
             ) -> Result<emitted::HeapRows<'w, [T; #basis]>, ::eliminant::SolveError> {
                 let mut right = memory.filled(#rows, [zero; #basis]);

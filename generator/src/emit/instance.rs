@@ -72,10 +72,9 @@ fn coefficients_of_instance(plan: &Plan) -> (TokenStream, TokenStream, TokenStre
 
 /// The coefficients for given data, and what they are for.
 pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> TokenStream {
-    let count = Literal::usize_unsuffixed(plan.coefficients.len());
+    let (list, _) = storage::coefficients(plan, &quote!(f64));
     let (data_field, data, compute) = coefficients_of_instance(plan);
     let (units_field, units) = scaling::field(plan);
-    let system = monomials::system(plan);
     let (basis, count_read) =
         (Literal::usize_unsuffixed(plan.elimination.basis), Literal::usize_unsuffixed(plan.read.len()));
     let (read_field, no_read) = match plan.read.is_empty() {
@@ -92,7 +91,7 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
     let action_matrix = elimination::action_matrix(plan);
     let eliminated = elimination::eliminated(plan, provenance, listings);
     let (ratios, recovered) = (ratios(plan), code::recovered(plan));
-    let (solver_instance, chains) = (solver_instance(plan, &system, &action_matrix), chains::chains(plan));
+    let (solver_instance, chains) = (solver_instance(plan, &action_matrix), chains::chains(plan));
     let ((storage, storage_type), generics) = (storage::field(plan), storage::generics(plan));
     let value = quote!(Self { coefficients: #compute, #data #units #no_read #storage });
     let (constructors, scalings) = (scaling::constructors(plan, &value), scaling::table(plan));
@@ -105,7 +104,7 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
 
         /// The coefficients of all equations for given data.
         struct Instance #generics {
-            coefficients: [f64; #count],
+            coefficients: #list,
             #data_field
             #units_field
             #read_field
@@ -125,8 +124,9 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
     }
 }
 
-/// What the runtime asks of an instance, which has this system of equations.
-fn solver_instance(plan: &Plan, system: &TokenStream, action_matrix: &TokenStream) -> TokenStream {
+/// What the runtime asks of an instance.
+fn solver_instance(plan: &Plan, action_matrix: &TokenStream) -> TokenStream {
+    let (of_system, system) = monomials::system(plan);
     let layout = ValueLayout::of(plan);
     let [basis, unknowns, values, solutions] =
         [plan.elimination.basis, plan.unknowns.len(), layout.len(), plan.solutions].map(Literal::usize_unsuffixed);
@@ -157,16 +157,17 @@ fn solver_instance(plan: &Plan, system: &TokenStream, action_matrix: &TokenStrea
         true => quote!(&[[0.0; 0]; 0]),
         false => quote!(&self.read),
     };
+    let coefficients = storage::coefficients_of_instance(plan);
     let recover = match plan.recoveries.is_empty() {
         true => quote!(let _ = x;),
-        false => quote!(self::recovered(&self.coefficients, x)),
+        false => quote!(self::recovered(#coefficients, x)),
     };
     let admissible = match plan.nonzero.is_empty() {
         true => quote! {
             let _ = x;
             true
         },
-        false => quote!(NONZERO.bind(&self.coefficients).exceeds(x, emitted::VANISHING)),
+        false => quote!(NONZERO.bind(#coefficients).exceeds(x, emitted::VANISHING)),
     };
     quote! {
         impl #generics emitted::SolverInstance for Instance #generics {
@@ -196,6 +197,7 @@ fn solver_instance(plan: &Plan, system: &TokenStream, action_matrix: &TokenStrea
             }
 
             fn polish<S: ::eliminant::Scalar>(&self, x: &mut [S; #unknowns], steps: usize) -> f64 {
+                #of_system
                 emitted::polish(x, #sizes, &#system, steps)
             }
 

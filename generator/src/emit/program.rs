@@ -8,6 +8,7 @@ use quote::{format_ident, quote};
 use super::code;
 use super::listing::Listings;
 use super::shapes::doc_line;
+use super::storage;
 use super::wrap::wrapped;
 use crate::plan::Plan;
 use crate::plan::program::{Operation, ValueId};
@@ -29,17 +30,18 @@ pub(super) fn table(plan: &Plan, listings: &mut Listings) -> TokenStream {
         [plan.inputs(), table.values, plan.coefficients.len()].map(Literal::usize_unsuffixed);
     let (memory, evaluate) = match plan.is_on_heap() {
         true => (
-            quote!(, memory: &emitted::Memory),
-            quote!(PROGRAM.evaluate_on_heap::<R, #length>(#values, &[data], memory)),
+            quote!(, memory: &'w emitted::Memory),
+            quote!(PROGRAM.evaluate_on_heap((#values, #length), &[data], memory)),
         ),
         false => (quote!(), quote!(PROGRAM.evaluate::<R, #values, #length>(&[data]))),
     };
+    let ((list, _), lifetime) = (storage::coefficients(plan, &quote!(R)), plan.is_on_heap().then(|| quote!('w,)));
     let names = names_of_coefficients(plan);
     let names = names.iter().map(|line| doc_line(line));
     quote! {
         /// The coefficients that the tables refer to.
         #(#[doc = #names])*
-        fn coefficients<R: emitted::Real>(data: &[f64; #inputs] #memory) -> [R; #length] {
+        fn coefficients<#lifetime R: emitted::Real>(data: &[f64; #inputs] #memory) -> #list {
             #evaluate
         }
 

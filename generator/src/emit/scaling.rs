@@ -50,6 +50,10 @@ pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
     let [given, data] = ["given", "data"].map(|name| names.take(name));
     let (storage, storage_type) = storage::field(plan);
     let kept = names.take("kept");
+    let coefficients = match storage::has_coefficients_on_heap(plan) {
+        true => quote!(instance.coefficients.as_ref()),
+        false => quote!(&instance.coefficients),
+    };
     let [count, inputs, unknowns] =
         [plan.data.len(), plan.inputs(), plan.unknowns.len()].map(Literal::usize_unsuffixed);
     let (mut exponents, mut scaled) = (quote!(), quote!());
@@ -84,7 +88,7 @@ pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
             #storage: #storage_type,
         ) -> Result<Self, ::eliminant::SolveError> {
             let instance = #value;
-            emitted::check_coefficients(&instance.coefficients, given)?;
+            emitted::check_coefficients(#coefficients, given)?;
             Ok(instance)
         }
     }

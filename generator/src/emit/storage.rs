@@ -5,6 +5,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use crate::plan::Plan;
+use crate::plan::program::ProgramForm;
 
 /// The field of the instance that says so, with its type, inside of `impl<'w>`.
 pub(super) fn field(plan: &Plan) -> (TokenStream, TokenStream) {
@@ -39,6 +40,28 @@ pub(super) fn default(plan: &Plan, name: &Ident) -> (TokenStream, TokenStream) {
 /// The value of the field for a solve in a workspace.
 pub(super) fn of_workspace(plan: &Plan, workspace: &Ident) -> TokenStream {
     if plan.is_on_heap() { quote!(#workspace) } else { quote!(#workspace.second_attempts()) }
+}
+
+/// Whether coefficients are on the heap: those that a table computes are, because they are many.
+pub(super) fn has_coefficients_on_heap(plan: &Plan) -> bool {
+    plan.is_on_heap() && plan.program.form == ProgramForm::Table
+}
+
+/// The type of that many coefficients of type R, and of a reference to them.
+pub(super) fn coefficients(plan: &Plan, number: &TokenStream) -> (TokenStream, TokenStream) {
+    let count = Literal::usize_unsuffixed(plan.coefficients.len());
+    match has_coefficients_on_heap(plan) {
+        true => (quote!(emitted::HeapRows<'w, #number>), quote!(&[#number])),
+        false => (quote!([#number; #count]), quote!(&[#number; #count])),
+    }
+}
+
+/// A reference to the coefficients of an instance.
+pub(super) fn coefficients_of_instance(plan: &Plan) -> TokenStream {
+    match has_coefficients_on_heap(plan) {
+        true => quote!(self.coefficients.as_ref()),
+        false => quote!(&self.coefficients),
+    }
 }
 
 /// The sizes of an instance: their types, and how they are made of it.

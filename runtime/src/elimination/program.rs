@@ -1,7 +1,7 @@
 //! Coefficients of large problems: arithmetic on the data from a table instead of statements.
 
 #[cfg(feature = "alloc")]
-use crate::memory::Memory;
+use crate::memory::{HeapRows, Memory};
 use crate::number::Real;
 
 /// The operation of every step of a [`Run`] on its operands a and b.
@@ -139,13 +139,18 @@ impl Program<'_> {
         coefficients
     }
 
-    /// Like [`Program::evaluate`], with the `values` numbers on the heap.
+    /// Like [`Program::evaluate`], with so many `values` and `coefficients` on the heap.
     #[cfg(feature = "alloc")]
     #[inline(never)]
     #[must_use]
-    pub fn evaluate_on_heap<R: Real, const C: usize>(&self, values: usize, data: &[&[f64]], memory: &Memory) -> [R; C] {
-        let mut coefficients = [R::ZERO; C];
-        self.run(data, memory.filled(values, R::ZERO).as_mut(), &mut coefficients);
+    pub fn evaluate_on_heap<'w, R: Real>(
+        &self,
+        (values, coefficients): (usize, usize),
+        data: &[&[f64]],
+        memory: &'w Memory,
+    ) -> HeapRows<'w, R> {
+        let mut coefficients = memory.filled(coefficients, R::ZERO);
+        self.run(data, memory.filled(values, R::ZERO).as_mut(), coefficients.as_mut());
         coefficients
     }
 

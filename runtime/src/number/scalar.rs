@@ -92,7 +92,7 @@ pub trait Real: Scalar + Over<Self> {
     /// The distance from 1 to the next number.
     const EPSILON: f64;
     /// Returns the `known` numbers if this is their precision; otherwise computes them anew.
-    fn of<Z: Size>(known: &Z::Vector<f64>, compute: impl FnOnce() -> Z::Vector<Self>) -> Z::Vector<Self>;
+    fn of<Z: Size>(known: &Z::Rows<f64>, compute: impl FnOnce() -> Z::Rows<Self>) -> Z::Rows<Self>;
     /// |self| with the sign of `other`.
     fn with_sign_of(self, other: Self) -> Self;
 }
@@ -100,7 +100,7 @@ pub trait Real: Scalar + Over<Self> {
 impl Real for f64 {
     const EPSILON: f64 = f64::EPSILON;
     #[inline]
-    fn of<Z: Size>(known: &Z::Vector<f64>, _: impl FnOnce() -> Z::Vector<f64>) -> Z::Vector<f64> {
+    fn of<Z: Size>(known: &Z::Rows<f64>, _: impl FnOnce() -> Z::Rows<f64>) -> Z::Rows<f64> {
         known.clone()
     }
     #[inline]
