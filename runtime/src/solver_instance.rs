@@ -96,7 +96,7 @@ pub trait SolverInstance {
     }
 
     /// The memory that the matrices of a second attempt come from; without it they are on the
-    /// stack, and |B| is at most 32.
+    /// stack, and |B| is at most 24.
     #[inline]
     fn memory(&self) -> Option<&Memory> {
         None

@@ -17,8 +17,8 @@ use crate::Case;
 /// itself and for what the caller does there.
 pub const SUFFICIENT_STACK: usize = (256 + 16) * 1024;
 
-/// Instances that are drawn to find some with a second attempt: half of them random, half of them
-/// special.
+/// Instances that are drawn to find some with a second attempt: random ones, special ones, and some
+/// near special ones.
 const DRAWS: u64 = 400;
 /// The operations of all attempts to find some.
 const WORK_OF_DRAWS: u64 = 600_000_000;
@@ -58,11 +58,15 @@ impl Instances {
         let draw = |k: u64| {
             let mut random = Random::new(11_000_000 + k);
             let mut data = draw_inputs(&plan.data, Float64, &mut random);
-            // Special data have zeros and equal values.
+            if k % 3 == 0 {
+                return data;
+            }
+            // Special data have zeros and equal values, and others nearly so.
+            let near = if k % 3 == 1 { 0.0 } else { 1e-8 };
             for at in 0..data.len() {
                 match random.below(8) {
-                    0 if k % 2 == 1 => data[at] = 0.0,
-                    1 if k % 2 == 1 => data[at] = data[random.below(at as u64 + 1) as usize],
+                    0 => data[at] *= near,
+                    1 => data[at] = data[random.below(at as u64 + 1) as usize] + near * data[at],
                     _ => {}
                 }
             }

@@ -18,9 +18,9 @@ use super::program_table::ProgramTable;
 /// a solve needs at most 256 KiB of stack in a debug build, and far less in a release build.
 const MOST_ON_STACK: usize = 64 * 1024;
 
-/// A second attempt on the stack has arrays for this order of the action matrix: the runtime has
-/// no larger ones.
-const LARGEST_ON_STACK: usize = 32;
+/// The orders of the action matrix for which the runtime has arrays on the stack for a second
+/// attempt: the next larger one is taken.
+const ORDERS_ON_STACK: [usize; 2] = [16, 24];
 
 /// Action matrix, Hessenberg form, reflections, the copy that the QR iteration works on or a
 /// factorisation of complex numbers: in matrices of |B|^2 real numbers.
@@ -42,13 +42,15 @@ impl Plan {
         let square = e.basis * e.basis;
         let elimination = (e.rows * e.basis + square + block * block).max(table + self.coefficients.len());
         let first = 8 * elimination.max(MATRICES_OF_FIRST_ATTEMPT * square);
-        let second = 16 * elimination.max(MATRICES_OF_SPECTRUM * square);
+        let order = ORDERS_ON_STACK.into_iter().find(|&order| order >= e.basis).unwrap_or(e.basis);
+        let second = 16 * elimination.max(MATRICES_OF_SPECTRUM * order * order);
         first.max(second)
     }
 
     /// Whether the matrices of a solve are on the heap.
     pub fn is_on_heap(&self) -> bool {
-        self.elimination.basis > LARGEST_ON_STACK || self.working_memory() > MOST_ON_STACK
+        let has_room = ORDERS_ON_STACK.into_iter().any(|order| order >= self.elimination.basis);
+        !has_room || self.working_memory() > MOST_ON_STACK
     }
 
     /// Whether matrices of |B| rows are, too. Where a determinant gives the solutions |B| is small.

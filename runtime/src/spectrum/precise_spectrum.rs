@@ -70,7 +70,7 @@ macro_rules! capacities {
     };
 }
 
-capacities!(on_stack: stack_16 16 stack_32 32, _memory: (), |order| AtMost::<CAPACITY>(order));
+capacities!(on_stack: stack_16 16 stack_24 24, _memory: (), |order| AtMost::<CAPACITY>(order));
 
 #[cfg(feature = "alloc")]
 capacities!(
@@ -84,7 +84,7 @@ capacities!(
 ///
 /// # Errors
 /// As [`Hessenberg::reduce`] and [`Hessenberg::eigenvalues`]; [`SolveError::TooLarge`] beyond 256
-/// rows, and beyond 32 rows without `memory` on the heap: it would take too much of the stack.
+/// rows, and beyond 24 rows without `memory` on the heap: it would take too much of the stack.
 #[inline(always)]
 pub(crate) fn with_precise_spectrum(
     order: usize,
@@ -150,8 +150,8 @@ mod tests {
 
     #[test]
     fn every_order_has_its_eigenpairs() {
-        [2, 15, 16, 17, 32].into_iter().for_each(|n| check(n, None));
-        assert_eq!(with_precise_spectrum(33, &|_| &[], None, &mut |_| ()), Err(SolveError::TooLarge));
+        [2, 15, 16, 17, 24].into_iter().for_each(|n| check(n, None));
+        assert_eq!(with_precise_spectrum(25, &|_| &[], None, &mut |_| ()), Err(SolveError::TooLarge));
         #[cfg(feature = "alloc")]
         {
             let memory = Memory::new();
