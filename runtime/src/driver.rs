@@ -19,7 +19,7 @@ use crate::solution::shared_value::SharedValue;
 use crate::solver_instance::{BasisVector, EigenpairSource, HiddenVariableSolver, Points, SolverInstance};
 use crate::spectrum::hessenberg::Hessenberg;
 use crate::spectrum::hidden_variable::{ChainedBasis, HiddenVariable};
-use crate::spectrum::precise_spectrum::{PreciseSpectrum, with_precise_spectrum};
+use crate::spectrum::precise_spectrum::{PreciseSpectrum, Row, with_precise_spectrum};
 use crate::spectrum::real_roots::real_roots;
 use crate::spectrum::root_count::count_is_certain;
 
@@ -133,7 +133,8 @@ fn has_spurious_values<I: SolverInstance>(solver: &I) -> bool {
 #[inline]
 fn solve<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> Result<(), SolveError> {
     let first = first_attempt(solver, found);
-    if first.is_err() || found.lacks_some() { second_attempt(solver, first, found) } else { Ok(()) }
+    let lacks_some = first.is_err() || found.lacks_some();
+    if lacks_some && solver.allows_second_attempt() { second_attempt(solver, first, found) } else { first }
 }
 
 /// Collects what the usual precision finds. It is a function of its own, so that its memory is free
@@ -165,24 +166,34 @@ fn add_separate<I: SolverInstance>(
     values: &BasisVector<I, Complex<f64>>,
     found: &mut impl Collection<I>,
 ) -> bool {
-    let mut pairs = solver.sizes().basis.list();
+    let size = solver.sizes().basis;
+    let mut pairs = size.list();
     push_eigenpairs(&mut pairs, spectrum, values.as_ref(), &|value| found.wants(value));
     let mut complete = true;
     for &(residual, at) in in_order(solver, &pairs).iter() {
         if found.has_all() && residual > NO_SOLUTION {
             return true;
         }
-        complete &= found.add(solver, &pairs[at], pairs[at].value);
+        let pair = &pairs[at];
+        complete &= found.add(solver, &Listed { size, pair }, pair.value);
     }
     complete
 }
 
 /// An eigenvalue and its eigenvector, from which a solution may be read.
-struct Eigenpair<B: Size> {
-    size: B,
+struct Eigenpair<V> {
     value: Complex<f64>,
     /// The vector is real for a real eigenvalue.
-    vector: B::Vector<Complex<f64>>,
+    vector: V,
+}
+
+/// The eigenpair of a basis of this size.
+type EigenpairOf<B> = Eigenpair<<B as Size>::Vector<Complex<f64>>>;
+
+/// An eigenpair of a list, as a source.
+struct Listed<'a, B: Size> {
+    size: B,
+    pair: &'a EigenpairOf<B>,
 }
 
 /// Adds the eigenpairs of the eigenvalues that are wanted. One vector of a conjugate pair is
@@ -190,45 +201,45 @@ struct Eigenpair<B: Size> {
 /// is a witness of whether eigenvalues are precise.
 #[inline(never)]
 fn push_eigenpairs<B: Size>(
-    pairs: &mut B::List<Eigenpair<B>>,
+    pairs: &mut B::List<EigenpairOf<B>>,
     spectrum: &Hessenberg<B>,
     values: &[Complex<f64>],
     is_wanted: &dyn Fn(&Complex<f64>) -> bool,
 ) {
     for &value in values {
         if value.im >= 0.0 && is_wanted(&value) {
-            pairs.push(Eigenpair::new(spectrum, value));
+            pairs.push(eigenpair(spectrum, value));
         }
     }
     if pairs.is_empty() {
         let angle = |value: &&Complex<f64>| value.im / value.re.abs();
         let upper = values.iter().filter(|value| value.im > 0.0);
         if let Some(&value) = upper.min_by(|a, b| angle(a).total_cmp(&angle(b))) {
-            pairs.push(Eigenpair::new(spectrum, value));
+            pairs.push(eigenpair(spectrum, value));
         }
     }
 }
 
-impl<B: Size> Eigenpair<B> {
-    #[inline]
-    fn new(spectrum: &Hessenberg<B>, value: Complex<f64>) -> Self {
-        let size = spectrum.size;
-        let vector = match value.im == 0.0 {
-            true => mapped(size, &spectrum.eigenvector(value.re), |entry: f64| Complex::from(entry)),
-            false => spectrum.eigenvector(value),
-        };
-        Self { size, value, vector }
-    }
+#[inline]
+fn eigenpair<B: Size>(spectrum: &Hessenberg<B>, value: Complex<f64>) -> EigenpairOf<B> {
+    let vector = match value.im == 0.0 {
+        true => mapped(spectrum.size, &spectrum.eigenvector(value.re), |entry: f64| Complex::from(entry)),
+        false => spectrum.eigenvector(value),
+    };
+    Eigenpair { value, vector }
+}
 
+impl<B: Size> Listed<'_, B> {
     /// The relative residual before the polish.
     #[inline]
     fn residual<I: SolverInstance<Basis = B>>(&self, solver: &I) -> f64 {
-        match self.value.im == 0.0 {
+        let Eigenpair { value, vector } = self.pair;
+        match value.im == 0.0 {
             true => {
-                let (value, vector) = self.real(self.value.re);
+                let (value, vector) = self.real(value.re);
                 residual_of(solver, value, &vector)
             }
-            false => residual_of(solver, self.value, &self.vector),
+            false => residual_of(solver, *value, vector),
         }
     }
 }
@@ -238,13 +249,13 @@ fn residual_of<S: Scalar, I: SolverInstance>(solver: &I, value: S, vector: &Basi
     unknowns(solver, value, vector).map_or(f64::INFINITY, |mut unknowns| solver.polish(&mut unknowns, 0))
 }
 
-impl<B: Size> EigenpairSource<B> for Eigenpair<B> {
+impl<B: Size> EigenpairSource<B> for Listed<'_, B> {
     fn real(&self, value: f64) -> (f64, B::Vector<f64>) {
-        (value, mapped(self.size, &self.vector, |entry: Complex<f64>| entry.re))
+        (value, mapped(self.size, &self.pair.vector, |entry: Complex<f64>| entry.re))
     }
 
     fn complex(&self, value: Complex<f64>) -> (Complex<f64>, B::Vector<Complex<f64>>) {
-        (value, self.vector.clone())
+        (value, self.pair.vector.clone())
     }
 }
 
@@ -252,11 +263,12 @@ impl<B: Size> EigenpairSource<B> for Eigenpair<B> {
 /// eigenpairs belong to no solution, the order is that of increasing residuals. Otherwise residuals
 /// are not needed and zero.
 #[inline]
-fn in_order<I: SolverInstance>(solver: &I, pairs: &[Eigenpair<I::Basis>]) -> <I::Basis as Size>::List<(f64, usize)> {
+fn in_order<I: SolverInstance>(solver: &I, pairs: &[EigenpairOf<I::Basis>]) -> <I::Basis as Size>::List<(f64, usize)> {
     let has_spurious_values = has_spurious_values(solver);
-    let mut order = solver.sizes().basis.list();
+    let size = solver.sizes().basis;
+    let mut order = size.list();
     for (at, pair) in pairs.iter().enumerate() {
-        order.push((if has_spurious_values { pair.residual(solver) } else { 0.0 }, at));
+        order.push((if has_spurious_values { Listed { size, pair }.residual(solver) } else { 0.0 }, at));
     }
     if has_spurious_values {
         sort(&mut order);
@@ -322,7 +334,8 @@ fn second_attempt<I: SolverInstance>(
             }
         }
     };
-    with_precise_spectrum(solver.sizes().basis.get(), &|at| action[at].as_ref(), add_all).or(first)
+    let (order, row): (_, Row<'_>) = (solver.sizes().basis.get(), &|at| action[at].as_ref());
+    with_precise_spectrum(order, row, solver.memory(), add_all).or(first)
 }
 
 /// The eigenpairs of the second attempt, listed under the eigenvalues.

@@ -1,9 +1,8 @@
-//! Sizes that are known at run time only: the one file of the runtime that allocates, with the
-//! feature `alloc`.
+//! Sizes that are known at run time only, with the feature `alloc`.
 
 extern crate alloc;
 
-use crate::size::{List, Size};
+use crate::size::{Element, List, Size};
 use alloc::vec;
 use alloc::vec::Vec;
 use core::ops::{Deref, DerefMut};
@@ -16,15 +15,19 @@ pub struct Dynamic(
 );
 
 impl Size for Dynamic {
-    type Vector<T: Clone> = Vec<T>;
-    type List<T> = BoundedVec<T>;
+    type Vector<T: Element> = Vec<T>;
+    type Rows<V: Element> = Vec<V>;
+    type List<T: Send + 'static> = BoundedVec<T>;
     fn get(self) -> usize {
         self.0
     }
-    fn filled<T: Clone>(self, entry: T) -> Vec<T> {
+    fn filled<T: Element>(self, entry: T) -> Vec<T> {
         vec![entry; self.0]
     }
-    fn list<T>(self) -> BoundedVec<T> {
+    fn rows<V: Element>(self, row: V) -> Vec<V> {
+        vec![row; self.0]
+    }
+    fn list<T: Send + 'static>(self) -> BoundedVec<T> {
         BoundedVec { entries: Vec::new(), most: self.0 }
     }
 }

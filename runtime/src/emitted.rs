@@ -14,13 +14,16 @@ pub use crate::elimination::program::{
 };
 pub use crate::elimination::template::{ActionRow, Block, Entry, action_matrix, check_coefficients, fill, solved_rows};
 pub use crate::fill_entries;
+pub use crate::memory::Memory;
+#[cfg(feature = "alloc")]
+pub use crate::memory::{HeapList, HeapMatrix, HeapRows, OnHeap};
 pub use crate::number::double_double::DoubleDouble;
 pub use crate::number::{Arithmetic, Over, Real};
 pub use crate::scaling::{MOST_SCALINGS, Scalings, scaled, unscale, unscaled};
-pub use crate::size::{AtMost, Fixed, List, Matrix, Size, Square, Vector, filled_matrix};
+pub use crate::size::{AtMost, Element, Fixed, List, Matrix, Size, Square, Vector, filled_matrix};
 pub use crate::solution::candidates::MAX_RESIDUAL;
 pub use crate::solution::chart::{from_chart, to_chart, vector_of};
-pub use crate::solution::dense_system::{DenseSystem, rows};
+pub use crate::solution::dense_system::{DenseSystem, rows, rows_of};
 pub use crate::solution::distinct::{Candidate, push_distinct};
 pub use crate::solution::extract::{monomial_values, ratio};
 pub use crate::solution::polish::{POLISH_STEPS, polish};

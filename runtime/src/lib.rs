@@ -10,13 +10,15 @@
 //!                             fill, eliminate  eigenpairs   read, polish, compare
 //! ```
 //!
-//! The kernels do not allocate, do not panic on data, bound every loop, and know no problem. They
-//! are generic over sizes: arrays of constant sizes for emitted solvers, memory of run-time sizes
-//! for the plans that the generator interprets. Both give the same bits.
+//! The kernels do not panic on data, bound every loop, and know no problem. They are generic over
+//! sizes, and over where the numbers are kept: arrays of constant sizes on the stack for small
+//! emitted solvers; matrices on the heap, in a [`Workspace`], for large ones; memory of run-time
+//! sizes for the plans that the generator interprets. All give the same bits. Small solvers
+//! allocate nothing, and no solve takes more than 256 KiB of stack.
 //!
 //! Without the default feature `std` the crate is `no_std`; the feature `libm` then supplies the
-//! square root. The feature `serde` serialises [`Solutions`]. The feature `alloc` adds the sizes
-//! that are known at run time.
+//! square root, and the feature `alloc` the heap of large solvers. The feature `serde` serialises
+//! [`Solutions`].
 #![no_std]
 #![forbid(unsafe_code)]
 // `!(x > y)` is written where a NaN must take the branch, too.
@@ -31,9 +33,13 @@ compile_error!("eliminant needs one of its features `std` (default) and `libm` f
 #[cfg(feature = "alloc")]
 mod dynamic_size;
 mod error;
+mod memory;
 mod number;
 mod size;
 mod solutions;
+
+/// Memory and options of solves.
+mod workspace;
 
 /// From the data to the action matrix: coefficients, template, elimination.
 mod elimination;
@@ -67,6 +73,29 @@ pub use error::SolveError;
 pub use num_complex::Complex;
 pub use number::Scalar;
 pub use solutions::{IntoIter, Solutions};
+pub use workspace::{SecondAttempts, Workspace};
+
+/// In the module of a solver that keeps its matrices on the heap: the runtime has one.
+#[cfg(feature = "alloc")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! needs_alloc {
+    ($solver:literal) => {};
+}
+
+/// The same, where the runtime has none.
+#[cfg(not(feature = "alloc"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! needs_alloc {
+    ($solver:literal) => {
+        compile_error!(concat!(
+            "the solver `",
+            $solver,
+            "` keeps its matrices on the heap: turn on the feature `alloc` of `eliminant`, which `std` turns on, too"
+        ));
+    };
+}
 
 /// Includes the solver of that name, which the build script wrote. The file holds `pub mod NAME {
 /// .. }`.

@@ -6,9 +6,10 @@
 //! | [`Fixed<N>`] | `[T; N]` | emitted solvers: loops have bounds that the compiler knows |
 //! | [`AtMost<C>`] | `[T; C]`, partly in use | spectra at twice the precision: one copy for all |
 //! | `Dynamic` (feature `alloc`) | `Vec<T>` | interpreted plans, with sizes known at run time |
+//! | `OnHeap<Z>` (feature `alloc`) | as `Z`; matrices and lists on the heap | large emitted solvers |
 //!
-//! A kernel does the same operations in the same order for all three sizes, so the results have the
-//! same bits.
+//! A kernel does the same operations in the same order for all sizes, so the results have the same
+//! bits.
 
 use core::ops::{Deref, DerefMut, Index, IndexMut};
 
@@ -18,6 +19,12 @@ use arrayvec::ArrayVec;
 pub trait Vector<T>: Clone + AsRef<[T]> + AsMut<[T]> + Index<usize, Output = T> + IndexMut<usize> {}
 
 impl<T, V: Clone + AsRef<[T]> + AsMut<[T]> + Index<usize, Output = T> + IndexMut<usize>> Vector<T> for V {}
+
+/// What vectors, matrices and lists hold: values that outlive a solve, so that their memory can be
+/// kept for the next one, by another thread, too.
+pub trait Element: Clone + Send + 'static {}
+
+impl<T: Clone + Send + 'static> Element for T {}
 
 /// A list with room for a limited number of entries.
 pub trait List<T>: Deref<Target = [T]> + DerefMut {
@@ -30,27 +37,31 @@ pub trait List<T>: Deref<Target = [T]> + DerefMut {
 /// The number of entries of a vector. Each type that implements it keeps them in its own way.
 pub trait Size: Copy {
     /// Vectors of this size.
-    type Vector<T: Clone>: Vector<T>;
+    type Vector<T: Element>: Vector<T> + Element;
+    /// The rows of matrices with this many rows.
+    type Rows<V: Element>: Vector<V>;
     /// Lists of at most this size.
-    type List<T>: List<T>;
+    type List<T: Send + 'static>: List<T>;
     /// The number of entries in use.
     fn get(self) -> usize;
     /// A vector with the same entry everywhere.
-    fn filled<T: Clone>(self, entry: T) -> Self::Vector<T>;
+    fn filled<T: Element>(self, entry: T) -> Self::Vector<T>;
+    /// The same row this many times.
+    fn rows<V: Element>(self, row: V) -> Self::Rows<V>;
     /// An empty list.
-    fn list<T>(self) -> Self::List<T>;
+    fn list<T: Send + 'static>(self) -> Self::List<T>;
 }
 
 /// A matrix with `R` rows of `C` entries.
-pub type Matrix<R, C, T> = <R as Size>::Vector<<C as Size>::Vector<T>>;
+pub type Matrix<R, C, T> = <R as Size>::Rows<<C as Size>::Vector<T>>;
 
 /// A square matrix.
 pub type Square<Z, T> = Matrix<Z, Z, T>;
 
 /// A matrix with the same entry everywhere.
 #[inline]
-pub fn filled_matrix<R: Size, C: Size, T: Clone>(rows: R, columns: C, entry: T) -> Matrix<R, C, T> {
-    rows.filled(columns.filled(entry))
+pub fn filled_matrix<R: Size, C: Size, T: Element>(rows: R, columns: C, entry: T) -> Matrix<R, C, T> {
+    rows.rows(columns.filled(entry))
 }
 
 /// N entries; the compiler knows N.
@@ -58,18 +69,23 @@ pub fn filled_matrix<R: Size, C: Size, T: Clone>(rows: R, columns: C, entry: T) 
 pub struct Fixed<const N: usize>;
 
 impl<const N: usize> Size for Fixed<N> {
-    type Vector<T: Clone> = [T; N];
-    type List<T> = ArrayVec<T, N>;
+    type Vector<T: Element> = [T; N];
+    type Rows<V: Element> = [V; N];
+    type List<T: Send + 'static> = ArrayVec<T, N>;
     #[inline]
     fn get(self) -> usize {
         N
     }
     #[inline]
-    fn filled<T: Clone>(self, entry: T) -> [T; N] {
+    fn filled<T: Element>(self, entry: T) -> [T; N] {
         core::array::from_fn(|_| entry.clone())
     }
     #[inline]
-    fn list<T>(self) -> ArrayVec<T, N> {
+    fn rows<V: Element>(self, row: V) -> [V; N] {
+        self.filled(row)
+    }
+    #[inline]
+    fn list<T: Send + 'static>(self) -> ArrayVec<T, N> {
         ArrayVec::new_const()
     }
 }
@@ -86,18 +102,23 @@ pub struct AtMost<const C: usize>(
 );
 
 impl<const C: usize> Size for AtMost<C> {
-    type Vector<T: Clone> = [T; C];
-    type List<T> = ArrayVec<T, C>;
+    type Vector<T: Element> = [T; C];
+    type Rows<V: Element> = [V; C];
+    type List<T: Send + 'static> = ArrayVec<T, C>;
     #[inline]
     fn get(self) -> usize {
         self.0.min(C)
     }
     #[inline]
-    fn filled<T: Clone>(self, entry: T) -> [T; C] {
+    fn filled<T: Element>(self, entry: T) -> [T; C] {
         Fixed::<C>.filled(entry)
     }
     #[inline]
-    fn list<T>(self) -> ArrayVec<T, C> {
+    fn rows<V: Element>(self, row: V) -> [V; C] {
+        self.filled(row)
+    }
+    #[inline]
+    fn list<T: Send + 'static>(self) -> ArrayVec<T, C> {
         ArrayVec::new_const()
     }
 }

@@ -3,6 +3,7 @@
 use num_complex::Complex;
 
 use crate::error::SolveError;
+use crate::memory::Memory;
 use crate::number::{Real, Scalar};
 use crate::size::{Fixed, Size, Square};
 use crate::solution::distinct::Candidate;
@@ -54,7 +55,7 @@ pub trait SolverInstance {
     /// |B|.
     type Basis: Size;
     /// The number of unknowns.
-    type Unknowns: Size;
+    type Unknowns: Size + 'static;
     /// The number of monomials whose values follow from an eigenpair.
     type Values: Size;
     /// The number of solutions.
@@ -86,6 +87,19 @@ pub trait SolverInstance {
     /// rounding are solved as they are given.
     fn has_precise_coefficients(&self) -> bool {
         false
+    }
+
+    /// Whether a second attempt may be made.
+    #[inline]
+    fn allows_second_attempt(&self) -> bool {
+        true
+    }
+
+    /// The memory that the matrices of a second attempt come from; without it they are on the
+    /// stack, and |B| is at most 24.
+    #[inline]
+    fn memory(&self) -> Option<&Memory> {
+        None
     }
 
     /// The action matrix T, |B| rows: a b = T b at every solution, where b are the values of the

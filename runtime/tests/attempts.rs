@@ -7,7 +7,10 @@ use eliminant::emitted::{
     Arithmetic, ChainTable, ChainedBasis, Fixed, HiddenVariableSolver, MAX_RESIDUAL, Real, SignChanges, Sizes, SizesOf,
     SolverInstance, complex_solutions, real_solutions, real_solutions_by_determinant, unpolished_points, value_at,
 };
-use eliminant::{Complex, Scalar, SolveError};
+use eliminant::{Complex, Scalar, SecondAttempts, SolveError};
+
+/// What a second attempt counts as.
+const OPERATIONS: u64 = 1_000;
 
 /// A call of the polish: the value of the unknown, and whether the unknown was complex.
 type Call = (Complex<f64>, bool);
@@ -28,6 +31,7 @@ struct Listed<const B: usize, const MAX: usize> {
     is_singular: bool,
     /// How often the action matrix was computed.
     attempts: usize,
+    second_attempts: SecondAttempts,
     polished: RefCell<Vec<Call>>,
     evaluated: RefCell<Vec<Call>>,
 }
@@ -42,6 +46,7 @@ impl<const B: usize, const MAX: usize> Listed<B, MAX> {
             has_origin: false,
             is_singular: false,
             attempts: 0,
+            second_attempts: SecondAttempts::Always,
             polished: RefCell::default(),
             evaluated: RefCell::default(),
         }
@@ -84,6 +89,10 @@ impl<const B: usize, const MAX: usize> SolverInstance for Listed<B, MAX> {
 
     fn has_precise_coefficients(&self) -> bool {
         self.is_singular
+    }
+
+    fn allows_second_attempt(&self) -> bool {
+        self.second_attempts.allows(OPERATIONS)
     }
 
     fn action_matrix<R: Real>(&mut self) -> Result<[[R; B]; B], SolveError> {
@@ -502,4 +511,22 @@ fn points_before_the_polish_are_those_of_all_eigenpairs() {
     assert!(three.polished.borrow().is_empty() && three.evaluated.borrow().is_empty());
     three.is_singular = true;
     assert_eq!(unpolished_points(&mut three, |_| ()), Err(SolveError::Degenerate { block: 0 }));
+}
+
+/// Where the first attempt fails or misses a solution, a second one is made only if it is allowed.
+#[test]
+fn second_attempts_are_bounded() {
+    let allowed = [SecondAttempts::Always, SecondAttempts::AtMost(OPERATIONS)];
+    for second_attempts in [allowed[0], allowed[1], SecondAttempts::Never, SecondAttempts::AtMost(OPERATIONS - 1)] {
+        let is_allowed = allowed.contains(&second_attempts);
+        // Three are known, and there are two.
+        let mut missing = Listed::<2, 3>::new([c(1.0, 0.0), c(2.0, 0.0)], |_, _, _| 0.0);
+        missing.second_attempts = second_attempts;
+        assert!(are_points(&missing.complex().0, &[c(1.0, 0.0), c(2.0, 0.0)]));
+        assert_eq!(missing.attempts, 1 + usize::from(is_allowed), "{second_attempts:?}");
+        let mut singular = Listed::<2, 2>::new([c(1.0, 0.0), c(2.0, 0.0)], |_, _, _| 0.0);
+        (singular.is_singular, singular.second_attempts) = (true, second_attempts);
+        let found = complex_solutions(&mut singular).map(|found| found.len());
+        assert_eq!(found, if is_allowed { Ok(2) } else { Err(SolveError::Degenerate { block: 0 }) });
+    }
 }

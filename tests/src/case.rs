@@ -4,7 +4,7 @@
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use eliminant::{Complex, SolveError};
+use eliminant::{Complex, SolveError, Workspace};
 use eliminant_generator::generate::{Planned, plan};
 use eliminant_generator::problem::Problem;
 use eliminant_generator::template::file::TemplateFile;
@@ -27,6 +27,12 @@ pub struct Case {
     pub solve: fn(&[f64]) -> Found<f64>,
     /// `solve_complex`.
     pub solve_complex: fn(&[f64]) -> Found<Complex<f64>>,
+    /// `solve_in`.
+    pub solve_in: fn(&mut Workspace, &[f64]) -> Found<f64>,
+    /// `solve_complex_in`.
+    pub solve_complex_in: fn(&mut Workspace, &[f64]) -> Found<Complex<f64>>,
+    /// `SECOND_ATTEMPT_OPERATIONS`.
+    pub second_attempt_operations: u64,
     /// `action_matrix`.
     pub action_matrix: fn(&[f64]) -> Found<f64>,
     /// `relative_residual` of a complex solution.
@@ -121,6 +127,19 @@ macro_rules! case {
                 let found = solvers::$name::solve_complex($(argument!($data: $kind)),*)?;
                 Ok(found.iter().map(|s| s.to_unknowns().to_vec()).collect())
             },
+            solve_in: |workspace, flat| {
+                let mut _values = flat.iter().copied();
+                $(let $data = FromFlat::take(&mut _values);)*
+                let found = solvers::$name::solve_in(workspace, $(argument!($data: $kind)),*)?;
+                Ok(found.iter().map(|s| s.to_unknowns().to_vec()).collect())
+            },
+            solve_complex_in: |workspace, flat| {
+                let mut _values = flat.iter().copied();
+                $(let $data = FromFlat::take(&mut _values);)*
+                let found = solvers::$name::solve_complex_in(workspace, $(argument!($data: $kind)),*)?;
+                Ok(found.iter().map(|s| s.to_unknowns().to_vec()).collect())
+            },
+            second_attempt_operations: solvers::$name::SECOND_ATTEMPT_OPERATIONS,
             action_matrix: |flat| {
                 let mut _values = flat.iter().copied();
                 $(let $data = FromFlat::take(&mut _values);)*

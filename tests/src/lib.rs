@@ -12,6 +12,7 @@ pub mod judge;
 pub mod measure;
 pub mod published;
 pub mod source;
+pub mod stack;
 pub mod statistics;
 
 pub use case::{Case, cases, templates_folder};

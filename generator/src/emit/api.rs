@@ -4,8 +4,8 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::names::Names;
-use super::scaling;
 use super::shapes::{array_type, doc_line, indices, parameter};
+use super::{scaling, storage};
 use crate::plan::Plan;
 use crate::problem::SolutionField;
 use crate::template::RootMethod;
@@ -158,14 +158,12 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
     let parameters: Vec<_> = plan.data.iter().map(parameter).collect();
     let arguments: Vec<_> = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name)).collect();
     let mut names = Names::of(&plan.data);
-    let (instance, solution) = (names.take("instance"), names.take("solution"));
-    let measures = measures(plan, &parameters, &arguments, [&instance, &solution]);
-    let roots = match plan.roots() {
-        RootMethod::Eigenvalues => quote!(real_solutions),
-        RootMethod::Determinant => quote!(real_solutions_by_determinant),
-    };
-    let constructor = scaling::constructor(plan);
-    let to_solution = scaling::to_solution(plan, &quote!(&#instance.exponents));
+    let names = ["instance", "solution", "workspace"].map(|name| names.take(name));
+    let workspace = &names[2];
+    let measures = measures(plan, &parameters, &arguments, &names);
+    let (collected, [real, complex]) = (collected(plan, &parameters, &arguments, &names), results());
+    let ((make, made), given) = (storage::default(plan, workspace), storage::of_workspace(plan, workspace));
+    let operations = Literal::u64_unsuffixed(plan.operations_of_second_attempt() as u64);
     quote! {
         #(#[doc = #docs])*
         /// Returns the real solutions, polished on the equations of the problem: `Ok` and empty if
@@ -173,12 +171,9 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
         ///
         /// # Errors
         /// The data are not finite, or degenerate: see [`SolveError`](::eliminant::SolveError).
-        pub fn solve(
-            #(#parameters),*
-        ) -> Result<::eliminant::Solutions<Solution, MAX_SOLUTIONS>, ::eliminant::SolveError> {
-            let mut #instance = Instance::#constructor(#(#arguments),*)?;
-            let points = emitted::#roots(&mut #instance)?;
-            Ok(::eliminant::Solutions::from_points(&points, #to_solution))
+        pub fn solve(#(#parameters),*) -> #real {
+            #make
+            self::real_solutions(#made, #(#arguments),*)
         }
 
         /// Like [`solve`], with all complex solutions. Where solutions are missing, all is computed
@@ -187,34 +182,83 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
         ///
         /// # Errors
         /// As [`solve`].
-        pub fn solve_complex(
-            #(#parameters),*
-        ) -> Result<
-            ::eliminant::Solutions<Solution<::eliminant::Complex<f64>>, MAX_SOLUTIONS>,
-            ::eliminant::SolveError,
-        > {
-            let mut #instance = Instance::#constructor(#(#arguments),*)?;
-            let points = emitted::complex_solutions(&mut #instance)?;
-            Ok(::eliminant::Solutions::from_points(&points, #to_solution))
+        pub fn solve_complex(#(#parameters),*) -> #complex {
+            #make
+            self::complex_solutions(#made, #(#arguments),*)
         }
 
+        /// Like [`solve`], in memory that solves before have left, and with the options of the
+        /// workspace.
+        ///
+        /// # Errors
+        /// As [`solve`].
+        pub fn solve_in(#workspace: &mut ::eliminant::Workspace, #(#parameters),*) -> #real {
+            self::real_solutions(#given, #(#arguments),*)
+        }
+
+        /// Like [`solve_complex`], in memory that solves before have left, and with the options of
+        /// the workspace.
+        ///
+        /// # Errors
+        /// As [`solve`].
+        pub fn solve_complex_in(#workspace: &mut ::eliminant::Workspace, #(#parameters),*) -> #complex {
+            self::complex_solutions(#given, #(#arguments),*)
+        }
+
+        /// The work of a second attempt: about as many operations at twice the precision. See
+        /// [`SecondAttempts`](::eliminant::SecondAttempts).
+        pub const SECOND_ATTEMPT_OPERATIONS: u64 = #operations;
+
+        #collected
         #measures
     }
 }
 
+/// What the functions return: real and complex solutions.
+fn results() -> [TokenStream; 2] {
+    [quote!(Solution), quote!(Solution<::eliminant::Complex<f64>>)]
+        .map(|solution| quote!(Result<::eliminant::Solutions<#solution, MAX_SOLUTIONS>, ::eliminant::SolveError>))
+}
+
+/// The functions that collect solutions, wherever matrices are kept. The names are those of an
+/// instance, of a solution and of a workspace.
+fn collected(plan: &Plan, parameters: &[TokenStream], arguments: &[Ident], names: &[Ident; 3]) -> TokenStream {
+    let [instance, _, workspace] = names;
+    let roots = match plan.roots() {
+        RootMethod::Eigenvalues => quote!(real_solutions),
+        RootMethod::Determinant => quote!(real_solutions_by_determinant),
+    };
+    let (constructor, kept) = (scaling::constructor(plan), storage::parameter(plan));
+    let ([real, complex], to_solution) = (results(), scaling::to_solution(plan, &quote!(&#instance.exponents)));
+    quote! {
+        fn real_solutions(#workspace: #kept, #(#parameters),*) -> #real {
+            let mut #instance = Instance::#constructor(#workspace, #(#arguments),*)?;
+            let points = emitted::#roots(&mut #instance)?;
+            Ok(::eliminant::Solutions::from_points(&points, #to_solution))
+        }
+
+        fn complex_solutions(#workspace: #kept, #(#parameters),*) -> #complex {
+            let mut #instance = Instance::#constructor(#workspace, #(#arguments),*)?;
+            let points = emitted::complex_solutions(&mut #instance)?;
+            Ok(::eliminant::Solutions::from_points(&points, #to_solution))
+        }
+    }
+}
+
 /// The functions that measure: the action matrix, and the residual of a solution. The names are
-/// those of an instance and of a solution.
-fn measures(
-    plan: &Plan,
-    parameters: &[TokenStream],
-    arguments: &[Ident],
-    [instance, solution]: [&Ident; 2],
-) -> TokenStream {
+/// those of an instance, of a solution and of a workspace.
+fn measures(plan: &Plan, parameters: &[TokenStream], arguments: &[Ident], names: &[Ident; 3]) -> TokenStream {
+    let [instance, solution, workspace] = names;
     let basis = Literal::usize_unsuffixed(plan.elimination.basis);
     let constructor = scaling::constructor(plan);
     let to_unknowns = match scaling::has_units(plan) {
         true => quote!(emitted::scaled(&#instance.exponents, #solution.to_unknowns())),
         false => quote!(#solution.to_unknowns()),
+    };
+    let (make, made) = storage::default(plan, workspace);
+    let (matrix, convert) = match plan.has_basis_on_heap() {
+        true => (quote!(emitted::HeapMatrix<#basis>), quote!(.map(emitted::HeapRows::into_vec))),
+        false => (quote!([[f64; #basis]; #basis]), quote!()),
     };
     quote! {
         /// The matrix of multiplication by the action monomial on the basis, as the elimination
@@ -222,8 +266,9 @@ fn measures(
         ///
         /// # Errors
         /// As [`solve`].
-        pub fn action_matrix(#(#parameters),*) -> Result<[[f64; #basis]; #basis], ::eliminant::SolveError> {
-            emitted::SolverInstance::action_matrix(&mut Instance::new(#(#arguments),*)?)
+        pub fn action_matrix(#(#parameters),*) -> Result<#matrix, ::eliminant::SolveError> {
+            #make
+            emitted::SolverInstance::action_matrix(&mut Instance::new(#made, #(#arguments),*)?) #convert
         }
 
         /// The relative residual of a solution: the largest |f| / (sum of the moduli of the terms
@@ -235,7 +280,8 @@ fn measures(
             #(#parameters,)*
             #solution: &Solution<S>,
         ) -> Result<f64, ::eliminant::SolveError> {
-            let #instance = Instance::#constructor(#(#arguments),*)?;
+            #make
+            let #instance = Instance::#constructor(#made, #(#arguments),*)?;
             Ok(emitted::SolverInstance::polish(&#instance, &mut #to_unknowns, 0))
         }
 
@@ -250,7 +296,8 @@ fn measures(
             #(#parameters,)*
             #solution: &Solution<S>,
         ) -> Result<f64, ::eliminant::SolveError> {
-            let #instance = Instance::new(#(#arguments),*)?;
+            #make
+            let #instance = Instance::new(#made, #(#arguments),*)?;
             Ok(emitted::SolverInstance::error_bound(&#instance, &#solution.to_unknowns()))
         }
     }

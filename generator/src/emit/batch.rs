@@ -44,10 +44,18 @@ pub(super) fn batch(plan: &Plan) -> TokenStream {
                 let name = format_ident!("{}", parameter.name);
                 if parameter.shape.is_empty() { quote!(of_instance.#name) } else { quote!(&of_instance.#name) }
             });
+            let (workspace, call) = match plan.is_on_heap() {
+                true => (
+                    quote!(let workspace = &mut ::eliminant::Workspace::new();),
+                    quote!(self::solve_in(workspace, #(#arguments),*)),
+                ),
+                false => (quote!(), quote!(self::solve(#(#arguments),*))),
+            };
             let each = quote! {
+                #workspace
                 for (of_instance, result) in data.iter().zip(results) {
                     let _ = of_instance;
-                    *result = self::solve(#(#arguments),*);
+                    *result = #call;
                 }
             };
             (each, quote!())
@@ -151,7 +159,7 @@ fn functions(plan: &Plan, sizes: [&Literal; 5]) -> TokenStream {
             }
 
             #[inline(always)]
-            fn equations<T: Clone>(coefficients: &[T; #coefficients]) -> &[[T; #equations]; #products] {
+            fn equations<T: emitted::Element>(coefficients: &[T; #coefficients]) -> &[[T; #equations]; #products] {
                 emitted::rows(coefficients)
             }
 

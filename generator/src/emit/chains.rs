@@ -7,6 +7,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
+use super::storage;
 use crate::plan::chains::{ChainPlace, Minor};
 use crate::plan::{Chains, Plan};
 
@@ -28,6 +29,7 @@ pub(super) fn chains(plan: &Plan) -> TokenStream {
         quote!(emitted::value_at(#entry, x))
     });
     let (table, determinant, vector) = (table(chains), determinant(chains), vector(chains));
+    let generics = storage::generics(plan);
     quote! {
         /// How the basis falls into chains.
         struct Chains;
@@ -63,7 +65,7 @@ pub(super) fn chains(plan: &Plan) -> TokenStream {
             #vector
         }
 
-        impl emitted::HiddenVariableSolver for Instance {
+        impl #generics emitted::HiddenVariableSolver for Instance #generics {
             type Chains = Chains;
 
             fn chains(&self) -> Chains {

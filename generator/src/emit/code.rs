@@ -7,6 +7,7 @@ use quote::{ToTokens, format_ident, quote};
 
 use super::names::Names;
 use super::shapes::indices;
+use super::storage;
 use crate::expression::rational::Rational;
 use crate::plan::program::{Operation, ValueId};
 use crate::plan::statements::{Place, Statements};
@@ -203,11 +204,12 @@ pub(super) fn recovered(plan: &Plan) -> TokenStream {
         return quote!();
     }
     let recoveries = plan.recoveries.iter().map(recovery);
-    let [count, unknowns] = [plan.coefficients.len(), plan.unknowns.len()].map(Literal::usize_unsuffixed);
+    let unknowns = Literal::usize_unsuffixed(plan.unknowns.len());
+    let (_, list) = storage::coefficients(plan, &quote!(C));
     quote! {
         /// Computes the unknowns that follow from those that were read.
         #[inline(always)]
-        fn recovered<C: Copy, T: emitted::Over<C>>(coefficients: &[C; #count], x: &mut [T; #unknowns]) {
+        fn recovered<C: Copy, T: emitted::Over<C>>(coefficients: #list, x: &mut [T; #unknowns]) {
             #(#recoveries)*
         }
     }

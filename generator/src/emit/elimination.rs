@@ -5,6 +5,7 @@ use quote::{format_ident, quote};
 
 use super::listing::Listings;
 use super::provenance::Provenance;
+use super::storage;
 use crate::plan::program::ProgramForm;
 use crate::plan::{Entry, Plan};
 
@@ -15,6 +16,9 @@ const MOST_STATEMENTS: usize = 512;
 /// Whether entries are written by statements.
 pub(super) fn is_filled_by_statements(plan: &Plan) -> bool {
     let elimination = &plan.elimination;
+    if plan.is_on_heap() {
+        return false;
+    }
     let diagonals: usize = elimination.blocks.iter().map(|block| block.diagonal.len()).sum();
     elimination.right.len() + diagonals <= MOST_STATEMENTS && !elimination.blocks.iter().any(|block| block.is_large())
 }
@@ -26,15 +30,26 @@ fn coefficients_of_precision(plan: &Plan) -> TokenStream {
         return quote!(let coefficients = &self.coefficients;);
     }
     let count = Literal::usize_unsuffixed(plan.coefficients.len());
+    let (size, arguments) = match plan.is_on_heap() {
+        true => (quote!(emitted::OnHeap<'w, emitted::Fixed<#count>>), quote!(&self.data, self.workspace.memory())),
+        false => (quote!(emitted::Fixed<#count>), quote!(&self.data)),
+    };
     quote! {
-        let coefficients = &R::of::<emitted::Fixed<#count>>(&self.coefficients, || {
-            self::coefficients(&self.data)
+        let coefficients = &R::of::<#size>(&self.coefficients, || {
+            self::coefficients(#arguments)
         });
     }
 }
 
 /// Fill and elimination.
 pub(super) fn action_matrix(plan: &Plan) -> TokenStream {
+    let (right, memory) = match plan.is_on_heap() {
+        true => (quote!(right.as_ref()), quote!(, self.workspace.memory())),
+        false => (quote!(&right), quote!()),
+    };
+    let list =
+        if storage::has_coefficients_on_heap(plan) { quote!(coefficients.as_ref()) } else { quote!(coefficients) };
+    let (basis_type, basis_size) = storage::basis(plan);
     let [basis, count_read] = [plan.elimination.basis, plan.read.len()].map(Literal::usize_unsuffixed);
     let coefficients = coefficients_of_precision(plan);
     let precision = match plan.program.form {
@@ -47,18 +62,18 @@ pub(super) fn action_matrix(plan: &Plan) -> TokenStream {
             self.read = emitted::solved_rows(
                 (emitted::Fixed::<#count_read>, emitted::Fixed::<#basis>),
                 &READ,
-                &right,
+                #right,
             );
         },
     };
     quote! {
         fn action_matrix<R: emitted::Real>(
             &mut self,
-        ) -> Result<[[R; #basis]; #basis], ::eliminant::SolveError> {
+        ) -> Result<emitted::Square<#basis_type, R>, ::eliminant::SolveError> {
             #coefficients
-            let right = self::eliminated::<#precision, R>(R::ZERO, coefficients)?;
+            let right = self::eliminated::<#precision, R>(R::ZERO, #list #memory)?;
             #read
-            Ok(emitted::action_matrix(emitted::Fixed::<#basis>, &ACTION, &right))
+            Ok(emitted::action_matrix(#basis_size, &ACTION, #right))
         }
     }
 }
@@ -72,6 +87,21 @@ pub(super) fn eliminated(plan: &Plan, provenance: &Provenance, listings: &mut Li
         false => by_tables(plan),
     };
     let kind = if is_filled_by_statements(plan) { quote!(Eliminated) } else { quote!(Real) };
+    if plan.is_on_heap() {
+        return quote! {
+            /// The basis columns of the solved template, on the heap. `zero` is 0.
+            fn eliminated<'w, C: Copy, T: emitted::Real + emitted::Over<C>>(
+                zero: T,
+                coefficients: &[C],
+                memory: &'w emitted::Memory,
+            ) -> Result<emitted::HeapRows<'w, [T; #basis]>, ::eliminant::SolveError> {
+                let mut right = memory.filled(#rows, [zero; #basis]);
+                #fill
+                #blocks
+                Ok(right)
+            }
+        };
+    }
     quote! {
         /// The basis columns of the solved template. `zero` is 0.
         #[inline(always)]
@@ -89,12 +119,19 @@ pub(super) fn eliminated(plan: &Plan, provenance: &Provenance, listings: &mut Li
 
 /// The fill of the basis columns, and the elimination of all blocks.
 fn by_tables(plan: &Plan) -> (TokenStream, TokenStream) {
+    let right = if plan.is_on_heap() { quote!(right.as_mut()) } else { quote!(&mut right) };
     let blocks = plan.elimination.blocks.iter().enumerate().map(|(at, block)| {
         let (at, size) = (Literal::usize_unsuffixed(at), Literal::usize_unsuffixed(block.size));
-        let eliminate = if block.is_large() { quote!(eliminate_large) } else { quote!(eliminate) };
-        quote!(BLOCKS[#at].#eliminate::<T, C, _, #size>(&mut right, coefficients)?;)
+        match (block.is_large(), plan.is_on_heap()) {
+            (true, true) => {
+                quote!(BLOCKS[#at].eliminate_on_heap::<T, C, _>(#size, #right, coefficients, memory)?;)
+            }
+            (true, false) => quote!(BLOCKS[#at].eliminate_large::<T, C, _, #size>(#right, coefficients)?;),
+            (false, _) => quote!(BLOCKS[#at].eliminate::<T, C, _, #size>(#right, coefficients)?;),
+        }
     });
-    (quote!(emitted::fill::<T, C, _>(&mut right, RIGHT, coefficients);), quote!(#(#blocks)*))
+    let blocks = quote!(#(#blocks)*);
+    (quote!(emitted::fill::<T, C, _>(#right, RIGHT, coefficients);), blocks)
 }
 
 /// The same with a statement for each entry.

@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::listing::Listings;
 use super::provenance::Provenance;
-use super::{chains, code, elimination, monomials, program, scaling};
+use super::{chains, code, elimination, monomials, program, scaling, storage};
 use crate::plan::Plan;
 use crate::plan::program::ProgramForm;
 use crate::plan::value_layout::ValueLayout;
@@ -55,6 +55,7 @@ pub(super) fn sign_changes_of(plan: &Plan) -> TokenStream {
 fn coefficients_of_instance(plan: &Plan) -> TokenStream {
     match plan.program.form {
         ProgramForm::Statements => quote!(emitted::outlined(|| self::coefficients(1.0, data))),
+        ProgramForm::Table if plan.is_on_heap() => quote!(self::coefficients(data, workspace.memory())),
         ProgramForm::Table => quote!(self::coefficients(data)),
     }
 }
@@ -62,15 +63,15 @@ fn coefficients_of_instance(plan: &Plan) -> TokenStream {
 /// The coefficients at twice the precision.
 fn precise_coefficients(plan: &Plan) -> TokenStream {
     let function = program::name_of_table_function(plan);
-    quote!(self::#function::<emitted::DoubleDouble>(&self.data))
+    let memory = storage::has_coefficients_on_heap(plan).then(|| quote!(, self.workspace.memory()));
+    quote!(self::#function::<emitted::DoubleDouble>(&self.data #memory))
 }
 
 /// The coefficients for given data, and what they are for.
 pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> TokenStream {
-    let count = Literal::usize_unsuffixed(plan.coefficients.len());
+    let (list, _) = storage::coefficients(plan, &quote!(f64));
     let (inputs, compute) = (Literal::usize_unsuffixed(plan.inputs()), coefficients_of_instance(plan));
     let (units_field, units) = scaling::field(plan);
-    let system = monomials::system(plan);
     let (basis, count_read) =
         (Literal::usize_unsuffixed(plan.elimination.basis), Literal::usize_unsuffixed(plan.read.len()));
     let (read_field, no_read) = match plan.read.is_empty() {
@@ -87,24 +88,28 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
     let action_matrix = elimination::action_matrix(plan);
     let eliminated = elimination::eliminated(plan, provenance, listings);
     let (ratios, recovered) = (ratios(plan), code::recovered(plan));
-    let (solver_instance, chains) = (solver_instance(plan, &system, &action_matrix), chains::chains(plan));
-    let value = quote!(Self { coefficients: #compute, data: *data, #units #no_read });
+    let (solver_instance, chains) = (solver_instance(plan, &action_matrix), chains::chains(plan));
+    let ((storage, storage_type), generics) = (storage::field(plan), storage::generics(plan));
+    let value = quote!(Self { coefficients: #compute, data: *data, #units #no_read #storage });
     let (constructors, scalings) = (scaling::constructors(plan, &value), scaling::table(plan));
-    let version = Literal::u32_unsuffixed(RUNTIME_VERSION);
+    let (version, handshake) = (Literal::u32_unsuffixed(RUNTIME_VERSION), storage::handshake(plan));
     quote! {
         /// A compile error if the runtime has another version.
         const _: () = emitted::check_version(#version);
 
+        #handshake
+
         /// The coefficients of all equations for given data.
-        struct Instance {
-            coefficients: [f64; #count],
+        struct Instance #generics {
+            coefficients: #list,
             /// All data, one parameter after another.
             data: [f64; #inputs],
             #units_field
             #read_field
+            #storage: #storage_type,
         }
 
-        impl Instance {
+        impl #generics Instance #generics {
             #constructors
         }
 
@@ -117,12 +122,25 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
     }
 }
 
-/// What the runtime asks of an instance, which has this system of equations.
-fn solver_instance(plan: &Plan, system: &TokenStream, action_matrix: &TokenStream) -> TokenStream {
+/// What the runtime asks of an instance.
+fn solver_instance(plan: &Plan, action_matrix: &TokenStream) -> TokenStream {
+    let (of_system, system) = monomials::system(plan);
     let layout = ValueLayout::of(plan);
     let [basis, unknowns, values, solutions] =
         [plan.elimination.basis, plan.unknowns.len(), layout.len(), plan.solutions].map(Literal::usize_unsuffixed);
-    let (origin, sign_changes) = (origin(plan), sign_changes(plan));
+    let (origin, sign_changes, second_attempts) = (origin(plan), sign_changes(plan), storage::second_attempts(plan));
+    let (generics, (basis_type, basis_size)) = (storage::generics(plan), storage::basis(plan));
+    let all_sizes = match plan.has_basis_on_heap() {
+        true => quote! {
+            emitted::Sizes {
+                basis: #basis_size,
+                unknowns: emitted::Fixed,
+                values: emitted::Fixed,
+                solutions: emitted::Fixed,
+            }
+        },
+        false => quote!(emitted::Sizes::FIXED),
+    };
     let precise = match plan.program.form {
         ProgramForm::Statements => quote!(),
         ProgramForm::Table => quote! {
@@ -133,31 +151,32 @@ fn solver_instance(plan: &Plan, system: &TokenStream, action_matrix: &TokenStrea
     };
     let (has_image, equations) = (layout.has_image, Literal::usize_unsuffixed(plan.equations.len()));
     let sizes = quote!((emitted::Fixed::<#unknowns>, emitted::Fixed::<#equations>));
-    let coefficients = precise_coefficients(plan);
+    let precise_coefficients = precise_coefficients(plan);
     let read = match plan.read.is_empty() {
         true => quote!(&[[0.0; 0]; 0]),
         false => quote!(&self.read),
     };
+    let coefficients = storage::coefficients_of_instance(plan);
     let recover = match plan.recoveries.is_empty() {
         true => quote!(let _ = x;),
-        false => quote!(self::recovered(&self.coefficients, x)),
+        false => quote!(self::recovered(#coefficients, x)),
     };
     let admissible = match plan.nonzero.is_empty() {
         true => quote! {
             let _ = x;
             true
         },
-        false => quote!(NONZERO.bind(&self.coefficients).exceeds(x, emitted::VANISHING)),
+        false => quote!(NONZERO.bind(#coefficients).exceeds(x, emitted::VANISHING)),
     };
     quote! {
-        impl emitted::SolverInstance for Instance {
-            type Basis = emitted::Fixed<#basis>;
+        impl #generics emitted::SolverInstance for Instance #generics {
+            type Basis = #basis_type;
             type Unknowns = emitted::Fixed<#unknowns>;
             type Values = emitted::Fixed<#values>;
             type Solutions = emitted::Fixed<#solutions>;
 
             fn sizes(&self) -> emitted::SizesOf<Self> {
-                emitted::Sizes::FIXED
+                #all_sizes
             }
             fn ratios(&self, unknown: usize) -> &[(u16, u16)] {
                 RATIOS[unknown]
@@ -165,6 +184,7 @@ fn solver_instance(plan: &Plan, system: &TokenStream, action_matrix: &TokenStrea
             #origin
             #sign_changes
             #precise
+            #second_attempts
             #action_matrix
 
             fn monomial_values<S: ::eliminant::Scalar>(&self, value: S, vector: &[S; #basis]) -> [S; #values] {
@@ -176,11 +196,13 @@ fn solver_instance(plan: &Plan, system: &TokenStream, action_matrix: &TokenStrea
             }
 
             fn polish<S: ::eliminant::Scalar>(&self, x: &mut [S; #unknowns], steps: usize) -> f64 {
-                emitted::polish_precisely(x, #sizes, &#system, steps, || #coefficients)
+                #of_system
+                emitted::polish_precisely(x, #sizes, &#system, steps, || #precise_coefficients)
             }
 
             fn error_bound<S: ::eliminant::Scalar>(&self, x: &[S; #unknowns]) -> f64 {
-                emitted::error_bound(x, #sizes, &#system, &#coefficients)
+                #of_system
+                emitted::error_bound(x, #sizes, &#system, #precise_coefficients.as_ref())
             }
 
             fn is_admissible<S: ::eliminant::Scalar>(&self, x: &[S; #unknowns]) -> bool {

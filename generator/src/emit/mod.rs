@@ -13,6 +13,7 @@ mod program;
 mod provenance;
 mod scaling;
 mod shapes;
+mod storage;
 mod tables;
 mod wrap;
 

@@ -3,6 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use super::storage;
 use crate::plan::Plan;
 use crate::plan::system_table::SystemTable;
 
@@ -27,22 +28,37 @@ fn involved(plan: &Plan, monomial: &crate::algebra::Monomial) -> impl Iterator<I
     (0..plan.unknowns.len()).filter(move |&unknown| monomial.exponent(unknown) > 0)
 }
 
-/// The system of equations of an instance.
-pub(super) fn system(plan: &Plan) -> TokenStream {
+/// The system of equations of an instance, and the statement that comes before it in a function
+/// that returns a residual.
+pub(super) fn system(plan: &Plan) -> (TokenStream, TokenStream) {
     let table = table(plan);
+    let coefficients = storage::coefficients_of_instance(plan);
     if !table.is_dense() {
-        return quote!(EQUATIONS.bind(&self.coefficients));
+        return (quote!(), quote!(EQUATIONS.bind(#coefficients)));
     }
     let [unknowns, equations, monomials] =
         [plan.unknowns.len(), table.ends.len(), table.chain.len()].map(Literal::usize_unsuffixed);
     let source = if are_statements(plan) { quote!(Monomials) } else { quote!(EQUATIONS) };
-    quote! {
+    // A list on the heap is as long as its plan says, but the compiler does not know.
+    let (before, rows) = match storage::has_coefficients_on_heap(plan) {
+        true => (
+            quote! {
+                let Some(rows) = emitted::rows_of::<#equations, #monomials>(#coefficients) else {
+                    return f64::INFINITY;
+                };
+            },
+            quote!(rows),
+        ),
+        false => (quote!(), quote!(rows: emitted::rows::<#equations, #monomials, _, _>(#coefficients))),
+    };
+    let system = quote! {
         emitted::DenseSystem {
             sizes: (emitted::Fixed::<#unknowns>, emitted::Fixed::<#equations>, emitted::Fixed::<#monomials>),
             monomials: #source,
-            rows: emitted::rows::<#equations, #monomials, _, _>(&self.coefficients),
+            #rows,
         }
-    }
+    };
+    (before, system)
 }
 
 /// Values and derivatives of the monomials. Each is an earlier one times an unknown, and

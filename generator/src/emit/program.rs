@@ -8,6 +8,7 @@ use quote::{format_ident, quote};
 use super::code;
 use super::listing::Listings;
 use super::shapes::doc_line;
+use super::storage;
 use super::wrap::wrapped;
 use crate::plan::Plan;
 use crate::plan::program::{Operation, ProgramForm, ValueId};
@@ -36,13 +37,22 @@ pub(super) fn table(plan: &Plan, listings: &mut Listings) -> TokenStream {
     let results = listings.add(table.results.iter().map(u32::to_string));
     let [inputs, values, length] =
         [plan.inputs(), table.values, plan.coefficients.len()].map(Literal::usize_unsuffixed);
+    let is_on_heap = storage::has_coefficients_on_heap(plan);
+    let (memory, evaluate) = match is_on_heap {
+        true => (
+            quote!(, memory: &'w emitted::Memory),
+            quote!(PROGRAM.evaluate_on_heap((#values, #length), &[data], memory)),
+        ),
+        false => (quote!(), quote!(PROGRAM.evaluate::<R, #values, #length>(&[data]))),
+    };
+    let ((list, _), lifetime) = (storage::coefficients(plan, &quote!(R)), is_on_heap.then(|| quote!('w,)));
     let (function, names) = (name_of_table_function(plan), names_of_coefficients(plan));
     let names = names.iter().map(|line| doc_line(line));
     quote! {
         /// The coefficients that the tables refer to.
         #(#[doc = #names])*
-        fn #function<R: emitted::Real>(data: &[f64; #inputs]) -> [R; #length] {
-            PROGRAM.evaluate::<R, #values, #length>(&[data])
+        fn #function<#lifetime R: emitted::Real>(data: &[f64; #inputs] #memory) -> #list {
+            #evaluate
         }
 
         /// From the data to the coefficients.

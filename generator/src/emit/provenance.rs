@@ -1,5 +1,6 @@
 //! Where an emitted solver comes from: the header of its module, and labels for its tables.
 
+use super::storage;
 use super::wrap::wrapped;
 use crate::algebra::Monomial;
 use crate::plan::Plan;
@@ -56,6 +57,7 @@ fn header(problem: &Problem, file: &TemplateFile, reduced: &ReducedProblem, plan
         format!("- problem: fingerprint {:016x}", file.fingerprint),
     ];
     lines.extend(sizes(&file.template, plan));
+    lines.push(storage::described(plan));
     lines.push(format!("- action monomial: {}", listed(&[file.template.action], &problem.unknowns)));
     lines.push(format!("- basis: {}", listed(&file.template.basis, &problem.unknowns)));
     if plan.has_origin {

@@ -5,6 +5,7 @@ use quote::{format_ident, quote};
 
 use super::names::Names;
 use super::shapes::{as_slice, parameter};
+use super::storage;
 use crate::plan::Plan;
 
 /// Whether data and unknowns have units.
@@ -47,6 +48,12 @@ pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
     let slices: Vec<_> = plan.data.iter().map(as_slice).collect();
     let mut names = Names::of(&plan.data);
     let [given, data] = ["given", "data"].map(|name| names.take(name));
+    let (storage, storage_type) = storage::field(plan);
+    let kept = names.take("kept");
+    let coefficients = match storage::has_coefficients_on_heap(plan) {
+        true => quote!(instance.coefficients.as_ref()),
+        false => quote!(&instance.coefficients),
+    };
     let [count, inputs, unknowns] =
         [plan.data.len(), plan.inputs(), plan.unknowns.len()].map(Literal::usize_unsuffixed);
     let (mut exponents, mut scaled) = (quote!(), quote!());
@@ -56,18 +63,18 @@ pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
         no_exponents = quote!([0; #unknowns],);
         scaled = quote! {
             /// In units in which data that are far from 1 are about 1.
-            fn scaled(#(#parameters),*) -> Result<Self, ::eliminant::SolveError> {
+            fn scaled(#kept: #storage_type, #(#parameters),*) -> Result<Self, ::eliminant::SolveError> {
                 let #given: [&[f64]; #count] = [#(#slices),*];
                 let mut #data = emitted::joined(&#given);
                 let exponents = SCALINGS.apply(&mut #data);
-                Self::of(&#given, &#data, exponents)
+                Self::of(&#given, &#data, exponents, #kept)
             }
         };
     }
     quote! {
-        fn new(#(#parameters),*) -> Result<Self, ::eliminant::SolveError> {
+        fn new(#kept: #storage_type, #(#parameters),*) -> Result<Self, ::eliminant::SolveError> {
             let #given: [&[f64]; #count] = [#(#slices),*];
-            Self::of(&#given, &emitted::joined(&#given), #no_exponents)
+            Self::of(&#given, &emitted::joined(&#given), #no_exponents #kept)
         }
 
         #scaled
@@ -78,9 +85,10 @@ pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
             given: &[&[f64]; #count],
             data: &[f64; #inputs],
             #exponents
+            #storage: #storage_type,
         ) -> Result<Self, ::eliminant::SolveError> {
             let instance = #value;
-            emitted::check_coefficients(&instance.coefficients, given)?;
+            emitted::check_coefficients(#coefficients, given)?;
             Ok(instance)
         }
     }

@@ -16,6 +16,7 @@ pub mod chains;
 mod check;
 mod constant_rows;
 pub mod interpret;
+mod memory;
 pub mod program;
 pub mod program_table;
 mod residues;

@@ -4,7 +4,7 @@ use crate::elimination::lu::Eliminated;
 use crate::elimination::template::ActionRow;
 use crate::error::SolveError;
 use crate::number::{Arithmetic, Over};
-use crate::size::{Fixed, Matrix, Size};
+use crate::size::{Element, Fixed, Matrix, Size};
 use crate::solution::sign_changes::SignChanges;
 use crate::solution::system::Monomials;
 use crate::solver_instance::{HiddenVariableSolver, Point, Points, SizesOf, SolverInstance};
@@ -91,7 +91,7 @@ pub trait BatchSolver: HiddenVariableSolver + Sized {
         coefficients: &<Self::Coefficients as Size>::Vector<T>,
     ) -> &Matrix<Self::Products, Self::Equations, T>
     where
-        T: Clone;
+        T: Element;
 
     /// The basis columns of the solved template. `zero` is 0.
     ///

@@ -1,5 +1,7 @@
 //! Coefficients of large problems: arithmetic on the data from a table instead of statements.
 
+#[cfg(feature = "alloc")]
+use crate::memory::{HeapRows, Memory};
 use crate::number::Real;
 
 /// The operation of every step of a [`Run`] on its operands a and b.
@@ -134,6 +136,21 @@ impl Program<'_> {
     pub fn evaluate<R: Real, const V: usize, const C: usize>(&self, data: &[&[f64]]) -> [R; C] {
         let (mut values, mut coefficients) = ([R::ZERO; V], [R::ZERO; C]);
         self.run(data, &mut values, &mut coefficients);
+        coefficients
+    }
+
+    /// Like [`Program::evaluate`], with so many `values` and `coefficients` on the heap.
+    #[cfg(feature = "alloc")]
+    #[inline(never)]
+    #[must_use]
+    pub fn evaluate_on_heap<'w, R: Real>(
+        &self,
+        (values, coefficients): (usize, usize),
+        data: &[&[f64]],
+        memory: &'w Memory,
+    ) -> HeapRows<'w, R> {
+        let mut coefficients = memory.filled(coefficients, R::ZERO);
+        self.run(data, memory.filled(values, R::ZERO).as_mut(), coefficients.as_mut());
         coefficients
     }
 

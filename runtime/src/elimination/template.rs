@@ -2,8 +2,10 @@
 
 use crate::elimination::lu::{BlockError, BlockMemory, Eliminated, solve_large_block};
 use crate::error::SolveError;
+#[cfg(feature = "alloc")]
+use crate::memory::Memory;
 use crate::number::{Arithmetic, Over, Real};
-use crate::size::{Matrix, Size, Square, Vector, filled_matrix};
+use crate::size::{Element, Matrix, Size, Square, Vector, filled_matrix};
 
 /// A table entry: row, column, slot of the coefficient.
 pub type Entry = (u16, u16, u16);
@@ -99,6 +101,26 @@ impl Block<'_> {
         let mut matrix = [[R::ZERO; N]; N];
         let (row_scale, smallest) = (&mut [0.0; N], &mut [0.0; N]);
         let memory = BlockMemory { matrix: matrix.as_flattened_mut(), row_scale, smallest };
+        self.eliminate_in(memory, right, coefficients)
+    }
+
+    /// Like [`Block::eliminate`], for a large block of `size` rows, with its matrix on the heap.
+    ///
+    /// # Errors
+    /// As [`Block::eliminate`].
+    #[cfg(feature = "alloc")]
+    #[inline(never)]
+    pub fn eliminate_on_heap<R: Real + Over<C>, C: Copy, V: Vector<R>>(
+        &self,
+        size: usize,
+        right: &mut [V],
+        coefficients: &[C],
+        memory: &Memory,
+    ) -> Result<(), SolveError> {
+        let mut matrix = memory.filled(size * size, R::ZERO);
+        let (mut row_scale, mut smallest) = (memory.filled(size, 0.0), memory.filled(size, 0.0));
+        let memory =
+            BlockMemory { matrix: matrix.as_mut(), row_scale: row_scale.as_mut(), smallest: smallest.as_mut() };
         self.eliminate_in(memory, right, coefficients)
     }
 
@@ -212,7 +234,7 @@ pub fn solved_rows<R: Real, K: Size, B: Size>(
 
 /// Like [`solved_rows`], for all kinds of numbers: a zero, and what is made of each number.
 #[inline(always)]
-pub(crate) fn solved_rows_from<R: Copy, T: Arithmetic, K: Size, B: Size>(
+pub(crate) fn solved_rows_from<R: Element + Copy, T: Arithmetic, K: Size, B: Size>(
     (count, basis): (K, B),
     pivots: &[u16],
     right: &[B::Vector<R>],

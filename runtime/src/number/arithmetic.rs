@@ -14,6 +14,8 @@ pub trait Arithmetic:
     + Neg<Output = Self>
     + AddAssign
     + SubAssign
+    + Send
+    + 'static
 {
     /// The number x of the same kind as this one. (How many instances there are side by side is
     /// known at run time, so no function makes a number from nothing.)

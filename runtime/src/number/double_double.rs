@@ -190,7 +190,7 @@ impl Real for DoubleDouble {
     /// 2^-104.
     const EPSILON: f64 = f64::EPSILON * f64::EPSILON;
     #[inline]
-    fn of<Z: Size>(_: &Z::Vector<f64>, compute: impl FnOnce() -> Z::Vector<Self>) -> Z::Vector<Self> {
+    fn of<Z: Size>(_: &Z::Rows<f64>, compute: impl FnOnce() -> Z::Rows<Self>) -> Z::Rows<Self> {
         compute()
     }
     #[inline]

@@ -3,7 +3,7 @@
 
 use super::arithmetic::Arithmetic;
 use super::float;
-use crate::size::Size;
+use crate::size::{Element, Size};
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 use num_complex::Complex;
@@ -28,6 +28,7 @@ pub trait Scalar:
     + AddAssign
     + SubAssign
     + MulAssign
+    + Send
     + 'static
 {
     /// 0.
@@ -91,7 +92,7 @@ pub trait Real: Scalar + Over<Self> {
     /// The distance from 1 to the next number.
     const EPSILON: f64;
     /// Returns the `known` numbers if this is their precision; otherwise computes them anew.
-    fn of<Z: Size>(known: &Z::Vector<f64>, compute: impl FnOnce() -> Z::Vector<Self>) -> Z::Vector<Self>;
+    fn of<Z: Size>(known: &Z::Rows<f64>, compute: impl FnOnce() -> Z::Rows<Self>) -> Z::Rows<Self>;
     /// |self| with the sign of `other`.
     fn with_sign_of(self, other: Self) -> Self;
 }
@@ -99,7 +100,7 @@ pub trait Real: Scalar + Over<Self> {
 impl Real for f64 {
     const EPSILON: f64 = f64::EPSILON;
     #[inline]
-    fn of<Z: Size>(known: &Z::Vector<f64>, _: impl FnOnce() -> Z::Vector<f64>) -> Z::Vector<f64> {
+    fn of<Z: Size>(known: &Z::Rows<f64>, _: impl FnOnce() -> Z::Rows<f64>) -> Z::Rows<f64> {
         known.clone()
     }
     #[inline]
@@ -112,7 +113,11 @@ impl Real for f64 {
 ///
 /// The standard library's `map` compiles to several times as much code, for each closure and size.
 #[inline]
-pub(crate) fn mapped<Z: Size, A: Copy, S: Scalar>(size: Z, x: &Z::Vector<A>, f: impl Fn(A) -> S) -> Z::Vector<S> {
+pub(crate) fn mapped<Z: Size, A: Element + Copy, S: Scalar>(
+    size: Z,
+    x: &Z::Vector<A>,
+    f: impl Fn(A) -> S,
+) -> Z::Vector<S> {
     let mut mapped = size.filled(S::ZERO);
     for j in 0..size.get() {
         mapped[j] = f(x[j]);

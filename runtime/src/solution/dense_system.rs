@@ -39,6 +39,13 @@ pub fn rows<const E: usize, const K: usize, const C: usize, T>(coefficients: &[T
     }
 }
 
+/// Like [`rows`], of a list whose length the compiler does not know; `None` if it is too short.
+#[inline]
+#[must_use]
+pub fn rows_of<const E: usize, const K: usize>(coefficients: &[f64]) -> Option<&[[f64; E]; K]> {
+    coefficients.as_chunks().0.first_chunk()
+}
+
 impl<S: Scalar, N: Size, E: Size, K: Size, Q: Monomials<N, K>> System<S, N, E> for DenseSystem<'_, N, E, K, Q> {
     type Monomials = K::Vector<S>;
 

@@ -4,7 +4,7 @@ use crate::elimination::lu::all_finite;
 use crate::error::SolveError;
 use crate::number::scalar::mapped;
 use crate::number::{Over, Real, Scalar, float};
-use crate::size::{Fixed, Size, Square, Vector, filled_matrix};
+use crate::size::{Element, Fixed, Size, Square, Vector, filled_matrix};
 
 /// A real N x N matrix A, balanced and reduced by orthogonal similarity:
 ///
@@ -23,7 +23,7 @@ use crate::size::{Fixed, Size, Square, Vector, filled_matrix};
 /// columns that are rounding errors (Watkins 2006). Such rows and columns exist if |B| exceeds the
 /// number of solutions. The QR iteration starts from H. Eigenvectors are found on H and taken back
 /// through Q and D.
-pub struct Hessenberg<Z: Size, R: Clone = f64> {
+pub struct Hessenberg<Z: Size, R: Element = f64> {
     /// The number of rows and columns in use.
     pub(crate) size: Z,
     /// H: zero below the subdiagonal.

@@ -1,7 +1,7 @@
 //! Eigenvectors for given eigenvalues, by inverse iteration on the Hessenberg form.
 
 use crate::number::{Over, Real, Scalar, float};
-use crate::size::{Size, Square, filled_matrix};
+use crate::size::{Element, Size, Square, filled_matrix};
 use crate::spectrum::hessenberg::Hessenberg;
 
 /// Solves with each factorisation: the first solve finds the direction, the second improves it.
@@ -20,7 +20,7 @@ const LARGE: f64 = 1e120;
 ///       [     u u ]     inverse_pivot[i] = 1 / U[i][i]; pivots below rounding are replaced by it
 ///       [       u ]
 /// ```
-pub(crate) struct ShiftedLu<S: Clone, Z: Size> {
+pub(crate) struct ShiftedLu<S: Element, Z: Size> {
     size: Z,
     upper: Square<Z, S>,
     inverse_pivot: Z::Vector<S>,

@@ -6,9 +6,12 @@
 use num_complex::Complex;
 
 use crate::error::SolveError;
+use crate::memory::Memory;
+#[cfg(feature = "alloc")]
+use crate::memory::OnHeap;
 use crate::number::Scalar;
 use crate::number::double_double::{DoubleComplex, DoubleDouble};
-use crate::size::AtMost;
+use crate::size::{AtMost, Size};
 use crate::spectrum::hessenberg::Hessenberg;
 
 /// The spectrum of a matrix. Its eigenvectors are returned in the usual precision, which suffices
@@ -29,10 +32,10 @@ trait Eigenvectors {
     fn eigenvector(&self, value: Complex<f64>, vector: &mut [Complex<f64>]);
 }
 
-impl<const C: usize> Eigenvectors for Hessenberg<AtMost<C>, DoubleDouble> {
+impl<Z: Size> Eigenvectors for Hessenberg<Z, DoubleDouble> {
     fn eigenvector(&self, value: Complex<f64>, vector: &mut [Complex<f64>]) {
         let precise = self.eigenvector(DoubleComplex::from_complex(value));
-        for (entry, known) in vector.iter_mut().zip(precise) {
+        for (entry, known) in vector.iter_mut().zip(precise.as_ref()) {
             *entry = known.to_complex();
         }
     }
@@ -42,53 +45,73 @@ impl<const C: usize> Eigenvectors for Hessenberg<AtMost<C>, DoubleDouble> {
 /// solver.
 pub(crate) type Row<'a> = &'a dyn Fn(usize) -> &'a [DoubleDouble];
 
+/// What is called with a spectrum.
+pub(crate) type Reader<'a> = &'a mut dyn FnMut(&PreciseSpectrum<'_>);
+
 /// Functions that reserve memory for matrices up to each of these sizes, in increasing order, and
 /// the one that takes the first that suffices. They are no instances of a generic function, which
 /// each solver would compile; and where the order is constant, only one of them is called, and the
 /// linker leaves out the others.
 macro_rules! capacities {
-    ($($name:ident $capacity:literal)*) => {
+    ($all:ident: $($name:ident $capacity:literal)*, $memory:ident: $place:ty, |$order:ident| $size:expr) => {
         $(#[inline(never)]
-        fn $name(order: usize, row: Row<'_>, with: Reader<'_>) -> Result<(), SolveError> {
-            at_capacity::<$capacity>(order, row, with)
+        fn $name($order: usize, row: Row<'_>, $memory: $place, with: Reader<'_>) -> Result<(), SolveError> {
+            const CAPACITY: usize = $capacity;
+            of_size($size, row, with)
         })*
 
-        /// Calls `with` for the spectrum of the square matrix with these rows. It takes the stack
-        /// of the next larger of the sizes listed below.
-        ///
-        /// # Errors
-        /// As [`Hessenberg::reduce`] and [`Hessenberg::eigenvalues`]; [`SolveError::TooLarge`]
-        /// beyond 256 rows, for which no memory is reserved.
         #[inline(always)]
-        pub(crate) fn with_precise_spectrum(
-            order: usize,
-            row: Row<'_>,
-            with: Reader<'_>,
-        ) -> Result<(), SolveError> {
+        fn $all(order: usize, row: Row<'_>, memory: $place, with: Reader<'_>) -> Result<(), SolveError> {
             $(if order <= $capacity {
-                return $name(order, row, with);
+                return $name(order, row, memory, with);
             })*
             Err(SolveError::TooLarge)
         }
     };
 }
 
-capacities!(up_to_16 16 up_to_32 32 up_to_64 64 up_to_96 96 up_to_128 128 up_to_160 160 up_to_192 192 up_to_256 256);
+capacities!(on_stack: stack_16 16 stack_24 24, _memory: (), |order| AtMost::<CAPACITY>(order));
 
-/// What is called with a spectrum.
-pub(crate) type Reader<'a> = &'a mut dyn FnMut(&PreciseSpectrum<'_>);
+#[cfg(feature = "alloc")]
+capacities!(
+    on_heap: heap_32 32 heap_64 64 heap_96 96 heap_128 128 heap_160 160 heap_192 192 heap_256 256,
+    memory: &Memory,
+    |order| OnHeap { size: AtMost::<CAPACITY>(order), memory }
+);
+
+/// Calls `with` for the spectrum of the square matrix with these rows. Its memory has the next
+/// larger of the sizes listed above.
+///
+/// # Errors
+/// As [`Hessenberg::reduce`] and [`Hessenberg::eigenvalues`]; [`SolveError::TooLarge`] beyond 256
+/// rows, and beyond 24 rows without `memory` on the heap: it would take too much of the stack.
+#[inline(always)]
+pub(crate) fn with_precise_spectrum(
+    order: usize,
+    row: Row<'_>,
+    memory: Option<&Memory>,
+    with: Reader<'_>,
+) -> Result<(), SolveError> {
+    #[cfg(feature = "alloc")]
+    if let Some(memory) = memory {
+        return on_heap(order, row, memory, with);
+    }
+    let _ = memory;
+    on_stack(order, row, (), with)
+}
 
 #[inline(always)]
-fn at_capacity<const C: usize>(order: usize, row: Row<'_>, with: Reader<'_>) -> Result<(), SolveError> {
-    let mut form = Hessenberg::<AtMost<C>, DoubleDouble>::zero(AtMost(order));
-    for (at, place) in form.matrix.iter_mut().enumerate().take(order) {
-        for (entry, &known) in place.iter_mut().zip(row(at)) {
+fn of_size<Z: Size>(size: Z, row: Row<'_>, with: Reader<'_>) -> Result<(), SolveError> {
+    let order = size.get();
+    let mut form = Hessenberg::<Z, DoubleDouble>::zero(size);
+    for (at, place) in form.matrix.as_mut().iter_mut().enumerate().take(order) {
+        for (entry, &known) in place.as_mut().iter_mut().zip(row(at)) {
             *entry = known;
         }
     }
     form.reduce_in_place()?;
     let eigenvalues = form.eigenvalues()?;
-    with(&PreciseSpectrum { eigenvalues: &eigenvalues[..order], eigenvectors: &form });
+    with(&PreciseSpectrum { eigenvalues: &eigenvalues.as_ref()[..order], eigenvectors: &form });
     Ok(())
 }
 
@@ -103,31 +126,38 @@ mod tests {
         matrix[n - 1][0] = DoubleDouble::from_f64(2.0);
     }
 
+    /// Checks all eigenpairs of the matrix of that order.
+    fn check(n: usize, memory: Option<&Memory>) {
+        const LARGEST: usize = 129;
+        let mut matrix = [[DoubleDouble::ZERO; LARGEST]; LARGEST];
+        let matrix = &mut matrix[..n];
+        companion(n, matrix);
+        let mut found = 0;
+        with_precise_spectrum(n, &|at| &matrix[at], memory, &mut |spectrum| {
+            for &value in spectrum.eigenvalues {
+                assert!((value.powi(n as i32) - 2.0).norm() < 1e-12, "{n}: {value}");
+                let mut vector = [Complex::ZERO; LARGEST];
+                spectrum.eigenvector(value, &mut vector);
+                for i in 1..n {
+                    assert!((vector[i] - vector[i - 1] * value).norm() < 1e-13, "{n}: entry {i} of that of {value}");
+                }
+                found += 1;
+            }
+        })
+        .unwrap();
+        assert_eq!(found, n);
+    }
+
     #[test]
     fn every_order_has_its_eigenpairs() {
-        const LARGEST: usize = 129;
-        let mut memory = [[DoubleDouble::ZERO; LARGEST]; LARGEST];
-        for n in [2, 15, 16, 17, 33, 65, 96, 97, 128, LARGEST] {
-            let matrix = &mut memory[..n];
-            companion(n, matrix);
-            let mut found = 0;
-            with_precise_spectrum(n, &|at| &matrix[at], &mut |spectrum| {
-                for &value in spectrum.eigenvalues {
-                    assert!((value.powi(n as i32) - 2.0).norm() < 1e-12, "{n}: {value}");
-                    let mut vector = [Complex::ZERO; LARGEST];
-                    spectrum.eigenvector(value, &mut vector);
-                    for i in 1..n {
-                        assert!(
-                            (vector[i] - vector[i - 1] * value).norm() < 1e-13,
-                            "{n}: entry {i} of that of {value}"
-                        );
-                    }
-                    found += 1;
-                }
-            })
-            .unwrap();
-            assert_eq!(found, n);
+        [2, 15, 16, 17, 24].into_iter().for_each(|n| check(n, None));
+        assert_eq!(with_precise_spectrum(25, &|_| &[], None, &mut |_| ()), Err(SolveError::TooLarge));
+        #[cfg(feature = "alloc")]
+        {
+            let memory = Memory::new();
+            [2, 32, 33, 65, 96, 97, 128, 129].into_iter().for_each(|n| check(n, Some(&memory)));
+            let too_large = with_precise_spectrum(257, &|_| &[], Some(&memory), &mut |_| ());
+            assert_eq!(too_large, Err(SolveError::TooLarge));
         }
-        assert_eq!(with_precise_spectrum(257, &|_| &[], &mut |_| ()), Err(SolveError::TooLarge));
     }
 }

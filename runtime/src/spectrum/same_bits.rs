@@ -10,6 +10,7 @@ use proptest::test_runner::RngSeed;
 
 use crate::dynamic_size::Dynamic;
 use crate::error::SolveError;
+use crate::memory::{Memory, OnHeap};
 use crate::number::double_double::{DoubleComplex, DoubleDouble};
 use crate::number::{Over, Real, Scalar};
 use crate::size::{AtMost, Fixed, Size, filled_matrix};
@@ -75,6 +76,15 @@ fn compare<const N: usize>(entries: &[f64]) {
     let precise = eigenpairs::<_, DoubleDouble, DoubleComplex>(Fixed::<N>, entries);
     assert_eq!(precise, eigenpairs::<_, DoubleDouble, DoubleComplex>(Dynamic(N), entries));
     assert_eq!(precise, eigenpairs::<_, DoubleDouble, DoubleComplex>(AtMost::<9>(N), entries));
+    let memory = &Memory::new();
+    let on_heap = OnHeap { size: Fixed::<N>, memory };
+    // The second time in memory that was in use before.
+    for _ in 0..2 {
+        assert_eq!(constant, eigenpairs::<_, f64, Complex<f64>>(on_heap, entries));
+        let partly_in_use = OnHeap { size: AtMost::<9>(N), memory };
+        assert_eq!(precise, eigenpairs::<_, DoubleDouble, DoubleComplex>(partly_in_use, entries));
+        assert_eq!(first_attempt_alone(Fixed::<N>, entries), first_attempt_alone(on_heap, entries));
+    }
     assert_eq!(first_attempt_alone(Fixed::<N>, entries), first_attempt_alone(Dynamic(N), entries));
 }
 

@@ -13,7 +13,7 @@ use super::conics::{MONOMIALS, terms};
 
 /// Constant sizes or run-time sizes.
 pub(crate) trait Family {
-    type Of<const N: usize>: Size;
+    type Of<const N: usize>: Size + 'static;
     fn of<const N: usize>() -> Self::Of<N>;
     /// Eliminates a block of N rows.
     fn eliminate<R: Real, V: Vector<R>, const N: usize>(

@@ -133,6 +133,7 @@ impl InterpretedSolver {
             steps: steps.collect(),
             flips: flips.collect(),
             attempts: 0,
+            memory: emitted::Memory::new(),
         })
     }
 
@@ -141,14 +142,7 @@ impl InterpretedSolver {
     /// # Errors
     /// As the emitted solver.
     pub fn solve(&self, data: &[f64]) -> Result<Vec<Vec<f64>>, SolveError> {
-        let mut instance = self.instance(data)?;
-        let found = match self.chains {
-            None => emitted::real_solutions(&mut instance)?,
-            Some(_) => emitted::real_solutions_by_determinant(&mut instance)?,
-        };
-        let mut points = found.to_vec();
-        points.iter_mut().for_each(|point| emitted::unscale(&instance.exponents, point));
-        Ok(points)
+        self.instance(data)?.solve()
     }
 
     /// All solutions, as `solve_complex` of the emitted solver returns them.
@@ -282,7 +276,7 @@ impl System {
 }
 
 /// An interpreted solver with the coefficients of one instance.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct InterpretedInstance<'a> {
     solver: &'a InterpretedSolver,
     /// Scaled, as all that follows.
@@ -300,6 +294,8 @@ pub struct InterpretedInstance<'a> {
     flips: Vec<&'a [bool]>,
     /// How often the template was eliminated.
     attempts: usize,
+    /// Memory of second attempts.
+    memory: emitted::Memory,
 }
 
 impl InterpretedInstance<'_> {
@@ -331,6 +327,20 @@ impl InterpretedInstance<'_> {
         let mut point = point.to_vec();
         emitted::unscale(&negative, &mut point);
         self.polish(&mut point, 0)
+    }
+
+    /// The real solutions, as `solve` of the emitted solver returns them.
+    ///
+    /// # Errors
+    /// As the emitted solver.
+    pub fn solve(&mut self) -> Result<Vec<Vec<f64>>, SolveError> {
+        let found = match self.solver.chains {
+            None => emitted::real_solutions(self)?,
+            Some(_) => emitted::real_solutions_by_determinant(self)?,
+        };
+        let mut points = found.to_vec();
+        points.iter_mut().for_each(|point| emitted::unscale(&self.exponents, point));
+        Ok(points)
     }
 
     /// How often the template was eliminated: twice if there was a second attempt.
@@ -382,6 +392,10 @@ impl SolverInstance for InterpretedInstance<'_> {
 
     fn has_precise_coefficients(&self) -> bool {
         self.solver.has_precise_coefficients
+    }
+
+    fn memory(&self) -> Option<&emitted::Memory> {
+        Some(&self.memory)
     }
 
     fn action_matrix<R: emitted::Real>(&mut self) -> Result<Vec<Vec<R>>, SolveError> {
