@@ -20,7 +20,7 @@ fn all_solvers_work_in_small_threads() {
         let instances = Instances::of(case);
         let count = |call| instances.run(*case, call, SUFFICIENT_STACK).expect("the thread starts");
         let [real, complex, real_in, complex_in] = CALLS.map(count);
-        assert!(complex > 0 && real <= complex, "{}: {real} of {complex} solutions are real", case.name);
+        assert!(complex > 0, "{}: random data have complex solutions", case.name);
         assert_eq!([real, complex], [real_in, complex_in], "{}", case.name);
         println!("{}: {} {}", case.name, instances.real_twice.is_some(), instances.complex_twice.is_some());
         usize::from(instances.complex_twice.is_some())
