@@ -41,6 +41,9 @@ pub(super) enum CommandError {
     /// A folder holds no problem.
     #[error("error: there is no problem with a template in `{}`\nhelp: a folder is searched for files NAME.rs with NAME.template.toml beside them", folder.display())]
     NoProblem { folder: PathBuf },
+    /// Figures go by the name of the problem.
+    #[error("error: two files state the problem `{problem}`\nhelp: measure them one at a time")]
+    Twice { problem: String },
     /// A file of instances is at fault.
     #[error("error: `{}`:{line}: {reason}", path.display())]
     Instance { path: PathBuf, line: usize, reason: String },

@@ -27,7 +27,7 @@ use eliminant::Complex;
 
 pub use number::BITS;
 use number::{rounded, widened};
-use system::{System, WidePoint, distance, norm};
+use system::{System, WidePoint, norm};
 
 use crate::plan::Plan;
 
@@ -51,8 +51,8 @@ pub struct Truths<'a> {
 pub struct Judged {
     /// The number of different solutions that points approximate.
     pub found: usize,
-    /// The number of points near which there is no solution, and of those whose solution another
-    /// point approximates, too.
+    /// The number of other points: there is no solution near them, or other points are closer to
+    /// it.
     pub spurious: usize,
     /// The distance of each point that is not spurious from its solution, relative to its norm.
     pub errors: Vec<f64>,
@@ -65,11 +65,11 @@ impl<'a> Truths<'a> {
     /// The solutions of an instance. `near` are points that are likely to be close to solutions,
     /// such as what a solver returns. `None` if a coefficient divides by 0.
     pub fn of(plan: &'a Plan, data: &[f64], near: &[Vec<Complex<f64>>]) -> Option<Self> {
-        let system = System::new(plan, data)?;
+        let starts: Vec<WidePoint> = near.iter().map(|point| point.iter().copied().map(widened).collect()).collect();
+        let size = starts.iter().map(|start| norm(start)).filter(|size| size.is_finite()).reduce(f64::max);
+        let system = System::new(plan, data, size.unwrap_or(1.0))?;
         let mut this = Self { system, points: Vec::new(), expected: plan.solutions };
-        for point in near {
-            this.add(&point.iter().copied().map(widened).collect::<WidePoint>());
-        }
+        starts.iter().for_each(|start| this.add(start));
         if plan.has_origin {
             this.add(&vec![widened(Complex::new(0.0, 0.0)); plan.unknowns.len()]);
         }
@@ -89,7 +89,7 @@ impl<'a> Truths<'a> {
         }
         let conjugate: WidePoint = refined.point.iter().map(|x| x.conj()).collect();
         for point in [refined.point, conjugate] {
-            if self.points.iter().all(|known| distance(&point, known) > SAME) {
+            if self.points.iter().all(|known| self.system.distance(&point, known) > SAME) {
                 self.points.push(point);
             }
         }
@@ -107,36 +107,42 @@ impl<'a> Truths<'a> {
 
     /// The number of real solutions.
     pub fn real(&self) -> usize {
-        self.points.iter().filter(|point| is_real(point)).count()
+        self.points.iter().filter(|point| self.is_real(point)).count()
     }
 
     /// Judges points that were returned for these data. `only_real` says that only real solutions
     /// count.
     pub fn judge(&self, returned: &[Vec<Complex<f64>>], only_real: bool) -> Judged {
-        let mut judged = Judged::default();
-        let mut found = vec![false; self.points.len()];
-        for point in returned {
-            judged.residuals.push(self.system.residual(point));
-            let point: WidePoint = point.iter().copied().map(widened).collect();
-            let candidates = (0..self.points.len()).filter(|&at| !only_real || is_real(&self.points[at]));
-            let distances = candidates.map(|at| (distance(&point, &self.points[at]), at));
-            match distances.min_by(|(a, _), (b, _)| a.total_cmp(b)) {
-                Some((error, at)) if error <= NEAR && !found[at] => {
-                    found[at] = true;
-                    judged.errors.push(error);
-                }
-                _ => judged.spurious += 1,
+        let wide: Vec<WidePoint> = returned.iter().map(|point| point.iter().copied().map(widened).collect()).collect();
+        let counts = |at: &usize| !only_real || self.is_real(&self.points[*at]);
+        let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
+        for (point, of) in wide.iter().enumerate() {
+            let near =
+                (0..self.points.len()).filter(counts).map(|at| (self.system.distance(of, &self.points[at]), point, at));
+            pairs.extend(near.filter(|&(error, ..)| error <= NEAR));
+        }
+        // The closest pairs first: no point and no solution belongs to two.
+        pairs.sort_by(|(a, ..), (b, ..)| a.total_cmp(b));
+        let (mut is_taken, mut is_found) = (vec![false; wide.len()], vec![false; self.points.len()]);
+        let mut errors = Vec::new();
+        for (error, point, at) in pairs {
+            if !is_taken[point] && !is_found[at] {
+                (is_taken[point], is_found[at]) = (true, true);
+                errors.push(error);
             }
         }
-        judged.found = found.into_iter().filter(|&found| found).count();
-        judged
+        Judged {
+            found: errors.len(),
+            spurious: returned.len() - errors.len(),
+            errors,
+            residuals: returned.iter().map(|point| self.system.residual(point)).collect(),
+        }
     }
 
-    /// The smallest distance of a returned point from a known one, relative to the known one.
-    pub fn distance(returned: &[Vec<Complex<f64>>], known: &[f64]) -> f64 {
-        let known: WidePoint = known.iter().map(|&x| widened(Complex::new(x, 0.0))).collect();
-        let wide = |point: &Vec<Complex<f64>>| point.iter().copied().map(widened).collect::<WidePoint>();
-        returned.iter().map(|point| distance(&wide(point), &known)).fold(f64::INFINITY, f64::min)
+    /// Whether all imaginary parts are 0 but for the last digits.
+    fn is_real(&self, point: &WidePoint) -> bool {
+        let imaginary: WidePoint = point.iter().map(|x| widened(Complex::new(0.0, rounded(x.im)))).collect();
+        self.system.relative(norm(&imaginary), point) <= SAME
     }
 
     /// The solutions, rounded.
@@ -144,12 +150,6 @@ impl<'a> Truths<'a> {
         let round = |point: &WidePoint| point.iter().map(|x| Complex::new(rounded(x.re), rounded(x.im))).collect();
         self.points.iter().map(round).collect()
     }
-}
-
-/// Whether all imaginary parts are 0 but for the last digits.
-fn is_real(point: &WidePoint) -> bool {
-    let imaginary: WidePoint = point.iter().map(|x| widened(Complex::new(0.0, rounded(x.im)))).collect();
-    norm(&imaginary) <= SAME * norm(point)
 }
 
 #[cfg(test)]

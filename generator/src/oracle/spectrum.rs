@@ -65,9 +65,8 @@ impl Reduced {
             this.h.swap(below, pivot);
             this.h.iter_mut().chain(&mut this.s).for_each(|row| row.swap(below, pivot));
             let inverse = f256::ONE / this.h[below][column];
-            let factors: Vec<f256> = (0..size)
-                .map(|row| if row > below { this.h[row][column] * inverse } else { f256::ZERO })
-                .collect();
+            let factors: Vec<f256> =
+                (0..size).map(|row| if row > below { this.h[row][column] * inverse } else { f256::ZERO }).collect();
             this.conjugate(below, &factors);
         }
         this
@@ -129,9 +128,8 @@ impl Reduced {
                 let Some(step) = self.newton_step(values[at]) else { continue };
                 let one = Complex::new(f256::ONE, f256::ZERO);
                 let others = (0..values.len()).filter(|&other| other != at);
-                let sum = others.fold(Complex::new(f256::ZERO, f256::ZERO), |sum, other| {
-                    sum + one / (values[at] - values[other])
-                });
+                let sum = others
+                    .fold(Complex::new(f256::ZERO, f256::ZERO), |sum, other| sum + one / (values[at] - values[other]));
                 let correction = step / (one - step * sum);
                 if correction.re.is_finite() && correction.im.is_finite() {
                     values[at] -= correction;

@@ -18,6 +18,8 @@ const CONVERGED: f64 = 1e-30;
 /// The relative residual of a solution. It is not 0 if there are more equations than unknowns and
 /// the data satisfy a condition up to their rounding only, such as that of a rotation.
 const EXACT: f64 = 1e-13;
+/// A point so much smaller than the largest solutions is the origin.
+const ORIGIN: f64 = 1e-20;
 /// A factor that must not vanish does if it is this small beside its terms.
 const VANISHING: f64 = 1e-20;
 
@@ -25,6 +27,8 @@ const VANISHING: f64 = 1e-20;
 pub(super) struct System<'a> {
     plan: &'a Plan,
     coefficients: Vec<f256>,
+    /// The norm of the largest solutions, about.
+    size: f64,
 }
 
 /// A point after Newton's method.
@@ -45,10 +49,11 @@ impl Refined {
 }
 
 impl<'a> System<'a> {
-    /// The equations for these data; `None` if a divisor vanishes or data are not finite.
-    pub(super) fn new(plan: &'a Plan, data: &[f64]) -> Option<Self> {
+    /// The equations for these data, with solutions of norms of about `size` and less; `None` if a
+    /// divisor vanishes or data are not finite.
+    pub(super) fn new(plan: &'a Plan, data: &[f64], size: f64) -> Option<Self> {
         let inputs: Vec<f256> = data.iter().map(|&x| f256::from(x)).collect();
-        Some(Self { plan, coefficients: interpret::coefficients(plan, Wide, &inputs)? })
+        Some(Self { plan, coefficients: interpret::coefficients(plan, Wide, &inputs)?, size })
     }
 
     /// The coefficients.
@@ -141,13 +146,27 @@ impl<'a> System<'a> {
         for _ in 0..STEPS {
             let Some(step) = least_squares(self.rows(&point), point.len()) else { break };
             point.iter_mut().zip(&step).for_each(|(x, step)| *x += step);
-            last_step = relative(norm(&step), &point);
+            last_step = self.relative(norm(&step), &point);
             if !(last_step > SHORTEST_STEP && last_step.is_finite()) {
                 break;
             }
         }
         let residual = self.residual_of(&point);
         Refined { point, last_step, residual }
+    }
+
+    /// How far two points are apart, relative to the second.
+    pub(super) fn distance(&self, x: &[WideComplex], y: &[WideComplex]) -> f64 {
+        let difference: WidePoint = x.iter().zip(y).map(|(a, b)| a - b).collect();
+        self.relative(norm(&difference), y)
+    }
+
+    /// A length relative to that of a point. A solution at the origin has no length, and is known
+    /// as well as the others: to a part of theirs.
+    pub(super) fn relative(&self, length: f64, point: &[WideComplex]) -> f64 {
+        let own = norm(point);
+        let size = if own > ORIGIN * self.size { own } else { self.size };
+        if size > 0.0 { length / size } else { length }
     }
 }
 
@@ -214,16 +233,4 @@ fn solved(mut rows: Vec<Vec<WideComplex>>) -> Option<WidePoint> {
 /// The Euclidean norm of a point, rounded.
 pub(super) fn norm(x: &[WideComplex]) -> f64 {
     rounded(x.iter().fold(f256::ZERO, |sum, z| sum + z.norm_sqr()).sqrt())
-}
-
-/// How far two points are apart, relative to the second.
-pub(super) fn distance(x: &[WideComplex], y: &[WideComplex]) -> f64 {
-    let difference: WidePoint = x.iter().zip(y).map(|(a, b)| a - b).collect();
-    relative(norm(&difference), y)
-}
-
-/// A length relative to that of a point; as it is at the origin.
-fn relative(length: f64, point: &[WideComplex]) -> f64 {
-    let size = norm(point);
-    if size > 0.0 { length / size } else { length }
 }

@@ -13,6 +13,7 @@ mod points;
 mod radial_distortion;
 mod ranging;
 mod relative_pose;
+pub mod special_motions;
 mod triangulation;
 
 pub use cameras::{camera, distorted, image, in_ball, two_cameras};

@@ -59,7 +59,8 @@ fn growth_and_action(plan: &Plan, coefficients: &[f64]) -> Option<(f64, Vec<Vec<
 fn separation(action: &Vec<Vec<f64>>) -> Option<f64> {
     let values: Vec<Complex<f64>> = emitted::eigenvalues(emitted::Dynamic(action.len()), action).ok()?;
     let largest = values.iter().map(|value| value.norm()).fold(0.0, f64::max);
-    let distances = (0..values.len()).flat_map(|i| (0..i).map(move |j| (i, j))).map(|(i, j)| (values[i] - values[j]).norm());
+    let distances =
+        (0..values.len()).flat_map(|i| (0..i).map(move |j| (i, j))).map(|(i, j)| (values[i] - values[j]).norm());
     distances.reduce(f64::min).map(|distance| if largest > 0.0 { distance / largest } else { 0.0 })
 }
 

@@ -145,10 +145,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     report.check = checked;
     report.seconds = start.elapsed().as_secs_f64();
     if let Some(path) = &arguments.worst {
-        let noted = |measured: &&Measured| Instance {
-            note: Some(measured.outcome.words()),
-            ..measured.instance.clone()
-        };
+        let noted =
+            |measured: &&Measured| Instance { note: Some(measured.outcome.words()), ..measured.instance.clone() };
         write_instances(path, &worst.iter().map(noted).collect::<Vec<_>>())?;
     }
     if let Some(path) = &arguments.csv {

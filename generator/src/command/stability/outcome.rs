@@ -19,7 +19,7 @@ pub(super) struct Count {
     pub(super) expected: usize,
     /// Of these, those that no returned point approximates.
     pub(super) missed: usize,
-    /// Returned points that approximate no solution, or one that another point approximates, too.
+    /// Returned points that approximate no solution, or one that others are closer to.
     pub(super) spurious: usize,
 }
 
@@ -64,7 +64,7 @@ impl Outcome {
             nanoseconds: returned.nanoseconds,
             error,
             known: instance.solutions.len(),
-            known_missed: instance.solutions.iter().filter(|known| Truths::distance(real, known) > FOUND).count(),
+            known_missed: instance.solutions.iter().filter(|known| distance(real, known) > FOUND).count(),
             growth: condition.growth,
             separation: condition.separation,
             is_repeated: condition.is_repeated,
@@ -135,6 +135,19 @@ impl Outcome {
         }
         words.join(", ")
     }
+}
+
+/// The smallest distance of a returned point from a known one, relative to the known one; at the
+/// origin to the largest point.
+fn distance(returned: &[Vec<Complex<f64>>], known: &[f64]) -> f64 {
+    let norm = |x: &mut dyn Iterator<Item = f64>| x.map(|x| x * x).sum::<f64>().sqrt();
+    let norms = returned.iter().map(|point| norm(&mut point.iter().map(|x| x.norm())));
+    let size = match norm(&mut known.iter().copied()) {
+        0.0 => norms.fold(f64::MIN_POSITIVE, f64::max),
+        own => own,
+    };
+    let length = |point: &Vec<Complex<f64>>| norm(&mut point.iter().zip(known).map(|(x, known)| (x - known).norm()));
+    returned.iter().map(|point| length(point) / size).fold(f64::INFINITY, f64::min)
 }
 
 fn count(expected: usize, judged: &Judged) -> Count {

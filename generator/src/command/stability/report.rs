@@ -117,19 +117,10 @@ impl Seen {
 }
 
 impl StabilityReport {
-    pub(super) fn new(
-        subjects: &[Subject],
-        measured: &[Vec<Measured>],
-        worst: &[&Measured],
-        is_replay: bool,
-    ) -> Self {
+    pub(super) fn new(subjects: &[Subject], measured: &[Vec<Measured>], worst: &[&Measured], is_replay: bool) -> Self {
         let solver = |subject: &Subject| SolverReport {
             file: subject.file.display().to_string(),
-            summary: Summary::new(
-                &subject.loaded.problem,
-                &subject.loaded.file.template,
-                &subject.loaded.planned.plan,
-            ),
+            summary: Summary::new(&subject.loaded.problem, &subject.loaded.file.template, &subject.loaded.planned.plan),
         };
         let rows = measured.iter().flat_map(|measured| groups(measured, true));
         Self {
@@ -283,7 +274,8 @@ repeated: instances on which all solutions took a second attempt; growth: the la
             writeln!(f, "\n{title}:\n\n{}", table(&["problem", "family", "level", ""], &rows, 4).trim_end())?;
         }
         if let Some(check) = &self.check {
-            writeln!(f, "\n{} compared with {}", counted(check.compared, "set of figures"), check.baseline)?;
+            let compared = counted(check.compared, "set");
+            writeln!(f, "\n{compared} of figures compared with {}", check.baseline)?;
             for Worse { problem, family, figure } in &check.worse {
                 writeln!(f, "worse: {problem}, {family}: {figure}")?;
             }

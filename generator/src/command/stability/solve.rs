@@ -55,11 +55,7 @@ pub(super) struct SolvingCrate(Workspace);
 
 impl SolvingCrate {
     /// Writes a program for each solver, see [`Workspace::new`], and compiles what they share.
-    pub(super) fn new(
-        subjects: &[Subject<'_>],
-        runtime: Option<&Path>,
-        problem: &Path,
-    ) -> Result<Self, CommandError> {
+    pub(super) fn new(subjects: &[Subject<'_>], runtime: Option<&Path>, problem: &Path) -> Result<Self, CommandError> {
         let workspace = Workspace::new(&["solving", "solver_*"], runtime, problem)?;
         workspace.write("solving/Cargo.toml", &manifest("solving", ""))?;
         workspace.write("solving/src/lib.rs", SOLVING)?;

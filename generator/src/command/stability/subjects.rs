@@ -31,6 +31,11 @@ pub(super) fn read_subjects(
             Err(error) => errors.push(error),
         }
     }
+    let mut names: Vec<&str> = subjects.iter().map(|subject| subject.loaded.problem.name.as_str()).collect();
+    names.sort_unstable();
+    if let Some(twice) = names.windows(2).find(|pair| pair[0] == pair[1]) {
+        errors.push(CommandError::Twice { problem: twice[0].to_owned() });
+    }
     match errors.len() {
         0 => Ok(subjects),
         1 => Err(errors.remove(0)),
