@@ -5,7 +5,8 @@ mod support;
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
+use std::time::Duration;
 
 use serde_json::{Value, json};
 use support::{TWO_CONICS, eliminant, folder, json, names, status, stderr, stdout};
@@ -122,19 +123,20 @@ fn worst_instances_are_replayed() {
 #[test]
 fn instances_of_a_file_come_with_known_solutions() {
     let folder = problems("instances_of_a_file_come_with_known_solutions", &["trilateration"]);
-    // Three centres on the axes, two units from (0, 0, 0) and from its mirror image.
+    // Distances from (1, 2, 3): 3 and the roots of 22 and 11.
     let line = |solution: &str| {
         format!(
             "{{\"problem\": \"trilateration\", \"family\": \"axes\", \"level\": 1, \
-             \"data\": [2, 0, 0, 0, 2, 0, 0, 0, 2, 2, 2, 2], \"solutions\": [[{solution}]]}}\n"
+             \"data\": [0, 0, 1, 4, 0, 0, 0, 3, 0, 3, {}, {}], \"solutions\": [[{solution}]]}}\n",
+            22f64.sqrt(),
+            11f64.sqrt()
         )
     };
-    fs::write(folder.join("known.jsonl"), line("0, 0, 0") + &line("0, 0, 0.5") + "\n").unwrap();
+    fs::write(folder.join("known.jsonl"), line("1, 2, 3") + &line("1, 2, 3.5") + "\n").unwrap();
     let report = json(&folder, &["stability", ".", "--interpreted", "--instances", "known.jsonl"]);
     assert_eq!(report["rows"].as_array().unwrap().len(), 1, "{report}");
     let row = &report["rows"][0];
     assert_eq!((&row["family"], &row["level"], &row["instances"]), (&"axes".into(), &json!(1.0), &2.into()));
-    // (0, 0, 0.5) is none; the origin is found although it has no length.
     assert_eq!((&row["real"]["expected"], &row["known"], &row["known_missed"]), (&4.into(), &2.into(), &1.into()));
 }
 
@@ -246,26 +248,56 @@ fn the_page_opens_in_a_browser() {
         println!("skipped: no Chromium is installed to open the page");
         return;
     };
-    let output = Command::new(browser)
-        .args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--dump-dom"])
-        .arg(format!("--user-data-dir={}", folder.join("profile").display()))
-        .arg(format!("file://{}", folder.join("page.html").display()))
-        .output()
-        .unwrap();
-    let dom = stdout(&output);
+    let dom = |view: &str| {
+        let output = Command::new(&browser)
+            .args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--dump-dom"])
+            .arg(format!("--user-data-dir={}", folder.join("profile").display()))
+            .arg(format!("file://{}{view}", folder.join("page.html").display()))
+            .output()
+            .unwrap();
+        stdout(&output)
+    };
+    check_page(&dom(""));
+    // Sorted by the level: both problems take turns.
+    let sorted = dom("#family=scaled&sort=2");
+    let table = between(&sorted, "id=\"figures\"", "</table>");
+    let levels: Vec<&str> = table.split("<tr").skip(2).map(|row| row.split("<td").nth(3).unwrap_or_default()).collect();
+    let numbers: Vec<i32> =
+        levels.iter().map(|cell| between(cell, ">", "<").parse().unwrap_or_else(|_| panic!("{cell}"))).collect();
+    assert!(numbers.len() == 16 && numbers.is_sorted() && numbers[0] == -8 && numbers[1] == -8, "{numbers:?}");
+}
+
+/// What stands between two marks.
+fn between<'a>(text: &'a str, from: &str, to: &str) -> &'a str {
+    text.split_once(from).and_then(|(_, rest)| rest.split(to).next()).unwrap_or_default()
+}
+
+/// The script ran to its end, filled the tables and drew the charts of two problems.
+fn check_page(dom: &str) {
     let root = dom.split('>').find(|tag| tag.trim_start().starts_with("<html")).unwrap_or_default();
-    assert!(root.contains("data-ready=\"true\"") && !root.contains("data-error"), "{root}\n{}", stderr(&output));
-    let part = |id: &str| dom.split_once(&format!("id=\"{id}\"")).map(|(_, rest)| rest).unwrap_or_default().to_owned();
-    let of_table = part("figures");
-    let table = of_table.split("</table>").next().unwrap_or_default();
+    assert!(root.contains("data-ready=\"true\"") && !root.contains("data-error"), "{root}");
+    let table = between(dom, "id=\"figures\"", "</table>");
     // The family `random`, which is chosen at first, has a row for each problem.
     assert_eq!((table.matches("<tr").count(), table.matches("<button").count() > 10), (3, true), "{table}");
     assert!(table.contains("two_conics") && table.contains("trilateration"), "{table}");
-    let of_charts = part("histograms");
-    let charts = of_charts.split("<h2>").next().unwrap_or_default();
+    let charts = between(dom, "id=\"histograms\"", "<h2>");
     assert_eq!((charts.matches("<svg").count(), charts.matches("<rect").count() >= 4), (2, true), "{charts}");
-    let of_levels = part("levels");
     // Scaled and degenerate, of both problems.
-    assert_eq!(of_levels.split("<h2>").next().unwrap_or_default().matches("<svg").count(), 4);
-    assert_eq!(part("worst").split("</table>").next().unwrap_or_default().matches("<tr").count(), 11);
+    assert_eq!(between(dom, "id=\"levels\"", "<h2>").matches("<svg").count(), 4);
+    assert_eq!(between(dom, "id=\"worst\"", "</table>").matches("<tr").count(), 11);
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_ends_it_and_writes_nothing() {
+    let folder = problems("ctrl_c_ends_it_and_writes_nothing", &["two_conics"]);
+    let mut command = Command::new(env!("CARGO_BIN_EXE_eliminant"));
+    command.current_dir(&folder).args(["stability", "two_conics.rs", "--interpreted", "--csv", "figures.csv"]);
+    command.args(["--trials", "1000000", "--work", "1000"]);
+    let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    std::thread::sleep(Duration::from_secs(3));
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    assert!(status(&output) == 1 && stderr(&output).contains("Ctrl-C"), "{}", stderr(&output));
+    assert_eq!(names(&folder), ["two_conics.rs", "two_conics.template.toml"]);
 }
