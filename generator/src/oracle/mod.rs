@@ -8,10 +8,10 @@
 //!       the same template, 237 bits --eigenpairs--> points --Newton, 237 bits--> solutions
 //! ```
 //!
-//! What it certifies: each solution is simple, its 30 leading digits and more are those of a
-//! solution of the equations as stated with the data as given, and no two are the same. If they are
-//! as many as the problem has for general data, they are all: no data have more isolated solutions
-//! than general ones. Then the numbers of real and of complex solutions are certain.
+//! What it certifies: each solution is simple, its 50 leading digits are those of a solution of the
+//! equations as stated with the data as given, and no two are the same. If they are as many as the
+//! problem has for general data, they are all: no data have more isolated solutions than general
+//! ones. Then the numbers of real and of complex solutions are certain.
 //!
 //! What it cannot: where fewer are found, others are multiple or infinite, share their eigenvalue
 //! with others, or the template is singular for these data even at 237 bits. [`Truths::is_complete`]
@@ -33,8 +33,11 @@ use crate::plan::Plan;
 
 /// Operations of a solve that are repeated at 237 bits at most: each takes some 0.3 microseconds.
 pub const MOST_OPERATIONS: usize = 6_000_000;
-/// Solutions that are closer than this, relative to their norms, are one: they are known to 1e-30.
+/// Solutions that are closer than this, relative to their norms, are one: they are known to twice
+/// as many digits.
 const SAME: f64 = 1e-25;
+/// A point that is this close to a known solution most likely leads to it.
+const NEXT_TO: f64 = 1e-9;
 /// A returned point approximates a solution that is at most this far, relative to the solution.
 const NEAR: f64 = 1e-2;
 
@@ -69,7 +72,18 @@ impl<'a> Truths<'a> {
         let size = starts.iter().map(|start| norm(start)).filter(|size| size.is_finite()).reduce(f64::max);
         let system = System::new(plan, data, size.unwrap_or(1.0))?;
         let mut this = Self { system, points: Vec::new(), expected: plan.solutions };
-        starts.iter().for_each(|start| this.add(start));
+        // Points that are next to a known solution, such as its conjugate, are looked at only if
+        // solutions are missing.
+        let mut next_to = Vec::new();
+        for start in &starts {
+            match this.points.iter().any(|known| this.system.distance(start, known) <= NEXT_TO) {
+                true => next_to.push(start),
+                false => this.add(start),
+            }
+        }
+        if this.points.len() < this.expected {
+            next_to.into_iter().for_each(|start| this.add(start));
+        }
         if plan.has_origin {
             this.add(&vec![widened(Complex::new(0.0, 0.0)); plan.unknowns.len()]);
         }

@@ -47,9 +47,9 @@ fn power_of_two(value: f64, exponent: i32) -> f64 {
     value * 2f64.powi(half) * 2f64.powi(rest)
 }
 
-/// |z|, rounded.
+/// |z| in `f64`: where sizes are compared, no more digits are needed.
 pub(super) fn modulus(z: WideComplex) -> f64 {
-    rounded(z.norm_sqr().sqrt())
+    rounded(z.re).hypot(rounded(z.im))
 }
 
 /// The square root with a real part that is not negative.

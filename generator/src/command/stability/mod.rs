@@ -45,7 +45,8 @@ where solutions are missing the same template with more digits. Where these are 
 general data, the count is uncertain, and said to be: solutions may be multiple, infinite or none.
 
 The relative residual of a point is max over the equations of |f| / sum of the moduli of its terms; its forward error
-the distance to the next true solution, over the length of that one.
+the distance to its true solution, over the length of that one. A point has a solution of its own if it is at most
+0.01 away; the closest pairs go together, points left over are spurious, and solutions left over are missed.
 
 Examples:
   eliminant stability problems/two_circles.rs --trials 10000 --seed 7
