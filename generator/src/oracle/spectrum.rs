@@ -6,8 +6,8 @@
 //!
 //! The characteristic polynomial p of H and its derivative at a number t follow from the vector x
 //! that solves all rows of (H - t) x = 0 but the first (Hyman): p(t) is what the first row leaves,
-//! up to a constant factor. All roots are improved together by Ehrlich and Aberth's iteration. At an
-//! eigenvalue, S x is the eigenvector.
+//! up to a constant factor. All roots are improved together by Ehrlich and Aberth's iteration. At
+//! an eigenvalue, S x is the eigenvector.
 
 use eliminant::{Complex, emitted};
 use f256::f256;

@@ -83,7 +83,7 @@ fn share(count: usize, all: usize) -> (f64, f64) {
 }
 
 impl Bounds {
-    /// Of the q-quantile: the values, in increasing order, whose ranks are n q -+ z sqrt(n q (1-q)).
+    /// Of the q-quantile: the values, in increasing order, of the ranks n q -+ z sqrt(n q (1 - q)).
     fn of(values: &[f64], q: f64) -> Self {
         let n = values.len() as f64;
         let half = DEVIATIONS * (n * q * (1.0 - q)).sqrt();

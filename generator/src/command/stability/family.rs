@@ -16,11 +16,14 @@ use crate::search::measuring::{random_instance, seed_of};
 pub(super) enum Family {
     /// Data drawn on their variety, uniformly where nothing else is stated
     Random,
-    /// The same in other units, along the scalings under which the problem stays the same; the level is the power of ten
+    /// The same in other units, along the scalings under which the problem stays the same; the
+    /// level is the power of ten
     Scaled,
-    /// Two data nearly the same, or one coordinate of all data of a parameter nearly 0; the level is the power of ten of the distance
+    /// Two data nearly the same, or one coordinate of all data of a parameter nearly 0; the level is
+    /// the power of ten of the distance
     Degenerate,
-    /// Data with a condition, such as rotations, off it by a relative error; the level is its power of ten
+    /// Data with a condition, such as rotations, off it by a relative error; the level is its power
+    /// of ten
     Noisy,
 }
 

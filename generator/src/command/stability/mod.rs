@@ -1,9 +1,9 @@
 //! `eliminant stability`: what solvers do on many instances, judged by true solutions.
 //!
 //! ```text
-//! problems --family, seed--> instances --emitted code--> solutions --oracle--> outcomes --> figures
-//!              files of instances --'                                                         |
-//!                                       text, JSON, CSV, a page; worst instances; baseline <--'
+//! problems --family, seed--> instances --emitted code--> points --oracle--> outcomes --> figures
+//!              files of instances --'                                                      |
+//!                                    text, JSON, CSV, a page; worst instances; baseline <--'
 //! ```
 
 mod baseline;
@@ -67,13 +67,15 @@ pub(super) struct Arguments {
     /// Number of instances of each family and problem; one for a problem without data
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(1..=10_000_000))]
     trials: u64,
-    /// Seconds that each family of a problem may take on one core, by a rough count; large problems get fewer instances, but at least 8
+    /// Seconds that each family of a problem may take on one core, by a rough count; large problems
+    /// get fewer instances, but at least 8
     #[arg(long, value_name = "SECONDS", default_value_t = 60, value_parser = clap::value_parser!(u64).range(1..))]
     work: u64,
     /// Seed of the instances
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
-    /// Families of instances that are drawn, separated by commas; all of them unless a file is given
+    /// Families of instances that are drawn, separated by commas; all of them unless a file is
+    /// given
     #[arg(long, value_name = "LIST", value_enum, value_delimiter = ',')]
     families: Option<Vec<Family>>,
     /// A file of instances; may be given several times
@@ -97,7 +99,8 @@ pub(super) struct Arguments {
     /// Write the worst instances, for --replay
     #[arg(long, value_name = "FILE")]
     worst: Option<PathBuf>,
-    /// Compare with the accepted figures: exit status 1 if one got worse beyond the error of sampling
+    /// Compare with the accepted figures: exit status 1 if one got worse beyond the error of
+    /// sampling
     #[arg(long, conflicts_with = "update_baseline")]
     check: bool,
     /// Accept the figures
