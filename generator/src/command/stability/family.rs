@@ -232,3 +232,74 @@ impl Arithmetic for Scripted<'_> {
         1.0
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::command::files::Loaded;
+
+    fn committed(name: &str) -> Plan {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../templates/{name}.rs"));
+        Loaded::read(&file, None).unwrap_or_else(|error| panic!("{error}")).planned.plan
+    }
+
+    /// The squared lengths of the unit vectors among the data of an instance.
+    fn lengths(plan: &Plan, data: &[f64]) -> Vec<f64> {
+        let units = plan.data.iter().filter(|parameter| parameter.attribute == DataAttribute::Unit);
+        let vectors = units.flat_map(|parameter| data[parameter.first_input..][..parameter.len()].chunks(2));
+        vectors.map(|vector| vector.iter().map(|x| x * x).sum()).collect()
+    }
+
+    /// Nearly degenerate data stay on their variety; noise leaves it by its own size.
+    #[test]
+    fn unit_vectors_keep_their_length_but_for_noise() {
+        let plan = committed("relpose_5pt_generalized_angle");
+        for (family, off) in [(Family::Random, 0.0), (Family::Degenerate, 0.0), (Family::Noisy, 3.0)] {
+            let instances = family.instances(&plan, 24, 3);
+            assert_eq!(instances.len(), 24, "{family:?}");
+            for instance in instances {
+                let most = off * 10f64.powf(instance.level.unwrap_or(0.0)) + 2e-15;
+                let lengths = lengths(&plan, &instance.data);
+                assert!(
+                    !lengths.is_empty() && lengths.iter().all(|x| (x - 1.0).abs() <= most),
+                    "{family:?} {lengths:?}"
+                );
+            }
+        }
+    }
+
+    /// Two conics whose coefficients differ by about 10^level, and conics whose last coefficient is
+    /// that small, in turns.
+    #[test]
+    fn degenerate_data_are_as_near_as_their_level_says() {
+        let plan = committed("two_conics");
+        for (k, instance) in Family::Degenerate.instances(&plan, 24, 3).into_iter().enumerate() {
+            let distance = 10f64.powf(instance.level.expect("a level"));
+            let (p, q) = instance.data.split_at(6);
+            let apart = p.iter().zip(q).map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
+            let near = if k / 6 % 2 == 0 { apart } else { p[5].abs().min(q[5].abs()) };
+            assert!(near <= 2.1 * distance && near > 1e-4 * distance, "{k}: {near:e} at {distance:e}");
+        }
+    }
+
+    #[test]
+    fn scaled_data_keep_their_digits() {
+        let plan = committed("trilateration");
+        let random = Family::Random.instances(&plan, 8, 3);
+        for (scaled, usual) in Family::Scaled.instances(&plan, 8, 3).iter().zip(&random) {
+            let factor = scaled.data[0] / usual.data[0];
+            let unit = 10f64.powf(scaled.level.expect("a level"));
+            assert!((factor / unit).log2().abs() <= 0.51, "{factor:e} {unit:e}");
+            assert!(scaled.data.iter().zip(&usual.data).all(|(a, b)| *a == factor * b), "powers of two");
+        }
+    }
+
+    #[test]
+    fn families_without_data_are_empty() {
+        let plan = committed("katsura_5");
+        let counts = Family::ALL.map(|family| family.instances(&plan, 5, 1).len());
+        assert_eq!(counts, [1, 0, 0, 0]);
+    }
+}
