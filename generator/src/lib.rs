@@ -40,6 +40,10 @@ pub mod generate;
 #[cfg(feature = "search")]
 pub mod search;
 
+/// Instance to its true solutions: simple ones, to 30 digits and more, and whether they are all.
+#[cfg(feature = "oracle")]
+pub mod oracle;
+
 /// A folder of problems to solvers in `OUT_DIR`: the API of build scripts.
 pub mod build;
 

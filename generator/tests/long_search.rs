@@ -257,7 +257,7 @@ mod interrupted {
         let template = fs::read_to_string(folder.join("slow.template.toml")).unwrap();
         if status(&output) == 0 {
             assert!(stdout(&output).contains("Ctrl-C ended the search"), "{}", stdout(&output));
-            let good = eliminant(&folder, &["stability", "slow.rs", "--trials", "10"]);
+            let good = eliminant(&folder, &["stability", "slow.rs", "--trials", "10", "--interpreted"]);
             assert_eq!(status(&good), 0, "{}", stderr(&good));
         } else {
             // On a slow machine nothing may have been found yet.

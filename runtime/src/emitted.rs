@@ -36,7 +36,7 @@ pub use crate::solver_instance::{BasisVector, HiddenVariableSolver, Point, Point
 pub use crate::spectrum::hessenberg::Hessenberg;
 pub use crate::spectrum::hidden_variable::{ChainTable, ChainedBasis, entry, value_at};
 pub use crate::spectrum::real_roots::{RealRoots, real_roots};
-pub use crate::unpolished::unpolished_points;
+pub use crate::unpolished::{eigenvalues, unpolished_points};
 
 /// The version of this interface. Emitted code states the one that it was written for.
 pub const VERSION: u32 = 7;

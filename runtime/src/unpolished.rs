@@ -3,6 +3,7 @@
 use num_complex::Complex;
 
 use crate::error::SolveError;
+use crate::size::{Size, Square};
 use crate::solution::candidates::flips;
 use crate::solution::extract::unknowns;
 use crate::solution::sign_changes::flipped;
@@ -20,10 +21,8 @@ pub fn unpolished_points<I: SolverInstance>(
     solver: &mut I,
     mut each: impl FnMut(&Point<I, Complex<f64>>),
 ) -> Result<(), SolveError> {
-    let mut spectrum = Hessenberg::zero(solver.sizes().basis);
-    spectrum.matrix = solver.action_matrix::<f64>()?;
-    spectrum.reduce_in_place()?;
-    let values = spectrum.eigenvalues()?;
+    let action = solver.action_matrix::<f64>()?;
+    let (spectrum, values) = spectrum(solver.sizes().basis, &action)?;
     for &value in values.as_ref() {
         let Some(point) = unknowns(solver, value, &spectrum.eigenvector(value)) else { continue };
         each(&point);
@@ -32,4 +31,22 @@ pub fn unpolished_points<I: SolverInstance>(
         }
     }
     Ok(())
+}
+
+/// The eigenvalues of a matrix, as a solver computes them, in no order.
+///
+/// # Errors
+/// [`SolveError::Overflow`] if an entry is infinite or NaN, [`SolveError::NoConvergence`] if the QR
+/// iteration does not end.
+pub fn eigenvalues<Z: Size>(size: Z, matrix: &Square<Z, f64>) -> Result<Z::Vector<Complex<f64>>, SolveError> {
+    Ok(spectrum(size, matrix)?.1)
+}
+
+/// The reduced matrix, and its eigenvalues.
+fn spectrum<Z: Size>(size: Z, matrix: &Square<Z, f64>) -> Result<(Hessenberg<Z>, Z::Vector<Complex<f64>>), SolveError> {
+    let mut spectrum = Hessenberg::zero(size);
+    spectrum.matrix = matrix.clone();
+    spectrum.reduce_in_place()?;
+    let values = spectrum.eigenvalues()?;
+    Ok((spectrum, values))
 }

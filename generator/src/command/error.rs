@@ -35,6 +35,24 @@ pub(super) enum CommandError {
     /// `search --check` was ended by Ctrl-C.
     #[error("error: not compared, because Ctrl-C ended the check")]
     Interrupted,
+    /// `stability` was ended by Ctrl-C.
+    #[error("error: not measured, because Ctrl-C ended it")]
+    Ended,
+    /// A folder holds no problem.
+    #[error("error: there is no problem with a template in `{}`\nhelp: a folder is searched for files NAME.rs with NAME.template.toml beside them", folder.display())]
+    NoProblem { folder: PathBuf },
+    /// Figures go by the name of the problem.
+    #[error("error: two files state the problem `{problem}`\nhelp: measure them one at a time")]
+    Twice { problem: String },
+    /// A file of instances is at fault.
+    #[error("error: `{}`:{line}: {reason}", path.display())]
+    Instance { path: PathBuf, line: usize, reason: String },
+    /// A baseline is at fault.
+    #[error("error: `{}`: {reason}\nhelp: `eliminant stability --update-baseline` writes the figures of the problems that it is given", path.display())]
+    Baseline { path: PathBuf, reason: String },
+    /// Several files are at fault.
+    #[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))]
+    Several(Vec<CommandError>),
     /// Some shards are missing.
     #[error("error: {reason}\nhelp: run `eliminant search {} --shard i/n` for each i, and merge all their files", problem.display())]
     Shards { problem: PathBuf, reason: String },
@@ -46,9 +64,9 @@ pub(super) enum CommandError {
     Template { template: PathBuf, problem: PathBuf, error: Box<GenerateError> },
     /// Solvers cannot be compiled or run.
     #[error(
-        "error: cannot {action}: {reason}\nhelp: `eliminant bench` needs cargo and the runtime crate `eliminant`; --runtime FOLDER names a checkout of it"
+        "error: cannot {action}: {reason}\nhelp: emitted solvers need cargo and the runtime crate `eliminant`; --runtime FOLDER names a checkout of it"
     )]
-    Bench { action: &'static str, reason: String },
+    Compiled { action: &'static str, reason: String },
     /// No solver can be made although the template holds.
     #[error("error: {}: {error}", problem.display())]
     Generate { problem: PathBuf, error: Box<GenerateError> },

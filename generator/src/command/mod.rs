@@ -5,10 +5,12 @@
 
 mod bench;
 mod check;
+mod compiled;
 mod emit;
 mod error;
 mod files;
 mod inspect;
+mod interrupt;
 mod new;
 mod picture;
 mod progress;

@@ -1,5 +1,7 @@
 //! The crate of a solver that is timed: its source, and a function that reads its instances.
 
+use crate::command::compiled::parameters::ParameterText;
+
 /// A solver with its instances.
 pub(super) struct Subject {
     /// The module of the solver.
@@ -18,20 +20,16 @@ impl Subject {
     /// The library: the solver, and `subject`, which reads its instances from this file.
     pub(super) fn library(&self, instances: &str) -> String {
         let Self { name, source, parameters, count, .. } = self;
-        let tuple = |entry: &dyn Fn(usize) -> String| (0..parameters.len()).map(entry).collect::<String>();
-        // A problem without data has the empty tuple, `()`.
-        let types = tuple(&|at| format!("{}, ", array_type(&parameters[at])));
-        let values = tuple(&|at| format!("{}, ", array_value(&parameters[at])));
-        let arguments = tuple(&|at| format!("{}data.{at}, ", if parameters[at].is_empty() { "" } else { "&" }));
+        let ParameterText { types, values, arguments } = ParameterText::of(parameters);
         format!(
             "#![allow(unused)]
 {source}
 
 pub fn subject() -> Box<dyn ::timing::Subject> {{
     use {name} as solver;
-    type Data = ({types});
+    type Data = {types};
     fn read(next: &mut dyn FnMut() -> f64) -> Data {{
-        ({values})
+        {values}
     }}
     Box::new(::timing::Timed {{
         instances: ::timing::read_all({instances:?}, {count}, read),
@@ -48,24 +46,9 @@ pub fn subject() -> Box<dyn ::timing::Subject> {{
     }
 }
 
-fn array_type(shape: &[usize]) -> String {
-    shape.iter().rev().fold("f64".to_owned(), |inner, length| format!("[{inner}; {length}]"))
-}
-
-fn array_value(shape: &[usize]) -> String {
-    shape.iter().fold("next()".to_owned(), |inner, _| format!("std::array::from_fn(|_| {inner})"))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn parameters_are_read_by_their_shapes() {
-        assert_eq!((array_type(&[]), array_value(&[])), ("f64".into(), "next()".into()));
-        assert_eq!(array_type(&[4, 3]), "[[f64; 3]; 4]");
-        assert_eq!(array_value(&[4, 3]), "std::array::from_fn(|_| std::array::from_fn(|_| next()))");
-    }
 
     #[test]
     fn without_data_the_tuple_is_empty() {

@@ -299,6 +299,25 @@ pub struct InterpretedInstance<'a> {
 }
 
 impl InterpretedInstance<'_> {
+    /// The real solutions, as `solve` of the emitted solver returns them.
+    ///
+    /// # Errors
+    /// As the emitted solver.
+    pub fn solve(&mut self) -> Result<Vec<Vec<f64>>, SolveError> {
+        let found = match self.solver.chains {
+            None => emitted::real_solutions(self)?,
+            Some(_) => emitted::real_solutions_by_determinant(self)?,
+        };
+        let mut points = found.to_vec();
+        points.iter_mut().for_each(|point| emitted::unscale(&self.exponents, point));
+        Ok(points)
+    }
+
+    /// The values of all coefficients, of data in the unit of the solver.
+    pub fn coefficients(&self) -> &[f64] {
+        &self.coefficients
+    }
+
     /// All solutions, as `solve_complex` of the emitted solver returns them.
     ///
     /// # Errors

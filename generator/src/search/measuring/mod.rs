@@ -94,8 +94,12 @@ pub fn measure(plan: &Plan, instances: Range<usize>, seed: u64, each: &(dyn Fn()
 
 /// Instance k: data on their variety, which depend on (seed, k) only.
 pub fn random_instance(plan: &Plan, seed: u64, k: usize) -> Vec<f64> {
-    let mut random = Random::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(k as u64));
-    draw_inputs(&plan.data, Float64, &mut random)
+    draw_inputs(&plan.data, Float64, &mut Random::new(seed_of(seed, k)))
+}
+
+/// The seed of instance k.
+pub fn seed_of(seed: u64, k: usize) -> u64 {
+    seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(k as u64)
 }
 
 /// What the solver does on one instance.
@@ -120,7 +124,7 @@ impl Solved {
 const STACK: usize = 32 << 20;
 
 /// Runs parallel work on threads with a stack that is large enough for every solver.
-fn in_pool<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+pub(crate) fn in_pool<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     static POOL: OnceLock<Option<ThreadPool>> = OnceLock::new();
     // If threads with such a stack cannot be had, the usual ones serve all but the largest
     // problems.

@@ -1,0 +1,73 @@
+//! The template at 237 bits: the same plan as the solver's, and the points of all eigenpairs.
+
+use eliminant::Complex;
+use f256::f256;
+
+use super::number::{Wide, WideComplex, square_root};
+use super::spectrum::{WidePair, eigenpairs};
+use super::system::{System, WidePoint};
+use crate::plan::interpret::{self, Eliminated};
+use crate::plan::{Extraction, KnownMonomial, Plan};
+
+/// The points of all eigenpairs, those of eigenpairs that belong to no solution among them. Empty
+/// if the template is singular.
+pub(super) fn points(plan: &Plan, system: &System<'_>) -> Vec<WidePoint> {
+    let Some(eliminated) = interpret::eliminate(plan, Wide, system.coefficients()) else { return Vec::new() };
+    let mut points = Vec::new();
+    for pair in eigenpairs(&eliminated.action) {
+        let Some(point) = unknowns(plan, system, &eliminated, &pair) else { continue };
+        let flipped = |flip: &Vec<bool>| point.iter().zip(flip).map(|(&x, &f)| if f { -x } else { x }).collect();
+        points.extend(plan.flips.iter().map(flipped).collect::<Vec<WidePoint>>());
+        points.push(point);
+    }
+    points
+}
+
+/// The unknowns of an eigenpair; `None` if they cannot be read.
+fn unknowns(
+    plan: &Plan,
+    system: &System<'_>,
+    eliminated: &Eliminated<f256>,
+    (value, vector): &WidePair,
+) -> Option<WidePoint> {
+    let zero = Complex::new(f256::ZERO, f256::ZERO);
+    let known = |monomial: KnownMonomial| match monomial {
+        KnownMonomial::Basis(b) => vector[usize::from(b.0)],
+        KnownMonomial::Image(b) => *value * vector[usize::from(b.0)],
+        KnownMonomial::Read(at) => {
+            eliminated.read[usize::from(at)].iter().zip(vector).fold(zero, |sum, (&factor, v)| sum + v.scale(factor))
+        }
+    };
+    let mut x = vec![zero; plan.unknowns.len()];
+    // Square roots come first.
+    for extraction in &plan.extractions {
+        let ratio = ratio(extraction, known)?;
+        x[extraction.unknown] = match extraction.is_square() {
+            true => square_root(ratio),
+            false => extraction.others().fold(ratio, |ratio, (other, exponent)| match exponent {
+                1 => ratio / x[other],
+                _ => ratio * x[other],
+            }),
+        };
+    }
+    for recovery in &plan.recoveries {
+        let term = |term: &crate::plan::Term| {
+            let factors = term.exponents.iter().zip(&x).flat_map(|(&e, &x)| (0..e).map(move |_| x));
+            let coefficient = Complex::new(system.coefficients()[usize::from(term.coefficient.0)], f256::ZERO);
+            factors.fold(coefficient, |product, x| product * x)
+        };
+        x[recovery.unknown] = recovery.terms.iter().map(term).fold(zero, |sum, term| sum + term);
+    }
+    x.iter().all(|x| x.re.is_finite() && x.im.is_finite()).then_some(x)
+}
+
+/// sum of conj(m_k) (s m_k) / sum of |m_k|^2; `None` if all m_k vanish.
+fn ratio(extraction: &Extraction, known: impl Fn(KnownMonomial) -> WideComplex) -> Option<WideComplex> {
+    let (mut above, mut below) = (Complex::new(f256::ZERO, f256::ZERO), f256::ZERO);
+    for &(from, to) in &extraction.pairs {
+        let (from, to) = (known(from), known(to));
+        above += from.conj() * to;
+        below += from.norm_sqr();
+    }
+    (below != f256::ZERO).then(|| above.unscale(below))
+}
