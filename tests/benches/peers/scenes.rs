@@ -3,7 +3,7 @@
 
 use eliminant_generator::algebra::Random;
 use eliminant_tests::ground_truth::{
-    Circle, Line, camera, distorted, image, in_ball, normalised, two_cameras, uniform,
+    Circle, Line, Motion, camera, distorted, image, in_ball, normalised, two_cameras, uniform,
 };
 use nalgebra::{Matrix3, Vector3};
 
@@ -27,7 +27,7 @@ fn pose(rotation: &Matrix3<f64>, translation: &Vector3<f64>) -> Vec<f64> {
 
 /// Rays of length 1 in the first camera, then in the second; the essential matrix.
 pub(crate) fn five_points(random: &mut Random) -> Scene {
-    let (rotation, translation, points) = two_cameras(random, 5);
+    let (rotation, translation, points) = two_cameras((random, Motion::General), 5);
     let seen = points.iter().copied().chain(points.iter().map(|x| rotation * x + translation));
     let rays: Vec<Vector3<f64>> = seen.map(|x| x.normalize()).collect();
     Scene { data: flat(&rays), truth: rows(&(translation.cross_matrix() * rotation)) }
@@ -37,7 +37,7 @@ pub(crate) fn five_points(random: &mut Random) -> Scene {
 /// length.
 pub(crate) fn six_points_focal(random: &mut Random) -> Scene {
     let focal = uniform(random, 0.5, 3.0);
-    let (rotation, translation, points) = two_cameras(random, 6);
+    let (rotation, translation, points) = two_cameras((random, Motion::General), 6);
     let seen = points.iter().copied().chain(points.iter().map(|x| rotation * x + translation));
     let images: Vec<Vector3<f64>> = seen.map(|x| image(&x, focal).push(1.0)).collect();
     Scene { data: flat(&images), truth: [pose(&rotation, &translation.normalize()), vec![focal]].concat() }
@@ -57,7 +57,7 @@ pub(crate) fn four_points_focal(random: &mut Random) -> Scene {
 pub(crate) fn nine_points_radial(random: &mut Random) -> Scene {
     let focal = [0; 2].map(|_| uniform(random, 2.0, 4.0));
     let radial = -uniform(random, 0.05, 0.5);
-    let (rotation, translation, points) = two_cameras(random, 9);
+    let (rotation, translation, points) = two_cameras((random, Motion::General), 9);
     let see = |x: Vector3<f64>, focal: f64| distorted(image(&x, focal), radial).push(1.0);
     let first = points.iter().map(|&x| see(x, focal[0]));
     let images: Vec<Vector3<f64>> =
@@ -70,7 +70,7 @@ pub(crate) fn nine_points_radial(random: &mut Random) -> Scene {
 /// Centres up to half a unit from the origin and rays of length 1, in the first system and in the
 /// second; pose.
 pub(crate) fn six_points_generalized(random: &mut Random) -> Scene {
-    let (rotation, translation, points) = two_cameras(random, 6);
+    let (rotation, translation, points) = two_cameras((random, Motion::General), 6);
     let mut data = Vec::new();
     let second: Vec<Vector3<f64>> = points.iter().map(|x| rotation * x + translation).collect();
     for seen in [&points, &second] {

@@ -348,20 +348,6 @@ impl InterpretedInstance<'_> {
         self.polish(&mut point, 0)
     }
 
-    /// The real solutions, as `solve` of the emitted solver returns them.
-    ///
-    /// # Errors
-    /// As the emitted solver.
-    pub fn solve(&mut self) -> Result<Vec<Vec<f64>>, SolveError> {
-        let found = match self.solver.chains {
-            None => emitted::real_solutions(self)?,
-            Some(_) => emitted::real_solutions_by_determinant(self)?,
-        };
-        let mut points = found.to_vec();
-        points.iter_mut().for_each(|point| emitted::unscale(&self.exponents, point));
-        Ok(points)
-    }
-
     /// How often the template was eliminated: twice if there was a second attempt.
     pub fn attempts(&self) -> usize {
         self.attempts
