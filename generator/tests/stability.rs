@@ -9,8 +9,9 @@ use std::process::{Command, Stdio};
 use std::time::Duration;
 
 use serde_json::{Value, json};
-use support::{TWO_CONICS, eliminant, folder, json, names, status, stderr, stdout};
+use support::{TWO_CONICS, eliminant, folder, json, names, status, stderr, stdout, two_conics};
 
+const TEMPLATE: &str = "two_conics.template.toml";
 const TEMPLATES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../templates");
 
 /// A folder with committed problems and their templates.
@@ -187,7 +188,8 @@ fn figures_are_compared_with_the_accepted_ones() {
 
 #[test]
 fn faults_of_files_are_named_all_at_once() {
-    let folder = problems("faults_of_files_are_named_all_at_once", &["two_conics"]);
+    let folder = two_conics("faults_of_files_are_named_all_at_once");
+    fs::copy(Path::new(TEMPLATES).join(TEMPLATE), folder.join(TEMPLATE)).unwrap();
     fs::write(folder.join("lonely.rs"), TWO_CONICS.replace("two_conics", "lonely")).unwrap();
     let instances = "{\"problem\": \"two_conics\", \"family\": \"f\", \"data\": [1, 2]}\nno json\n\
                      {\"problem\": \"other\", \"family\": \"f\", \"data\": []}\n\

@@ -22,7 +22,7 @@ pub struct KnownInstance {
 pub enum Make {
     /// Of any scene.
     Scene(fn(&mut Random) -> KnownInstance),
-    /// Of two cameras, between which there is a motion of some kind.
+    /// Of two cameras, between which there is a motion of any kind.
     TwoCameras(fn(&mut Random, Motion) -> KnownInstance),
 }
 

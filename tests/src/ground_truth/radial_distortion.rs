@@ -10,7 +10,7 @@ use super::{KnownInstance, Make, Maker, largest_relative_error, solved, uniform}
 
 pub(super) fn makers() -> Vec<Maker> {
     let error = |_: &[f64], solution: &[f64], truth: &[f64]| largest_relative_error(solution, truth);
-    let maker = |name, make| Maker { name, make: Make::TwoCameras(make), error };
+    let maker = |name, make| Maker { name, make: Make::Scene(make), error };
     vec![
         maker("fundamental_8pt_radial", fundamental_eight_points),
         maker("fundamental_8pt_radial_one_side", fundamental_eight_points_one_side),
@@ -41,8 +41,8 @@ struct Correspondence {
 
 impl Views {
     /// Two cameras with these focal lengths and distortions, of which each sees so many points.
-    fn draw((random, motion): (&mut Random, Motion), count: usize, focal: [f64; 2], radials: [f64; 2]) -> Self {
-        let (rotation, translation, points) = two_cameras((random, motion), count);
+    fn draw(random: &mut Random, count: usize, focal: [f64; 2], radials: [f64; 2]) -> Self {
+        let (rotation, translation, points) = two_cameras((random, Motion::General), count);
         let correspondence = |x: &Vector3<f64>| {
             let first: Vector2<f64> = distorted(image(x, focal[0]), radials[0]);
             let second: Vector2<f64> = distorted(image(&(rotation * x + translation), focal[1]), radials[1]);
@@ -97,9 +97,9 @@ fn focal(random: &mut Random) -> f64 {
     uniform(random, 2.0, 4.0)
 }
 
-fn fundamental_eight_points(random: &mut Random, motion: Motion) -> KnownInstance {
+fn fundamental_eight_points(random: &mut Random) -> KnownInstance {
     let (focal, radial) = ([focal(random), focal(random)], radial(random));
-    let views = Views::draw((random, motion), 8, focal, [radial; 2]);
+    let views = Views::draw(random, 8, focal, [radial; 2]);
     let data = views.affine(|&Correspondence { a, b, first, c, d, second }| {
         (
             vec![a * c, a * d, a, b * c, b * d, b, a * second, b * second],
@@ -110,18 +110,18 @@ fn fundamental_eight_points(random: &mut Random, motion: Motion) -> KnownInstanc
     KnownInstance { data, truths: vec![vec![radial, f[(0, 2)], f[(1, 2)]]] }
 }
 
-fn fundamental_eight_points_one_side(random: &mut Random, motion: Motion) -> KnownInstance {
+fn fundamental_eight_points_one_side(random: &mut Random) -> KnownInstance {
     let (focal, radial) = ([focal(random), focal(random)], radial(random));
-    let views = Views::draw((random, motion), 8, focal, [0.0, radial]);
+    let views = Views::draw(random, 8, focal, [0.0, radial]);
     let data = views.affine(|&Correspondence { a, b, c, d, second, .. }| {
         (vec![a * c, a * d, a, b * c, b * d, c, d, a * second], vec![b * second, second, b, 1.0])
     });
     KnownInstance { data, truths: vec![vec![views.fundamental[(2, 1)], radial]] }
 }
 
-fn seven_points_one_side_eliminated(random: &mut Random, motion: Motion) -> KnownInstance {
+fn seven_points_one_side_eliminated(random: &mut Random) -> KnownInstance {
     let (focal, radial) = (focal(random), radial(random));
-    let views = Views::draw((random, motion), 7, [focal, 1.0], [radial, 0.0]);
+    let views = Views::draw(random, 7, [focal, 1.0], [radial, 0.0]);
     let data = views.affine(|&Correspondence { a, b, first, c, d, .. }| {
         (vec![c * first, a * c, a * d, a, b * c, b * d, b], vec![d * first, c, d, first, 1.0])
     });
@@ -129,9 +129,9 @@ fn seven_points_one_side_eliminated(random: &mut Random, motion: Motion) -> Know
     KnownInstance { data, truths: vec![vec![f[(0, 2)], f[(1, 2)], radial]] }
 }
 
-fn fundamental_nine_points(random: &mut Random, motion: Motion) -> KnownInstance {
+fn fundamental_nine_points(random: &mut Random) -> KnownInstance {
     let (focal, s, t) = ([focal(random), focal(random)], radial(random), radial(random));
-    let views = Views::draw((random, motion), 9, focal, [t, s]);
+    let views = Views::draw(random, 9, focal, [t, s]);
     let data = views.affine(|&Correspondence { a, b, first, c, d, second }| {
         (
             vec![c * a, c * b, d * a, d * b, first, c, c * first, d * first, first * second],
@@ -185,7 +185,7 @@ fn without_unit(mut data: Vec<f64>, others: usize) -> Vec<f64> {
     data
 }
 
-fn six_points(random: &mut Random, motion: Motion) -> KnownInstance {
+fn six_points(random: &mut Random) -> KnownInstance {
     let radial = radial(random);
     let equation = |&Correspondence { a, b, first, c, d, second }: &Correspondence| {
         (
@@ -193,7 +193,7 @@ fn six_points(random: &mut Random, motion: Motion) -> KnownInstance {
             vec![d, d * first, a, a * second, b, b * second, first * second, first + second, 1.0],
         )
     };
-    with_smallest_data(&Views::draw((random, motion), 6, [1.0; 2], [radial; 2]), |views| {
+    with_smallest_data(&Views::draw(random, 6, [1.0; 2], [radial; 2]), |views| {
         let (views, unit) = with_unit(views, equation);
         let e = views.fundamental.transpose();
         let truth = vec![e[(0, 2)], e[(2, 1)], e[(1, 2)], radial * unit];
@@ -201,7 +201,7 @@ fn six_points(random: &mut Random, motion: Motion) -> KnownInstance {
     })
 }
 
-fn seven_points(random: &mut Random, motion: Motion) -> KnownInstance {
+fn seven_points(random: &mut Random) -> KnownInstance {
     let (focal, radial) = (focal(random), radial(random));
     let equation = |&Correspondence { a, b, first, c, d, second }: &Correspondence| {
         (
@@ -209,7 +209,7 @@ fn seven_points(random: &mut Random, motion: Motion) -> KnownInstance {
             vec![d, d * first, a, a * second, b, b * second, first + second, 1.0],
         )
     };
-    with_smallest_data(&Views::draw((random, motion), 7, [focal; 2], [radial; 2]), |views| {
+    with_smallest_data(&Views::draw(random, 7, [focal; 2], [radial; 2]), |views| {
         let (views, unit) = with_unit(views, equation);
         let f = views.fundamental.transpose();
         let truth = vec![1.0 / (focal * focal), f[(2, 1)], f[(0, 2)], f[(1, 2)], radial * unit];
@@ -218,9 +218,9 @@ fn seven_points(random: &mut Random, motion: Motion) -> KnownInstance {
 }
 
 /// The problem states x1^T F x2 = 0.
-fn seven_points_one_side(random: &mut Random, motion: Motion) -> KnownInstance {
+fn seven_points_one_side(random: &mut Random) -> KnownInstance {
     let (focal, radial) = (focal(random), radial(random));
-    let views = Views::draw((random, motion), 7, [focal, 1.0], [radial, 0.0]);
+    let views = Views::draw(random, 7, [focal, 1.0], [radial, 0.0]);
     let data = views.affine(|&Correspondence { a, b, first, c, d, .. }| {
         (vec![a * c, b * c, a * d, b * d, a, b, c], vec![c * first, d, d * first, first, 1.0])
     });
