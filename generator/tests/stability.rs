@@ -60,11 +60,12 @@ fn every_instance_is_judged() {
     let quantile = |row: &Value, pointer: &str| row.pointer(pointer).and_then(Value::as_f64).unwrap();
     let quantiles = ["median", "p99", "max"].map(|part| quantile(random[0], &format!("/residual/{part}")));
     assert!(quantiles.is_sorted() && quantiles[0] < -14.5 && quantiles[2] <= -10.0, "{report}");
-    // Nearly equal conics have solutions that are nearly undetermined; other units change nothing.
+    // Nearly equal conics have solutions that are nearly undetermined, which are refined. Those that
+    // are not enlarge rounding by at most 1e6, or several times that. Other units change nothing.
     let degenerate = rows(&report, "degenerate");
-    let errors = [0, 5].map(|at| quantile(degenerate[at], "/forward_error/max"));
+    let errors: Vec<f64> = degenerate.iter().map(|row| quantile(row, "/forward_error/max")).collect();
     assert_eq!((&degenerate[0]["level"], &degenerate[5]["level"]), (&json!(-12.0), &json!(-2.0)));
-    assert!(errors[0] > errors[1] + 4.0, "{errors:?}");
+    assert!(errors.iter().all(|error| *error < -9.0), "{errors:?}");
     assert!(rows(&report, "scaled").iter().all(|row| quantile(row, "/residual/median") < -14.5), "{report}");
     assert_eq!(json(&folder, &arguments)["rows"], report["rows"], "the same again");
     let text = stdout(&eliminant(&folder, &arguments));

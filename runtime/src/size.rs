@@ -6,7 +6,7 @@
 //! | [`Fixed<N>`] | `[T; N]` | emitted solvers: loops have bounds that the compiler knows |
 //! | [`AtMost<C>`] | `[T; C]`, partly in use | spectra at twice the precision: one copy for all |
 //! | `Dynamic` (feature `alloc`) | `Vec<T>` | interpreted plans, with sizes known at run time |
-//! | `OnHeap<Z>` (feature `alloc`) | as `Z`; matrices and lists on the heap | large emitted solvers |
+//! | `OnHeap<Z>` (feature `alloc`) | as `Z`; matrices, lists on the heap | large emitted solvers |
 //!
 //! A kernel does the same operations in the same order for all sizes, so the results have the same
 //! bits.

@@ -43,7 +43,9 @@ pub fn eigenvalues<Z: Size>(size: Z, matrix: &Square<Z, f64>) -> Result<Z::Vecto
 }
 
 /// The reduced matrix, and its eigenvalues.
-fn spectrum<Z: Size>(size: Z, matrix: &Square<Z, f64>) -> Result<(Hessenberg<Z>, Z::Vector<Complex<f64>>), SolveError> {
+type Spectrum<Z> = (Hessenberg<Z>, <Z as Size>::Vector<Complex<f64>>);
+
+fn spectrum<Z: Size>(size: Z, matrix: &Square<Z, f64>) -> Result<Spectrum<Z>, SolveError> {
     let mut spectrum = Hessenberg::zero(size);
     spectrum.matrix = matrix.clone();
     spectrum.reduce_in_place()?;

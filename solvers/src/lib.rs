@@ -14,9 +14,9 @@
 //! and `all` enables all of them. Only what is enabled is emitted and compiled. The documentation
 //! of a module states its problem: data, unknowns, source.
 //!
-//! Solvers do not panic. Small ones allocate nothing; large ones keep their matrices on the heap, so
-//! that no solve takes more than 256 KiB of stack, not even in a debug build. The documentation of
-//! each module says which it is. `solve_in` takes a `Workspace`, whose memory serves solve after
+//! Solvers do not panic. Small ones allocate nothing; large ones keep their matrices on the heap,
+//! so that no solve takes more than 256 KiB of stack, not even in a debug build. The documentation
+//! of each module says which it is. `solve_in` takes a `Workspace`, whose memory serves solve after
 //! solve.
 //!
 //! Without the standard library, `default-features = false` and the feature `libm` give solvers a

@@ -9,8 +9,8 @@ use eliminant_tests::cases;
 const UPDATE: &str = "UPDATE_GOLDEN=1 cargo test -p eliminant-tests --test features";
 /// The marks between which the manifest lists the problems.
 const MARKS: [&str; 2] = ["# problems:begin\n", "# problems:end\n"];
-/// The features that turn no solver on: lanes, and where the square root comes from.
-const NO_PROBLEMS: [&str; 4] = ["default", "lanes", "std", "libm"];
+/// The features that turn no solver on: lanes, the heap, and where the square root comes from.
+const NO_PROBLEMS: [&str; 5] = ["default", "lanes", "alloc", "std", "libm"];
 
 fn manifest() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../solvers/Cargo.toml")

@@ -2,7 +2,7 @@
 
 use eliminant::Complex;
 use eliminant_generator::algebra::Random;
-use eliminant_tests::bounds::{Bounds, Exception, share};
+use eliminant_tests::bounds::{Bounds, share};
 use eliminant_tests::equations::Equations;
 use eliminant_tests::ground_truth::{
     Circle, FOUND, KnownInstance, Line, Maker, gram, makers, minimal_conic, minimal_data, normalised,
@@ -23,12 +23,7 @@ const ILL_CONDITIONED: f64 = 1e-7;
 const NOT_FOUND: Bounds = Bounds {
     what: "share of known solutions that are not found",
     usual: 1e-3,
-    exceptions: &[Exception {
-        problem: "calibration_6_receivers_4_senders",
-        bound: 3e-2,
-        reason: "1.2e-2 measured, all of them at smallest singular values of 1e-11 and less: the linear equations of the \
-                 receivers are close to dependent, with coefficients of thousands",
-    }],
+    exceptions: &[],
 };
 const NOT_FOUND_WITHOUT_REASON: Bounds = Bounds {
     what: "share of known solutions that are not found although they are well-conditioned",

@@ -122,36 +122,72 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
     }
 }
 
-/// What the runtime asks of an instance.
-fn solver_instance(plan: &Plan, action_matrix: &TokenStream) -> TokenStream {
-    let (of_system, system) = monomials::system(plan);
-    let layout = ValueLayout::of(plan);
-    let [basis, unknowns, values, solutions] =
-        [plan.elimination.basis, plan.unknowns.len(), layout.len(), plan.solutions].map(Literal::usize_unsuffixed);
-    let (origin, sign_changes, second_attempts) = (origin(plan), sign_changes(plan), storage::second_attempts(plan));
-    let (generics, (basis_type, basis_size)) = (storage::generics(plan), storage::basis(plan));
-    let all_sizes = match plan.has_basis_on_heap() {
-        true => quote! {
-            emitted::Sizes {
-                basis: #basis_size,
-                unknowns: emitted::Fixed,
-                values: emitted::Fixed,
-                solutions: emitted::Fixed,
-            }
-        },
-        false => quote!(emitted::Sizes::FIXED),
-    };
-    let precise = match plan.program.form {
+/// The sizes, as values.
+fn sizes(plan: &Plan) -> TokenStream {
+    if !plan.has_basis_on_heap() {
+        return quote!(emitted::Sizes::FIXED);
+    }
+    let basis = storage::basis(plan).1;
+    quote! {
+        emitted::Sizes {
+            basis: #basis,
+            unknowns: emitted::Fixed,
+            values: emitted::Fixed,
+            solutions: emitted::Fixed,
+        }
+    }
+}
+
+/// That the coefficients can be computed at twice the precision for a second attempt.
+fn has_precise_coefficients(plan: &Plan) -> TokenStream {
+    match plan.program.form {
         ProgramForm::Statements => quote!(),
         ProgramForm::Table => quote! {
             fn has_precise_coefficients(&self) -> bool {
                 true
             }
         },
-    };
-    let (has_image, equations) = (layout.has_image, Literal::usize_unsuffixed(plan.equations.len()));
+    }
+}
+
+/// The methods that judge a point by the equations, and make it better.
+fn judgement(plan: &Plan) -> TokenStream {
+    let (of_system, system) = monomials::system(plan);
+    let [unknowns, equations] = [plan.unknowns.len(), plan.equations.len()].map(Literal::usize_unsuffixed);
     let sizes = quote!((emitted::Fixed::<#unknowns>, emitted::Fixed::<#equations>));
-    let precise_coefficients = precise_coefficients(plan);
+    let (coefficients, precise) = (storage::coefficients_of_instance(plan), precise_coefficients(plan));
+    let admissible = match plan.nonzero.is_empty() {
+        true => quote! {
+            let _ = x;
+            true
+        },
+        false => quote!(NONZERO.bind(#coefficients).exceeds(x, emitted::VANISHING)),
+    };
+    quote! {
+        fn polish<S: ::eliminant::Scalar>(&self, x: &mut [S; #unknowns], steps: usize) -> f64 {
+            #of_system
+            emitted::polish_precisely(x, #sizes, &#system, steps, || #precise)
+        }
+
+        fn error_bound<S: ::eliminant::Scalar>(&self, x: &[S; #unknowns]) -> f64 {
+            #of_system
+            emitted::error_bound(x, #sizes, &#system, #precise.as_ref())
+        }
+
+        fn is_admissible<S: ::eliminant::Scalar>(&self, x: &[S; #unknowns]) -> bool {
+            #admissible
+        }
+    }
+}
+
+/// What the runtime asks of an instance.
+fn solver_instance(plan: &Plan, action_matrix: &TokenStream) -> TokenStream {
+    let layout = ValueLayout::of(plan);
+    let [basis, unknowns, values, solutions] =
+        [plan.elimination.basis, plan.unknowns.len(), layout.len(), plan.solutions].map(Literal::usize_unsuffixed);
+    let (origin, sign_changes, second_attempts) = (origin(plan), sign_changes(plan), storage::second_attempts(plan));
+    let (generics, basis_type, all_sizes) = (storage::generics(plan), storage::basis(plan).0, sizes(plan));
+    let (precise, judgement, has_image) = (has_precise_coefficients(plan), judgement(plan), layout.has_image);
     let read = match plan.read.is_empty() {
         true => quote!(&[[0.0; 0]; 0]),
         false => quote!(&self.read),
@@ -160,13 +196,6 @@ fn solver_instance(plan: &Plan, action_matrix: &TokenStream) -> TokenStream {
     let recover = match plan.recoveries.is_empty() {
         true => quote!(let _ = x;),
         false => quote!(self::recovered(#coefficients, x)),
-    };
-    let admissible = match plan.nonzero.is_empty() {
-        true => quote! {
-            let _ = x;
-            true
-        },
-        false => quote!(NONZERO.bind(#coefficients).exceeds(x, emitted::VANISHING)),
     };
     quote! {
         impl #generics emitted::SolverInstance for Instance #generics {
@@ -195,19 +224,7 @@ fn solver_instance(plan: &Plan, action_matrix: &TokenStream) -> TokenStream {
                 #recover
             }
 
-            fn polish<S: ::eliminant::Scalar>(&self, x: &mut [S; #unknowns], steps: usize) -> f64 {
-                #of_system
-                emitted::polish_precisely(x, #sizes, &#system, steps, || #precise_coefficients)
-            }
-
-            fn error_bound<S: ::eliminant::Scalar>(&self, x: &[S; #unknowns]) -> f64 {
-                #of_system
-                emitted::error_bound(x, #sizes, &#system, #precise_coefficients.as_ref())
-            }
-
-            fn is_admissible<S: ::eliminant::Scalar>(&self, x: &[S; #unknowns]) -> bool {
-                #admissible
-            }
+            #judgement
         }
     }
 }

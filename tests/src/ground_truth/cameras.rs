@@ -17,9 +17,9 @@ pub fn camera(random: &mut Random) -> (Matrix3<f64>, Vector3<f64>) {
     (rotation, -rotation * centre)
 }
 
-/// How the second camera is placed beside the first. All but the first kind are motions of vehicles,
-/// robots and turntables, of which data have structure: entries of null vectors vanish, or are
-/// equal.
+/// How the second camera is placed beside the first. All but the first kind are motions of
+/// vehicles, robots and turntables, of which data have structure: entries of null vectors vanish,
+/// or are equal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Motion {
     /// Independently of the first.

@@ -69,7 +69,7 @@ pub(super) struct Worse {
 
 const HEAD: &str = "# What the solvers of this folder do on random instances, accepted as good. Written by
 #   eliminant stability FILES --update-baseline
-# and compared by `--check`. A quantile of log10 lies between its bounds with a confidence of 99.9 %.
+# and compared by `--check`. A quantile of log10 lies between its bounds with 99.9 % confidence.
 ";
 
 /// Wilson's interval of a share of `count` of `all`.

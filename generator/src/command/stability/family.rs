@@ -19,8 +19,8 @@ pub(super) enum Family {
     /// The same in other units, along the scalings under which the problem stays the same; the
     /// level is the power of ten
     Scaled,
-    /// Two data nearly the same, or one coordinate of all data of a parameter nearly 0; the level is
-    /// the power of ten of the distance
+    /// Two data nearly the same, or one coordinate of all data of a parameter nearly 0; the level
+    /// is the power of ten of the distance
     Degenerate,
     /// Data with a condition, such as rotations, off it by a relative error; the level is its power
     /// of ten

@@ -1,7 +1,7 @@
 //! Instances, and the files that hold them: one JSON object in each line.
 //!
 //! ```text
-//! {"problem": "trilateration", "family": "scene", "data": [0.1, ..], "solutions": [[1.5, 2.0, 0.5]]}
+//! {"problem": "trilateration", "family": "scene", "data": [0.1, ..], "solutions": [[1.5, 2, 0.5]]}
 //! ```
 //!
 //! `data` are flat, one parameter after another, arrays row by row. `level`, a number that orders
