@@ -20,11 +20,7 @@ const COARSE: f64 = 1e-2;
 /// it by 1e-8 of its norm or more.
 const ILL_CONDITIONED: f64 = 1e-7;
 
-const NOT_FOUND: Bounds = Bounds {
-    what: "share of known solutions that are not found",
-    usual: 1e-3,
-    exceptions: &[],
-};
+const NOT_FOUND: Bounds = Bounds { what: "share of known solutions that are not found", usual: 1e-3, exceptions: &[] };
 const NOT_FOUND_WITHOUT_REASON: Bounds = Bounds {
     what: "share of known solutions that are not found although they are well-conditioned",
     usual: 5e-4,
