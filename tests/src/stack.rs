@@ -58,7 +58,7 @@ impl Instances {
         let draw = |k: u64| {
             let mut random = Random::new(11_000_000 + k);
             let mut data = draw_inputs(&plan.data, Float64, &mut random);
-            if k % 3 == 0 {
+            if k.is_multiple_of(3) {
                 return data;
             }
             // Special data have zeros and equal values, and others nearly so.
