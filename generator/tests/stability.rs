@@ -60,7 +60,7 @@ fn every_instance_is_judged() {
     let quantile = |row: &Value, pointer: &str| row.pointer(pointer).and_then(Value::as_f64).unwrap();
     let quantiles = ["median", "p99", "max"].map(|part| quantile(random[0], &format!("/residual/{part}")));
     assert!(quantiles.is_sorted() && quantiles[0] < -14.5 && quantiles[2] <= -10.0, "{report}");
-    // Nearly equal conics have solutions that are nearly undetermined, which are refined. Those that
+    // Nearly equal conics have nearly undetermined solutions, which are refined. Those that
     // are not enlarge rounding by at most 1e6, or several times that. Other units change nothing.
     let degenerate = rows(&report, "degenerate");
     let errors: Vec<f64> = degenerate.iter().map(|row| quantile(row, "/forward_error/max")).collect();

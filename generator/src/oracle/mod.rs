@@ -15,9 +15,9 @@
 //!
 //! What it cannot: where fewer are found, others are multiple or infinite, share their eigenvalue
 //! with others, or the template is singular for these data even at 237 bits.
-//! [`Truths::is_complete`] says so. Nothing is a solution where more equations than unknowns
+//! `Truths::is_complete` says so. Nothing is a solution where more equations than unknowns
 //! contradict each other by more than the rounding of data. Templates of more than
-//! [`MOST_OPERATIONS`] are not tried.
+//! `MOST_OPERATIONS` are not tried.
 
 mod number;
 mod spectrum;
