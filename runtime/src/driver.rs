@@ -4,10 +4,13 @@
 //! infinity, that rounding errors of the elimination or of the eigenvalues lose the solution or
 //! lead to another one. If solutions are missing, both steps are therefore repeated with twice the
 //! digits. An elimination that fails is repeated only if the coefficients can be computed with
-//! twice the digits, too.
+//! twice the digits, too. If it fails again, the template stands for nothing at these data, and
+//! solutions are followed from data nearby.
 
 use num_complex::Complex;
 
+#[cfg(feature = "alloc")]
+use crate::continuation::{path::DataPath, track::end_of_path};
 use crate::error::SolveError;
 use crate::number::Scalar;
 use crate::number::double_double::DoubleDouble;
@@ -134,7 +137,59 @@ fn has_spurious_values<I: SolverInstance>(solver: &I) -> bool {
 fn solve<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> Result<(), SolveError> {
     let first = first_attempt(solver, found);
     let lacks_some = first.is_err() || found.lacks_some();
-    if lacks_some && solver.allows_second_attempt() { second_attempt(solver, first, found) } else { first }
+    if !(lacks_some && solver.allows_second_attempt()) {
+        return first;
+    }
+    match second_attempt(solver, first, found) {
+        Err(_) if continued(solver, found) => Ok(()),
+        second => second,
+    }
+}
+
+/// General data nearby differ from given ones by so much, relative to them. If a template is close
+/// to singular there, too, it is not further away.
+#[cfg(feature = "alloc")]
+const DISTANCES: [f64; 3] = [0.125, 0.5, 2.0];
+
+/// Adds the solutions at the ends of paths that begin at general data nearby. Returns false if none
+/// has an end that is isolated.
+#[cfg(feature = "alloc")]
+#[cold]
+#[inline(never)]
+fn continued<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> bool {
+    for (&distance, seed) in DISTANCES.iter().zip(1..) {
+        let Some(path) = solver.family().map(|family| DataPath::new(&family, distance, seed)) else { return false };
+        solver.move_to(&path.start());
+        let start = general_solutions(solver);
+        solver.move_to(path.target());
+        let (Some(start), Some(family)) = (start, solver.family()) else { continue };
+        let mut has_ended = false;
+        for start in start.iter() {
+            let Some(end) = end_of_path(&family, &path, start.as_ref()) else { continue };
+            let mut point = solver.sizes().unknowns.filled(Complex::ZERO);
+            point.as_mut().iter_mut().zip(end).for_each(|(x, end)| *x = end);
+            has_ended |= found.add_point(solver, point);
+        }
+        return has_ended;
+    }
+    false
+}
+
+/// Without a heap there is no continuation.
+#[cfg(not(feature = "alloc"))]
+fn continued<I: SolverInstance>(_: &mut I, _: &mut impl Collection<I>) -> bool {
+    false
+}
+
+/// All solutions of general data, or `None` if some are missing.
+#[cfg(feature = "alloc")]
+fn general_solutions<I: SolverInstance>(solver: &mut I) -> Option<Points<I, Complex<f64>>> {
+    let mut found = AllSolutions::new(solver);
+    let mut outcome = first_attempt(solver, &mut found);
+    if outcome.is_err() || found.lacks_some() {
+        outcome = second_attempt(solver, outcome, &mut found);
+    }
+    (outcome.is_ok() && !found.lacks_some()).then(|| found.admissible(solver))
 }
 
 /// Collects what the usual precision finds. It is a function of its own, so that its memory is free

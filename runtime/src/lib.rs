@@ -53,6 +53,9 @@ mod solver_instance;
 /// others.
 mod solution;
 
+/// Solutions of data at which a template stands for nothing, from data nearby.
+mod continuation;
+
 /// All stages for one instance, with a second attempt at twice the precision if solutions are
 /// missing.
 mod driver;

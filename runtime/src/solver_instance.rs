@@ -2,6 +2,7 @@
 
 use num_complex::Complex;
 
+use crate::continuation::family::Family;
 use crate::error::SolveError;
 use crate::memory::Memory;
 use crate::number::{Real, Scalar};
@@ -128,6 +129,19 @@ pub trait SolverInstance {
     fn error_bound<S: Scalar>(&self, unknowns: &Point<Self, S>) -> f64 {
         let _ = unknowns;
         f64::INFINITY
+    }
+
+    /// The problem as a family over its data, for data at which the template stands for nothing.
+    /// Without it, these are an error.
+    #[inline]
+    fn family(&self) -> Option<Family<'_>> {
+        None
+    }
+
+    /// Replaces the data by others of the same family.
+    #[inline]
+    fn move_to(&mut self, data: &[f64]) {
+        let _ = data;
     }
 
     /// Whether no factor vanishes that was stated to be nonzero.

@@ -5,13 +5,13 @@ use quote::quote;
 
 use super::listing::Listings;
 use super::provenance::Provenance;
-use super::{chains, code, elimination, monomials, program, scaling, storage};
+use super::{chains, code, elimination, family, monomials, program, scaling, storage};
 use crate::plan::Plan;
 use crate::plan::program::ProgramForm;
 use crate::plan::value_layout::ValueLayout;
 
 /// The version of the runtime's hidden interface that is emitted for.
-pub const RUNTIME_VERSION: u32 = 7;
+pub const RUNTIME_VERSION: u32 = 8;
 
 /// That all unknowns 0 is a solution, if it is one.
 fn origin(plan: &Plan) -> TokenStream {
@@ -52,7 +52,7 @@ pub(super) fn sign_changes_of(plan: &Plan) -> TokenStream {
 }
 
 /// How the coefficients are computed from `data`.
-fn coefficients_of_instance(plan: &Plan) -> TokenStream {
+pub(super) fn coefficients_of_data(plan: &Plan) -> TokenStream {
     match plan.program.form {
         ProgramForm::Statements => quote!(emitted::outlined(|| self::coefficients(1.0, data))),
         ProgramForm::Table if plan.is_on_heap() => quote!(self::coefficients(data, workspace.memory())),
@@ -70,7 +70,7 @@ fn precise_coefficients(plan: &Plan) -> TokenStream {
 /// The coefficients for given data, and what they are for.
 pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> TokenStream {
     let (list, _) = storage::coefficients(plan, &quote!(f64));
-    let (inputs, compute) = (Literal::usize_unsuffixed(plan.inputs()), coefficients_of_instance(plan));
+    let (inputs, compute) = (Literal::usize_unsuffixed(plan.inputs()), coefficients_of_data(plan));
     let (units_field, units) = scaling::field(plan);
     let (basis, count_read) =
         (Literal::usize_unsuffixed(plan.elimination.basis), Literal::usize_unsuffixed(plan.read.len()));
@@ -92,6 +92,7 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
     let ((storage, storage_type), generics) = (storage::field(plan), storage::generics(plan));
     let value = quote!(Self { coefficients: #compute, data: *data, #units #no_read #storage });
     let (constructors, scalings) = (scaling::constructors(plan, &value), scaling::table(plan));
+    let parameters = family::table(plan);
     let (version, handshake) = (Literal::u32_unsuffixed(RUNTIME_VERSION), storage::handshake(plan));
     quote! {
         /// A compile error if the runtime has another version.
@@ -114,6 +115,7 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
         }
 
         #scalings
+        #parameters
         #solver_instance
         #ratios
         #recovered
@@ -188,6 +190,7 @@ fn solver_instance(plan: &Plan, action_matrix: &TokenStream) -> TokenStream {
     let (origin, sign_changes, second_attempts) = (origin(plan), sign_changes(plan), storage::second_attempts(plan));
     let (generics, basis_type, all_sizes) = (storage::generics(plan), storage::basis(plan).0, sizes(plan));
     let (precise, judgement, has_image) = (has_precise_coefficients(plan), judgement(plan), layout.has_image);
+    let family = family::methods(plan);
     let read = match plan.read.is_empty() {
         true => quote!(&[[0.0; 0]; 0]),
         false => quote!(&self.read),
@@ -225,6 +228,7 @@ fn solver_instance(plan: &Plan, action_matrix: &TokenStream) -> TokenStream {
             }
 
             #judgement
+            #family
         }
     }
 }

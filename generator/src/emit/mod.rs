@@ -5,6 +5,7 @@ mod batch;
 mod chains;
 mod code;
 mod elimination;
+mod family;
 mod instance;
 mod listing;
 mod monomials;

@@ -70,15 +70,11 @@ pub(super) fn tables(plan: &Plan, provenance: &Provenance, listings: &mut Listin
 
 /// The equations, and what must not vanish.
 fn equations(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> TokenStream {
-    let equations = match monomials::are_statements(plan) {
-        true => monomials::monomials(plan),
-        false => {
-            let labels = (1..).zip(&provenance.equations);
-            let labels = labels.map(|(number, text)| format!("equation {number}: {text}")).collect();
-            let name = (quote!(EQUATIONS), " The equations of the problem.");
-            system(plan, &plan.equations, labels, name, listings)
-        }
-    };
+    let labels = (1..).zip(&provenance.equations);
+    let labels = labels.map(|(number, text)| format!("equation {number}: {text}")).collect();
+    let name = (quote!(EQUATIONS), " The equations of the problem.");
+    let equations = system(plan, &plan.equations, labels, name, listings);
+    let monomials = monomials::are_statements(plan).then(|| monomials::monomials(plan));
     let nonzero = match plan.nonzero.is_empty() {
         true => quote!(),
         false => {
@@ -88,6 +84,7 @@ fn equations(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> T
     };
     quote! {
         #equations
+        #monomials
         #nonzero
     }
 }

@@ -71,6 +71,11 @@ pub struct DataParameter {
 }
 
 impl DataParameter {
+    /// The last two dimensions, 1 where there are fewer: the rows and columns of a matrix.
+    pub(crate) fn last_dimensions(&self) -> [usize; 2] {
+        [1, 0].map(|from_last| self.shape.iter().rev().nth(from_last).copied().unwrap_or(1))
+    }
+
     /// Number of scalars.
     pub fn len(&self) -> usize {
         self.shape.iter().product()

@@ -2,7 +2,7 @@
 
 #[cfg(feature = "alloc")]
 use crate::memory::{HeapRows, Memory};
-use crate::number::Real;
+use crate::number::{Real, Scalar};
 
 /// The operation of every step of a [`Run`] on its operands a and b.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,7 +71,7 @@ pub struct PolynomialProduct {
 impl<'a> ProductSums<'a> {
     /// Computes the next sums and removes them from the lists. `known` are the values before this
     /// run, `open` receives the results. Returns the number of results.
-    fn run<R: Real>(&mut self, steps: u32, known: &[R], open: &mut [R]) -> usize {
+    fn run<R: Scalar>(&mut self, steps: u32, known: &[R], open: &mut [R]) -> usize {
         let mut written = 0;
         for _ in 0..steps {
             let Some((of_sum, sums)) = self.sums.split_first() else { break };
@@ -89,7 +89,7 @@ impl<'a> ProductSums<'a> {
     }
 
     /// Adds a product to `sum`; `known` are the values before this run.
-    fn add<R: Real>(&self, product: &PolynomialProduct, known: &[R], sum: &mut [R]) {
+    fn add<R: Scalar>(&self, product: &PolynomialProduct, known: &[R], sum: &mut [R]) {
         let list = |lists: &'a [&'a [u32]], at: u32| lists.get(at as usize).copied().unwrap_or(&[]);
         let (left, right) = (list(self.factors, product.left), list(self.factors, product.right));
         let at = |position: u32| known.get(position as usize).copied().unwrap_or(R::from_f64(f64::NAN));
@@ -158,13 +158,23 @@ impl Program<'_> {
     /// result, and is overwritten. A position out of range reads as NaN, and a result out of range
     /// is dropped; the generator's tables stay in range.
     #[inline(never)]
-    pub fn run<R: Real>(&self, data: &[&[f64]], values: &mut [R], coefficients: &mut [R]) {
+    pub fn run<R: Scalar>(&self, data: &[&[f64]], values: &mut [R], coefficients: &mut [R]) {
+        let given = core::iter::once(&self.constants).chain(data).copied().flatten();
+        let known = values.iter_mut().zip(given).map(|(place, &value)| *place = R::from_f64(value)).count();
+        self.execute(known, values, coefficients);
+    }
+
+    /// As [`Program::run`], on data of the same kind as the results.
+    #[cfg(feature = "alloc")]
+    pub(crate) fn run_on<S: Scalar>(&self, data: &[S], values: &mut [S], coefficients: &mut [S]) {
+        let given = self.constants.iter().map(|&value| S::from_f64(value)).chain(data.iter().copied());
+        let known = values.iter_mut().zip(given).map(|(place, value)| *place = value).count();
+        self.execute(known, values, coefficients);
+    }
+
+    /// Executes all steps after so many known values.
+    fn execute<R: Scalar>(&self, mut written: usize, values: &mut [R], coefficients: &mut [R]) {
         let nan = R::from_f64(f64::NAN);
-        let mut written = 0;
-        for given in core::iter::once(&self.constants).chain(data) {
-            values[written..].iter_mut().zip(*given).for_each(|(place, &value)| *place = R::from_f64(value));
-            written = (written + given.len()).min(values.len());
-        }
         let (mut operands, mut sums) = (self.operands, self.product_sums);
         for run in self.runs {
             let (known, open) = values.split_at_mut(written);

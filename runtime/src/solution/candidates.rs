@@ -45,6 +45,10 @@ pub(crate) trait Collection<I: SolverInstance> {
     /// with another one.
     fn add(&mut self, solver: &I, source: &dyn EigenpairSource<I::Basis>, value: Complex<f64>) -> bool;
 
+    /// Adds the solution at a point, if there is one. Returns false if there is none.
+    #[cfg(feature = "alloc")]
+    fn add_point(&mut self, solver: &I, point: Point<I, Complex<f64>>) -> bool;
+
     /// Starts to count complex solutions, too, if eigenvalues turned out to be imprecise. Returns
     /// true if it does so from now on: every eigenpair must then be added, known ones again.
     fn starts_to_count(&mut self, solver: &I) -> bool;
@@ -99,6 +103,15 @@ impl<I: SolverInstance> Collection<I> for AllSolutions<I> {
         }
         let Some(candidate) = candidate else { return false };
         push_all_signs(solver, &candidate, &mut self.found)
+    }
+
+    #[cfg(feature = "alloc")]
+    fn add_point(&mut self, solver: &I, point: Point<I, Complex<f64>>) -> bool {
+        let Some(candidate) = polish_from(solver, point) else { return false };
+        // The polish of a real point stays real.
+        let real = nearly_real(solver, &candidate).map(|real| as_complex(solver, &real));
+        push_all_signs(solver, &real.unwrap_or(candidate), &mut self.found);
+        true
     }
 
     #[inline]
@@ -247,6 +260,15 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
             push_all_signs(solver, &real, &mut self.real);
         }
         false
+    }
+
+    #[cfg(feature = "alloc")]
+    fn add_point(&mut self, solver: &I, point: Point<I, Complex<f64>>) -> bool {
+        let Some(candidate) = polish_from(solver, point) else { return false };
+        if let Some(real) = nearly_real(solver, &candidate) {
+            push_all_signs(solver, &real, &mut self.real);
+        }
+        true
     }
 
     #[inline]

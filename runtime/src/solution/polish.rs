@@ -222,7 +222,7 @@ impl<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'a, S, N, E, Y>
     /// The Gauss-Newton step at x for the residuals at hand, which are overwritten, as are the
     /// derivatives. `None` if the Jacobian has lost rank.
     #[inline]
-    fn newton_step(&mut self, x: &N::Vector<S>, derivatives: &mut Matrix<N, E, S>) -> Option<Step<S, N>> {
+    pub(crate) fn newton_step(&mut self, x: &N::Vector<S>, derivatives: &mut Matrix<N, E, S>) -> Option<Step<S, N>> {
         self.system.derivatives(x, &self.monomials, derivatives);
         self.weigh(derivatives);
         least_squares((self.unknowns, self.equations), derivatives, &mut self.at.residual)

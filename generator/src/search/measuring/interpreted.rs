@@ -8,12 +8,12 @@ use eliminant::emitted::{self, Dynamic, Product, Sizes, SizesOf, SolverInstance,
 use eliminant::{Complex, Scalar, SolveError};
 
 use crate::plan::program::ProgramForm;
-use crate::plan::program_table::{ProgramTable, StepKind};
 use crate::plan::system_table::SystemTable;
 use crate::plan::value_layout::ValueLayout;
 use crate::plan::{ActionRow, Plan, PlannedRecovery};
 
 use super::interpreted_chains::{self, InterpretedChains};
+use super::interpreted_program::{Program, condition};
 
 /// All tables of a solver, in the runtime's form.
 #[derive(Clone, Debug)]
@@ -36,20 +36,8 @@ pub struct InterpretedSolver {
     nonzero: System,
     /// The number of scalings, and the weights of data and unknowns in them.
     scalings: (usize, Vec<i8>, Vec<i8>),
-}
-
-/// The runtime's `Program`, owned.
-#[derive(Clone, Debug)]
-struct Program {
-    constants: Vec<f64>,
-    runs: Vec<emitted::Run>,
-    operands: Vec<(u32, u32)>,
-    sums: Vec<emitted::ProductSum>,
-    products: Vec<emitted::PolynomialProduct>,
-    factors: Vec<Vec<u32>>,
-    places: Vec<Vec<u32>>,
-    results: Vec<u32>,
-    values: usize,
+    /// What the data of each parameter satisfy, and how many there are.
+    parameters: Vec<(emitted::Condition, u32)>,
 }
 
 /// The template's tables, owned.
@@ -101,6 +89,7 @@ impl InterpretedSolver {
             equations: System::of(&plan.equations, unknowns),
             nonzero: System::of(&plan.nonzero, unknowns),
             scalings: (plan.scalings.len(), plan.weights_of_data(), plan.weights_of_unknowns()),
+            parameters: plan.data.iter().map(|parameter| (condition(parameter), parameter.len() as u32)).collect(),
         }
     }
 
@@ -115,12 +104,7 @@ impl InterpretedSolver {
         scalings.apply_into(&mut scaled, &mut exponents);
         let coefficients = self.program.evaluate::<f64>(&scaled);
         emitted::check_coefficients(&coefficients, &[data])?;
-        let equations = &self.equations;
-        let matrix = || {
-            let rows = coefficients.chunks(equations.ends.len().max(1)).take(equations.chain.len());
-            rows.map(<[f64]>::to_vec).collect()
-        };
-        let rows = equations.is_dense.then(matrix);
+        let rows = self.equations.rows(&coefficients);
         let read = vec![vec![0.0; self.layout.basis]; self.layout.read];
         let (steps, flips) = (self.steps.iter().map(Vec::as_slice), self.flips.iter().map(Vec::as_slice));
         Ok(InterpretedInstance {
@@ -132,6 +116,7 @@ impl InterpretedSolver {
             read,
             steps: steps.collect(),
             flips: flips.collect(),
+            lists: self.program.lists(),
             attempts: 0,
             memory: emitted::Memory::new(),
         })
@@ -151,59 +136,6 @@ impl InterpretedSolver {
     /// As the emitted solver.
     pub fn solve_complex(&self, data: &[f64]) -> Result<Vec<Vec<Complex<f64>>>, SolveError> {
         self.instance(data)?.solve_complex()
-    }
-}
-
-impl Program {
-    fn of(plan: &Plan) -> Self {
-        let table = ProgramTable::of(plan);
-        let operation = |kind: StepKind| match kind {
-            StepKind::Add => emitted::Operation::Add,
-            StepKind::Subtract => emitted::Operation::Subtract,
-            StepKind::Multiply => emitted::Operation::Multiply,
-            StepKind::Divide => emitted::Operation::Divide,
-            StepKind::Negate => emitted::Operation::Negate,
-            StepKind::ProductSum => emitted::Operation::ProductSum,
-        };
-        let runs = table.runs.iter().map(|&(kind, steps)| emitted::Run { operation: operation(kind), steps });
-        let sums = table.sums.iter().map(|&(products, length)| emitted::ProductSum { products, length });
-        let products = table.products.iter().map(|product| emitted::PolynomialProduct {
-            negative: product.negative,
-            left: product.left,
-            right: product.right,
-            places: product.places,
-        });
-        Self {
-            constants: table.constants.iter().map(|c| c.numerator() as f64 / c.denominator() as f64).collect(),
-            runs: runs.collect(),
-            operands: table.operands,
-            sums: sums.collect(),
-            products: products.collect(),
-            factors: table.factors,
-            places: table.places,
-            results: table.results,
-            values: table.values,
-        }
-    }
-
-    fn evaluate<R: emitted::Real>(&self, data: &[f64]) -> Vec<R> {
-        let factors: Vec<&[u32]> = self.factors.iter().map(Vec::as_slice).collect();
-        let places: Vec<&[u32]> = self.places.iter().map(Vec::as_slice).collect();
-        let program = emitted::Program {
-            constants: &self.constants,
-            runs: &self.runs,
-            operands: &self.operands,
-            product_sums: emitted::ProductSums {
-                sums: &self.sums,
-                products: &self.products,
-                factors: &factors,
-                places: &places,
-            },
-            results: &self.results,
-        };
-        let (mut values, mut coefficients) = (vec![R::ZERO; self.values], vec![R::ZERO; self.results.len()]);
-        program.run(&[data], &mut values, &mut coefficients);
-        coefficients
     }
 }
 
@@ -269,6 +201,13 @@ impl System {
         }
     }
 
+    /// The coefficients of all equations, one row for each monomial, if they are stored as a
+    /// matrix.
+    fn rows(&self, coefficients: &[f64]) -> Option<Vec<Vec<f64>>> {
+        let rows = coefficients.chunks(self.ends.len().max(1)).take(self.chain.len());
+        self.is_dense.then(|| rows.map(<[f64]>::to_vec).collect())
+    }
+
     fn tables(&self, unknowns: usize) -> Tables<'_, Dynamic, Dynamic, Dynamic> {
         let sizes = (Dynamic(unknowns), Dynamic(self.ends.len()), Dynamic(self.chain.len()));
         Tables { sizes, chain: &self.chain, ends: &self.ends, terms: &self.terms }
@@ -292,6 +231,8 @@ pub struct InterpretedInstance<'a> {
     read: Vec<Vec<f64>>,
     steps: Vec<&'a [i8]>,
     flips: Vec<&'a [bool]>,
+    /// Of the program: factors and places.
+    lists: [Vec<&'a [u32]>; 2],
     /// How often the template was eliminated.
     attempts: usize,
     /// Memory of second attempts.
@@ -451,6 +392,26 @@ impl SolverInstance for InterpretedInstance<'_> {
             }
             None => emitted::error_bound(x, sizes, &tables.bind(&self.coefficients), &coefficients),
         }
+    }
+
+    fn family(&self) -> Option<emitted::Family<'_>> {
+        let InterpretedSolver { program, equations, parameters, unknowns, .. } = self.solver;
+        (!self.data.is_empty()).then(|| emitted::Family {
+            data: &self.data,
+            parameters,
+            program: program.view(&self.lists),
+            counts: (program.values, program.results.len()),
+            unknowns: *unknowns,
+            chain: &equations.chain,
+            ends: &equations.ends,
+            terms: &equations.terms,
+        })
+    }
+
+    fn move_to(&mut self, data: &[f64]) {
+        emitted::join_into(&[data], &mut self.data);
+        self.coefficients = self.solver.program.evaluate(&self.data);
+        self.rows = self.solver.equations.rows(&self.coefficients);
     }
 
     fn is_admissible<S: Scalar>(&self, x: &Vec<S>) -> bool {

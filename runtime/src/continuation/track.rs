@@ -1,0 +1,104 @@
+//! Follows a solution along a path of the data, by steps of Newton's method.
+
+extern crate alloc;
+
+use alloc::vec::Vec;
+use num_complex::Complex;
+
+use crate::continuation::family::Family;
+use crate::continuation::member::Member;
+use crate::continuation::path::DataPath;
+use crate::dynamic_size::Dynamic;
+use crate::number::Scalar;
+use crate::size::filled_matrix;
+use crate::solution::polish::{Polish, Step, largest};
+
+/// The first step in t.
+const FIRST: f64 = 0.1;
+/// A step in t is accepted if Newton's method moves the predicted point by at most this part of its
+/// largest unknown, and each of its steps is at most [`RATE`] times the one before: other solutions
+/// are then far away.
+const NEAR: f64 = 0.05;
+const RATE: f64 = 0.25;
+/// Newton's method has converged at steps of this part of the largest unknown: the next one would
+/// be the square of it.
+const CONVERGED: f64 = 1e-7;
+/// It takes at most so many steps.
+const NEWTON_STEPS: usize = 6;
+/// The step in t is doubled where the first step of Newton's method was at most this.
+const EASY: f64 = 0.004;
+/// A path is given up after so many steps in t.
+const MOST_STEPS: usize = 200;
+/// It has ended, at a solution that is not isolated or at infinity, if t is so small.
+const LEAST: f64 = 1e-9;
+/// An end is isolated if a relative error of the equations moves it by at most so many times this
+/// error, relative to its largest unknown.
+const ISOLATED: f64 = 1e10;
+
+/// The end of the path of a solution; `None` if it is at infinity, or not isolated.
+pub(crate) fn end_of_path(family: &Family<'_>, path: &DataPath, start: &[Complex<f64>]) -> Option<Vec<Complex<f64>>> {
+    let (mut t, mut step, mut x) = (1.0, FIRST, start.to_vec());
+    let mut last: Option<(f64, Vec<Complex<f64>>)> = None;
+    for _ in 0..MOST_STEPS {
+        let next = if step < t { t - step } else { 0.0 };
+        let guess = predicted(&x, t, last.as_ref(), next);
+        match corrected(&family.at(&path.at(next)), family, guess) {
+            Some((point, moved)) => {
+                last = Some((t, core::mem::replace(&mut x, point)));
+                t = next;
+                step *= if moved <= EASY { 2.0 } else { 1.0 };
+            }
+            None => step *= 0.5,
+        }
+        if t == 0.0 {
+            return is_isolated(&family.at(&path.at(0.0)), family, &x).then_some(x);
+        }
+        if t < LEAST || step < LEAST * t {
+            break;
+        }
+    }
+    None
+}
+
+/// The point at `next` on the line through the last two points.
+fn predicted(x: &[Complex<f64>], t: f64, last: Option<&(f64, Vec<Complex<f64>>)>, next: f64) -> Vec<Complex<f64>> {
+    let Some((before, other)) = last else { return x.to_vec() };
+    let factor = (next - t) / (t - before);
+    x.iter().zip(other).map(|(&x, &other)| x + (x - other).scale(factor)).collect()
+}
+
+/// The step of Newton's method at x.
+fn newton_step(member: &Member<'_>, family: &Family<'_>, x: &Vec<Complex<f64>>) -> Option<Step<Complex<f64>, Dynamic>> {
+    let sizes = family.sizes();
+    let mut newton = Polish::new(x, sizes, member);
+    if newton.residual() == f64::INFINITY {
+        return None;
+    }
+    newton.newton_step(x, &mut filled_matrix(sizes.0, sizes.1, Complex::ZERO))
+}
+
+/// The solution that Newton's method finds near a point, and the length of its first step.
+fn corrected(member: &Member<'_>, family: &Family<'_>, mut x: Vec<Complex<f64>>) -> Option<(Vec<Complex<f64>>, f64)> {
+    let (mut first, mut longest) = (0.0, NEAR);
+    for k in 0..NEWTON_STEPS {
+        let step = newton_step(member, family, &x)?.correction;
+        let length = largest(&step);
+        let length = if length > 0.0 { length / largest(&x) } else { length };
+        if !(length <= longest) {
+            return None;
+        }
+        x.iter_mut().zip(&step).for_each(|(x, &step)| *x -= step);
+        if k == 0 {
+            first = length;
+        }
+        if length <= CONVERGED {
+            return Some((x, first));
+        }
+        longest = RATE * length;
+    }
+    None
+}
+
+fn is_isolated(member: &Member<'_>, family: &Family<'_>, x: &Vec<Complex<f64>>) -> bool {
+    newton_step(member, family, x).is_some_and(|step| step.enlargement <= ISOLATED * largest(x))
+}
