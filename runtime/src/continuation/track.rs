@@ -9,7 +9,6 @@ use crate::continuation::family::Family;
 use crate::continuation::member::Member;
 use crate::continuation::path::DataPath;
 use crate::dynamic_size::Dynamic;
-use crate::number::Scalar;
 use crate::size::filled_matrix;
 use crate::solution::polish::{Polish, Step, largest};
 
@@ -18,7 +17,7 @@ const FIRST: f64 = 0.1;
 /// A step in t is accepted if Newton's method moves the predicted point by at most this part of its
 /// largest unknown, and each of its steps is at most [`RATE`] times the one before: other solutions
 /// are then far away.
-const NEAR: f64 = 0.05;
+const NEAR: f64 = 0.03;
 const RATE: f64 = 0.25;
 /// Newton's method has converged at steps of this part of the largest unknown: the next one would
 /// be the square of it.
@@ -26,32 +25,40 @@ const CONVERGED: f64 = 1e-7;
 /// It takes at most so many steps.
 const NEWTON_STEPS: usize = 6;
 /// The step in t is doubled where the first step of Newton's method was at most this.
-const EASY: f64 = 0.004;
+const EASY: f64 = 0.003;
+/// A point is predicted from so many before.
+const PREDICTING: usize = 3;
 /// A path is given up after so many steps in t.
-const MOST_STEPS: usize = 200;
+const MOST_STEPS: usize = 300;
 /// It has ended, at a solution that is not isolated or at infinity, if t is so small.
 const LEAST: f64 = 1e-9;
 /// An end is isolated if a relative error of the equations moves it by at most so many times this
 /// error, relative to its largest unknown.
 const ISOLATED: f64 = 1e10;
 
+/// A point of the path of a solution, with its t.
+type Passed = (f64, Vec<Complex<f64>>);
+
 /// The end of the path of a solution; `None` if it is at infinity, or not isolated.
 pub(crate) fn end_of_path(family: &Family<'_>, path: &DataPath, start: &[Complex<f64>]) -> Option<Vec<Complex<f64>>> {
-    let (mut t, mut step, mut x) = (1.0, FIRST, start.to_vec());
-    let mut last: Option<(f64, Vec<Complex<f64>>)> = None;
+    let mut passed: Vec<Passed> = alloc::vec![(1.0, start.into())];
+    let (mut t, mut step) = (1.0, FIRST);
     for _ in 0..MOST_STEPS {
-        let next = if step < t { t - step } else { 0.0 };
-        let guess = predicted(&x, t, last.as_ref(), next);
-        match corrected(&family.at(&path.at(next)), family, guess) {
+        // No short step remains before the end.
+        let next = if step < 0.8 * t { t - step } else { 0.0 };
+        match corrected(&family.at(&path.at(next)), family, predicted(&passed, next)) {
+            Some((point, _)) if next == 0.0 => {
+                return is_isolated(&family.at(&path.at(0.0)), family, &point).then_some(point);
+            }
             Some((point, moved)) => {
-                last = Some((t, core::mem::replace(&mut x, point)));
+                if passed.len() == PREDICTING {
+                    passed.remove(0);
+                }
+                passed.push((next, point));
                 t = next;
                 step *= if moved <= EASY { 2.0 } else { 1.0 };
             }
             None => step *= 0.5,
-        }
-        if t == 0.0 {
-            return is_isolated(&family.at(&path.at(0.0)), family, &x).then_some(x);
         }
         if t < LEAST || step < LEAST * t {
             break;
@@ -60,11 +67,16 @@ pub(crate) fn end_of_path(family: &Family<'_>, path: &DataPath, start: &[Complex
     None
 }
 
-/// The point at `next` on the line through the last two points.
-fn predicted(x: &[Complex<f64>], t: f64, last: Option<&(f64, Vec<Complex<f64>>)>, next: f64) -> Vec<Complex<f64>> {
-    let Some((before, other)) = last else { return x.to_vec() };
-    let factor = (next - t) / (t - before);
-    x.iter().zip(other).map(|(&x, &other)| x + (x - other).scale(factor)).collect()
+/// The point at t of the polynomial through points of the path, by Lagrange's formula.
+fn predicted(passed: &[Passed], t: f64) -> Vec<Complex<f64>> {
+    let unknowns = passed.first().map_or(0, |(_, x)| x.len());
+    let mut sum = alloc::vec![Complex::ZERO; unknowns];
+    for (i, (own, x)) in passed.iter().enumerate() {
+        let others = passed.iter().enumerate().filter(|(j, _)| *j != i);
+        let factor: f64 = others.map(|(_, (other, _))| (t - other) / (own - other)).product();
+        sum.iter_mut().zip(x).for_each(|(sum, x)| *sum += x.scale(factor));
+    }
+    sum
 }
 
 /// The step of Newton's method at x.
