@@ -24,12 +24,14 @@ const RATE: f64 = 0.25;
 const CONVERGED: f64 = 1e-7;
 /// It takes at most so many steps.
 const NEWTON_STEPS: usize = 6;
-/// The step in t is doubled where the first step of Newton's method was at most this.
+/// The step in t is doubled where the first step of Newton's method was at most this, but not in
+/// the next few steps after one that was too long.
 const EASY: f64 = 0.003;
+const PATIENCE: u32 = 3;
 /// A point is predicted from so many before.
 const PREDICTING: usize = 3;
 /// A path is given up after so many steps in t.
-const MOST_STEPS: usize = 300;
+const MOST_STEPS: usize = 600;
 /// It has ended, at a solution that is not isolated or at infinity, if t is so small.
 const LEAST: f64 = 1e-9;
 /// An end is isolated if a relative error of the equations moves it by at most so many times this
@@ -42,7 +44,7 @@ type Passed = (f64, Vec<Complex<f64>>);
 /// The end of the path of a solution; `None` if it is at infinity, or not isolated.
 pub(crate) fn end_of_path(family: &Family<'_>, path: &DataPath, start: &[Complex<f64>]) -> Option<Vec<Complex<f64>>> {
     let mut passed: Vec<Passed> = alloc::vec![(1.0, start.into())];
-    let (mut t, mut step) = (1.0, FIRST);
+    let (mut t, mut step, mut streak) = (1.0, FIRST, PATIENCE);
     for _ in 0..MOST_STEPS {
         // No short step remains before the end.
         let next = if step < 0.8 * t { t - step } else { 0.0 };
@@ -56,9 +58,10 @@ pub(crate) fn end_of_path(family: &Family<'_>, path: &DataPath, start: &[Complex
                 }
                 passed.push((next, point));
                 t = next;
-                step *= if moved <= EASY { 2.0 } else { 1.0 };
+                streak += 1;
+                step *= if moved <= EASY && streak > PATIENCE { 2.0 } else { 1.0 };
             }
-            None => step *= 0.5,
+            None => (step, streak) = (0.5 * step, 0),
         }
         if t < LEAST || step < LEAST * t {
             break;
