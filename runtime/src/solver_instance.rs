@@ -131,8 +131,8 @@ pub trait SolverInstance {
         f64::INFINITY
     }
 
-    /// The problem as a family over its data, for data at which the template stands for nothing.
-    /// Without it, these are an error.
+    /// The problem as a family over its data, if solutions may be followed from other data to those
+    /// for which the template is singular. Without it, such data are an error.
     #[inline]
     fn family(&self) -> Option<Family<'_>> {
         None

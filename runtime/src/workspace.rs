@@ -7,10 +7,15 @@ use crate::memory::Memory;
 ///
 /// A second attempt finds solutions that rounding errors of the first one lost, and takes some
 /// twenty times as long. `SECOND_ATTEMPT_OPERATIONS` in the module of a solver is its work.
+///
+/// Some data are singular for a template though not for their problem, and no precision helps:
+/// special motions of cameras, say. Solutions are then followed along paths of data that begin
+/// nearby, which takes some hundred times as long as a solve, and needs the feature `alloc`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SecondAttempts {
-    /// Wherever solutions are missing, as `solve` does.
+    /// Wherever solutions are missing, as `solve` does. Only so are solutions followed from data
+    /// nearby.
     #[default]
     Always,
     /// Never: a solve takes one attempt, and misses the solutions that only a second one finds. An

@@ -46,10 +46,12 @@ pub(super) fn methods(plan: &Plan) -> TokenStream {
     let counts = [ProgramTable::of(plan).values, plan.coefficients.len()].map(Literal::usize_unsuffixed);
     let ([values, coefficients], unknowns) = (counts, Literal::usize_unsuffixed(plan.unknowns.len()));
     let workspace = storage::has_coefficients_on_heap(plan).then(|| quote!(let workspace = self.workspace;));
+    let attempts = storage::allowed_attempts(plan);
     let compute = instance::coefficients_of_data(plan);
     quote! {
         fn family(&self) -> Option<emitted::Family<'_>> {
-            Some(emitted::Family {
+            let is_allowed = #attempts == ::eliminant::SecondAttempts::Always;
+            is_allowed.then_some(emitted::Family {
                 data: &self.data,
                 parameters: &PARAMETERS,
                 program: PROGRAM,

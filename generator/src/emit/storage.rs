@@ -76,19 +76,24 @@ pub(super) fn basis(plan: &Plan) -> (TokenStream, TokenStream) {
     }
 }
 
+/// Which second attempts an instance may make.
+pub(super) fn allowed_attempts(plan: &Plan) -> TokenStream {
+    match plan.is_on_heap() {
+        true => quote!(self.workspace.second_attempts()),
+        false => quote!(self.second_attempts),
+    }
+}
+
 /// What the runtime asks about second attempts.
 pub(super) fn second_attempts(plan: &Plan) -> TokenStream {
-    let (field, memory) = match plan.is_on_heap() {
-        true => (
-            quote!(self.workspace.second_attempts()),
-            quote! {
-                fn memory(&self) -> Option<&emitted::Memory> {
-                    Some(self.workspace.memory())
-                }
-            },
-        ),
-        false => (quote!(self.second_attempts), quote!()),
-    };
+    let field = allowed_attempts(plan);
+    let memory = plan.is_on_heap().then(|| {
+        quote! {
+            fn memory(&self) -> Option<&emitted::Memory> {
+                Some(self.workspace.memory())
+            }
+        }
+    });
     quote! {
         fn allows_second_attempt(&self) -> bool {
             #field.allows(SECOND_ATTEMPT_OPERATIONS)
