@@ -6,8 +6,15 @@ use eliminant::emitted::{
 };
 use eliminant::{Complex, Scalar, SecondAttempts, SolveError};
 
-/// x^3 + a x^2 + b x + c = 0 with the action 1/x on the basis 1, x, x^2: the action matrix divides
-/// by c, and there is none where a solution is 0.
+/// x^3 + a x^2 + b x + c = 0 with the action 1/y on the basis 1, y, y^2, where y = x - 1:
+///
+/// ```text
+///   f = y^3 + d y^2 + e y + g       1/y * [ 1  ]   [ -e/g  -d/g  -1/g ] [ 1  ]
+///                                         [ y  ] = [  1     0     0   ] [ y  ]
+///                                         [ y^2]   [  0     1     0   ] [ y^2]
+/// ```
+///
+/// There is no action matrix where a solution is x = 1, and g = 0.
 struct Cubic {
     data: [f64; 3],
     coefficients: [f64; 4],
@@ -38,16 +45,16 @@ impl Cubic {
         Self { data, coefficients: [1.0, a, b, c], second_attempts: SecondAttempts::Always, moves: Vec::new() }
     }
 
-    /// With the solution 0 and these two others, of their sum and product.
-    fn through_zero(sum: f64, product: f64) -> Self {
-        Self::new([-sum, product, 0.0])
+    /// With the solution 1 and two others, of that sum and product.
+    fn through_one(sum: f64, product: f64) -> Self {
+        Self::new([-sum - 1.0, product + sum, -product])
     }
 }
 
 impl SolverInstance for Cubic {
     type Basis = Fixed<3>;
     type Unknowns = Fixed<1>;
-    type Values = Fixed<3>;
+    type Values = Fixed<2>;
     type Solutions = Fixed<3>;
 
     fn sizes(&self) -> SizesOf<Self> {
@@ -55,7 +62,7 @@ impl SolverInstance for Cubic {
     }
 
     fn ratios(&self, _: usize) -> &[(u16, u16)] {
-        &[(0, 1), (1, 2)]
+        &[(0, 1)]
     }
 
     fn allows_second_attempt(&self) -> bool {
@@ -64,14 +71,15 @@ impl SolverInstance for Cubic {
 
     fn action_matrix<R: Real>(&mut self) -> Result<[[R; 3]; 3], SolveError> {
         let [_, a, b, c] = self.coefficients;
-        if c.abs() < 1e-12 {
+        let [d, e, g] = [a + 3.0, 2.0 * a + b + 3.0, 1.0 + a + b + c];
+        if g.abs() < 1e-12 {
             return Err(SolveError::Degenerate { block: 0 });
         }
-        Ok([[-b / c, -a / c, -1.0 / c], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|row| row.map(R::from_f64)))
+        Ok([[-e / g, -d / g, -1.0 / g], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|row| row.map(R::from_f64)))
     }
 
-    fn monomial_values<S: Scalar>(&self, _: S, vector: &[S; 3]) -> [S; 3] {
-        *vector
+    fn monomial_values<S: Scalar>(&self, _: S, vector: &[S; 3]) -> [S; 2] {
+        [vector[0], vector[0] + vector[1]]
     }
 
     fn recover<S: Scalar>(&self, _: &mut [S; 1]) {}
@@ -116,50 +124,54 @@ fn real(instance: &mut Cubic) -> Result<Vec<f64>, SolveError> {
     Ok(found)
 }
 
+/// The condition of the roots here is below 100.
+const ROUNDING: f64 = 1e-13;
+
 fn close(found: &[f64], expected: &[f64]) -> bool {
-    found.len() == expected.len() && found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-14)
+    found.len() == expected.len() && found.iter().zip(expected).all(|(a, b)| (a - b).abs() < ROUNDING)
 }
 
 #[test]
 fn real_solutions_are_found_where_the_template_is_singular() {
-    for others in [[1.0, 2.0], [-0.5, 3.0], [-1.0, 1.0], [1e-2, 7.0]] {
-        let mut instance = Cubic::through_zero(others[0] + others[1], others[0] * others[1]);
-        let mut expected = [0.0, others[0], others[1]];
+    for others in [[-1.0, 2.0], [-0.5, 3.0], [-1.0, 0.5], [1e-2, 7.0]] {
+        let instance = || Cubic::through_one(others[0] + others[1], others[0] * others[1]);
+        let mut moved = instance();
+        let mut expected = [1.0, others[0], others[1]];
         expected.sort_by(f64::total_cmp);
-        let found = real(&mut instance).unwrap();
+        let found = real(&mut moved).unwrap();
         assert!(close(&found, &expected), "{found:?} {expected:?}");
         // It went to data nearby and came back.
-        assert_eq!(instance.moves.len(), 2);
-        assert_eq!(instance.moves[1], Cubic::through_zero(others[0] + others[1], others[0] * others[1]).data);
-        assert_ne!(instance.moves[0], instance.moves[1]);
+        assert_eq!((moved.moves.len(), moved.moves[1]), (2, instance().data));
+        assert_ne!(moved.moves[0], moved.moves[1]);
     }
 }
 
 #[test]
 fn complex_solutions_are_found_and_told_from_real_ones() {
-    // 0 and 1 +- 2 i.
-    let all = complex_solutions(&mut Cubic::through_zero(2.0, 5.0)).unwrap();
-    for expected in [Complex::new(0.0, 0.0), Complex::new(1.0, 2.0), Complex::new(1.0, -2.0)] {
-        assert!(all.iter().any(|[x]| (x - expected).modulus() < 1e-14), "{expected}: {all:?}");
+    // 1 and 3 +- 2 i.
+    let all = complex_solutions(&mut Cubic::through_one(6.0, 13.0)).unwrap();
+    for expected in [Complex::new(1.0, 0.0), Complex::new(3.0, 2.0), Complex::new(3.0, -2.0)] {
+        assert!(all.iter().any(|[x]| (x - expected).modulus() < ROUNDING), "{expected}: {all:?}");
     }
     assert_eq!(all.len(), 3);
-    assert!(close(&real(&mut Cubic::through_zero(2.0, 5.0)).unwrap(), &[0.0]));
+    assert!(close(&real(&mut Cubic::through_one(6.0, 13.0)).unwrap(), &[1.0]));
 }
 
 #[test]
 fn solutions_that_are_not_isolated_are_not_returned() {
-    // 0 twice.
-    assert!(close(&real(&mut Cubic::through_zero(3.0, 0.0)).unwrap(), &[3.0]));
-    // 0 three times: nothing is left.
-    assert_eq!(real(&mut Cubic::through_zero(0.0, 0.0)), Err(SolveError::Degenerate { block: 0 }));
+    // 1 twice.
+    assert!(close(&real(&mut Cubic::through_one(4.0, 3.0)).unwrap(), &[3.0]));
+    // 1 three times: nothing is left.
+    assert_eq!(real(&mut Cubic::through_one(2.0, 1.0)), Err(SolveError::Degenerate { block: 0 }));
 }
 
 #[test]
 fn general_data_and_bounded_work_need_no_other_data() {
-    let mut general = Cubic::new([-6.0, 11.0, -6.0]);
-    assert!(close(&real(&mut general).unwrap(), &[1.0, 2.0, 3.0]));
+    // 2, 3 and 4.
+    let mut general = Cubic::new([-9.0, 26.0, -24.0]);
+    assert!(close(&real(&mut general).unwrap(), &[2.0, 3.0, 4.0]));
     assert!(general.moves.is_empty());
-    let mut bounded = Cubic { second_attempts: SecondAttempts::Never, ..Cubic::through_zero(3.0, 2.0) };
+    let mut bounded = Cubic { second_attempts: SecondAttempts::Never, ..Cubic::through_one(5.0, 6.0) };
     assert_eq!(real(&mut bounded), Err(SolveError::Degenerate { block: 0 }));
     assert!(bounded.moves.is_empty());
 }

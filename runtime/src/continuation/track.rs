@@ -34,6 +34,8 @@ const PREDICTING: usize = 3;
 const MOST_STEPS: usize = 600;
 /// It has ended, at a solution that is not isolated or at infinity, if t is so small.
 const LEAST: f64 = 1e-9;
+/// A path may end with all unknowns 0: they count as at least this part of the largest at its start.
+const AT_ORIGIN: f64 = 1e-2;
 /// An end is isolated if a relative error of the equations moves it by at most so many times this
 /// error, relative to its largest unknown.
 const ISOLATED: f64 = 1e10;
@@ -41,16 +43,20 @@ const ISOLATED: f64 = 1e10;
 /// A point of the path of a solution, with its t.
 type Passed = (f64, Vec<Complex<f64>>);
 
+/// A corrected point, and how far the first step moved it.
+type Passing = (Vec<Complex<f64>>, f64);
+
 /// The end of the path of a solution; `None` if it is at infinity, or not isolated.
 pub(crate) fn end_of_path(family: &Family<'_>, path: &DataPath, start: &[Complex<f64>]) -> Option<Vec<Complex<f64>>> {
     let mut passed: Vec<Passed> = alloc::vec![(1.0, start.into())];
+    let least = AT_ORIGIN * largest(start);
     let (mut t, mut step, mut streak) = (1.0, FIRST, PATIENCE);
     for _ in 0..MOST_STEPS {
         // No short step remains before the end.
         let next = if step < 0.8 * t { t - step } else { 0.0 };
-        match corrected(&family.at(&path.at(next)), family, predicted(&passed, next)) {
+        match corrected(&family.at(&path.at(next)), family, predicted(&passed, next), least) {
             Some((point, _)) if next == 0.0 => {
-                return is_isolated(&family.at(&path.at(0.0)), family, &point).then_some(point);
+                return is_isolated(&family.at(&path.at(0.0)), family, &point, least).then_some(point);
             }
             Some((point, moved)) => {
                 if passed.len() == PREDICTING {
@@ -92,13 +98,13 @@ fn newton_step(member: &Member<'_>, family: &Family<'_>, x: &Vec<Complex<f64>>) 
     newton.newton_step(x, &mut filled_matrix(sizes.0, sizes.1, Complex::ZERO))
 }
 
-/// The solution that Newton's method finds near a point, and the length of its first step.
-fn corrected(member: &Member<'_>, family: &Family<'_>, mut x: Vec<Complex<f64>>) -> Option<(Vec<Complex<f64>>, f64)> {
+/// The solution that Newton's method finds near a point, and the length of its first step. Lengths
+/// are relative to the largest unknown, or to the least that counts.
+fn corrected(member: &Member<'_>, family: &Family<'_>, mut x: Vec<Complex<f64>>, least: f64) -> Option<Passing> {
     let (mut first, mut longest) = (0.0, NEAR);
     for k in 0..NEWTON_STEPS {
         let step = newton_step(member, family, &x)?.correction;
-        let length = largest(&step);
-        let length = if length > 0.0 { length / largest(&x) } else { length };
+        let length = largest(&step) / largest(&x).max(least);
         if !(length <= longest) {
             return None;
         }
@@ -114,6 +120,6 @@ fn corrected(member: &Member<'_>, family: &Family<'_>, mut x: Vec<Complex<f64>>)
     None
 }
 
-fn is_isolated(member: &Member<'_>, family: &Family<'_>, x: &Vec<Complex<f64>>) -> bool {
-    newton_step(member, family, x).is_some_and(|step| step.enlargement <= ISOLATED * largest(x))
+fn is_isolated(member: &Member<'_>, family: &Family<'_>, x: &Vec<Complex<f64>>, least: f64) -> bool {
+    newton_step(member, family, x).is_some_and(|step| step.enlargement <= ISOLATED * largest(x).max(least))
 }
