@@ -10,7 +10,7 @@
 use num_complex::Complex;
 
 #[cfg(feature = "alloc")]
-use crate::continuation::{path::DataPath, track::end_of_path};
+use crate::continuation::{path::DataPath, track::Tracker};
 use crate::error::SolveError;
 use crate::number::Scalar;
 use crate::number::double_double::DoubleDouble;
@@ -163,9 +163,9 @@ fn continued<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) 
         let start = general_solutions(solver);
         solver.move_to(path.target());
         let (Some(start), Some(family)) = (start, solver.family()) else { continue };
-        let mut has_ended = false;
+        let (mut tracker, mut has_ended) = (Tracker::new(&family, &path), false);
         for start in start.iter() {
-            let Some(end) = end_of_path(&family, &path, start.as_ref()) else { continue };
+            let Some(end) = tracker.end_of_path(start.as_ref()) else { continue };
             let mut point = solver.sizes().unknowns.filled(Complex::ZERO);
             point.as_mut().iter_mut().zip(end).for_each(|(x, end)| *x = end);
             has_ended |= found.add_point(solver, point);

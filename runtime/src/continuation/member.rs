@@ -26,14 +26,14 @@ impl<'a> Family<'a> {
         self.program.run_on(data, &mut values, &mut coefficients);
         Member { family: self, coefficients }
     }
-
-    /// The numbers of unknowns and equations.
-    pub(crate) fn sizes(&self) -> (Dynamic, Dynamic) {
-        (Dynamic(self.unknowns), Dynamic(self.ends.len()))
-    }
 }
 
 impl Member<'_> {
+    /// The numbers of unknowns and equations.
+    pub(crate) fn sizes(&self) -> (Dynamic, Dynamic) {
+        (Dynamic(self.family.unknowns), Dynamic(self.family.ends.len()))
+    }
+
     /// Calls `each` with each term: its equation, its coefficient, and its monomial.
     fn for_each_term(&self, mut each: impl FnMut(usize, Complex<f64>, usize)) {
         let mut start = 0;
@@ -64,7 +64,7 @@ impl System<Complex<f64>, Dynamic, Dynamic> for Member<'_> {
         self.for_each_term(|equation, coefficient, monomial| {
             let product = coefficient * monomials[monomial];
             at.residual[equation] += product;
-            at.scale[equation] += product.modulus();
+            at.scale[equation] += product.magnitude();
         });
     }
 

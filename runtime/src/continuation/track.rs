@@ -13,7 +13,9 @@ use crate::size::filled_matrix;
 use crate::solution::polish::{Polish, Step, largest};
 
 /// The first step in t.
-const FIRST: f64 = 0.1;
+const FIRST: f64 = 0.125;
+/// So many systems of equations are kept.
+const MOST_MEMBERS: usize = 64;
 /// A step in t is accepted if Newton's method moves the predicted point by at most this part of its
 /// largest unknown, and each of its steps is at most [`RATE`] times the one before: other solutions
 /// are then far away.
@@ -46,34 +48,68 @@ type Passed = (f64, Vec<Complex<f64>>);
 /// A corrected point, and how far the first step moved it.
 type Passing = (Vec<Complex<f64>>, f64);
 
-/// The end of the path of a solution; `None` if it is at infinity, or not isolated.
-pub(crate) fn end_of_path(family: &Family<'_>, path: &DataPath, start: &[Complex<f64>]) -> Option<Vec<Complex<f64>>> {
-    let mut passed: Vec<Passed> = alloc::vec![(1.0, start.into())];
-    let least = AT_ORIGIN * largest(start);
-    let (mut t, mut step, mut streak) = (1.0, FIRST, PATIENCE);
-    for _ in 0..MOST_STEPS {
-        // No short step remains before the end.
-        let next = if step < 0.8 * t { t - step } else { 0.0 };
-        match corrected(&family.at(&path.at(next)), family, predicted(&passed, next), least) {
-            Some((point, _)) if next == 0.0 => {
-                return is_isolated(&family.at(&path.at(0.0)), family, &point, least).then_some(point);
-            }
-            Some((point, moved)) => {
-                if passed.len() == PREDICTING {
-                    passed.remove(0);
-                }
-                passed.push((next, point));
-                t = next;
-                streak += 1;
-                step *= if moved <= EASY && streak > PATIENCE { 2.0 } else { 1.0 };
-            }
-            None => (step, streak) = (0.5 * step, 0),
-        }
-        if t < LEAST || step < LEAST * t {
-            break;
-        }
+/// Follows the solutions along one path of the data.
+pub(crate) struct Tracker<'a> {
+    family: &'a Family<'a>,
+    path: &'a DataPath,
+    /// Equations with their t. All t are sums of a few powers of two, so that paths of different
+    /// solutions often meet the same; the coefficients cost more than Newton's step.
+    members: Vec<(f64, Member<'a>)>,
+    /// The place of the next one that is forgotten for a new one.
+    oldest: usize,
+}
+
+impl<'a> Tracker<'a> {
+    pub(crate) fn new(family: &'a Family<'a>, path: &'a DataPath) -> Self {
+        Self { family, path, members: Vec::new(), oldest: 0 }
     }
-    None
+
+    /// The end of the path of a solution; `None` if it is at infinity, or not isolated.
+    pub(crate) fn end_of_path(&mut self, start: &[Complex<f64>]) -> Option<Vec<Complex<f64>>> {
+        let mut passed: Vec<Passed> = alloc::vec![(1.0, start.into())];
+        let least = AT_ORIGIN * largest(start);
+        let (mut t, mut step, mut streak) = (1.0, FIRST, PATIENCE);
+        for _ in 0..MOST_STEPS {
+            // No short step remains before the end.
+            let next = if step < 0.8 * t { t - step } else { 0.0 };
+            match corrected(self.member(next), predicted(&passed, next), least) {
+                Some((point, _)) if next == 0.0 => {
+                    return is_isolated(self.member(0.0), &point, least).then_some(point);
+                }
+                Some((point, moved)) => {
+                    if passed.len() == PREDICTING {
+                        passed.remove(0);
+                    }
+                    passed.push((next, point));
+                    t = next;
+                    streak += 1;
+                    step *= if moved <= EASY && streak > PATIENCE { 2.0 } else { 1.0 };
+                }
+                None => (step, streak) = (0.5 * step, 0),
+            }
+            if t < LEAST || step < LEAST * t {
+                break;
+            }
+        }
+        None
+    }
+
+    /// The equations for the data at t.
+    fn member(&mut self, t: f64) -> &Member<'a> {
+        let known = self.members.iter().position(|(of_member, _)| *of_member == t);
+        let at = known.unwrap_or_else(|| {
+            let member = (t, self.family.at(&self.path.at(t)));
+            if self.members.len() < MOST_MEMBERS {
+                self.members.push(member);
+                return self.members.len() - 1;
+            }
+            let at = self.oldest;
+            self.members[at] = member;
+            self.oldest = (at + 1) % MOST_MEMBERS;
+            at
+        });
+        &self.members[at].1
+    }
 }
 
 /// The point at t of the polynomial through points of the path, by Lagrange's formula.
@@ -89,8 +125,8 @@ fn predicted(passed: &[Passed], t: f64) -> Vec<Complex<f64>> {
 }
 
 /// The step of Newton's method at x.
-fn newton_step(member: &Member<'_>, family: &Family<'_>, x: &Vec<Complex<f64>>) -> Option<Step<Complex<f64>, Dynamic>> {
-    let sizes = family.sizes();
+fn newton_step(member: &Member<'_>, x: &Vec<Complex<f64>>) -> Option<Step<Complex<f64>, Dynamic>> {
+    let sizes = member.sizes();
     let mut newton = Polish::new(x, sizes, member);
     if newton.residual() == f64::INFINITY {
         return None;
@@ -100,10 +136,10 @@ fn newton_step(member: &Member<'_>, family: &Family<'_>, x: &Vec<Complex<f64>>) 
 
 /// The solution that Newton's method finds near a point, and the length of its first step. Lengths
 /// are relative to the largest unknown, or to the least that counts.
-fn corrected(member: &Member<'_>, family: &Family<'_>, mut x: Vec<Complex<f64>>, least: f64) -> Option<Passing> {
+fn corrected(member: &Member<'_>, mut x: Vec<Complex<f64>>, least: f64) -> Option<Passing> {
     let (mut first, mut longest) = (0.0, NEAR);
     for k in 0..NEWTON_STEPS {
-        let step = newton_step(member, family, &x)?.correction;
+        let step = newton_step(member, &x)?.correction;
         let length = largest(&step) / largest(&x).max(least);
         if !(length <= longest) {
             return None;
@@ -120,6 +156,6 @@ fn corrected(member: &Member<'_>, family: &Family<'_>, mut x: Vec<Complex<f64>>,
     None
 }
 
-fn is_isolated(member: &Member<'_>, family: &Family<'_>, x: &Vec<Complex<f64>>, least: f64) -> bool {
-    newton_step(member, family, x).is_some_and(|step| step.enlargement <= ISOLATED * largest(x).max(least))
+fn is_isolated(member: &Member<'_>, x: &Vec<Complex<f64>>, least: f64) -> bool {
+    newton_step(member, x).is_some_and(|step| step.enlargement <= ISOLATED * largest(x).max(least))
 }
