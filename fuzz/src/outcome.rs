@@ -14,21 +14,25 @@ pub struct Outcome {
 /// The offset and the factor of the hash FNV-1a.
 const FNV: (u64, u64) = (0xcbf2_9ce4_8422_2325, 0x0000_0100_0000_01b3);
 
+/// So many words of each part of a message tell its kind.
+const MOST_WORDS: usize = 12;
+
 /// A hash (FNV-1a, 64 bit) of bytes.
 pub fn hash(bytes: impl IntoIterator<Item = u8>) -> u64 {
     bytes.into_iter().fold(FNV.0, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(FNV.1))
 }
 
 impl Outcome {
-    /// Notes that this text was seen. What stands in backticks, and digits, do not count: they are
-    /// the input's own.
+    /// Notes that this text was seen. What stands between the first and the last quotation mark, and
+    /// words with digits, do not count: they are the input's own.
     pub fn see(&mut self, text: &str) {
-        let mut quoted = false;
-        let own = text.bytes().filter(|&byte| {
-            quoted ^= byte == b'`';
-            !quoted && !byte.is_ascii_digit()
-        });
-        self.kinds.push(hash(own));
+        let marks = ['`', '"', '\''];
+        let (start, end) = (text.find(marks).unwrap_or(text.len()), text.rfind(marks).unwrap_or(text.len()));
+        let plain = |part: &str| {
+            let words = part.split_whitespace().take(MOST_WORDS);
+            words.filter(|word| !word.contains(|c: char| c.is_ascii_digit())).collect::<Vec<_>>().join(" ")
+        };
+        self.kinds.push(hash(plain(&text[..start]).bytes().chain([0]).chain(plain(&text[end..]).bytes())));
     }
 
     /// Notes the order of magnitude of a count.

@@ -83,7 +83,10 @@ fn clamp(text: &str, span: &Span) -> Span {
     boundary(span.start).min(end)..end
 }
 
-/// All messages about one file, in order of place.
+/// Most messages about one file that are kept.
+pub(super) const MAX_MESSAGES: usize = 100;
+
+/// All messages about one file, in order of place; the first hundred if there are more.
 #[derive(Clone, Debug, thiserror::Error)]
 #[error("{}", self.render())]
 pub struct Diagnostics {
@@ -97,6 +100,12 @@ impl Diagnostics {
     /// The messages about `source_file`, sorted by place.
     pub fn new(source_file: SourceFile, mut messages: Vec<Diagnostic>) -> Self {
         messages.sort_by_key(|diagnostic| (diagnostic.span.start, diagnostic.span.end));
+        if messages.len() > MAX_MESSAGES {
+            let next = messages[MAX_MESSAGES].span.clone();
+            messages.truncate(MAX_MESSAGES);
+            let rest = Diagnostic::new(format!("there are more than {MAX_MESSAGES} mistakes"), next);
+            messages.push(rest.label("the next one").hint("mend the others first"));
+        }
         Self { source_file, messages }
     }
 
