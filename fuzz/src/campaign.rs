@@ -119,7 +119,7 @@ impl<'t> Campaign<'t> {
         }
         let before = self.seen.len();
         self.seen.extend(outcome.kinds);
-        if self.seen.len() > before {
+        if self.seen.len() > before && !outcome.expensive {
             self.pool.push(input);
         }
     }

@@ -56,7 +56,8 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         all.iter().for_each(|target| println!("{:16} {}", target.name, target.what));
         return Ok(ExitCode::SUCCESS);
     };
-    let target = all.iter().find(|target| target.name == *name).ok_or_else(|| format!("there is no target `{name}`"))?;
+    let target =
+        all.iter().find(|target| target.name == *name).ok_or_else(|| format!("there is no target `{name}`"))?;
     let mut inputs = corpus::read(&corpus::folder(target)).unwrap_or_default();
     for folder in &arguments.from {
         inputs.extend(corpus::read(folder)?);

@@ -5,6 +5,9 @@
 pub struct Outcome {
     /// Whether the input was taken: a reader read it, or a solver returned solutions.
     pub accepted: bool,
+    /// Whether it took much work by its own account: no inputs are made from it, because they would
+    /// take as much.
+    pub expensive: bool,
     /// A hash of each kind of behaviour.
     pub kinds: Vec<u64>,
     /// What must not be; `None` if all is well.

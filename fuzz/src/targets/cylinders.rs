@@ -5,7 +5,7 @@ use std::time::Duration;
 use eliminant_cylinders::colmap::{Encoding, Model, parse_colmap};
 use eliminant_cylinders::distortion::Distortion;
 use eliminant_cylinders::photograph::Photograph;
-use eliminant_cylinders::{Calibration, Camera, Scene, Segments, View, parse_scene, parse_segments};
+use eliminant_cylinders::{Calibration, Camera, ColmapError, Scene, Segments, View, parse_scene, parse_segments};
 use nalgebra::{Matrix3, Matrix3x4, Point2};
 
 use crate::mutate::Kind;
@@ -13,21 +13,80 @@ use crate::outcome::Outcome;
 use crate::target::Target;
 
 const JSON: [&str; 34] = [
-    "\"K\":", "\"views\":", "\"points\":", "\"image\":", "\"camera_normalised\":", "\"camera_pixels\":",
-    "\"lines_normalised\":", "\"lines_pixels\":", "\"segments_pixels\":", "\"cylinders\":", "null", "true", "{", "}",
-    "[", "]", ",", ":", "\"", "[0,0,0]", "[1,0,0]", "[0,1,0]", "[0,0,1]", "[1,0,0,0]", "[[1,0,0,0],[0,1,0,0],[0,0,1,5]]",
-    "[[3000,0,2000],[0,3000,1500],[0,0,1]]", "1e308", "-1e-308", "1e400", "\\u0000", "\\ud800", "\"a\"", "[null]", "[]",
+    "\"K\":",
+    "\"views\":",
+    "\"points\":",
+    "\"image\":",
+    "\"camera_normalised\":",
+    "\"camera_pixels\":",
+    "\"lines_normalised\":",
+    "\"lines_pixels\":",
+    "\"segments_pixels\":",
+    "\"cylinders\":",
+    "null",
+    "true",
+    "{",
+    "}",
+    "[",
+    "]",
+    ",",
+    ":",
+    "\"",
+    "[0,0,0]",
+    "[1,0,0]",
+    "[0,1,0]",
+    "[0,0,1]",
+    "[1,0,0,0]",
+    "[[1,0,0,0],[0,1,0,0],[0,0,1,5]]",
+    "[[3000,0,2000],[0,3000,1500],[0,0,1]]",
+    "1e308",
+    "-1e-308",
+    "1e400",
+    "\\u0000",
+    "\\ud800",
+    "\"a\"",
+    "[null]",
+    "[]",
 ];
 
 const CSV: [&str; 18] = [
-    "image", "x1", "y1", "x2", "y2", "cylinder", "line", "left.jpg", "right.jpg", "bent.jpg", ",", "\n", "\"", "\"\"",
-    "\r\n", "nan", "inf", "1e308",
+    "image",
+    "x1",
+    "y1",
+    "x2",
+    "y2",
+    "cylinder",
+    "line",
+    "left.jpg",
+    "right.jpg",
+    "bent.jpg",
+    ",",
+    "\n",
+    "\"",
+    "\"\"",
+    "\r\n",
+    "nan",
+    "inf",
+    "1e308",
 ];
 
 const COLMAP: [&str; 16] = [
-    "SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "FULL_OPENCV", "# Number of cameras: 1\n",
-    "# Number of images: 1, mean observations per image: 0\n", "# Number of points: 1, mean track length: 0\n", "#", "\n",
-    " ", "0", "-1", "a.jpg", SEPARATOR,
+    "SIMPLE_PINHOLE",
+    "PINHOLE",
+    "SIMPLE_RADIAL",
+    "RADIAL",
+    "OPENCV",
+    "FULL_OPENCV",
+    "# Number of cameras: 1\n",
+    "# Number of images: 1, mean observations per image: 0\n",
+    "# Number of points: 1, mean track length: 0\n",
+    "#",
+    "\n",
+    " ",
+    "0",
+    "-1",
+    "a.jpg",
+    SEPARATOR,
 ];
 
 /// Stands between the three files of a model in one input.
@@ -158,6 +217,8 @@ fn colmap(input: &[u8]) -> Outcome {
     outcome.see(cameras);
     match parse_colmap(encoding, [(cameras, first), (images, second), (points, third)]) {
         Ok(model) => taken(&mut outcome, model),
+        // The name of an unknown model is the input's own, and not in quotation marks.
+        Err(ColmapError::UnsupportedModel { .. }) => outcome.see("unsupported model"),
         Err(error) => outcome.see(&format!("{cameras} {error}")),
     }
     outcome

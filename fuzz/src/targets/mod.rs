@@ -13,5 +13,8 @@ use crate::target::Target;
 
 /// All targets.
 pub fn targets() -> Vec<Target> {
-    [vec![problem::target(), template::target()], cylinders::targets(), solvers::targets()].into_iter().flatten().collect()
+    [vec![problem::target(), template::target()], cylinders::targets(), solvers::targets()]
+        .into_iter()
+        .flatten()
+        .collect()
 }

@@ -11,12 +11,76 @@ use crate::outcome::Outcome;
 use crate::target::Target;
 
 const WORDS: [&str; 66] = [
-    "fn", "let", "mut", "for", "in", "const", "if", "else", "while", "return", "as", "f64", "usize", "_", "det(",
-    "trace(", "dot(", "cross(", "skew(", "identity(", "gradient(", ".pow(2)", ".pow(", ".t()", "..", "..=", "==", "!=",
-    "= 0;", "== 0;", "->", "#[symmetric]", "#[rotation]", "#[unit]", "#[plucker]", "#[integer]", "#[rank(2)]",
-    "#[projective]", "[f64; 3]", "[[f64; 3]; 3]", "[x, y]", "(x, y)", "x", "y", "{", "}", "(", ")", "[", "]", ";", ",",
-    "+", "-", "*", "/", "%", "+=", "*=", "&", "!", "^", "// \n", "/// \n", "\"", "é",
+    "fn",
+    "let",
+    "mut",
+    "for",
+    "in",
+    "const",
+    "if",
+    "else",
+    "while",
+    "return",
+    "as",
+    "f64",
+    "usize",
+    "_",
+    "det(",
+    "trace(",
+    "dot(",
+    "cross(",
+    "skew(",
+    "identity(",
+    "gradient(",
+    ".pow(2)",
+    ".pow(",
+    ".t()",
+    "..",
+    "..=",
+    "==",
+    "!=",
+    "= 0;",
+    "== 0;",
+    "->",
+    "#[symmetric]",
+    "#[rotation]",
+    "#[unit]",
+    "#[plucker]",
+    "#[integer]",
+    "#[rank(2)]",
+    "#[projective]",
+    "[f64; 3]",
+    "[[f64; 3]; 3]",
+    "[x, y]",
+    "(x, y)",
+    "x",
+    "y",
+    "{",
+    "}",
+    "(",
+    ")",
+    "[",
+    "]",
+    ";",
+    ",",
+    "+",
+    "-",
+    "*",
+    "/",
+    "%",
+    "+=",
+    "*=",
+    "&",
+    "!",
+    "^",
+    "// \n",
+    "/// \n",
+    "\"",
+    "é",
 ];
+
+/// Problems with more expressions are expensive.
+const MANY_NODES: usize = 5000;
 
 pub(super) fn target() -> Target {
     Target {
@@ -34,6 +98,7 @@ fn run(input: &[u8]) -> Outcome {
     match Problem::parse("problem.rs", &String::from_utf8_lossy(input)) {
         Ok(problem) => {
             outcome.accepted = true;
+            outcome.expensive = problem.graph.nodes().len() > MANY_NODES;
             outcome.count("equations", problem.equations.len());
             outcome.count("exclusions", problem.nonzero.len());
             outcome.count("unknowns", problem.unknowns.len());
@@ -54,6 +119,7 @@ fn run(input: &[u8]) -> Outcome {
             outcome.demand(!diagnostics.render().is_empty(), || "the message is empty".into());
             outcome.count("messages", diagnostics.messages.len());
             for message in &diagnostics.messages {
+                outcome.expensive |= message.message == "the problem is too large to be expanded";
                 outcome.see(&message.message);
                 outcome.see(&message.label);
                 message.hints.iter().for_each(|hint| outcome.see(hint));

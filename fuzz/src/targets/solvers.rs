@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use eliminant::emitted::MAX_RESIDUAL;
-use eliminant::{SolveError, Solutions};
+use eliminant::{Solutions, SolveError};
 use eliminant_solvers::{circle_minimal, pose_35pt_focal, relpose_5pt, trilateration, two_conics};
 
 use crate::mutate::Kind;
@@ -11,8 +11,13 @@ use crate::outcome::Outcome;
 use crate::target::Target;
 
 pub(super) fn targets() -> Vec<Target> {
-    let of = |name, what, longest: usize, run| {
-        Target { name, what, kind: Kind::Numbers, longest: 8 * longest, bound: Duration::from_millis(100), run }
+    let of = |name, what, longest: usize, run| Target {
+        name,
+        what,
+        kind: Kind::Numbers,
+        longest: 8 * longest,
+        bound: Duration::from_millis(100),
+        run,
     };
     vec![
         of("circle_minimal", "`solve` and `solve_complex` of circle_minimal", 18, circle_minimal),

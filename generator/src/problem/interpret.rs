@@ -20,7 +20,10 @@ use crate::problem::diagnostic::{Diagnostic, MAX_MESSAGES};
 const MAX_EQUATIONS: usize = 1000;
 
 /// What it takes to enter a scope and to leave it, in units of work.
-pub(super) const WORK_OF_A_SCOPE: usize = 4;
+pub(super) const WORK_OF_A_SCOPE: usize = 8;
+
+/// What it takes to find a mistake, in units of work.
+const WORK_OF_A_MESSAGE: usize = 40;
 
 /// Most calls of helpers shown with a message.
 const MAX_CALLS_SHOWN: usize = 3;
@@ -68,6 +71,8 @@ impl<'a> Interpreter<'a> {
 
     /// Records a message: one for each place, the first, so that loops do not repeat it.
     pub(super) fn report(&mut self, mut diagnostic: Diagnostic) -> Reported {
+        // A mistake in a loop is found again and again. What this call returns is a message as well.
+        let _ = self.algebra.charge(WORK_OF_A_MESSAGE);
         if self.messages.len() > MAX_MESSAGES {
             // One more than are shown: nobody reads them, and they take time.
             self.algebra.exhaust();

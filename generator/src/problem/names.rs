@@ -74,7 +74,7 @@ fn snake_case(name: &str) -> String {
 
 /// Names of more bytes are not compared, and not more than so many candidates.
 const LONGEST: usize = 64;
-const MOST_CANDIDATES: usize = 500;
+const MOST_CANDIDATES: usize = 200;
 
 /// The candidate closest to a mistyped name, if any is close. Of many candidates only the first are
 /// tried.
