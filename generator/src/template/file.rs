@@ -281,7 +281,10 @@ mod tests {
                 reducible: vec![m(&[1, 1]), m(&[0, 1])],
                 basis: vec![m(&[1]), m(&[0])],
             },
-            provenance: vec![("generator".into(), "0.1.0".into()), ("growth".into(), "a \"b\"".into())],
+            // Keys and values that TOML writes in quotes, and those that it must escape.
+            provenance: [("", ""), ("a \"b\"", "\\ \u{7f}\0"), ("generator", "0.1.0"), ("growth", "a \"b\"\t\n\u{e9}")]
+                .map(|(key, value)| (key.into(), value.into()))
+                .to_vec(),
         };
         let text = file.to_text(&names());
         assert_eq!(TemplateFile::parse(&text, &names()).unwrap(), file);
