@@ -55,6 +55,11 @@ pub fn run(target: &Target, input: &[u8]) -> Outcome {
     })
 }
 
+/// What two faults have in common that differ in numbers only.
+fn kind(reason: &str) -> &str {
+    reason.split(|c: char| c.is_ascii_digit()).next().unwrap_or_default()
+}
+
 impl<'t> Campaign<'t> {
     /// Runs the corpus, from which all inputs come.
     pub fn new(target: &'t Target, corpus: &[Vec<u8>], seed: u64) -> Self {
@@ -111,7 +116,6 @@ impl<'t> Campaign<'t> {
         }
         let late = (time > self.target.bound).then(|| format!("more than {:?}: {time:?}", self.target.bound));
         if let Some(reason) = outcome.fault.or(late) {
-            let kind = |reason: &str| reason.split(':').take(2).map(str::to_owned).collect::<Vec<_>>();
             if !self.faults.iter().any(|fault| kind(&fault.reason) == kind(&reason)) {
                 self.faults.push(Fault { input, reason });
             }

@@ -16,7 +16,7 @@ pub(super) fn targets() -> Vec<Target> {
         what,
         kind: Kind::Numbers,
         longest: 8 * longest,
-        bound: Duration::from_millis(100),
+        bound: Duration::from_secs(1),
         run,
     };
     vec![
