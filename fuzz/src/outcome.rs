@@ -26,8 +26,8 @@ pub fn hash(bytes: impl IntoIterator<Item = u8>) -> u64 {
 }
 
 impl Outcome {
-    /// Notes that this text was seen. What stands between the first and the last quotation mark does
-    /// not count, nor do words with digits: they are the input's own.
+    /// Notes that this text was seen. What stands between the first and the last quotation mark
+    /// does not count, nor do words with digits: they are the input's own.
     pub fn see(&mut self, text: &str) {
         let marks = ['`', '"', '\''];
         let (start, end) = (text.find(marks).unwrap_or(text.len()), text.rfind(marks).unwrap_or(text.len()));

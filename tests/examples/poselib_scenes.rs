@@ -1,7 +1,8 @@
 //! Scenes with our solutions, one JSON object in each line, for `tests/poselib/compare.py`:
 //!
 //! ```text
-//! {"case": "five", "family": "General", "data": [..], "truth": [..], "found": [..], "nanoseconds": 4300}
+//! {"case": "five", "family": "General", "data": [..], "truth": [..], "found": [..],
+//!  "nanoseconds": 4300}
 //! ```
 //!
 //! `data` and `truth` are those of the benchmark `peers`, `found` holds the solutions one after

@@ -71,7 +71,7 @@ impl<'a> Interpreter<'a> {
 
     /// Records a message: one for each place, the first, so that loops do not repeat it.
     pub(super) fn report(&mut self, mut diagnostic: Diagnostic) -> Reported {
-        // A mistake in a loop is found again and again. What this call returns is a message as well.
+        // A mistake in a loop is found again and again. A message about the work would add nothing.
         let _ = self.algebra.charge(WORK_OF_A_MESSAGE);
         if self.messages.len() > MAX_MESSAGES {
             // One more than are shown: nobody reads them, and they take time.
