@@ -169,12 +169,14 @@ def main():
     parser = argparse.ArgumentParser(description="Our solvers beside the wheel `poselib`")
     parser.add_argument("--instances", type=int, default=10_000, help="scenes of each row")
     parser.add_argument("--seed", type=int, default=1, help="seed of the first scene")
+    parser.add_argument("--program", help="the compiled example, in place of `cargo run`")
     parser.add_argument("--update", action="store_true", help="write the table to README.md")
     arguments = parser.parse_args()
-    example = "cargo run --release --quiet -p eliminant-tests --example poselib_scenes --".split()
+    built = "cargo run --release --quiet -p eliminant-tests --example poselib_scenes --".split()
+    program = [arguments.program] if arguments.program else built
     options = ["--instances", str(arguments.instances), "--seed", str(arguments.seed)]
     judged = {}
-    with subprocess.Popen(example + options, stdout=subprocess.PIPE, text=True, cwd=HERE) as scenes:
+    with subprocess.Popen(program + options, stdout=subprocess.PIPE, text=True, cwd=HERE) as scenes:
         for line in scenes.stdout:
             key, row = judge(line)
             judged.setdefault(key, []).append(row)
