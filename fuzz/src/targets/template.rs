@@ -87,8 +87,8 @@ fn run(input: &[u8]) -> Outcome {
     let mut file = match TemplateFile::parse(&String::from_utf8_lossy(input), &problem.unknowns) {
         Ok(file) => file,
         Err(TemplateFileError::Syntax(message)) => {
-            // The first line holds the place, the second the input.
-            message.lines().filter(|line| !line.contains('|')).for_each(|line| outcome.see(line));
+            // What is wrong stands in the last line, after the place and the input.
+            message.lines().next_back().into_iter().for_each(|line| outcome.see(line));
             return outcome;
         }
         Err(error) => {
