@@ -1,8 +1,13 @@
 //! No text makes the parser panic, overflow the stack or run for long.
 
+use std::time::{Duration, Instant};
+
 use eliminant_generator::problem::Problem;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
+
+/// A problem text takes half a second at most, and tests run without optimisation, side by side.
+const SOON: Duration = Duration::from_secs(20);
 
 const PROBLEMS: [&str; 4] = [
     "/// Two conics.
@@ -164,5 +169,62 @@ fn chains_of_helpers_do_not_exhaust_the_stack() {
         let messages = Problem::parse("chain.rs", &text).unwrap_err().messages;
         assert_eq!(messages.len(), 1);
         assert!(messages[0].message.contains(message), "{}", messages[0].message);
+    }
+}
+
+/// Refused, with this message among others, in a time that hours or minutes exceed, whatever else
+/// runs.
+fn assert_refused_soon(what: &str, text: &str, message: &str) {
+    let start = Instant::now();
+    let shown = Problem::parse("large.rs", text).expect_err(what).render();
+    assert!(shown.contains(message), "{what}: {}", shown.chars().take(2000).collect::<String>());
+    assert!(start.elapsed() < SOON, "{what}: {:?}", start.elapsed());
+}
+
+#[test]
+fn work_is_counted_wherever_it_is_done() {
+    let chain = |length: usize, parameter: &str, first: &str| {
+        let helper = |k: usize| format!("fn f{k}(x: {parameter}) -> f64 {{ f{0}(x) + f{0}(x) }}\n", k - 1);
+        let helpers: String = (1..=length).map(helper).collect();
+        format!("fn f0(x: {parameter}) -> f64 {{ {first} }}\n{helpers}")
+    };
+    let problem = "fn p(a: [[[f64; 3]; 255]; 4]) -> x";
+    let state = |statements: &str| format!("fn p(a: f64) -> (x, y, z, u, v, w) {{ {statements} }}");
+    let copies: String = (0..400).map(|k| format!("let c{k} = b;")).collect();
+    let too_large = "error: the problem is too large to be expanded";
+    for (what, text) in [
+        ("calls", format!("{problem} {{ f18(x) == a[0][0][0]; }}\n{}", chain(18, "f64", "x * x"))),
+        ("too many calls", format!("{problem} {{ f30(x) == a[0][0][0]; }}\n{}", chain(30, "f64", "x * x"))),
+        ("arrays", format!("{problem} {{ f10(a) == x; }}\n{}", chain(10, "[[[f64; 3]; 255]; 4]", "x[0][0][0]"))),
+        ("terms that are copied", state(&format!("let b = [(x + y + z + u + a).pow(8); 10000]; {copies}"))),
+        ("a power of many terms", state("(x + y + z + u + v + w + a).pow(32) == 0;")),
+        ("empty loops", state("for i in 0..10000 { for j in 0..10000 { } }")),
+        ("equations", state("let q = (x + y + z + u + a).pow(10); for i in 0..1000 { q + i * a == 0; }")),
+    ] {
+        assert_refused_soon(what, &text, too_large);
+    }
+    let mistakes = state("for i in 0..10000 { for j in 0..10000 { let b = xx * i; } }");
+    assert_refused_soon("one mistake in a loop", &mistakes, "unknown name `xx`");
+    // More calls than may be nested.
+    let deep = format!("{problem} {{ f60(x) == a[0][0][0]; }}\n{}", chain(60, "f64", "x * x"));
+    assert_refused_soon("a chain", &deep, "error: more than 32 helpers call each other");
+}
+
+#[test]
+fn of_many_mistakes_the_first_are_shown() {
+    let (a, b) = ("b".repeat(300_000), "c".repeat(300_000));
+    let long_names = format!("fn p(a: f64) -> x {{ let {a} = 1; x == a * {b}; }}");
+    assert_refused_soon("long names", &long_names, "error: unknown name");
+    let all = |each: fn(usize) -> String| (0..45_000).map(each).collect::<String>();
+    let names = all(|k| format!("let b{k} = 1;"));
+    let unknown = all(|k| format!("c{k};"));
+    let functions = all(|k| format!("fn B{k}() {{}}"));
+    for text in [
+        format!("fn p(a: f64) -> x {{ x == a; {names}{unknown} }}"),
+        format!("fn p(a: f64) -> x {{ x == a; }} {functions}"),
+    ] {
+        assert_refused_soon("mistakes", &text, "error: there are more than 100 mistakes");
+        let count = Problem::parse("large.rs", &text).expect_err("mistakes").messages.len();
+        assert_eq!(count, 101);
     }
 }

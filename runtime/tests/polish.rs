@@ -283,3 +283,21 @@ fn a_step_that_is_too_long_is_shortened() {
     let residual = polish(&mut x, &system, 24);
     assert!(residual <= 1e-15 && (x[0] - 10.0_f64.powf(0.25)).abs() <= 1e-15 * x[0].abs(), "{x:?} {residual:e}");
 }
+
+/// A step of less than a thousandth takes the scales of the equations from the point before. The
+/// residual that is returned must not: it decides whether the point is a solution.
+#[test]
+fn the_residual_is_that_of_the_point_that_is_returned() {
+    let mut random = Random::new(8);
+    for _ in 0..200 {
+        let c: [f64; 12] = std::array::from_fn(|_| random.symmetric());
+        let system = TWO.bind(&c);
+        let mut x = [random.symmetric(), random.symmetric()];
+        for _ in 0..8 {
+            let residual = polish(&mut x, &system, 1);
+            if residual > 1e-12 && residual < f64::INFINITY {
+                assert_eq!(residual, polish(&mut x.clone(), &system, 0));
+            }
+        }
+    }
+}

@@ -6,7 +6,7 @@ use super::Monomial;
 ///
 /// Terms are sorted by decreasing [`Monomial`], in graded reverse lexicographic order, and no
 /// monomial occurs twice. Code that makes a polynomial drops zero coefficients.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Polynomial<C> {
     terms: Vec<(Monomial, C)>,
 }

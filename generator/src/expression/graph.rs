@@ -340,9 +340,16 @@ impl ExpressionGraph {
         let [first, second] =
             [0, 1].map(|k| sum.evaluate(FINGERPRINT_FIELDS[k], |id| self.fingerprints[id.index()][k]));
         let own = self.product_sums.len() as u32;
+        // One pass over all products for all constants: one pass for each would be quadratic.
+        let mut constants: Vec<Vec<(bool, ExpressionId, ExpressionId)>> = vec![Vec::new(); sum.length];
+        for product in &sum.products {
+            for (place, a, b) in product.pairs().filter(|&(place, ..)| !depends[place]) {
+                constants[place].push((product.negative, a, b));
+            }
+        }
         let coefficients = (0..sum.length).map(|at| match depends[at] {
             true => self.push(Expression::Coefficient { sum: own, at: at as u32 }, [first[at], second[at]]),
-            false => sum.terms(at).fold(Self::ZERO, |total, (negative, a, b)| {
+            false => constants[at].iter().fold(Self::ZERO, |total, &(negative, a, b)| {
                 let term = self.mul(a, b);
                 if negative { self.sub(total, term) } else { self.add(total, term) }
             }),

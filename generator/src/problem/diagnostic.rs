@@ -55,13 +55,19 @@ impl Diagnostic {
     }
 
     fn render(&self, file: &SourceFile) -> String {
-        let text = file.text.as_str();
-        let primary = AnnotationKind::Primary.span(clamp(text, &self.span)).label(non_empty(&self.label));
-        let context = self
-            .context
-            .iter()
-            .map(|(span, label)| AnnotationKind::Context.span(clamp(text, span)).label(non_empty(label)));
+        // Only the lines from the first place to the last are looked at: the file may be long, and
+        // the messages many.
+        let lines = self.lines(&file.text);
+        let (text, before) = (&file.text[lines.clone()], &file.text[..lines.start]);
+        let within = |span: &Span| {
+            let Span { start, end } = clamp(&file.text, span);
+            start - lines.start..end - lines.start
+        };
+        let primary = AnnotationKind::Primary.span(within(&self.span)).label(non_empty(&self.label));
+        let context =
+            self.context.iter().map(|(span, label)| AnnotationKind::Context.span(within(span)).label(non_empty(label)));
         let snippet = Snippet::source(text).path(file.path.as_str()).annotation(primary).annotations(context);
+        let snippet = snippet.line_start(1 + before.bytes().filter(|&byte| byte == b'\n').count());
         let group = Level::ERROR
             .primary_title(self.message.as_str())
             .element(snippet)
@@ -69,6 +75,15 @@ impl Diagnostic {
         // Trailing blanks are of no use in a terminal and a nuisance in golden files.
         let report = Renderer::plain().render(&[group]);
         report.lines().map(str::trim_end).collect::<Vec<_>>().join("\n")
+    }
+
+    /// The whole lines in which the places of the message are.
+    fn lines(&self, text: &str) -> Span {
+        let others = self.context.iter().map(|(span, _)| span);
+        let places: Vec<Span> = [&self.span].into_iter().chain(others).map(|span| clamp(text, span)).collect();
+        let start = places.iter().map(|place| place.start).min().unwrap_or(0);
+        let end = places.iter().map(|place| place.end).max().unwrap_or(0);
+        text[..start].rfind('\n').map_or(0, |at| at + 1)..text[end..].find('\n').map_or(text.len(), |at| end + at)
     }
 }
 
@@ -83,7 +98,10 @@ fn clamp(text: &str, span: &Span) -> Span {
     boundary(span.start).min(end)..end
 }
 
-/// All messages about one file, in order of place.
+/// Most messages about one file that are kept.
+pub(super) const MAX_MESSAGES: usize = 100;
+
+/// All messages about one file, in order of place; the first hundred if there are more.
 #[derive(Clone, Debug, thiserror::Error)]
 #[error("{}", self.render())]
 pub struct Diagnostics {
@@ -97,6 +115,12 @@ impl Diagnostics {
     /// The messages about `source_file`, sorted by place.
     pub fn new(source_file: SourceFile, mut messages: Vec<Diagnostic>) -> Self {
         messages.sort_by_key(|diagnostic| (diagnostic.span.start, diagnostic.span.end));
+        if messages.len() > MAX_MESSAGES {
+            let next = messages[MAX_MESSAGES].span.clone();
+            messages.truncate(MAX_MESSAGES);
+            let rest = Diagnostic::new(format!("there are more than {MAX_MESSAGES} mistakes"), next);
+            messages.push(rest.label("the next one").hint("mend the others first"));
+        }
         Self { source_file, messages }
     }
 

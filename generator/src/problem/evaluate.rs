@@ -101,8 +101,10 @@ impl Interpreter<'_> {
         };
         match self.scopes.get(&name) {
             Some(binding) => {
-                let value = binding.value.clone()?;
-                self.charge(value.elements().len(), path)?;
+                let value = binding.value.as_ref().map_err(|&reported| reported)?;
+                let weight = value.weight();
+                let value = value.clone();
+                self.charge(weight, path)?;
                 Ok(value)
             }
             None => Err(self.report_unknown_name(&name, place(path))),
@@ -143,7 +145,8 @@ impl Interpreter<'_> {
             }
             rows.push(value);
         }
-        self.limit_elements(rows.iter().map(|row| row.elements().len()).sum(), whole)?;
+        let count = rows.iter().map(|row| row.elements().len()).sum();
+        self.limit_elements(count, rows.iter().map(Value::weight).sum(), whole)?;
         match Value::stack(rows) {
             Some(value) => Ok(value),
             None => Err(self.report(Diagnostic::new("an array needs at least one element", place(whole)))),
@@ -154,7 +157,8 @@ impl Interpreter<'_> {
         let item = self.evaluate(item);
         let length = self.length(length)?;
         let item = item?;
-        self.limit_elements(length.saturating_mul(item.elements().len()), whole)?;
+        let [count, weight] = [item.elements().len(), item.weight()].map(|each| length.saturating_mul(each));
+        self.limit_elements(count, weight, whole)?;
         Value::stack(vec![item; length]).ok_or(Reported)
     }
 
@@ -170,13 +174,19 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Refuses arrays that are too large, before they are made.
-    pub(super) fn limit_elements(&mut self, count: usize, at: &impl syn::spanned::Spanned) -> Outcome<()> {
+    /// Refuses arrays that are too large, before they are made; `weight` is what it takes to make
+    /// them.
+    pub(super) fn limit_elements(
+        &mut self,
+        count: usize,
+        weight: usize,
+        at: &impl syn::spanned::Spanned,
+    ) -> Outcome<()> {
         if count > MAX_ELEMENTS {
             let diagnostic = Diagnostic::new(format!("the array has {count} elements"), place(at));
             return Err(self.report(diagnostic.label(format!("at most {MAX_ELEMENTS} are allowed"))));
         }
-        self.charge(count, at)
+        self.charge(weight, at)
     }
 
     fn index(&mut self, expression: &ExprIndex) -> Outcome<Value> {
@@ -207,14 +217,16 @@ impl Interpreter<'_> {
                 base.select(&at.into_iter().collect::<Outcome<Vec<_>>>()?)
             }
         };
-        selected.map_err(|(position, diagnostic)| self.report(diagnostic.at(place(indices[position]))))
+        let selected = selected.map_err(|(position, fault)| self.report(fault.at(place(indices[position]))))?;
+        self.charge(selected.weight(), expression)?;
+        Ok(selected)
     }
 
     fn unary(&mut self, unary: &ExprUnary) -> Outcome<Value> {
         let diagnostic = match unary.op {
             UnOp::Neg(_) => {
                 let value = self.evaluate(&unary.expr)?;
-                self.charge(value.elements().len(), unary)?;
+                self.charge(value.weight(), unary)?;
                 return Ok(self.algebra.negate(&value));
             }
             UnOp::Deref(_) => Diagnostic::new("there are no references to follow with `*`", place(&unary.op))
@@ -313,6 +325,7 @@ impl Interpreter<'_> {
         match (name.as_str(), &arguments[..]) {
             ("t", []) => {
                 let value = self.evaluate(&call.receiver)?;
+                self.charge(value.weight(), call)?;
                 let result = value.transpose();
                 self.check(result, &call.receiver)
             }

@@ -2,7 +2,7 @@
 
 use syn::{Expr, ExprCall, FnArg, ItemFn, Pat, ReturnType};
 
-use super::interpret::Interpreter;
+use super::interpret::{Interpreter, WORK_OF_A_SCOPE};
 use super::names::closest;
 use super::scope::{Binding, Kind, Outcome, Reported};
 use super::syntax::place;
@@ -164,7 +164,7 @@ impl Interpreter<'_> {
             }
             ("identity", [_]) => {
                 let n = self.length(arguments[0])?;
-                self.limit_elements(n * n, call)?;
+                self.limit_elements(n * n, 2 * n * n, call)?;
                 let one = self.algebra.constant(Rational::ONE);
                 let entry = |at: usize| if at.is_multiple_of(n + 1) { one.clone() } else { Polynomial::ZERO };
                 Ok(Value::array(vec![n, n], (0..n * n).map(entry).collect()))
@@ -255,6 +255,7 @@ impl Interpreter<'_> {
             let declared = place(&helper.sig.ident);
             return Err(self.report(Diagnostic::new(message, place(call)).context(declared, "declared here")));
         }
+        self.charge(WORK_OF_A_SCOPE * (1 + values.len()), call)?;
         self.calls.push((name, place(&call.func)));
         let caller = self.scopes.enter_function();
         let mut bound = Ok(());

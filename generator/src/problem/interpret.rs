@@ -3,7 +3,7 @@
 //! A statement that fails is reported once, the names it would have bound are marked, and
 //! interpretation goes on, so that one run shows all mistakes and no mistake twice.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 use syn::{BinOp, Block, Expr, ExprBinary, ExprForLoop, ItemFn, Local, Pat, RangeLimits, Stmt};
 
@@ -14,10 +14,16 @@ use super::value::{Algebra, Checked, MAX_ELEMENTS, Value, describe, fault};
 use super::{Span, Statement, element_name};
 use crate::algebra::Monomial;
 use crate::expression::{ExpressionGraph, SymbolicPolynomial};
-use crate::problem::diagnostic::Diagnostic;
+use crate::problem::diagnostic::{Diagnostic, MAX_MESSAGES};
 
 /// Largest number of scalar equations.
 const MAX_EQUATIONS: usize = 1000;
+
+/// What it takes to enter a scope and to leave it, in units of work.
+pub(super) const WORK_OF_A_SCOPE: usize = 8;
+
+/// What it takes to find a mistake, in units of work.
+const WORK_OF_A_MESSAGE: usize = 40;
 
 /// Most calls of helpers shown with a message.
 const MAX_CALLS_SHOWN: usize = 3;
@@ -34,6 +40,8 @@ pub(super) struct Interpreter<'a> {
     pub(super) depth: usize,
     pub(super) equations: Vec<Statement>,
     pub(super) nonzero: Vec<Statement>,
+    /// The polynomials of the equations.
+    stated: HashSet<SymbolicPolynomial>,
     /// Place of each equation statement: whether some element of it was not 0 = 0.
     says_something: BTreeMap<(usize, usize), bool>,
     /// Number of equations left out because an earlier one says the same.
@@ -53,6 +61,7 @@ impl<'a> Interpreter<'a> {
             depth: 0,
             equations: Vec::new(),
             nonzero: Vec::new(),
+            stated: HashSet::new(),
             says_something: BTreeMap::new(),
             repeated: 0,
             messages: Vec::new(),
@@ -62,7 +71,12 @@ impl<'a> Interpreter<'a> {
 
     /// Records a message: one for each place, the first, so that loops do not repeat it.
     pub(super) fn report(&mut self, mut diagnostic: Diagnostic) -> Reported {
-        if self.reported.insert((diagnostic.span.start, diagnostic.span.end)) {
+        // A mistake in a loop is found again and again. A message about the work would add nothing.
+        let _ = self.algebra.charge(WORK_OF_A_MESSAGE);
+        if self.messages.len() > MAX_MESSAGES {
+            // One more than are shown: nobody reads them, and they take time.
+            self.algebra.exhaust();
+        } else if self.reported.insert((diagnostic.span.start, diagnostic.span.end)) {
             for (name, span) in self.calls.iter().rev().take(MAX_CALLS_SHOWN) {
                 diagnostic = diagnostic.context(span.clone(), format!("in this call of `{name}`"));
             }
@@ -340,7 +354,7 @@ impl<'a> Interpreter<'a> {
     fn run_for(&mut self, each: &ExprForLoop) {
         let Ok(items) = self.loop_items(&each.expr) else { return };
         for item in items {
-            if self.charge(1, &each.expr).is_err() {
+            if self.charge(WORK_OF_A_SCOPE, &each.expr).is_err() {
                 return;
             }
             self.scopes.enter();
@@ -358,6 +372,7 @@ impl<'a> Interpreter<'a> {
                 let diagnostic = Diagnostic::new("a scalar cannot be iterated over", place(over));
                 return Err(self.report(diagnostic.label("expected a range such as `0..3`, or an array")));
             }
+            self.charge(value.weight(), over)?;
             return Ok(value.rows().collect());
         };
         let (Some(start), Some(end)) = (&range.start, &range.end) else {
@@ -374,6 +389,7 @@ impl<'a> Interpreter<'a> {
             let diagnostic = Diagnostic::new("the loop is too long", place(over));
             return Err(self.report(diagnostic.label(format!("at most {MAX_ELEMENTS} iterations are allowed"))));
         }
+        self.charge(usize::try_from(end.saturating_sub(start)).unwrap_or(0), over)?;
         Ok((start..end).map(|i| self.integer(i)).collect())
     }
 
@@ -428,7 +444,7 @@ impl<'a> Interpreter<'a> {
         }
         let negative = self.algebra.graph.polynomial_neg(polynomial);
         // The mirrored entries of symmetric and skew matrices add nothing.
-        if self.equations.iter().any(|old| old.polynomial == *polynomial || old.polynomial == negative) {
+        if self.stated.contains(polynomial) || self.stated.contains(&negative) {
             self.repeated += 1;
             return;
         }
@@ -437,6 +453,7 @@ impl<'a> Interpreter<'a> {
             self.report(diagnostic.label(format!("at most {MAX_EQUATIONS} scalar equations are allowed")));
             return;
         }
+        self.stated.insert(polynomial.clone());
         self.equations.push(Statement { polynomial: polynomial.clone(), span: span.clone(), element });
     }
 

@@ -72,15 +72,22 @@ fn snake_case(name: &str) -> String {
     snake
 }
 
-/// The candidate closest to a mistyped name, if any is close.
+/// Names of more bytes are not compared, and not more than so many candidates.
+const LONGEST: usize = 64;
+const MOST_CANDIDATES: usize = 200;
+
+/// The candidate closest to a mistyped name, if any is close. Of many candidates only the first are
+/// tried.
 pub(super) fn closest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let most = match name.chars().count() {
         0 | 1 => 0,
+        _ if name.len() > LONGEST => return None,
         length => (length / 3).max(1),
     };
     candidates
         .into_iter()
-        .filter(|&candidate| candidate != name)
+        .filter(|&candidate| candidate != name && candidate.len() <= LONGEST)
+        .take(MOST_CANDIDATES)
         .map(|candidate| (edit_distance(&name.to_lowercase(), &candidate.to_lowercase()), candidate))
         .filter(|&(distance, _)| distance <= most)
         .min()

@@ -26,7 +26,8 @@ impl Problem {
     /// Reads a problem from the text of its file. `path` is shown in messages.
     ///
     /// # Errors
-    /// All mistakes in the file, in order of place.
+    /// All mistakes in the file, in order of place; of more than a hundred the first. A text that
+    /// takes more than two million steps to read is refused.
     pub fn parse(path: &str, text: &str) -> Result<Self, Diagnostics> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let source = SourceFile { path: path.to_owned(), text: text.to_owned() };

@@ -129,7 +129,7 @@ impl Interpreter<'_> {
                 let mut pattern = self.shape_of_type(&array.elem)?;
                 pattern.dimensions.insert(0, length?);
                 let count = pattern.dimensions.iter().fold(1usize, |product, &n| product.saturating_mul(n));
-                self.limit_elements(count, ty)?;
+                self.limit_elements(count, count, ty)?;
                 Ok(pattern)
             }
             Type::Path(path) if path.path.is_ident("f64") => Ok(ShapePattern { dimensions: Vec::new(), open: false }),

@@ -152,12 +152,10 @@ impl TemplateFile {
         let mut line = |content: String| {
             let _ = writeln!(text, "{content}");
         };
-        line(format!("# Elimination template of the problem `{}`: {} x {}.", self.problem, t.rows(), t.columns()));
-        line(format!(
-            "# Found by `eliminant search {}.rs`; checked against the problem whenever it is used.",
-            self.problem
-        ));
-        line(format!("problem = {:?}", self.problem));
+        let name = self.problem.escape_default();
+        line(format!("# Elimination template of the problem `{name}`: {} x {}.", t.rows(), t.columns()));
+        line(format!("# Found by `eliminant search {name}.rs`; checked against the problem whenever it is used."));
+        line(format!("problem = {}", toml_text(&self.problem)));
         line(format!("fingerprint = \"{:016x}\"", self.fingerprint));
         line(format!("solutions = {}", self.solutions));
         line(format!("presolve = {:?}", self.presolve.name()));
@@ -175,10 +173,28 @@ impl TemplateFile {
         }
         line("\n[provenance]".to_owned());
         for (key, value) in &self.provenance {
-            line(format!("{key} = {value:?}"));
+            line(format!("{} = {}", toml_key(key), toml_text(value)));
         }
         text
     }
+}
+
+/// A string as TOML writes it, in double quotes whatever it holds.
+fn toml_text(text: &str) -> String {
+    let escaped = |c: char| match c {
+        '"' | '\\' => format!("\\{c}"),
+        '\n' => "\\n".to_owned(),
+        '\t' => "\\t".to_owned(),
+        _ if c.is_control() => format!("\\u{:04x}", u32::from(c)),
+        _ => c.to_string(),
+    };
+    format!("\"{}\"", text.chars().map(escaped).collect::<String>())
+}
+
+/// A key as TOML writes it: in quotes unless it is a plain word.
+fn toml_key(key: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+    if !key.is_empty() && key.chars().all(is_plain) { key.to_owned() } else { toml_text(key) }
 }
 
 /// Checks the counts that stand in the file for its readers.
@@ -265,7 +281,10 @@ mod tests {
                 reducible: vec![m(&[1, 1]), m(&[0, 1])],
                 basis: vec![m(&[1]), m(&[0])],
             },
-            provenance: vec![("generator".into(), "0.1.0".into()), ("growth".into(), "a \"b\"".into())],
+            // Keys and values that TOML writes in quotes, and those that it must escape.
+            provenance: [("", ""), ("a \"b\"", "\\ \u{7f}\0"), ("generator", "0.1.0"), ("growth", "a \"b\"\t\n\u{e9}")]
+                .map(|(key, value)| (key.into(), value.into()))
+                .to_vec(),
         };
         let text = file.to_text(&names());
         assert_eq!(TemplateFile::parse(&text, &names()).unwrap(), file);

@@ -53,7 +53,8 @@ pub(crate) const ILL_CONDITIONED: f64 = 1e6;
 ///
 /// max over equations e of |f_e(x)| / (sum of the moduli of the terms of f_e at x), where 0/0 = 0.
 ///
-/// After a step of less than a thousandth of each unknown the sums are those of the point before.
+/// After a step of less than a thousandth of each unknown the sums are those of the point before,
+/// but the result, where it has a cause other than rounding, is that of the point itself.
 ///
 /// Equations are weighted by one over that sum, so their scaling does not matter; the scaling of
 /// unknowns does not matter to Householder QR. A step is kept only if it lowers the residual;
@@ -113,6 +114,8 @@ pub(crate) struct Polish<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> {
     at: Values<S, E>,
     /// One over the scale of each equation; 0 for an equation whose terms all vanish.
     weight: E::Vector<f64>,
+    /// Whether the weights are those of a point close to the one that was evaluated last.
+    has_old_scales: bool,
 }
 
 /// The end of an iteration.
@@ -121,6 +124,8 @@ struct Ended<S: Scalar, N: Size> {
     best: f64,
     /// The last step, taken or not.
     step: Step<S, N>,
+    /// Whether the residual is by the scales of another point.
+    has_old_scales: bool,
     /// Whether the last step leads from a residual that is rounding to one that is small, too.
     flat: bool,
 }
@@ -139,12 +144,13 @@ impl<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'a, S, N, E, Y>
     #[inline]
     pub(crate) fn new(x: &N::Vector<S>, (unknowns, equations): (N, E), system: &'a Y) -> Self {
         let (at, weight) = (Values::zero(equations), equations.filled(0.0));
-        Self { unknowns, equations, system, monomials: system.monomials(x), at, weight }
+        Self { unknowns, equations, system, monomials: system.monomials(x), at, weight, has_old_scales: false }
     }
 
     /// The relative residual at the point of the monomials.
     #[inline]
     pub(crate) fn residual(&mut self) -> f64 {
+        self.has_old_scales = false;
         self.system.residual(&self.monomials, &mut self.at);
         for e in 0..self.equations.get() {
             let scale = self.at.scale[e];
@@ -164,6 +170,7 @@ impl<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'a, S, N, E, Y>
     /// The relative residual at a point close to the one before, by the scales there.
     #[inline]
     fn residual_near(&mut self, x: &N::Vector<S>) -> f64 {
+        self.has_old_scales = true;
         self.monomials = self.system.monomials(x);
         self.system.values(&self.monomials, &mut self.at.residual);
         largest_weighted(self.at.residual.as_ref(), self.weight.as_ref())
@@ -171,7 +178,12 @@ impl<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'a, S, N, E, Y>
 
     #[inline]
     fn run(&mut self, x: &mut N::Vector<S>, residual: f64, steps: usize) -> Polished {
-        let ended = self.iterate(x, residual, steps);
+        let mut ended = self.iterate(x, residual, steps);
+        // By the scales of the point before it may be wrong by a small part, and pass a bound that
+        // it exceeds.
+        if ended.has_old_scales && ended.best > STALLED {
+            ended.best = self.residual_at(x);
+        }
         let is_ill_conditioned = ended.step.enlargement > ILL_CONDITIONED * largest(x.as_ref());
         Polished { residual: self.verdict(x, &ended), is_ill_conditioned }
     }
@@ -179,7 +191,7 @@ impl<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'a, S, N, E, Y>
     #[inline]
     fn iterate(&mut self, x: &mut N::Vector<S>, residual: f64, steps: usize) -> Ended<S, N> {
         let mut derivatives = filled_matrix(self.unknowns, self.equations, S::ZERO);
-        let (mut best, mut flat) = (residual, false);
+        let (mut best, mut flat, mut has_old_scales) = (residual, false, false);
         let mut last = Step { correction: self.unknowns.filled(S::ZERO), enlargement: 0.0 };
         for step in 0..steps {
             if best == f64::INFINITY {
@@ -197,7 +209,7 @@ impl<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'a, S, N, E, Y>
             if !(residual < best) {
                 break;
             }
-            best = residual;
+            (best, has_old_scales) = (residual, self.has_old_scales);
             *x = moved;
             // After a long step one more is taken: it stays near x if the solution is badly
             // determined, and leads away if there is no solution.
@@ -205,7 +217,7 @@ impl<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'a, S, N, E, Y>
                 break;
             }
         }
-        Ended { best, step: last, flat }
+        Ended { best, step: last, has_old_scales, flat }
     }
 
     /// The step at x, where the equations were evaluated, for other values of theirs.

@@ -27,7 +27,12 @@ fn pose(rotation: &Matrix3<f64>, translation: &Vector3<f64>) -> Vec<f64> {
 
 /// Rays of length 1 in the first camera, then in the second; the essential matrix.
 pub(crate) fn five_points(random: &mut Random) -> Scene {
-    let (rotation, translation, points) = two_cameras((random, Motion::General), 5);
+    five_points_of(random, Motion::General)
+}
+
+/// As [`five_points`], of any motion.
+pub(crate) fn five_points_of(random: &mut Random, motion: Motion) -> Scene {
+    let (rotation, translation, points) = two_cameras((random, motion), 5);
     let seen = points.iter().copied().chain(points.iter().map(|x| rotation * x + translation));
     let rays: Vec<Vector3<f64>> = seen.map(|x| x.normalize()).collect();
     Scene { data: flat(&rays), truth: rows(&(translation.cross_matrix() * rotation)) }
@@ -36,8 +41,13 @@ pub(crate) fn five_points(random: &mut Random) -> Scene {
 /// Image points (x, y, 1), a focal length of 0.5 to 3; pose with a translation of length 1, focal
 /// length.
 pub(crate) fn six_points_focal(random: &mut Random) -> Scene {
+    six_points_focal_of(random, Motion::General)
+}
+
+/// As [`six_points_focal`], of any motion.
+pub(crate) fn six_points_focal_of(random: &mut Random, motion: Motion) -> Scene {
     let focal = uniform(random, 0.5, 3.0);
-    let (rotation, translation, points) = two_cameras((random, Motion::General), 6);
+    let (rotation, translation, points) = two_cameras((random, motion), 6);
     let seen = points.iter().copied().chain(points.iter().map(|x| rotation * x + translation));
     let images: Vec<Vector3<f64>> = seen.map(|x| image(&x, focal).push(1.0)).collect();
     Scene { data: flat(&images), truth: [pose(&rotation, &translation.normalize()), vec![focal]].concat() }
