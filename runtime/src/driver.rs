@@ -140,10 +140,11 @@ fn solve<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> R
     if !(lacks_some && solver.allows_second_attempt()) {
         return first;
     }
-    match second_attempt(solver, first, found) {
-        Err(_) if continued(solver, found) => Ok(()),
-        second => second,
-    }
+    let was_singular = first.is_err();
+    let second = second_attempt(solver, first, found);
+    // At twice the precision a template may be regular by the rounding errors of the data alone.
+    let is_singular = second.is_err() || (was_singular && found.lacks_some());
+    if is_singular && continued(solver, found) { Ok(()) } else { second }
 }
 
 /// General data nearby differ from given ones by so much, relative to them. If a template is close
