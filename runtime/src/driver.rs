@@ -10,7 +10,10 @@
 use num_complex::Complex;
 
 #[cfg(feature = "alloc")]
-use crate::continuation::{path::DataPath, track::Tracker};
+use crate::continuation::{
+    path::DataPath,
+    track::{Tracker, is_affordable},
+};
 use crate::error::SolveError;
 use crate::number::Scalar;
 use crate::number::double_double::DoubleDouble;
@@ -140,11 +143,10 @@ fn solve<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> R
     if !(lacks_some && solver.allows_second_attempt()) {
         return first;
     }
-    let was_singular = first.is_err();
-    let second = second_attempt(solver, first, found);
-    // At twice the precision a template may be regular by the rounding errors of the data alone.
-    let is_singular = second.is_err() || (was_singular && found.lacks_some());
-    if is_singular && continued(solver, found) { Ok(()) } else { second }
+    match second_attempt(solver, first, found) {
+        Err(_) if continued(solver, found) => Ok(()),
+        second => second,
+    }
 }
 
 /// General data nearby differ from given ones by so much, relative to them. If a template is close
@@ -158,6 +160,10 @@ const DISTANCES: [f64; 3] = [0.125, 0.5, 2.0];
 #[cold]
 #[inline(never)]
 fn continued<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> bool {
+    let paths = solver.sizes().solutions.get();
+    if !solver.family().is_some_and(|family| is_affordable(&family, paths)) {
+        return false;
+    }
     for (&distance, seed) in DISTANCES.iter().zip(1..) {
         let Some(path) = solver.family().map(|family| DataPath::new(&family, distance, seed)) else { return false };
         solver.move_to(&path.start());

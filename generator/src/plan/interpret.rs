@@ -72,10 +72,6 @@ fn subtract_multiple<A: Arithmetic>(f: A, row: &mut [A::Value], factor: A::Value
     }
 }
 
-/// A pivot of at most this many times N epsilon, relative to the largest entry of its column, shows
-/// a singular block, as for the run-time kernel.
-const SINGULAR: f64 = 64.0;
-
 /// Gaussian elimination with partial pivoting, in rows that are scaled by their 1-norm. The
 /// run-time kernel does the same operations in the same order.
 fn solve_block<A: Arithmetic>(
@@ -92,7 +88,7 @@ fn solve_block<A: Arithmetic>(
     let mut row_scale: Vec<f64> = norms.iter().map(|norm| 1.0 / norm).collect();
     let scaled = |matrix: &[Vec<A::Value>], scale: &[f64], i: usize, k: usize| f.pivot_size(matrix[i][k]) * scale[i];
     let largest = |k: usize| (0..n).map(|i| scaled(&matrix, &row_scale, i, k)).fold(0.0, f64::max);
-    let threshold = SINGULAR * n as f64 * f.rounding();
+    let threshold = n as f64 * f.rounding();
     let smallest: Vec<f64> = (0..n).map(|k| largest(k) * threshold).collect();
     for k in 0..n {
         let mut pivot = k;

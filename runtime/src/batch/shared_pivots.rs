@@ -8,7 +8,7 @@
 use fearless_simd::Simd;
 
 use crate::batch::lanes::{Lanes, Mask};
-use crate::elimination::lu::{BlockError, Eliminated, SINGULAR};
+use crate::elimination::lu::{BlockError, Eliminated};
 use crate::number::Arithmetic;
 use crate::size::{Fixed, Size, Vector};
 
@@ -142,7 +142,7 @@ fn eliminate<S: Simd, V: Vector<Lanes<S>>, const N: usize>(
 #[inline(always)]
 fn equilibrated<S: Simd, const N: usize>(matrix: &[[Lanes<S>; N]; N]) -> ([Lanes<S>; N], [Lanes<S>; N]) {
     let zero = matrix[0][0].constant(0.0);
-    let rounding = zero.constant(SINGULAR * N as f64 * f64::EPSILON);
+    let rounding = zero.constant(N as f64 * f64::EPSILON);
     let (mut row_scale, mut noise) = ([zero; N], [zero; N]);
     for i in 0..N {
         let mut sum = zero;

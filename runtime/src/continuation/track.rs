@@ -36,7 +36,12 @@ const PREDICTING: usize = 3;
 const MOST_STEPS: usize = 600;
 /// It has ended, at a solution that is not isolated or at infinity, if t is so small.
 const LEAST: f64 = 1e-9;
-/// A path may end with all unknowns 0: they count as at least this part of the largest at its start.
+/// So many multiplications are spent on all paths at most: some tenths of a second.
+const MOST_WORK: u64 = 100_000_000;
+/// The steps of Newton's method that a path takes at least, to tell whether the work is too much.
+const LEAST_STEPS: u64 = 60;
+/// A path may end with all unknowns 0: they count as at least this part of the largest at its
+/// start.
 const AT_ORIGIN: f64 = 1e-2;
 /// An end is isolated if a relative error of the equations moves it by at most so many times this
 /// error, relative to its largest unknown.
@@ -57,11 +62,26 @@ pub(crate) struct Tracker<'a> {
     members: Vec<(f64, Member<'a>)>,
     /// The place of the next one that is forgotten for a new one.
     oldest: usize,
+    /// The multiplications that are left.
+    work: u64,
+}
+
+/// About how many multiplications a step of Newton's method takes, and how many the coefficients.
+fn work_of(family: &Family<'_>) -> [u64; 2] {
+    let (unknowns, equations) = (family.unknowns, family.ends.len());
+    let step = family.terms.len() * (unknowns + 1) + equations * unknowns * unknowns;
+    [step, family.counts.0].map(|count| 4 * count as u64)
+}
+
+/// Whether so many paths can be followed with the work that may be spent.
+pub(crate) fn is_affordable(family: &Family<'_>, paths: usize) -> bool {
+    let [step, coefficients] = work_of(family);
+    (LEAST_STEPS * paths as u64).saturating_mul(step + coefficients / 4) <= MOST_WORK
 }
 
 impl<'a> Tracker<'a> {
     pub(crate) fn new(family: &'a Family<'a>, path: &'a DataPath) -> Self {
-        Self { family, path, members: Vec::new(), oldest: 0 }
+        Self { family, path, members: Vec::new(), oldest: 0, work: MOST_WORK }
     }
 
     /// The end of the path of a solution; `None` if it is at infinity, or not isolated.
@@ -70,6 +90,9 @@ impl<'a> Tracker<'a> {
         let least = AT_ORIGIN * largest(start);
         let (mut t, mut step, mut streak) = (1.0, FIRST, PATIENCE);
         for _ in 0..MOST_STEPS {
+            // Most steps in t take three of Newton's method.
+            let Some(rest) = self.work.checked_sub(3 * work_of(self.family)[0]) else { break };
+            self.work = rest;
             // No short step remains before the end.
             let next = if step < 0.8 * t { t - step } else { 0.0 };
             match corrected(self.member(next), predicted(&passed, next), least) {
@@ -98,6 +121,7 @@ impl<'a> Tracker<'a> {
     fn member(&mut self, t: f64) -> &Member<'a> {
         let known = self.members.iter().position(|(of_member, _)| *of_member == t);
         let at = known.unwrap_or_else(|| {
+            self.work = self.work.saturating_sub(work_of(self.family)[1]);
             let member = (t, self.family.at(&self.path.at(t)));
             if self.members.len() < MOST_MEMBERS {
                 self.members.push(member);

@@ -178,15 +178,10 @@ fn equilibrate<R: Real>(matrix: &[R], row_scale: &mut [f64], smallest: &mut [f64
             *largest = if size > *largest { size } else { *largest };
         }
     }
-    let threshold = SINGULAR * n as f64 * R::EPSILON;
+    let threshold = n as f64 * R::EPSILON;
     smallest.iter_mut().for_each(|size| *size *= threshold);
     Ok(())
 }
-
-/// A pivot of at most this many times N epsilon, relative to the largest entry that its column had,
-/// shows a singular matrix: rounding errors can make a zero so large, and they leave few digits of
-/// what is divided by it.
-pub(crate) const SINGULAR: f64 = 64.0;
 
 /// In blocks of at most this size, whole rows are subtracted, though columns before the pivot are
 /// zero in all rows from the pivot on: a length that the compiler knows saves more time.
