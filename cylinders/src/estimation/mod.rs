@@ -1,5 +1,7 @@
 //! All steps from views to a cylinder: by least squares, refined, or with RANSAC.
 
+/// Which other cylinders explain the lines about as well.
+pub mod alternatives;
 /// A cylinder from any of the estimators.
 pub mod estimate;
 /// Several cylinders with one direction.
@@ -10,5 +12,11 @@ mod plucker;
 pub mod refine;
 /// Lines to the cylinder on which most agree if many lines are wrong.
 pub mod robust;
+/// Cylinders from samples of lines.
+mod sampling;
+/// Whether lines could agree by chance.
+mod significance;
 /// Views to a cylinder with its residuals.
 pub mod triangulate;
+/// What makes an estimate doubtful.
+pub mod warnings;

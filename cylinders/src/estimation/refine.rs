@@ -15,6 +15,7 @@ use thiserror::Error;
 
 use super::plucker::OrthonormalLine;
 use crate::numerics::levenberg_marquardt::{LeastSquares, Linearised, minimise};
+use crate::observations::copies::IndependentLines;
 use crate::observations::view::View;
 use crate::space::cylinder::Cylinder;
 use crate::space::silhouette_distance::{CylinderTangent, MeasuredLine, Metric, MetricError};
@@ -87,6 +88,13 @@ pub struct Refinement {
     pub deviation: Deviation,
     /// Root mean square distance of the support points, in the unit of the metric.
     pub rms: f64,
+    /// Estimated standard deviation of the distance of a support point, in the unit of the metric:
+    /// the root of the sum of squares over the degrees of freedom. It is larger than `rms`, because
+    /// the cylinder adapts to the noise.
+    pub noise: f64,
+    /// Degrees of freedom of that estimate: twice the number of independent lines, minus five. If
+    /// the loss is not quadratic, lines count with their weights.
+    pub degrees_of_freedom: f64,
     /// Steps taken.
     pub iterations: usize,
 }
@@ -106,9 +114,9 @@ pub struct Deviation {
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum RefineError {
     /// There are too few lines: each gives two numbers, and a cylinder has five parameters.
-    #[error("{lines} silhouette line(s) given; a cylinder needs at least three")]
+    #[error("{lines} silhouette line(s) given, copies counted once; a cylinder needs at least three")]
     TooFewLines {
-        /// Number of lines.
+        /// Number of independent lines.
         lines: usize,
     },
     /// The initial cylinder has a coordinate that is not finite, or a radius that is not positive.
@@ -170,12 +178,14 @@ impl Loss {
     }
 }
 
-/// Refines a cylinder on the lines of all views.
+/// Refines a cylinder on the lines of all views. Copies of a line count as one line
+/// ([`IndependentLines`]). The direction of the result has a canonical sign: its entry of largest
+/// magnitude is positive.
 ///
 /// # Errors
 /// [`RefineError`].
 pub fn refine(views: &[View], initial: &Cylinder, options: &RefineOptions) -> Result<Refinement, RefineError> {
-    refine_lines(&options.metric.measured_lines(views)?, initial, options.loss)
+    refine_lines(&options.metric.measured(&IndependentLines::of(views))?, initial, options.loss)
 }
 
 /// Refines a cylinder on the given lines.
@@ -184,11 +194,13 @@ pub(crate) fn refine_lines(lines: &[MeasuredLine], initial: &Cylinder, loss: Los
     if !converged {
         return Err(RefineError::NotConverged { iterations });
     }
+    // The covariance refers to the direction with its final sign.
+    let cylinder = cylinder.with_canonical_sign();
     // The frame is that of the result, because its position refers to the part of its own axis that
     // the lines see.
     let (frame, problem) = SilhouetteCost::of(lines, &cylinder, loss)?;
     let parameters = frame.parameters(&cylinder);
-    let local = problem.covariance(&parameters)?;
+    let Uncertainty { covariance: local, noise, degrees_of_freedom } = problem.uncertainty(&parameters)?;
 
     // Maps steps in the frame to (dw, dA, dr) across the axis, in world units.
     let across = parameters.axis.across();
@@ -211,6 +223,8 @@ pub(crate) fn refine_lines(lines: &[MeasuredLine], initial: &Cylinder, loss: Los
         covariance,
         deviation: Deviation { direction: deviation(0, 2), position: deviation(2, 4), radius: deviation(4, 5) },
         rms: (square / lines.len() as f64).sqrt(),
+        noise,
+        degrees_of_freedom,
         iterations,
     })
 }
@@ -356,6 +370,13 @@ impl LeastSquares<5> for SilhouetteCost {
     }
 }
 
+/// The uncertainty of the local parameters.
+struct Uncertainty {
+    covariance: Matrix5<f64>,
+    noise: f64,
+    degrees_of_freedom: f64,
+}
+
 impl SilhouetteCost {
     /// The cost of `lines` in a frame beside a cylinder.
     fn of(lines: &[MeasuredLine], cylinder: &Cylinder, loss: Loss) -> Result<(Frame, Self), RefineError> {
@@ -364,8 +385,8 @@ impl SilhouetteCost {
         Ok((frame, Self { lines, loss }))
     }
 
-    /// Covariance of the local parameters at the optimum.
-    fn covariance(&self, parameters: &Parameters) -> Result<Matrix5<f64>, RefineError> {
+    /// Covariance of the local parameters at the optimum, and the noise from which it follows.
+    fn uncertainty(&self, parameters: &Parameters) -> Result<Uncertainty, RefineError> {
         // The matrix is J^T W J / 2. Its diagonal is scaled to one, so that the test of the rank
         // does not depend on units.
         let normal_matrix = self.linearise(parameters)?.normal_matrix;
@@ -386,8 +407,10 @@ impl SilhouetteCost {
         if count <= 5.0 {
             return Err(RefineError::NotDetermined);
         }
-        let variance = squares / (count - 5.0);
-        Ok(Matrix5::from_fn(|row, column| inverse[(row, column)] * scale[row] * scale[column]) * (variance / 2.0))
+        let degrees_of_freedom = count - 5.0;
+        let variance = squares / degrees_of_freedom;
+        let unscaled = Matrix5::from_fn(|row, column| inverse[(row, column)] * scale[row] * scale[column]);
+        Ok(Uncertainty { covariance: unscaled * (variance / 2.0), noise: variance.sqrt(), degrees_of_freedom })
     }
 }
 

@@ -5,6 +5,7 @@ use std::fmt;
 use nalgebra::{Unit, Vector3};
 use serde::Serialize;
 
+use super::number::{number, triple};
 use super::report::ResidualReport;
 use crate::matching::{MatchedCylinder, Matching};
 use crate::observations::scene::LineId;
@@ -35,7 +36,7 @@ pub struct MatchedCylinderReport {
     /// Radius, world units.
     pub radius: f64,
     /// Root mean square distance between matches and circle in the cross-section, world units.
-    pub rms: f64,
+    pub section_rms: f64,
     /// The part of all lines that are not silhouettes of the cylinder.
     pub outlier_rate: f64,
     /// Expected number of cylinders with matches as many and as near by chance.
@@ -62,7 +63,7 @@ impl MatchingReport {
         let cylinder = |found: &MatchedCylinder| MatchedCylinderReport {
             axis_point: found.cylinder.axis_point.coords.into(),
             radius: found.cylinder.radius,
-            rms: found.rms,
+            section_rms: found.rms,
             outlier_rate: found.outlier_rate,
             false_alarms: found.false_alarms,
             matches: found
@@ -88,7 +89,6 @@ impl MatchingReport {
 /// Text for people, with seven significant digits.
 impl fmt::Display for MatchingReport {
     fn fmt(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let triple = |[x, y, z]: [f64; 3]| format!("{x:14.7}{y:14.7}{z:14.7}");
         writeln!(text, "direction        {}", triple(self.direction))?;
         writeln!(text, "cylinders        {:14}   with {} matches or more", self.cylinders.len(), self.least_support)?;
         writeln!(text, "lines            {:14}   {} of no cylinder", self.lines, self.unmatched.len())?;
@@ -96,8 +96,8 @@ impl fmt::Display for MatchingReport {
         for (index, cylinder) in self.cylinders.iter().enumerate() {
             writeln!(text, "\ncylinder         {:14}", index + 1)?;
             writeln!(text, "axis point       {}   nearest to the origin", triple(cylinder.axis_point))?;
-            writeln!(text, "radius           {:14.7}", cylinder.radius)?;
-            writeln!(text, "rms distance     {:14.6e}", cylinder.rms)?;
+            writeln!(text, "radius           {}", number(cylinder.radius))?;
+            writeln!(text, "section rms      {:14.6e}   world units", cylinder.section_rms)?;
             writeln!(text, "outlier rate     {:14.4}   {} matches", cylinder.outlier_rate, cylinder.matches.len())?;
             writeln!(text, "false alarms     {:14.1e}   as many and as near matches by chance", cylinder.false_alarms)?;
             writeln!(text, "\n{}", ResidualReport::HEADING)?;

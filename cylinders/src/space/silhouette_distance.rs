@@ -32,6 +32,8 @@ use serde::Serialize;
 use thiserror::Error;
 
 use super::cylinder::{Cylinder, Side};
+use crate::observations::copies::IndependentLines;
+use crate::observations::scene::LineId;
 use crate::observations::view::{Camera, View};
 
 /// Half-length `h` of a line without end points, relative to the focal length: 300 pixels at a
@@ -99,6 +101,18 @@ impl Metric {
         let calibrated = views.iter().all(|view| view.camera().calibration().is_some());
         let unit = if calibrated { DistanceUnit::Pixels } else { DistanceUnit::Radians };
         Self { unit, half_length: HALF_LENGTH }
+    }
+
+    /// Independent lines, in their order, prepared for measurement.
+    pub(crate) fn measured(&self, lines: &IndependentLines) -> Result<Vec<MeasuredLine>, MetricError> {
+        self.measured_lines(&lines.views).map_err(|error| match error {
+            MetricError::LineOutOfRange { view, line } => {
+                let before: usize = lines.views[..view].iter().map(|view| view.lines().len()).sum();
+                let LineId { view, line } = lines.copies[before + line][0];
+                MetricError::LineOutOfRange { view, line }
+            }
+            error => error,
+        })
     }
 
     /// The lines of all views, in their order, prepared for measurement.

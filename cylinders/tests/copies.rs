@@ -1,0 +1,130 @@
+//! Copies of a line are one line: three lines, each given several times, are never taken for more.
+
+#[path = "../examples/make_scene/random.rs"]
+mod random;
+#[path = "../examples/make_scene/scene.rs"]
+#[allow(dead_code, reason = "scene files are not written here")]
+mod scene;
+mod scenes;
+
+use eliminant_cylinders::{IndependentLines, LineId, Method, RobustOptions, View, estimate};
+use nalgebra::{Point2, Vector2};
+use random::Random;
+use scene::{Can, Photograph, Setup};
+
+type Segment = [Point2<f64>; 2];
+
+/// How copies of a line differ.
+#[derive(Clone, Copy, Debug)]
+enum Copies {
+    /// Not at all.
+    Exact,
+    /// By half a pixel across the line.
+    Shifted,
+    /// All end points are off by half a pixel, standard deviation.
+    Scattered,
+    /// They are pieces of the line, with a gap, and off by half a pixel.
+    Broken,
+}
+
+const ALL: [Copies; 4] = [Copies::Exact, Copies::Shifted, Copies::Scattered, Copies::Broken];
+
+/// The images of the points of the two contact lines at these parts of the height, with noise.
+fn segment(can: &Can, setup: &Setup, photograph: &Photograph, side: f64, part: [f64; 2]) -> Segment {
+    let rotation = photograph.camera.fixed_columns::<3>(0);
+    let centre = Point2::from(-(rotation.tr_mul(&photograph.camera.column(3))).xy());
+    let _ = centre;
+    let centre = nalgebra::Point3::from(-(rotation.tr_mul(&photograph.camera.column(3))));
+    let direction = can.direction.into_inner();
+    let offset = centre - can.base;
+    let perpendicular = offset - direction * direction.dot(&offset);
+    let (toward, cosine) = (perpendicular.normalize(), can.radius / perpendicular.norm());
+    let sideways = direction.cross(&toward) * (side * (1.0 - cosine * cosine).sqrt());
+    let bottom = can.base + (toward * cosine + sideways) * can.radius;
+    part.map(|part| {
+        let image = setup.calibration * photograph.camera * (bottom + direction * (can.height * part)).to_homogeneous();
+        Point2::new(image.x / image.z, image.y / image.z)
+    })
+}
+
+fn moved(segment: Segment, noise: f64, random: &mut Random) -> Segment {
+    segment.map(|end| end + Vector2::new(random.normal(), random.normal()) * noise)
+}
+
+fn copied(can: &Can, setup: &Setup, photograph: &Photograph, side: f64, copies: Copies, random: &mut Random) -> Vec<Segment> {
+    let whole = moved(segment(can, setup, photograph, side, [0.0, 1.0]), 0.5, random);
+    let along = (whole[1] - whole[0]).normalize();
+    let at = |part: f64| whole[0] + (whole[1] - whole[0]) * part;
+    match copies {
+        Copies::Exact => vec![whole; 2],
+        Copies::Shifted => vec![whole, whole.map(|end| end + Vector2::new(-along.y, along.x) * 0.5)],
+        Copies::Scattered => (0..2).map(|_| moved(segment(can, setup, photograph, side, [0.0, 1.0]), 0.5, random)).collect(),
+        Copies::Broken => {
+            let gap = random.uniform(0.05, 0.3);
+            let middle = random.uniform(0.35, 0.65);
+            [[0.0, middle - gap / 2.0], [middle + gap / 2.0, 1.0]]
+                .map(|part| moved(part.map(at), 0.2, random))
+                .to_vec()
+        }
+    }
+}
+
+/// Three silhouettes of the soda can in two or three images, each given twice.
+fn three_lines_twice(seed: u64, copies: Copies, has_ends: bool) -> (Can, Vec<View>) {
+    let (can, setup) = (scene::soda_can(), scene::soda_can_setup());
+    let mut random = Random::new(seed);
+    let photographs = scene::photographs(&can, &setup, &mut random);
+    let places = match seed % 2 {
+        0 => vec![(0, vec![1.0, -1.0]), (2, vec![1.0])],
+        _ => vec![(0, vec![1.0]), (2, vec![-1.0]), (5, vec![1.0])],
+    };
+    let view = |(index, sides): (usize, Vec<f64>)| {
+        let photograph: &Photograph = &photographs[index];
+        let segments: Vec<_> =
+            sides.iter().flat_map(|&side| copied(&can, &setup, photograph, side, copies, &mut random)).collect();
+        let camera = *scenes::view(&setup, &photograph.camera, &[]).camera();
+        let view = View::from_pixel_segments(camera, &segments).expect("segments");
+        let ends = if has_ends { view.ends().to_vec() } else { vec![None; segments.len()] };
+        view.with_ends(ends).expect("end points")
+    };
+    let views = places.into_iter().map(view).collect();
+    (can, views)
+}
+
+#[test]
+fn three_lines_given_twice_are_never_wrong_in_silence() {
+    let (mut wrong, mut refused, mut warned, mut silent, mut joined) = (0, 0, 0, 0, 0);
+    let mut scenes = 0;
+    for seed in 0..400 {
+        let (can, views) = three_lines_twice(seed, ALL[seed as usize % 4], seed % 8 < 4);
+        scenes += 1;
+        joined += usize::from(IndependentLines::of(&views).count() == 3);
+        for method in [Method::LeastSquares, Method::Refined, Method::Robust(RobustOptions::of(&views))] {
+            match estimate(&views, &method) {
+                Err(_) => refused += 1,
+                Ok(estimate) if !estimate.warnings.is_empty() => warned += 1,
+                Ok(estimate) => {
+                    silent += 1;
+                    if (estimate.cylinder.radius / can.radius - 1.0).abs() > 0.05 {
+                        wrong += 1;
+                        println!("{:?} {method:?}: {:?}", ALL[seed as usize % 4], estimate.cylinder.radius);
+                    }
+                }
+            }
+        }
+    }
+    println!("{scenes} scenes, {joined} with three lines; {refused} refused, {warned} warned, {silent} silent");
+    assert_eq!(wrong, 0);
+    assert!(joined >= 390, "{joined}");
+}
+
+#[test]
+fn pieces_of_a_line_are_joined_from_end_to_end() {
+    let (_, views) = three_lines_twice(3, Copies::Broken, true);
+    let lines = IndependentLines::of(&views);
+    assert_eq!((lines.count(), lines.given()), (3, 6));
+    assert_eq!(lines.copies[1], [LineId { view: 1, line: 0 }, LineId { view: 1, line: 1 }]);
+    let length = |ends: &Option<Segment>| ends.map_or(0.0, |[start, end]| (end - start).norm());
+    let [first, second] = [0, 1].map(|line| length(&views[1].ends()[line]));
+    assert!(length(&lines.views[1].ends()[0]) > 1.04 * (first + second));
+}
