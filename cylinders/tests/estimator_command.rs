@@ -80,7 +80,7 @@ fn refinement_has_deviations() {
     // The true radius is 33.
     assert!((number(&refined, "radius") - 33.0).abs() < 4.0 * deviation && deviation < 0.1, "{deviation}");
     assert_eq!(refined["refinement"]["unit"], "pixels");
-    let rms = number(&refined["refinement"], "rms");
+    let rms = number(&refined["refinement"], "image_rms");
     // End points are off by half a pixel.
     assert!(rms > 0.2 && rms < 1.0, "{rms}");
     let (_, text, _) = command(&["--refine", &scene]);

@@ -97,7 +97,7 @@ fn a_bad_scene_is_1_and_names_the_file() {
 
     for (name, text, expected) in [
         ("not_json.json", "cylinder", ":1:1: not JSON: "),
-        ("no_views.json", "{\"views\": []}", ": 0 silhouette line(s) given"),
+        ("no_views.json", "{\"views\": []}", ": 0 silhouette line(s) given, copies counted once"),
     ] {
         let path = file(name, text).display().to_string();
         let outcome = command(&["--json", &path]);
@@ -200,10 +200,10 @@ fn scenes_that_determine_no_cylinder_are_refused_and_nothing_is_written() {
         })
     };
     let cases = [
-        (vec![views[0].clone()], "2 silhouette line(s) given; a cylinder needs at least three"),
+        (vec![views[0].clone()], "2 silhouette line(s) given, copies counted once; a cylinder needs at least three"),
         (
             vec![with_lines(0, vec![line(0, 0), line(0, 0)]), with_lines(1, vec![line(1, 0)])],
-            "in the cross-section all lines meet in one point",
+            "2 silhouette line(s) given, copies counted once; a cylinder needs at least three",
         ),
         (vec![views[2].clone(); 4], "all cameras stand at one place"),
         ([0.0, 1.0, 2.0, 3.0].map(upright).to_vec(), "all viewing planes are parallel"),

@@ -16,11 +16,12 @@
 use nalgebra::{Unit, Vector3};
 
 use super::refine::{Loss, Optimised, optimise};
-use super::triangulate::CrossSection;
+use super::triangulate::{CrossSection, identified_planes};
 use crate::axis::direction::estimate_direction;
 use crate::cross_section::closed_form::tangent_circles;
 use crate::cross_section::least_squares::StationaryCircles;
 use crate::cross_section::section::SectionLine;
+use crate::observations::copies::IndependentLines;
 use crate::observations::scene::LineId;
 use crate::observations::view::ViewingPlane;
 use crate::space::cylinder::Cylinder;
@@ -82,7 +83,18 @@ impl PlausibleCylinders {
 pub(crate) struct Evidence<'a> {
     pub(crate) planes: &'a [(LineId, ViewingPlane)],
     pub(crate) measured: &'a [MeasuredLine],
+    /// The planes of clearly distinct lines: lines that are nearly copies are joined.
+    pub(crate) distinct: &'a [(LineId, ViewingPlane)],
     pub(crate) unit: DistanceUnit,
+}
+
+/// Lines within this multiple of the tolerance of copies are not clearly distinct.
+const NEARLY: f64 = 4.0;
+
+/// The planes of the clearly distinct lines among independent ones. Each has the place of its first
+/// line.
+pub(crate) fn distinct_planes(lines: &IndependentLines) -> Vec<(LineId, ViewingPlane)> {
+    identified_planes(&IndependentLines::within(&lines.views, NEARLY))
 }
 
 impl Evidence<'_> {
@@ -96,7 +108,8 @@ impl Evidence<'_> {
         };
         let of_found = found.and_then(minimum);
         let mut minima: Vec<(Cylinder, f64)> = of_found.into_iter().collect();
-        for (cylinder, cost) in self.starts(found).iter().filter_map(minimum) {
+        let refined = of_found.map(|(cylinder, _)| cylinder);
+        for (cylinder, cost) in self.starts(refined.as_ref().or(found)).iter().filter_map(minimum) {
             match minima.iter_mut().find(|(known, _)| self.is_same(known, &cylinder)) {
                 Some(known) if cost < known.1 => *known = (cylinder, cost),
                 Some(_) => {}
@@ -143,27 +156,38 @@ impl Evidence<'_> {
             && one.direction.cross(&other.direction).norm() <= SAME
     }
 
-    /// Cylinders from which local minima are reached.
+    /// Cylinders from which local minima are reached: those along the direction of least squares, and
+    /// those along the direction of `found`. The former is poor if lines are short.
     fn starts(&self, found: Option<&Cylinder>) -> Vec<Cylinder> {
-        let planes: Vec<_> = self.planes.iter().map(|&(_, plane)| plane).collect();
-        let least_squares = estimate_direction(&planes).ok().map(|direction| direction.direction);
-        let Some(direction) = least_squares.or(found.map(|found| found.direction)) else { return Vec::new() };
-        self.along(&direction).unwrap_or_default()
-    }
-
-    fn along(&self, direction: &Unit<Vector3<f64>>) -> Option<Vec<Cylinder>> {
-        let CrossSection { rectification, lines, .. } = CrossSection::of(self.planes, direction).ok()?;
-        let weighted: Vec<_> = lines.iter().map(|&line| SectionLine { line, weight: 1.0, view: 0 }).collect();
-        let mut circles: Vec<_> = StationaryCircles::of(&weighted)
-            .map(|stationary| stationary.iter().map(|(circle, _)| circle).collect())
-            .unwrap_or_default();
-        if lines.len() <= FEW_LINES {
-            let triples = triples(lines.len());
-            circles.extend(triples.flat_map(|triple| tangent_circles(&triple.map(|index| lines[index]))).flatten());
+        let mut starts = Vec::new();
+        for planes in [self.planes, self.distinct] {
+            let all: Vec<_> = planes.iter().map(|&(_, plane)| plane).collect();
+            let least_squares = estimate_direction(&all).ok().map(|direction| direction.direction);
+            for direction in least_squares.into_iter().chain(found.map(|found| found.direction)) {
+                starts.extend(along(planes, &direction).into_iter().flatten());
+            }
+            if self.distinct.len() == self.planes.len() {
+                break;
+            }
         }
-        let cylinder = |circle| Cylinder::from_circle(circle, &rectification, *direction);
-        Some(circles.iter().map(cylinder).collect())
+        starts
     }
+}
+
+/// Stationary cylinders of the cross-section along a direction, and for few lines those that touch
+/// three of them.
+fn along(planes: &[(LineId, ViewingPlane)], direction: &Unit<Vector3<f64>>) -> Option<Vec<Cylinder>> {
+    let CrossSection { rectification, lines, .. } = CrossSection::of(planes, direction).ok()?;
+    let weighted: Vec<_> = lines.iter().map(|&line| SectionLine { line, weight: 1.0, view: 0 }).collect();
+    let mut circles: Vec<_> = StationaryCircles::of(&weighted)
+        .map(|stationary| stationary.iter().map(|(circle, _)| circle).collect())
+        .unwrap_or_default();
+    if lines.len() <= FEW_LINES {
+        let triples = triples(lines.len());
+        circles.extend(triples.flat_map(|triple| tangent_circles(&triple.map(|index| lines[index]))).flatten());
+    }
+    let cylinder = |circle| Cylinder::from_circle(circle, &rectification, *direction);
+    Some(circles.iter().map(cylinder).collect())
 }
 
 /// All sets of three indices below `count`.

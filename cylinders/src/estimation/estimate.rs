@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::alternatives::{Evidence, PlausibleCylinders};
+use super::alternatives::{Evidence, PlausibleCylinders, distinct_planes};
 use super::parallel::{ParallelError, ParallelTriangulation};
 use super::refine::{Loss, RefineError, RefineOptions, Refinement, refine};
 use super::robust::{RobustError, RobustOptions, RobustTriangulation, triangulate_robustly};
@@ -107,7 +107,8 @@ pub fn estimate(views: &[View], method: &Method) -> Result<Estimate, EstimateErr
     };
     let planes = identified_planes(&lines);
     let measured = metric.measured(&lines).map_err(RefineError::from)?;
-    let evidence = Evidence { planes: &planes, measured: &measured, unit: metric.unit };
+    let distinct = distinct_planes(&lines);
+    let evidence = Evidence { planes: &planes, measured: &measured, distinct: &distinct, unit: metric.unit };
     let start = least_squares.as_ref().ok().map(|result| result.cylinder);
     let mut plausible = evidence.plausible_cylinders(start.as_ref());
     let best = plausible.cylinders.first().map(|best| best.cylinder);
@@ -177,10 +178,15 @@ impl Estimate {
     /// The result of RANSAC, with distances in this unit.
     fn from_robust(result: RobustTriangulation, unit: DistanceUnit, views: &[View]) -> Self {
         let RobustTriangulation { refinement, inliers, residuals, samples, .. } = result;
-        let RobustTriangulation { threshold, independent: [lines, agreeing], false_alarms, plausible, .. } = result;
+        let RobustTriangulation {
+            threshold, independent: [lines, agreeing, distinct], false_alarms, plausible, ..
+        } = result;
         let mut warnings = camera_warnings(views);
         if plausible.is_ambiguous() {
             warnings.push(Warning::Ambiguous { cylinders: plausible.cylinders.len() });
+        }
+        if distinct < 4 {
+            warnings.push(Warning::ThreeLines);
         }
         if false_alarms > FALSE_ALARMS {
             warnings.push(Warning::Chance { false_alarms });

@@ -14,6 +14,7 @@ use nalgebra::{Matrix5, Point3, SMatrix, SVector, Unit, Vector3};
 use thiserror::Error;
 
 use super::plucker::OrthonormalLine;
+use super::triangulate::is_single_viewpoint;
 use crate::numerics::levenberg_marquardt::{LeastSquares, Linearised, minimise};
 use crate::observations::copies::IndependentLines;
 use crate::observations::view::View;
@@ -31,6 +32,10 @@ const UNDETERMINED: f64 = 1e-12;
 /// The radius counts as zero if it is at most this, relative to the mean distance of the cameras
 /// from the axis. It is far below what an image can show.
 const NO_RADIUS: f64 = 1e-9;
+
+/// Two estimates of one cylinder hardly differ by more than this number of standard deviations of
+/// either.
+const NEAR: f64 = 5.0;
 
 /// Limit on the iterations for the eigenvalues of a 5x5 matrix.
 const EIGEN_ITERATIONS: usize = 500;
@@ -97,6 +102,17 @@ pub struct Refinement {
     pub degrees_of_freedom: f64,
     /// Steps taken.
     pub iterations: usize,
+}
+
+impl Refinement {
+    /// Whether another cylinder is the same within a few standard deviations.
+    pub(crate) fn is_near(&self, other: &Cylinder) -> bool {
+        let Deviation { direction, position, radius } = self.deviation;
+        let apart = self.cylinder.vector_to_axis(&self.reference) - other.vector_to_axis(&self.reference);
+        (self.cylinder.radius - other.radius).abs() <= NEAR * radius
+            && apart.norm() <= NEAR * position
+            && self.cylinder.direction.cross(&other.direction).norm() <= NEAR * direction
+    }
 }
 
 /// Standard deviations of a cylinder.
@@ -185,7 +201,11 @@ impl Loss {
 /// # Errors
 /// [`RefineError`].
 pub fn refine(views: &[View], initial: &Cylinder, options: &RefineOptions) -> Result<Refinement, RefineError> {
-    refine_lines(&options.metric.measured(&IndependentLines::of(views))?, initial, options.loss)
+    let lines = IndependentLines::of(views);
+    if lines.given() >= 3 && is_single_viewpoint(views) {
+        return Err(RefineError::NotDetermined);
+    }
+    refine_lines(&options.metric.measured(&lines)?, initial, options.loss)
 }
 
 /// Refines a cylinder on the given lines.
@@ -283,7 +303,9 @@ impl Frame {
         // The median is used because the ray to a line that is not a silhouette may run along the
         // axis.
         heights.sort_by(f64::total_cmp);
-        let middle = cylinder.axis_point + w * heights[heights.len() / 2];
+        // The mean of the two middle heights does not depend on the sign of the direction.
+        let median = (heights[(heights.len() - 1) / 2] + heights[heights.len() / 2]) / 2.0;
+        let middle = cylinder.axis_point + w * median;
         let beside = w.cross(&Vector3::ith(w.iamin(), 1.0)).normalize();
         Ok(Self { origin: middle + beside * unit, unit })
     }

@@ -2,7 +2,7 @@
 //! the minimal solver, then refinement, with the scale of the noise estimated.
 //!
 //! ```text
-//!   RANSAC --> lines within t --> refinement --> noise sigma --> lines within min(3 sigma, t_max)
+//!   RANSAC --> lines within t --> refinement --> noise sigma --> lines within k sigma, <= t_max
 //!     t = 3 pixels, then 12 and 48           ^___________________________|
 //!     if chance explains the agreement          until the lines are the same
 //! ```
@@ -10,13 +10,15 @@
 //! A line agrees with a cylinder if its distance from the silhouette is within the threshold and
 //! the point of contact lies in front of the camera. This test chooses among the four circles. The
 //! threshold follows the noise: with a fixed one of 3 pixels a third of the good lines would be lost
-//! at a noise of 3 pixels, and the deviations would be too small. The root mean square distance of
-//! two independent Gaussian distances exceeds three standard deviations once in 8,000 lines.
+//! at a noise of 3 pixels, and the deviations would be too small. The factor `k` is 2.6 for many
+//! lines, and larger for few, from which the noise is less certain.
 
 use nalgebra::{Unit, Vector3};
 use thiserror::Error;
 
-use super::alternatives::{Alternative, Evidence, PLAUSIBLE, PlausibleCylinders, triples, usual_noise};
+use super::alternatives::{
+    Alternative, Evidence, PLAUSIBLE, PlausibleCylinders, distinct_planes, triples, usual_noise,
+};
 use super::refine::{Loss, RefineError, Refinement, refine_lines};
 use super::sampling::CylinderEstimator;
 use super::significance::log_false_alarms;
@@ -24,7 +26,7 @@ use super::triangulate::{identified_planes, is_single_viewpoint};
 use crate::numerics::ransac::{Estimator, RansacOptions, RansacOptionsError, ransac};
 use crate::observations::copies::IndependentLines;
 use crate::observations::scene::LineId;
-use crate::observations::view::View;
+use crate::observations::view::{View, ViewingPlane};
 use crate::space::cylinder::{Cylinder, LineResidual};
 use crate::space::silhouette_distance::{DistanceUnit, Metric, MetricError};
 
@@ -43,7 +45,10 @@ const LARGEST: f64 = 16.0;
 /// A search with a larger threshold is made if chance would give more agreements than this.
 const CONVINCING: f64 = 1e-3;
 
-/// The threshold in units of the noise.
+/// Part of the good lines that the threshold excludes.
+const EXCLUDED: f64 = 1e-3;
+
+/// A line that does not agree counts in comparisons as one at this distance, in units of the noise.
 const DEVIATIONS: f64 = 3.0;
 
 /// Number of lines that the usual noise is worth in the estimate of the noise. With few lines the
@@ -82,11 +87,12 @@ pub struct RobustTriangulation {
     pub residuals: Vec<LineResidual>,
     /// Number of samples drawn.
     pub samples: usize,
-    /// Largest root mean square distance of an inlier: three times the estimated noise, but at most
-    /// the threshold of the options. Unit of the metric.
+    /// Largest root mean square distance of an inlier: a good line of the estimated noise exceeds it
+    /// once in a thousand; at most the threshold of the options. Unit of the metric.
     pub threshold: f64,
-    /// Number of independent lines, and of those that agree. Copies of a line count once.
-    pub independent: [usize; 2],
+    /// Number of independent lines, of those that agree, and of those that agree and are clearly
+    /// distinct. Copies of a line count once.
+    pub independent: [usize; 3],
     /// Expected number of cylinders on which as many lines agree by chance (an upper bound).
     pub false_alarms: f64,
     /// All cylinders that explain the lines about as well, this one included.
@@ -184,7 +190,8 @@ pub fn triangulate_robustly(views: &[View], options: &RobustOptions) -> Result<R
     let estimator = CylinderEstimator { planes, measured, direction: options.direction, square_threshold: 0.0 };
     let mut search = Search { estimator, options, focal: focal_length(views, options.metric.unit), samples: 0 };
     let agreement = search.agreement()?;
-    let plausible = search.plausible(&agreement);
+    let distinct = search.distinct(&agreement, &independent);
+    let plausible = search.plausible(&agreement, &distinct);
 
     let Agreement { refinement, inliers, threshold, log_false_alarms } = agreement;
     let mut residuals = Vec::with_capacity(independent.given());
@@ -200,7 +207,7 @@ pub fn triangulate_robustly(views: &[View], options: &RobustOptions) -> Result<R
         residuals,
         samples: search.samples,
         threshold,
-        independent: [lines, inliers.len()],
+        independent: [lines, inliers.len(), distinct.len()],
         false_alarms: log_false_alarms.exp(),
         plausible,
     })
@@ -306,20 +313,41 @@ impl Search<'_> {
         refine_lines(&self.estimator.measured(inliers), start, Loss::Quadratic).map_err(failure)
     }
 
-    /// Three times the estimated noise, at most the threshold of the options.
+    /// The distance that a good line exceeds with the probability `alpha`, at most the threshold of
+    /// the options: its mean square over the estimated variance has the F distribution with 2 and
+    /// `nu` degrees of freedom, hence
+    ///
+    /// ```text
+    ///     t^2 = sigma^2 (alpha^(-2 / nu) - 1) nu / 2
+    /// ```
     fn threshold(&self, refinement: &Refinement) -> f64 {
         let usual = PRIOR_NOISE * first_threshold(self.options.metric.unit);
+        let freedom = refinement.degrees_of_freedom + 2.0 * PRIOR_LINES;
         let squares = refinement.noise.powi(2) * refinement.degrees_of_freedom + 2.0 * PRIOR_LINES * usual * usual;
-        let noise = (squares / (refinement.degrees_of_freedom + 2.0 * PRIOR_LINES)).sqrt();
-        (DEVIATIONS * noise).min(self.options.ransac.threshold)
+        let square = squares / 2.0 * (EXCLUDED.powf(-2.0 / freedom) - 1.0);
+        square.sqrt().min(self.options.ransac.threshold)
+    }
+
+    /// The planes of the clearly distinct lines that agree.
+    fn distinct(&self, found: &Agreement, independent: &IndependentLines) -> Vec<(LineId, ViewingPlane)> {
+        let mut starts = vec![0];
+        for view in &independent.views {
+            starts.push(starts[starts.len() - 1] + view.lines().len());
+        }
+        let agreeing = |view: usize| -> Vec<usize> {
+            let of_view = found.inliers.iter().filter(|&&index| (starts[view]..starts[view + 1]).contains(&index));
+            of_view.map(|index| index - starts[view]).collect()
+        };
+        let views = independent.views.iter().enumerate().map(|(index, view)| view.selected(&agreeing(index))).collect();
+        distinct_planes(&IndependentLines { views, copies: Vec::new() })
     }
 
     /// The cylinders that explain the lines about as well as the one that was found. All of them
     /// explain its inliers, or as many others.
-    fn plausible(&self, found: &Agreement) -> PlausibleCylinders {
+    fn plausible(&self, found: &Agreement, distinct: &[(LineId, ViewingPlane)]) -> PlausibleCylinders {
         let planes: Vec<_> = found.inliers.iter().map(|&index| self.estimator.planes[index]).collect();
         let measured = self.estimator.measured(&found.inliers);
-        let evidence = Evidence { planes: &planes, measured: &measured, unit: self.options.metric.unit };
+        let evidence = Evidence { planes: &planes, measured: &measured, distinct, unit: self.options.metric.unit };
         let mut plausible = evidence.plausible_cylinders(Some(&found.refinement.cylinder));
         if self.estimator.count() <= FEW_LINES && self.estimator.count() > found.inliers.len() {
             let least = self.truncated_cost(&found.refinement.cylinder, found);
@@ -348,7 +376,7 @@ impl Search<'_> {
 
     /// The sum of squares of all lines in units of the noise, each line limited by the threshold.
     fn truncated_cost(&self, cylinder: &Cylinder, found: &Agreement) -> f64 {
-        let noise = (found.threshold / DEVIATIONS).max(usual_noise(self.options.metric.unit));
+        let noise = found.refinement.noise.max(usual_noise(self.options.metric.unit));
         let squares = self.estimator.squares(cylinder).into_iter();
         squares.map(|square| 2.0 * (square / (noise * noise)).min(DEVIATIONS * DEVIATIONS)).sum()
     }

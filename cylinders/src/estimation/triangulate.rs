@@ -103,14 +103,13 @@ fn along(views: &[View], lines: &IndependentLines, direction: Direction) -> Resu
     Ok(Triangulation { cylinder, direction, fit, residuals })
 }
 
-/// Three given lines are needed from more than one place, and three of them that are no copies.
+/// Three lines are needed that are no copies. If fewer are left because the cameras stand at one
+/// place, that is the cause.
 fn check_count_and_places(views: &[View], lines: &IndependentLines) -> Result<(), TriangulateError> {
-    if lines.given() >= 3 && is_single_viewpoint(views) {
-        return Err(TriangulateError::SingleViewpoint);
-    }
     match lines.count() {
-        lines @ ..3 => Err(TriangulateError::TooFewLines { lines }),
-        _ => Ok(()),
+        3.. => Ok(()),
+        ..3 if lines.given() >= 3 && is_single_viewpoint(views) => Err(TriangulateError::SingleViewpoint),
+        lines => Err(TriangulateError::TooFewLines { lines }),
     }
 }
 

@@ -35,7 +35,8 @@ pub enum Warning {
     },
     /// Another cylinder explains the lines much better than the estimate.
     NotTheBest,
-    /// Only three lines are independent: nothing checks the result.
+    /// Only three lines are clearly distinct, though others may be a few pixels away from them:
+    /// nothing checks the result.
     ThreeLines,
     /// The distances are too large for noise.
     BadFit {
@@ -97,8 +98,8 @@ impl fmt::Display for Warning {
                 "another cylinder explains the lines much better: it is listed; is a line wrong, or a camera mirrored?",
             ),
             Self::ThreeLines => text.write_str(
-                "only three lines are independent: up to four cylinders touch them, and nothing checks the result; pass \
-                 another silhouette line",
+                "only three lines are clearly distinct: up to four cylinders touch them, and nothing checks the result; \
+                 pass another silhouette line",
             ),
             Self::BadFit { noise, unit } => write!(
                 text,
@@ -160,7 +161,7 @@ pub(crate) fn fit_warnings(
         cylinders @ 2.. => warnings.push(Warning::Ambiguous { cylinders }),
         _ => {}
     }
-    if evidence.measured.len() == 3 {
+    if evidence.distinct.len() < 4 {
         warnings.push(Warning::ThreeLines);
     }
     let behind = evidence

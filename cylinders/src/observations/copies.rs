@@ -51,6 +51,11 @@ impl IndependentLines {
     /// within a pixel of their joint line (without calibration within 1/3000 of the focal length).
     /// Gaps between pieces are at most as long as the pieces.
     pub fn of(views: &[View]) -> Self {
+        Self::within(views, 1.0)
+    }
+
+    /// Joins lines that are nearly copies: all within a multiple of the tolerance.
+    pub(crate) fn within(views: &[View], multiple: f64) -> Self {
         let centres: Vec<_> = views.iter().map(|view| view.camera().centre()).collect();
         // The groups of each view. Each starts with a line of that view.
         let mut groups: Vec<Vec<Group>> = Vec::with_capacity(views.len());
@@ -62,7 +67,7 @@ impl IndependentLines {
                 let id = LineId { view: index, line };
                 let is_joined = homes.iter().any(|&home| {
                     let Some(seen) = Seen::of(view, line, &views[home]) else { return false };
-                    let tolerance = tolerance(&views[home]);
+                    let tolerance = multiple * tolerance(&views[home]);
                     groups[home].iter_mut().any(|group| group.join(&seen, id, tolerance))
                 });
                 if !is_joined {
