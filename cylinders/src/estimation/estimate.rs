@@ -141,7 +141,7 @@ pub fn parallel_estimates(result: ParallelTriangulation, cylinders: &[Vec<View>]
         let noise = (squares.sum::<f64>() / result.residuals.len() as f64).sqrt();
         let mut estimate = Estimate::of_least_squares(result, IndependentLines::of(views).count());
         estimate.warnings = camera_warnings(views);
-        estimate.warnings.extend(bad_fit(noise, DistanceUnit::Pixels));
+        estimate.warnings.extend(bad_fit(noise, DistanceUnit::Pixels, have_ends(views)));
         estimate
     };
     result.cylinders.into_iter().zip(cylinders).map(estimate).collect()
@@ -191,7 +191,7 @@ impl Estimate {
         if false_alarms > FALSE_ALARMS {
             warnings.push(Warning::Chance { false_alarms });
         }
-        warnings.extend(bad_fit(refinement.noise, unit));
+        warnings.extend(bad_fit(refinement.noise, unit, have_ends(views)));
         Self {
             cylinder: refinement.cylinder,
             residuals,
@@ -211,6 +211,11 @@ impl Estimate {
         let residuals = residuals(&cylinder, views)?;
         Ok(Self { cylinder, residuals, refinement: Some((refinement, options.metric.unit)), ..self })
     }
+}
+
+/// Whether all lines have end points.
+fn have_ends(views: &[View]) -> bool {
+    views.iter().flat_map(View::ends).all(Option::is_some)
 }
 
 /// The residuals of all lines.

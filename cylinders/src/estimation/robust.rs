@@ -61,6 +61,9 @@ const PRIOR_NOISE: f64 = 1.0 / 3.0;
 /// Limit on the repetitions of refinement and choice of inliers. They mostly agree after three.
 const REPETITIONS: usize = 20;
 
+/// Limit on the attempts to find more inliers within twice the threshold.
+const WIDENINGS: usize = 3;
+
 /// Samples of all lines are compared with the estimate if there are at most so many lines.
 const FEW_LINES: usize = 8;
 
@@ -287,11 +290,26 @@ impl Search<'_> {
         let consensus = ransac(&self.estimator, &options);
         self.samples += consensus.as_ref().map_or(options.max_samples, |consensus| consensus.samples);
         let consensus = consensus.ok_or_else(|| self.no_consensus(0))?;
-        let mut inliers = consensus.inliers;
-        if inliers.len() < 4 {
-            return Err(self.no_consensus(inliers.len()));
+        if consensus.inliers.len() < 4 {
+            return Err(self.no_consensus(consensus.inliers.len()));
         }
-        let mut refinement = self.refined(&inliers, &consensus.model)?;
+        let refinement = self.refined(&consensus.inliers, &consensus.model)?;
+        let mut best = self.settled(refinement, consensus.inliers);
+        // A set of good lines that happen to be near may keep the others out.
+        for _ in 0..WIDENINGS {
+            let wide = self.estimator.within(&best.refinement.cylinder, 2.0 * best.threshold);
+            let Ok(refinement) = self.refined(&wide, &best.refinement.cylinder) else { break };
+            let wide = self.settled(refinement, wide);
+            if wide.log_false_alarms >= best.log_false_alarms {
+                break;
+            }
+            best = wide;
+        }
+        Ok(best)
+    }
+
+    /// Refinement and choice of inliers in turn, until they agree.
+    fn settled(&self, mut refinement: Refinement, mut inliers: Vec<usize>) -> Agreement {
         let mut threshold = self.threshold(&refinement);
         for _ in 0..REPETITIONS {
             let agreeing = self.estimator.within(&refinement.cylinder, threshold);
@@ -304,7 +322,7 @@ impl Search<'_> {
             threshold = self.threshold(&refinement);
         }
         let log_false_alarms = log_false_alarms(inliers.len(), self.estimator.count(), threshold / self.focal);
-        Ok(Agreement { refinement, inliers, threshold, log_false_alarms })
+        Agreement { refinement, inliers, threshold, log_false_alarms }
     }
 
     fn refined(&self, inliers: &[usize], start: &Cylinder) -> Result<Refinement, RobustError> {
@@ -357,7 +375,9 @@ impl Search<'_> {
                     let Ok(refined) = self.refined(&others, &model) else { continue };
                     let plausibility = (0.5 * (least - self.truncated_cost(&refined.cylinder, found))).exp();
                     let is_known =
-                        plausible.cylinders.iter().any(|known| evidence.is_same(&known.cylinder, &refined.cylinder));
+                        plausible.cylinders.iter().any(|known| evidence.is_same(&known.cylinder, &refined.cylinder))
+                            || found.refinement.is_near(&refined.cylinder)
+                            || refined.is_near(&found.refinement.cylinder);
                     if others.len() >= 4 && plausibility >= PLAUSIBLE && !is_known {
                         plausible.cylinders.push(Alternative {
                             cylinder: refined.cylinder,

@@ -16,6 +16,9 @@ const BAD_NOISE_PIXELS: f64 = 10.0;
 /// The same in radians: at a focal length of 3000.
 const BAD_NOISE_RADIANS: f64 = 10.0 / 3000.0;
 
+/// The allowance of lines without end points.
+const WITHOUT_ENDS: f64 = 3.0;
+
 /// A line is called wrong if noise would explain its distance in fewer than this part of all scenes.
 const SIGNIFICANCE: f64 = 1e-3;
 
@@ -175,18 +178,20 @@ pub(crate) fn fit_warnings(
         evidence.measured.iter().filter_map(|line| line.distance(&nearest)).map(|d| 2.0 * d.mean_square()).sum();
     let freedom = 2.0 * evidence.measured.len() as f64 - 5.0;
     let noise = (squares / freedom).sqrt();
-    warnings.extend(bad_fit(noise, evidence.unit));
+    warnings.extend(bad_fit(noise, evidence.unit, evidence.measured.iter().all(|line| line.has_ends)));
     warnings.extend(wrong_line(evidence, &nearest, squares));
     warnings
 }
 
-/// A warning if the noise is too large.
-pub(crate) fn bad_fit(noise: f64, unit: DistanceUnit) -> Option<Warning> {
+/// A warning if the noise is too large. Lines without end points may have been seen far from their
+/// support points, so that more is allowed.
+pub(crate) fn bad_fit(noise: f64, unit: DistanceUnit, have_ends: bool) -> Option<Warning> {
     let largest = match unit {
         DistanceUnit::Pixels => BAD_NOISE_PIXELS,
         DistanceUnit::Radians => BAD_NOISE_RADIANS,
     };
-    (noise > largest).then_some(Warning::BadFit { noise, unit })
+    let factor = if have_ends { 1.0 } else { WITHOUT_ENDS };
+    (noise > factor * largest).then_some(Warning::BadFit { noise, unit })
 }
 
 /// The line without which the others fit best, if noise does not explain the gain. Without it the

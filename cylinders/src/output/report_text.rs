@@ -93,8 +93,7 @@ impl RefinementReport {
         if self.lines_without_ends > 0 {
             writeln!(
                 text,
-                "note             the deviations assume that {} line(s) without end points were seen over a fifth of \
-                 the focal length",
+                "note             {} line(s) have no end points: the deviations follow from the scatter of the lines",
                 self.lines_without_ends
             )?;
         }

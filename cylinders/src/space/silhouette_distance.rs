@@ -126,7 +126,8 @@ impl Metric {
             for (line, (coordinates, ends)) in view.lines().iter().zip(view.ends()).enumerate() {
                 let points = ends.unwrap_or_else(|| place.support_points(coordinates));
                 let out_of_range = MetricError::LineOutOfRange { view: index, line };
-                measured.push(place.measured(index, &points).ok_or(out_of_range)?);
+                let prepared = place.measured(index, &points).ok_or(out_of_range)?;
+                measured.push(MeasuredLine { has_ends: ends.is_some(), ..prepared });
             }
         }
         Ok(measured)
@@ -198,7 +199,7 @@ impl Place {
             }
         });
         let finite = rays.iter().all(|ray| ray.iter().all(|entry| entry.is_finite()));
-        finite.then_some(MeasuredLine { view, centre: self.centre, rays, scale: self.scale })
+        finite.then_some(MeasuredLine { view, centre: self.centre, rays, scale: self.scale, has_ends: true })
     }
 }
 
@@ -213,6 +214,8 @@ pub(crate) struct MeasuredLine {
     rays: [Vector3<f64>; 2],
     /// The matrix `B` of the metric.
     scale: Matrix3<f64>,
+    /// Whether the support points are the end points of the line.
+    pub(crate) has_ends: bool,
 }
 
 /// A given line measured against the nearer silhouette line of a cylinder.
@@ -264,6 +267,11 @@ impl MeasuredLine {
     /// The same line in the coordinates `(X - origin) / unit`.
     pub(crate) fn in_frame(&self, origin: &Point3<f64>, unit: f64) -> Self {
         Self { centre: Point3::from((self.centre - origin) / unit), ..*self }
+    }
+
+    /// Whether the second support point is further along the axis than the first.
+    pub(crate) fn is_along(&self, cylinder: &Cylinder) -> bool {
+        (self.rays[1] - self.rays[0]).dot(&cylinder.direction) > 0.0
     }
 
     /// Ray to the middle of the support points.
