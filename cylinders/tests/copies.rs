@@ -125,7 +125,7 @@ fn three_lines_given_twice_are_never_wrong_in_silence() {
 
 #[test]
 fn pieces_of_a_line_are_joined_from_end_to_end() {
-    let (_, views) = three_lines_twice(3, Copies::Broken, true);
+    let (_, views) = three_lines_twice(11, Copies::Broken, true);
     let lines = IndependentLines::of(&views);
     assert_eq!((lines.count(), lines.given()), (3, 6));
     assert_eq!(lines.copies[1], [LineId { view: 1, line: 0 }, LineId { view: 1, line: 1 }]);

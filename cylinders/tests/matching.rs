@@ -205,7 +205,12 @@ fn bad_input_is_a_typed_error() {
     // The threshold in radians describes the same scene.
     let radians = MatchOptions { unit: DistanceUnit::Radians, threshold: 0.003, ..options };
     let matching = match_cylinders(&uncalibrated, &scene.direction, &radians).expect("cylinders");
-    assert_eq!(matching.unmatched, matched(&scene.views, &scene.direction).unmatched);
+    // A line at the threshold may be within the one and not the other.
+    let in_pixels = matched(&scene.views, &scene.direction);
+    let differ =
+        |one: &Matching, other: &Matching| one.unmatched.iter().filter(|line| !other.unmatched.contains(line)).count();
+    assert_eq!(matching.cylinders.len(), in_pixels.cylinders.len());
+    assert!(differ(&matching, &in_pixels) + differ(&in_pixels, &matching) <= 1);
 
     let one_each: Vec<_> = scene.views.iter().map(|view| with_camera(view, &view.lines()[..1])).collect();
     assert_eq!(fails(&one_each, &scene.direction, &options), MatchError::NoPair);

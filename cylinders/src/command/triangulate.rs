@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::drawings::DrawingArguments;
 use super::error::CommandError;
 use super::estimator::EstimatorArguments;
-use super::files::write;
+use super::files::write_all;
 use super::output::Output;
 use super::scene::SceneArguments;
 use crate::report::Report;
@@ -83,10 +83,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         None => (lines, estimate.cylinder),
     };
     let found: Vec<_> = cylinders.into_iter().zip(&estimates).map(shown).collect();
-    if let Some(path) = &arguments.out {
-        write(path, output.json.as_bytes())?;
-    }
-    arguments.drawings.write(&scene, &found)?;
+    let mut files = arguments.drawings.draw(&scene, &found)?;
+    files.extend(arguments.out.iter().map(|path| (path.clone(), output.json.clone().into_bytes())));
+    write_all(arguments.drawings.folder().as_slice(), &files)?;
     Ok(output)
 }
 

@@ -3,7 +3,7 @@
 /// Which other cylinders explain the lines about as well.
 pub mod alternatives;
 /// A cylinder from any of the estimators.
-pub mod estimate;
+pub(crate) mod estimate;
 /// The influence of lines on the refinement.
 mod loss;
 /// Several cylinders with one direction.

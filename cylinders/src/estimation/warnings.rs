@@ -6,7 +6,7 @@ use std::fmt;
 use super::alternatives::{Evidence, PlausibleCylinders};
 use super::refine::{Loss, optimise};
 use crate::observations::scene::{CylinderLines, LineId};
-use crate::observations::view::View;
+use crate::observations::view::{Camera, View};
 use crate::space::cylinder::Cylinder;
 use crate::space::silhouette_distance::DistanceUnit;
 
@@ -62,15 +62,19 @@ pub enum Warning {
         /// Index of the view.
         view: usize,
     },
-    /// The camera matrix has a negative determinant.
-    NegatedCamera {
-        /// Index of the view.
+    /// Camera matrices have negative determinants.
+    NegatedCameras {
+        /// Index of the first of these views.
         view: usize,
+        /// Their number.
+        views: usize,
     },
-    /// The calibration has one negative focal length, so that images are mirrored.
-    MirroredImage {
-        /// Index of the view.
+    /// Calibrations have negative focal lengths, so that images are mirrored.
+    NegativeFocalLengths {
+        /// Index of the first of these views.
         view: usize,
+        /// Their number.
+        views: usize,
     },
     /// As many lines may agree on a cylinder by chance.
     Chance {
@@ -106,27 +110,32 @@ impl fmt::Display for Warning {
             ),
             Self::BadFit { noise, unit } => write!(
                 text,
-                "the fit is bad: the lines are off by {noise:.3e} {unit}, far more than noise; lines are wrong (try \
-                 --robust), or cameras are"
+                "the fit is bad: the lines are off by {}, far more than noise; lines are wrong (try --robust), or \
+                 cameras are",
+                length(*noise, *unit)
             ),
             Self::WrongLine { line: LineId { view, line }, distance, unit } => write!(
                 text,
-                "views[{view}], line {line} does not fit the others: it is {distance:.3e} {unit} from the silhouette of \
-                 the cylinder without it; if it is wrong, remove it or try --robust"
+                "views[{view}], line {line} does not fit the others: it is {} from the silhouette of the cylinder \
+                 without it; if it is wrong, remove it or try --robust",
+                length(*distance, *unit)
             ),
             Self::Behind { view } => write!(
                 text,
                 "the cylinder touches a line of views[{view}] behind the camera: is the camera mirrored, or its line \
                  wrong?"
             ),
-            Self::NegatedCamera { view } => write!(
+            Self::NegatedCameras { view, views } => write!(
                 text,
-                "the camera of views[{view}] has a negative determinant: it was read as a negative multiple of a camera; \
-                 if it is mirrored, the result is wrong"
+                "the camera of {} has a negative determinant: it was read as a negative multiple of a camera; if it is \
+                 mirrored, the result is wrong",
+                place(*view, *views)
             ),
-            Self::MirroredImage { view } => write!(
+            Self::NegativeFocalLengths { view, views } => write!(
                 text,
-                "the calibration of views[{view}] has one negative focal length: its image is taken as mirrored"
+                "the calibration of {} has a negative focal length: the image is taken as mirrored; if it is not, the \
+                 result is wrong",
+                place(*view, *views)
             ),
             Self::Chance { false_alarms } => write!(
                 text,
@@ -137,19 +146,34 @@ impl fmt::Display for Warning {
     }
 }
 
+/// Names the first of several views.
+fn place(view: usize, views: usize) -> String {
+    match views {
+        ..2 => format!("views[{view}]"),
+        _ => format!("views[{view}] (and of {} others)", views - 1),
+    }
+}
+
+/// A distance with its unit.
+fn length(distance: f64, unit: DistanceUnit) -> String {
+    match unit {
+        DistanceUnit::Pixels => format!("{distance:.1} {unit}"),
+        DistanceUnit::Radians => format!("{distance:.2e} {unit}"),
+    }
+}
+
 /// Cameras of views with lines that may be mirrored.
 pub fn camera_warnings(views: &[View]) -> Vec<Warning> {
-    let mut warnings = Vec::new();
-    for (view, content) in views.iter().enumerate().filter(|(_, content)| !content.lines().is_empty()) {
-        let camera = content.camera();
-        if camera.is_negated() {
-            warnings.push(Warning::NegatedCamera { view });
-        }
-        if camera.calibration().is_some_and(|k| k.matrix()[(0, 0)] * k.matrix()[(1, 1)] < 0.0) {
-            warnings.push(Warning::MirroredImage { view });
-        }
-    }
-    warnings
+    let places = |is_doubtful: &dyn Fn(&Camera) -> bool| -> Vec<usize> {
+        let doubtful = |&view: &usize| !views[view].lines().is_empty() && is_doubtful(views[view].camera());
+        (0..views.len()).filter(doubtful).collect()
+    };
+    let has_negative = |camera: &Camera| camera.calibration().is_some_and(|k| k.matrix().diagonal().min() < 0.0);
+    let negated = places(&Camera::is_negated);
+    let negative = places(&has_negative);
+    let negated = negated.first().map(|&view| Warning::NegatedCameras { view, views: negated.len() });
+    let negative = negative.first().map(|&view| Warning::NegativeFocalLengths { view, views: negative.len() });
+    negated.into_iter().chain(negative).collect()
 }
 
 /// What the lines say against a cylinder near a minimum, or against its being the only one.

@@ -7,9 +7,13 @@ use serde::Serialize;
 
 use super::number::{number, triple};
 use super::report::ResidualReport;
+use crate::estimation::warnings::camera_warnings;
 use crate::matching::{MatchedCylinder, Matching};
 use crate::observations::scene::LineId;
 use crate::observations::view::View;
+
+/// Largest expected number of cylinders by chance that draws no warning.
+const FALSE_ALARMS: f64 = 1.0;
 
 /// All cylinders found, as plain numbers in the form of the JSON output.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -26,6 +30,8 @@ pub struct MatchingReport {
     pub cylinders: Vec<MatchedCylinderReport>,
     /// Lines of no cylinder.
     pub unmatched: Vec<LineReport>,
+    /// What makes the result doubtful, in words.
+    pub warnings: Vec<String>,
 }
 
 /// A cylinder and its silhouettes.
@@ -82,8 +88,20 @@ impl MatchingReport {
             outlier_rate: rates.sum::<f64>() / matching.cylinders.len() as f64,
             cylinders: matching.cylinders.iter().map(cylinder).collect(),
             unmatched: matching.unmatched.iter().map(line).collect(),
+            warnings: warnings(views, matching),
         }
     }
+}
+
+fn warnings(views: &[View], matching: &Matching) -> Vec<String> {
+    let chance = |(index, found): (usize, &MatchedCylinder)| {
+        let (number, false_alarms) = (index + 1, found.false_alarms);
+        (false_alarms > FALSE_ALARMS).then(|| {
+            format!("cylinder {number} may be chance: {false_alarms:.1e} with as many and as near matches are expected")
+        })
+    };
+    let of_cameras = camera_warnings(views).into_iter().map(|warning| warning.to_string());
+    of_cameras.chain(matching.cylinders.iter().enumerate().filter_map(chance)).collect()
 }
 
 /// Text for people, with seven significant digits.
@@ -93,6 +111,7 @@ impl fmt::Display for MatchingReport {
         writeln!(text, "cylinders        {:14}   with {} matches or more", self.cylinders.len(), self.least_support)?;
         writeln!(text, "lines            {:14}   {} of no cylinder", self.lines, self.unmatched.len())?;
         writeln!(text, "outlier rate     {:14.4}   mean over the cylinders", self.outlier_rate)?;
+        self.warnings.iter().try_for_each(|warning| writeln!(text, "warning: {warning}"))?;
         for (index, cylinder) in self.cylinders.iter().enumerate() {
             writeln!(text, "\ncylinder         {:14}", index + 1)?;
             writeln!(text, "axis point       {}   nearest to the origin", triple(cylinder.axis_point))?;

@@ -141,6 +141,18 @@ pub(crate) fn lines_with_ends(index: usize, view: &View) -> Vec<Option<MeasuredL
     view.ends().iter().map(|ends| place.as_ref()?.measured(index, ends.as_ref()?)).collect()
 }
 
+/// The lines of a view, in their order, prepared for measurement in pixels; `None` without
+/// calibration, or if a line is out of range.
+pub(crate) fn lines_in_pixels(index: usize, view: &View) -> Vec<Option<MeasuredLine>> {
+    let metric = Metric { unit: DistanceUnit::Pixels, ..Metric::of(&[]) };
+    let place = Place::new(view.camera(), &metric);
+    let measured = |(line, ends): (&Vector3<f64>, &Option<[Point2<f64>; 2]>)| {
+        let place = place.as_ref()?;
+        place.measured(index, &ends.unwrap_or_else(|| place.support_points(line)))
+    };
+    view.lines().iter().zip(view.ends()).map(measured).collect()
+}
+
 /// The data of a camera for one metric.
 struct Place {
     centre: Point3<f64>,
