@@ -8,7 +8,7 @@ mod scene;
 mod scenes;
 
 use eliminant_cylinders::{IndependentLines, LineId, Method, RobustOptions, View, estimate};
-use nalgebra::{Point2, Point3, Vector2};
+use nalgebra::{Point2, Vector2};
 use random::Random;
 use scene::{Can, Photograph, Setup};
 
@@ -29,54 +29,35 @@ enum Copies {
 
 const ALL: [Copies; 4] = [Copies::Exact, Copies::Shifted, Copies::Scattered, Copies::Broken];
 
-/// The images of the points of the two contact lines at these parts of the height, with noise.
-fn segment(can: &Can, setup: &Setup, photograph: &Photograph, side: f64, part: [f64; 2]) -> Segment {
-    let rotation = photograph.camera.fixed_columns::<3>(0);
-    let centre = Point3::from(-(rotation.tr_mul(&photograph.camera.column(3))));
-    let direction = can.direction.into_inner();
-    let offset = centre - can.base;
-    let perpendicular = offset - direction * direction.dot(&offset);
-    let (toward, cosine) = (perpendicular.normalize(), can.radius / perpendicular.norm());
-    let sideways = direction.cross(&toward) * (side * (1.0 - cosine * cosine).sqrt());
-    let bottom = can.base + (toward * cosine + sideways) * can.radius;
-    part.map(|part| {
-        let image = setup.calibration * photograph.camera * (bottom + direction * (can.height * part)).to_homogeneous();
-        Point2::new(image.x / image.z, image.y / image.z)
-    })
-}
-
 fn moved(segment: Segment, noise: f64, random: &mut Random) -> Segment {
     segment.map(|end| end + Vector2::new(random.normal(), random.normal()) * noise)
 }
 
-fn copied(
-    can: &Can,
-    setup: &Setup,
-    photograph: &Photograph,
-    side: f64,
-    copies: Copies,
-    random: &mut Random,
-) -> Vec<Segment> {
-    let whole = moved(segment(can, setup, photograph, side, [0.0, 1.0]), 0.5, random);
+/// Copies of a silhouette; the setup has no noise.
+fn copied(photograph: &Photograph, side: f64, copies: Copies, random: &mut Random) -> Vec<Segment> {
+    let exact = scenes::silhouette(&scene::soda_can(), &setup(), photograph, (side, [0.0, 1.0]), random);
+    let whole = moved(exact, 0.5, random);
     let along = (whole[1] - whole[0]).normalize();
-    let at = |part: f64| whole[0] + (whole[1] - whole[0]) * part;
     match copies {
         Copies::Exact => vec![whole; 2],
         Copies::Shifted => vec![whole, whole.map(|end| end + Vector2::new(-along.y, along.x) * 0.5)],
-        Copies::Scattered => {
-            (0..2).map(|_| moved(segment(can, setup, photograph, side, [0.0, 1.0]), 0.5, random)).collect()
-        }
+        Copies::Scattered => (0..2).map(|_| moved(exact, 0.5, random)).collect(),
         Copies::Broken => {
-            let gap = random.uniform(0.05, 0.3);
-            let middle = random.uniform(0.35, 0.65);
-            [[0.0, middle - gap / 2.0], [middle + gap / 2.0, 1.0]].map(|part| moved(part.map(at), 0.2, random)).to_vec()
+            let (gap, middle) = (random.uniform(0.05, 0.3), random.uniform(0.35, 0.65));
+            let parts = [[0.0, middle - gap / 2.0], [middle + gap / 2.0, 1.0]];
+            let piece = |part: [f64; 2]| part.map(|part| whole[0] + (whole[1] - whole[0]) * part);
+            parts.map(|part| moved(piece(part), 0.2, random)).to_vec()
         }
     }
 }
 
+fn setup() -> Setup {
+    Setup { noise: 0.0, ..scene::soda_can_setup() }
+}
+
 /// Three silhouettes of the soda can in two or three images, each given twice.
 fn three_lines_twice(seed: u64, copies: Copies, has_ends: bool) -> (Can, Vec<View>) {
-    let (can, setup) = (scene::soda_can(), scene::soda_can_setup());
+    let (can, setup) = (scene::soda_can(), setup());
     let mut random = Random::new(seed);
     let photographs = scene::photographs(&can, &setup, &mut random);
     let places = match seed / 8 % 2 {
@@ -85,8 +66,7 @@ fn three_lines_twice(seed: u64, copies: Copies, has_ends: bool) -> (Can, Vec<Vie
     };
     let view = |(index, sides): (usize, Vec<f64>)| {
         let photograph: &Photograph = &photographs[index];
-        let segments: Vec<_> =
-            sides.iter().flat_map(|&side| copied(&can, &setup, photograph, side, copies, &mut random)).collect();
+        let segments: Vec<_> = sides.iter().flat_map(|&side| copied(photograph, side, copies, &mut random)).collect();
         let camera = *scenes::view(&setup, &photograph.camera, &[]).camera();
         let view = View::from_pixel_segments(camera, &segments).expect("segments");
         let ends = if has_ends { view.ends().to_vec() } else { vec![None; segments.len()] };

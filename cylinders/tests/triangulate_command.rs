@@ -284,6 +284,22 @@ fn drawings_are_written_whole_or_not_at_all() {
         assert!(outcome.error.starts_with(&format!("error: cannot write `{}`: ", arguments[1])), "{}", outcome.error);
     }
     assert_eq!(names(&folder), ["a.ply", "section.png", "some"]);
+
+    // One of several outputs cannot be written: the others are not, whatever the order.
+    for bad in [["--out", &path("some")], ["--ply", &path("some")], ["--section", &path("no/such/section.svg")]] {
+        let good = [
+            ["--out", &path("out.json")],
+            ["--ply", &path("b.ply")],
+            ["--section", &path("b.svg")],
+            ["--silhouettes", &path("new/images")],
+        ];
+        let others = good.iter().filter(|argument| argument[0] != bad[0]).flatten().copied();
+        let arguments: Vec<_> =
+            [soda_can()].iter().map(String::as_str).chain(others).chain(bad).map(str::to_owned).collect();
+        let outcome = command(&arguments.iter().map(String::as_str).collect::<Vec<_>>());
+        assert_eq!((outcome.code, outcome.output.as_str()), (1, ""), "{}", outcome.error);
+        assert_eq!(names(&folder), ["a.ply", "section.png", "some"], "{bad:?}");
+    }
 }
 
 /// The example only passes on the result of `run`. Cargo builds the examples before it runs the

@@ -17,7 +17,7 @@ use crate::space::cylinder::{Cylinder, LineResidual};
 use crate::space::silhouette_distance::{DistanceUnit, Metric};
 
 /// Largest expected number of cylinders by chance that draws no warning.
-const FALSE_ALARMS: f64 = 0.1;
+const FALSE_ALARMS: f64 = 1.0;
 
 /// How a cylinder is estimated.
 #[derive(Clone, Copy, Debug, PartialEq)]

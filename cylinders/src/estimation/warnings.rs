@@ -19,6 +19,9 @@ const BAD_NOISE_RADIANS: f64 = 10.0 / 3000.0;
 /// The allowance of lines without end points.
 const WITHOUT_ENDS: f64 = 3.0;
 
+/// Least squares are not accurate if refinement changes the radius by more than this part.
+const FAR: f64 = 0.03;
+
 /// A line is called wrong if noise would explain its distance in fewer than this part of all scenes.
 const SIGNIFICANCE: f64 = 1e-3;
 
@@ -38,6 +41,11 @@ pub enum Warning {
     },
     /// Another cylinder explains the lines much better than the estimate.
     NotTheBest,
+    /// Least squares in the cross-section are far from the cylinder that fits best in the images.
+    FarFromRefined {
+        /// Radius of that cylinder over the radius of the estimate.
+        ratio: f64,
+    },
     /// Only three lines are clearly distinct, though others may be a few pixels away from them:
     /// nothing checks the result.
     ThreeLines,
@@ -103,6 +111,11 @@ impl fmt::Display for Warning {
             ),
             Self::NotTheBest => text.write_str(
                 "another cylinder explains the lines much better: it is listed; is a line wrong, or a camera mirrored?",
+            ),
+            Self::FarFromRefined { ratio } => write!(
+                text,
+                "least squares are not accurate for these lines: refinement changes the radius by {:.1} %; use --refine",
+                100.0 * (ratio - 1.0)
             ),
             Self::ThreeLines => text.write_str(
                 "only three lines are clearly distinct: up to four cylinders touch them, and nothing checks the result; \
@@ -198,6 +211,10 @@ pub(crate) fn fit_warnings(
     warnings.extend(behind.map(|line| Warning::Behind { view: line.view }));
 
     let nearest = optimise(evidence.measured, cylinder, Loss::Quadratic, STEPS).map_or(*cylinder, |best| best.cylinder);
+    let ratio = nearest.radius / cylinder.radius;
+    if (ratio - 1.0).abs() > FAR {
+        warnings.push(Warning::FarFromRefined { ratio });
+    }
     let squares: f64 =
         evidence.measured.iter().filter_map(|line| line.distance(&nearest)).map(|d| 2.0 * d.mean_square()).sum();
     let freedom = 2.0 * evidence.measured.len() as f64 - 5.0;
