@@ -10,9 +10,10 @@ use super::error::CommandError;
 /// A file to write: its path and its content.
 pub(super) type File = (PathBuf, Vec<u8>);
 
-/// Writes all files, or none: contents go to temporary files first, and these take their places when
-/// all are written. If that fails, existing files are unchanged, and folders that were made are
-/// removed. Only a regular file is replaced, never a folder or a device. Missing `folders` are made.
+/// Writes all files, or none: contents go to temporary files first, and these take their places
+/// when all are written. If that fails, existing files are unchanged, and folders that were made
+/// are removed. Only a regular file is replaced, never a folder or a device. Missing `folders` are
+/// made.
 pub(super) fn write_all(folders: &[&Path], files: &[File]) -> Result<(), CommandError> {
     let mut made = Vec::new();
     let mut temporaries = Vec::with_capacity(files.len());

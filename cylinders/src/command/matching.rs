@@ -92,8 +92,8 @@ fn search(views: &[View], direction: &Unit<Vector3<f64>>, options: &MatchOptions
     matching
 }
 
-/// The directions to try one after the other: the given one; otherwise that on which most lines agree,
-/// and that of all lines.
+/// The directions to try one after the other: the given one; otherwise that on which most lines
+/// agree, and that of all lines.
 fn directions(arguments: &Arguments, views: &[View]) -> Result<Vec<Unit<Vector3<f64>>>, CommandError> {
     if let Some(direction) = arguments.direction {
         return Ok(vec![direction]);

@@ -66,8 +66,8 @@ pub const USAGE: u8 = 2;
 /// Runs the command with these arguments, of which the first is the name of the program. Returns
 /// the exit status.
 ///
-/// Errors go to `stderr`; with `--json` also to `stdout`, as an object. Warnings are part of the text;
-/// with `--json` they are part of the object and also go to `stderr`.
+/// Errors go to `stderr`; with `--json` also to `stdout`, as an object. Warnings are part of the
+/// text; with `--json` they are part of the object and also go to `stderr`.
 pub fn run(
     arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>,
     stdout: &mut dyn Write,

@@ -10,8 +10,8 @@
 //!     L(c) ~ (2 s^2 + c)^(-(nu + 2) / 2),      nu = 2 N - 5 degrees of freedom
 //! ```
 //!
-//! (inverse gamma prior of `sigma^2` with two degrees of freedom). The plausibility of a cylinder is
-//! its likelihood over that of the best.
+//! (inverse gamma prior of `sigma^2` with two degrees of freedom). The plausibility of a cylinder
+//! is its likelihood over that of the best.
 
 use nalgebra::{Unit, Vector3};
 
@@ -41,6 +41,9 @@ const PRIOR_FREEDOM: f64 = 2.0;
 
 /// Circles that touch three lines are tried if there are at most so many lines.
 const FEW_LINES: usize = 6;
+
+/// Of more than twice as many lines, about so many are looked at first.
+const MANY_LINES: usize = 30;
 
 /// Steps of Levenberg-Marquardt to a local minimum.
 const STEPS: usize = 100;
@@ -102,6 +105,21 @@ impl Evidence<'_> {
     /// plausibility of the best excepted; the best first. `found` is a cylinder near one of them,
     /// from which it is reached.
     pub(crate) fn plausible_cylinders(&self, found: Option<&Cylinder>) -> PlausibleCylinders {
+        // Of many lines, a part decides in most cases.
+        if self.measured.len() > 2 * MANY_LINES {
+            let step = self.measured.len() / MANY_LINES;
+            let planes: Vec<_> = self.planes.iter().step_by(step).copied().collect();
+            let measured: Vec<_> = self.measured.iter().step_by(step).copied().collect();
+            let part = Evidence { planes: &planes, measured: &measured, distinct: &planes, unit: self.unit };
+            let plausible = part.minima(found);
+            if !plausible.is_ambiguous() {
+                return plausible;
+            }
+        }
+        self.minima(found)
+    }
+
+    fn minima(&self, found: Option<&Cylinder>) -> PlausibleCylinders {
         let minimum = |start: &Cylinder| {
             let Optimised { cylinder, .. } = optimise(self.measured, start, Loss::Quadratic, STEPS).ok()?;
             Some((cylinder, self.cost(&cylinder)?))
@@ -156,8 +174,8 @@ impl Evidence<'_> {
             && one.direction.cross(&other.direction).norm() <= SAME
     }
 
-    /// Cylinders from which local minima are reached: those along the direction of least squares, and
-    /// those along the direction of `found`. The former is poor if lines are short.
+    /// Cylinders from which local minima are reached: those along the direction of least squares,
+    /// and those along the direction of `found`. The former is poor if lines are short.
     fn starts(&self, found: Option<&Cylinder>) -> Vec<Cylinder> {
         let mut starts = Vec::new();
         for planes in [self.planes, self.distinct] {

@@ -133,8 +133,8 @@ pub fn estimate(views: &[View], method: &Method) -> Result<Estimate, EstimateErr
     Ok(estimate)
 }
 
-/// The cylinders of a common direction as estimates. Cylinders of another direction that may explain
-/// the lines are not looked for.
+/// The cylinders of a common direction as estimates. Cylinders of another direction that may
+/// explain the lines are not looked for.
 pub fn parallel_estimates(result: ParallelTriangulation, cylinders: &[Vec<View>]) -> Vec<Estimate> {
     let estimate = |(result, views): (Triangulation, &Vec<View>)| {
         let squares = result.residuals.iter().filter_map(|residual| residual.pixels).map(|pixels| pixels * pixels);

@@ -9,9 +9,9 @@
 //!
 //! A line agrees with a cylinder if its distance from the silhouette is within the threshold and
 //! the point of contact lies in front of the camera. This test chooses among the four circles. The
-//! threshold follows the noise: with a fixed one of 3 pixels a third of the good lines would be lost
-//! at a noise of 3 pixels, and the deviations would be too small. The factor `k` is 2.6 for many
-//! lines, and larger for few, from which the noise is less certain.
+//! threshold follows the noise: with a fixed one of 3 pixels a third of the good lines would be
+//! lost at a noise of 3 pixels, and the deviations would be too small. The factor `k` is 2.6 for
+//! many lines, and larger for few, from which the noise is less certain.
 
 use nalgebra::{Unit, Vector3};
 use thiserror::Error;
@@ -90,8 +90,8 @@ pub struct RobustTriangulation {
     pub residuals: Vec<LineResidual>,
     /// Number of samples drawn.
     pub samples: usize,
-    /// Largest root mean square distance of an inlier: a good line of the estimated noise exceeds it
-    /// once in a thousand; at most the threshold of the options. Unit of the metric.
+    /// Largest root mean square distance of an inlier: a good line of the estimated noise exceeds
+    /// it once in a thousand; at most the threshold of the options. Unit of the metric.
     pub threshold: f64,
     /// Number of independent lines, of those that agree, and of those that agree and are clearly
     /// distinct. Copies of a line count once.

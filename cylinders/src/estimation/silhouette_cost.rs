@@ -150,11 +150,12 @@ impl SilhouetteCost {
     /// Covariance of the local parameters at the optimum, and the noise.
     ///
     /// If all lines have end points, the distances of the points are independent with one variance,
-    /// and the covariance is `sigma^2 (J^T W J)^-1`. Without end points it is not known where a line
-    /// was seen, nor therefore how the errors of its two support points are related. The covariance
-    /// then follows from the scatter of the lines, whatever it is (the sandwich estimate with the
-    /// leverages of each line taken out; MacKinnon & White, "Some heteroskedasticity-consistent
-    /// covariance matrix estimators", 1985, HC3). Few lines have a common scatter instead:
+    /// and the covariance is `sigma^2 (J^T W J)^-1`. Without end points it is not known where a
+    /// line was seen, nor therefore how the errors of its two support points are related. The
+    /// covariance then follows from the scatter of the lines, whatever it is (the sandwich estimate
+    /// with the leverages of each line taken out; MacKinnon & White, "Some
+    /// heteroskedasticity-consistent covariance matrix estimators", 1985, HC3). Few lines have a
+    /// common scatter instead:
     ///
     /// ```text
     ///   H^-1 (sum_i g_i g_i^T) H^-1,    g_i = J_i^T W_i (I - J_i H^-1 J_i^T W_i)^-1 e_i
@@ -193,8 +194,8 @@ impl SilhouetteCost {
         Ok(Uncertainty { covariance, noise: variance.sqrt(), degrees_of_freedom })
     }
 
-    /// The sum of `J_i^T S J_i` with the covariance `S` of the two distances of a line, taken as the
-    /// same for all lines. The first support point is the one further along the axis.
+    /// The sum of `J_i^T S J_i` with the covariance `S` of the two distances of a line, taken as
+    /// the same for all lines. The first support point is the one further along the axis.
     fn common_scatter(&self, parameters: &Parameters) -> Option<Matrix5<f64>> {
         let (cylinder, tangents) = (parameters.cylinder(), parameters.tangents());
         let swap = Matrix2::new(0.0, 1.0, 1.0, 0.0);

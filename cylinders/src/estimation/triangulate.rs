@@ -71,8 +71,8 @@ pub enum TriangulateError {
     },
 }
 
-/// Triangulates one cylinder from its silhouette lines in at least two views. Copies of a line count
-/// as one line ([`IndependentLines`]).
+/// Triangulates one cylinder from its silhouette lines in at least two views. Copies of a line
+/// count as one line ([`IndependentLines`]).
 ///
 /// # Errors
 /// [`TriangulateError`].

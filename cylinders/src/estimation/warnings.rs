@@ -1,5 +1,5 @@
-//! What makes an estimate doubtful: other cylinders that explain the lines, a bad fit, a wrong line,
-//! cameras that may be mirrored.
+//! What makes an estimate doubtful: other cylinders that explain the lines, a bad fit, a wrong
+//! line, cameras that may be mirrored.
 
 use std::fmt;
 
@@ -22,7 +22,8 @@ const WITHOUT_ENDS: f64 = 3.0;
 /// Least squares are not accurate if refinement changes the radius by more than this part.
 const FAR: f64 = 0.03;
 
-/// A line is called wrong if noise would explain its distance in fewer than this part of all scenes.
+/// A line is called wrong if noise would explain its distance in fewer than this part of all
+/// scenes.
 const SIGNIFICANCE: f64 = 1e-3;
 
 /// Number of lines of largest distance among which a wrong one is looked for.

@@ -5,8 +5,8 @@
 //! lines, which four cylinders touch. Estimators therefore count independent lines only.
 //!
 //! ```text
-//!     ======---------- ======     copies: all end points are within the tolerance of their joint
-//!        ==========               line (least squares), and the gaps are not longer than the pieces
+//!     ======---------- ======     copies: all end points are near their joint line (least
+//!        ==========               squares), and no gap is longer than all pieces together
 //! ```
 //!
 //! A line without end points is represented by two points beside the principal point.

@@ -246,8 +246,8 @@ impl Camera {
         Point3::from(-self.rotation.tr_mul(&self.translation))
     }
 
-    /// Whether the matrix was given with a negative determinant, so that its sign was changed. It is
-    /// either a negative multiple of a camera, or mirrored and wrong.
+    /// Whether the matrix was given with a negative determinant, so that its sign was changed. It
+    /// is either a negative multiple of a camera, or mirrored and wrong.
     pub fn is_negated(&self) -> bool {
         self.is_negated
     }

@@ -109,9 +109,9 @@ pub struct RefinementReport {
     pub degrees_of_freedom: f64,
     /// Unit of both, `pixels` or `radians`.
     pub unit: DistanceUnit,
-    /// Number of lines without end points. It is not known where they were seen: their distances are
-    /// measured at two points a fifth of the focal length apart, and if there are any, the deviations
-    /// follow from the scatter of the lines instead of one noise of all points.
+    /// Number of lines without end points. It is not known where they were seen: their distances
+    /// are measured at two points a fifth of the focal length apart, and if there are any, the
+    /// deviations follow from the scatter of the lines instead of one noise of all points.
     pub lines_without_ends: usize,
 }
 
