@@ -115,7 +115,7 @@ fn a_wrong_line_is_named() {
     for seed in 0..100 {
         let mut views = some_silhouettes(&can, &setup, 16, &mut Random::new(seed));
         let wrong = LineId { view: seed as usize % 8, line: seed as usize % 2 };
-        let off = [8.0, 30.0, 400.0][seed as usize % 3] * if random.uniform(0.0, 1.0) < 0.5 { 1.0 } else { -1.0 };
+        let off = [8.0, 30.0, 250.0][seed as usize % 3] * if random.uniform(0.0, 1.0) < 0.5 { 1.0 } else { -1.0 };
         views[wrong.view] = shifted(&views[wrong.view], wrong.line, off);
         for method in [Method::LeastSquares, Method::Refined] {
             let estimate = estimate(&views, &method).expect("a cylinder");

@@ -298,6 +298,9 @@ impl Search<'_> {
         // A set of good lines that happen to be near may keep the others out.
         for _ in 0..WIDENINGS {
             let wide = self.estimator.within(&best.refinement.cylinder, 2.0 * best.threshold);
+            if wide.len() == best.inliers.len() {
+                break;
+            }
             let Ok(refinement) = self.refined(&wide, &best.refinement.cylinder) else { break };
             let wide = self.settled(refinement, wide);
             if wide.log_false_alarms >= best.log_false_alarms {

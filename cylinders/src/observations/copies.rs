@@ -11,7 +11,7 @@
 //!
 //! A line without end points is represented by two points beside the principal point.
 
-use nalgebra::{Point2, Point3, Rotation3, Vector2, Vector3};
+use nalgebra::{Point2, Point3, Vector2, Vector3};
 
 use super::scene::LineId;
 use super::view::{LineWithEnds, View};
@@ -119,25 +119,23 @@ struct Seen {
 impl Seen {
     /// A line in the image of a camera at the same place; `None` if it is not seen there.
     fn of(view: &View, index: usize, home: &View) -> Option<Self> {
-        let turn = Rotation3::from_matrix_unchecked(home.camera().rotation() * view.camera().rotation().transpose());
-        let is_home = view.camera() == home.camera();
-        let line = if is_home { view.lines()[index] } else { turn * view.lines()[index] };
-        let line = line / line.xy().norm();
-        let ends = match view.ends()[index] {
-            Some(ends) if is_home => Some(ends),
-            Some(ends) => Some(ends.map(|end| turn * end.to_homogeneous()).map(|ray| (ray.xy() / ray.z, ray.z)))
-                .filter(|ends| ends.iter().all(|(_, depth)| *depth > 0.0))
-                .map(|ends| ends.map(|(point, _)| Point2::from(point))),
-            None => None,
-        };
-        let has_ends = view.ends()[index].is_some();
-        if has_ends && ends.is_none() {
-            return None;
+        let (mut line, mut ends) = (view.lines()[index], view.ends()[index]);
+        if view.camera() != home.camera() {
+            let turn = home.camera().rotation() * view.camera().rotation().transpose();
+            line = turn * line;
+            if let Some(ends) = &mut ends {
+                let rays = ends.map(|end| turn * end.to_homogeneous());
+                if rays.iter().any(|ray| ray.z <= 0.0) {
+                    return None;
+                }
+                *ends = rays.map(|ray| Point2::from(ray.xy() / ray.z));
+            }
         }
+        let line = line / line.xy().norm();
         let (foot, along) = (line.xy() * -line.z, Vector2::new(-line.y, line.x) * HALF_LENGTH);
         let points = ends.unwrap_or([foot - along, foot + along].map(Point2::from));
         let finite = points.iter().all(|point| point.iter().all(|entry| entry.is_finite()));
-        finite.then_some(Self { line, points, has_ends })
+        finite.then_some(Self { line, points, has_ends: ends.is_some() })
     }
 
     fn length(&self) -> f64 {
