@@ -204,6 +204,35 @@ fn agreement_by_chance_draws_a_warning() {
 }
 
 #[test]
+fn two_cans_without_labels_are_both_listed() {
+    let (can, setup) = (scene::soda_can(), scene::soda_can_setup());
+    let other = Can { base: can.base + nalgebra::Vector3::new(60.0, 90.0, 10.0), radius: 25.0, ..can };
+    for seed in 0..20 {
+        let mut random = Random::new(seed);
+        let photographs = scene::photographs(&can, &setup, &mut random);
+        let mut view = |photograph: &Photograph| {
+            let silhouette =
+                |(can, side): (&Can, f64)| scenes::silhouette(can, &setup, photograph, (side, WHOLE), &mut random);
+            let segments: Vec<_> = [(&can, 1.0), (&other, -1.0), (&can, -1.0), (&other, 1.0)].map(silhouette).to_vec();
+            View::from_pixel_segments(*scenes::view(&setup, &photograph.camera, &[]).camera(), &segments)
+        };
+        let views: Vec<_> = photographs.iter().map(&mut view).collect::<Result<_, _>>().expect("segments");
+        let estimate = estimate(&views, &Method::Robust(RobustOptions::of(&views))).expect("a cylinder");
+        assert!(
+            estimate.warnings.iter().any(|warning| matches!(warning, Warning::Rival { .. })),
+            "{:?}",
+            estimate.warnings
+        );
+        let plausible = estimate.plausible.expect("they were looked for");
+        assert!(plausible.is_ambiguous());
+        for radius in [can.radius, other.radius] {
+            let is_listed = |one: &eliminant_cylinders::Alternative| (one.cylinder.radius / radius - 1.0).abs() < 0.02;
+            assert!(plausible.cylinders.iter().any(is_listed), "seed {seed}, radius {radius}: {plausible:?}");
+        }
+    }
+}
+
+#[test]
 fn one_camera_centre_is_the_cause_whatever_the_method() {
     let views = some_silhouettes(&scene::soda_can(), &scene::soda_can_setup(), 16, &mut Random::new(6));
     let turned: Vec<_> = (0..4).map(|_| views[0].clone()).collect();

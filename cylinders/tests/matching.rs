@@ -168,6 +168,29 @@ fn a_cylinder_that_the_first_image_does_not_show_is_found_from_another() {
     assert_eq!((count(References::First), count(References::Every)), (1, 2));
 }
 
+/// Lines that lie along a silhouette in the cross-section may be tilted in the image.
+#[test]
+fn matches_are_within_the_threshold_in_the_image() {
+    let setup = ParallelSetup { noise: 3.0, ..ParallelSetup::seven_in_twelve() };
+    let mut matches = 0;
+    for seed in 0..10 {
+        let scene = scene(&setup, seed);
+        for threshold in [3.0, 9.0] {
+            for count in [None, Some(3)] {
+                let options = MatchOptions { threshold, count, ..MatchOptions::of(&scene.views) };
+                let Ok(matching) = match_cylinders(&scene.views, &scene.direction, &options) else { continue };
+                for cylinder in &matching.cylinders {
+                    assert!(cylinder.matches.len() >= 4 && cylinder.false_alarms.is_finite(), "{cylinder:?}");
+                    let pixels = |line: &LineResidual| line.pixels.expect("a calibration");
+                    assert!(cylinder.matches.iter().all(|line| pixels(line) <= threshold), "{cylinder:?}");
+                    matches += cylinder.matches.len();
+                }
+            }
+        }
+    }
+    assert!(matches > 500, "{matches}");
+}
+
 #[test]
 fn bad_input_is_a_typed_error() {
     let scene = scene(&ParallelSetup::seven_in_twelve(), 5);

@@ -28,7 +28,8 @@ pub(super) struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
     /// Largest distance between a line and its silhouette: pixels if all cameras have a calibration
-    /// (default 3), radians otherwise (default 0.001)
+    /// (default 3), radians otherwise (default 0.001); the default is doubled up to twice if there is
+    /// no cylinder
     #[arg(long, value_name = "DISTANCE", value_parser = positive)]
     threshold: Option<f64>,
     /// Largest number of cylinders; by default all that are unlikely to be chance
@@ -62,14 +63,23 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         ..defaults
     };
     let scene = || arguments.scene.path().to_owned();
-    let mut found = search(&views, &directions[0], &options).map(|matching| (directions[0], matching));
-    for direction in &directions[1..] {
-        if matches!(found, Err(MatchError::NoCylinder { .. })) {
-            found = search(&views, direction, &options).map(|matching| (*direction, matching)).or(found);
+    // Hand-drawn lines may need more than the default.
+    let factors: &[f64] = if arguments.threshold.is_some() { &[1.0] } else { &[1.0, 2.0, 4.0] };
+    let mut found = Err(MatchError::NoPair);
+    for factor in factors {
+        let options = MatchOptions { threshold: factor * options.threshold, ..options };
+        for direction in &directions {
+            found = search(&views, direction, &options).map(|matching| (*direction, options.threshold, matching));
+            if !matches!(found, Err(MatchError::NoCylinder { .. })) {
+                break;
+            }
+        }
+        if !matches!(found, Err(MatchError::NoCylinder { .. })) {
+            break;
         }
     }
-    let (direction, matching) = found.map_err(|error| CommandError::Match { scene: scene(), error })?;
-    let report = MatchingReport::new(&views, &direction, &matching);
+    let (direction, threshold, matching) = found.map_err(|error| CommandError::Match { scene: scene(), error })?;
+    let report = MatchingReport::new(&views, (&direction, threshold), &matching);
     let output = Output::of(&report).with_warnings(report.warnings);
     let out = arguments.out.iter().map(|path| (path.clone(), output.json.clone().into_bytes()));
     write_all(&[], &out.collect::<Vec<_>>())?;

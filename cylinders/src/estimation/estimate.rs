@@ -179,12 +179,20 @@ impl Estimate {
     fn from_robust(result: RobustTriangulation, unit: DistanceUnit, views: &[View]) -> Self {
         let RobustTriangulation { refinement, inliers, residuals, samples, .. } = result;
         let RobustTriangulation {
-            threshold, independent: [lines, agreeing, distinct], false_alarms, plausible, ..
+            threshold,
+            independent: [lines, agreeing, distinct],
+            false_alarms,
+            plausible,
+            rival,
+            ..
         } = result;
         let mut warnings = camera_warnings(views);
-        if plausible.is_ambiguous() {
-            warnings.push(Warning::Ambiguous { cylinders: plausible.cylinders.len() });
+        // The rival is the last of the list.
+        let cylinders = plausible.cylinders.len() - usize::from(rival.is_some());
+        if cylinders > usize::from(plausible.found.is_some()) {
+            warnings.push(Warning::Ambiguous { cylinders });
         }
+        warnings.extend(rival.map(|rival| Warning::Rival { agreeing: [agreeing, rival] }));
         if distinct < 4 {
             warnings.push(Warning::ThreeLines);
         }

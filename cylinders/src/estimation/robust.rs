@@ -23,7 +23,7 @@ use super::refine::{Loss, RefineError, Refinement, refine_lines};
 use super::sampling::CylinderEstimator;
 use super::significance::log_false_alarms;
 use super::triangulate::{identified_planes, is_single_viewpoint};
-use crate::numerics::ransac::{Estimator, RansacOptions, RansacOptionsError, ransac};
+use crate::numerics::ransac::{Estimator, RansacOptions, RansacOptionsError, ransac, samples_needed};
 use crate::observations::copies::IndependentLines;
 use crate::observations::scene::LineId;
 use crate::observations::view::{View, ViewingPlane};
@@ -60,6 +60,9 @@ const PRIOR_NOISE: f64 = 1.0 / 3.0;
 
 /// Limit on the repetitions of refinement and choice of inliers. They mostly agree after three.
 const REPETITIONS: usize = 20;
+
+/// Another cylinder is a rival if this part of the number of inliers agrees on it.
+const RIVAL: f64 = 0.75;
 
 /// Limit on the attempts to find more inliers within twice the threshold.
 const WIDENINGS: usize = 3;
@@ -98,8 +101,12 @@ pub struct RobustTriangulation {
     pub independent: [usize; 3],
     /// Expected number of cylinders on which as many lines agree by chance (an upper bound).
     pub false_alarms: f64,
-    /// All cylinders that explain the lines about as well, this one included.
+    /// All cylinders that explain the lines about as well, this one included, and after them the
+    /// rival.
     pub plausible: PlausibleCylinders,
+    /// Number of independent lines, none of them an inlier, that agree on another cylinder, if they
+    /// are nearly as many. `None` if there is no such rival.
+    pub rival: Option<usize>,
 }
 
 /// Why no cylinder was found.
@@ -194,7 +201,10 @@ pub fn triangulate_robustly(views: &[View], options: &RobustOptions) -> Result<R
     let mut search = Search { estimator, options, focal: focal_length(views, options.metric.unit), samples: 0 };
     let agreement = search.agreement()?;
     let distinct = search.distinct(&agreement, &independent);
-    let plausible = search.plausible(&agreement, &distinct);
+    let mut plausible = search.plausible(&agreement, &distinct);
+    let rival = search.rival(&agreement);
+    plausible.cylinders.extend(rival.iter().map(|rival| search.alternative(rival, &agreement)));
+    let rival = rival.map(|rival| rival.inliers.len());
 
     let Agreement { refinement, inliers, threshold, log_false_alarms } = agreement;
     let mut residuals = Vec::with_capacity(independent.given());
@@ -213,6 +223,7 @@ pub fn triangulate_robustly(views: &[View], options: &RobustOptions) -> Result<R
         independent: [lines, inliers.len(), distinct.len()],
         false_alarms: log_false_alarms.exp(),
         plausible,
+        rival,
     })
 }
 
@@ -395,6 +406,37 @@ impl Search<'_> {
             plausible.found = plausible.cylinders.iter().position(|known| Some(*known) == own);
         }
         plausible
+    }
+
+    /// Another cylinder on which nearly as many of the other lines agree. Enough samples are drawn to
+    /// find it with the required confidence.
+    fn rival(&self, found: &Agreement) -> Option<Agreement> {
+        let rest: Vec<_> = (0..self.estimator.count()).filter(|index| !found.inliers.contains(index)).collect();
+        let least = ((RIVAL * found.inliers.len() as f64).ceil() as usize).max(4);
+        if rest.len() < least {
+            return None;
+        }
+        let samples = samples_needed(least, rest.len(), CylinderEstimator::SAMPLE, &self.options.ransac);
+        let options =
+            RobustOptions { ransac: RansacOptions { max_samples: samples, ..self.options.ransac }, ..*self.options };
+        let estimator = CylinderEstimator {
+            planes: rest.iter().map(|&index| self.estimator.planes[index]).collect(),
+            measured: self.estimator.measured(&rest),
+            ..self.estimator
+        };
+        let mut search = Search { estimator, options: &options, focal: self.focal, samples: 0 };
+        let threshold = found.threshold.max(first_threshold(options.metric.unit)).min(options.ransac.threshold);
+        let rival = search.agreement_within(threshold).ok()?;
+        let is_rival = rival.inliers.len() >= least && rival.log_false_alarms < CONVINCING.ln();
+        let is_other = !found.refinement.is_near(&rival.refinement.cylinder);
+        (is_rival && is_other).then_some(rival)
+    }
+
+    /// A rival in the form of the plausible cylinders.
+    fn alternative(&self, rival: &Agreement, found: &Agreement) -> Alternative {
+        let Refinement { cylinder, rms, .. } = rival.refinement;
+        let costs = [&found.refinement.cylinder, &cylinder].map(|cylinder| self.truncated_cost(cylinder, found));
+        Alternative { cylinder, rms, plausibility: (0.5 * (costs[0] - costs[1])).exp() }
     }
 
     /// The sum of squares of all lines in units of the noise, each line limited by the threshold.

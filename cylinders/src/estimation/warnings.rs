@@ -40,6 +40,11 @@ pub enum Warning {
         /// Number of plausible cylinders.
         cylinders: usize,
     },
+    /// Nearly as many other lines agree on another cylinder.
+    Rival {
+        /// Number of independent lines that agree with the estimate, and with the other cylinder.
+        agreeing: [usize; 2],
+    },
     /// Another cylinder explains the lines much better than the estimate.
     NotTheBest,
     /// Least squares in the cross-section are far from the cylinder that fits best in the images.
@@ -109,6 +114,11 @@ impl fmt::Display for Warning {
                 text,
                 "the result is ambiguous: {cylinders} cylinders explain the lines about equally well; pass another \
                  silhouette line, best from another view"
+            ),
+            Self::Rival { agreeing: [own, other] } => write!(
+                text,
+                "the lines show another cylinder, which is listed: {other} lines agree on it, and {own} on this one; label \
+                 the lines of each, or use `match`"
             ),
             Self::NotTheBest => text.write_str(
                 "another cylinder explains the lines much better: it is listed; is a line wrong, or a camera mirrored?",

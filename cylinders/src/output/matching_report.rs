@@ -20,6 +20,8 @@ const FALSE_ALARMS: f64 = 1.0;
 pub struct MatchingReport {
     /// Unit direction of all axes.
     pub direction: [f64; 3],
+    /// Largest distance of a match: pixels if all cameras have a calibration, radians otherwise.
+    pub threshold: f64,
     /// Number of lines in all views.
     pub lines: usize,
     /// Least number of matches that was required of a cylinder.
@@ -64,8 +66,9 @@ pub struct LineReport {
 }
 
 impl MatchingReport {
-    /// Collects the numbers of the result for these views.
-    pub fn new(views: &[View], direction: &Unit<Vector3<f64>>, matching: &Matching) -> Self {
+    /// Collects the numbers of the result for these views and the direction and threshold of the
+    /// search.
+    pub fn new(views: &[View], (direction, threshold): (&Unit<Vector3<f64>>, f64), matching: &Matching) -> Self {
         let cylinder = |found: &MatchedCylinder| MatchedCylinderReport {
             axis_point: found.cylinder.axis_point.coords.into(),
             radius: found.cylinder.radius,
@@ -83,6 +86,7 @@ impl MatchingReport {
         let rates = matching.cylinders.iter().map(|found| found.outlier_rate);
         Self {
             direction: direction.into_inner().into(),
+            threshold,
             lines: views.iter().map(|view| view.lines().len()).sum(),
             least_support: matching.least_support,
             outlier_rate: rates.sum::<f64>() / matching.cylinders.len() as f64,
@@ -109,6 +113,7 @@ impl fmt::Display for MatchingReport {
     fn fmt(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(text, "direction        {}", triple(self.direction))?;
         writeln!(text, "cylinders        {:14}   with {} matches or more", self.cylinders.len(), self.least_support)?;
+        writeln!(text, "threshold        {:14.4}   largest distance of a match", self.threshold)?;
         writeln!(text, "lines            {:14}   {} of no cylinder", self.lines, self.unmatched.len())?;
         writeln!(text, "outlier rate     {:14.4}   mean over the cylinders", self.outlier_rate)?;
         self.warnings.iter().try_for_each(|warning| writeln!(text, "warning: {warning}"))?;
