@@ -28,7 +28,7 @@ pub(super) struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
     /// Largest distance between a line and its silhouette: pixels if all cameras have a calibration
-    /// (default 3), radians otherwise (default 0.001); the default is doubled up to twice if there is
+    /// (default 3), radians otherwise (default 0.001); the default is doubled up to three times if there is
     /// no cylinder
     #[arg(long, value_name = "DISTANCE", value_parser = positive)]
     threshold: Option<f64>,
@@ -64,7 +64,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     };
     let scene = || arguments.scene.path().to_owned();
     // Hand-drawn lines may need more than the default.
-    let factors: &[f64] = if arguments.threshold.is_some() { &[1.0] } else { &[1.0, 2.0, 4.0] };
+    let factors: &[f64] = if arguments.threshold.is_some() { &[1.0] } else { &[1.0, 2.0, 4.0, 8.0] };
     let mut found = Err(MatchError::NoPair);
     for factor in factors {
         let options = MatchOptions { threshold: factor * options.threshold, ..options };

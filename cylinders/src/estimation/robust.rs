@@ -64,6 +64,13 @@ const REPETITIONS: usize = 20;
 /// Another cylinder is a rival if this part of the number of inliers agrees on it.
 const RIVAL: f64 = 0.75;
 
+/// Largest sine of the angle between the axis and a viewing plane along it. It is far above the
+/// uncertainty of a short line.
+const ALONG: f64 = 0.05;
+
+/// Few lines do not show that the part of lines along the axis is smaller.
+const LEAST_ALONG: f64 = 0.25;
+
 /// Limit on the attempts to find more inliers within twice the threshold.
 const WIDENINGS: usize = 3;
 
@@ -203,10 +210,11 @@ pub fn triangulate_robustly(views: &[View], options: &RobustOptions) -> Result<R
     let distinct = search.distinct(&agreement, &independent);
     let mut plausible = search.plausible(&agreement, &distinct);
     let rival = search.rival(&agreement);
+    let false_alarms = search.false_alarms(&agreement);
     plausible.cylinders.extend(rival.iter().map(|rival| search.alternative(rival, &agreement)));
     let rival = rival.map(|rival| rival.inliers.len());
 
-    let Agreement { refinement, inliers, threshold, log_false_alarms } = agreement;
+    let Agreement { refinement, inliers, threshold, .. } = agreement;
     let mut residuals = Vec::with_capacity(independent.given());
     for (view, content) in views.iter().enumerate().filter(|(_, content)| !content.lines().is_empty()) {
         let inside = RobustError::CameraInside { view };
@@ -221,7 +229,7 @@ pub fn triangulate_robustly(views: &[View], options: &RobustOptions) -> Result<R
         samples: search.samples,
         threshold,
         independent: [lines, inliers.len(), distinct.len()],
-        false_alarms: log_false_alarms.exp(),
+        false_alarms,
         plausible,
         rival,
     })
@@ -337,6 +345,26 @@ impl Search<'_> {
         }
         let log_false_alarms = log_false_alarms(inliers.len(), self.estimator.count(), threshold / self.focal);
         Agreement { refinement, inliers, threshold, log_false_alarms }
+    }
+
+    /// Expected number of cylinders like this one by chance, for a reader: unlike in the search, only
+    /// lines along the axis are taken to agree by chance.
+    fn false_alarms(&self, found: &Agreement) -> f64 {
+        let part = self.part_along(&found.refinement.cylinder, &found.inliers);
+        log_false_alarms(found.inliers.len(), self.estimator.count(), part * found.threshold / self.focal).exp()
+    }
+
+    /// The part of the lines that do not agree whose planes are along the axis, at least a quarter;
+    /// one line is added to both numbers.
+    fn part_along(&self, cylinder: &Cylinder, inliers: &[usize]) -> f64 {
+        let (mut along, mut all) = (1.0, 1.0);
+        for (index, (_, plane)) in self.estimator.planes.iter().enumerate() {
+            if inliers.binary_search(&index).is_err() {
+                all += 1.0;
+                along += if plane.normal.dot(&cylinder.direction).abs() <= ALONG { 1.0 } else { 0.0 };
+            }
+        }
+        f64::max(along / all, LEAST_ALONG)
     }
 
     fn refined(&self, inliers: &[usize], start: &Cylinder) -> Result<Refinement, RobustError> {

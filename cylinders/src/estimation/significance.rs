@@ -1,20 +1,20 @@
 //! Whether lines could agree with a cylinder by chance (Moisan & Stival, "A Probabilistic Criterion
 //! to Detect Rigid Point Matches between Two Images", 2004).
 //!
-//! Three lines determine a cylinder, up to four in fact. If the other `n - 3` lines were anywhere
-//! in images as wide as the focal length `f`, and along the axis, one of them would be within `t`
-//! of one of two silhouettes with the probability `p = 4 t / f`. The expected number of cylinders
-//! on which `k` lines agree by chance is
+//! Three lines determine a cylinder, up to four in fact. If the other `n - 3` lines were anywhere in
+//! images as wide as the focal length `f`, and a part `q` of them along the axis, one of them would
+//! be within `t` of one of two silhouettes with a probability of at most `p = 4 q t / f`. The
+//! expected number of cylinders on which `k` lines agree by chance is
 //!
 //! ```text
 //!   false alarms = 4 (n - 3) C(n, k) C(k, 3) p^(k - 3)
 //! ```
 //!
-//! where the factor `n - 3` is for the choice of `k`. Lines across the axis agree less often, so
-//! the number is an upper bound.
+//! where the factor `n - 3` is for the choice of `k`. The part `q` is that of the lines that do not
+//! agree.
 
 /// Natural logarithm of the expected number of cylinders on which `agreeing` of `lines` lines agree
-/// by chance within a threshold, relative to the focal length. Infinite for fewer than four lines.
+/// by chance within `threshold`, `q t / f`. Infinite for fewer than four lines.
 pub(crate) fn log_false_alarms(agreeing: usize, lines: usize, threshold: f64) -> f64 {
     if agreeing < 4 || lines < agreeing {
         return f64::INFINITY;
