@@ -232,6 +232,21 @@ fn two_cans_without_labels_are_both_listed() {
     }
 }
 
+/// The silhouettes of a wire may be joined like copies of a line.
+#[test]
+fn a_thin_cylinder_draws_a_warning() {
+    for (index, radius) in [0.05, 0.1, 0.15, 0.2].into_iter().enumerate() {
+        let can = Can { radius, ..scene::soda_can() };
+        let setup = Setup { noise: 0.2, ..scene::soda_can_setup() };
+        let views = some_silhouettes(&can, &setup, 16, &mut Random::new(index as u64));
+        for method in methods(&views) {
+            let Ok(estimate) = estimate(&views, &method) else { continue };
+            let is_thin = |warning: &Warning| matches!(warning, Warning::Thin { .. });
+            assert!(estimate.warnings.iter().any(is_thin), "radius {radius}: {:?}", estimate.warnings);
+        }
+    }
+}
+
 #[test]
 fn one_camera_centre_is_the_cause_whatever_the_method() {
     let views = some_silhouettes(&scene::soda_can(), &scene::soda_can_setup(), 16, &mut Random::new(6));

@@ -7,7 +7,7 @@ use super::parallel::{ParallelError, ParallelTriangulation};
 use super::refine::{Loss, RefineError, RefineOptions, Refinement, refine};
 use super::robust::{RobustError, RobustOptions, RobustTriangulation, triangulate_robustly};
 use super::triangulate::{TriangulateError, Triangulation, identified_planes, triangulate};
-use super::warnings::{Warning, bad_fit, camera_warnings, fit_warnings};
+use super::warnings::{Warning, bad_fit, camera_warnings, fit_warnings, thin};
 use crate::axis::direction::Direction;
 use crate::cross_section::circle::{CircleError, CircleFit};
 use crate::observations::copies::IndependentLines;
@@ -128,6 +128,7 @@ pub fn estimate(views: &[View], method: &Method) -> Result<Estimate, EstimateErr
         plausible.found = best.map(|_| 0);
     }
     estimate.warnings.extend(camera_warnings(views));
+    estimate.warnings.extend(thin(&estimate.cylinder, views));
     estimate.warnings.extend(fit_warnings(&evidence, &estimate.cylinder, &plausible));
     estimate.plausible = Some(plausible);
     Ok(estimate)
@@ -141,6 +142,7 @@ pub fn parallel_estimates(result: ParallelTriangulation, cylinders: &[Vec<View>]
         let noise = (squares.sum::<f64>() / result.residuals.len() as f64).sqrt();
         let mut estimate = Estimate::of_least_squares(result, IndependentLines::of(views).count());
         estimate.warnings = camera_warnings(views);
+        estimate.warnings.extend(thin(&estimate.cylinder, views));
         estimate.warnings.extend(bad_fit(noise, DistanceUnit::Pixels, have_ends(views)));
         estimate
     };
@@ -187,6 +189,7 @@ impl Estimate {
             ..
         } = result;
         let mut warnings = camera_warnings(views);
+        warnings.extend(thin(&refinement.cylinder, views));
         // The rival is the last of the list.
         let cylinders = plausible.cylinders.len() - usize::from(rival.is_some());
         if cylinders > usize::from(plausible.found.is_some()) {

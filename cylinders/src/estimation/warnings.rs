@@ -8,7 +8,7 @@ use super::refine::{Loss, optimise};
 use crate::observations::scene::{CylinderLines, LineId};
 use crate::observations::view::{Camera, View};
 use crate::space::cylinder::Cylinder;
-use crate::space::silhouette_distance::DistanceUnit;
+use crate::space::silhouette_distance::{DistanceUnit, Metric};
 
 /// The fit is bad if the noise that it needs is larger, pixels. Lines are marked to a few pixels.
 const BAD_NOISE_PIXELS: f64 = 10.0;
@@ -18,6 +18,13 @@ const BAD_NOISE_RADIANS: f64 = 10.0 / 3000.0;
 
 /// The allowance of lines without end points.
 const WITHOUT_ENDS: f64 = 3.0;
+
+/// Silhouettes that are nearer to each other than this in all images may be joined, pixels: twice the
+/// largest distance between copies.
+const THIN_PIXELS: f64 = 4.0;
+
+/// The same in radians: at a focal length of 3000.
+const THIN_RADIANS: f64 = 4.0 / 3000.0;
 
 /// Least squares are not accurate if refinement changes the radius by more than this part.
 const FAR: f64 = 0.03;
@@ -90,6 +97,14 @@ pub enum Warning {
         /// Their number.
         views: usize,
     },
+    /// The cylinder is so thin in the images that its two silhouettes cannot be told from copies of
+    /// one line, which are joined.
+    Thin {
+        /// Its width in the image in which it is widest.
+        width: f64,
+        /// Unit of the width.
+        unit: DistanceUnit,
+    },
     /// As many lines may agree on a cylinder by chance.
     Chance {
         /// Expected number of such cylinders, an upper bound.
@@ -161,6 +176,12 @@ impl fmt::Display for Warning {
                  result is wrong",
                 place(*view, *views)
             ),
+            Self::Thin { width, unit } => write!(
+                text,
+                "the cylinder is only {} wide in the images: its two silhouettes cannot be told from copies of one line, \
+                 so the radius may be wrong",
+                length(*width, *unit)
+            ),
             Self::Chance { false_alarms } => write!(
                 text,
                 "so few lines agree that it may be chance: up to {false_alarms:.1e} such cylinders are expected among \
@@ -198,6 +219,26 @@ pub fn camera_warnings(views: &[View]) -> Vec<Warning> {
     let negated = negated.first().map(|&view| Warning::NegatedCameras { view, views: negated.len() });
     let negative = negative.first().map(|&view| Warning::NegativeFocalLengths { view, views: negative.len() });
     negated.into_iter().chain(negative).collect()
+}
+
+/// A warning if the two silhouettes of a cylinder are too near to each other in all images.
+pub(crate) fn thin(cylinder: &Cylinder, views: &[View]) -> Option<Warning> {
+    let unit = Metric::of(views).unit;
+    let width = |view: &View| {
+        let focal = match unit {
+            DistanceUnit::Pixels => view.camera().calibration()?.matrix().fixed_view::<2, 2>(0, 0).determinant(),
+            DistanceUnit::Radians => 1.0,
+        };
+        let distance = cylinder.vector_to_axis(&view.camera().centre()).norm();
+        Some(2.0 * focal.abs().sqrt() * cylinder.radius / distance)
+    };
+    let seeing = views.iter().filter(|view| !view.lines().is_empty());
+    let width = seeing.filter_map(width).fold(0.0, f64::max);
+    let least = match unit {
+        DistanceUnit::Pixels => THIN_PIXELS,
+        DistanceUnit::Radians => THIN_RADIANS,
+    };
+    (width < least).then_some(Warning::Thin { width, unit })
 }
 
 /// What the lines say against a cylinder near a minimum, or against its being the only one.
