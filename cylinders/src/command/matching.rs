@@ -28,8 +28,8 @@ pub(super) struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
     /// Largest distance between a line and its silhouette: pixels if all cameras have a calibration
-    /// (default 3), radians otherwise (default 0.001); the default is doubled up to three times if there is
-    /// no cylinder
+    /// (default 3), radians otherwise (default 0.001); the default is doubled up to three times if
+    /// there is no cylinder
     #[arg(long, value_name = "DISTANCE", value_parser = positive)]
     threshold: Option<f64>,
     /// Largest number of cylinders; by default all that are unlikely to be chance

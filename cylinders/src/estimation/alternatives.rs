@@ -67,7 +67,8 @@ pub struct Alternative {
 /// All cylinders that explain the lines about as well as the best.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PlausibleCylinders {
-    /// The cylinders, the best first. Empty if none is in front of all cameras.
+    /// The cylinders, the best first. With RANSAC a cylinder on which nearly as many other lines
+    /// agree comes after them. Empty if none is in front of all cameras.
     pub cylinders: Vec<Alternative>,
     /// Index of the one near the estimate; `None` if another cylinder explains the lines much
     /// better, or the estimate is not in front of all cameras.

@@ -347,8 +347,8 @@ impl Search<'_> {
         Agreement { refinement, inliers, threshold, log_false_alarms }
     }
 
-    /// Expected number of cylinders like this one by chance, for a reader: unlike in the search, only
-    /// lines along the axis are taken to agree by chance.
+    /// Expected number of cylinders like this one by chance, for a reader: unlike in the search,
+    /// only lines along the axis are taken to agree by chance.
     fn false_alarms(&self, found: &Agreement) -> f64 {
         let part = self.part_along(&found.refinement.cylinder, &found.inliers);
         log_false_alarms(found.inliers.len(), self.estimator.count(), part * found.threshold / self.focal).exp()
@@ -436,8 +436,8 @@ impl Search<'_> {
         plausible
     }
 
-    /// Another cylinder on which nearly as many of the other lines agree. Enough samples are drawn to
-    /// find it with the required confidence.
+    /// Another cylinder on which nearly as many of the other lines agree. Enough samples are drawn
+    /// to find it with the required confidence.
     fn rival(&self, found: &Agreement) -> Option<Agreement> {
         let rest: Vec<_> = (0..self.estimator.count()).filter(|index| !found.inliers.contains(index)).collect();
         let least = ((RIVAL * found.inliers.len() as f64).ceil() as usize).max(4);

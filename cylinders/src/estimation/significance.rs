@@ -1,9 +1,9 @@
 //! Whether lines could agree with a cylinder by chance (Moisan & Stival, "A Probabilistic Criterion
 //! to Detect Rigid Point Matches between Two Images", 2004).
 //!
-//! Three lines determine a cylinder, up to four in fact. If the other `n - 3` lines were anywhere in
-//! images as wide as the focal length `f`, and a part `q` of them along the axis, one of them would
-//! be within `t` of one of two silhouettes with a probability of at most `p = 4 q t / f`. The
+//! Three lines determine a cylinder, up to four in fact. If the other `n - 3` lines were anywhere
+//! in images as wide as the focal length `f`, and a part `q` of them along the axis, one of them
+//! would be within `t` of one of two silhouettes with a probability of at most `p = 4 q t / f`. The
 //! expected number of cylinders on which `k` lines agree by chance is
 //!
 //! ```text

@@ -19,8 +19,8 @@ const BAD_NOISE_RADIANS: f64 = 10.0 / 3000.0;
 /// The allowance of lines without end points.
 const WITHOUT_ENDS: f64 = 3.0;
 
-/// Silhouettes that are nearer to each other than this in all images may be joined, pixels: twice the
-/// largest distance between copies.
+/// Silhouettes that are nearer to each other than this in all images may be joined, pixels: twice
+/// the largest distance between copies.
 const THIN_PIXELS: f64 = 4.0;
 
 /// The same in radians: at a focal length of 3000.

@@ -33,8 +33,8 @@ pub struct Report {
     pub independent_lines: usize,
     /// Whether other cylinders explain the lines about as well.
     pub ambiguous: bool,
-    /// All cylinders that explain the lines about as well, the best first; absent if the result is
-    /// not ambiguous.
+    /// All cylinders that explain the lines about as well, the best first, and after them one on
+    /// which nearly as many other lines agree; absent if the result is not ambiguous.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub plausible: Vec<PlausibleReport>,
     /// What makes the result doubtful, in words.
