@@ -56,17 +56,20 @@ pub use cross_section::navab::{self, Navab};
 pub use cross_section::rectify;
 pub use cross_section::section::{self, Section, SectionError, SectionLine, SectionShape, SectionSolver};
 pub use cross_section::sight::{self, Sight};
-pub use estimation::estimate::{self, Estimate, EstimateConsensus, EstimateError};
+pub use estimation::alternatives::{self, Alternative, PlausibleCylinders};
+pub use estimation::estimate::{Estimate, EstimateConsensus, EstimateError, Method, estimate, parallel_estimates};
 pub use estimation::parallel::{self, ParallelError, ParallelTriangulation, triangulate_parallel};
 pub use estimation::refine::{self, Deviation, Loss, RefineError, RefineOptions, Refinement, refine};
 pub use estimation::robust::{self, RobustError, RobustOptions, RobustTriangulation, triangulate_robustly};
 pub use estimation::triangulate::{self, TriangulateError, Triangulation, triangulate, triangulate_along};
+pub use estimation::warnings::{self, Warning};
 pub use matching::{
     MatchError, MatchOptions, MatchedCylinder, Matching, Progress, References, match_cylinders, match_cylinders_with,
 };
 pub use numerics::random;
 pub use numerics::ransac::{self, RansacOptions, RansacOptionsError};
 pub use observations::colmap::{self, ColmapError, read_colmap};
+pub use observations::copies::{self, IndependentLines};
 pub use observations::input::{self, InputError, parse_scene, read_scene};
 pub use observations::scene::{self, CylinderLines, LineId, Scene};
 pub use observations::segments::{self, SegmentError, Segments, parse_segments, read_segments};

@@ -80,11 +80,108 @@ fn refinement_has_deviations() {
     // The true radius is 33.
     assert!((number(&refined, "radius") - 33.0).abs() < 4.0 * deviation && deviation < 0.1, "{deviation}");
     assert_eq!(refined["refinement"]["unit"], "pixels");
-    let rms = number(&refined["refinement"], "rms");
+    let rms = number(&refined["refinement"], "image_rms");
     // End points are off by half a pixel.
     assert!(rms > 0.2 && rms < 1.0, "{rms}");
     let (_, text, _) = command(&["--refine", &scene]);
     assert!(text.contains("deviations"), "{text}");
+}
+
+#[test]
+fn the_report_is_complete() {
+    let scene = file("complete.json", &soda_can());
+    for method in [&[][..], &["--refine"], &["--robust"]] {
+        let found = report(&[&[scene.as_str()], method].concat());
+        let numbers = |value: &Value| -> Vec<f64> {
+            value.as_array().expect("an array").iter().map(|number| number.as_f64().expect("a number")).collect()
+        };
+        // The sign of the direction is canonical.
+        let direction = numbers(&found["direction"]);
+        assert!(direction[2] > 0.9, "{direction:?}");
+        let extent = numbers(&found["extent"]);
+        assert!(extent[0] < extent[1]);
+        assert_eq!((&found["ambiguous"], &found["warnings"]), (&json!(false), &json!([])));
+        assert_eq!((found["independent_lines"].as_u64(), found.get("plausible")), (Some(16), None));
+        let refinement = &found["refinement"];
+        if method.is_empty() {
+            assert!(found["section_rms"].is_number());
+            continue;
+        }
+        let covariance: Vec<_> = refinement["covariance"].as_array().expect("rows").iter().map(numbers).collect();
+        for row in 0..5 {
+            for column in 0..5 {
+                let size = (covariance[row][row] * covariance[column][column]).sqrt();
+                assert!((covariance[row][column] - covariance[column][row]).abs() <= 1e-12 * size);
+                assert!(covariance[row][column].abs() <= size * (1.0 + 1e-12));
+            }
+        }
+        let number = |key: &str| refinement[key].as_f64().expect("a number");
+        assert!((number("radius_deviation").powi(2) / covariance[4][4] - 1.0).abs() < 1e-12);
+        let trace = covariance[0][0] + covariance[1][1];
+        assert!((number("direction_deviation").powi(2) / trace - 1.0).abs() < 1e-12);
+        for across in refinement["across"].as_array().expect("two vectors") {
+            let dot: f64 = numbers(across).iter().zip(&direction).map(|(one, other)| one * other).sum();
+            assert!(dot.abs() < 1e-12);
+        }
+        // Sixteen lines have 27 degrees of freedom, and `pixels` are the distances of `image_rms`.
+        assert_eq!(number("degrees_of_freedom"), 27.0);
+        assert!((number("noise").powi(2) * 27.0 / (number("image_rms").powi(2) * 32.0) - 1.0).abs() < 1e-9);
+        let residuals = found["residuals"].as_array().expect("an array");
+        let squares: f64 = residuals.iter().map(|line| line["pixels"].as_f64().expect("a number").powi(2)).sum();
+        assert!(((squares / 16.0).sqrt() / number("image_rms") - 1.0).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn an_ambiguous_result_lists_all_cylinders() {
+    let mut scene = soda_can();
+    let views = scene["views"].as_array_mut().expect("views");
+    views.truncate(2);
+    views[1]["lines_pixels"].as_array_mut().expect("lines").truncate(1);
+    let path = file("ambiguous.json", &scene);
+    let (code, output, error) = command(&["--json", "--refine", &path]);
+    assert_eq!((code, error.lines().count()), (0, 2));
+    assert!(error.starts_with("warning: the result is ambiguous: "), "{error}");
+    let found: Value = serde_json::from_str(&output).expect("JSON");
+    assert_eq!(found["ambiguous"], true);
+    let plausible = found["plausible"].as_array().expect("an array");
+    assert!(plausible.len() > 1);
+    let radii: Vec<_> = plausible.iter().map(|one| one["radius"].as_f64().expect("a number")).collect();
+    assert!(radii.iter().any(|radius| (radius / 33.0 - 1.0).abs() < 0.05), "{radii:?}");
+    let (_, text, error) = command(&["--refine", &path]);
+    assert_eq!(error, "");
+    assert_eq!(text.matches("\nplausible ").count(), plausible.len(), "{text}");
+    assert!(text.contains("\nwarning: the result is ambiguous"), "{text}");
+}
+
+/// The scene in other units and about another origin.
+fn moved(scale: f64, shift: [f64; 3]) -> Value {
+    let mut scene = soda_can();
+    for view in scene["views"].as_array_mut().expect("views") {
+        for row in view["camera_normalised"].as_array_mut().expect("rows") {
+            let entry = |column: usize| row[column].as_f64().expect("a number");
+            let moved = entry(3) * scale - (0..3).map(|column| entry(column) * shift[column]).sum::<f64>();
+            row[3] = json!(moved);
+        }
+    }
+    scene
+}
+
+#[test]
+fn columns_stay_apart_and_small_radii_show_their_digits() {
+    let utm = file("utm.json", &moved(0.001, [691_607.25, 5_334_760.5, 519.0]));
+    let (code, text, error) = command(&["--refine", &utm]);
+    assert_eq!((code, error.as_str()), (0, ""));
+    for line in ["axis point", "at  ", "direction"] {
+        let line = text.lines().find(|text| text.starts_with(line)).expect("a line");
+        let numbers = line.split_whitespace().filter(|word| word.parse::<f64>().is_ok() && word.contains('.')).count();
+        assert_eq!(numbers, 3, "{line}");
+    }
+    let tiny = file("tiny.json", &moved(1e-6 / 33.0, [0.0; 3]));
+    let (_, text, _) = command(&["--refine", &tiny]);
+    let radius = text.lines().find(|line| line.starts_with("radius")).expect("a line");
+    let radius = radius.split_whitespace().nth(1).expect("a number");
+    assert!(radius.len() >= 11 && radius.parse::<f64>().is_ok_and(|radius| (radius / 1e-6 - 1.0).abs() < 0.01));
 }
 
 #[test]

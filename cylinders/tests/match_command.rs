@@ -57,6 +57,7 @@ fn text_and_json_report_the_cylinders() {
     assert_eq!(std::fs::read_to_string(&out).expect("a file"), output);
 
     let report = parsed(&output);
+    assert_eq!((&report["threshold"], &report["warnings"]), (&json!(3.0), &json!([])));
     let cylinders = report["cylinders"].as_array().expect("an array");
     assert_eq!(cylinders.len(), 3);
     let mut matches = 0;
@@ -91,8 +92,7 @@ fn options_reach_the_search() {
 fn what_is_wrong_is_said() {
     let scene_file = scene_file("match_bad.json");
     for (arguments, expected) in [
-        (&["--threshold", "0"][..], "the threshold must be positive"),
-        (&["--least-support", "2"], "the least number of matches must be four or more (found 2)"),
+        (&["--threshold", "500"][..], "the threshold must be positive and less than a tenth of a radian"),
         (&["--least-support", "99"], "no cylinder has 99 of the "),
     ] {
         let (code, output, error) = command(&[&[scene_file.as_str()], arguments].concat());
@@ -101,6 +101,11 @@ fn what_is_wrong_is_said() {
     }
     for direction in ["0,0,0", "1,2", "1,x,2", "NaN,1,1"] {
         assert_eq!(command(&[&scene_file, "--direction", direction]).0, 2, "{direction}");
+    }
+    for usage in [["--threshold", "0"], ["--least-support", "3"], ["--least-support", "x"], ["--count", "0"]] {
+        let (code, output, error) = command(&[&[scene_file.as_str()], usage.as_slice()].concat());
+        assert_eq!((code, output.as_str()), (2, ""), "{error}");
+        assert!(error.contains(usage[0]), "{error}");
     }
     assert_eq!(command(&["no/such/file.json"]).0, 1);
     let empty = file("match_empty.json", "{\"views\": []}").display().to_string();

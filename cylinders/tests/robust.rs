@@ -240,17 +240,17 @@ fn lines_that_do_not_agree() {
     let options = RobustOptions::of(&views);
     let options = RobustOptions { ransac: RansacOptions { max_samples: 2000, ..options.ransac }, ..options };
     let result = triangulate_robustly(&views, &options);
-    assert!(matches!(result, Err(RobustError::NoConsensus { lines: 5, samples: 2000, .. })), "{result:?}");
+    // Three searches with growing thresholds.
+    assert!(matches!(result, Err(RobustError::NoConsensus { lines: 5, samples: 6000, .. })), "{result:?}");
 }
 
 #[test]
-fn repeated_lines_and_cameras_at_one_place_agree_on_nothing() {
+fn cameras_at_one_place_are_named_at_once() {
     let (_, views, _) = scene_with_outliers(11, 0.0, anywhere);
     let options = RobustOptions::of(&views);
-    let options = RobustOptions { ransac: RansacOptions { max_samples: 500, ..options.ransac }, ..options };
     for views in [vec![views[0].clone(); 4], vec![with_lines(&views[0], &[views[0].lines()[0]]); 4]] {
         let result = triangulate_robustly(&views, &options);
-        assert!(matches!(result, Err(RobustError::NoConsensus { .. } | RobustError::Refine { .. })), "{result:?}");
+        assert_eq!(result, Err(RobustError::SingleViewpoint));
     }
 }
 

@@ -320,7 +320,7 @@ fn repeated_lines_are_not_new_lines() {
     let line = views[0].lines()[0];
     views[0] = with_lines(&views[0], &[line, line * -2.0]);
     views[1] = with_lines(&views[1], &views[1].lines()[..1]);
-    assert_eq!(triangulate(&views), Err(CircleError::Concurrent.into()));
+    assert_eq!(triangulate(&views), Err(TriangulateError::TooFewLines { lines: 2 }));
 }
 
 #[test]

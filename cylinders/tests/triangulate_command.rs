@@ -97,7 +97,7 @@ fn a_bad_scene_is_1_and_names_the_file() {
 
     for (name, text, expected) in [
         ("not_json.json", "cylinder", ":1:1: not JSON: "),
-        ("no_views.json", "{\"views\": []}", ": 0 silhouette line(s) given"),
+        ("no_views.json", "{\"views\": []}", ": 0 silhouette line(s) given, copies counted once"),
     ] {
         let path = file(name, text).display().to_string();
         let outcome = command(&["--json", &path]);
@@ -200,10 +200,10 @@ fn scenes_that_determine_no_cylinder_are_refused_and_nothing_is_written() {
         })
     };
     let cases = [
-        (vec![views[0].clone()], "2 silhouette line(s) given; a cylinder needs at least three"),
+        (vec![views[0].clone()], "2 silhouette line(s) given, copies counted once; a cylinder needs at least three"),
         (
             vec![with_lines(0, vec![line(0, 0), line(0, 0)]), with_lines(1, vec![line(1, 0)])],
-            "in the cross-section all lines meet in one point",
+            "2 silhouette line(s) given, copies counted once; a cylinder needs at least three",
         ),
         (vec![views[2].clone(); 4], "all cameras stand at one place"),
         ([0.0, 1.0, 2.0, 3.0].map(upright).to_vec(), "all viewing planes are parallel"),
@@ -284,6 +284,22 @@ fn drawings_are_written_whole_or_not_at_all() {
         assert!(outcome.error.starts_with(&format!("error: cannot write `{}`: ", arguments[1])), "{}", outcome.error);
     }
     assert_eq!(names(&folder), ["a.ply", "section.png", "some"]);
+
+    // One of several outputs cannot be written: the others are not, whatever the order.
+    for bad in [["--out", &path("some")], ["--ply", &path("some")], ["--section", &path("no/such/section.svg")]] {
+        let good = [
+            ["--out", &path("out.json")],
+            ["--ply", &path("b.ply")],
+            ["--section", &path("b.svg")],
+            ["--silhouettes", &path("new/images")],
+        ];
+        let others = good.iter().filter(|argument| argument[0] != bad[0]).flatten().copied();
+        let arguments: Vec<_> =
+            [soda_can()].iter().map(String::as_str).chain(others).chain(bad).map(str::to_owned).collect();
+        let outcome = command(&arguments.iter().map(String::as_str).collect::<Vec<_>>());
+        assert_eq!((outcome.code, outcome.output.as_str()), (1, ""), "{}", outcome.error);
+        assert_eq!(names(&folder), ["a.ply", "section.png", "some"], "{bad:?}");
+    }
 }
 
 /// The example only passes on the result of `run`. Cargo builds the examples before it runs the

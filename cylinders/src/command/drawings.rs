@@ -1,10 +1,9 @@
 //! The files that show a result, for every subcommand that finds cylinders in a scene.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::error::CommandError;
-use super::files::write;
+use super::files::File;
 use crate::picture::{Format, Picture, PictureError, SectionPicture, SilhouettePicture};
 use crate::ply::to_ply;
 use crate::{Cylinder, CylinderLines, LeastSquares, Scene, Section, SectionLine, SectionSolver};
@@ -32,8 +31,13 @@ fn picture_path(text: &str) -> Result<PathBuf, PictureError> {
 }
 
 impl DrawingArguments {
-    /// Draws all files, then writes them: if one cannot be drawn, nothing is written.
-    pub(super) fn write(&self, scene: &Scene, found: &[(CylinderLines, Cylinder)]) -> Result<(), CommandError> {
+    /// The folder of the silhouettes.
+    pub(super) fn folder(&self) -> Option<&Path> {
+        self.silhouettes.as_deref()
+    }
+
+    /// Draws all files.
+    pub(super) fn draw(&self, scene: &Scene, found: &[(CylinderLines, Cylinder)]) -> Result<Vec<File>, CommandError> {
         let mut files = Vec::new();
         if let Some(path) = &self.ply {
             files.push((path.clone(), to_ply(scene, found)));
@@ -51,13 +55,12 @@ impl DrawingArguments {
                 let name = image.map_or(format!("{view:03}"), |image| format!("{view:03}-{}", in_file_name(image)));
                 files.push(drawn(folder.join(name + ".svg"), &picture)?);
             }
-            fs::create_dir_all(folder).map_err(|source| CommandError::Write { path: folder.clone(), source })?;
         }
-        files.iter().try_for_each(|(path, content)| write(path, content))
+        Ok(files)
     }
 }
 
-fn drawn(path: PathBuf, picture: &impl Picture) -> Result<(PathBuf, Vec<u8>), CommandError> {
+fn drawn(path: PathBuf, picture: &impl Picture) -> Result<File, CommandError> {
     match Format::of(&path).and_then(|format| format.render(picture)) {
         Ok(content) => Ok((path, content)),
         Err(source) => Err(CommandError::Picture { path, source }),

@@ -4,8 +4,8 @@
 use super::error::CommandError;
 use super::scene::SceneArguments;
 use crate::{
-    CylinderLines, Estimate, EstimateError, Loss, Metric, ParallelError, RansacOptions, RefineOptions, RobustOptions,
-    triangulate, triangulate_parallel, triangulate_robustly,
+    CylinderLines, Estimate, EstimateError, Method, ParallelError, RansacOptions, RobustOptions, View, estimate,
+    parallel_estimates, triangulate_parallel,
 };
 
 /// How to estimate.
@@ -14,8 +14,9 @@ pub(super) struct EstimatorArguments {
     /// Find the cylinder by RANSAC if many lines are wrong, and refine it
     #[arg(long)]
     robust: bool,
-    /// Largest distance of a line from its silhouette: pixels (default 3), or radians without
-    /// calibration (default 0.001)
+    /// Upper bound of the distance of a line from its silhouette: pixels (default 48), or radians
+    /// without calibration (default 0.016). Less is allowed where the lines show less noise: three
+    /// times their estimated deviation
     #[arg(long, value_name = "PIXELS", requires = "robust", value_parser = positive)]
     threshold: Option<f64>,
     /// Seed of the random numbers
@@ -64,24 +65,25 @@ impl EstimatorArguments {
                 // The error has no label, because it concerns the lines of all cylinders.
                 error @ ParallelError::Direction(_) => failure(usize::MAX, error.into()),
             })?;
-            return Ok(result.cylinders.into_iter().map(Estimate::from).collect());
+            return Ok(parallel_estimates(result, &views));
         }
         let estimate = |(index, lines)| self.single(lines).map_err(|error| failure(index, error));
         cylinders.iter().enumerate().map(estimate).collect()
     }
 
     fn single(&self, CylinderLines { views, .. }: &CylinderLines) -> Result<Estimate, EstimateError> {
-        if self.robust {
-            let default = RobustOptions::of(views);
-            let threshold = self.threshold.unwrap_or(default.ransac.threshold);
-            let ransac = RansacOptions { threshold, seed: self.seed, confidence: self.confidence, ..default.ransac };
-            let result = triangulate_robustly(views, &RobustOptions { ransac, ..default })?;
-            return Ok(Estimate::from_robust(result, default.metric.unit));
-        }
-        let estimate = Estimate::from(triangulate(views)?);
-        if !self.refine {
-            return Ok(estimate);
-        }
-        Ok(estimate.refined(views, &RefineOptions { metric: Metric::of(views), loss: Loss::Quadratic })?)
+        let method = match (self.robust, self.refine) {
+            (true, _) => Method::Robust(self.robust_options(views)),
+            (false, true) => Method::Refined,
+            (false, false) => Method::LeastSquares,
+        };
+        estimate(views, &method)
+    }
+
+    fn robust_options(&self, views: &[View]) -> RobustOptions {
+        let default = RobustOptions::of(views);
+        let threshold = self.threshold.unwrap_or(default.ransac.threshold);
+        let ransac = RansacOptions { threshold, seed: self.seed, confidence: self.confidence, ..default.ransac };
+        RobustOptions { ransac, ..default }
     }
 }

@@ -1,12 +1,11 @@
 //! `cylinders experiment`: runs an experiment and writes its files.
 
-use std::fs;
 use std::path::PathBuf;
 
 use clap::ValueEnum;
 
 use super::error::CommandError;
-use super::files::write;
+use super::files::write_all;
 use super::output::Output;
 use crate::experiment::{Experiment, Options};
 
@@ -44,7 +43,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     files.push(("summary.txt".to_owned(), output.text.clone().into_bytes()));
     files.push(("summary.json".to_owned(), output.json.clone().into_bytes()));
     let folder = &arguments.out;
-    fs::create_dir_all(folder).map_err(|source| CommandError::Write { path: folder.clone(), source })?;
-    files.iter().try_for_each(|(name, content)| write(&folder.join(name), content))?;
+    let files: Vec<_> = files.into_iter().map(|(name, content)| (folder.join(name), content)).collect();
+    write_all(&[folder.as_path()], &files)?;
     Ok(output)
 }

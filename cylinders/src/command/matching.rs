@@ -6,9 +6,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use nalgebra::{Unit, Vector3};
 
 use super::error::CommandError;
-use super::files::write;
+use super::files::write_all;
 use super::output::Output;
 use super::scene::SceneArguments;
+use crate::direction::estimate_direction;
 use crate::matching_report::MatchingReport;
 use crate::progress::progress_bar;
 use crate::{
@@ -27,15 +28,16 @@ pub(super) struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
     /// Largest distance between a line and its silhouette: pixels if all cameras have a calibration
-    /// (default 3), radians otherwise (default 0.001)
-    #[arg(long, value_name = "DISTANCE")]
+    /// (default 3), radians otherwise (default 0.001); the default is doubled up to three times if
+    /// there is no cylinder
+    #[arg(long, value_name = "DISTANCE", value_parser = positive)]
     threshold: Option<f64>,
     /// Largest number of cylinders; by default all that are unlikely to be chance
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = at_least::<1>)]
     count: Option<usize>,
     /// Least number of matches of a cylinder, 4 or more; by default more than chance gives, or 4
     /// with --count
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = at_least::<4>)]
     least_support: Option<usize>,
     /// Take pairs of silhouettes in the first image only: faster, but finds only cylinders seen
     /// there
@@ -51,7 +53,7 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     let Scene { views, .. } = arguments.scene.read()?;
-    let direction = direction(arguments, &views)?;
+    let directions = directions(arguments, &views)?;
     let defaults = MatchOptions::of(&views);
     let options = MatchOptions {
         threshold: arguments.threshold.unwrap_or(defaults.threshold),
@@ -61,12 +63,26 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         ..defaults
     };
     let scene = || arguments.scene.path().to_owned();
-    let matching =
-        search(&views, &direction, &options).map_err(|error| CommandError::Match { scene: scene(), error })?;
-    let output = Output::of(&MatchingReport::new(&views, &direction, &matching));
-    if let Some(path) = &arguments.out {
-        write(path, output.json.as_bytes())?;
+    // Hand-drawn lines may need more than the default.
+    let factors: &[f64] = if arguments.threshold.is_some() { &[1.0] } else { &[1.0, 2.0, 4.0, 8.0] };
+    let mut found = Err(MatchError::NoPair);
+    for factor in factors {
+        let options = MatchOptions { threshold: factor * options.threshold, ..options };
+        for direction in &directions {
+            found = search(&views, direction, &options).map(|matching| (*direction, options.threshold, matching));
+            if !matches!(found, Err(MatchError::NoCylinder { .. })) {
+                break;
+            }
+        }
+        if !matches!(found, Err(MatchError::NoCylinder { .. })) {
+            break;
+        }
     }
+    let (direction, threshold, matching) = found.map_err(|error| CommandError::Match { scene: scene(), error })?;
+    let report = MatchingReport::new(&views, (&direction, threshold), &matching);
+    let output = Output::of(&report).with_warnings(report.warnings);
+    let out = arguments.out.iter().map(|path| (path.clone(), output.json.clone().into_bytes()));
+    write_all(&[], &out.collect::<Vec<_>>())?;
     Ok(output)
 }
 
@@ -86,9 +102,11 @@ fn search(views: &[View], direction: &Unit<Vector3<f64>>, options: &MatchOptions
     matching
 }
 
-fn direction(arguments: &Arguments, views: &[View]) -> Result<Unit<Vector3<f64>>, CommandError> {
+/// The directions to try one after the other: the given one; otherwise that on which most lines
+/// agree, and that of all lines.
+fn directions(arguments: &Arguments, views: &[View]) -> Result<Vec<Unit<Vector3<f64>>>, CommandError> {
     if let Some(direction) = arguments.direction {
-        return Ok(direction);
+        return Ok(vec![direction]);
     }
     let planes: Vec<_> = views.iter().flat_map(View::planes).collect();
     let failure = |error| CommandError::Estimate {
@@ -97,7 +115,18 @@ fn direction(arguments: &Arguments, views: &[View]) -> Result<Unit<Vector3<f64>>
         error: TriangulateError::Direction(error).into(),
     };
     let found = estimate_direction_robustly(&planes, &default_direction_options()).map_err(failure)?;
-    Ok(found.direction.direction)
+    let of_all = estimate_direction(&planes).ok().map(|direction| direction.direction);
+    Ok([found.direction.direction].into_iter().chain(of_all).collect())
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|number: &f64| *number > 0.0 && number.is_finite());
+    number.ok_or_else(|| "the threshold must be a number greater than 0".to_owned())
+}
+
+fn at_least<const LEAST: usize>(text: &str) -> Result<usize, String> {
+    let number = text.parse().ok().filter(|&number| number >= LEAST);
+    number.ok_or_else(|| format!("not a whole number of {LEAST} or more"))
 }
 
 /// Three numbers, not all zero.

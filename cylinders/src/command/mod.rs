@@ -66,7 +66,8 @@ pub const USAGE: u8 = 2;
 /// Runs the command with these arguments, of which the first is the name of the program. Returns
 /// the exit status.
 ///
-/// Errors go to `stderr`; with `--json` also to `stdout`, as an object.
+/// Errors go to `stderr`; with `--json` also to `stdout`, as an object. Warnings are part of the
+/// text; with `--json` they are part of the object and also go to `stderr`.
 pub fn run(
     arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>,
     stdout: &mut dyn Write,
@@ -89,6 +90,11 @@ pub fn run(
     };
     match arguments.command.run() {
         Ok(output) => {
+            if arguments.json {
+                for warning in &output.warnings {
+                    let _ = writeln!(stderr, "warning: {warning}");
+                }
+            }
             let text = if arguments.json { &output.json } else { &output.text };
             status_of(stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()))
         }

@@ -10,12 +10,20 @@ use super::error::CommandError;
 pub(super) struct Output {
     pub(super) text: String,
     pub(super) json: String,
+    /// What makes the result doubtful. The text contains them; beside JSON they go to standard
+    /// error.
+    pub(super) warnings: Vec<String>,
 }
 
 impl Output {
     /// Both forms of a report.
     pub(super) fn of(report: &(impl Serialize + fmt::Display)) -> Self {
-        Self { text: report.to_string(), json: to_json(report) }
+        Self { text: report.to_string(), json: to_json(report), warnings: Vec::new() }
+    }
+
+    /// The same output with warnings.
+    pub(super) fn with_warnings(self, warnings: Vec<String>) -> Self {
+        Self { warnings, ..self }
     }
 }
 

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::drawings::DrawingArguments;
 use super::error::CommandError;
 use super::estimator::EstimatorArguments;
-use super::files::write;
+use super::files::write_all;
 use super::output::Output;
 use super::scene::SceneArguments;
 use crate::report::Report;
@@ -43,6 +43,23 @@ enum Reports {
     Labelled { cylinders: Vec<Report> },
 }
 
+impl Reports {
+    /// The warnings of all cylinders, those of labelled ones with their label.
+    fn warnings(&self) -> Vec<String> {
+        match self {
+            Self::Unlabelled(report) => report.warnings.clone(),
+            Self::Labelled { cylinders } => {
+                let label =
+                    |report: &Report| report.label.as_ref().map_or(String::new(), |label| format!("`{label}`: "));
+                let of_report = |report: &Report| -> Vec<_> {
+                    report.warnings.iter().map(|warning| format!("{}{warning}", label(report))).collect()
+                };
+                cylinders.iter().flat_map(of_report).collect()
+            }
+        }
+    }
+}
+
 impl fmt::Display for Reports {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -58,17 +75,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     let scene = arguments.scene.read()?;
     let cylinders = scene.cylinders();
     let estimates = arguments.estimator.estimate(&arguments.scene, &cylinders)?;
-    let output = Output::of(&reports(&scene, &cylinders, &estimates));
+    let reports = reports(&scene, &cylinders, &estimates);
+    let output = Output::of(&reports).with_warnings(reports.warnings());
     // The pictures show the inliers only.
     let shown = |(lines, estimate): (CylinderLines, &Estimate)| match &estimate.consensus {
         Some(consensus) => (lines.selected(&consensus.inliers), estimate.cylinder),
         None => (lines, estimate.cylinder),
     };
     let found: Vec<_> = cylinders.into_iter().zip(&estimates).map(shown).collect();
-    if let Some(path) = &arguments.out {
-        write(path, output.json.as_bytes())?;
-    }
-    arguments.drawings.write(&scene, &found)?;
+    let mut files = arguments.drawings.draw(&scene, &found)?;
+    files.extend(arguments.out.iter().map(|path| (path.clone(), output.json.clone().into_bytes())));
+    write_all(arguments.drawings.folder().as_slice(), &files)?;
     Ok(output)
 }
 

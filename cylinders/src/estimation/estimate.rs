@@ -1,17 +1,34 @@
-//! A cylinder from any of the estimators, in one form for reports.
+//! A cylinder from any of the estimators, with all that makes it doubtful, in one form for reports.
 
 use thiserror::Error;
 
-use super::parallel::ParallelError;
-use super::refine::{RefineError, RefineOptions, Refinement, refine};
-use super::robust::{RobustError, RobustTriangulation};
-use super::triangulate::{TriangulateError, Triangulation};
+use super::alternatives::{Evidence, PlausibleCylinders, distinct_planes};
+use super::parallel::{ParallelError, ParallelTriangulation};
+use super::refine::{Loss, RefineError, RefineOptions, Refinement, refine};
+use super::robust::{RobustError, RobustOptions, RobustTriangulation, triangulate_robustly};
+use super::triangulate::{TriangulateError, Triangulation, identified_planes, triangulate};
+use super::warnings::{Warning, bad_fit, camera_warnings, fit_warnings, thin};
 use crate::axis::direction::Direction;
-use crate::cross_section::circle::CircleFit;
+use crate::cross_section::circle::{CircleError, CircleFit};
+use crate::observations::copies::IndependentLines;
 use crate::observations::scene::LineId;
 use crate::observations::view::View;
 use crate::space::cylinder::{Cylinder, LineResidual};
-use crate::space::silhouette_distance::DistanceUnit;
+use crate::space::silhouette_distance::{DistanceUnit, Metric};
+
+/// Largest expected number of cylinders by chance that draws no warning.
+const FALSE_ALARMS: f64 = 1.0;
+
+/// How a cylinder is estimated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Method {
+    /// Constrained least squares.
+    LeastSquares,
+    /// The same, refined on the distances in the images.
+    Refined,
+    /// RANSAC, refined.
+    Robust(RobustOptions),
+}
 
 /// A cylinder and the results of its estimators.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +37,8 @@ pub struct Estimate {
     pub cylinder: Cylinder,
     /// One residual for each line, in the order of views and lines.
     pub residuals: Vec<LineResidual>,
+    /// Number of lines of which none is a copy of another.
+    pub independent_lines: usize,
     /// Direction and circle of least squares on all lines, if the estimate is theirs or started
     /// from them.
     pub least_squares: Option<(Direction, CircleFit)>,
@@ -27,6 +46,11 @@ pub struct Estimate {
     pub refinement: Option<(Refinement, DistanceUnit)>,
     /// What RANSAC chose, if it was used.
     pub consensus: Option<EstimateConsensus>,
+    /// All cylinders that explain the lines about as well. `None` if they were not looked for, as
+    /// for parallel cylinders.
+    pub plausible: Option<PlausibleCylinders>,
+    /// What makes the estimate doubtful.
+    pub warnings: Vec<Warning>,
 }
 
 /// What RANSAC chose.
@@ -34,8 +58,14 @@ pub struct Estimate {
 pub struct EstimateConsensus {
     /// The lines that agree with the cylinder.
     pub inliers: Vec<LineId>,
+    /// Number of independent lines that agree.
+    pub independent: usize,
     /// Number of samples drawn.
     pub samples: usize,
+    /// Largest root mean square distance of an inlier, unit of the refinement.
+    pub threshold: f64,
+    /// Expected number of cylinders on which as many lines agree by chance (an upper bound).
+    pub false_alarms: f64,
 }
 
 /// Why there is no cylinder.
@@ -55,38 +85,155 @@ pub enum EstimateError {
     Refine(#[from] RefineError),
 }
 
-impl From<Triangulation> for Estimate {
-    fn from(result: Triangulation) -> Self {
-        let Triangulation { cylinder, direction, fit, residuals } = result;
-        Self { cylinder, residuals, least_squares: Some((direction, fit)), refinement: None, consensus: None }
+/// A cylinder from its silhouette lines, with the other cylinders that explain them about as well,
+/// and with warnings. Copies of a line count as one line.
+///
+/// If several cylinders touch all lines exactly, as for three lines, the result is the one that is
+/// listed first, and a warning.
+///
+/// # Errors
+/// [`EstimateError`].
+pub fn estimate(views: &[View], method: &Method) -> Result<Estimate, EstimateError> {
+    if let Method::Robust(options) = method {
+        let result = triangulate_robustly(views, options)?;
+        return Ok(Estimate::from_robust(result, options.metric.unit, views));
     }
+    let lines = IndependentLines::of(views);
+    let metric = Metric::of(views);
+    let least_squares = match triangulate(views) {
+        Ok(result) => Ok(result),
+        Err(error @ TriangulateError::Circle(CircleError::Ambiguous { .. })) => Err(error),
+        Err(error) => return Err(error.into()),
+    };
+    let planes = identified_planes(&lines);
+    let measured = metric.measured(&lines).map_err(RefineError::from)?;
+    let distinct = distinct_planes(&lines);
+    let evidence = Evidence { planes: &planes, measured: &measured, distinct: &distinct, unit: metric.unit };
+    let start = least_squares.as_ref().ok().map(|result| result.cylinder);
+    let mut plausible = evidence.plausible_cylinders(start.as_ref());
+    let best = plausible.cylinders.first().map(|best| best.cylinder);
+
+    let mut estimate = match (least_squares, best) {
+        (Ok(result), _) => Estimate::of_least_squares(result, lines.count()),
+        (Err(_), Some(best)) => {
+            plausible.found = Some(0);
+            Estimate::of_cylinder(best, views, lines.count())?
+        }
+        (Err(error), None) => return Err(error.into()),
+    };
+    if *method == Method::Refined {
+        // The refinement starts from the best minimum, which need not be that of the cross-section.
+        let start = best.unwrap_or(estimate.cylinder);
+        estimate = estimate.refined(views, &start, &RefineOptions { metric, loss: Loss::Quadratic })?;
+        plausible.found = best.map(|_| 0);
+    }
+    estimate.warnings.extend(camera_warnings(views));
+    estimate.warnings.extend(thin(&estimate.cylinder, views));
+    estimate.warnings.extend(fit_warnings(&evidence, &estimate.cylinder, &plausible));
+    estimate.plausible = Some(plausible);
+    Ok(estimate)
+}
+
+/// The cylinders of a common direction as estimates. Cylinders of another direction that may
+/// explain the lines are not looked for.
+pub fn parallel_estimates(result: ParallelTriangulation, cylinders: &[Vec<View>]) -> Vec<Estimate> {
+    let estimate = |(result, views): (Triangulation, &Vec<View>)| {
+        let squares = result.residuals.iter().filter_map(|residual| residual.pixels).map(|pixels| pixels * pixels);
+        let noise = (squares.sum::<f64>() / result.residuals.len() as f64).sqrt();
+        let mut estimate = Estimate::of_least_squares(result, IndependentLines::of(views).count());
+        estimate.warnings = camera_warnings(views);
+        estimate.warnings.extend(thin(&estimate.cylinder, views));
+        estimate.warnings.extend(bad_fit(noise, DistanceUnit::Pixels, have_ends(views)));
+        estimate
+    };
+    result.cylinders.into_iter().zip(cylinders).map(estimate).collect()
 }
 
 impl Estimate {
+    fn of_least_squares(result: Triangulation, independent_lines: usize) -> Self {
+        let Triangulation { cylinder, direction, fit, residuals } = result;
+        Self {
+            cylinder,
+            residuals,
+            independent_lines,
+            least_squares: Some((direction, fit)),
+            refinement: None,
+            consensus: None,
+            plausible: None,
+            warnings: Vec::new(),
+        }
+    }
+
+    fn of_cylinder(cylinder: Cylinder, views: &[View], independent_lines: usize) -> Result<Self, RefineError> {
+        Ok(Self {
+            cylinder,
+            residuals: residuals(&cylinder, views)?,
+            independent_lines,
+            least_squares: None,
+            refinement: None,
+            consensus: None,
+            plausible: None,
+            warnings: Vec::new(),
+        })
+    }
+
     /// The result of RANSAC, with distances in this unit.
-    pub fn from_robust(result: RobustTriangulation, unit: DistanceUnit) -> Self {
-        let RobustTriangulation { refinement, inliers, residuals, samples } = result;
+    fn from_robust(result: RobustTriangulation, unit: DistanceUnit, views: &[View]) -> Self {
+        let RobustTriangulation { refinement, inliers, residuals, samples, .. } = result;
+        let RobustTriangulation {
+            threshold,
+            independent: [lines, agreeing, distinct],
+            false_alarms,
+            plausible,
+            rival,
+            ..
+        } = result;
+        let mut warnings = camera_warnings(views);
+        warnings.extend(thin(&refinement.cylinder, views));
+        // The rival is the last of the list.
+        let cylinders = plausible.cylinders.len() - usize::from(rival.is_some());
+        if cylinders > usize::from(plausible.found.is_some()) {
+            warnings.push(Warning::Ambiguous { cylinders });
+        }
+        warnings.extend(rival.map(|rival| Warning::Rival { agreeing: [agreeing, rival] }));
+        if distinct < 4 {
+            warnings.push(Warning::ThreeLines);
+        }
+        if false_alarms > FALSE_ALARMS {
+            warnings.push(Warning::Chance { false_alarms });
+        }
+        warnings.extend(bad_fit(refinement.noise, unit, have_ends(views)));
         Self {
             cylinder: refinement.cylinder,
             residuals,
+            independent_lines: lines,
             least_squares: None,
             refinement: Some((refinement, unit)),
-            consensus: Some(EstimateConsensus { inliers, samples }),
+            consensus: Some(EstimateConsensus { inliers, independent: agreeing, samples, threshold, false_alarms }),
+            plausible: Some(plausible),
+            warnings,
         }
     }
 
     /// The estimate refined on all lines.
-    ///
-    /// # Errors
-    /// [`RefineError`].
-    pub fn refined(self, views: &[View], options: &RefineOptions) -> Result<Self, RefineError> {
-        let refinement = refine(views, &self.cylinder, options)?;
+    fn refined(self, views: &[View], start: &Cylinder, options: &RefineOptions) -> Result<Self, RefineError> {
+        let refinement = refine(views, start, options)?;
         let cylinder = refinement.cylinder;
-        let mut residuals = Vec::with_capacity(self.residuals.len());
-        for (view, content) in views.iter().enumerate().filter(|(_, content)| !content.lines().is_empty()) {
-            let inside = RefineError::CameraInside { view };
-            residuals.extend(cylinder.residuals(view, content).ok_or(inside)?);
-        }
+        let residuals = residuals(&cylinder, views)?;
         Ok(Self { cylinder, residuals, refinement: Some((refinement, options.metric.unit)), ..self })
     }
+}
+
+/// Whether all lines have end points.
+fn have_ends(views: &[View]) -> bool {
+    views.iter().flat_map(View::ends).all(Option::is_some)
+}
+
+/// The residuals of all lines.
+fn residuals(cylinder: &Cylinder, views: &[View]) -> Result<Vec<LineResidual>, RefineError> {
+    let mut residuals = Vec::new();
+    for (view, content) in views.iter().enumerate() {
+        residuals.extend(cylinder.residuals(view, content).ok_or(RefineError::CameraInside { view })?);
+    }
+    Ok(residuals)
 }

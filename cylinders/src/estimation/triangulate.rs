@@ -5,8 +5,9 @@ use thiserror::Error;
 
 use crate::axis::direction::{Direction, DirectionError, estimate_direction};
 use crate::cross_section::circle::{CircleError, CircleFit, fit_circle_in_front};
-use crate::cross_section::rectify::Rectification;
+use crate::cross_section::rectify::{Rectification, TangentLine};
 use crate::cross_section::sight::Sight;
+use crate::observations::copies::IndependentLines;
 use crate::observations::scene::LineId;
 use crate::observations::view::{View, ViewingPlane};
 use crate::space::cylinder::{Cylinder, LineResidual};
@@ -32,9 +33,11 @@ pub struct Triangulation {
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum TriangulateError {
     /// A cylinder needs three tangent planes.
-    #[error("{lines} silhouette line(s) given; a cylinder needs at least three, and four to be unique")]
+    #[error(
+        "{lines} silhouette line(s) given, copies counted once; a cylinder needs at least three, and four to be unique"
+    )]
     TooFewLines {
-        /// Number of lines in all views.
+        /// Number of independent lines in all views.
         lines: usize,
     },
     /// The axis direction is not determined.
@@ -68,16 +71,16 @@ pub enum TriangulateError {
     },
 }
 
-/// Triangulates one cylinder from its silhouette lines in at least two views.
+/// Triangulates one cylinder from its silhouette lines in at least two views. Copies of a line
+/// count as one line ([`IndependentLines`]).
 ///
 /// # Errors
 /// [`TriangulateError`].
 pub fn triangulate(views: &[View]) -> Result<Triangulation, TriangulateError> {
-    let planes: Vec<_> = views.iter().flat_map(View::planes).collect();
-    if planes.len() < 3 {
-        return Err(TriangulateError::TooFewLines { lines: planes.len() });
-    }
-    triangulate_along(views, estimate_direction(&planes)?)
+    let lines = IndependentLines::of(views);
+    check_count_and_places(views, &lines)?;
+    let planes: Vec<_> = lines.views.iter().flat_map(View::planes).collect();
+    along(views, &lines, estimate_direction(&planes)?)
 }
 
 /// Triangulates one cylinder whose direction is known, for example from other cylinders parallel to
@@ -86,7 +89,12 @@ pub fn triangulate(views: &[View]) -> Result<Triangulation, TriangulateError> {
 /// # Errors
 /// [`TriangulateError`].
 pub fn triangulate_along(views: &[View], direction: Direction) -> Result<Triangulation, TriangulateError> {
-    let (cylinder, fit) = fit_cylinder(&identified_planes(views), &direction.direction)?;
+    along(views, &IndependentLines::of(views), direction)
+}
+
+fn along(views: &[View], lines: &IndependentLines, direction: Direction) -> Result<Triangulation, TriangulateError> {
+    check_count_and_places(views, lines)?;
+    let (cylinder, fit) = fit_cylinder(&identified_planes(lines), &direction.direction)?;
     let mut residuals = Vec::new();
     for (view, content) in views.iter().enumerate() {
         let inside = TriangulateError::CameraInside { view, radius: cylinder.radius };
@@ -95,12 +103,61 @@ pub fn triangulate_along(views: &[View], direction: Direction) -> Result<Triangu
     Ok(Triangulation { cylinder, direction, fit, residuals })
 }
 
-/// The viewing planes of all lines.
-pub(crate) fn identified_planes(views: &[View]) -> Vec<(LineId, ViewingPlane)> {
-    let planes = |(view, content): (usize, &View)| -> Vec<_> {
-        content.planes().enumerate().map(|(line, plane)| (LineId { view, line }, plane)).collect()
-    };
-    views.iter().enumerate().flat_map(planes).collect()
+/// Three lines are needed that are no copies. If fewer are left because the cameras stand at one
+/// place, that is the cause.
+fn check_count_and_places(views: &[View], lines: &IndependentLines) -> Result<(), TriangulateError> {
+    match lines.count() {
+        3.. => Ok(()),
+        ..3 if lines.given() >= 3 && is_single_viewpoint(views) => Err(TriangulateError::SingleViewpoint),
+        lines => Err(TriangulateError::TooFewLines { lines }),
+    }
+}
+
+/// Whether all cameras that see lines stand at one place.
+pub(crate) fn is_single_viewpoint(views: &[View]) -> bool {
+    let seeing = views.iter().filter(|view| !view.lines().is_empty());
+    let mut centres = seeing.map(|view| view.camera().centre());
+    let Some(first) = centres.next() else { return false };
+    centres.all(|centre| (centre - first).norm() <= SINGLE_VIEWPOINT * first.coords.norm())
+}
+
+/// The viewing planes of independent lines, each with the place of its first copy.
+pub(crate) fn identified_planes(lines: &IndependentLines) -> Vec<(LineId, ViewingPlane)> {
+    let planes = lines.views.iter().flat_map(View::planes);
+    lines.copies.iter().map(|copies| copies[0]).zip(planes).collect()
+}
+
+/// The lines of the cross-section along a direction.
+pub(crate) struct CrossSection {
+    pub(crate) rectification: Rectification,
+    pub(crate) lines: Vec<TangentLine>,
+    sights: Vec<Sight>,
+    /// Largest distance of a camera from the origin.
+    extent: f64,
+}
+
+impl CrossSection {
+    pub(crate) fn of(
+        planes: &[(LineId, ViewingPlane)],
+        direction: &Unit<Vector3<f64>>,
+    ) -> Result<Self, TriangulateError> {
+        if planes.len() < 3 {
+            return Err(TriangulateError::TooFewLines { lines: planes.len() });
+        }
+        let (origin, magnitude) = centroid(planes);
+        let rectification = Rectification::new(direction, origin);
+        let centre_distance = |(_, plane): &(LineId, ViewingPlane)| rectification.point(&plane.centre).coords.norm();
+        let extent = planes.iter().map(centre_distance).fold(0.0, f64::max);
+        if extent <= SINGLE_VIEWPOINT * magnitude {
+            return Err(TriangulateError::SingleViewpoint);
+        }
+        let line = |&(LineId { view, line }, plane): &(LineId, ViewingPlane)| {
+            rectification.line(&plane).ok_or(TriangulateError::AcrossAxis { view, line })
+        };
+        let lines = planes.iter().map(line).collect::<Result<Vec<_>, _>>()?;
+        let sights = planes.iter().map(|(_, plane)| Sight::of(plane, direction, &rectification)).collect();
+        Ok(Self { rectification, lines, sights, extent })
+    }
 }
 
 /// Cylinder of constrained least squares along a direction. It is in front of the cameras if any
@@ -109,21 +166,7 @@ pub(crate) fn fit_cylinder(
     planes: &[(LineId, ViewingPlane)],
     direction: &Unit<Vector3<f64>>,
 ) -> Result<(Cylinder, CircleFit), TriangulateError> {
-    if planes.len() < 3 {
-        return Err(TriangulateError::TooFewLines { lines: planes.len() });
-    }
-    let (origin, magnitude) = centroid(planes);
-    let rectification = Rectification::new(direction, origin);
-    let centre_distance = |(_, plane): &(LineId, ViewingPlane)| rectification.point(&plane.centre).coords.norm();
-    let extent = planes.iter().map(centre_distance).fold(0.0, f64::max);
-    if extent <= SINGLE_VIEWPOINT * magnitude {
-        return Err(TriangulateError::SingleViewpoint);
-    }
-    let line = |&(LineId { view, line }, plane): &(LineId, ViewingPlane)| {
-        rectification.line(&plane).ok_or(TriangulateError::AcrossAxis { view, line })
-    };
-    let lines = planes.iter().map(line).collect::<Result<Vec<_>, _>>()?;
-    let sights: Vec<_> = planes.iter().map(|(_, plane)| Sight::of(plane, direction, &rectification)).collect();
+    let CrossSection { rectification, lines, sights, extent } = CrossSection::of(planes, direction)?;
     let fit = fit_circle_in_front(&lines, &sights, extent)?;
     Ok((Cylinder::from_circle(&fit.circle, &rectification, *direction), fit))
 }

@@ -72,20 +72,20 @@ impl Chance {
 
     /// Expected number of hypotheses whose matches are by chance as near as these `distances`, in
     /// units of the threshold. `silhouettes` is the number of silhouettes that are not hidden.
-    /// Infinite if there are too few matches to decide.
+    /// If fewer lines match than decide, all hypotheses are as good.
     pub(super) fn false_alarms(&self, mut distances: Vec<f64>, silhouettes: usize) -> f64 {
         let trials = silhouettes.saturating_sub(SAMPLE);
         distances.sort_unstable_by(f64::total_cmp);
         let beyond = distances.iter().enumerate().skip(SAMPLE);
         let tails = beyond.map(|(matches, distance)| tail(trials, matches + 1 - SAMPLE, distance * self.probability));
-        // The factor is at least one, because the product of zero and infinity is NaN.
-        tails.fold(f64::INFINITY, f64::min) * (trials * self.hypotheses).max(1) as f64
+        tails.fold(1.0, f64::min) * (trials * self.hypotheses).max(1) as f64
     }
 }
 
 /// Probability of at least `successes` successes in `trials` trials.
 fn tail(trials: usize, successes: usize, probability: f64) -> f64 {
-    let probability = probability.clamp(f64::MIN_POSITIVE, 1.0);
+    // Without lines, or if no image has two of them, nothing is known.
+    let probability = if probability.is_nan() { 1.0 } else { probability.clamp(f64::MIN_POSITIVE, 1.0) };
     // The smallest terms are added first.
     (successes..=trials).rev().map(|successes| binomial(trials, successes, probability)).sum()
 }
@@ -132,6 +132,8 @@ mod tests {
         // A line that is far away adds nothing.
         let with_far = chance.false_alarms(vec![0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 1.0], 24);
         assert_eq!(with_far, near(6, 0.1, 24));
-        assert_eq!(near(3, 0.0, 24), f64::INFINITY);
+        assert_eq!(near(3, 0.0, 24), 21_000.0);
+        let unknown = Chance { probability: f64::NAN, ..chance };
+        assert_eq!(unknown.false_alarms(vec![0.1; 6], 24), 21_000.0);
     }
 }

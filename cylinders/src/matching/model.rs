@@ -59,5 +59,7 @@ pub(super) fn fitted(plan: &Plan, circle: Circle) -> Option<Model> {
             _ => break,
         }
     }
+    // The last fit may have moved the circle away from some matches.
+    model.matches = plan.matches(&model.fit.circle);
     Some(model)
 }

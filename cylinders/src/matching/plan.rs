@@ -32,8 +32,8 @@ use crate::cross_section::circle::Circle;
 use crate::cross_section::rectify::{Rectification, TangentLine};
 use crate::observations::scene::LineId;
 use crate::observations::view::{Camera, View};
-use crate::space::cylinder::Side;
-use crate::space::silhouette_distance::DistanceUnit;
+use crate::space::cylinder::{Cylinder, Side};
+use crate::space::silhouette_distance::{DistanceUnit, MeasuredLine, Metric};
 
 /// Largest sine of the angle between a viewing plane and the axis. It is far above the uncertainty
 /// of a short line, and far below the value of lines across the axis.
@@ -94,6 +94,16 @@ pub(super) struct Plan {
     lines: Vec<TangentLine>,
     ids: Vec<LineId>,
     extent: f64,
+    tilt: Tilt,
+}
+
+/// What decides whether a line near a silhouette in the cross-section is near it in the image, too:
+/// it may be tilted.
+struct Tilt {
+    direction: Unit<Vector3<f64>>,
+    /// The lines of the plan, empty if distances cannot be measured.
+    measured: Vec<MeasuredLine>,
+    square_threshold: f64,
 }
 
 impl Plan {
@@ -113,9 +123,18 @@ impl Plan {
             lines: Vec::new(),
             ids: Vec::new(),
             extent: 0.0,
+            tilt: Tilt { direction: *direction, measured: Vec::new(), square_threshold: options.threshold.powi(2) },
         };
+        let mut first_lines = Vec::with_capacity(views.len());
+        let mut lines = 0;
         for (index, view) in views.iter().enumerate() {
             plan.push(index, view, direction, threshold(index, view.camera(), options)?);
+            first_lines.push(lines);
+            lines += view.lines().len();
+        }
+        let metric = Metric { unit: options.unit, ..Metric::of(views) };
+        if let Ok(measured) = metric.measured_lines(views) {
+            plan.tilt.measured = plan.ids.iter().map(|id| measured[first_lines[id.view] + id.line]).collect();
         }
         let seeing = plan.views.iter().filter(|view| !view.lines.is_empty());
         let count = seeing.clone().count();
@@ -217,12 +236,23 @@ impl Plan {
     pub(super) fn matches(&self, circle: &Circle) -> Vec<PlanMatch> {
         let sides = [Side::Left, Side::Right];
         let of_view = |view| {
-            let found = self.silhouettes(view, circle).unwrap_or_default();
+            let found = self.matched_silhouettes(view, circle).unwrap_or_default();
             sides.into_iter().zip(found).filter_map(|(side, found)| Some(PlanMatch { line: found?.0, side }))
         };
         let mut matches: Vec<_> = self.views.iter().flat_map(of_view).collect();
         matches.sort_by_key(|line| line.line);
         matches
+    }
+
+    /// Like [`Plan::silhouettes`], without lines that are too far from the silhouette in the image.
+    pub(super) fn matched_silhouettes(&self, view: &PlanView, circle: &Circle) -> Option<[Option<(usize, f64)>; 2]> {
+        let cylinder = Cylinder::from_circle(circle, &self.rectification, self.tilt.direction);
+        let is_near = |&(line, _): &(usize, f64)| {
+            let Some(measured) = self.tilt.measured.get(line) else { return true };
+            let square = measured.silhouettes(&cylinder).map(|silhouettes| measured.square(&silhouettes));
+            square.is_some_and(|square| square <= self.tilt.square_threshold)
+        };
+        Some(self.silhouettes(view, circle)?.map(|found| found.filter(is_near)))
     }
 
     /// The line nearest to the left silhouette of a circle and the line nearest to the right one,

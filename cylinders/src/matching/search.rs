@@ -102,6 +102,7 @@ fn search(
     let count = options.count.unwrap_or(usize::MAX);
     // If the number of cylinders or of matches is given, chance does not stop the search.
     let floor = options.least_support.or(options.count.map(|_| LEAST_SUPPORT));
+    let least_matches = options.least_support.unwrap_or(LEAST_SUPPORT);
     let false_alarms = if floor.is_some() { f64::INFINITY } else { FALSE_ALARMS };
     let mut found: Vec<Model> = Vec::new();
     let mut least = usize::MAX;
@@ -115,7 +116,7 @@ fn search(
             break;
         }
         least = next;
-        let demand = Demand { least_support: least, false_alarms, count };
+        let demand = Demand { least_support: least, least_matches, false_alarms, count };
         extract(plan, pairs, &demand, progress, &mut found);
     }
     (found, least)
@@ -125,6 +126,8 @@ fn search(
 #[derive(Clone, Copy, Debug)]
 struct Demand {
     least_support: usize,
+    /// Least number of lines that are near the silhouettes in the image, too.
+    least_matches: usize,
     /// Largest number of false alarms.
     false_alarms: f64,
     /// Number of models at which the search ends.
@@ -166,7 +169,8 @@ fn extract(
             queue.extend(again.map(|best| Candidate { best, round, ..candidate }));
             continue;
         }
-        let Some(model) = fitted(plan, candidate.best.circle) else { continue };
+        let enough = |model: &Model| model.matches.len() >= demand.least_matches;
+        let Some(model) = fitted(plan, candidate.best.circle).filter(enough) else { continue };
         let false_alarms = false_alarms(plan, &chance, &model.fit.circle, found);
         if false_alarms > demand.false_alarms {
             doubtful.push(candidate);
@@ -187,7 +191,8 @@ fn false_alarms(plan: &Plan, chance: &Chance, circle: &Circle, found: &[Model]) 
     let circles: Vec<_> = found.iter().map(|model| model.fit.circle).collect();
     let (mut all, mut visible) = ((Vec::new(), 0), (Vec::new(), 0));
     for view in plan.views().iter().filter(|view| !view.lines.is_empty()) {
-        let Some((silhouettes, hidden)) = plan.silhouettes(view, circle).zip(hidden(&view.centre, circle, &circles))
+        let Some((silhouettes, hidden)) =
+            plan.matched_silhouettes(view, circle).zip(hidden(&view.centre, circle, &circles))
         else {
             continue;
         };

@@ -145,8 +145,9 @@ pub(crate) fn ransac<E: Estimator>(estimator: &E, options: &RansacOptions) -> Op
     best.map(|(model, inliers)| Consensus { model, inliers, samples })
 }
 
-/// Number of samples of which at least one has no outliers, with the required confidence.
-fn samples_needed(inliers: usize, count: usize, size: usize, options: &RansacOptions) -> usize {
+/// Number of samples of which at least one has no outliers, with the required confidence, if
+/// `inliers` of `count` data are inliers.
+pub(crate) fn samples_needed(inliers: usize, count: usize, size: usize, options: &RansacOptions) -> usize {
     // Samples are drawn without repetition.
     let share: f64 = (0..size).map(|drawn| inliers.saturating_sub(drawn) as f64 / (count - drawn) as f64).product();
     let needed = (-options.confidence).ln_1p() / (-share).ln_1p();

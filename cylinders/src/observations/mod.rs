@@ -2,6 +2,8 @@
 
 /// COLMAP models, text and binary: cameras of photographs, and points.
 pub mod colmap;
+/// Copies of a line to one line.
+pub mod copies;
 /// Lens distortion, and its inverse.
 pub mod distortion;
 /// Scene files: JSON to views.

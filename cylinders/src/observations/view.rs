@@ -41,6 +41,7 @@ pub struct Camera {
     rotation: Matrix3<f64>,
     translation: Vector3<f64>,
     calibration: Option<Calibration>,
+    is_negated: bool,
 }
 
 /// A camera and the silhouette lines seen in it: unit 3-vectors, in normalised image coordinates.
@@ -211,7 +212,7 @@ impl Camera {
         if !translation.iter().all(|entry| entry.is_finite()) {
             return Err(ViewError::CameraNotFinite);
         }
-        Ok(Self { rotation: nearest_rotation(rotation), translation, calibration: None })
+        Ok(Self { rotation: nearest_rotation(rotation), translation, calibration: None, is_negated: scale < 0.0 })
     }
 
     /// A camera in pixels, `K [R t]` up to scale, with its calibration.
@@ -243,6 +244,12 @@ impl Camera {
     /// Camera centre `C = -R^T t`, world frame.
     pub fn centre(&self) -> Point3<f64> {
         Point3::from(-self.rotation.tr_mul(&self.translation))
+    }
+
+    /// Whether the matrix was given with a negative determinant, so that its sign was changed. It
+    /// is either a negative multiple of a camera, or mirrored and wrong.
+    pub fn is_negated(&self) -> bool {
+        self.is_negated
     }
 
     /// The calibration, if there is one.
@@ -364,6 +371,20 @@ impl View {
         }
     }
 
+    /// The same view with only the chosen lines, some of them replaced by another line with its end
+    /// points.
+    pub(crate) fn with_joint_lines(&self, chosen: &[(usize, Option<LineWithEnds>)]) -> Self {
+        let indices: Vec<_> = chosen.iter().map(|&(index, _)| index).collect();
+        let mut view = self.selected(&indices);
+        for (place, (line, ends)) in
+            chosen.iter().enumerate().filter_map(|(place, (_, joint))| Some((place, (*joint)?)))
+        {
+            view.lines[place] = line;
+            view.ends[place] = ends;
+        }
+        view
+    }
+
     /// The camera.
     pub fn camera(&self) -> &Camera {
         &self.camera
@@ -397,6 +418,9 @@ impl View {
         self.lines.iter().map(move |line| ViewingPlane { normal: self.camera.rotation.tr_mul(line), centre, forward })
     }
 }
+
+/// A line of unit length and its end points, if they are known; normalised image coordinates.
+pub(crate) type LineWithEnds = (Vector3<f64>, Option<[Point2<f64>; 2]>);
 
 /// The line scaled to unit length.
 fn unit_line(index: usize, line: &Vector3<f64>) -> Result<Vector3<f64>, ViewError> {

@@ -5,16 +5,23 @@ use std::fmt;
 use nalgebra::{Unit, Vector3};
 use serde::Serialize;
 
+use super::number::{number, triple};
 use super::report::ResidualReport;
+use crate::estimation::warnings::camera_warnings;
 use crate::matching::{MatchedCylinder, Matching};
 use crate::observations::scene::LineId;
 use crate::observations::view::View;
+
+/// Largest expected number of cylinders by chance that draws no warning.
+const FALSE_ALARMS: f64 = 1.0;
 
 /// All cylinders found, as plain numbers in the form of the JSON output.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MatchingReport {
     /// Unit direction of all axes.
     pub direction: [f64; 3],
+    /// Largest distance of a match: pixels if all cameras have a calibration, radians otherwise.
+    pub threshold: f64,
     /// Number of lines in all views.
     pub lines: usize,
     /// Least number of matches that was required of a cylinder.
@@ -25,6 +32,8 @@ pub struct MatchingReport {
     pub cylinders: Vec<MatchedCylinderReport>,
     /// Lines of no cylinder.
     pub unmatched: Vec<LineReport>,
+    /// What makes the result doubtful, in words.
+    pub warnings: Vec<String>,
 }
 
 /// A cylinder and its silhouettes.
@@ -35,7 +44,7 @@ pub struct MatchedCylinderReport {
     /// Radius, world units.
     pub radius: f64,
     /// Root mean square distance between matches and circle in the cross-section, world units.
-    pub rms: f64,
+    pub section_rms: f64,
     /// The part of all lines that are not silhouettes of the cylinder.
     pub outlier_rate: f64,
     /// Expected number of cylinders with matches as many and as near by chance.
@@ -57,12 +66,13 @@ pub struct LineReport {
 }
 
 impl MatchingReport {
-    /// Collects the numbers of the result for these views.
-    pub fn new(views: &[View], direction: &Unit<Vector3<f64>>, matching: &Matching) -> Self {
+    /// Collects the numbers of the result for these views and the direction and threshold of the
+    /// search.
+    pub fn new(views: &[View], (direction, threshold): (&Unit<Vector3<f64>>, f64), matching: &Matching) -> Self {
         let cylinder = |found: &MatchedCylinder| MatchedCylinderReport {
             axis_point: found.cylinder.axis_point.coords.into(),
             radius: found.cylinder.radius,
-            rms: found.rms,
+            section_rms: found.rms,
             outlier_rate: found.outlier_rate,
             false_alarms: found.false_alarms,
             matches: found
@@ -76,28 +86,42 @@ impl MatchingReport {
         let rates = matching.cylinders.iter().map(|found| found.outlier_rate);
         Self {
             direction: direction.into_inner().into(),
+            threshold,
             lines: views.iter().map(|view| view.lines().len()).sum(),
             least_support: matching.least_support,
             outlier_rate: rates.sum::<f64>() / matching.cylinders.len() as f64,
             cylinders: matching.cylinders.iter().map(cylinder).collect(),
             unmatched: matching.unmatched.iter().map(line).collect(),
+            warnings: warnings(views, matching),
         }
     }
+}
+
+fn warnings(views: &[View], matching: &Matching) -> Vec<String> {
+    let chance = |(index, found): (usize, &MatchedCylinder)| {
+        let (number, false_alarms) = (index + 1, found.false_alarms);
+        (false_alarms > FALSE_ALARMS).then(|| {
+            format!("cylinder {number} may be chance: {false_alarms:.1e} with as many and as near matches are expected")
+        })
+    };
+    let of_cameras = camera_warnings(views).into_iter().map(|warning| warning.to_string());
+    of_cameras.chain(matching.cylinders.iter().enumerate().filter_map(chance)).collect()
 }
 
 /// Text for people, with seven significant digits.
 impl fmt::Display for MatchingReport {
     fn fmt(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let triple = |[x, y, z]: [f64; 3]| format!("{x:14.7}{y:14.7}{z:14.7}");
         writeln!(text, "direction        {}", triple(self.direction))?;
         writeln!(text, "cylinders        {:14}   with {} matches or more", self.cylinders.len(), self.least_support)?;
+        writeln!(text, "threshold        {:14.4}   largest distance of a match", self.threshold)?;
         writeln!(text, "lines            {:14}   {} of no cylinder", self.lines, self.unmatched.len())?;
         writeln!(text, "outlier rate     {:14.4}   mean over the cylinders", self.outlier_rate)?;
+        self.warnings.iter().try_for_each(|warning| writeln!(text, "warning: {warning}"))?;
         for (index, cylinder) in self.cylinders.iter().enumerate() {
             writeln!(text, "\ncylinder         {:14}", index + 1)?;
             writeln!(text, "axis point       {}   nearest to the origin", triple(cylinder.axis_point))?;
-            writeln!(text, "radius           {:14.7}", cylinder.radius)?;
-            writeln!(text, "rms distance     {:14.6e}", cylinder.rms)?;
+            writeln!(text, "radius           {}", number(cylinder.radius))?;
+            writeln!(text, "section rms      {:14.6e}   world units", cylinder.section_rms)?;
             writeln!(text, "outlier rate     {:14.4}   {} matches", cylinder.outlier_rate, cylinder.matches.len())?;
             writeln!(text, "false alarms     {:14.1e}   as many and as near matches by chance", cylinder.false_alarms)?;
             writeln!(text, "\n{}", ResidualReport::HEADING)?;

@@ -2,6 +2,8 @@
 
 /// Matches as text and as JSON.
 pub mod matching_report;
+/// Numbers in columns of a text.
+mod number;
 /// Colours of pictures and models.
 mod palette;
 /// Cross-sections, silhouettes and plots as SVG and PNG files.
@@ -9,5 +11,7 @@ mod palette;
 pub mod picture;
 /// Cylinders, cameras, lines and points as a PLY file.
 pub mod ply;
-/// A result as text and as JSON.
+/// A result as plain numbers, for JSON.
 pub mod report;
+/// A result as text.
+mod report_text;

@@ -1,14 +1,17 @@
-//! A triangulation as text for people and as JSON for programs.
-
-use std::fmt;
+//! A triangulation as plain numbers, in the form of the JSON output.
 
 use nalgebra::Point3;
 use serde::Serialize;
 
-use crate::estimation::estimate::{Estimate, EstimateConsensus};
+use crate::axis::direction::Direction;
+use crate::cross_section::circle::CircleFit;
+use crate::estimation::alternatives::Alternative;
+use crate::estimation::estimate::Estimate;
+use crate::estimation::refine::Refinement;
 use crate::observations::scene::{CylinderLines, LineId};
 use crate::observations::view::View;
-use crate::space::cylinder::{Cylinder, LineResidual, NEAR_SURFACE, Side};
+use crate::space::cylinder::{Cylinder, LineResidual, Side};
+use crate::space::extent::visible_extent;
 use crate::space::silhouette_distance::DistanceUnit;
 
 /// The result as plain numbers in the form of the JSON output.
@@ -23,6 +26,19 @@ pub struct Report {
     pub direction: [f64; 3],
     /// Radius, world units.
     pub radius: f64,
+    /// The part of the axis that the views show: signed distances from the axis point along the
+    /// direction, world units. Null if nothing determines it.
+    pub extent: Option<[f64; 2]>,
+    /// Number of lines of which none is a copy of another.
+    pub independent_lines: usize,
+    /// Whether other cylinders explain the lines about as well.
+    pub ambiguous: bool,
+    /// All cylinders that explain the lines about as well, the best first, and after them one on
+    /// which nearly as many other lines agree; absent if the result is not ambiguous.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub plausible: Vec<PlausibleReport>,
+    /// What makes the result doubtful, in words.
+    pub warnings: Vec<String>,
     /// Quality of the least squares estimate; absent if there was none.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub least_squares: Option<LeastSquaresReport>,
@@ -44,13 +60,31 @@ pub struct Report {
 pub struct LeastSquaresReport {
     /// Singular values of the linear system for the direction, descending.
     pub singular_values: [f64; 3],
-    /// Root mean square distance between lines and circle in the cross-section, world units.
-    pub rms: f64,
+    /// Root mean square distance between lines and circle in the cross-section, world units. Least
+    /// squares make it small; it is not comparable with distances in the images.
+    pub section_rms: f64,
     /// Number of real stationary points of the least squares problem.
     pub stationary_points: usize,
 }
 
-/// Result of the refinement.
+/// A cylinder that explains the lines about as well as the best.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct PlausibleReport {
+    /// Point of the axis nearest to the world's origin.
+    pub axis_point: [f64; 3],
+    /// Unit direction of the axis.
+    pub direction: [f64; 3],
+    /// Radius, world units.
+    pub radius: f64,
+    /// Root mean square distance of the lines from its silhouettes: pixels if all cameras have a
+    /// calibration, radians otherwise.
+    pub image_rms: f64,
+    /// Its likelihood relative to the best.
+    pub plausibility: f64,
+}
+
+/// Result of the refinement. Of all lines, or with RANSAC of the inliers; copies of a line count
+/// once.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct RefinementReport {
     /// Standard deviation of the direction, radians.
@@ -61,11 +95,24 @@ pub struct RefinementReport {
     pub radius_deviation: f64,
     /// The point of the axis to which the deviation of the position refers.
     pub reference: [f64; 3],
-    /// Root mean square distance of the lines from their silhouettes; of the inliers only, if
-    /// RANSAC was used.
-    pub rms: f64,
-    /// Unit of that distance, `pixels` or `radians`.
+    /// Unit vectors `f1`, `f2` across the axis.
+    pub across: [[f64; 3]; 2],
+    /// Covariance of the components of the direction along `f1`, `f2` (radians), of the axis at the
+    /// reference along `f1`, `f2`, and of the radius (world units).
+    pub covariance: [[f64; 5]; 5],
+    /// Root mean square distance of the lines from their silhouettes in the images.
+    pub image_rms: f64,
+    /// Estimated standard deviation of that distance: larger than `image_rms`, because the cylinder
+    /// adapts to the noise of the lines.
+    pub noise: f64,
+    /// Degrees of freedom of that estimate.
+    pub degrees_of_freedom: f64,
+    /// Unit of both, `pixels` or `radians`.
     pub unit: DistanceUnit,
+    /// Number of lines without end points. It is not known where they were seen: their distances
+    /// are measured at two points a fifth of the focal length apart, and if there are any, the
+    /// deviations follow from the scatter of the lines instead of one noise of all points.
+    pub lines_without_ends: usize,
 }
 
 /// What RANSAC chose.
@@ -75,6 +122,12 @@ pub struct ConsensusReport {
     pub inliers: usize,
     /// Number of lines.
     pub lines: usize,
+    /// Number of lines that agree, copies counted once.
+    pub independent_inliers: usize,
+    /// Largest root mean square distance of a line that agrees, unit of the refinement.
+    pub threshold: f64,
+    /// Expected number of cylinders on which as many lines agree by chance (an upper bound).
+    pub false_alarms: f64,
     /// Number of samples drawn.
     pub samples: usize,
 }
@@ -114,35 +167,46 @@ pub struct PointReport {
 impl Report {
     /// Collects the numbers of the estimate for these lines. `points` are the points of the scene.
     pub fn new(lines: &CylinderLines, estimate: &Estimate, points: &[Point3<f64>]) -> Self {
-        let Estimate { cylinder, residuals, least_squares, refinement, consensus } = estimate;
+        let Estimate { cylinder, residuals, consensus, .. } = estimate;
         let residual = |(id, residual): (&LineId, &LineResidual)| {
             let place = LineId { view: residual.view, line: residual.line };
             let in_scene = LineResidual { view: id.view, line: id.line, ..*residual };
             let inlier = consensus.as_ref().map(|consensus| consensus.inliers.contains(&place));
             ResidualReport { inlier, ..ResidualReport::new(&lines.views[id.view], &in_scene) }
         };
+        let agreeing = match consensus {
+            Some(consensus) => lines.selected(&consensus.inliers),
+            None => lines.clone(),
+        };
+        let plausible = estimate.plausible.as_ref().filter(|plausible| plausible.is_ambiguous());
+        let least_squares = |(direction, fit): (Direction, CircleFit)| LeastSquaresReport {
+            singular_values: direction.singular_values,
+            section_rms: fit.rms,
+            stationary_points: fit.stationary_points,
+        };
+        let refinement = |(refinement, unit): &(Refinement, DistanceUnit)| RefinementReport {
+            lines_without_ends: agreeing.views.iter().flat_map(View::ends).filter(|ends| ends.is_none()).count(),
+            ..RefinementReport::new(refinement, *unit)
+        };
         Self {
             label: lines.label.clone(),
             axis_point: cylinder.axis_point.coords.into(),
             direction: cylinder.direction.into_inner().into(),
             radius: cylinder.radius,
-            least_squares: least_squares.map(|(direction, fit)| LeastSquaresReport {
-                singular_values: direction.singular_values,
-                rms: fit.rms,
-                stationary_points: fit.stationary_points,
-            }),
-            refinement: refinement.as_ref().map(|(refinement, unit)| RefinementReport {
-                direction_deviation: refinement.deviation.direction,
-                position_deviation: refinement.deviation.position,
-                radius_deviation: refinement.deviation.radius,
-                reference: refinement.reference.coords.into(),
-                rms: refinement.rms,
-                unit: *unit,
-            }),
-            consensus: consensus.as_ref().map(|EstimateConsensus { inliers, samples }| ConsensusReport {
-                inliers: inliers.len(),
+            extent: visible_extent(cylinder, &agreeing.views, points),
+            independent_lines: estimate.independent_lines,
+            ambiguous: plausible.is_some(),
+            plausible: plausible.iter().flat_map(|plausible| &plausible.cylinders).map(PlausibleReport::new).collect(),
+            warnings: estimate.warnings.iter().map(|warning| warning.in_scene(lines).to_string()).collect(),
+            least_squares: estimate.least_squares.map(least_squares),
+            refinement: estimate.refinement.as_ref().map(refinement),
+            consensus: consensus.as_ref().map(|consensus| ConsensusReport {
+                inliers: consensus.inliers.len(),
                 lines: residuals.len(),
-                samples: *samples,
+                independent_inliers: consensus.independent,
+                threshold: consensus.threshold,
+                false_alarms: consensus.false_alarms,
+                samples: consensus.samples,
             }),
             residuals: lines.lines.iter().zip(residuals).map(residual).collect(),
             points: (!points.is_empty()).then(|| PointReport::new(cylinder, points)),
@@ -150,49 +214,34 @@ impl Report {
     }
 }
 
-/// Text for people, with seven significant digits.
-impl fmt::Display for Report {
-    fn fmt(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let triple = |[x, y, z]: [f64; 3]| format!("{x:14.7}{y:14.7}{z:14.7}");
-        if let Some(label) = &self.label {
-            writeln!(text, "cylinder         {label:>14}")?;
+impl PlausibleReport {
+    fn new(alternative: &Alternative) -> Self {
+        Self {
+            axis_point: alternative.cylinder.axis_point.coords.into(),
+            direction: alternative.cylinder.direction.into_inner().into(),
+            radius: alternative.cylinder.radius,
+            image_rms: alternative.rms,
+            plausibility: alternative.plausibility,
         }
-        writeln!(text, "axis point       {}   nearest to the origin", triple(self.axis_point))?;
-        writeln!(text, "direction        {}", triple(self.direction))?;
-        writeln!(text, "radius           {:14.7}", self.radius)?;
-        if let Some(LeastSquaresReport { singular_values: [sigma1, sigma2, sigma3], rms, stationary_points }) =
-            &self.least_squares
-        {
-            writeln!(text, "singular values  {sigma1:14.6e}{sigma2:14.6e}{sigma3:14.6e}   of the direction")?;
-            writeln!(text, "rms distance     {rms:14.6e}   best of {stationary_points} stationary points")?;
+    }
+}
+
+impl RefinementReport {
+    fn new(refinement: &Refinement, unit: DistanceUnit) -> Self {
+        let covariance = &refinement.covariance;
+        Self {
+            direction_deviation: refinement.deviation.direction,
+            position_deviation: refinement.deviation.position,
+            radius_deviation: refinement.deviation.radius,
+            reference: refinement.reference.coords.into(),
+            across: refinement.across.map(Into::into),
+            covariance: [0, 1, 2, 3, 4].map(|row| [0, 1, 2, 3, 4].map(|column| covariance[(row, column)])),
+            image_rms: refinement.rms,
+            noise: refinement.noise,
+            degrees_of_freedom: refinement.degrees_of_freedom,
+            unit,
+            lines_without_ends: 0,
         }
-        if let Some(refined) = &self.refinement {
-            let [direction, position, radius] =
-                [refined.direction_deviation, refined.position_deviation, refined.radius_deviation];
-            writeln!(
-                text,
-                "refined          {:14.6e}   {}, rms distance of lines and silhouettes",
-                refined.rms, refined.unit
-            )?;
-            writeln!(
-                text,
-                "deviations       {direction:14.6e}{position:14.6e}{radius:14.6e}   direction [rad], axis, radius"
-            )?;
-            writeln!(text, "at               {}   point of the axis", triple(refined.reference))?;
-        }
-        if let Some(ConsensusReport { inliers, lines, samples }) = &self.consensus {
-            writeln!(text, "inliers          {inliers:>14}   of {lines} lines, {samples} samples")?;
-        }
-        if let Some(points) = &self.points {
-            let percent = 100.0 * NEAR_SURFACE;
-            writeln!(
-                text,
-                "points           {} of {} within {percent}% of the radius from the surface",
-                points.near_surface, points.total
-            )?;
-        }
-        writeln!(text, "\n{}", ResidualReport::HEADING)?;
-        self.residuals.iter().try_for_each(|residual| writeln!(text, "{residual}"))
     }
 }
 
@@ -212,18 +261,6 @@ impl ResidualReport {
             pixels: residual.pixels,
             inlier: None,
         }
-    }
-}
-
-/// A row of a table.
-impl fmt::Display for ResidualReport {
-    fn fmt(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let pixels = self.pixels.map_or("-".to_owned(), |pixels| format!("{pixels:.3}"));
-        let image = self.image.as_ref().map_or(String::new(), |image| format!("   {image}"));
-        let outlier = if self.inlier == Some(false) { "   outlier" } else { "" };
-        let (side, degrees) = (self.side.to_string(), self.angle.to_degrees());
-        write!(text, "{:4}{:6}{side:>7}{:14.4e}", self.view, self.line, self.distance)?;
-        write!(text, "{degrees:16.6}{pixels:>11}{image}{outlier}")
     }
 }
 

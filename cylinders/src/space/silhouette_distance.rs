@@ -32,6 +32,8 @@ use serde::Serialize;
 use thiserror::Error;
 
 use super::cylinder::{Cylinder, Side};
+use crate::observations::copies::IndependentLines;
+use crate::observations::scene::LineId;
 use crate::observations::view::{Camera, View};
 
 /// Half-length `h` of a line without end points, relative to the focal length: 300 pixels at a
@@ -101,6 +103,18 @@ impl Metric {
         Self { unit, half_length: HALF_LENGTH }
     }
 
+    /// Independent lines, in their order, prepared for measurement.
+    pub(crate) fn measured(&self, lines: &IndependentLines) -> Result<Vec<MeasuredLine>, MetricError> {
+        self.measured_lines(&lines.views).map_err(|error| match error {
+            MetricError::LineOutOfRange { view, line } => {
+                let before: usize = lines.views[..view].iter().map(|view| view.lines().len()).sum();
+                let LineId { view, line } = lines.copies[before + line][0];
+                MetricError::LineOutOfRange { view, line }
+            }
+            error => error,
+        })
+    }
+
     /// The lines of all views, in their order, prepared for measurement.
     pub(crate) fn measured_lines(&self, views: &[View]) -> Result<Vec<MeasuredLine>, MetricError> {
         if !(self.half_length > 0.0 && self.half_length.is_finite()) {
@@ -112,7 +126,8 @@ impl Metric {
             for (line, (coordinates, ends)) in view.lines().iter().zip(view.ends()).enumerate() {
                 let points = ends.unwrap_or_else(|| place.support_points(coordinates));
                 let out_of_range = MetricError::LineOutOfRange { view: index, line };
-                measured.push(place.measured(index, &points).ok_or(out_of_range)?);
+                let prepared = place.measured(index, &points).ok_or(out_of_range)?;
+                measured.push(MeasuredLine { has_ends: ends.is_some(), ..prepared });
             }
         }
         Ok(measured)
@@ -124,6 +139,18 @@ impl Metric {
 pub(crate) fn lines_with_ends(index: usize, view: &View) -> Vec<Option<MeasuredLine>> {
     let place = Place::new(view.camera(), &Metric::of(std::slice::from_ref(view)));
     view.ends().iter().map(|ends| place.as_ref()?.measured(index, ends.as_ref()?)).collect()
+}
+
+/// The lines of a view, in their order, prepared for measurement in pixels; `None` without
+/// calibration, or if a line is out of range.
+pub(crate) fn lines_in_pixels(index: usize, view: &View) -> Vec<Option<MeasuredLine>> {
+    let metric = Metric { unit: DistanceUnit::Pixels, ..Metric::of(&[]) };
+    let place = Place::new(view.camera(), &metric);
+    let measured = |(line, ends): (&Vector3<f64>, &Option<[Point2<f64>; 2]>)| {
+        let place = place.as_ref()?;
+        place.measured(index, &ends.unwrap_or_else(|| place.support_points(line)))
+    };
+    view.lines().iter().zip(view.ends()).map(measured).collect()
 }
 
 /// The data of a camera for one metric.
@@ -184,7 +211,7 @@ impl Place {
             }
         });
         let finite = rays.iter().all(|ray| ray.iter().all(|entry| entry.is_finite()));
-        finite.then_some(MeasuredLine { view, centre: self.centre, rays, scale: self.scale })
+        finite.then_some(MeasuredLine { view, centre: self.centre, rays, scale: self.scale, has_ends: true })
     }
 }
 
@@ -199,6 +226,8 @@ pub(crate) struct MeasuredLine {
     rays: [Vector3<f64>; 2],
     /// The matrix `B` of the metric.
     scale: Matrix3<f64>,
+    /// Whether the support points are the end points of the line.
+    pub(crate) has_ends: bool,
 }
 
 /// A given line measured against the nearer silhouette line of a cylinder.
@@ -250,6 +279,11 @@ impl MeasuredLine {
     /// The same line in the coordinates `(X - origin) / unit`.
     pub(crate) fn in_frame(&self, origin: &Point3<f64>, unit: f64) -> Self {
         Self { centre: Point3::from((self.centre - origin) / unit), ..*self }
+    }
+
+    /// Whether the second support point is further along the axis than the first.
+    pub(crate) fn is_along(&self, cylinder: &Cylinder) -> bool {
+        (self.rays[1] - self.rays[0]).dot(&cylinder.direction) > 0.0
     }
 
     /// Ray to the middle of the support points.

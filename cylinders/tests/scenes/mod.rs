@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "every test file uses a part of it")]
 
 use eliminant_cylinders::{Calibration, Camera, Cylinder, Loss, Metric, RefineOptions, Refinement, View, refine};
-use nalgebra::{Matrix3, Matrix3x4, Point3, Rotation3, Unit, Vector3};
+use nalgebra::{Matrix3, Matrix3x4, Point2, Point3, Rotation3, Unit, Vector2, Vector3};
 
 use crate::random::Random;
 use crate::scene::{Can, Photograph, Setup};
@@ -19,6 +19,33 @@ pub(crate) fn view(setup: &Setup, camera: &Matrix3x4<f64>, lines: &[Vector3<f64>
     let calibration = Calibration::new(&setup.calibration).expect("a calibration");
     let camera = Camera::from_normalised(camera).expect("a camera").with_calibration(calibration);
     View::from_pixel_lines(camera, lines).expect("lines")
+}
+
+/// A side of a cylinder, 1 or -1, and the part of its height over which it is seen.
+pub(crate) type SeenPart = (f64, [f64; 2]);
+
+/// The end points of a silhouette, pixels, with the noise of the setup.
+pub(crate) fn silhouette(
+    can: &Can,
+    setup: &Setup,
+    photograph: &Photograph,
+    (side, part): SeenPart,
+    random: &mut Random,
+) -> [Point2<f64>; 2] {
+    let rotation = photograph.camera.fixed_columns::<3>(0);
+    let centre = Point3::from(-(rotation.tr_mul(&photograph.camera.column(3))));
+    let direction = can.direction.into_inner();
+    let offset = centre - can.base;
+    let outward = offset - direction * direction.dot(&offset);
+    let (toward, cosine) = (outward.normalize(), can.radius / outward.norm());
+    let sideways = direction.cross(&toward) * (side * (1.0 - cosine * cosine).sqrt());
+    let bottom = can.base + (toward * cosine + sideways) * can.radius;
+    part.map(|part| {
+        let point = bottom + direction * (can.height * part);
+        let image = setup.calibration * photograph.camera * point.to_homogeneous();
+        let noise = Vector2::new(random.normal(), random.normal()) * setup.noise;
+        Point2::from(image.xy() / image.z + noise)
+    })
 }
 
 /// The camera of a view with other lines, in normalised coordinates.

@@ -46,6 +46,12 @@ impl Cylinder {
         Self::new(&rectification.world_point(&circle.centre), direction, circle.radius)
     }
 
+    /// The same cylinder; the entry of largest magnitude of its direction is positive.
+    pub fn with_canonical_sign(self) -> Self {
+        let is_negative = self.direction[self.direction.iamax()] < 0.0;
+        Self { direction: if is_negative { -self.direction } else { self.direction }, ..self }
+    }
+
     /// The point of the axis at a height: a signed distance along it from `axis_point`, world
     /// units.
     pub fn axis_at(&self, height: f64) -> Point3<f64> {

@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use super::{Cylinder, Side};
-use crate::observations::view::{Camera, View, ViewingPlane};
-use crate::space::silhouette_distance::{SilhouetteDistance, lines_with_ends};
+use crate::observations::view::{View, ViewingPlane};
+use crate::space::silhouette_distance::{SilhouetteDistance, lines_in_pixels, lines_with_ends};
 
 /// The distance of a given line from the silhouette of a cylinder.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,9 +22,10 @@ pub struct LineResidual {
     pub distance: f64,
     /// Angle between the viewing plane and the tangent plane of that silhouette, radians.
     pub angle: f64,
-    /// Distance in pixels, if the camera has a calibration: the root mean square distance of the
-    /// end points of the given line from the silhouette, as in RANSAC and refinement. For a line
-    /// without end points it is the distance of its point nearest to the principal point.
+    /// Distance in pixels, if the camera has a calibration: the root mean square distance from the
+    /// silhouette of the end points of the given line, or of two points that stand for a line
+    /// without end points (`silhouette_distance`). It is the distance that RANSAC compares with its
+    /// threshold and that refinement makes small.
     pub pixels: Option<f64>,
 }
 
@@ -45,20 +46,19 @@ impl Cylinder {
         }
         let camera = lines.camera();
         let silhouette = self.silhouette(camera)?;
+        let in_pixels = lines_in_pixels(view, lines);
         let at_ends: Vec<_> =
             lines_with_ends(view, lines).iter().map(|measured| measured.as_ref()?.distance(self)).collect();
         let residual = |(index, (line, plane)): (usize, (&Vector3<f64>, ViewingPlane))| {
             // Lines have no sign: the angle is between 0 and pi / 2.
             let angle = |other: &Vector3<f64>| line.cross(other).norm().atan2(line.dot(other).abs());
-            let [right, left] = silhouette.each_ref().map(|line| (angle(line), line));
+            let [right, left] = silhouette.each_ref().map(angle);
             let at_ends = at_ends[index].as_ref();
-            let by_angle = if left.0 < right.0 { Side::Left } else { Side::Right };
+            let by_angle = if left < right { Side::Left } else { Side::Right };
             let side = at_ends.map_or(by_angle, SilhouetteDistance::side);
-            let (angle, nearest) = if side == Side::Left { left } else { right };
-            let pixels = match at_ends {
-                Some(distance) => camera.calibration().map(|_| distance.mean_square().sqrt()),
-                None => pixel_distance(camera, line, nearest),
-            };
+            let angle = if side == Side::Left { left } else { right };
+            let pixels = in_pixels[index].as_ref().and_then(|measured| measured.distance(self));
+            let pixels = pixels.map(|distance| distance.mean_square().sqrt());
             let distance = self.plane_distance(&plane);
             LineResidual { view, line: index, side, distance, angle, pixels }
         };
@@ -72,19 +72,4 @@ impl Cylinder {
         let normal = (plane.normal - w * w.dot(&plane.normal)).normalize();
         normal.dot(&self.vector_to_axis(&plane.centre)).abs() - self.radius
     }
-}
-
-/// Distance in pixels of `silhouette` from the point of `line` nearest to the principal point; both
-/// lines in normalised coordinates. `None` without calibration, or if that point is far outside
-/// every image.
-fn pixel_distance(camera: &Camera, line: &Vector3<f64>, silhouette: &Vector3<f64>) -> Option<f64> {
-    let calibration = camera.calibration()?;
-    let [line, silhouette] = [line, silhouette].map(|line| calibration.line_to_pixels(line)).map(|line| {
-        let norm = line.xy().norm();
-        line / norm
-    });
-    let principal = calibration.matrix().column(2).clone_owned();
-    let foot = principal.xy() - line.xy() * line.dot(&principal);
-    let distance = (silhouette.xy().dot(&foot) + silhouette.z).abs();
-    distance.is_finite().then_some(distance)
 }
