@@ -154,8 +154,8 @@ fn solve<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> R
 #[cfg(feature = "alloc")]
 const DISTANCES: [f64; 3] = [0.125, 0.5, 2.0];
 
-/// Adds the solutions at the ends of paths that begin at general data nearby. Returns false if none
-/// has an end that is isolated.
+/// Adds the solutions at the ends of paths that begin at general data nearby. Returns false if there
+/// are none. There may be none that is real: this is known only if all paths have isolated ends.
 #[cfg(feature = "alloc")]
 #[cold]
 #[inline(never)]
@@ -170,14 +170,17 @@ fn continued<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) 
         let start = general_solutions(solver);
         solver.move_to(path.target());
         let (Some(start), Some(family)) = (start, solver.family()) else { continue };
-        let (mut tracker, mut has_ended) = (Tracker::new(&family, &path), false);
+        let (mut tracker, mut has_some, mut has_all) = (Tracker::new(&family, &path), false, true);
         for start in start.iter() {
-            let Some(end) = tracker.end_of_path(start.as_ref()) else { continue };
+            let Some(end) = tracker.end_of_path(start.as_ref()) else {
+                has_all = false;
+                continue;
+            };
             let mut point = solver.sizes().unknowns.filled(Complex::ZERO);
             point.as_mut().iter_mut().zip(end).for_each(|(x, end)| *x = end);
-            has_ended |= found.add_point(solver, point);
+            has_some |= found.add_point(solver, point);
         }
-        return has_ended;
+        return has_some || has_all;
     }
     false
 }

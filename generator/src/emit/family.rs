@@ -4,7 +4,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use super::{instance, storage};
+use super::storage;
 use crate::plan::Plan;
 use crate::plan::program_table::ProgramTable;
 use crate::problem::{DataAttribute, DataParameter};
@@ -47,7 +47,7 @@ pub(super) fn methods(plan: &Plan) -> TokenStream {
     let ([values, coefficients], unknowns) = (counts, Literal::usize_unsuffixed(plan.unknowns.len()));
     let workspace = storage::has_coefficients_on_heap(plan).then(|| quote!(let workspace = self.workspace;));
     let attempts = storage::allowed_attempts(plan);
-    let compute = instance::coefficients_of_data(plan);
+    let compute = storage::coefficients_of_data(plan);
     quote! {
         fn family(&self) -> Option<emitted::Family<'_>> {
             let is_allowed = #attempts == ::eliminant::SecondAttempts::Always;

@@ -51,15 +51,6 @@ pub(super) fn sign_changes_of(plan: &Plan) -> TokenStream {
     quote!(Some(emitted::SignChanges { steps: &[#(#steps),*], flips: &[#(#flips),*] }))
 }
 
-/// How the coefficients are computed from `data`.
-pub(super) fn coefficients_of_data(plan: &Plan) -> TokenStream {
-    match plan.program.form {
-        ProgramForm::Statements => quote!(emitted::outlined(|| self::coefficients(1.0, data))),
-        ProgramForm::Table if plan.is_on_heap() => quote!(self::coefficients(data, workspace.memory())),
-        ProgramForm::Table => quote!(self::coefficients(data)),
-    }
-}
-
 /// The coefficients at twice the precision.
 fn precise_coefficients(plan: &Plan) -> TokenStream {
     let function = program::name_of_table_function(plan);
@@ -70,7 +61,7 @@ fn precise_coefficients(plan: &Plan) -> TokenStream {
 /// The coefficients for given data, and what they are for.
 pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> TokenStream {
     let (list, _) = storage::coefficients(plan, &quote!(f64));
-    let (inputs, compute) = (Literal::usize_unsuffixed(plan.inputs()), coefficients_of_data(plan));
+    let (inputs, compute) = (Literal::usize_unsuffixed(plan.inputs()), storage::coefficients_of_data(plan));
     let (units_field, units) = scaling::field(plan);
     let (basis, count_read) =
         (Literal::usize_unsuffixed(plan.elimination.basis), Literal::usize_unsuffixed(plan.read.len()));

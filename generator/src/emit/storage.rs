@@ -56,6 +56,15 @@ pub(super) fn coefficients(plan: &Plan, number: &TokenStream) -> (TokenStream, T
     }
 }
 
+/// How the coefficients are computed from `data`.
+pub(super) fn coefficients_of_data(plan: &Plan) -> TokenStream {
+    match plan.program.form {
+        ProgramForm::Statements => quote!(emitted::outlined(|| self::coefficients(1.0, data))),
+        ProgramForm::Table if plan.is_on_heap() => quote!(self::coefficients(data, workspace.memory())),
+        ProgramForm::Table => quote!(self::coefficients(data)),
+    }
+}
+
 /// A reference to the coefficients of an instance.
 pub(super) fn coefficients_of_instance(plan: &Plan) -> TokenStream {
     match has_coefficients_on_heap(plan) {

@@ -45,7 +45,7 @@ pub(crate) trait Collection<I: SolverInstance> {
     /// with another one.
     fn add(&mut self, solver: &I, source: &dyn EigenpairSource<I::Basis>, value: Complex<f64>) -> bool;
 
-    /// Adds the solution at a point, if there is one. Returns false if there is none.
+    /// Adds the solution at a point. Returns false if there is none that is collected.
     #[cfg(feature = "alloc")]
     fn add_point(&mut self, solver: &I, point: Point<I, Complex<f64>>) -> bool;
 
@@ -264,11 +264,11 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
 
     #[cfg(feature = "alloc")]
     fn add_point(&mut self, solver: &I, point: Point<I, Complex<f64>>) -> bool {
-        let Some(candidate) = polish_from(solver, point) else { return false };
-        if let Some(real) = nearly_real(solver, &candidate) {
-            push_all_signs(solver, &real, &mut self.real);
+        let real = polish_from(solver, point).and_then(|candidate| nearly_real(solver, &candidate));
+        if let Some(real) = &real {
+            push_all_signs(solver, real, &mut self.real);
         }
-        true
+        real.is_some()
     }
 
     #[inline]
