@@ -154,8 +154,9 @@ fn solve<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> R
 #[cfg(feature = "alloc")]
 const DISTANCES: [f64; 3] = [0.125, 0.5, 2.0];
 
-/// Adds the solutions at the ends of paths that begin at general data nearby. Returns false if there
-/// are none. There may be none that is real: this is known only if all paths have isolated ends.
+/// Adds the solutions at the ends of paths that begin at general data nearby. Returns false if
+/// there are none. There may be none that is real: this is known only if all paths have isolated
+/// ends.
 #[cfg(feature = "alloc")]
 #[cold]
 #[inline(never)]
