@@ -154,6 +154,11 @@ fn solve<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> R
 #[cfg(feature = "alloc")]
 const DISTANCES: [f64; 3] = [0.125, 0.5, 2.0];
 
+/// If so many paths are lost before one gives a solution, the data are degenerate for the problem,
+/// too: solutions fill curves. Samples of RANSAC often are, and should not take long.
+#[cfg(feature = "alloc")]
+const LOST_AT_FIRST: u32 = 2;
+
 /// Adds the solutions at the ends of paths that begin at general data nearby. Returns false if
 /// there are none. There may be none that is real: this is known only if all paths have isolated
 /// ends.
@@ -171,17 +176,20 @@ fn continued<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) 
         let start = general_solutions(solver);
         solver.move_to(path.target());
         let (Some(start), Some(family)) = (start, solver.family()) else { continue };
-        let (mut tracker, mut has_some, mut has_all) = (Tracker::new(&family, &path), false, true);
+        let (mut tracker, mut has_some, mut lost) = (Tracker::new(&family, &path), false, 0);
         for start in start.iter() {
             let Some(end) = tracker.end_of_path(start.as_ref()) else {
-                has_all = false;
+                lost += 1;
+                if lost == LOST_AT_FIRST && !has_some {
+                    return false;
+                }
                 continue;
             };
             let mut point = solver.sizes().unknowns.filled(Complex::ZERO);
             point.as_mut().iter_mut().zip(end).for_each(|(x, end)| *x = end);
             has_some |= found.add_point(solver, point);
         }
-        return has_some || has_all;
+        return has_some || lost == 0;
     }
     false
 }

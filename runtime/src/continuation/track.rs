@@ -36,10 +36,10 @@ const PREDICTING: usize = 3;
 const MOST_STEPS: usize = 600;
 /// It has ended, at a solution that is not isolated or at infinity, if t is so small.
 const LEAST: f64 = 1e-9;
-/// So many multiplications are spent on all paths at most: some tenths of a second.
-const MOST_WORK: u64 = 100_000_000;
+/// So many multiplications are spent on all paths at most: less than a tenth of a second.
+const MOST_WORK: u64 = 50_000_000;
 /// The steps of Newton's method that a path takes at least, to tell whether the work is too much.
-const LEAST_STEPS: u64 = 60;
+const LEAST_STEPS: u64 = 150;
 /// A path may end with all unknowns 0: they count as at least this part of the largest at its
 /// start.
 const AT_ORIGIN: f64 = 1e-2;
