@@ -157,7 +157,7 @@ const DISTANCES: [f64; 3] = [0.125, 0.5, 2.0];
 /// If so many paths are lost before one gives a solution, the data are degenerate for the problem,
 /// too: solutions fill curves. Samples of RANSAC often are, and should not take long.
 #[cfg(feature = "alloc")]
-const LOST_AT_FIRST: u32 = 2;
+const LOST_AT_FIRST: u32 = 3;
 
 /// Adds the solutions at the ends of paths that begin at general data nearby. Returns false if
 /// there are none. There may be none that is real: this is known only if all paths have isolated
