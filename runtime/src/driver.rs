@@ -11,6 +11,7 @@ use num_complex::Complex;
 
 #[cfg(feature = "alloc")]
 use crate::continuation::{
+    family::Family,
     path::DataPath,
     track::{Tracker, is_affordable},
 };
@@ -152,7 +153,11 @@ fn solve<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> R
 /// General data nearby differ from given ones by so much, relative to them. If a template is close
 /// to singular there, too, it is not further away.
 #[cfg(feature = "alloc")]
-const DISTANCES: [f64; 3] = [0.125, 0.5, 2.0];
+const DISTANCES: [f64; 2] = [0.125, 0.5];
+
+/// Data above this are no measurements in any unit, and nothing near them is general.
+#[cfg(feature = "alloc")]
+const LARGEST_DATUM: f64 = 1e8;
 
 /// If so many paths are lost before one gives a solution, the data are degenerate for the problem,
 /// too: solutions fill curves. Samples of RANSAC often are, and should not take long.
@@ -167,7 +172,8 @@ const LOST_AT_FIRST: u32 = 3;
 #[inline(never)]
 fn continued<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> bool {
     let paths = solver.sizes().solutions.get();
-    if !solver.family().is_some_and(|family| is_affordable(&family, paths)) {
+    let is_ordinary = |family: &Family<'_>| family.data.iter().all(|x| x.abs() <= LARGEST_DATUM);
+    if !solver.family().is_some_and(|family| is_ordinary(&family) && is_affordable(&family, paths)) {
         return false;
     }
     for (&distance, seed) in DISTANCES.iter().zip(1..) {
@@ -200,14 +206,11 @@ fn continued<I: SolverInstance>(_: &mut I, _: &mut impl Collection<I>) -> bool {
     false
 }
 
-/// All solutions of general data, or `None` if some are missing.
+/// All solutions of general data by one attempt, or `None` if some are missing.
 #[cfg(feature = "alloc")]
 fn general_solutions<I: SolverInstance>(solver: &mut I) -> Option<Points<I, Complex<f64>>> {
     let mut found = AllSolutions::new(solver);
-    let mut outcome = first_attempt(solver, &mut found);
-    if outcome.is_err() || found.lacks_some() {
-        outcome = second_attempt(solver, outcome, &mut found);
-    }
+    let outcome = first_attempt(solver, &mut found);
     (outcome.is_ok() && !found.lacks_some()).then(|| found.admissible(solver))
 }
 

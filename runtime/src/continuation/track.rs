@@ -33,7 +33,7 @@ const PATIENCE: u32 = 3;
 /// A point is predicted from so many before.
 const PREDICTING: usize = 3;
 /// A path is given up after so many steps in t.
-const MOST_STEPS: usize = 600;
+const MOST_STEPS: usize = 300;
 /// It has ended, at a solution that is not isolated or at infinity, if t is so small.
 const LEAST: f64 = 1e-9;
 /// So many multiplications are spent on all paths at most: less than a tenth of a second.
