@@ -14,10 +14,12 @@
 //! sizes, and over where the numbers are kept: arrays of constant sizes on the stack for small
 //! emitted solvers; matrices on the heap, in a [`Workspace`], for large ones; memory of run-time
 //! sizes for the plans that the generator interprets. All give the same bits. Small solvers
-//! allocate nothing, and no solve takes more than 256 KiB of stack.
+//! allocate nothing, but for data at which a template is singular, and only with the feature
+//! `alloc`. No solve takes more than 256 KiB of stack.
 //!
 //! Without the default feature `std` the crate is `no_std`; the feature `libm` then supplies the
-//! square root, and the feature `alloc` the heap of large solvers. The feature `serde` serialises
+//! square root, and the feature `alloc` the heap of large solvers and of solutions that are followed
+//! from other data. The feature `serde` serialises
 //! [`Solutions`].
 #![no_std]
 #![forbid(unsafe_code)]

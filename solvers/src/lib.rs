@@ -14,14 +14,15 @@
 //! and `all` enables all of them. Only what is enabled is emitted and compiled. The documentation
 //! of a module states its problem: data, unknowns, source.
 //!
-//! Solvers do not panic. Small ones allocate nothing; large ones keep their matrices on the heap,
-//! so that no solve takes more than 256 KiB of stack, not even in a debug build. The documentation
-//! of each module says which it is. `solve_in` takes a `Workspace`, whose memory serves solve after
-//! solve.
+//! Solvers do not panic. Small ones allocate nothing, but for data at which a template is singular;
+//! large ones keep their matrices on the heap, so that no solve takes more than 256 KiB of stack,
+//! not even in a debug build. The documentation of each module says which it is. `solve_in` takes a
+//! `Workspace`, whose memory serves solve after solve.
 //!
 //! Without the standard library, `default-features = false` and the feature `libm` give solvers a
 //! square root. Large solvers then also need the feature `alloc`; without it they are a compile
-//! error that says so.
+//! error that says so. Without it, small ones allocate nothing at all, and data at which a template
+//! is singular are an error.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -122,7 +122,10 @@ pub(super) fn described(plan: &Plan) -> String {
     let kilobytes = plan.working_memory().div_ceil(1024);
     let place = match plan.is_on_heap() {
         true => "on the heap (feature `alloc` of `eliminant`); a solve takes less than 256 KiB of the stack",
-        false => "on the stack, of which a solve takes less than 256 KiB, and nothing is allocated",
+        false => {
+            "on the stack, of which a solve takes less than 256 KiB; nothing is allocated, but for data at which the \
+             template is singular (feature `alloc`)"
+        }
     };
     format!("- memory: about {kilobytes} KiB for matrices, {place}")
 }
