@@ -9,7 +9,7 @@ use num_complex::Complex;
 use crate::continuation::family::Family;
 use crate::dynamic_size::Dynamic;
 use crate::number::Scalar;
-use crate::size::{Matrix, filled_matrix};
+use crate::size::Matrix;
 use crate::solution::system::{System, Values};
 
 /// The equations for complex data.
@@ -80,17 +80,18 @@ impl System<Complex<f64>, Dynamic, Dynamic> for Member<'_> {
         columns: &mut Matrix<Dynamic, Dynamic, Complex<f64>>,
     ) {
         let (unknowns, chain) = (self.family.unknowns, self.family.chain);
-        let mut gradients = filled_matrix(Dynamic(chain.len()), Dynamic(unknowns), Complex::ZERO);
+        // One row for each monomial, in one list: there are many steps.
+        let mut gradients = vec![Complex::ZERO; chain.len() * unknowns];
         for (k, product) in chain.iter().enumerate().skip(1) {
             let (parent, unknown) = (usize::from(product.parent), usize::from(product.unknown));
             for j in 0..unknowns {
-                gradients[k][j] = gradients[parent][j] * x[unknown];
+                gradients[k * unknowns + j] = gradients[parent * unknowns + j] * x[unknown];
             }
-            gradients[k][unknown] += monomials[parent];
+            gradients[k * unknowns + unknown] += monomials[parent];
         }
         columns.iter_mut().for_each(|column| column.fill(Complex::ZERO));
         self.for_each_term(|equation, coefficient, monomial| {
-            for (column, &derivative) in columns.iter_mut().zip(&gradients[monomial]) {
+            for (column, &derivative) in columns.iter_mut().zip(&gradients[monomial * unknowns..]) {
                 column[equation] += coefficient * derivative;
             }
         });
