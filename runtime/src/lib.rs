@@ -18,9 +18,8 @@
 //! `alloc`. No solve takes more than 256 KiB of stack.
 //!
 //! Without the default feature `std` the crate is `no_std`; the feature `libm` then supplies the
-//! square root, and the feature `alloc` the heap of large solvers and of solutions that are followed
-//! from other data. The feature `serde` serialises
-//! [`Solutions`].
+//! square root, and the feature `alloc` the heap of large solvers and of solutions that are
+//! followed from other data. The feature `serde` serialises [`Solutions`].
 #![no_std]
 #![forbid(unsafe_code)]
 // `!(x > y)` is written where a NaN must take the branch, too.
