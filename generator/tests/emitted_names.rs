@@ -131,7 +131,7 @@ fn no_name_of_a_problem_collides() {
         (
             "solve",
             vec!["f32", "u16", "alloc", "test", "debug", "read", "row", "at", "x", "polish", "recover", "fmt"],
-            ["solve", "solve_complex"],
+            ["solve_in", "solve_complex"],
         ),
     ] {
         modules.push((problem, conics(problem, data.try_into().unwrap(), unknowns)));

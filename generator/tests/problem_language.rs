@@ -408,3 +408,57 @@ fn line_endings_and_byte_order_mark_do_not_matter() {
     assert_eq!(&windows.source.text[windows.equations[1].span.clone()], "x == 2 * y");
     assert_eq!(plain.docs, windows.docs);
 }
+
+/// x / y in Z_p.
+fn over(x: Z, y: Z) -> Z {
+    x * Z(FIELD.inverse(y.0).unwrap())
+}
+
+#[test]
+fn quotients_and_systems_of_data() {
+    let sample = Sample::new(
+        "fn derived(a: [[f64; 2]; 2], b: [f64; 2], c: f64) -> (x, y, z, v) {
+            let [s, t] = solve(a, b);
+            let inverse = inverse(a);
+            x == s / c;
+            y == t;
+            z == (inverse * b)[0] + c / b[1];
+            v == reshape(inverse, [4])[2];
+        }",
+    );
+    let ([x, y], [z, v]) = (["x", "y"].map(|name| sample.unknown(name)), ["z", "v"].map(|name| sample.unknown(name)));
+    let a = |i: usize, j: usize| sample.input("a", 2 * i + j);
+    let (b, c) = ([0, 1].map(|i| sample.input("b", i)), sample.input("c", 0));
+    let determinant = a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0);
+    let s = over(b[0] * a(1, 1) - a(0, 1) * b[1], determinant);
+    let t = over(a(0, 0) * b[1] - b[0] * a(1, 0), determinant);
+    let expected = [x - over(s, c), y - t, z - s - over(c, b[1]), v - over(Z(0) - a(1, 0), determinant)];
+    assert_eq!(sample.residuals(), expected.map(|Z(value)| value));
+}
+
+/// Null vectors are annihilated, and no two are the same; equal matrices have one null space.
+#[test]
+fn null_spaces_of_data() {
+    let sample = Sample::new(
+        "fn derived(a: [[f64; 4]; 2]) -> (x, y, z, v) {
+            let n = null_space(a);
+            let again = null_space([a[0], a[1]]);
+            [x, y, z, v] == [n[0][0], n[0][1], n[0][2], n[0][3]];
+            x + y + z + v == n[1][0] + n[1][1] + n[1][2] + again[1][3];
+        }",
+    );
+    assert_eq!(sample.problem.graph.derivations().len(), 1);
+    let values = sample.problem.graph.all_inputs(FIELD, &sample.data).unwrap();
+    let (a, vectors) = values.split_at(8);
+    assert_eq!(vectors.len(), 8);
+    for (row, vector) in a.chunks(4).flat_map(|row| vectors.chunks(4).map(move |vector| (row, vector))) {
+        let product = row.iter().zip(vector).fold(Z(0), |sum, (&a, &v)| sum + Z(a) * Z(v));
+        assert_eq!(product, Z(0));
+    }
+    let minor = Z(vectors[0]) * Z(vectors[5]) - Z(vectors[1]) * Z(vectors[4]);
+    assert_ne!(minor, Z(0));
+    let names = ["x", "y", "z", "v"];
+    let differences = names.iter().zip(vectors).map(|(name, &value)| sample.unknown(name) - Z(value));
+    let residuals = sample.residuals();
+    assert_eq!(residuals[..4], differences.map(|Z(value)| value).collect::<Vec<_>>());
+}

@@ -4,6 +4,7 @@
 pub use crate::batch::solve_batch;
 pub use crate::batch::solver::{BatchData, BatchSizes, BatchSizesOf, BatchSolver};
 pub use crate::continuation::family::{Condition, Family};
+pub use crate::derived::{null_space, solve_linear};
 pub use crate::driver::{VANISHING, complex_solutions, real_solutions, real_solutions_by_determinant};
 #[cfg(feature = "alloc")]
 pub use crate::dynamic_size::{BoundedVec, Dynamic};
@@ -40,7 +41,7 @@ pub use crate::spectrum::real_roots::{RealRoots, real_roots};
 pub use crate::unpolished::{eigenvalues, unpolished_points};
 
 /// The version of this interface. Emitted code states the one that it was written for.
-pub const VERSION: u32 = 8;
+pub const VERSION: u32 = 9;
 
 /// The handshake of emitted code, evaluated when it is compiled.
 ///

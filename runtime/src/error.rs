@@ -16,6 +16,9 @@ pub enum SolveError {
         /// elimination.
         block: usize,
     },
+    /// A matrix that is computed from the data, and from which other data are derived before the
+    /// solve, has lost rank: some data depend on others, such as two equal points.
+    LostRank,
     /// A number computed from finite data is not finite: a coefficient divides by zero, or a value
     /// exceeds the range of `f64`. Data in other units may help.
     Overflow,
@@ -32,6 +35,9 @@ impl fmt::Display for SolveError {
             SolveError::NonFiniteInput => write!(formatter, "the data hold an infinite value or a NaN"),
             SolveError::Degenerate { block } => {
                 write!(formatter, "degenerate data: diagonal block {block} of the template lost rank")
+            }
+            SolveError::LostRank => {
+                write!(formatter, "degenerate data: a matrix from which data are derived has lost rank")
             }
             SolveError::Overflow => {
                 write!(formatter, "a number computed from the data is not finite: a division by zero or an overflow")

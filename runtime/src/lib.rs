@@ -61,6 +61,9 @@ mod continuation;
 /// missing.
 mod driver;
 
+/// Data that are derived from data before a solve.
+mod derived;
+
 /// Several instances side by side.
 mod batch;
 

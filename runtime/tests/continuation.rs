@@ -95,6 +95,7 @@ impl SolverInstance for Cubic {
     fn family(&self) -> Option<Family<'_>> {
         Some(Family {
             data: &self.data,
+            inputs: 3,
             parameters: &[(Condition::Free, 3)],
             program: Program {
                 constants: &[1.0],

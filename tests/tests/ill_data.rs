@@ -356,5 +356,6 @@ fn mixtures_of_special_values() {
         4 => -1.0..1.0,
         1 => prop::sample::select(vec![1e150, 1e-150, -1e150, 5e-324, f64::MIN_POSITIVE, f64::MAX, 1e-8, 1e8, -0.0]),
     ];
-    run(10_000, 3, special.boxed());
+    // Most of these data are degenerate, and each such solve follows solutions from data nearby.
+    run(4_000, 3, special.boxed());
 }

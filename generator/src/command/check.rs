@@ -50,7 +50,7 @@ struct ProblemReport {
 /// What one way to presolve leaves.
 #[derive(Serialize)]
 struct PresolvedForm {
-    kind: &'static str,
+    kind: String,
     eliminated: Vec<String>,
     kept: Vec<String>,
     degrees: Vec<i32>,

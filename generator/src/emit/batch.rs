@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use super::elimination::is_filled_by_statements;
 use super::names::Names;
 use super::shapes::{array_type, as_slice};
-use super::{instance, monomials, scaling};
+use super::{derived, instance, monomials, scaling};
 use crate::plan::Plan;
 use crate::plan::program::ProgramForm;
 use crate::plan::system_table::SystemTable;
@@ -186,6 +186,16 @@ fn of_data(plan: &Plan) -> TokenStream {
     let names: Vec<_> = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name)).collect();
     let mut taken = Names::of(&plan.data);
     let [write, given, of_unknowns] = ["write", "given", "exponents"].map(|name| taken.take(name));
+    let join = match derived::is_derived(plan) {
+        // Data that cannot be derived are left to `solve`, which tells why.
+        true => quote! {
+            match self::derived(&#given) {
+                Ok(data) => emitted::join_into(&[&data], #write),
+                Err(_) => #write.fill(f64::NAN),
+            }
+        },
+        false => quote!(emitted::join_into(&#given, #write);),
+    };
     let apply = match scaling::has_units(plan) {
         true => quote!(SCALINGS.apply_into(#write, #of_unknowns);),
         false => quote!(let _ = #of_unknowns;),
@@ -208,7 +218,7 @@ fn of_data(plan: &Plan) -> TokenStream {
             fn inputs(&self, #write: &mut [f64], #of_unknowns: &mut [i16]) {
                 let Self { #(#names),* } = self;
                 let #given: [&[f64]; #count] = [#(#slices),*];
-                emitted::join_into(&#given, #write);
+                #join
                 #apply
             }
 

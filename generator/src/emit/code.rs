@@ -9,63 +9,50 @@ use super::names::Names;
 use super::shapes::indices;
 use super::storage;
 use crate::expression::rational::Rational;
-use crate::plan::program::{Operation, ValueId};
+use crate::plan::program::{Operation, Program, ValueId};
 use crate::plan::statements::{Place, Statements};
 use crate::plan::{Plan, PlannedRecovery};
 use crate::problem::DataParameter;
 
-/// The function from the data to the coefficients, with the statements of [`Statements`].
+/// The function from the data to the coefficients.
 pub(super) fn statements(plan: &Plan) -> TokenStream {
-    let planned = Statements::of(&plan.program, &plan.coefficients);
+    let doc = " The coefficients that the tables refer to, from all data, one parameter after another.";
+    function(plan, (&format_ident!("coefficients"), doc), &plan.program, &plan.coefficients)
+}
+
+/// A function from the data to values of a program, with the statements of [`Statements`].
+pub(super) fn function(plan: &Plan, (name, doc): (&Ident, &str), program: &Program, values: &[ValueId]) -> TokenStream {
+    let planned = Statements::of(program, values);
     let inputs = inputs(plan);
     let mut names = Names::of(&plan.data);
     names.reserve(&inputs);
-    let [values, data, one] = ["v", "data", "one"].map(|name| names.take(name));
-    let locals = inputs_read(plan, (&inputs, &data), &planned);
+    let [slots, data, one] = ["v", "data", "one"].map(|name| names.take(name));
+    let locals = inputs_read(program, (&inputs, &data), &planned);
     let mut statements: Vec<TokenStream> = Vec::new();
-    let mut printed: Vec<Expression> = Vec::with_capacity(plan.program.operations.len());
-    for (operation, &place) in plan.program.operations.iter().zip(&planned.places) {
-        let operand = |id: ValueId| &printed[id.0 as usize];
-        let expression = match *operation {
-            Operation::Constant(value) => Expression::constant(&one, value),
-            Operation::Input(input) => Expression::atom(inputs[input as usize].to_token_stream()),
-            Operation::Add(a, b) => Expression::binary(operand(a), quote!(+), SUM, operand(b)),
-            Operation::Subtract(a, b) => Expression::binary(operand(a), quote!(-), SUM, operand(b)),
-            Operation::Multiply(a, b) => Expression::binary(operand(a), quote!(*), PRODUCT, operand(b)),
-            Operation::Divide(a, b) => Expression::binary(operand(a), quote!(/), PRODUCT, operand(b)),
-            Operation::Negate(a) => Expression::negated(operand(a)),
-            Operation::Coefficient { sum, at } => {
-                let terms = plan.program.product_sums[sum as usize].terms(at as usize);
-                Expression::sum(
-                    &one,
-                    terms.map(|(negative, a, b)| {
-                        let product = Expression::binary(operand(a), quote!(*), PRODUCT, operand(b));
-                        (negative, product)
-                    }),
-                )
-            }
-        };
+    let mut printed: Vec<Expression> = Vec::with_capacity(program.operations.len());
+    for (operation, &place) in program.operations.iter().zip(&planned.places) {
+        let expression = Expression::of(program, *operation, &printed, (&one, &inputs));
         printed.push(match place {
             Place::Unread | Place::Inline => expression,
             Place::Variable(name) => {
-                let name = names.take(&local_name(&plan.program.names[name].1));
+                let name = names.take(&local_name(&program.names[name].1));
                 let value = expression.tokens;
                 statements.push(quote!(let #name = #value;));
                 Expression::atom(name.to_token_stream())
             }
             Place::Slot(slot) => {
                 let (slot, value) = (Literal::usize_unsuffixed(slot), expression.tokens);
-                statements.push(quote!(#values[#slot] = #value;));
-                Expression::atom(quote!(#values[#slot]))
+                statements.push(quote!(#slots[#slot] = #value;));
+                Expression::atom(quote!(#slots[#slot]))
             }
         });
     }
-    let [count, length, inputs] = [planned.slots, plan.coefficients.len(), inputs.len()].map(Literal::usize_unsuffixed);
+    let [count, length, inputs] = [planned.slots, values.len(), inputs.len()].map(Literal::usize_unsuffixed);
     let declaration = match planned.slots {
         0 => quote!(),
-        _ => quote!(let mut #values = [#one.constant(0.0); #count];),
+        _ => quote!(let mut #slots = [#one.constant(0.0); #count];),
     };
-    let results = plan.coefficients.iter().map(|id| &printed[id.0 as usize].tokens);
+    let results = values.iter().map(|id| &printed[id.0 as usize].tokens);
     let results = quote!([#(#results),*]);
     let unread = match planned.slots == 0 && !mentions(&statements, &results, &one) {
         true => quote!(let _ = #one;),
@@ -73,9 +60,9 @@ pub(super) fn statements(plan: &Plan) -> TokenStream {
     };
     let unread_data = if locals.is_empty() { quote!(let _ = #data;) } else { quote!() };
     quote! {
-        /// The coefficients that the tables refer to, from all data, one parameter after another.
+        #[doc = #doc]
         #[inline(always)]
-        fn coefficients<T: emitted::Arithmetic>(#one: T, #data: &[T; #inputs]) -> [T; #length] {
+        fn #name<T: emitted::Arithmetic>(#one: T, #data: &[T; #inputs]) -> [T; #length] {
             #unread
             #unread_data
             #locals
@@ -112,6 +99,31 @@ struct Expression {
 }
 
 impl Expression {
+    /// An operation on values that are printed. `one` and `inputs` are the variables of 1 and of the
+    /// data.
+    fn of(program: &Program, operation: Operation, printed: &[Self], (one, inputs): (&Ident, &[Ident])) -> Self {
+        let operand = |id: ValueId| &printed[id.0 as usize];
+        match operation {
+            Operation::Constant(value) => Self::constant(one, value),
+            Operation::Input(input) => Self::atom(inputs[input as usize].to_token_stream()),
+            Operation::Add(a, b) => Self::binary(operand(a), quote!(+), SUM, operand(b)),
+            Operation::Subtract(a, b) => Self::binary(operand(a), quote!(-), SUM, operand(b)),
+            Operation::Multiply(a, b) => Self::binary(operand(a), quote!(*), PRODUCT, operand(b)),
+            Operation::Divide(a, b) => Self::binary(operand(a), quote!(/), PRODUCT, operand(b)),
+            Operation::Negate(a) => Self::negated(operand(a)),
+            Operation::Coefficient { sum, at } => {
+                let terms = program.product_sums[sum as usize].terms(at as usize);
+                Self::sum(
+                    one,
+                    terms.map(|(negative, a, b)| {
+                        let product = Self::binary(operand(a), quote!(*), PRODUCT, operand(b));
+                        (negative, product)
+                    }),
+                )
+            }
+        }
+    }
+
     fn constant(one: &Ident, value: Rational) -> Self {
         let value = constant(value);
         Self::atom(quote!(#one.constant(#value)))
@@ -161,7 +173,9 @@ fn local_name(name: &str) -> String {
 fn inputs(plan: &Plan) -> Vec<Ident> {
     let mut separator = "_".to_owned();
     loop {
-        let names: Vec<String> = plan.data.iter().flat_map(|parameter| names(parameter, &separator)).collect();
+        let given = plan.data.iter().flat_map(|parameter| names(parameter, &separator));
+        let derived = (0..plan.inputs() - plan.given()).map(|at| format!("derived{separator}{at}"));
+        let names: Vec<String> = given.chain(derived).collect();
         let scalars = plan.data.iter().filter(|parameter| parameter.shape.is_empty()).count();
         let taken = plan.data.iter().filter(|parameter| names.contains(&parameter.name)).count();
         let different: BTreeSet<&String> = names.iter().collect();
@@ -173,12 +187,12 @@ fn inputs(plan: &Plan) -> Vec<Ident> {
 }
 
 /// Declarations of the data that are read: `let gram_0_2 = data[2];`.
-fn inputs_read(plan: &Plan, (inputs, data): (&[Ident], &Ident), statements: &Statements) -> TokenStream {
+fn inputs_read(program: &Program, (inputs, data): (&[Ident], &Ident), statements: &Statements) -> TokenStream {
     let declaration = |(input, local): (usize, &Ident)| {
         let at = Literal::usize_unsuffixed(input);
         quote!(let #local = #data[#at];)
     };
-    let read = inputs.iter().enumerate().filter(|(input, _)| statements.reads_input(&plan.program, *input));
+    let read = inputs.iter().enumerate().filter(|(input, _)| statements.reads_input(program, *input));
     read.map(declaration).collect()
 }
 

@@ -19,10 +19,17 @@ pub(super) fn table(plan: &Plan) -> TokenStream {
         let length = Literal::u32_unsuffixed(length);
         quote!((emitted::Condition::#condition, #length))
     });
-    let count = Literal::usize_unsuffixed(plan.data.len());
+    // Derived data are as free as general ones: the path of a solution need not stay where they are
+    // derived.
+    let derived = (plan.stated - plan.given()) as u32;
+    let derived = (derived > 0).then(|| {
+        let length = Literal::u32_unsuffixed(derived);
+        quote!((emitted::Condition::Free, #length))
+    });
+    let count = Literal::usize_unsuffixed(plan.data.len() + derived.iter().len());
     quote! {
         /// What the data of each parameter satisfy, and how many there are.
-        const PARAMETERS: [(emitted::Condition, u32); #count] = [#(#parameters),*];
+        const PARAMETERS: [(emitted::Condition, u32); #count] = [#(#parameters,)* #derived];
     }
 }
 
@@ -48,11 +55,14 @@ pub(super) fn methods(plan: &Plan) -> TokenStream {
     let workspace = storage::has_coefficients_on_heap(plan).then(|| quote!(let workspace = self.workspace;));
     let attempts = storage::allowed_attempts(plan);
     let compute = storage::coefficients_of_data(plan);
+    let (inputs, stated) = (Literal::usize_unsuffixed(plan.inputs()), Literal::usize_unsuffixed(plan.stated));
+    let data = if plan.is_presolved_at_run_time() { quote!(&self.data[..#stated]) } else { quote!(&self.data) };
     quote! {
         fn family(&self) -> Option<emitted::Family<'_>> {
             let is_allowed = #attempts == ::eliminant::SecondAttempts::Always;
             is_allowed.then_some(emitted::Family {
-                data: &self.data,
+                data: #data,
+                inputs: #inputs,
                 parameters: &PARAMETERS,
                 program: PROGRAM,
                 counts: (#values, #coefficients),

@@ -4,6 +4,7 @@ mod api;
 mod batch;
 mod chains;
 mod code;
+mod derived;
 mod elimination;
 mod family;
 mod instance;
@@ -71,7 +72,7 @@ fn module(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> Toke
     let name = format_ident!("{}", plan.name);
     let header = provenance.lines.iter().map(|line| doc_line(line)).map(|line| quote!(#![doc = #line]));
     let (solution, functions) = (api::solution(plan), api::functions(plan));
-    let batch = batch::batch(plan);
+    let (batch, derived) = (batch::batch(plan), derived::functions(plan));
     let instance = instance::instance(plan, provenance, listings);
     let statements = match plan.program.form {
         ProgramForm::Statements => code::statements(plan),
@@ -92,6 +93,7 @@ fn module(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> Toke
             #solution
             #functions
             #batch
+            #derived
             #instance
             #statements
             #program

@@ -38,12 +38,28 @@ pub(super) fn table(plan: &Plan, listings: &mut Listings) -> TokenStream {
     let [inputs, values, length] =
         [plan.inputs(), table.values, plan.coefficients.len()].map(Literal::usize_unsuffixed);
     let is_on_heap = storage::has_coefficients_on_heap(plan);
-    let (memory, evaluate) = match is_on_heap {
-        true => (
+    let (memory, evaluate) = match (is_on_heap, plan.is_presolved_at_run_time()) {
+        (true, true) => (
+            quote!(, memory: &'w emitted::Memory),
+            quote! {
+                let mut data = data.map(R::from_f64);
+                self::add_presolved(&mut data);
+                PROGRAM.evaluate_on_heap_on((#values, #length), &data, memory)
+            },
+        ),
+        (false, true) => (
+            quote!(),
+            quote! {
+                let mut data = data.map(R::from_f64);
+                self::add_presolved(&mut data);
+                PROGRAM.evaluate_on::<R, #values, #length>(&data)
+            },
+        ),
+        (true, false) => (
             quote!(, memory: &'w emitted::Memory),
             quote!(PROGRAM.evaluate_on_heap((#values, #length), &[data], memory)),
         ),
-        false => (quote!(), quote!(PROGRAM.evaluate::<R, #values, #length>(&[data]))),
+        (false, false) => (quote!(), quote!(PROGRAM.evaluate::<R, #values, #length>(&[data]))),
     };
     let ((list, _), lifetime) = (storage::coefficients(plan, &quote!(R)), is_on_heap.then(|| quote!('w,)));
     let (function, names) = (name_of_table_function(plan), names_of_coefficients(plan));

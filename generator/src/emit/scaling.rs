@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 
 use super::names::Names;
 use super::shapes::{as_slice, parameter};
-use super::storage;
+use super::{derived, storage};
 use crate::plan::Plan;
 
 /// Whether data and unknowns have units.
@@ -56,6 +56,7 @@ pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
     };
     let [count, inputs, unknowns] =
         [plan.data.len(), plan.inputs(), plan.unknowns.len()].map(Literal::usize_unsuffixed);
+    let joined = derived::joined(plan, &given);
     let (mut exponents, mut scaled) = (quote!(), quote!());
     let mut no_exponents = quote!();
     if has_units(plan) {
@@ -65,16 +66,22 @@ pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
             /// In units in which data that are far from 1 are about 1.
             fn scaled(#kept: #storage_type, #(#parameters),*) -> Result<Self, ::eliminant::SolveError> {
                 let #given: [&[f64]; #count] = [#(#slices),*];
-                let mut #data = emitted::joined(&#given);
+                let mut #data = #joined;
                 let exponents = SCALINGS.apply(&mut #data);
                 Self::of(&#given, &#data, exponents, #kept)
             }
         };
     }
+    let check = match plan.is_presolved_at_run_time() {
+        // Coefficients of a template whose equations cannot be solved for monomials are NaN. The
+        // elimination finds out, and a second attempt may do better.
+        true => quote!(emitted::check_coefficients(&[], given)?;),
+        false => quote!(emitted::check_coefficients(#coefficients, given)?;),
+    };
     quote! {
         fn new(#kept: #storage_type, #(#parameters),*) -> Result<Self, ::eliminant::SolveError> {
             let #given: [&[f64]; #count] = [#(#slices),*];
-            Self::of(&#given, &emitted::joined(&#given), #no_exponents #kept)
+            Self::of(&#given, &#joined, #no_exponents #kept)
         }
 
         #scaled
@@ -88,7 +95,7 @@ pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
             #storage: #storage_type,
         ) -> Result<Self, ::eliminant::SolveError> {
             let instance = #value;
-            emitted::check_coefficients(#coefficients, given)?;
+            #check
             Ok(instance)
         }
     }

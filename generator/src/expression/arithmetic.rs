@@ -1,5 +1,6 @@
 //! The arithmetic that straight-line code and plans are interpreted in: Z_p exactly, or `f64`.
 
+use super::derivation::DerivationKind;
 use super::rational::Rational;
 use crate::algebra::PrimeField;
 
@@ -22,6 +23,13 @@ pub trait Arithmetic: Copy {
     fn pivot_size(self, a: Self::Value) -> f64;
     /// The relative rounding error of one operation; 0 for exact arithmetic.
     fn rounding(self) -> f64;
+
+    /// The results of a derivation; `None` where a matrix has lost rank, and in arithmetics that do
+    /// not derive data: they take them among the inputs.
+    fn derive(self, kind: DerivationKind, operands: &[Self::Value]) -> Option<Vec<Self::Value>> {
+        let _ = (kind, operands);
+        None
+    }
 
     /// 0.
     fn zero(self) -> Self::Value;
@@ -58,6 +66,9 @@ impl Arithmetic for PrimeField {
     fn rounding(self) -> f64 {
         0.0
     }
+    fn derive(self, kind: DerivationKind, operands: &[u32]) -> Option<Vec<u32>> {
+        kind.over_prime_field(self, operands)
+    }
     fn zero(self) -> u32 {
         0
     }
@@ -93,6 +104,11 @@ impl Arithmetic for Float64 {
     }
     fn rounding(self) -> f64 {
         f64::EPSILON
+    }
+    /// The results of the kernels that ship, bit by bit.
+    #[cfg(feature = "search")]
+    fn derive(self, kind: DerivationKind, operands: &[f64]) -> Option<Vec<f64>> {
+        kind.over_reals(operands.to_vec()).ok()
     }
     fn zero(self) -> f64 {
         0.0

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use super::arithmetic::Arithmetic;
+use super::derivation::{Derivation, DerivationKind};
 use super::product_sum::{Product, ProductSum};
 use super::rational::Rational;
 use crate::algebra::{PRIMES, PrimeField};
@@ -23,7 +24,8 @@ impl ExpressionId {
 pub enum Expression {
     /// A constant.
     Constant(Rational),
-    /// The scalar number `.0` of the flattened data (see [`crate::problem::DataParameter`]).
+    /// The scalar number `.0` of the flattened data (see [`crate::problem::DataParameter`]), or of
+    /// the data that are derived from them, which follow.
     Input(u32),
     /// a + b
     Add(ExpressionId, ExpressionId),
@@ -62,6 +64,9 @@ pub(crate) const FINGERPRINT_FIELDS: [PrimeField; 2] = [PrimeField::new(PRIMES[4
 pub struct ExpressionGraph {
     nodes: Vec<Expression>,
     product_sums: Vec<ProductSum<ExpressionId>>,
+    derivations: Vec<Derivation<ExpressionId>>,
+    /// The nodes of the inputs.
+    inputs: Vec<ExpressionId>,
     fingerprints: Vec<Fingerprint>,
     by_fingerprint: HashMap<Fingerprint, ExpressionId>,
     names: BTreeMap<ExpressionId, String>,
@@ -74,16 +79,24 @@ impl ExpressionGraph {
         let mut graph = Self {
             nodes: Vec::new(),
             product_sums: Vec::new(),
+            derivations: Vec::new(),
+            inputs: Vec::new(),
             fingerprints: Vec::new(),
             by_fingerprint: HashMap::new(),
             names: BTreeMap::new(),
         };
         graph.push(Expression::Constant(Rational::ZERO), [0, 0]);
         graph.push(Expression::Constant(Rational::ONE), [1, 1]);
-        for (input, (&a, &b)) in (0u32..).zip(points[0].iter().zip(&points[1])) {
-            graph.push_unshared(Expression::Input(input), [a, b]);
+        for (&a, &b) in points[0].iter().zip(&points[1]) {
+            graph.push_input([a, b]);
         }
         graph
+    }
+
+    fn push_input(&mut self, fingerprint: Fingerprint) -> ExpressionId {
+        let id = self.push_unshared(Expression::Input(self.inputs.len() as u32), fingerprint);
+        self.inputs.push(id);
+        id
     }
 
     /// The constant 0.
@@ -93,8 +106,34 @@ impl ExpressionGraph {
 
     /// The node of the input with flat index `input`; equal inputs (symmetric data) are one node.
     pub fn input(&self, input: usize) -> ExpressionId {
-        let own = 2 + input;
-        self.by_fingerprint.get(&self.fingerprints[own]).copied().unwrap_or(ExpressionId(own as u32))
+        let own = self.inputs[input];
+        self.by_fingerprint.get(&self.fingerprints[own.index()]).copied().unwrap_or(own)
+    }
+
+    /// Number of inputs, those that are derived included.
+    pub fn input_count(&self) -> usize {
+        self.inputs.len()
+    }
+
+    /// The data that are derived from data, each from inputs before it.
+    pub fn derivations(&self) -> &[Derivation<ExpressionId>] {
+        &self.derivations
+    }
+
+    /// Derives data from data. The results are those of an earlier derivation if it is the same;
+    /// `None` if a matrix has lost rank for all data.
+    pub fn derive(&mut self, kind: DerivationKind, operands: &[ExpressionId]) -> Option<Vec<ExpressionId>> {
+        let known = self.derivations.iter().find(|known| known.kind == kind && known.operands == operands);
+        if let Some(known) = known {
+            return Some(known.inputs().map(|input| self.input(input)).collect());
+        }
+        let [first, second] = [0, 1].map(|k| {
+            let operands: Vec<u32> = operands.iter().map(|id| self.fingerprints[id.index()][k]).collect();
+            FINGERPRINT_FIELDS[k].derive(kind, &operands)
+        });
+        let (first, second) = (first?, second?);
+        self.derivations.push(Derivation { kind, operands: operands.to_vec(), first_input: self.inputs.len() });
+        Some(first.into_iter().zip(second).map(|(a, b)| self.push_input([a, b])).collect())
     }
 
     /// All nodes, operands before their users.
@@ -246,7 +285,20 @@ impl ExpressionGraph {
         self.fingerprints[id.index()]
     }
 
-    /// Which nodes these depend on, themselves included.
+    /// Which nodes these depend on, also by way of derived data.
+    pub(crate) fn needed_by_way_of_derivations(&self, used: &[ExpressionId]) -> Vec<bool> {
+        let mut used = used.to_vec();
+        // Operands stand before their results: one pass meets all.
+        for derivation in self.derivations.iter().rev() {
+            let needed = self.needed(&used);
+            if derivation.inputs().any(|input| needed[self.inputs[input].index()]) {
+                used.extend(&derivation.operands);
+            }
+        }
+        self.needed(&used)
+    }
+
+    /// Which nodes these depend on, themselves included. Derived data depend on nothing here.
     pub(crate) fn needed(&self, used: &[ExpressionId]) -> Vec<bool> {
         let mut needed = vec![false; self.nodes.len()];
         used.iter().for_each(|id| needed[id.index()] = true);
@@ -271,14 +323,24 @@ impl ExpressionGraph {
     }
 
     /// The values of all nodes for the given values of the inputs; `None` if a divisor is zero.
+    /// Derived data may be missing at the end of the inputs: they are then derived, and `None` if a
+    /// matrix has lost rank.
     pub fn evaluate<A: Arithmetic>(&self, arithmetic: A, inputs: &[A::Value]) -> Option<Vec<A::Value>> {
         let mut values: Vec<A::Value> = Vec::with_capacity(self.nodes.len());
         let mut sums: Vec<Vec<A::Value>> = vec![Vec::new(); self.product_sums.len()];
+        let mut inputs = inputs.to_vec();
         for node in &self.nodes {
             let at = |id: &ExpressionId| values[id.index()];
             let value = match node {
                 Expression::Constant(value) => arithmetic.constant(*value)?,
-                Expression::Input(input) => inputs[*input as usize],
+                Expression::Input(input) => {
+                    if *input as usize == inputs.len() {
+                        let derivation = self.derivations.iter().find(|d| d.first_input == inputs.len())?;
+                        let operands: Vec<A::Value> = derivation.operands.iter().map(at).collect();
+                        inputs.extend(arithmetic.derive(derivation.kind, &operands)?);
+                    }
+                    *inputs.get(*input as usize)?
+                }
                 Expression::Add(a, b) => arithmetic.add(at(a), at(b)),
                 Expression::Subtract(a, b) => arithmetic.sub(at(a), at(b)),
                 Expression::Multiply(a, b) => arithmetic.mul(at(a), at(b)),
@@ -295,6 +357,13 @@ impl ExpressionGraph {
             values.push(value);
         }
         Some(values)
+    }
+
+    /// The values of all inputs, from those that are given; `None` as for
+    /// [`ExpressionGraph::evaluate`].
+    pub fn all_inputs<A: Arithmetic>(&self, arithmetic: A, given: &[A::Value]) -> Option<Vec<A::Value>> {
+        let values = self.evaluate(arithmetic, given)?;
+        Some(self.inputs.iter().map(|id| values[id.index()]).collect())
     }
 
     fn combine(&self, a: ExpressionId, b: ExpressionId, op: fn(PrimeField, u32, u32) -> u32) -> Fingerprint {

@@ -10,6 +10,7 @@
 //! 10^-6. Every template is checked at further primes besides.
 
 pub mod arithmetic;
+pub mod derivation;
 mod graph;
 mod polynomial;
 pub mod product_sum;

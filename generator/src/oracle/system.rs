@@ -4,6 +4,7 @@ use eliminant::Complex;
 use f256::f256;
 
 use super::number::{Wide, WideComplex, modulus, rounded, widened};
+use crate::expression::arithmetic::Float64;
 use crate::plan::{Plan, Term, interpret};
 
 /// A point with a complex value for each unknown.
@@ -51,6 +52,8 @@ impl<'a> System<'a> {
     /// The equations for these data, with solutions of norms of about `size` and less; `None` if a
     /// divisor vanishes or data are not finite.
     pub(super) fn new(plan: &'a Plan, data: &[f64], size: f64) -> Option<Self> {
+        // Derived data are as a solver has them, rounded.
+        let data = interpret::all_inputs(plan, Float64, data)?;
         let inputs: Vec<f256> = data.iter().map(|&x| f256::from(x)).collect();
         Some(Self { plan, coefficients: interpret::coefficients(plan, Wide, &inputs)?, size })
     }

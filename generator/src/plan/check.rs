@@ -3,7 +3,9 @@
 
 use super::program::{Operation, ValueId};
 use super::system_table::SystemTable;
-use super::{ActionRow, BasisId, Block, CoefficientId, Elimination, Entry, KnownMonomial, Plan, Term};
+use super::{
+    ActionRow, BasisId, Block, CoefficientId, Elimination, Entry, KnownMonomial, Plan, PlannedDerivation, Term,
+};
 
 /// A plan that contradicts itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -28,7 +30,16 @@ impl Plan {
     fn check_program(&self) -> Result<(), PlanError> {
         require(self.program.is_ordered(self.inputs()), "a value is read before it is written")?;
         let has_value = self.coefficients.iter().all(|id| (id.0 as usize) < self.program.operations.len());
-        require(has_value, "a coefficient has no value")
+        require(has_value, "a coefficient has no value")?;
+        let mut known = self.given();
+        for PlannedDerivation { derivation, program } in &self.derived {
+            let has_operands = derivation.operands.len() == derivation.kind.operands()
+                && derivation.operands.iter().all(|id| (id.0 as usize) < program.operations.len());
+            let is_ordered = derivation.first_input == known && program.is_ordered(known);
+            require(has_operands && is_ordered, "data are derived from others that are not known")?;
+            known = derivation.inputs().end;
+        }
+        Ok(())
     }
 
     /// Whether the coefficients begin with the matrix of the equations, if these are stored so.

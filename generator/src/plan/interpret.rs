@@ -1,7 +1,7 @@
 //! Executes a [`crate::plan::Plan`] in any field, step by step as the emitted code does: exactly
 //! over Z_p, or in `f64`.
 
-use super::{ActionRow, Block, CoefficientId, Elimination, PivotId, Plan, Term};
+use super::{ActionRow, Block, CoefficientId, Elimination, PivotId, Plan, PlannedDerivation, Term};
 use crate::expression::arithmetic::Arithmetic;
 
 /// The values of all coefficients; `None` if a divisor is zero, or an input or a coefficient is not
@@ -10,9 +10,23 @@ pub fn coefficients<A: Arithmetic>(plan: &Plan, f: A, inputs: &[A::Value]) -> Op
     if !all_finite(f, inputs) {
         return None;
     }
-    let values = plan.program.evaluate(f, inputs)?;
+    let values = plan.program.evaluate(f, &all_inputs(plan, f, inputs)?)?;
     let coefficients: Vec<A::Value> = plan.coefficients.iter().map(|id| values[id.0 as usize]).collect();
     all_finite(f, &coefficients).then_some(coefficients)
+}
+
+/// The values of all data, from those that are given: the others are derived. Derived data that are
+/// there already stay as they are. `None` if a matrix has lost rank.
+pub fn all_inputs<A: Arithmetic>(plan: &Plan, f: A, given: &[A::Value]) -> Option<Vec<A::Value>> {
+    let mut inputs = given.to_vec();
+    for PlannedDerivation { derivation, program } in &plan.derived {
+        if inputs.len() == derivation.first_input {
+            let values = program.evaluate(f, &inputs)?;
+            let operands: Vec<A::Value> = derivation.operands.iter().map(|id| values[id.0 as usize]).collect();
+            inputs.extend(f.derive(derivation.kind, &operands)?);
+        }
+    }
+    Some(inputs)
 }
 
 /// Whether all values are finite; over Z_p they are.

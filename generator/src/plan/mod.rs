@@ -30,6 +30,7 @@ pub mod value_layout;
 
 pub use check::PlanError;
 
+use crate::expression::derivation::Derivation;
 use crate::problem::scaling::Scaling;
 use crate::problem::{DataParameter, SolutionField};
 use crate::template::RootMethod;
@@ -181,6 +182,20 @@ pub struct PlannedRecovery {
     pub terms: Vec<Term>,
 }
 
+/// Where presolve solves equations for monomials, pivots must be more than this. The coefficients
+/// of the template have then half of the digits, and the polish brings the others. Where they are
+/// not, twice the precision may do, or the solutions are followed from data nearby.
+pub const LEAST_PIVOT_OF_PRESOLVE: f64 = 1e-7;
+
+/// Data that are derived from the inputs before them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PlannedDerivation {
+    /// What is done to which values of the program.
+    pub derivation: Derivation<ValueId>,
+    /// From the inputs to the operands.
+    pub program: Program,
+}
+
 /// Floating-point operations of one solve. An addition, a multiplication and a division count as
 /// one each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -220,8 +235,14 @@ pub struct Plan {
     pub name: String,
     /// Doc comment of the problem.
     pub docs: Vec<String>,
-    /// The data.
+    /// The data that are given.
     pub data: Vec<DataParameter>,
+    /// The data that are derived from them, which follow them among the inputs: first those of the
+    /// problem, then those of presolve, which only the template reads.
+    pub derived: Vec<PlannedDerivation>,
+    /// The number of scalars in the data of the problem: those that are given, and those that it
+    /// derives from them.
+    pub stated: usize,
     /// Names of the unknowns.
     pub unknowns: Vec<String>,
     /// The fields of the solution: the unknowns with their shapes.
@@ -278,14 +299,34 @@ impl Block {
 }
 
 impl Plan {
-    /// The number of scalars in the data.
-    pub fn inputs(&self) -> usize {
+    /// The data that the problem derives, or those that presolve derives.
+    pub fn derived_by(&self, presolve: bool) -> impl Iterator<Item = (usize, &PlannedDerivation)> {
+        let is_own = move |(_, d): &(usize, &PlannedDerivation)| (d.derivation.first_input >= self.stated) == presolve;
+        self.derived.iter().enumerate().filter(is_own)
+    }
+
+    /// Whether presolve derives data.
+    pub fn is_presolved_at_run_time(&self) -> bool {
+        self.inputs() > self.stated
+    }
+
+    /// The number of scalars in the data that are given.
+    pub fn given(&self) -> usize {
         self.data.iter().map(DataParameter::len).sum()
+    }
+
+    /// The number of scalars in all data, those that are derived included.
+    pub fn inputs(&self) -> usize {
+        self.derived.last().map_or_else(|| self.given(), |last| last.derivation.inputs().end)
     }
 
     /// The weights of the data in all scalings, those of the first datum first.
     pub fn weights_of_data(&self) -> Vec<i8> {
-        (0..self.inputs()).flat_map(|input| self.scalings.iter().map(move |scaling| scaling.data[input])).collect()
+        let weights = |input: usize| {
+            // What presolve derives is computed from scaled data.
+            self.scalings.iter().map(move |scaling| scaling.data.get(input).copied().unwrap_or(0))
+        };
+        (0..self.inputs()).flat_map(weights).collect()
     }
 
     /// The weights of the unknowns in all scalings, those of the first unknown first.
@@ -313,9 +354,14 @@ impl Plan {
         if self.chains.is_some() { RootMethod::Determinant } else { RootMethod::Eigenvalues }
     }
 
+    /// Operations that derive data.
+    pub fn operations_of_derived(&self) -> usize {
+        self.derived.iter().map(|d| d.program.steps() + d.derivation.kind.operations()).sum()
+    }
+
     /// Operations of one solve.
     pub fn operations(&self) -> OperationCount {
-        let coefficients = self.program.steps();
+        let coefficients = self.program.steps() + self.operations_of_derived();
         let width = self.elimination.basis;
         let elimination = self.elimination.blocks.iter().map(|block| block.operations(width));
         OperationCount { coefficients, elimination: elimination.sum(), roots: 10 * width * width * width }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::block_triangular::{DiagonalBlock, block_triangular_form};
 use super::constant_rows::{Row, eliminate_constant_rows};
-use super::straight_line::straight_line_program;
+use super::straight_line::{planned_derivations, straight_line_program};
 use super::system_table::SystemTable;
 use super::{
     ActionRow, BasisId, Block, CoefficientId, Elimination, Entry, Extraction, KnownMonomial, PivotId, Plan, PlanError,
@@ -122,7 +122,10 @@ impl Scheduler<'_> {
             return Err(ScheduleError::TooLarge("coefficients"));
         }
         let used: Vec<ExpressionId> = coefficients.used.iter().flatten().copied().collect();
-        let (mut program, values) = straight_line_program(graph, &used, elimination.rows);
+        let stated = problem.graph.input_count();
+        // A second attempt solves the equations for monomials at twice the precision, too.
+        let needs_table = graph.input_count() > stated;
+        let (mut program, values) = straight_line_program(graph, &used, elimination.rows, needs_table);
         let (mut values, zero) = (values.into_iter(), coefficients.used.contains(&None).then(|| program.zero()));
         let value = |used: &Option<ExpressionId>| used.map_or(zero, |_| values.next());
         let values = coefficients.used.iter().filter_map(value).collect();
@@ -130,6 +133,8 @@ impl Scheduler<'_> {
             name: problem.name.clone(),
             docs: problem.docs.clone(),
             data: problem.data.clone(),
+            derived: planned_derivations(graph),
+            stated,
             unknowns: problem.unknowns.clone(),
             fields: problem.fields.clone(),
             solutions: self.solutions,

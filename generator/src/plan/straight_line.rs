@@ -1,6 +1,8 @@
 //! From the graph of coefficient expressions to a straight-line program.
 
+use super::PlannedDerivation;
 use super::program::{Operation, Program, ProgramForm, ValueId};
+use crate::expression::derivation::Derivation;
 use crate::expression::{Expression, ExpressionGraph, ExpressionId};
 
 /// A program of more steps than this becomes a table. A step takes 0.7 ns in a table and 0.3 ns as
@@ -13,18 +15,30 @@ const MOST_STATEMENTS: usize = 4096;
 const MOST_ROWS: usize = 40;
 
 /// The program that computes `used`, and the value of each. `rows` is the number of rows of the
-/// template.
+/// template; `needs_table` says that the program must be a table.
 pub(crate) fn straight_line_program(
     graph: &ExpressionGraph,
     used: &[ExpressionId],
     rows: usize,
+    needs_table: bool,
 ) -> (Program, Vec<ValueId>) {
     let (mut program, values) = in_order_of_the_graph(graph, used);
-    if program.steps() <= MOST_STATEMENTS && rows <= MOST_ROWS {
+    if program.steps() <= MOST_STATEMENTS && rows <= MOST_ROWS && !needs_table {
         program.form = ProgramForm::Statements;
         return (program, values);
     }
     in_runs(&program, &values)
+}
+
+/// The data that are derived from data, in order.
+pub(crate) fn planned_derivations(graph: &ExpressionGraph) -> Vec<PlannedDerivation> {
+    let planned = |derivation: &Derivation<ExpressionId>| {
+        let (mut program, operands) = in_order_of_the_graph(graph, &derivation.operands);
+        program.form = ProgramForm::Statements;
+        let Derivation { kind, first_input, .. } = *derivation;
+        PlannedDerivation { derivation: Derivation { kind, operands, first_input }, program }
+    };
+    graph.derivations().iter().map(planned).collect()
 }
 
 /// The nodes that `used` depends on, in the order of the graph, and the position of each used one.
@@ -189,7 +203,7 @@ mod tests {
             let mut graph = ExpressionGraph::new(&[vec![12_345, 67_890], vec![54_321, 9_876]]);
             let (mut value, factor) = (graph.input(0), graph.input(1));
             (0..steps).for_each(|_| value = graph.mul(value, factor));
-            let (program, values) = straight_line_program(&graph, &[value], rows);
+            let (program, values) = straight_line_program(&graph, &[value], rows, false);
             assert_eq!((program.steps(), values.len()), (steps, 1));
             program.form
         };

@@ -48,7 +48,7 @@ const fn weight(stage: Stage, what: &'static str, nanoseconds: f64) -> Weight {
 }
 
 /// The number of weights.
-pub const WEIGHTS: usize = 15;
+pub const WEIGHTS: usize = 16;
 
 use Stage::{Coefficients, Elimination, Solutions};
 
@@ -57,6 +57,7 @@ pub const MODEL: [Weight; WEIGHTS] = [
     weight(Coefficients, "solve", 29.116),
     weight(Coefficients, "operation in a statement", 0.058),
     weight(Coefficients, "step of a table", 0.352),
+    weight(Coefficients, "operation of derived data", 0.900),
     weight(Coefficients, "term of an equation", 0.448),
     weight(Elimination, "entry of the template", 0.946),
     weight(Elimination, "operation in a small block", 0.089),
@@ -75,7 +76,8 @@ pub const MODEL: [Weight; WEIGHTS] = [
 /// second attempt.
 pub fn counts(plan: &Plan, repeated: f64) -> [f64; WEIGHTS] {
     let operations = plan.operations();
-    let of_form = |form| if plan.program.form == form { operations.coefficients as f64 } else { 0.0 };
+    let derived = plan.operations_of_derived();
+    let of_form = |form| if plan.program.form == form { (operations.coefficients - derived) as f64 } else { 0.0 };
     let terms: usize = plan.equations.iter().flatten().map(Term::factors).sum();
     let e = &plan.elimination;
     let entries =
@@ -96,6 +98,7 @@ pub fn counts(plan: &Plan, repeated: f64) -> [f64; WEIGHTS] {
         1.0,
         of_form(ProgramForm::Statements),
         of_form(ProgramForm::Table),
+        derived as f64,
         terms as f64,
         entries as f64,
         in_blocks(false),

@@ -1,4 +1,5 @@
-//! Combines equations, and eliminates unknowns that an equation gives explicitly.
+//! Combines equations, solves them for monomials, and eliminates unknowns that an equation gives
+//! explicitly.
 //!
 //! An equation `c x + rest = 0`, where x occurs in no other term and c depends on the data only,
 //! gives `x = -rest / c`. The unknown is substituted in all other equations, and recovered after
@@ -6,11 +7,13 @@
 //! all of [`crate::presolve::Presolve`] side by side.
 
 mod combine;
+mod gauss_jordan;
 mod reduced;
 mod square;
 pub mod symmetry;
 
 use combine::combine;
+use gauss_jordan::solve_for_leads;
 use reduced::MAX_TERMS;
 use square::divide_by_squares;
 
@@ -21,7 +24,7 @@ use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
 use crate::problem::Problem;
 
 /// Presolves a problem: combines equations, eliminates unknowns as long as an equation gives one,
-/// and divides by squares. Each step is done only if `presolve` asks for it.
+/// solves for monomials, and divides by squares. Each step is done only if `presolve` asks for it.
 ///
 /// Unknowns with constant coefficients are eliminated first, then those with short right-hand
 /// sides.
@@ -34,12 +37,12 @@ pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
     if presolve.combines() {
         combine(&mut reduced.problem);
     }
-    while reduced.kept.len() > 1 {
-        let mut candidates = candidates(&reduced, presolve);
-        candidates.sort_by_key(|candidate| candidate.preference);
-        if !candidates.iter().any(|candidate| eliminate(&mut reduced, candidate)) {
-            break;
-        }
+    eliminate_all(&mut reduced, presolve);
+    if let Some(hidden) = presolve.solves_for_leads()
+        && hidden.is_none_or(|unknown| reduced.kept.contains(&unknown))
+        && solve_for_leads(&mut reduced.problem, hidden)
+    {
+        eliminate_all(&mut reduced, presolve);
     }
     // Recovery runs backwards: the unknown that was eliminated last depends on kept unknowns only.
     reduced.recoveries.reverse();
@@ -47,6 +50,17 @@ pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
         divide_by_squares(&mut reduced);
     }
     reduced
+}
+
+/// Eliminates unknowns as long as an equation gives one.
+fn eliminate_all(reduced: &mut ReducedProblem, presolve: Presolve) {
+    while reduced.kept.len() > 1 {
+        let mut candidates = candidates(reduced, presolve);
+        candidates.sort_by_key(|candidate| candidate.preference);
+        if !candidates.iter().any(|candidate| eliminate(reduced, candidate)) {
+            break;
+        }
+    }
 }
 
 /// An unknown that an equation gives explicitly.

@@ -1,5 +1,6 @@
 //! How far a problem is presolved, and the result.
 
+use crate::algebra::MAX_UNKNOWNS;
 use crate::expression::SymbolicPolynomial;
 use crate::problem::Problem;
 
@@ -22,11 +23,19 @@ pub enum Presolve {
     CombinedLinear,
     /// As [`Presolve::Square`], after the same subtractions.
     CombinedSquare,
+    /// As [`Presolve::CombinedLinear`]. Then the equations are solved for their highest monomials
+    /// at run time.
+    Solved,
+    /// As [`Presolve::Solved`], for the monomials that are highest beside this unknown.
+    Hiding(u8),
 }
 
+/// Names of [`Presolve::Hiding`] begin with this, and end with the number of the unknown.
+const HIDING: &str = "hiding_";
+
 impl Presolve {
-    /// All with their names, in the order in which a search tries them.
-    pub const ALL: [(&'static str, Self); 7] = [
+    /// Those that are the same for all problems, with their names.
+    const FIXED: [(&'static str, Self); 8] = [
         ("none", Self::None),
         ("constant", Self::Constant),
         ("linear", Self::Linear),
@@ -34,16 +43,35 @@ impl Presolve {
         ("combined", Self::Combined),
         ("combined_linear", Self::CombinedLinear),
         ("combined_square", Self::CombinedSquare),
+        ("solved", Self::Solved),
     ];
 
+    /// All for so many unknowns, in the order in which a search tries them.
+    pub fn all(unknowns: usize) -> Vec<Self> {
+        let hiding = (0..unknowns.min(MAX_UNKNOWNS) as u8).map(Self::Hiding);
+        Self::FIXED.into_iter().map(|(_, presolve)| presolve).chain(hiding).collect()
+    }
+
     /// Its name in template files and reports.
-    pub fn name(self) -> &'static str {
-        Self::ALL.into_iter().find(|(_, presolve)| *presolve == self).map_or("", |(name, _)| name)
+    pub fn name(self) -> String {
+        match self {
+            Self::Hiding(unknown) => format!("{HIDING}{unknown}"),
+            _ => Self::FIXED.into_iter().find(|(_, known)| *known == self).map_or("", |(name, _)| name).to_owned(),
+        }
+    }
+
+    /// The unknown that is hidden when equations are solved for monomials; `None` if they are not.
+    pub(super) fn solves_for_leads(self) -> Option<Option<usize>> {
+        match self {
+            Self::Solved => Some(None),
+            Self::Hiding(unknown) => Some(Some(usize::from(unknown))),
+            _ => None,
+        }
     }
 
     /// Whether equations are combined first.
     pub(crate) fn combines(self) -> bool {
-        matches!(self, Self::Combined | Self::CombinedLinear | Self::CombinedSquare)
+        !matches!(self, Self::None | Self::Constant | Self::Linear | Self::Square)
     }
 
     /// Whether other equations are divided by those that give squares.

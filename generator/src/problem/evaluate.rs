@@ -9,6 +9,7 @@ use super::names::closest;
 use super::scope::{Outcome, Reported};
 use super::syntax::place;
 use super::value::{MAX_DEGREE, MAX_ELEMENTS, Value, describe, fault};
+use crate::expression::ExpressionGraph;
 use crate::expression::rational::Rational;
 use crate::problem::diagnostic::Diagnostic;
 
@@ -303,9 +304,16 @@ impl Interpreter<'_> {
             None if divisor.degree() > 0 => Diagnostic::new("division by an unknown is not polynomial", at)
                 .label("this depends on unknowns")
                 .hint("multiply the equation by it, and state `divisor != 0;`"),
-            None => Diagnostic::new("only constants can divide", at)
-                .label("this depends on the data")
-                .hint("multiply the equation by it, or pass the quotient as data"),
+            None => {
+                // A polynomial of degree 0 that is not a constant is a value of the data.
+                let coefficient = divisor.terms().first().map_or(ExpressionGraph::ONE, |&(_, coefficient)| coefficient);
+                let Some(reciprocal) = self.algebra.graph.div(ExpressionGraph::ONE, coefficient) else {
+                    let diagnostic = Diagnostic::new("division by zero", at);
+                    return Err(self.report(diagnostic.label("this is 0 for all data")));
+                };
+                let result = self.algebra.multiply(left, &Value::scalar(self.algebra.data(reciprocal)));
+                return self.check(result, binary);
+            }
         };
         Err(self.report(diagnostic))
     }

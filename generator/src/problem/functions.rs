@@ -22,7 +22,7 @@ pub(super) struct BuiltIn {
 }
 
 /// The functions of the language.
-pub(super) const BUILT_IN: [BuiltIn; 7] = [
+pub(super) const BUILT_IN: [BuiltIn; 11] = [
     BuiltIn { name: "det", usage: "det(matrix)", arguments: (1, 1) },
     BuiltIn { name: "trace", usage: "trace(matrix)", arguments: (1, 1) },
     BuiltIn { name: "dot", usage: "dot(a, b)", arguments: (2, 2) },
@@ -30,6 +30,10 @@ pub(super) const BUILT_IN: [BuiltIn; 7] = [
     BuiltIn { name: "skew", usage: "skew(v)", arguments: (1, 1) },
     BuiltIn { name: "identity", usage: "identity(n)", arguments: (1, 1) },
     BuiltIn { name: "gradient", usage: "gradient(e)` or `gradient(e, [x, y])", arguments: (1, 2) },
+    BuiltIn { name: "reshape", usage: "reshape(array, [rows, columns])", arguments: (2, 2) },
+    BuiltIn { name: "solve", usage: "solve(a, b)", arguments: (2, 2) },
+    BuiltIn { name: "inverse", usage: "inverse(matrix)", arguments: (1, 1) },
+    BuiltIn { name: "null_space", usage: "null_space(matrix)", arguments: (1, 1) },
 ];
 
 /// Largest matrix whose determinant is expanded.
@@ -48,7 +52,8 @@ pub(super) fn non_polynomial(name: &str) -> Option<&'static str> {
             "introduce unknowns for sine and cosine with `s.pow(2) + c.pow(2) == 1;`"
         }
         "powi" | "powf" => "a power with a constant integer exponent is written `.pow(2)`",
-        "recip" | "inverse" | "inv" | "try_inverse" => "multiply the equation by the denominator, and state `it != 0;`",
+        "recip" => "write `1 / d` for data; for unknowns multiply the equation by it, and state `it != 0;`",
+        "inv" | "try_inverse" => "write `inverse(matrix)`: the matrix holds data only",
         "exp" | "ln" | "log" | "log2" | "log10" | "min" | "max" | "signum" | "floor" | "ceil" | "round" => {
             "if it depends on data only, pass it as data"
         }
@@ -169,13 +174,34 @@ impl Interpreter<'_> {
                 let entry = |at: usize| if at.is_multiple_of(n + 1) { one.clone() } else { Polynomial::ZERO };
                 Ok(Value::array(vec![n, n], (0..n * n).map(entry).collect()))
             }
+            ("reshape", [array, _]) => self.reshape(call, arguments[1], array),
+            ("solve", [a, b]) => self.solve(call, function, arguments, [a, b]),
+            ("inverse", [matrix]) => self.inverse(call, function, arguments[0], matrix),
+            ("null_space", [matrix]) => self.null_space(call, function, arguments[0], matrix),
             ("gradient", [scalar, by @ ..]) => self.gradient(call, arguments, scalar, by.first()),
             _ => Err(Reported),
         }
     }
 
+    /// The same elements, row by row, in an array of another shape.
+    fn reshape(&mut self, call: &ExprCall, shape: &Expr, array: &Value) -> Outcome<Value> {
+        let Expr::Array(dimensions) = shape else {
+            let diagnostic = Diagnostic::new("the new shape is a list of constant integers", place(shape));
+            return Err(self.report(diagnostic.label("expected such as `[3, 3]`")));
+        };
+        let dimensions: Vec<usize> = dimensions.elems.iter().map(|n| self.length(n)).collect::<Outcome<_>>()?;
+        let (elements, count) = (array.elements().len(), dimensions.iter().product::<usize>());
+        if dimensions.is_empty() || count != elements {
+            let message = format!("an array of {elements} elements cannot have this shape");
+            let diagnostic = Diagnostic::new(message, place(shape)).label(format!("{count} elements"));
+            return Err(self.report(diagnostic.context(place(&call.args[0]), describe(array.shape()))));
+        }
+        self.charge(array.weight(), call)?;
+        Ok(Value::array(dimensions, array.elements().to_vec()))
+    }
+
     /// The size of a square matrix.
-    fn square(&mut self, function: &BuiltIn, argument: &Expr, value: &Value) -> Outcome<usize> {
+    pub(super) fn square(&mut self, function: &BuiltIn, argument: &Expr, value: &Value) -> Outcome<usize> {
         match *value.shape() {
             [n, m] if n == m => Ok(n),
             _ => {

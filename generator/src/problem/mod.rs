@@ -2,6 +2,7 @@
 //! data.
 
 pub mod chart;
+mod derived;
 pub mod diagnostic;
 mod evaluate;
 mod functions;
@@ -190,7 +191,7 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// Number of scalars in all data.
+    /// Number of scalars in all data that are given.
     pub fn input_count(&self) -> usize {
         self.data.iter().map(DataParameter::len).sum()
     }

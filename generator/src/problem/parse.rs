@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use syn::{Attribute, Item, ItemConst, ItemFn, ReturnType, Safety, Visibility};
+use syn::{Attribute, Ident, Item, ItemConst, ItemFn, ReturnType, Safety, Visibility};
 
 use super::functions::BUILT_IN;
 use super::interpret::Interpreter;
@@ -109,6 +109,7 @@ fn sort_items(items: &[Item]) -> (Items<'_>, Vec<Diagnostic>) {
                 messages.extend(check_function(function));
                 let name = function.sig.ident.to_string();
                 if unknown_list(&function.sig.output).is_none() {
+                    messages.extend(refuse_built_in(&function.sig.ident));
                     if let Some(first) = sorted.helpers.insert(name.clone(), function) {
                         let diagnostic =
                             Diagnostic::new(format!("there are two helpers `{name}`"), place(&function.sig.ident));
@@ -160,15 +161,19 @@ fn place_of_output(output: &ReturnType) -> Span {
     }
 }
 
+/// A helper may not hide a function of the language. Nobody calls a problem.
+fn refuse_built_in(name: &Ident) -> Option<Diagnostic> {
+    BUILT_IN.iter().find(|built_in| name == built_in.name).map(|built_in| {
+        let message = format!("`{}` is a function of the language", built_in.name);
+        Diagnostic::new(message, place(name)).label("choose another name")
+    })
+}
+
 /// The form of a function: a plain `fn name(parameters) -> result`.
 fn check_function(function: &ItemFn) -> Vec<Diagnostic> {
     let signature = &function.sig;
     let mut messages = Vec::new();
     messages.extend(refuse(&signature.ident, "a function"));
-    if BUILT_IN.iter().any(|built_in| signature.ident == built_in.name) {
-        let message = format!("`{}` is a function of the language", signature.ident);
-        messages.push(Diagnostic::new(message, place(&signature.ident)).label("choose another name"));
-    }
     let plain = signature.constness.is_none()
         && signature.asyncness.is_none()
         && matches!(signature.safety, Safety::Default)
@@ -263,7 +268,8 @@ fn check_data(body: &mut Interpreter<'_>, data: &[DataParameter]) {
     let statements = body.equations.iter().chain(&body.nonzero);
     let coefficients =
         statements.flat_map(|statement| statement.polynomial.terms()).map(|&(_, coefficient)| coefficient);
-    let needed = body.algebra.graph.needed(&coefficients.collect::<Vec<ExpressionId>>());
+    let coefficients: Vec<ExpressionId> = coefficients.collect();
+    let needed = body.algebra.graph.needed_by_way_of_derivations(&coefficients);
     let is_read = |input: usize| needed[body.algebra.graph.input(input).index()];
     let is_unused =
         |parameter: &&DataParameter| !(parameter.first_input..parameter.first_input + parameter.len()).any(is_read);

@@ -146,7 +146,7 @@ pub fn scalings(problem: &Problem) -> Vec<Scaling> {
 }
 
 fn all_scalings(problem: &Problem) -> Vec<Scaling> {
-    let inputs = problem.input_count();
+    let inputs = problem.graph.input_count();
     let polynomials = || problem.equations.iter().chain(&problem.nonzero).map(|statement| &statement.polynomial);
     let used: Vec<ExpressionId> = polynomials().flat_map(|p| p.terms()).map(|&(_, coefficient)| coefficient).collect();
     let mut weights = Weights::of(&problem.graph, &used);
@@ -196,10 +196,11 @@ fn fix_unread(problem: &Problem, weights: &mut Weights<'_>) {
     let nodes = problem.graph.nodes().iter().zip(&weights.of_nodes);
     let reads = nodes.filter(|(node, _)| matches!(node, Expression::Input(_)));
     let reads: BTreeSet<usize> = reads.flat_map(|(_, weight)| weight.keys().copied()).collect();
-    for parameter in problem.data.iter().filter(|parameter| parameter.attribute != DataAttribute::Symmetric) {
-        for input in (parameter.first_input..).take(parameter.len()).filter(|input| !reads.contains(input)) {
-            weights.require(&Form::from([(input, 1)]));
-        }
+    let parameters = problem.data.iter().filter(|parameter| parameter.attribute != DataAttribute::Symmetric);
+    let given = parameters.flat_map(|parameter| parameter.first_input..parameter.first_input + parameter.len());
+    let derived = problem.input_count()..problem.graph.input_count();
+    for input in given.chain(derived).filter(|input| !reads.contains(input)) {
+        weights.require(&Form::from([(input, 1)]));
     }
 }
 

@@ -74,7 +74,7 @@ impl Formulation {
 pub(crate) fn formulations(problem: &Problem, options: &SearchOptions) -> Result<Vec<Formulation>, SearchError> {
     let mut formulations: Vec<Formulation> = Vec::new();
     let of_problem = Symmetry::of_problem(problem);
-    for (_, kind) in Presolve::ALL {
+    for kind in Presolve::all(problem.unknowns.len()) {
         let reduced = presolve(problem, kind);
         if formulations.iter().any(|known| is_same(&known.reduced, &reduced)) {
             continue;

@@ -15,7 +15,13 @@ impl Strategy<'_> {
     pub(crate) fn describe(&self) -> String {
         let presolve = self.formulation.presolve;
         let combined = if presolve.combines() { "equations combined, " } else { "" };
+        let unknowns = &self.formulation.reduced.problem.unknowns;
         let eliminated = match presolve {
+            Presolve::Solved => "solved for their highest monomials, ",
+            Presolve::Hiding(at) => {
+                let hidden = unknowns.get(usize::from(at)).map_or("", String::as_str);
+                &format!("solved for the highest monomials beside {hidden}, ")
+            }
             Presolve::None => "",
             Presolve::Constant | Presolve::Combined => "after presolve with constant coefficients, ",
             Presolve::Linear | Presolve::CombinedLinear => "after presolve, ",

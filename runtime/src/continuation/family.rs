@@ -25,6 +25,8 @@ pub enum Condition {
 pub struct Family<'a> {
     /// The data of the instance, one parameter after another.
     pub data: &'a [f64],
+    /// The number of inputs of the program. Those after the data are for the template only.
+    pub inputs: usize,
     /// What the data of each parameter satisfy, and how many there are.
     pub parameters: &'a [(Condition, u32)],
     /// From data to coefficients.

@@ -23,7 +23,9 @@ impl<'a> Family<'a> {
     pub(crate) fn at(&'a self, data: &[Complex<f64>]) -> Member<'a> {
         let (values, coefficients) = self.counts;
         let (mut values, mut coefficients) = (vec![Complex::ZERO; values], vec![Complex::ZERO; coefficients]);
-        self.program.run_on(data, &mut values, &mut coefficients);
+        let mut inputs = data.to_vec();
+        inputs.resize(self.inputs, Complex::ZERO);
+        self.program.run_on(&inputs, &mut values, &mut coefficients);
         Member { family: self, coefficients }
     }
 }

@@ -182,6 +182,7 @@ mod tests {
         let program = Program { constants: &[], runs: &[], operands: &[], product_sums: lists, results: &[] };
         let family = Family {
             data,
+            inputs: data.len(),
             parameters: &[(condition, data.len() as u32)],
             program,
             counts: (0, 0),

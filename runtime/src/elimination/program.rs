@@ -139,6 +139,30 @@ impl Program<'_> {
         coefficients
     }
 
+    /// Like [`Program::evaluate`], from data in that precision.
+    #[inline(never)]
+    #[must_use]
+    pub fn evaluate_on<R: Real, const V: usize, const C: usize>(&self, data: &[R]) -> [R; C] {
+        let (mut values, mut coefficients) = ([R::ZERO; V], [R::ZERO; C]);
+        self.run_on(data, &mut values, &mut coefficients);
+        coefficients
+    }
+
+    /// Like [`Program::evaluate_on`], with so many `values` and `coefficients` on the heap.
+    #[cfg(feature = "alloc")]
+    #[inline(never)]
+    #[must_use]
+    pub fn evaluate_on_heap_on<'w, R: Real>(
+        &self,
+        (values, coefficients): (usize, usize),
+        data: &[R],
+        memory: &'w Memory,
+    ) -> HeapRows<'w, R> {
+        let mut coefficients = memory.filled(coefficients, R::ZERO);
+        self.run_on(data, memory.filled(values, R::ZERO).as_mut(), coefficients.as_mut());
+        coefficients
+    }
+
     /// Like [`Program::evaluate`], with so many `values` and `coefficients` on the heap.
     #[cfg(feature = "alloc")]
     #[inline(never)]
@@ -165,8 +189,7 @@ impl Program<'_> {
     }
 
     /// As [`Program::run`], on data of the same kind as the results.
-    #[cfg(feature = "alloc")]
-    pub(crate) fn run_on<S: Scalar>(&self, data: &[S], values: &mut [S], coefficients: &mut [S]) {
+    pub fn run_on<S: Scalar>(&self, data: &[S], values: &mut [S], coefficients: &mut [S]) {
         let given = self.constants.iter().map(|&value| S::from_f64(value)).chain(data.iter().copied());
         let known = values.iter_mut().zip(given).map(|(place, value)| *place = value).count();
         self.execute(known, values, coefficients);

@@ -8,6 +8,7 @@ mod twice;
 use std::collections::BTreeMap;
 
 use eliminant::Complex;
+use eliminant_generator::expression::arithmetic::Float64;
 use eliminant_generator::problem::Problem;
 use least_squares::least_squares;
 use nalgebra::DMatrix;
@@ -68,6 +69,8 @@ impl Refined {
 impl Equations {
     /// The equations for these data; `None` if a divisor vanishes.
     pub fn new(problem: &Problem, data: &[f64]) -> Option<Self> {
+        // Derived data are as a solver has them, rounded.
+        let data = problem.graph.all_inputs(Float64, data)?;
         let inputs: Vec<Quad> = data.iter().map(|&x| Quad(x, 0.0)).collect();
         let values = problem.graph.evaluate(Twice, &inputs)?;
         let unknowns = problem.unknowns.len();

@@ -113,7 +113,7 @@ struct Row {
     columns: usize,
     basis: usize,
     action: String,
-    presolve: &'static str,
+    presolve: String,
     growth: String,
     operations: usize,
     /// Predicted nanoseconds of a solve, second attempts included.

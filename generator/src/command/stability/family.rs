@@ -98,6 +98,10 @@ const MOST: i32 = 400;
 
 /// Data in units of 10^`level`, along one of the scalings that change unknowns.
 fn scaled(plan: &Plan, level: i32, variant: usize, mut data: Vec<f64>) -> Option<Vec<f64>> {
+    if !plan.derived.is_empty() {
+        // The scalings are those of all data; given ones do not take derived ones along.
+        return None;
+    }
     let changing: Vec<_> =
         plan.scalings.iter().filter(|scaling| scaling.unknowns.iter().any(|&weight| weight != 0)).collect();
     let scaling = changing.get(variant % changing.len().max(1))?;

@@ -64,8 +64,8 @@ fn parse(line: &str, plans: &[&Plan]) -> Result<Instance, String> {
     let Some(plan) = plans.iter().find(|plan| plan.name == *name) else {
         return Err(format!("it is of the problem `{name}`, which is not among those that are measured"));
     };
-    if instance.data.len() != plan.inputs() {
-        return Err(format!("`{name}` takes {} numbers as data, not {}", plan.inputs(), instance.data.len()));
+    if instance.data.len() != plan.given() {
+        return Err(format!("`{name}` takes {} numbers as data, not {}", plan.given(), instance.data.len()));
     }
     match instance.solutions.iter().find(|solution| solution.len() != plan.unknowns.len()) {
         Some(wrong) => Err(format!("a solution of `{name}` has {} numbers, not {}", plan.unknowns.len(), wrong.len())),

@@ -7,13 +7,14 @@
 use eliminant::emitted::{self, Dynamic, Product, Sizes, SizesOf, SolverInstance, Tables, Term};
 use eliminant::{Complex, Scalar, SolveError};
 
+use crate::expression::arithmetic::Float64;
 use crate::plan::program::ProgramForm;
 use crate::plan::system_table::SystemTable;
 use crate::plan::value_layout::ValueLayout;
-use crate::plan::{ActionRow, Plan, PlannedRecovery};
+use crate::plan::{ActionRow, LEAST_PIVOT_OF_PRESOLVE, Plan, PlannedDerivation, PlannedRecovery};
 
 use super::interpreted_chains::{self, InterpretedChains};
-use super::interpreted_program::{Program, condition};
+use super::interpreted_program::{Program, condition, values};
 
 /// All tables of a solver, in the runtime's form.
 #[derive(Clone, Debug)]
@@ -38,6 +39,11 @@ pub struct InterpretedSolver {
     scalings: (usize, Vec<i8>, Vec<i8>),
     /// What the data of each parameter satisfy, and how many there are.
     parameters: Vec<(emitted::Condition, u32)>,
+    /// What data are derived.
+    derived: Vec<PlannedDerivation>,
+    /// The number of data of the problem, and of all.
+    stated: usize,
+    inputs: usize,
 }
 
 /// The template's tables, owned.
@@ -89,7 +95,10 @@ impl InterpretedSolver {
             equations: System::of(&plan.equations, unknowns),
             nonzero: System::of(&plan.nonzero, unknowns),
             scalings: (plan.scalings.len(), plan.weights_of_data(), plan.weights_of_unknowns()),
-            parameters: plan.data.iter().map(|parameter| (condition(parameter), parameter.len() as u32)).collect(),
+            parameters: parameters(plan),
+            derived: plan.derived.clone(),
+            stated: plan.stated,
+            inputs: plan.inputs(),
         }
     }
 
@@ -100,10 +109,12 @@ impl InterpretedSolver {
     pub fn instance(&self, data: &[f64]) -> Result<InterpretedInstance<'_>, SolveError> {
         let (count, of_data, of_unknowns) = &self.scalings;
         let scalings = emitted::Scalings { count: *count, data: of_data, unknowns: of_unknowns };
-        let (mut scaled, mut exponents) = (data.to_vec(), vec![0; self.unknowns]);
+        let (mut scaled, mut exponents) = (self.stated_data(data)?, vec![0; self.unknowns]);
         scalings.apply_into(&mut scaled, &mut exponents);
-        let coefficients = self.program.evaluate::<f64>(&scaled);
-        emitted::check_coefficients(&coefficients, &[data])?;
+        let coefficients = self.coefficients::<f64>(&scaled);
+        // Those of a template whose equations cannot be solved for monomials are NaN.
+        let checked = if self.inputs == self.stated { coefficients.as_slice() } else { &[] };
+        emitted::check_coefficients(checked, &[data])?;
         let rows = self.equations.rows(&coefficients);
         let read = vec![vec![0.0; self.layout.basis]; self.layout.read];
         let (steps, flips) = (self.steps.iter().map(Vec::as_slice), self.flips.iter().map(Vec::as_slice));
@@ -122,6 +133,34 @@ impl InterpretedSolver {
         })
     }
 
+    /// The data of the problem, from those that are given.
+    fn stated_data(&self, given: &[f64]) -> Result<Vec<f64>, SolveError> {
+        let mut data = given.to_vec();
+        for planned in self.derived.iter().take_while(|planned| planned.derivation.first_input < self.stated) {
+            emitted::check_coefficients(&[], &[given])?;
+            data.extend(derived(planned, &data)?);
+        }
+        Ok(data)
+    }
+
+    /// The coefficients in the precision of R, from the data of the problem. They are NaN where
+    /// equations cannot be solved for monomials.
+    fn coefficients<R: emitted::Real>(&self, data: &[f64]) -> Vec<R> {
+        if self.inputs == self.stated {
+            return self.program.evaluate(data);
+        }
+        let mut inputs: Vec<R> = data.iter().map(|&x| R::from_f64(x)).collect();
+        for planned in self.derived.iter().filter(|planned| planned.derivation.first_input >= self.stated) {
+            let Ok(results) = presolved(planned, &inputs) else {
+                inputs.truncate(self.stated);
+                inputs.resize(self.inputs, R::from_f64(f64::NAN));
+                break;
+            };
+            inputs.extend(results);
+        }
+        self.program.evaluate_on(&inputs)
+    }
+
     /// The real solutions, as `solve` of the emitted solver returns them.
     ///
     /// # Errors
@@ -137,6 +176,31 @@ impl InterpretedSolver {
     pub fn solve_complex(&self, data: &[f64]) -> Result<Vec<Vec<Complex<f64>>>, SolveError> {
         self.instance(data)?.solve_complex()
     }
+}
+
+/// The results of a derivation of the problem.
+fn derived(planned: &PlannedDerivation, data: &[f64]) -> Result<Vec<f64>, SolveError> {
+    let PlannedDerivation { derivation, program } = planned;
+    // A division by zero gives an operand that is not finite in the emitted solver.
+    let values = program.evaluate(Float64, data).ok_or(SolveError::NonFiniteInput)?;
+    let operands: Vec<f64> = derivation.operands.iter().map(|id| values[id.0 as usize]).collect();
+    derivation.kind.over_reals(operands)
+}
+
+/// The results of a derivation of presolve.
+fn presolved<R: emitted::Real>(planned: &PlannedDerivation, inputs: &[R]) -> Result<Vec<R>, SolveError> {
+    let PlannedDerivation { derivation, program } = planned;
+    let values = values(program, inputs);
+    let operands: Vec<R> = derivation.operands.iter().map(|id| values[id.0 as usize]).collect();
+    derivation.kind.solved(operands, LEAST_PIVOT_OF_PRESOLVE)
+}
+
+/// What the data of each parameter satisfy, and how many there are. Derived data are as free as
+/// general ones.
+fn parameters(plan: &Plan) -> Vec<(emitted::Condition, u32)> {
+    let given = plan.data.iter().map(|parameter| (condition(parameter), parameter.len() as u32));
+    let derived = Some((plan.stated - plan.given()) as u32).filter(|&count| count > 0);
+    given.chain(derived.map(|count| (emitted::Condition::Free, count))).collect()
 }
 
 impl Elimination {
@@ -295,15 +359,15 @@ impl InterpretedInstance<'_> {
     }
 
     fn precise_coefficients(&self) -> Vec<emitted::DoubleDouble> {
-        self.solver.program.evaluate(&self.data)
+        self.solver.coefficients(&self.data)
     }
 
     fn eliminated<R: emitted::Real>(&self) -> Result<Vec<Vec<R>>, SolveError> {
-        let InterpretedSolver { elimination, layout, has_precise_coefficients, program, .. } = self.solver;
+        let InterpretedSolver { elimination, layout, has_precise_coefficients, .. } = self.solver;
         if !has_precise_coefficients {
             return elimination.solve::<R, f64>(layout.basis, &self.coefficients);
         }
-        let coefficients = R::of::<Dynamic>(&self.coefficients, || program.evaluate(&self.data));
+        let coefficients = R::of::<Dynamic>(&self.coefficients, || self.solver.coefficients(&self.data));
         elimination.solve::<R, R>(layout.basis, &coefficients)
     }
 }
@@ -398,6 +462,7 @@ impl SolverInstance for InterpretedInstance<'_> {
         let InterpretedSolver { program, equations, parameters, unknowns, .. } = self.solver;
         (!self.data.is_empty()).then(|| emitted::Family {
             data: &self.data,
+            inputs: self.solver.inputs,
             parameters,
             program: program.view(&self.lists),
             counts: (program.values, program.results.len()),
@@ -410,7 +475,7 @@ impl SolverInstance for InterpretedInstance<'_> {
 
     fn move_to(&mut self, data: &[f64]) {
         emitted::join_into(&[data], &mut self.data);
-        self.coefficients = self.solver.program.evaluate(&self.data);
+        self.coefficients = self.solver.coefficients(&self.data);
         self.rows = self.solver.equations.rows(&self.coefficients);
     }
 

@@ -4,6 +4,7 @@ use eliminant::Scalar;
 use eliminant::emitted::{self, Condition};
 
 use crate::plan::Plan;
+use crate::plan::program::{self, ValueId};
 use crate::plan::program_table::{ProgramTable, StepKind};
 use crate::problem::{DataAttribute, DataParameter};
 
@@ -69,12 +70,43 @@ impl Program {
         }
     }
 
+    /// The coefficients for these data, in their precision.
+    pub(super) fn evaluate_on<R: Scalar>(&self, data: &[R]) -> Vec<R> {
+        let (mut values, mut coefficients) = (vec![R::ZERO; self.values], vec![R::ZERO; self.results.len()]);
+        self.view(&self.lists()).run_on(data, &mut values, &mut coefficients);
+        coefficients
+    }
+
     /// The coefficients for these data.
     pub(super) fn evaluate<R: Scalar>(&self, data: &[f64]) -> Vec<R> {
         let (mut values, mut coefficients) = (vec![R::ZERO; self.values], vec![R::ZERO; self.results.len()]);
         self.view(&self.lists()).run(&[data], &mut values, &mut coefficients);
         coefficients
     }
+}
+
+/// The values of all operations of a program in statements, in the precision of the inputs.
+pub(super) fn values<R: Scalar>(program: &program::Program, inputs: &[R]) -> Vec<R> {
+    let mut values: Vec<R> = Vec::with_capacity(program.operations.len());
+    for &operation in &program.operations {
+        let at = |id: ValueId| values[id.0 as usize];
+        let value = match operation {
+            program::Operation::Constant(c) => R::from_f64(c.to_f64()),
+            program::Operation::Input(input) => inputs[input as usize],
+            program::Operation::Add(a, b) => at(a) + at(b),
+            program::Operation::Subtract(a, b) => at(a) - at(b),
+            program::Operation::Multiply(a, b) => at(a) * at(b),
+            program::Operation::Divide(a, b) => at(a) / at(b),
+            program::Operation::Negate(a) => -at(a),
+            program::Operation::Coefficient { sum, at: own } => {
+                let terms = program.product_sums[sum as usize].terms(own as usize);
+                let signed = terms.map(|(negative, a, b)| if negative { -(at(a) * at(b)) } else { at(a) * at(b) });
+                signed.reduce(|sum, term| sum + term).unwrap_or(R::ZERO)
+            }
+        };
+        values.push(value);
+    }
+    values
 }
 
 /// What the data of a parameter satisfy.

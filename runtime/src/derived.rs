@@ -1,0 +1,228 @@
+//! Data that are derived from data before a solve: linear systems and null spaces.
+
+use crate::error::SolveError;
+use crate::number::Real;
+use crate::number::float::{exponent, power_of_two, sqrt};
+
+/// What is left of a row or a pivot, relative to its row as it was given, counts as rounding below
+/// this times the number of columns.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// Writes orthonormal vectors that span the null space of a matrix.
+///
+/// ```text
+///                   columns
+///            [ . . . . . . . . . ]                          columns
+///     rows   [ . . A, by rows  . ]     ->    columns - rows [ . . . vectors . . . ]
+///            [ . . . . . . . . . ]
+/// ```
+///
+/// Householder reflections take A to a triangle on its left, with the row of which most is left
+/// taken next; the reflected last unit vectors span the null space (Golub, Van Loan, "Matrix
+/// computations", sections 5.2 and 5.4). The scale of a row does not matter.
+///
+/// # Errors
+/// [`SolveError::NonFiniteInput`] for a number that is not finite, [`SolveError::LostRank`] if a
+/// row depends on others up to rounding, or the lengths do not belong together. The contents of
+/// both lists are undefined after an error, and those of `matrix` also without one.
+pub fn null_space(matrix: &mut [f64], rows: usize, vectors: &mut [f64]) -> Result<(), SolveError> {
+    let columns = matrix.len().checked_div(rows).unwrap_or(0);
+    let is_consistent = rows < columns && vectors.len() == (columns - rows) * columns;
+    if !is_consistent || matrix.len() != rows * columns {
+        return Err(SolveError::LostRank);
+    }
+    for row in matrix.chunks_exact_mut(columns) {
+        let factor = scale_of(row)?;
+        row.iter_mut().for_each(|x| *x *= factor);
+    }
+    for step in 0..rows {
+        let rest = |row: &[f64]| row[step..].iter().map(|x| x * x).sum::<f64>();
+        let (mut best, mut largest) = (step, 0.0);
+        for (at, row) in matrix.chunks_exact(columns).enumerate().skip(step) {
+            let square = rest(row);
+            if square > largest {
+                (best, largest) = (at, square);
+            }
+        }
+        if !(sqrt(largest) > ROUNDING * columns as f64) {
+            return Err(SolveError::LostRank);
+        }
+        for column in 0..columns {
+            matrix.swap(step * columns + column, best * columns + column);
+        }
+        let (done, others) = matrix.split_at_mut((step + 1) * columns);
+        let mirror = &mut done[step * columns + step..];
+        // The unit vector that reflects the row to a multiple of the first unit vector.
+        mirror[0] += sqrt(largest).copysign(mirror[0]);
+        let length = sqrt(mirror.iter().map(|x| x * x).sum());
+        mirror.iter_mut().for_each(|x| *x /= length);
+        others.chunks_exact_mut(columns).for_each(|row| reflect(mirror, &mut row[step..]));
+    }
+    for (at, vector) in vectors.chunks_exact_mut(columns).enumerate() {
+        vector.fill(0.0);
+        vector[rows + at] = 1.0;
+        for (step, mirror) in matrix.chunks_exact(columns).enumerate().rev() {
+            reflect(&mirror[step..], &mut vector[step..]);
+        }
+    }
+    Ok(())
+}
+
+/// x - 2 v (v x), for a vector v of length 1.
+fn reflect(v: &[f64], x: &mut [f64]) {
+    let product: f64 = v.iter().zip(x.iter()).map(|(v, x)| v * x).sum();
+    x.iter_mut().zip(v).for_each(|(x, v)| *x -= 2.0 * product * v);
+}
+
+/// The power of two that takes the largest entry of a row to about 1, so that no digit changes.
+fn scale_of<R: Real>(row: &[R]) -> Result<f64, SolveError> {
+    let mut largest = 0.0_f64;
+    for x in row {
+        if !x.is_finite() {
+            return Err(SolveError::NonFiniteInput);
+        }
+        largest = largest.max(x.magnitude());
+    }
+    Ok(power_of_two(-exponent(largest)))
+}
+
+/// Writes the solution X of A X = B.
+///
+/// ```text
+///   matrix:  A, size x size, row by row, then B, size x right      solution:  size x right
+/// ```
+///
+/// Gaussian elimination with partial pivoting of rows that are equilibrated by powers of two. A
+/// pivot must be more than `least`, which is for `f64` and is less at twice the precision, and more
+/// than rounding.
+///
+/// # Errors
+/// [`SolveError::NonFiniteInput`] for a number that is not finite, [`SolveError::LostRank`] if A is
+/// singular up to rounding, or the lengths do not belong together, and [`SolveError::Overflow`] if
+/// X is not finite. The contents of both lists are undefined after an error, and those of `matrix`
+/// also without one.
+pub fn solve_linear<R: Real>(matrix: &mut [R], size: usize, least: f64, solution: &mut [R]) -> Result<(), SolveError> {
+    let right = solution.len().checked_div(size).unwrap_or(0);
+    if right == 0 || solution.len() != size * right || matrix.len() != size * (size + right) {
+        return Err(SolveError::LostRank);
+    }
+    let (a, b) = matrix.split_at_mut(size * size);
+    solution.copy_from_slice(b);
+    let least = (least / f64::EPSILON).max(8.0 * size as f64) * R::EPSILON;
+    if !solution.iter().all(|x| x.is_finite()) {
+        return Err(SolveError::NonFiniteInput);
+    }
+    for (row, of_right) in a.chunks_exact_mut(size).zip(solution.chunks_exact_mut(right)) {
+        let factor = scale_of(row)?;
+        row.iter_mut().chain(of_right).for_each(|x| *x = x.scale(factor));
+    }
+    for step in 0..size {
+        let (mut best, mut largest) = (step, 0.0);
+        for row in step..size {
+            let magnitude = a[row * size + step].magnitude();
+            if magnitude > largest {
+                (best, largest) = (row, magnitude);
+            }
+        }
+        if !(largest > least) {
+            return Err(SolveError::LostRank);
+        }
+        for column in 0..size {
+            a.swap(step * size + column, best * size + column);
+        }
+        for column in 0..right {
+            solution.swap(step * right + column, best * right + column);
+        }
+        for row in step + 1..size {
+            let factor = a[row * size + step] / a[step * size + step];
+            for column in step + 1..size {
+                let of_pivot = a[step * size + column];
+                a[row * size + column] -= factor * of_pivot;
+            }
+            for column in 0..right {
+                let of_pivot = solution[step * right + column];
+                solution[row * right + column] -= factor * of_pivot;
+            }
+        }
+    }
+    for step in (0..size).rev() {
+        for column in 0..right {
+            let known = (step + 1..size).map(|k| a[step * size + k] * solution[k * right + column]);
+            let value = known.fold(solution[step * right + column], |rest, known| rest - known);
+            solution[step * right + column] = value / a[step * size + step];
+        }
+    }
+    if solution.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(SolveError::Overflow) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers in [-1, 1) without a generator: the fractional parts of an irrational times squares.
+    fn drawn(count: usize) -> impl Iterator<Item = f64> {
+        (1..=count).map(|k| 2.0 * ((k * k) as f64 * 0.754_877_666_246_692_8).fract() - 1.0)
+    }
+
+    #[test]
+    fn null_vectors_are_orthonormal_whatever_the_scale_of_a_row() {
+        for scale in [1.0, 1e-150, 1e150] {
+            let (rows, columns) = (5, 9);
+            let mut matrix = [0.0; 45];
+            matrix.iter_mut().zip(drawn(45)).for_each(|(x, value)| *x = value);
+            matrix[18..27].iter_mut().for_each(|x| *x *= scale);
+            let (given, mut vectors) = (matrix, [0.0; 36]);
+            null_space(&mut matrix, rows, &mut vectors).unwrap();
+            let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+            for (i, v) in vectors.chunks(columns).enumerate() {
+                for (j, w) in vectors.chunks(columns).enumerate() {
+                    assert!((dot(v, w) - f64::from(u8::from(i == j))).abs() < 1e-15);
+                }
+                for row in given.chunks(columns) {
+                    assert!(dot(row, v).abs() < 1e-15 * row.iter().fold(0.0, |m: f64, x| m.max(x.abs())));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn systems_are_solved_whatever_the_scale_of_a_row() {
+        for scale in [1.0, 1e-150, 1e150] {
+            let mut matrix = [0.0; 24];
+            matrix.iter_mut().zip(drawn(24)).for_each(|(x, value)| *x = value);
+            // No pivot on the diagonal.
+            matrix[0] = 0.0;
+            matrix[4..8].iter_mut().for_each(|x| *x *= scale);
+            matrix[18..20].iter_mut().for_each(|x| *x *= scale);
+            let (given, mut x) = (matrix, [0.0; 8]);
+            solve_linear(&mut matrix, 4, 0.0, &mut x).unwrap();
+            for (row, column) in (0..4).flat_map(|row| (0..2).map(move |column| (row, column))) {
+                let product: f64 = (0..4).map(|k| given[row * 4 + k] * x[k * 2 + column]).sum();
+                let right = given[16 + row * 2 + column];
+                assert!((product - right).abs() <= 1e-14 * if row == 1 { scale } else { 1.0 }, "{product} {right}");
+            }
+        }
+    }
+
+    #[test]
+    fn lost_rank_and_numbers_that_are_not_finite_are_errors() {
+        let third = 1.0 / 3.0;
+        let mut dependent = [1.0, 2.0, 3.0, third, 2.0 * third, 1.0];
+        assert_eq!(null_space(&mut dependent, 2, &mut [0.0; 3]), Err(SolveError::LostRank));
+        assert_eq!(null_space(&mut [0.0; 6], 2, &mut [0.0; 3]), Err(SolveError::LostRank));
+        assert_eq!(null_space(&mut [1.0; 6], 2, &mut [0.0; 4]), Err(SolveError::LostRank));
+        assert_eq!(
+            solve_linear(&mut [1.0, 3.0, third, 1.0, 1.0, 1.0], 2, 0.0, &mut [0.0; 2]),
+            Err(SolveError::LostRank)
+        );
+        assert_eq!(solve_linear(&mut [1e-8, 1.0, 1.0, 1.0, 1.0, 1.0], 2, 0.5, &mut [0.0; 2]), Ok(()));
+        assert_eq!(solve_linear(&mut [1.0, 1.0, 1.0, 1.5, 1.0, 1.0], 2, 0.5, &mut [0.0; 2]), Err(SolveError::LostRank));
+        assert_eq!(solve_linear::<f64>(&mut [], 0, 0.0, &mut []), Err(SolveError::LostRank));
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert_eq!(null_space(&mut [1.0, bad], 1, &mut [0.0; 2]), Err(SolveError::NonFiniteInput));
+            assert_eq!(solve_linear(&mut [bad, 1.0], 1, 0.0, &mut [0.0]), Err(SolveError::NonFiniteInput));
+            assert_eq!(solve_linear(&mut [1.0, bad], 1, 0.0, &mut [0.0]), Err(SolveError::NonFiniteInput));
+        }
+        assert_eq!(solve_linear(&mut [1e-300, 1e300], 1, 0.0, &mut [0.0]), Err(SolveError::Overflow));
+    }
+}
