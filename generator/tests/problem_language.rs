@@ -3,7 +3,7 @@
 use eliminant_generator::algebra::Random;
 use eliminant_generator::algebra::{PRIMES, PrimeField};
 use eliminant_generator::expression::SymbolicPolynomial;
-use eliminant_generator::problem::instance::draw_inputs;
+use eliminant_generator::problem::instance::{Instance, draw_inputs};
 use eliminant_generator::problem::{DataAttribute, Problem};
 
 const FIELD: PrimeField = PrimeField::new(PRIMES[0]);
@@ -461,4 +461,33 @@ fn null_spaces_of_data() {
     let differences = names.iter().zip(vectors).map(|(name, &value)| sample.unknown(name) - Z(value));
     let residuals = sample.residuals();
     assert_eq!(residuals[..4], differences.map(|Z(value)| value).collect::<Vec<_>>());
+}
+
+/// Lengths of many vectors: a point of the data is found at which all roots exist, here and in
+/// instances.
+#[test]
+fn lengths_and_square_roots_of_data() {
+    let text = "fn derived(a: [[f64; 3]; 12], b: f64) -> (x, y) {
+        let mut sum = 0;
+        for row in a {
+            let v = normalise(row);
+            dot(v, v) * x == sum * y + norm(row) + sqrt(norm(row) * b + 1);
+            sum += v[0];
+        }
+    }";
+    let problem = Problem::parse("roots.rs", text).unwrap_or_else(|diagnostics| panic!("{diagnostics}"));
+    for seed in 0..3 {
+        let instance = Instance::draw(&problem, FIELD, seed).unwrap();
+        let values = problem.graph.all_inputs(FIELD, &instance.inputs).unwrap();
+        let (given, roots) = values.split_at(37);
+        assert_eq!(roots.len(), 24);
+        for (row, roots) in given.chunks(3).zip(roots.chunks(2)) {
+            let square = row.iter().fold(Z(0), |sum, &x| sum + Z(x) * Z(x));
+            assert_eq!(Z(roots[0]) * Z(roots[0]), square);
+            assert_eq!(Z(roots[1]) * Z(roots[1]), Z(roots[0]) * Z(given[36]) + Z(1));
+        }
+        // A normalised vector has length 1: the coefficient of x is 1.
+        let first = &instance.equations[0];
+        assert!(first.terms().iter().any(|&(m, c)| m.exponent(0) == 1 && c == 1), "{first:?}");
+    }
 }

@@ -1,4 +1,4 @@
-//! Data that are derived from data before a solve: linear systems and null spaces.
+//! Data that are derived from data before a solve: square roots, linear systems and null spaces.
 
 use crate::error::SolveError;
 use crate::number::Real;
@@ -7,6 +7,20 @@ use crate::number::float::{exponent, power_of_two, sqrt};
 /// What is left of a row or a pivot, relative to its row as it was given, counts as rounding below
 /// this times the number of columns.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// Writes the square roots of numbers.
+///
+/// # Errors
+/// [`SolveError::Overflow`] where a number is negative or not finite.
+pub fn square_root(numbers: &[f64], roots: &mut [f64]) -> Result<(), SolveError> {
+    for (root, &number) in roots.iter_mut().zip(numbers) {
+        *root = sqrt(number);
+        if !root.is_finite() {
+            return Err(SolveError::Overflow);
+        }
+    }
+    Ok(())
+}
 
 /// Writes orthonormal vectors that span the null space of a matrix.
 ///
@@ -22,7 +36,7 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// computations", sections 5.2 and 5.4). The scale of a row does not matter.
 ///
 /// # Errors
-/// [`SolveError::NonFiniteInput`] for a number that is not finite, [`SolveError::LostRank`] if a
+/// [`SolveError::Overflow`] for a number that is not finite, [`SolveError::LostRank`] if a
 /// row depends on others up to rounding, or the lengths do not belong together. The contents of
 /// both lists are undefined after an error, and those of `matrix` also without one.
 pub fn null_space(matrix: &mut [f64], rows: usize, vectors: &mut [f64]) -> Result<(), SolveError> {
@@ -79,7 +93,7 @@ fn scale_of<R: Real>(row: &[R]) -> Result<f64, SolveError> {
     let mut largest = 0.0_f64;
     for x in row {
         if !x.is_finite() {
-            return Err(SolveError::NonFiniteInput);
+            return Err(SolveError::Overflow);
         }
         largest = largest.max(x.magnitude());
     }
@@ -97,9 +111,8 @@ fn scale_of<R: Real>(row: &[R]) -> Result<f64, SolveError> {
 /// than rounding.
 ///
 /// # Errors
-/// [`SolveError::NonFiniteInput`] for a number that is not finite, [`SolveError::LostRank`] if A is
-/// singular up to rounding, or the lengths do not belong together, and [`SolveError::Overflow`] if
-/// X is not finite. The contents of both lists are undefined after an error, and those of `matrix`
+/// [`SolveError::Overflow`] if a number or X is not finite, [`SolveError::LostRank`] if A is
+/// singular up to rounding, or the lengths do not belong together. The contents of both lists are undefined after an error, and those of `matrix`
 /// also without one.
 pub fn solve_linear<R: Real>(matrix: &mut [R], size: usize, least: f64, solution: &mut [R]) -> Result<(), SolveError> {
     let right = solution.len().checked_div(size).unwrap_or(0);
@@ -110,7 +123,7 @@ pub fn solve_linear<R: Real>(matrix: &mut [R], size: usize, least: f64, solution
     solution.copy_from_slice(b);
     let least = (least / f64::EPSILON).max(8.0 * size as f64) * R::EPSILON;
     if !solution.iter().all(|x| x.is_finite()) {
-        return Err(SolveError::NonFiniteInput);
+        return Err(SolveError::Overflow);
     }
     for (row, of_right) in a.chunks_exact_mut(size).zip(solution.chunks_exact_mut(right)) {
         let factor = scale_of(row)?;
@@ -219,10 +232,13 @@ mod tests {
         assert_eq!(solve_linear(&mut [1.0, 1.0, 1.0, 1.5, 1.0, 1.0], 2, 0.5, &mut [0.0; 2]), Err(SolveError::LostRank));
         assert_eq!(solve_linear::<f64>(&mut [], 0, 0.0, &mut []), Err(SolveError::LostRank));
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            assert_eq!(null_space(&mut [1.0, bad], 1, &mut [0.0; 2]), Err(SolveError::NonFiniteInput));
-            assert_eq!(solve_linear(&mut [bad, 1.0], 1, 0.0, &mut [0.0]), Err(SolveError::NonFiniteInput));
-            assert_eq!(solve_linear(&mut [1.0, bad], 1, 0.0, &mut [0.0]), Err(SolveError::NonFiniteInput));
+            assert_eq!(null_space(&mut [1.0, bad], 1, &mut [0.0; 2]), Err(SolveError::Overflow));
+            assert_eq!(solve_linear(&mut [bad, 1.0], 1, 0.0, &mut [0.0]), Err(SolveError::Overflow));
+            assert_eq!(solve_linear(&mut [1.0, bad], 1, 0.0, &mut [0.0]), Err(SolveError::Overflow));
         }
+        let mut roots = [0.0; 2];
+        assert_eq!((square_root(&[2.25, 0.0], &mut roots), roots), (Ok(()), [1.5, 0.0]));
+        assert_eq!(square_root(&[-1e-300], &mut roots), Err(SolveError::Overflow));
         assert_eq!(solve_linear(&mut [1e-300, 1e300], 1, 0.0, &mut [0.0]), Err(SolveError::Overflow));
     }
 }

@@ -111,6 +111,33 @@ impl PrimeField {
         result
     }
 
+    /// The smaller square root, if `a` has one (Shanks, "Five number-theoretic algorithms", 1973).
+    pub fn square_root(self, a: u32) -> Option<u32> {
+        let (half, a) = ((self.modulus - 1) / 2, self.reduce(u64::from(a)));
+        if a == 0 {
+            return Some(0);
+        }
+        if self.pow(a, half) != 1 {
+            return None;
+        }
+        // p - 1 = odd 2^twos, and the powers of `unit` are the elements of an order of a power of 2.
+        let twos = (self.modulus - 1).trailing_zeros();
+        let odd = (self.modulus - 1) >> twos;
+        let unit = (2..).find(|&candidate| self.pow(candidate, half) != 1).map_or(1, |n| self.pow(n, odd));
+        // root^2 = a rest, where the order of the rest is a power of 2 that falls.
+        let (mut root, mut rest) = (self.pow(a, odd.div_ceil(2)), self.pow(a, odd));
+        let (mut unit, mut twos) = (unit, twos);
+        while rest != 1 {
+            let order = (1..twos).find(|&order| self.pow(rest, 1 << order) == 1)?;
+            let factor = self.pow(unit, 1 << (twos - order - 1));
+            root = self.mul(root, factor);
+            unit = self.mul(factor, factor);
+            rest = self.mul(rest, unit);
+            twos = order;
+        }
+        Some(root.min(self.modulus - root))
+    }
+
     /// 1 / a, or `None` for a = 0.
     pub const fn inverse(self, a: u32) -> Option<u32> {
         // Extended Euclid on (p, a), keeping only the cofactor of a.
@@ -133,6 +160,23 @@ mod tests {
     fn the_listed_primes_are_prime() {
         for p in PRIMES {
             assert!((2u64..).take_while(|d| d * d <= u64::from(p)).all(|d| u64::from(p) % d != 0), "{p}");
+        }
+    }
+
+    #[test]
+    fn half_of_all_elements_have_square_roots() {
+        for p in PRIMES {
+            let field = PrimeField::new(p);
+            let mut found = 0;
+            for a in (0..1000).chain(p - 1000..p) {
+                if let Some(root) = field.square_root(a) {
+                    assert_eq!(field.mul(root, root), a, "{a} modulo {p}");
+                    found += 1;
+                }
+                let square = field.mul(a, a);
+                assert_eq!(field.square_root(square), Some(a.min((p - a) % p)), "{a} modulo {p}");
+            }
+            assert!((900..1100).contains(&found), "{found} of 2000 modulo {p}");
         }
     }
 

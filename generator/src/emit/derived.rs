@@ -68,6 +68,9 @@ fn steps(plan: &Plan, presolve: bool) -> TokenStream {
         let [first, end] = [range.start, range.end].map(Literal::usize_unsuffixed);
         let least = Literal::f64_unsuffixed(if presolve { LEAST_PIVOT_OF_PRESOLVE } else { 0.0 });
         let (function, size, least) = match derivation.kind {
+            DerivationKind::SquareRoot => {
+                return quote!(emitted::square_root(&self::#operands(1.0, &data), &mut data[#first..#end])?;);
+            }
             DerivationKind::Solve { size, .. } => (quote!(solve_linear), size, quote!(#least,)),
             DerivationKind::NullSpace { rows, .. } => (quote!(null_space), rows, quote!()),
         };

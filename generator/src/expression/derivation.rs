@@ -17,6 +17,8 @@ use crate::algebra::{PrimeField, Random};
 /// An operation on data that is no polynomial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DerivationKind {
+    /// The square root of the operand, which is not negative; over Z_p one of its two roots.
+    SquareRoot,
     /// The solution X of A X = B. Operands: the entries of A, row by row, then those of B.
     ///
     /// ```text
@@ -46,6 +48,7 @@ impl DerivationKind {
     /// The number of operands.
     pub fn operands(self) -> usize {
         match self {
+            Self::SquareRoot => 1,
             Self::Solve { size, right } => size * (size + right),
             Self::NullSpace { rows, columns } => rows * columns,
         }
@@ -54,6 +57,7 @@ impl DerivationKind {
     /// The number of results.
     pub fn results(self) -> usize {
         match self {
+            Self::SquareRoot => 1,
             Self::Solve { size, right } => size * right,
             Self::NullSpace { rows, columns } => (columns - rows) * columns,
         }
@@ -62,6 +66,7 @@ impl DerivationKind {
     /// Floating-point operations, about.
     pub fn operations(self) -> usize {
         match self {
+            Self::SquareRoot => 10,
             Self::Solve { size, right } => 2 * size * size * (size + 3 * right) / 3,
             Self::NullSpace { rows, columns } => 4 * rows * columns * (columns - rows) + 2 * rows * rows * columns,
         }
@@ -72,6 +77,7 @@ impl DerivationKind {
     pub(crate) fn over_reals(self, mut operands: Vec<f64>) -> Result<Vec<f64>, SolveError> {
         let mut results = vec![0.0; self.results()];
         match self {
+            Self::SquareRoot => emitted::square_root(&operands, &mut results)?,
             Self::Solve { size, .. } => emitted::solve_linear(&mut operands, size, 0.0, &mut results)?,
             Self::NullSpace { rows, .. } => emitted::null_space(&mut operands, rows, &mut results)?,
         }
@@ -88,9 +94,10 @@ impl DerivationKind {
         Ok(results)
     }
 
-    /// The results over Z_p; `None` where a matrix has lost rank.
+    /// The results over Z_p; `None` where a matrix has lost rank, or there is no square root.
     pub(crate) fn over_prime_field(self, f: PrimeField, operands: &[u32]) -> Option<Vec<u32>> {
         match self {
+            Self::SquareRoot => f.square_root(*operands.first()?).map(|root| vec![root]),
             Self::Solve { size, right } => {
                 let (matrix, of_right) = operands.split_at(size * size);
                 let row = |i: usize| [&matrix[i * size..][..size], &of_right[i * right..][..right]].concat();

@@ -49,6 +49,17 @@ pub enum Expression {
 
 type Fingerprint = [u32; 2];
 
+/// What has no value for some data.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum NoValue {
+    /// A divisor is zero.
+    Quotient,
+    /// An input is missing.
+    Input,
+    /// The derivation of this number: a matrix has lost rank, or there is no square root.
+    Derivation(usize),
+}
+
 /// The fields in which fingerprints are taken. Searches and checks use other primes first.
 pub(crate) const FINGERPRINT_FIELDS: [PrimeField; 2] = [PrimeField::new(PRIMES[4]), PrimeField::new(PRIMES[5])];
 
@@ -326,37 +337,54 @@ impl ExpressionGraph {
     /// Derived data may be missing at the end of the inputs: they are then derived, and `None` if a
     /// matrix has lost rank.
     pub fn evaluate<A: Arithmetic>(&self, arithmetic: A, inputs: &[A::Value]) -> Option<Vec<A::Value>> {
+        self.try_evaluate(arithmetic, inputs).ok()
+    }
+
+    /// Like [`ExpressionGraph::evaluate`]; the error says what has no value.
+    pub(crate) fn try_evaluate<A: Arithmetic>(&self, f: A, inputs: &[A::Value]) -> Result<Vec<A::Value>, NoValue> {
         let mut values: Vec<A::Value> = Vec::with_capacity(self.nodes.len());
         let mut sums: Vec<Vec<A::Value>> = vec![Vec::new(); self.product_sums.len()];
         let mut inputs = inputs.to_vec();
         for node in &self.nodes {
             let at = |id: &ExpressionId| values[id.index()];
             let value = match node {
-                Expression::Constant(value) => arithmetic.constant(*value)?,
+                Expression::Constant(value) => f.constant(*value).ok_or(NoValue::Quotient)?,
                 Expression::Input(input) => {
                     if *input as usize == inputs.len() {
-                        let derivation = self.derivations.iter().find(|d| d.first_input == inputs.len())?;
-                        let operands: Vec<A::Value> = derivation.operands.iter().map(at).collect();
-                        inputs.extend(arithmetic.derive(derivation.kind, &operands)?);
+                        inputs.extend(self.derived(f, inputs.len(), at)?);
                     }
-                    *inputs.get(*input as usize)?
+                    *inputs.get(*input as usize).ok_or(NoValue::Input)?
                 }
-                Expression::Add(a, b) => arithmetic.add(at(a), at(b)),
-                Expression::Subtract(a, b) => arithmetic.sub(at(a), at(b)),
-                Expression::Multiply(a, b) => arithmetic.mul(at(a), at(b)),
-                Expression::Divide(a, b) => arithmetic.div(at(a), at(b))?,
-                Expression::Negate(a) => arithmetic.neg(at(a)),
+                Expression::Add(a, b) => f.add(at(a), at(b)),
+                Expression::Subtract(a, b) => f.sub(at(a), at(b)),
+                Expression::Multiply(a, b) => f.mul(at(a), at(b)),
+                Expression::Divide(a, b) => f.div(at(a), at(b)).ok_or(NoValue::Quotient)?,
+                Expression::Negate(a) => f.neg(at(a)),
                 Expression::Coefficient { sum, at: coefficient } => {
                     let known = &mut sums[*sum as usize];
                     if known.is_empty() {
-                        *known = self.product_sums[*sum as usize].evaluate(arithmetic, |id| at(&id));
+                        *known = self.product_sums[*sum as usize].evaluate(f, |id| at(&id));
                     }
                     known[*coefficient as usize]
                 }
             };
             values.push(value);
         }
-        Some(values)
+        Ok(values)
+    }
+
+    /// The results of the derivation whose first result is this input. `at` has the values of nodes
+    /// before it.
+    fn derived<A: Arithmetic>(
+        &self,
+        f: A,
+        input: usize,
+        at: impl Fn(&ExpressionId) -> A::Value,
+    ) -> Result<Vec<A::Value>, NoValue> {
+        let found = self.derivations.iter().position(|derivation| derivation.first_input == input);
+        let (number, derivation) = found.map(|at| (at, &self.derivations[at])).ok_or(NoValue::Input)?;
+        let operands: Vec<A::Value> = derivation.operands.iter().map(at).collect();
+        f.derive(derivation.kind, &operands).ok_or(NoValue::Derivation(number))
     }
 
     /// The values of all inputs, from those that are given; `None` as for
@@ -364,6 +392,32 @@ impl ExpressionGraph {
     pub fn all_inputs<A: Arithmetic>(&self, arithmetic: A, given: &[A::Value]) -> Option<Vec<A::Value>> {
         let values = self.evaluate(arithmetic, given)?;
         Some(self.inputs.iter().map(|id| values[id.index()]).collect())
+    }
+
+    /// Takes fingerprints at other data: `given` are the values of the inputs that are given, over
+    /// field k of [`FINGERPRINT_FIELDS`]. Returns false, and changes nothing, where a value does not
+    /// exist there.
+    pub(crate) fn move_fingerprints(&mut self, k: usize, given: &[u32]) -> bool {
+        let Some(values) = self.evaluate(FINGERPRINT_FIELDS[k], given) else { return false };
+        for (fingerprint, value) in self.fingerprints.iter_mut().zip(values) {
+            fingerprint[k] = value;
+        }
+        self.by_fingerprint.clear();
+        for (&fingerprint, id) in self.fingerprints.iter().zip(0..) {
+            self.by_fingerprint.entry(fingerprint).or_insert(ExpressionId(id));
+        }
+        true
+    }
+
+    /// The fingerprints over field k of the inputs that are given.
+    pub(crate) fn given_fingerprints(&self, k: usize, given: usize) -> Vec<u32> {
+        self.inputs[..given].iter().map(|id| self.fingerprints[id.index()][k]).collect()
+    }
+
+    /// Which of the first inputs, up to this number, these values depend on.
+    pub(crate) fn given_inputs_of(&self, used: &[ExpressionId], given: usize) -> Vec<bool> {
+        let needed = self.needed_by_way_of_derivations(used);
+        self.inputs[..given].iter().map(|id| needed[id.index()]).collect()
     }
 
     fn combine(&self, a: ExpressionId, b: ExpressionId, op: fn(PrimeField, u32, u32) -> u32) -> Fingerprint {

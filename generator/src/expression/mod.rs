@@ -16,6 +16,6 @@ mod polynomial;
 pub mod product_sum;
 pub mod rational;
 
-pub(crate) use graph::FINGERPRINT_FIELDS;
 pub use graph::{Expression, ExpressionGraph, ExpressionId};
+pub(crate) use graph::{FINGERPRINT_FIELDS, NoValue};
 pub use polynomial::{SignedProduct, SymbolicPolynomial};

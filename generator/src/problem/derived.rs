@@ -1,16 +1,24 @@
-//! Data that are derived from data: quotients, linear systems, null spaces.
+//! Data that are derived from data: square roots, linear systems, null spaces.
 
 use syn::{Expr, ExprCall};
 
 use super::functions::BuiltIn;
+use super::instance::{redraw, redrawn};
 use super::interpret::Interpreter;
 use super::scope::Outcome;
 use super::syntax::place;
 use super::value::{Value, describe};
-use crate::algebra::Monomial;
+use crate::algebra::{Monomial, Random};
 use crate::expression::derivation::DerivationKind;
-use crate::expression::{ExpressionGraph, ExpressionId};
+use crate::expression::{ExpressionGraph, ExpressionId, FINGERPRINT_FIELDS};
 use crate::problem::diagnostic::Diagnostic;
+
+/// The seed of points that are moved; any constant does.
+const ROOT_SEED: u64 = 0x726f_6f74;
+/// Half of all points have a root, and roots that depend on the same data must exist together.
+const MAX_MOVES: usize = 512;
+/// What it takes to compute all values anew, in units of work.
+const WORK_OF_A_MOVE: usize = 1000;
 
 /// Largest matrix that is derived from: 64 x 64.
 const MAX_OPERANDS: usize = 4096;
@@ -75,6 +83,75 @@ impl Interpreter<'_> {
         }
         let operands = self.data_of(function, argument, a)?;
         self.derive(call, DerivationKind::NullSpace { rows, columns }, &operands, vec![columns - rows, columns])
+    }
+
+    /// `sqrt(x)`.
+    pub(super) fn square_root(
+        &mut self,
+        call: &ExprCall,
+        function: &BuiltIn,
+        argument: &Expr,
+        x: &Value,
+    ) -> Outcome<Value> {
+        if !x.shape().is_empty() {
+            let diagnostic = Diagnostic::new(format!("`{}` needs a scalar", function.name), place(argument));
+            let diagnostic = diagnostic.label(format!("this is {}", describe(x.shape())));
+            return Err(self.report(diagnostic.hint("the length of a vector is `norm(v)`")));
+        }
+        let operands = self.data_of(function, argument, x)?;
+        self.root(call, operands[0])
+    }
+
+    /// `norm(v)`: the square root of the sum of the squares of all elements.
+    pub(super) fn norm(&mut self, call: &ExprCall, function: &BuiltIn, argument: &Expr, v: &Value) -> Outcome<Value> {
+        self.data_of(function, argument, v)?;
+        let all = Value::array(vec![v.elements().len()], v.elements().to_vec());
+        let square = self.algebra.dot(&all, &all);
+        let square = Value::scalar(self.check(square, call)?);
+        let operands = self.data_of(function, argument, &square)?;
+        self.root(call, operands[0])
+    }
+
+    /// `normalise(v)`: v / norm(v).
+    pub(super) fn normalise(
+        &mut self,
+        call: &ExprCall,
+        function: &BuiltIn,
+        argument: &Expr,
+        v: &Value,
+    ) -> Outcome<Value> {
+        let norm = self.norm(call, function, argument, v)?;
+        let norm = self.data_of(function, argument, &norm)?[0];
+        let Some(reciprocal) = self.algebra.graph.div(ExpressionGraph::ONE, norm) else {
+            let diagnostic = Diagnostic::new("the vector is 0 for all data", place(argument));
+            return Err(self.report(diagnostic));
+        };
+        let result = self.algebra.multiply(v, &Value::scalar(self.algebra.data(reciprocal)));
+        self.check(result, call)
+    }
+
+    /// The square root of a value of the data. Values are told apart at points over Z_p; where this
+    /// one has no root there, the point is moved.
+    fn root(&mut self, call: &ExprCall, square: ExpressionId) -> Outcome<Value> {
+        let mut random = Random::new(ROOT_SEED);
+        for _ in 0..MAX_MOVES {
+            let graph = &mut self.algebra.graph;
+            if let Some(roots) = graph.derive(DerivationKind::SquareRoot, &[square]) {
+                return Ok(Value::scalar(self.algebra.data(roots[0])));
+            }
+            for (k, field) in FINGERPRINT_FIELDS.into_iter().enumerate() {
+                if field.square_root(graph.fingerprint(square)[k]).is_none() {
+                    let which = redrawn(graph, graph.derivations().len(), &[square], &mut random);
+                    let mut given: Vec<u32> = graph.given_fingerprints(k, which.len());
+                    redraw(&self.data, (field, &mut random), &mut given, &which);
+                    graph.move_fingerprints(k, &given);
+                }
+            }
+            self.charge(WORK_OF_A_MOVE, call)?;
+        }
+        let diagnostic = Diagnostic::new("the square root cannot be taken", place(call));
+        Err(self
+            .report(diagnostic.hint("the root of a constant, or one that depends on many others, is passed as data")))
     }
 
     /// The values of an array that depends on data only.

@@ -22,7 +22,7 @@ pub(super) struct BuiltIn {
 }
 
 /// The functions of the language.
-pub(super) const BUILT_IN: [BuiltIn; 11] = [
+pub(super) const BUILT_IN: [BuiltIn; 14] = [
     BuiltIn { name: "det", usage: "det(matrix)", arguments: (1, 1) },
     BuiltIn { name: "trace", usage: "trace(matrix)", arguments: (1, 1) },
     BuiltIn { name: "dot", usage: "dot(a, b)", arguments: (2, 2) },
@@ -34,6 +34,9 @@ pub(super) const BUILT_IN: [BuiltIn; 11] = [
     BuiltIn { name: "solve", usage: "solve(a, b)", arguments: (2, 2) },
     BuiltIn { name: "inverse", usage: "inverse(matrix)", arguments: (1, 1) },
     BuiltIn { name: "null_space", usage: "null_space(matrix)", arguments: (1, 1) },
+    BuiltIn { name: "sqrt", usage: "sqrt(x)", arguments: (1, 1) },
+    BuiltIn { name: "norm", usage: "norm(v)", arguments: (1, 1) },
+    BuiltIn { name: "normalise", usage: "normalise(v)", arguments: (1, 1) },
 ];
 
 /// Largest matrix whose determinant is expanded.
@@ -45,7 +48,8 @@ const MAX_CALLS: usize = 32;
 /// For the name of a well-known function that is not a polynomial: what to do instead.
 pub(super) fn non_polynomial(name: &str) -> Option<&'static str> {
     Some(match name {
-        "sqrt" | "cbrt" | "hypot" | "norm" | "magnitude" | "abs" | "normalize" => {
+        "normalize" => "write `normalise(v)`: the vector holds data only",
+        "cbrt" | "hypot" | "magnitude" | "abs" => {
             "introduce an unknown for it: `root.pow(2) == ..`; if it depends on data only, pass it as data"
         }
         "sin" | "cos" | "tan" | "asin" | "acos" | "atan" | "atan2" | "sin_cos" => {
@@ -178,6 +182,9 @@ impl Interpreter<'_> {
             ("solve", [a, b]) => self.solve(call, function, arguments, [a, b]),
             ("inverse", [matrix]) => self.inverse(call, function, arguments[0], matrix),
             ("null_space", [matrix]) => self.null_space(call, function, arguments[0], matrix),
+            ("sqrt", [x]) => self.square_root(call, function, arguments[0], x),
+            ("norm", [v]) => self.norm(call, function, arguments[0], v),
+            ("normalise", [v]) => self.normalise(call, function, arguments[0], v),
             ("gradient", [scalar, by @ ..]) => self.gradient(call, arguments, scalar, by.first()),
             _ => Err(Reported),
         }

@@ -4,8 +4,9 @@
 use super::{DataAttribute, DataParameter, Problem};
 use crate::algebra::{Polynomial, PrimeField, Random};
 use crate::expression::arithmetic::{Arithmetic, Float64};
+use crate::expression::derivation::DerivationKind;
 use crate::expression::rational::Rational;
-use crate::expression::{FINGERPRINT_FIELDS, SymbolicPolynomial};
+use crate::expression::{ExpressionGraph, ExpressionId, FINGERPRINT_FIELDS, NoValue, SymbolicPolynomial};
 
 /// A field from which random elements are drawn.
 pub trait Draw: Arithmetic {
@@ -153,6 +154,71 @@ pub fn fingerprint_points(data: &[DataParameter]) -> [Vec<u32>; 2] {
     FINGERPRINT_FIELDS.map(|field| draw_inputs(data, field, &mut random))
 }
 
+/// Draws data over Z_p, and the values of all nodes, so that all square roots exist there: where one
+/// does not, some of what it depends on is drawn again, as long as the roots before it exist. `None`
+/// if that does not end.
+fn draw_with_roots(problem: &Problem, f: PrimeField, random: &mut Random) -> Option<(Vec<u32>, Vec<u32>)> {
+    let mut inputs = draw_inputs(&problem.data, f, random);
+    let (mut next, mut missing) = (inputs.clone(), 0);
+    for _ in 0..=MAX_REDRAWS * problem.graph.derivations().len() {
+        match problem.graph.try_evaluate(f, &next) {
+            Ok(values) => return Some((next, values)),
+            Err(NoValue::Derivation(number)) if number >= missing => (inputs, missing) = (next, number),
+            Err(NoValue::Derivation(_)) => {}
+            Err(_) => return None,
+        }
+        next = inputs.clone();
+        let operands = &problem.graph.derivations()[missing].operands;
+        let which = redrawn(&problem.graph, missing, operands, random);
+        redraw(&problem.data, (f, random), &mut next, &which);
+    }
+    None
+}
+
+/// Which of the given inputs are drawn again where the derivation of this number, of these operands,
+/// has no value: those that it depends on and no square root before it does. If there are none, one
+/// of all that it depends on.
+pub(super) fn redrawn(
+    graph: &ExpressionGraph,
+    number: usize,
+    operands: &[ExpressionId],
+    random: &mut Random,
+) -> Vec<bool> {
+    let given = graph.derivations().first().map_or(graph.input_count(), |first| first.first_input);
+    let mut own = graph.given_inputs_of(operands, given);
+    let roots = graph.derivations()[..number].iter().filter(|before| before.kind == DerivationKind::SquareRoot);
+    let before: Vec<ExpressionId> = roots.flat_map(|root| root.operands.iter().copied()).collect();
+    let fixed = graph.given_inputs_of(&before, given);
+    if own.iter().zip(&fixed).any(|(&own, &fixed)| own && !fixed) {
+        own.iter_mut().zip(fixed).for_each(|(own, fixed)| *own &= !fixed);
+        return own;
+    }
+    let all: Vec<usize> = (0..given).filter(|&input| own[input]).collect();
+    let chosen = all.get(random.below(all.len().max(1) as u64) as usize).copied();
+    (0..given).map(|input| Some(input) == chosen).collect()
+}
+
+/// Draws these inputs again; data that satisfy a condition all together.
+pub(super) fn redraw<A: Draw>(
+    data: &[DataParameter],
+    (f, random): (A, &mut Random),
+    inputs: &mut [A::Value],
+    which: &[bool],
+) {
+    for parameter in data {
+        let range = parameter.first_input..parameter.first_input + parameter.len();
+        if !which[range.clone()].contains(&true) {
+            continue;
+        }
+        let mut drawn = Vec::new();
+        draw_parameter(parameter, f, random, &mut drawn);
+        let is_free = parameter.attribute == DataAttribute::Generic;
+        for (input, value) in range.zip(drawn).filter(|&(input, _)| which[input] || !is_free) {
+            inputs[input] = value;
+        }
+    }
+}
+
 /// A problem with random data over Z_p.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Instance {
@@ -173,8 +239,7 @@ impl Instance {
     pub fn draw(problem: &Problem, field: PrimeField, seed: u64) -> Option<Self> {
         let mut random = Random::new(seed);
         (0..MAX_REDRAWS).find_map(|_| {
-            let inputs = draw_inputs(&problem.data, field, &mut random);
-            let values = problem.graph.evaluate(field, &inputs)?;
+            let (inputs, values) = draw_with_roots(problem, field, &mut random)?;
             let image = |polynomial: &SymbolicPolynomial| {
                 let image = polynomial.map(|c| Some(values[c.index()]).filter(|&value| value != 0));
                 (image.terms().len() == polynomial.terms().len()).then_some(image)

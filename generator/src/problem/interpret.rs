@@ -11,7 +11,7 @@ use super::names::emitted_name;
 use super::scope::{Binding, Kind, Outcome, Reported, Scopes};
 use super::syntax::place;
 use super::value::{Algebra, Checked, MAX_ELEMENTS, Value, describe, fault};
-use super::{Span, Statement, element_name};
+use super::{DataParameter, Span, Statement, element_name};
 use crate::algebra::Monomial;
 use crate::expression::{ExpressionGraph, SymbolicPolynomial};
 use crate::problem::diagnostic::{Diagnostic, MAX_MESSAGES};
@@ -34,6 +34,8 @@ pub(super) struct Interpreter<'a> {
     pub(super) scopes: Scopes,
     pub(super) helpers: &'a BTreeMap<String, &'a ItemFn>,
     pub(super) unknowns: Vec<String>,
+    /// The data that are given.
+    pub(super) data: Vec<DataParameter>,
     /// The helpers being evaluated, each with the place of its call.
     pub(super) calls: Vec<(String, Span)>,
     /// Expressions being evaluated, one inside the other.
@@ -57,6 +59,7 @@ impl<'a> Interpreter<'a> {
             scopes: Scopes::default(),
             helpers,
             unknowns: Vec::new(),
+            data: Vec::new(),
             calls: Vec::new(),
             depth: 0,
             equations: Vec::new(),

@@ -74,6 +74,7 @@ fn parse_source(source: &SourceFile) -> Result<Problem, Vec<Diagnostic>> {
 
     let graph = ExpressionGraph::new(&fingerprint_points(&data));
     let mut body = Interpreter::new(graph, &items.helpers);
+    body.data.clone_from(&data);
     declare_constants(&mut body, &items.constants);
     body.scopes.enter();
     declare_signature(&mut body, &data, &unknowns);
