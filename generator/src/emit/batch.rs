@@ -200,6 +200,13 @@ fn of_data(plan: &Plan) -> TokenStream {
         true => quote!(SCALINGS.apply_into(#write, #of_unknowns);),
         false => quote!(let _ = #of_unknowns;),
     };
+    let presolved = plan.is_presolved_at_run_time().then(|| {
+        quote! {
+            if let Some(data) = #write.first_chunk_mut() {
+                self::add_presolved(data);
+            }
+        }
+    });
     let use_exponents = (!scaling::has_units(plan)).then(|| quote!(let _ = exponents;));
     let to_solution = scaling::to_solution(plan, &quote!(exponents));
     let slices = plan.data.iter().zip(&names).map(|(parameter, name)| match parameter.shape.is_empty() {
@@ -220,6 +227,7 @@ fn of_data(plan: &Plan) -> TokenStream {
                 let #given: [&[f64]; #count] = [#(#slices),*];
                 #join
                 #apply
+                #presolved
             }
 
             fn solve(&self) -> Self::Result {

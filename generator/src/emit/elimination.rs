@@ -5,8 +5,7 @@ use quote::{format_ident, quote};
 
 use super::listing::Listings;
 use super::provenance::Provenance;
-use super::storage;
-use crate::plan::program::ProgramForm;
+use super::{program, storage};
 use crate::plan::{Entry, Plan};
 
 /// A template of more entries than this is filled from tables, which takes about nine instructions
@@ -23,20 +22,20 @@ pub(super) fn is_filled_by_statements(plan: &Plan) -> bool {
     elimination.right.len() + diagonals <= MOST_STATEMENTS && !elimination.blocks.iter().any(|block| block.is_large())
 }
 
-/// The coefficients for an elimination in the precision R. Tables can be executed at twice the
-/// precision, too.
+/// The coefficients for an elimination in the precision R.
 fn coefficients_of_precision(plan: &Plan) -> TokenStream {
-    if plan.program.form == ProgramForm::Statements {
+    if !plan.has_precise_coefficients() {
         return quote!(let coefficients = &self.coefficients;);
     }
+    let function = program::name_of_table_function(plan);
     let count = Literal::usize_unsuffixed(plan.coefficients.len());
-    let (size, arguments) = match plan.is_on_heap() {
+    let (size, arguments) = match storage::has_coefficients_on_heap(plan) {
         true => (quote!(emitted::OnHeap<'w, emitted::Fixed<#count>>), quote!(&self.data, self.workspace.memory())),
         false => (quote!(emitted::Fixed<#count>), quote!(&self.data)),
     };
     quote! {
         let coefficients = &R::of::<#size>(&self.coefficients, || {
-            self::coefficients(#arguments)
+            self::#function(#arguments)
         });
     }
 }
@@ -52,10 +51,7 @@ pub(super) fn action_matrix(plan: &Plan) -> TokenStream {
     let (basis_type, basis_size) = storage::basis(plan);
     let [basis, count_read] = [plan.elimination.basis, plan.read.len()].map(Literal::usize_unsuffixed);
     let coefficients = coefficients_of_precision(plan);
-    let precision = match plan.program.form {
-        ProgramForm::Statements => quote!(f64),
-        ProgramForm::Table => quote!(R),
-    };
+    let precision = if plan.has_precise_coefficients() { quote!(R) } else { quote!(f64) };
     let read = match plan.read.is_empty() {
         true => quote!(),
         false => quote! {

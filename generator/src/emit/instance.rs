@@ -7,7 +7,6 @@ use super::listing::Listings;
 use super::provenance::Provenance;
 use super::{chains, code, elimination, family, monomials, program, scaling, storage};
 use crate::plan::Plan;
-use crate::plan::program::ProgramForm;
 use crate::plan::value_layout::ValueLayout;
 
 /// The version of the runtime's hidden interface that is emitted for.
@@ -133,9 +132,9 @@ fn sizes(plan: &Plan) -> TokenStream {
 
 /// That the coefficients can be computed at twice the precision for a second attempt.
 fn has_precise_coefficients(plan: &Plan) -> TokenStream {
-    match plan.program.form {
-        ProgramForm::Statements => quote!(),
-        ProgramForm::Table => quote! {
+    match plan.has_precise_coefficients() {
+        false => quote!(),
+        true => quote! {
             fn has_precise_coefficients(&self) -> bool {
                 true
             }

@@ -23,7 +23,7 @@ mod residues;
 pub mod schedule;
 pub mod solution_count;
 pub mod statements;
-mod straight_line;
+pub(crate) mod straight_line;
 pub mod system_table;
 pub mod time;
 pub mod value_layout;
@@ -34,7 +34,7 @@ use crate::expression::derivation::Derivation;
 use crate::problem::scaling::Scaling;
 use crate::problem::{DataParameter, SolutionField};
 use crate::template::RootMethod;
-use program::{Program, ValueId};
+use program::{Program, ProgramForm, ValueId};
 
 /// Position in the array of coefficients that the tables refer to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -308,6 +308,12 @@ impl Plan {
     /// Whether presolve derives data.
     pub fn is_presolved_at_run_time(&self) -> bool {
         self.inputs() > self.stated
+    }
+
+    /// Whether an elimination at twice the precision computes the coefficients anew: tables can be
+    /// executed in it, and a system of presolve may be singular up to rounding in `f64`.
+    pub fn has_precise_coefficients(&self) -> bool {
+        self.program.form == ProgramForm::Table || self.is_presolved_at_run_time()
     }
 
     /// The number of scalars in the data that are given.

@@ -122,10 +122,7 @@ impl Scheduler<'_> {
             return Err(ScheduleError::TooLarge("coefficients"));
         }
         let used: Vec<ExpressionId> = coefficients.used.iter().flatten().copied().collect();
-        let stated = problem.graph.input_count();
-        // A second attempt solves the equations for monomials at twice the precision, too.
-        let needs_table = graph.input_count() > stated;
-        let (mut program, values) = straight_line_program(graph, &used, elimination.rows, needs_table);
+        let (mut program, values) = straight_line_program(graph, &used, elimination.rows);
         let (mut values, zero) = (values.into_iter(), coefficients.used.contains(&None).then(|| program.zero()));
         let value = |used: &Option<ExpressionId>| used.map_or(zero, |_| values.next());
         let values = coefficients.used.iter().filter_map(value).collect();
@@ -134,7 +131,7 @@ impl Scheduler<'_> {
             docs: problem.docs.clone(),
             data: problem.data.clone(),
             derived: planned_derivations(graph),
-            stated,
+            stated: problem.graph.input_count(),
             unknowns: problem.unknowns.clone(),
             fields: problem.fields.clone(),
             solutions: self.solutions,

@@ -15,15 +15,14 @@ const MOST_STATEMENTS: usize = 4096;
 const MOST_ROWS: usize = 40;
 
 /// The program that computes `used`, and the value of each. `rows` is the number of rows of the
-/// template; `needs_table` says that the program must be a table.
+/// template.
 pub(crate) fn straight_line_program(
     graph: &ExpressionGraph,
     used: &[ExpressionId],
     rows: usize,
-    needs_table: bool,
 ) -> (Program, Vec<ValueId>) {
     let (mut program, values) = in_order_of_the_graph(graph, used);
-    if program.steps() <= MOST_STATEMENTS && rows <= MOST_ROWS && !needs_table {
+    if program.steps() <= MOST_STATEMENTS && rows <= MOST_ROWS {
         program.form = ProgramForm::Statements;
         return (program, values);
     }
@@ -203,7 +202,7 @@ mod tests {
             let mut graph = ExpressionGraph::new(&[vec![12_345, 67_890], vec![54_321, 9_876]]);
             let (mut value, factor) = (graph.input(0), graph.input(1));
             (0..steps).for_each(|_| value = graph.mul(value, factor));
-            let (program, values) = straight_line_program(&graph, &[value], rows, false);
+            let (program, values) = straight_line_program(&graph, &[value], rows);
             assert_eq!((program.steps(), values.len()), (steps, 1));
             program.form
         };

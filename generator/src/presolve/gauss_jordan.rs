@@ -23,33 +23,45 @@ use crate::problem::Problem;
 const MOST_EQUATIONS: usize = 64;
 const MOST_MONOMIALS: usize = 512;
 
+/// Solves the linear equations for as many unknowns as there are equations. Returns false, and
+/// changes nothing, where there are none to be combined.
+pub(super) fn solve_linear_equations(problem: &mut Problem) -> bool {
+    let linear: Vec<usize> =
+        problem.polynomials().enumerate().filter(|(_, p)| p.degree() == 1).map(|(at, _)| at).collect();
+    solve(problem, &linear, None)
+}
+
 /// Solves the equations for their highest monomials: by degree in all unknowns but the hidden one,
 /// then by total degree. Equations that share no lead with others stay as they are: their scale
 /// does not matter. Returns false, and changes nothing, where nothing can be eliminated.
 pub(super) fn solve_for_leads(problem: &mut Problem, hidden: Option<usize>) -> bool {
-    let mut monomials: Vec<Monomial> = problem.polynomials().flat_map(|p| p.monomials()).collect();
+    let all: Vec<usize> = (0..problem.equations.len()).collect();
+    solve(problem, &all, hidden)
+}
+
+/// Solves these equations for their highest monomials.
+fn solve(problem: &mut Problem, equations: &[usize], hidden: Option<usize>) -> bool {
+    let of = |at: &usize| &problem.equations[*at].polynomial;
+    let mut monomials: Vec<Monomial> = equations.iter().flat_map(|at| of(at).monomials()).collect();
     monomials.sort_by_key(|m| std::cmp::Reverse(rank(m, hidden)));
     monomials.dedup();
-    if problem.equations.len() > MOST_EQUATIONS || monomials.len() > MOST_MONOMIALS {
+    if equations.len() > MOST_EQUATIONS || monomials.len() > MOST_MONOMIALS {
         return false;
     }
-    let Some(leads) = leads(problem, &monomials) else { return false };
+    let Some(leads) = leads(problem, equations, &monomials) else { return false };
     let groups = groups(problem, &leads);
     let solved: Option<Vec<Vec<SymbolicPolynomial>>> =
         groups.iter().map(|group| solved(problem, group, &monomials)).collect();
     let (Some(solved), true) = (solved, groups.iter().any(|group| group.len() > 1)) else { return false };
-    let kept: Vec<usize> = {
-        let mut kept: Vec<usize> = leads.iter().map(|&(equation, _)| equation).collect();
-        kept.sort_unstable();
-        kept
-    };
     for (group, polynomials) in groups.iter().zip(solved) {
         for (&(equation, _), polynomial) in group.iter().zip(polynomials) {
             problem.equations[equation].polynomial = polynomial;
         }
     }
+    // Equations that depend on others go.
     let mut at = 0..;
-    problem.equations.retain(|_| at.next().is_some_and(|at| kept.binary_search(&at).is_ok()));
+    let is_kept = |at: usize| !equations.contains(&at) || leads.iter().any(|&(equation, _)| equation == at);
+    problem.equations.retain(|_| at.next().is_some_and(is_kept));
     true
 }
 
@@ -64,13 +76,13 @@ type Lead = (usize, Monomial);
 
 /// Elimination with the values at a random point: the monomials that lead, highest first, each with
 /// the equation that is its pivot there. Equations that depend on others lead nothing.
-fn leads(problem: &Problem, monomials: &[Monomial]) -> Option<Vec<Lead>> {
+fn leads(problem: &Problem, equations: &[usize], monomials: &[Monomial]) -> Option<Vec<Lead>> {
     let f: PrimeField = FINGERPRINT_FIELDS[0];
     let value = |p: &SymbolicPolynomial, m: &Monomial| {
         p.coefficient(m).map_or(0, |&coefficient| problem.graph.fingerprint(coefficient)[0])
     };
-    let mut rows: Vec<(usize, Vec<u32>)> =
-        problem.polynomials().map(|p| monomials.iter().map(|m| value(p, m)).collect()).enumerate().collect();
+    let row = |at: usize| monomials.iter().map(|m| value(&problem.equations[at].polynomial, m)).collect();
+    let mut rows: Vec<(usize, Vec<u32>)> = equations.iter().map(|&at| (at, row(at))).collect();
     let mut leads = Vec::new();
     for (column, &monomial) in monomials.iter().enumerate() {
         let Some(pivot) = rows.iter().position(|(_, row)| row[column] != 0) else { continue };
@@ -155,6 +167,20 @@ mod tests {
     fn quadrics_are_solved_for_what_is_highest_beside_the_hidden_unknown() {
         assert_eq!(leads(QUADRICS, Presolve::Hiding(2)), ["x^2 of 8", "x*y of 8", "y^2 of 8"]);
         assert_eq!(leads(QUADRICS, Presolve::Hiding(0)), ["y^2 of 8", "y*z of 8", "z^2 of 8"]);
+    }
+
+    /// Linear equations are solved apart from the others, and give their unknowns.
+    #[test]
+    fn linear_equations_are_solved_first() {
+        let text = "fn rays(a: [[f64; 4]; 2], b: [f64; 3]) -> (x, y, z) {
+            a * [x, y, z, 1] == 0;
+            x * x + b[0] * y * z + b[1] * z == b[2];
+        }";
+        let problem = Problem::parse("sample.rs", text).unwrap();
+        let reduced = presolve(&problem, Presolve::Eliminated);
+        assert_eq!((reduced.kept.len(), reduced.recoveries.len(), reduced.problem.equations.len()), (1, 2, 1));
+        assert_eq!(reduced.problem.equations[0].polynomial.degree(), 2);
+        assert_eq!(reduced.problem.graph.derivations().len(), 1);
     }
 
     /// Equations that share no lead with others, and those that depend on others.

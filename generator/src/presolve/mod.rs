@@ -13,7 +13,7 @@ mod square;
 pub mod symmetry;
 
 use combine::combine;
-use gauss_jordan::solve_for_leads;
+use gauss_jordan::{solve_for_leads, solve_linear_equations};
 use reduced::MAX_TERMS;
 use square::divide_by_squares;
 
@@ -36,6 +36,9 @@ pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
     };
     if presolve.combines() {
         combine(&mut reduced.problem);
+    }
+    if presolve.solves_at_run_time() {
+        solve_linear_equations(&mut reduced.problem);
     }
     eliminate_all(&mut reduced, presolve);
     if let Some(hidden) = presolve.solves_for_leads()

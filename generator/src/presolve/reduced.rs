@@ -23,8 +23,11 @@ pub enum Presolve {
     CombinedLinear,
     /// As [`Presolve::Square`], after the same subtractions.
     CombinedSquare,
-    /// As [`Presolve::CombinedLinear`]. Then the equations are solved for their highest monomials
-    /// at run time.
+    /// As [`Presolve::CombinedLinear`], after the linear equations are solved together at run time,
+    /// with pivots: unknowns are eliminated by them first.
+    Eliminated,
+    /// As [`Presolve::Eliminated`]. Then the equations are solved for their highest monomials at
+    /// run time.
     Solved,
     /// As [`Presolve::Solved`], for the monomials that are highest beside this unknown.
     Hiding(u8),
@@ -35,7 +38,7 @@ const HIDING: &str = "hiding_";
 
 impl Presolve {
     /// Those that are the same for all problems, with their names.
-    const FIXED: [(&'static str, Self); 8] = [
+    const FIXED: [(&'static str, Self); 9] = [
         ("none", Self::None),
         ("constant", Self::Constant),
         ("linear", Self::Linear),
@@ -43,6 +46,7 @@ impl Presolve {
         ("combined", Self::Combined),
         ("combined_linear", Self::CombinedLinear),
         ("combined_square", Self::CombinedSquare),
+        ("eliminated", Self::Eliminated),
         ("solved", Self::Solved),
     ];
 
@@ -58,6 +62,11 @@ impl Presolve {
             Self::Hiding(unknown) => format!("{HIDING}{unknown}"),
             _ => Self::FIXED.into_iter().find(|(_, known)| *known == self).map_or("", |(name, _)| name).to_owned(),
         }
+    }
+
+    /// Whether equations are solved at run time.
+    pub(super) fn solves_at_run_time(self) -> bool {
+        matches!(self, Self::Eliminated | Self::Solved | Self::Hiding(_))
     }
 
     /// The unknown that is hidden when equations are solved for monomials; `None` if they are not.

@@ -12,7 +12,7 @@ use crate::template::file::TemplateFile;
 
 /// A solver that solves equations for monomials at run time must be faster by this factor: it is
 /// not computed side by side with others, and takes a second attempt where that system is singular.
-const BURDEN_OF_PRESOLVE: f64 = 1.25;
+pub(super) const BURDEN_OF_PRESOLVE: f64 = 1.25;
 
 /// A template with how it was found and what it costs.
 #[derive(Clone, Debug)]

@@ -1,9 +1,12 @@
 //! The formulations of a problem: what presolve leaves, with or without the use of sign changes.
 
+use super::candidate::BURDEN_OF_PRESOLVE;
 use super::error::SearchError;
 use super::options::SearchOptions;
 use super::solving_set::Requirements;
 use crate::algebra::{Monomial, PRIMES, PrimeField};
+use crate::expression::ExpressionId;
+use crate::plan::straight_line::{planned_derivations, straight_line_program};
 use crate::presolve::symmetry::{Reading, Symmetry};
 use crate::presolve::{Presolve, ReducedProblem, presolve};
 use crate::problem::Problem;
@@ -76,8 +79,12 @@ pub(crate) fn formulations(problem: &Problem, options: &SearchOptions) -> Result
     let of_problem = Symmetry::of_problem(problem);
     for kind in Presolve::all(problem.unknowns.len()) {
         let reduced = presolve(problem, kind);
-        if formulations.iter().any(|known| is_same(&known.reduced, &reduced)) {
-            continue;
+        let known = formulations.iter().position(|known| is_same(&known.reduced, &reduced));
+        if let Some(known) = known {
+            if operations(&reduced) * BURDEN_OF_PRESOLVE >= operations(&formulations[known].reduced) {
+                continue;
+            }
+            formulations.retain(|known| !is_same(&known.reduced, &reduced));
         }
         let draw = |field, seed| Instance::draw(&reduced.problem, field, seed).ok_or(SearchError::NoInstance);
         let (instance, check) = (draw(SEARCH_FIELD, options.seed)?, draw(CHECK_FIELD, options.seed.wrapping_add(1))?);
@@ -93,6 +100,15 @@ pub(crate) fn formulations(problem: &Problem, options: &SearchOptions) -> Result
         }
     }
     Ok(formulations)
+}
+
+/// Operations that compute the coefficients of the equations.
+fn operations(reduced: &ReducedProblem) -> f64 {
+    let equations = reduced.problem.polynomials().chain(reduced.recoveries.iter().map(|recovery| &recovery.value));
+    let used: Vec<ExpressionId> = equations.flat_map(|p| p.terms()).map(|&(_, coefficient)| coefficient).collect();
+    let derived = planned_derivations(&reduced.problem.graph);
+    let of_derived = derived.iter().map(|d| d.program.steps() + d.derivation.kind.operations()).sum::<usize>();
+    (straight_line_program(&reduced.problem.graph, &used, 0).0.steps() + of_derived) as f64
 }
 
 /// Whether two reduced problems have the same unknowns and the same monomials in the same

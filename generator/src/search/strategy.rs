@@ -17,6 +17,7 @@ impl Strategy<'_> {
         let combined = if presolve.combines() { "equations combined, " } else { "" };
         let unknowns = &self.formulation.reduced.problem.unknowns;
         let eliminated = match presolve {
+            Presolve::Eliminated => "linear equations solved, ",
             Presolve::Solved => "solved for their highest monomials, ",
             Presolve::Hiding(at) => {
                 let hidden = unknowns.get(usize::from(at)).map_or("", String::as_str);

@@ -8,7 +8,6 @@ use eliminant::emitted::{self, Dynamic, Product, Sizes, SizesOf, SolverInstance,
 use eliminant::{Complex, Scalar, SolveError};
 
 use crate::expression::arithmetic::Float64;
-use crate::plan::program::ProgramForm;
 use crate::plan::system_table::SystemTable;
 use crate::plan::value_layout::ValueLayout;
 use crate::plan::{ActionRow, LEAST_PIVOT_OF_PRESOLVE, Plan, PlannedDerivation, PlannedRecovery};
@@ -85,7 +84,7 @@ impl InterpretedSolver {
             has_origin: plan.has_origin,
             chains: plan.chains.as_ref().map(InterpretedChains::of),
             program: Program::of(plan),
-            has_precise_coefficients: plan.program.form == ProgramForm::Table,
+            has_precise_coefficients: plan.has_precise_coefficients(),
             elimination: Elimination::of(plan),
             ratios: (0..unknowns).map(|unknown| layout.ratios(plan, unknown)).collect(),
             layout,
