@@ -2,6 +2,8 @@
 //! as stated, at twice the precision. The runtime's own residual decides nothing here.
 
 use eliminant::Complex;
+use eliminant_generator::expression::arithmetic::Float64;
+use eliminant_generator::plan::{Plan, interpret};
 use eliminant_tests::bounds::{Bounds, Exception, share};
 use eliminant_tests::equations::{Equations, Point};
 use eliminant_tests::families::{DataSource, Family};
@@ -175,11 +177,12 @@ struct Outcome {
     is_complete: bool,
     /// The conjugate of every solution is a solution.
     has_conjugates: bool,
-    /// `solve` returns exactly the real ones among those of `solve_complex`.
+    /// `solve` returns exactly the real ones among those of `solve_complex` that satisfy the
+    /// inequalities of the problem.
     real_ones_agree: bool,
 }
 
-fn outcome(case: &Case, data: &[f64], solutions: usize) -> Outcome {
+fn outcome(case: &Case, data: &[f64], plan: &Plan) -> Outcome {
     let all: Vec<Point> = (case.solve_complex)(data).unwrap_or_default();
     let real: Vec<Point> = (case.solve)(data).unwrap_or_default().iter().map(|x| complex(x)).collect();
     let conjugates: Vec<Point> = all.iter().map(|x| x.iter().map(Complex::conj).collect()).collect();
@@ -187,9 +190,14 @@ fn outcome(case: &Case, data: &[f64], solutions: usize) -> Outcome {
         let largest = |part: fn(&Complex<f64>) -> f64| x.iter().map(part).fold(0.0, f64::max);
         largest(|z| z.im.abs()) <= REAL * largest(|z| z.norm())
     };
-    let real_of_all: Vec<Point> = all.iter().filter(is_real).cloned().collect();
+    let coefficients = interpret::coefficients(plan, Float64, data).unwrap_or_default();
+    let is_wanted = |x: &&Point| {
+        let x: Vec<f64> = x.iter().map(|x| x.re).collect();
+        interpret::is_wanted(plan, &coefficients, &x)
+    };
+    let real_of_all: Vec<Point> = all.iter().filter(is_real).filter(is_wanted).cloned().collect();
     Outcome {
-        is_complete: all.len() == solutions && are_distinct(&all),
+        is_complete: all.len() == plan.solutions && are_distinct(&all),
         has_conjugates: same_set(&all, &conjugates, SAME),
         real_ones_agree: same_set(&real, &real_of_all, SAME),
     }
@@ -207,7 +215,7 @@ fn check_claims(family: Family, first_seed: u64, wanted: u64, claims: &[(Bounds,
         let instances = affordable(&plan, wanted, WORK_OF_TESTING);
         let outcomes: Vec<Outcome> = (0..instances)
             .into_par_iter()
-            .map(|k| outcome(&case, &source.draw(family, first_seed + k), plan.solutions))
+            .map(|k| outcome(&case, &source.draw(family, first_seed + k), &plan))
             .collect();
         for (bounds, holds) in claims {
             let against = outcomes.iter().filter(|o| !holds(o)).count();

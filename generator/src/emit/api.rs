@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 
 use super::names::Names;
 use super::shapes::{array_type, doc_line, indices, parameter};
-use super::{scaling, storage};
+use super::{output, scaling, storage};
 use crate::plan::Plan;
 use crate::problem::SolutionField;
 use crate::template::RootMethod;
@@ -129,7 +129,7 @@ fn points(plan: &Plan) -> TokenStream {
 }
 
 /// The constant that holds the chart of a vector.
-fn chart_name(field: &SolutionField) -> Ident {
+pub(super) fn chart_name(field: &SolutionField) -> Ident {
     format_ident!("CHART_OF_{}", field.name.to_uppercase())
 }
 
@@ -163,11 +163,15 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
     let measures = measures(plan, &parameters, &arguments, &names);
     let (collected, [real, complex]) = (collected(plan, &parameters, &arguments, &names), results());
     let ((make, made), given) = (storage::default(plan, workspace), storage::of_workspace(plan, workspace));
+    let wanted = (!plan.positive.is_empty())
+        .then_some(" Those that do not satisfy the inequalities of the problem are left out.");
+    let wanted = wanted.iter();
     let operations = Literal::u64_unsuffixed(plan.operations_of_second_attempt() as u64);
     quote! {
         #(#[doc = #docs])*
         /// Returns the real solutions, polished on the equations of the problem: `Ok` and empty if
         /// there is none.
+        #(#[doc = #wanted])*
         ///
         /// # Errors
         /// The data are not finite, or degenerate: see [`SolveError`](::eliminant::SolveError).
@@ -230,10 +234,13 @@ fn collected(plan: &Plan, parameters: &[TokenStream], arguments: &[Ident], names
     };
     let (constructor, kept) = (scaling::constructor(plan), storage::parameter(plan));
     let ([real, complex], to_solution) = (results(), scaling::to_solution(plan, &quote!(&#instance.exponents)));
+    let filter = output::filter(plan, instance);
+    let binding = if plan.positive.is_empty() { quote!(points) } else { quote!(mut points) };
     quote! {
         fn real_solutions(#workspace: #kept, #(#parameters),*) -> #real {
             let mut #instance = Instance::#constructor(#workspace, #(#arguments),*)?;
-            let points = emitted::#roots(&mut #instance)?;
+            let #binding = emitted::#roots(&mut #instance)?;
+            #filter
             Ok(::eliminant::Solutions::from_points(&points, #to_solution))
         }
 

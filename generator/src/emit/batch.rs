@@ -25,6 +25,7 @@ fn is_side_by_side(plan: &Plan) -> bool {
         && is_filled_by_statements(plan)
         && monomials::are_statements(plan)
         && plan.nonzero.is_empty()
+        && plan.positive.is_empty()
         && !plan.has_origin
         && !ValueLayout::of(plan).has_image
 }

@@ -11,6 +11,7 @@ mod instance;
 mod listing;
 mod monomials;
 mod names;
+mod output;
 mod program;
 mod provenance;
 mod scaling;
@@ -73,6 +74,7 @@ fn module(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> Toke
     let header = provenance.lines.iter().map(|line| doc_line(line)).map(|line| quote!(#![doc = #line]));
     let (solution, functions) = (api::solution(plan), api::functions(plan));
     let (batch, derived) = (batch::batch(plan), derived::functions(plan));
+    let (output, inequalities) = (output::output(plan), output::inequalities(plan));
     let instance = instance::instance(plan, provenance, listings);
     let statements = match plan.program.form {
         ProgramForm::Statements => code::statements(plan),
@@ -92,6 +94,8 @@ fn module(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> Toke
 
             #solution
             #functions
+            #output
+            #inequalities
             #batch
             #derived
             #instance

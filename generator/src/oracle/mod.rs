@@ -120,16 +120,17 @@ impl<'a> Truths<'a> {
         self.points.len()
     }
 
-    /// The number of real solutions.
+    /// The number of real solutions that satisfy the inequalities of the problem.
     pub fn real(&self) -> usize {
-        self.points.iter().filter(|point| self.is_real(point)).count()
+        self.points.iter().filter(|point| self.is_real(point) && self.system.is_wanted(point)).count()
     }
 
     /// Judges points that were returned for these data. `only_real` says that only real solutions
-    /// count.
+    /// count that satisfy the inequalities of the problem.
     pub fn judge(&self, returned: &[Vec<Complex<f64>>], only_real: bool) -> Judged {
         let wide: Vec<WidePoint> = returned.iter().map(|point| point.iter().copied().map(widened).collect()).collect();
-        let counts = |at: &usize| !only_real || self.is_real(&self.points[*at]);
+        let is_returned = |point: &WidePoint| self.is_real(point) && self.system.is_wanted(point);
+        let counts = |at: &usize| !only_real || is_returned(&self.points[*at]);
         let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
         for (point, of) in wide.iter().enumerate() {
             let near =

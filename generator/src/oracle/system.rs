@@ -81,6 +81,15 @@ impl<'a> System<'a> {
         self.plan.nonzero.iter().all(|terms| self.relative_value(terms, &powers) > VANISHING)
     }
 
+    /// Whether a real point satisfies the inequalities of the problem.
+    pub(super) fn is_wanted(&self, x: &[WideComplex]) -> bool {
+        let powers = Powers::of(self.plan, x);
+        self.plan.positive.iter().all(|terms| {
+            let sum = terms.iter().fold(zero(), |sum, term| sum + self.value(term, &powers, None));
+            rounded(sum.re) > 0.0
+        })
+    }
+
     /// |f| / sum of the moduli of the terms; 0 where all terms vanish, infinite where it is no
     /// number.
     fn relative_value(&self, terms: &[Term], powers: &Powers) -> f64 {

@@ -147,7 +147,7 @@ impl Plan {
             require(terms, "a term reads something unknown")?;
             known[recovery.unknown] = true;
         }
-        let terms = self.equations.iter().chain(&self.nonzero).flatten().all(is_term);
+        let terms = self.equations.iter().chain(&self.nonzero).chain(&self.positive).flatten().all(is_term);
         require(terms, "a term reads something unknown")?;
         require(known.into_iter().all(|known| known), "an unknown is never recovered")
     }

@@ -2,7 +2,7 @@
 //! over Z_p, or in `f64`.
 
 use super::{ActionRow, Block, CoefficientId, Elimination, PivotId, Plan, PlannedDerivation, Term};
-use crate::expression::arithmetic::Arithmetic;
+use crate::expression::arithmetic::{Arithmetic, Float64};
 
 /// The values of all coefficients; `None` if a divisor is zero, or an input or a coefficient is not
 /// finite.
@@ -152,6 +152,11 @@ fn one_norm<A: Arithmetic>(f: A, row: &[A::Value]) -> f64 {
         }
     }
     (partial[0] + partial[1]) + (partial[2] + partial[3]) + rest.iter().map(|&x| f.pivot_size(x)).sum::<f64>()
+}
+
+/// Whether the unknowns satisfy the inequalities of the problem.
+pub fn is_wanted(plan: &Plan, coefficients: &[f64], x: &[f64]) -> bool {
+    plan.positive.iter().all(|terms| evaluate(terms, Float64, coefficients, x) > 0.0)
 }
 
 /// The value of a polynomial in the unknowns `x`.

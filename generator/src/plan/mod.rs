@@ -196,6 +196,27 @@ pub struct PlannedDerivation {
     pub program: Program,
 }
 
+/// What a solver returns beside the unknowns. Its terms have an exponent for each unknown, and for
+/// the last coordinate of each vector that is given up to scale.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PlannedOutput {
+    /// The name of the struct.
+    pub name: String,
+    /// The names of its fields, with their shapes and scalars, row by row.
+    pub fields: Vec<(String, Vec<usize>, Vec<PlannedElement>)>,
+}
+
+/// A scalar of an output.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PlannedElement {
+    /// The numerator.
+    pub numerator: Vec<Term>,
+    /// The divisor, if there is one.
+    pub denominator: Option<Vec<Term>>,
+    /// Whether the square root of the quotient is meant.
+    pub is_root: bool,
+}
+
 /// Floating-point operations of one solve. An addition, a multiplication and a division count as
 /// one each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -275,6 +296,10 @@ pub struct Plan {
     pub equations: Vec<Vec<Term>>,
     /// Polynomials that must not vanish at a solution.
     pub nonzero: Vec<Vec<Term>>,
+    /// Polynomials that are positive at the solutions that `solve` returns.
+    pub positive: Vec<Vec<Term>>,
+    /// What the solver returns beside the unknowns.
+    pub output: Option<PlannedOutput>,
     /// Scalings under which the problem stays the same, if some change unknowns.
     pub scalings: Vec<Scaling>,
 }

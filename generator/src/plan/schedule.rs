@@ -8,12 +8,13 @@ use super::straight_line::{planned_derivations, straight_line_program};
 use super::system_table::SystemTable;
 use super::{
     ActionRow, BasisId, Block, CoefficientId, Elimination, Entry, Extraction, KnownMonomial, PivotId, Plan, PlanError,
-    PlannedRecovery, Term,
+    PlannedElement, PlannedOutput, PlannedRecovery, Term,
 };
 use crate::algebra::Monomial;
 use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
 use crate::presolve::ReducedProblem;
 use crate::presolve::symmetry::{Reading, Symmetry};
+use crate::problem::output::Output;
 use crate::problem::scaling::scalings;
 use crate::problem::{Problem, Statement};
 use crate::template::{EliminationTemplate, Shift};
@@ -118,6 +119,8 @@ impl Scheduler<'_> {
             .collect();
         let equations = problem.polynomials().map(|p| coefficients.terms(p, width)).collect();
         let nonzero = problem.nonzero.iter().map(|s| coefficients.terms(&s.polynomial, width)).collect();
+        let positive = problem.positive.iter().map(|s| coefficients.terms(&s.polynomial, width)).collect();
+        let output = problem.output.as_ref().map(|output| planned_output(problem, output, &mut coefficients));
         if coefficients.used.len() > usize::from(u16::MAX) {
             return Err(ScheduleError::TooLarge("coefficients"));
         }
@@ -147,11 +150,26 @@ impl Scheduler<'_> {
             recoveries,
             equations,
             nonzero,
+            positive,
+            output,
             scalings: scalings(problem),
         };
         plan.check()?;
         Ok(plan)
     }
+}
+
+fn planned_output(problem: &Problem, output: &Output, coefficients: &mut Coefficients) -> PlannedOutput {
+    let width = problem.unknowns.len() + problem.fields.iter().filter(|field| field.is_projective).count();
+    let fields = output.fields.iter().map(|field| {
+        let elements = field.elements.iter().map(|element| PlannedElement {
+            numerator: coefficients.terms(&element.numerator, width),
+            denominator: element.denominator.as_ref().map(|divisor| coefficients.terms(divisor, width)),
+            is_root: element.is_root,
+        });
+        (field.name.clone(), field.shape.clone(), elements.collect())
+    });
+    PlannedOutput { name: output.name.clone(), fields: fields.collect() }
 }
 
 fn check_shape(reduced: &ReducedProblem, template: &EliminationTemplate) -> Result<(), ScheduleError> {

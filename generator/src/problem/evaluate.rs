@@ -253,9 +253,9 @@ impl Interpreter<'_> {
                     .hint("end the statement before it with `;`"),
             )),
             BinOp::Lt(_) | BinOp::Le(_) | BinOp::Gt(_) | BinOp::Ge(_) => Err(self.report(
-                Diagnostic::new("inequalities cannot be stated", place(&binary.op))
-                    .label("expected `==` or `!=`")
-                    .hint("solve without it and select among the solutions"),
+                Diagnostic::new("this inequality cannot be stated", place(&binary.op))
+                    .label("expected `<` or `>` in a statement of its own")
+                    .hint("`focal > 0;` drops the other solutions"),
             )),
             _ => Err(self.report(
                 Diagnostic::new("the operator is not part of the problem language", place(&binary.op))

@@ -8,6 +8,7 @@ use std::collections::{BTreeMap, BTreeSet, HashSet};
 use syn::{BinOp, Block, Expr, ExprBinary, ExprForLoop, ItemFn, Local, Pat, RangeLimits, Stmt};
 
 use super::names::emitted_name;
+use super::output::Output;
 use super::scope::{Binding, Kind, Outcome, Reported, Scopes};
 use super::syntax::place;
 use super::value::{Algebra, Checked, MAX_ELEMENTS, Value, describe, fault};
@@ -42,6 +43,8 @@ pub(super) struct Interpreter<'a> {
     pub(super) depth: usize,
     pub(super) equations: Vec<Statement>,
     pub(super) nonzero: Vec<Statement>,
+    pub(super) positive: Vec<Statement>,
+    pub(super) output: Option<Output>,
     /// The polynomials of the equations.
     stated: HashSet<SymbolicPolynomial>,
     /// Place of each equation statement: whether some element of it was not 0 = 0.
@@ -64,6 +67,8 @@ impl<'a> Interpreter<'a> {
             depth: 0,
             equations: Vec::new(),
             nonzero: Vec::new(),
+            positive: Vec::new(),
+            output: None,
             stated: HashSet::new(),
             says_something: BTreeMap::new(),
             repeated: 0,
@@ -258,6 +263,7 @@ impl<'a> Interpreter<'a> {
             }
             Expr::ForLoop(each) => self.run_for(each),
             Expr::Block(block) => self.run_block(&block.block),
+            Expr::Struct(stated) => self.state_output(stated),
             Expr::Paren(inner) => self.run_expression(&inner.expr),
             Expr::Verbatim(tokens) if tokens.is_empty() => {}
             _ => {
@@ -280,6 +286,7 @@ impl<'a> Interpreter<'a> {
         match binary.op {
             BinOp::Eq(_) => self.state_equation(expression, binary),
             BinOp::Ne(_) => self.state_nonzero(expression, binary),
+            BinOp::Gt(_) | BinOp::Lt(_) => self.state_inequality(expression, binary),
             BinOp::AddAssign(_) | BinOp::SubAssign(_) | BinOp::MulAssign(_) | BinOp::DivAssign(_) => {
                 let left = self.evaluate(&binary.left);
                 let right = self.evaluate(&binary.right);
@@ -397,7 +404,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Refuses statements about solutions inside helpers.
-    fn outside_helpers(&mut self, expression: &Expr) -> Outcome<()> {
+    pub(super) fn outside_helpers(&mut self, expression: &Expr) -> Outcome<()> {
         let Some((name, _)) = self.calls.last().cloned() else { return Ok(()) };
         Err(self.report(
             Diagnostic::new("a helper function cannot state equations", place(expression))

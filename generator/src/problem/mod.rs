@@ -9,6 +9,7 @@ mod functions;
 pub mod instance;
 mod interpret;
 mod names;
+pub mod output;
 mod parse;
 mod projective;
 pub mod scaling;
@@ -19,6 +20,8 @@ mod unknown_shapes;
 mod value;
 
 use std::ops::Range;
+
+use output::Output;
 
 use crate::algebra::{Monomial, Polynomial};
 use crate::expression::{ExpressionGraph, SymbolicPolynomial};
@@ -127,6 +130,13 @@ impl SolutionField {
         self.is_projective.then(|| chart::chart(self.scalars()))
     }
 
+    /// By how much larger the chart of the equations is than the orthogonal one, inverted: there,
+    /// denominators are powers of two.
+    pub fn scale_of_chart(&self) -> f64 {
+        let (_, denominator) = chart::entry(self.scalars(), 0, 0);
+        denominator.cast_unsigned().next_power_of_two() as f64 / denominator as f64
+    }
+
     /// The scalars as a problem file names them.
     pub fn names(&self) -> Vec<String> {
         element_names(&self.name, &self.shape)
@@ -182,6 +192,10 @@ pub struct Problem {
     pub equations: Vec<Statement>,
     /// No polynomial is 0 at a solution (`!= 0`).
     pub nonzero: Vec<Statement>,
+    /// Each polynomial is positive at a solution that `solve` returns (`>`, `<`).
+    pub positive: Vec<Statement>,
+    /// What it returns beside the unknowns.
+    pub output: Option<Output>,
     /// The coefficients of all polynomials.
     pub graph: ExpressionGraph,
     /// The file it came from.

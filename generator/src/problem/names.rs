@@ -56,7 +56,7 @@ pub(super) fn refuse_module(ident: &Ident) -> Option<Diagnostic> {
 }
 
 /// `TwoLines` as `two_lines`.
-fn snake_case(name: &str) -> String {
+pub(super) fn snake_case(name: &str) -> String {
     let mut snake = String::new();
     let mut after_lowercase = false;
     for c in name.trim_matches('_').chars() {

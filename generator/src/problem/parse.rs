@@ -7,6 +7,7 @@ use syn::{Attribute, Ident, Item, ItemConst, ItemFn, ReturnType, Safety, Visibil
 use super::functions::BUILT_IN;
 use super::interpret::Interpreter;
 use super::names::{refuse, refuse_module};
+use super::output::check_even;
 use super::projective::{check_homogeneous, dehomogenised, homogeneous};
 use super::scope::{Binding, Kind};
 use super::signature::{doc_lines, unknown_list};
@@ -93,6 +94,8 @@ fn parse_source(source: &SourceFile) -> Result<Problem, Vec<Diagnostic>> {
         fields: unknowns,
         equations: body.equations,
         nonzero: body.nonzero,
+        positive: body.positive,
+        output: body.output,
         graph: body.algebra.graph,
         source: source.clone(),
         span: place_of_output(&function.sig.output),
@@ -245,12 +248,16 @@ fn enter_charts(body: &mut Interpreter<'_>, unknowns: &[SolutionField]) {
     let first = unknowns.last().map_or(0, |last| last.unknowns().end);
     let mut messages = Vec::new();
     for (at, field) in unknowns.iter().filter(|field| field.is_projective).enumerate() {
-        let statements = body.equations.iter().chain(&body.nonzero);
+        let statements = body.equations.iter().chain(&body.nonzero).chain(&body.positive);
         messages.extend(statements.filter_map(|statement| check_homogeneous(statement, field, first + at).err()));
+    }
+    for (at, field) in unknowns.iter().filter(|field| field.is_projective).enumerate() {
+        let own: Vec<usize> = field.unknowns().chain([first + at]).collect();
+        messages.extend(body.positive.iter().filter_map(|statement| check_even(statement, &own, &field.name).err()));
     }
     body.unknowns.truncate(first);
     if messages.is_empty() {
-        for statement in body.equations.iter_mut().chain(&mut body.nonzero) {
+        for statement in body.equations.iter_mut().chain(&mut body.nonzero).chain(&mut body.positive) {
             statement.polynomial = dehomogenised(&statement.polynomial, first);
         }
     }
@@ -266,9 +273,11 @@ fn check_data(body: &mut Interpreter<'_>, data: &[DataParameter]) {
         // The statements that read it may have failed.
         return;
     }
-    let statements = body.equations.iter().chain(&body.nonzero);
-    let coefficients =
-        statements.flat_map(|statement| statement.polynomial.terms()).map(|&(_, coefficient)| coefficient);
+    let statements = body.equations.iter().chain(&body.nonzero).chain(&body.positive);
+    let of_output = body.output.iter().flat_map(|output| &output.fields).flat_map(|field| &field.elements);
+    let of_output = of_output.flat_map(|element| std::iter::once(&element.numerator).chain(&element.denominator));
+    let polynomials = statements.map(|statement| &statement.polynomial).chain(of_output);
+    let coefficients = polynomials.flat_map(|p| p.terms()).map(|&(_, coefficient)| coefficient);
     let coefficients: Vec<ExpressionId> = coefficients.collect();
     let needed = body.algebra.graph.needed_by_way_of_derivations(&coefficients);
     let is_read = |input: usize| needed[body.algebra.graph.input(input).index()];

@@ -11,7 +11,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{DataAttribute, DataParameter, Problem};
+use super::{DataAttribute, DataParameter, Problem, Statement};
 use crate::algebra::{Echelon, PRIMES, PrimeField};
 use crate::expression::product_sum::Product;
 use crate::expression::{Expression, ExpressionGraph, ExpressionId};
@@ -145,9 +145,14 @@ pub fn scalings(problem: &Problem) -> Vec<Scaling> {
     if changes_unknowns && basis.len() <= MOST { basis } else { Vec::new() }
 }
 
+/// All statements: what they say must stay the same.
+fn stated(problem: &Problem) -> impl Iterator<Item = &Statement> {
+    problem.equations.iter().chain(&problem.nonzero).chain(&problem.positive)
+}
+
 fn all_scalings(problem: &Problem) -> Vec<Scaling> {
     let inputs = problem.graph.input_count();
-    let polynomials = || problem.equations.iter().chain(&problem.nonzero).map(|statement| &statement.polynomial);
+    let polynomials = || stated(problem).map(|statement| &statement.polynomial);
     let used: Vec<ExpressionId> = polynomials().flat_map(|p| p.terms()).map(|&(_, coefficient)| coefficient).collect();
     let mut weights = Weights::of(&problem.graph, &used);
     for polynomial in polynomials() {

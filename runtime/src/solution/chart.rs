@@ -32,15 +32,18 @@ pub fn vector_of<T: Scalar, R: AsRef<[f64]>>(chart: &[R], coordinates: &[T], vec
 /// The coordinates of a vector of any length but 0: the entries of Q e but the last, divided by it.
 #[inline]
 pub fn to_chart<T: Scalar, R: AsRef<[f64]>>(chart: &[R], vector: &[T], coordinates: &mut [T]) {
-    let entry = |row: &R| {
-        let terms = vector.iter().zip(row.as_ref());
-        terms.fold(T::ZERO, |sum, (&x, &factor)| sum + x.scale(factor))
-    };
+    let entry = |row: &R| chart_entry(row.as_ref(), vector);
     let Some(last) = chart.last() else { return };
     let inverse = entry(last).reciprocal();
     for (coordinate, row) in coordinates.iter_mut().zip(chart) {
         *coordinate = entry(row) * inverse;
     }
+}
+
+/// An entry of Q e, for a row of Q.
+#[inline]
+pub fn chart_entry<T: Scalar>(row: &[f64], vector: &[T]) -> T {
+    vector.iter().zip(row).fold(T::ZERO, |sum, (&x, &factor)| sum + x.scale(factor))
 }
 
 #[cfg(test)]

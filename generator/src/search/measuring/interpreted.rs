@@ -34,6 +34,7 @@ pub struct InterpretedSolver {
     recoveries: Vec<PlannedRecovery>,
     equations: System,
     nonzero: System,
+    positive: Vec<Vec<crate::plan::Term>>,
     /// The number of scalings, and the weights of data and unknowns in them.
     scalings: (usize, Vec<i8>, Vec<i8>),
     /// What the data of each parameter satisfy, and how many there are.
@@ -93,6 +94,7 @@ impl InterpretedSolver {
             recoveries: plan.recoveries.clone(),
             equations: System::of(&plan.equations, unknowns),
             nonzero: System::of(&plan.nonzero, unknowns),
+            positive: plan.positive.clone(),
             scalings: (plan.scalings.len(), plan.weights_of_data(), plan.weights_of_unknowns()),
             parameters: parameters(plan),
             derived: plan.derived.clone(),
@@ -175,6 +177,15 @@ impl InterpretedSolver {
     pub fn solve_complex(&self, data: &[f64]) -> Result<Vec<Vec<Complex<f64>>>, SolveError> {
         self.instance(data)?.solve_complex()
     }
+}
+
+/// The value of a polynomial. The first term is taken as it is, as emitted code does.
+fn sum<S: Scalar>(terms: &[crate::plan::Term], coefficients: &[f64], x: &[S]) -> S {
+    let product = |term: &crate::plan::Term| {
+        let factors = term.exponents.iter().zip(x).flat_map(|(&e, &x)| (0..e).map(move |_| x));
+        factors.fold(S::from_f64(coefficients[usize::from(term.coefficient.0)]), |product, x| product * x)
+    };
+    terms.iter().map(product).reduce(|sum, term| sum + term).unwrap_or(S::ZERO)
 }
 
 /// The results of a derivation of the problem.
@@ -313,8 +324,14 @@ impl InterpretedInstance<'_> {
             Some(_) => emitted::real_solutions_by_determinant(self)?,
         };
         let mut points = found.to_vec();
+        points.retain(|point| self.is_wanted(point));
         points.iter_mut().for_each(|point| emitted::unscale(&self.exponents, point));
         Ok(points)
+    }
+
+    /// Whether a point satisfies the inequalities of the problem.
+    fn is_wanted(&self, x: &[f64]) -> bool {
+        self.solver.positive.iter().all(|terms| sum(terms, &self.coefficients, x) > 0.0)
     }
 
     /// The values of all coefficients, of data in the unit of the solver.
@@ -423,13 +440,7 @@ impl SolverInstance for InterpretedInstance<'_> {
 
     fn recover<S: Scalar>(&self, x: &mut Vec<S>) {
         for recovery in &self.solver.recoveries {
-            let product = |term: &crate::plan::Term| {
-                let factors = term.exponents.iter().zip(x.iter()).flat_map(|(&e, &x)| (0..e).map(move |_| x));
-                let coefficient = self.coefficients[usize::from(term.coefficient.0)];
-                factors.fold(S::from_f64(coefficient), |product, x| product * x)
-            };
-            // The first term is taken as it is, as emitted code does.
-            x[recovery.unknown] = recovery.terms.iter().map(product).reduce(|sum, term| sum + term).unwrap_or(S::ZERO);
+            x[recovery.unknown] = sum(&recovery.terms, &self.coefficients, x);
         }
     }
 

@@ -1,0 +1,204 @@
+//! Prints what a problem returns beside its unknowns, and the test of its inequalities.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use super::names::Names;
+use super::shapes::{array_type, parameter};
+use super::storage;
+use crate::plan::{Plan, PlannedElement, PlannedOutput, Term};
+use crate::problem::SolutionField;
+use crate::problem::output::function_name;
+
+/// The struct of an output, and the functions that return it; nothing without one.
+pub(super) fn output(plan: &Plan) -> TokenStream {
+    let Some(output) = &plan.output else { return quote!() };
+    let (name, what) = (format_ident!("{}", output.name), function_name(&output.name));
+    let [of, solve_for] = [format_ident!("{what}_of"), format_ident!("solve_for_{what}")];
+    let fields = output.fields.iter().map(|(field, shape, _)| {
+        let (field, ty) = (format_ident!("{field}"), array_type(quote!(T), shape));
+        quote!(pub #field: #ty)
+    });
+    let field_docs = output.fields.iter().map(|(field, ..)| format!(" The output `{field}` of the problem."));
+    let doc = format!(" What `{}` returns beside its unknowns.", plan.name);
+    let parameters: Vec<_> = plan.data.iter().map(parameter).collect();
+    let arguments: Vec<_> = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name)).collect();
+    let mut names = Names::of(&plan.data);
+    let [instance, solution, solutions, workspace] =
+        ["instance", "solution", "solutions", "workspace"].map(|name| names.take(name));
+    let (make, made) = storage::default(plan, &workspace);
+    let coefficients = match storage::has_coefficients_on_heap(plan) {
+        true => quote!(#instance.coefficients.as_ref()),
+        false => quote!(&#instance.coefficients),
+    };
+    let (values, variables) = (values(plan, output), variables(plan));
+    quote! {
+        #[doc = #doc]
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct #name<T = f64> {
+            #(#[doc = #field_docs] #fields,)*
+        }
+
+        /// What the problem returns for a solution.
+        ///
+        /// # Errors
+        /// As [`solve`], for the data.
+        pub fn #of<S: ::eliminant::Scalar>(
+            #(#parameters,)*
+            #solution: &Solution<S>,
+        ) -> Result<#name<S>, ::eliminant::SolveError> {
+            #make
+            let #instance = Instance::new(#made, #(#arguments),*)?;
+            Ok(self::output(#coefficients, #solution))
+        }
+
+        /// Like [`solve`], with what the problem returns for each solution.
+        ///
+        /// # Errors
+        /// As [`solve`].
+        pub fn #solve_for(
+            #(#parameters),*
+        ) -> Result<::eliminant::Solutions<#name, MAX_SOLUTIONS>, ::eliminant::SolveError> {
+            let #solutions = self::solve(#(#arguments),*)?;
+            #make
+            let #instance = Instance::new(#made, #(#arguments),*)?;
+            Ok(#solutions.map(|#solution| self::output(#coefficients, &#solution)))
+        }
+
+        #values
+        #variables
+    }
+}
+
+/// The function from the coefficients and a solution to the output.
+fn values(plan: &Plan, output: &PlannedOutput) -> TokenStream {
+    let name = format_ident!("{}", output.name);
+    let fields = output.fields.iter().map(|(field, shape, elements)| {
+        let (field, elements) = (format_ident!("{field}"), elements.iter().map(element).collect::<Vec<_>>());
+        let array = array(shape, &elements);
+        quote!(#field: #array)
+    });
+    let (_, list) = storage::coefficients(plan, &quote!(f64));
+    quote! {
+        #[allow(unused_variables)]
+        fn output<S: ::eliminant::Scalar>(c: #list, solution: &Solution<S>) -> #name<S> {
+            let x = self::variables(solution);
+            #name { #(#fields),* }
+        }
+    }
+}
+
+/// The scalars of an array of this shape, row by row.
+fn array(shape: &[usize], elements: &[TokenStream]) -> TokenStream {
+    let Some((&length, inner)) = shape.split_first() else { return elements.first().cloned().unwrap_or_default() };
+    let rows = elements.chunks(elements.len() / length).map(|row| array(inner, row));
+    quote!([#(#rows),*])
+}
+
+fn element(element: &PlannedElement) -> TokenStream {
+    let number = quote!(S::from_f64);
+    let numerator = sum(&element.numerator, &number);
+    let quotient = match &element.denominator {
+        Some(divisor) => {
+            let divisor = sum(divisor, &number);
+            quote!((#numerator) / (#divisor))
+        }
+        None => numerator,
+    };
+    if element.is_root { quote!((#quotient).sqrt()) } else { quotient }
+}
+
+/// A polynomial in x with coefficients c; `number`, if there is one, makes them numbers of the kind
+/// of x.
+fn sum(terms: &[Term], number: &TokenStream) -> TokenStream {
+    if terms.is_empty() {
+        return if number.is_empty() { quote!(0.0) } else { quote!(#number(0.0)) };
+    }
+    let terms = terms.iter().map(|term| {
+        let slot = Literal::u16_unsuffixed(term.coefficient.0);
+        let factors = term.exponents.iter().enumerate().flat_map(|(at, &e)| {
+            let at = Literal::usize_unsuffixed(at);
+            std::iter::repeat_n(quote!(* x[#at]), e.into())
+        });
+        // Without a conversion there are no parentheses to warn of.
+        match number.is_empty() {
+            true => quote!(c[#slot] #(#factors)*),
+            false => quote!(#number(c[#slot]) #(#factors)*),
+        }
+    });
+    quote!(#(#terms)+*)
+}
+
+/// The function from a solution to what the polynomials of an output hold.
+fn variables(plan: &Plan) -> TokenStream {
+    let unknowns = plan.unknowns.len();
+    let projective = plan.fields.iter().filter(|field| field.is_projective).count();
+    let total = Literal::usize_unsuffixed(unknowns + projective);
+    let mut scale = unknowns..;
+    let fields = plan.fields.iter().map(|field| {
+        let name = format_ident!("{}", field.name);
+        match (field.is_projective, scale.clone().next()) {
+            (true, Some(at)) => {
+                scale.next();
+                coordinates(field, at)
+            }
+            _ => {
+                let elements = super::shapes::indices(&field.shape).zip(field.unknowns()).map(|(indices, unknown)| {
+                    let indices = indices.into_iter().map(Literal::usize_unsuffixed);
+                    let unknown = Literal::usize_unsuffixed(unknown);
+                    quote!(x[#unknown] = solution.#name #([#indices])*;)
+                });
+                quote!(#(#elements)*)
+            }
+        }
+    });
+    quote! {
+        /// The unknowns; of vectors that are given up to scale the coordinates, then, of all of
+        /// them, the last coordinates.
+        fn variables<S: ::eliminant::Scalar>(solution: &Solution<S>) -> [S; #total] {
+            let mut x = [S::ZERO; #total];
+            #(#fields)*
+            x
+        }
+    }
+}
+
+/// The coordinates of a vector of length 1 that is given up to scale, the last one at `last`.
+fn coordinates(field: &SolutionField, last: usize) -> TokenStream {
+    let (name, chart) = (format_ident!("{}", field.name), super::api::chart_name(field));
+    let factor = Literal::f64_unsuffixed(field.scale_of_chart());
+    let places = field.unknowns().chain([last]).map(Literal::usize_unsuffixed);
+    let rows = (0..field.scalars()).map(Literal::usize_unsuffixed);
+    quote!(#(x[#places] = emitted::chart_entry(&#chart[#rows], &solution.#name).scale(#factor);)*)
+}
+
+/// The statement that drops points of an instance that do not satisfy the inequalities.
+pub(super) fn filter(plan: &Plan, instance: &proc_macro2::Ident) -> TokenStream {
+    if plan.positive.is_empty() {
+        return quote!();
+    }
+    let coefficients = match storage::has_coefficients_on_heap(plan) {
+        true => quote!(#instance.coefficients.as_ref()),
+        false => quote!(&#instance.coefficients),
+    };
+    quote!(points.retain(|point| self::is_wanted(#coefficients, point));)
+}
+
+/// The test of the inequalities; nothing without any.
+pub(super) fn inequalities(plan: &Plan) -> TokenStream {
+    if plan.positive.is_empty() {
+        return quote!();
+    }
+    let tests = plan.positive.iter().map(|terms| {
+        let sum = sum(terms, &quote!());
+        quote!(#sum > 0.0)
+    });
+    let unknowns = Literal::usize_unsuffixed(plan.unknowns.len());
+    let (_, list) = storage::coefficients(plan, &quote!(f64));
+    quote! {
+        /// Whether the unknowns satisfy the inequalities of the problem.
+        fn is_wanted(c: #list, x: &[f64; #unknowns]) -> bool {
+            #(#tests)&&*
+        }
+    }
+}

@@ -1,0 +1,22 @@
+/// Fundamental matrix of two cameras from seven points: 3 solutions.
+///
+/// Hartley, Zisserman, "Multiple view geometry in computer vision", 2003, section 11.1.2.
+///
+/// `first[k]` and `second[k]` are the images of point k. A fundamental matrix satisfies
+/// (second[k], 1) . F (first[k], 1) = 0; it is the sum of the two matrices that span the null space
+/// of these equations, each times its weight.
+fn fundamental_7pt(first: [[f64; 2]; 7], second: [[f64; 2]; 7]) -> (#[projective] weights: [f64; 2]) {
+    let mut rows = [[0; 9]; 7];
+    for k in 0..7 {
+        let [x, y] = [[first[k][0], first[k][1], 1], [second[k][0], second[k][1], 1]];
+        for i in 0..3 {
+            for j in 0..3 {
+                rows[k][3 * i + j] = y[i] * x[j];
+            }
+        }
+    }
+    let basis = reshape(null_space(rows), [2, 3, 3]);
+    let f = weights[0] * basis[0] + weights[1] * basis[1];
+    det(f) == 0;
+    Epipolar { fundamental: f }
+}

@@ -1,0 +1,25 @@
+/// Relative pose of two cameras with one unknown shared focal length from six points: 15 solutions,
+/// of which those with a real focal length are returned.
+///
+/// The problem `relpose_6pt_focal` from measurements. `first[k]` and `second[k]` are the images of
+/// point k, relative to the principal points. The fundamental matrix is the sum of the matrices that
+/// span the null space of the epipolar equations, each times its weight, and w = 1 / focal^2.
+fn relpose_6pt_focal_points(first: [[f64; 2]; 6], second: [[f64; 2]; 6]) -> (#[projective] weights: [f64; 3], w) {
+    let mut rows = [[0; 9]; 6];
+    for k in 0..6 {
+        let [x, y] = [[first[k][0], first[k][1], 1], [second[k][0], second[k][1], 1]];
+        for i in 0..3 {
+            for j in 0..3 {
+                rows[k][3 * i + j] = y[i] * x[j];
+            }
+        }
+    }
+    let basis = reshape(null_space(rows), [3, 3, 3]);
+    let f = weights[0] * basis[0] + weights[1] * basis[1] + weights[2] * basis[2];
+    let omega = [[1, 0, 0], [0, 1, 0], [0, 0, w]];
+    let left = f * omega * f.t() * omega;
+    det(f) == 0;
+    2 * left * f - trace(left) * f == 0;
+    w > 0;
+    FocalPose { fundamental: f, focal: sqrt(1 / w) }
+}
