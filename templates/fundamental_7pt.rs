@@ -6,9 +6,11 @@
 /// (second[k], 1) . F (first[k], 1) = 0; it is the sum of the two matrices that span the null space
 /// of these equations, each times its weight.
 fn fundamental_7pt(first: [[f64; 2]; 7], second: [[f64; 2]; 7]) -> (#[projective] weights: [f64; 2]) {
+    // In units in which images are about 1, so that all entries of the matrix keep their digits.
+    let unit = norm([first, second]);
     let mut rows = [[0; 9]; 7];
     for k in 0..7 {
-        let [x, y] = [[first[k][0], first[k][1], 1], [second[k][0], second[k][1], 1]];
+        let [x, y] = [[first[k][0], first[k][1], unit], [second[k][0], second[k][1], unit]];
         for i in 0..3 {
             for j in 0..3 {
                 rows[k][3 * i + j] = y[i] * x[j];
@@ -18,5 +20,6 @@ fn fundamental_7pt(first: [[f64; 2]; 7], second: [[f64; 2]; 7]) -> (#[projective
     let basis = reshape(null_space(rows), [2, 3, 3]);
     let f = weights[0] * basis[0] + weights[1] * basis[1];
     det(f) == 0;
-    Epipolar { fundamental: f }
+    let to_unit = [[1, 0, 0], [0, 1, 0], [0, 0, unit]];
+    Epipolar { fundamental: to_unit * f * to_unit }
 }

@@ -2,12 +2,15 @@
 /// of which those with a real focal length are returned.
 ///
 /// The problem `relpose_6pt_focal` from measurements. `first[k]` and `second[k]` are the images of
-/// point k, relative to the principal points. The fundamental matrix is the sum of the matrices that
-/// span the null space of the epipolar equations, each times its weight, and w = 1 / focal^2.
+/// point k, relative to the principal points. The fundamental matrix is the sum of the matrices
+/// that span the null space of the epipolar equations, each times its weight. w is 1 / focal^2 in
+/// units of the length of all images.
 fn relpose_6pt_focal_points(first: [[f64; 2]; 6], second: [[f64; 2]; 6]) -> (#[projective] weights: [f64; 3], w) {
+    // In units in which images are about 1, so that all entries of the matrix keep their digits.
+    let unit = norm([first, second]);
     let mut rows = [[0; 9]; 6];
     for k in 0..6 {
-        let [x, y] = [[first[k][0], first[k][1], 1], [second[k][0], second[k][1], 1]];
+        let [x, y] = [[first[k][0], first[k][1], unit], [second[k][0], second[k][1], unit]];
         for i in 0..3 {
             for j in 0..3 {
                 rows[k][3 * i + j] = y[i] * x[j];
@@ -21,5 +24,6 @@ fn relpose_6pt_focal_points(first: [[f64; 2]; 6], second: [[f64; 2]; 6]) -> (#[p
     det(f) == 0;
     2 * left * f - trace(left) * f == 0;
     w > 0;
-    FocalPose { fundamental: f, focal: sqrt(1 / w) }
+    let to_unit = [[1, 0, 0], [0, 1, 0], [0, 0, unit]];
+    FocalPose { fundamental: to_unit * f * to_unit, focal: sqrt(unit * unit / w) }
 }

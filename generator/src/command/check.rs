@@ -10,7 +10,10 @@ use super::error::CommandError;
 use super::files::read_problem;
 use super::progress::spinner;
 use super::report::{Output, counted, seconds};
+use crate::algebra::MAX_UNKNOWNS;
 use crate::check::check;
+use crate::expression::Expression;
+use crate::expression::rational::Rational;
 use crate::presolve::symmetry::Symmetry;
 use crate::presolve::{Presolve, presolve};
 use crate::problem::Problem;
@@ -54,6 +57,9 @@ struct PresolvedForm {
     eliminated: Vec<String>,
     kept: Vec<String>,
     degrees: Vec<i32>,
+    /// The monomials for which equations are solved at run time, each with the number of terms of
+    /// its equation then.
+    solved_for: Vec<(String, usize)>,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
@@ -92,7 +98,10 @@ fn sign_changes(problem: &Problem) -> Vec<Vec<String>> {
 /// The ways to presolve that eliminate an unknown or lower a degree.
 fn forms(problem: &Problem) -> Vec<PresolvedForm> {
     let mut forms: Vec<PresolvedForm> = Vec::new();
-    for how in [Presolve::Constant, Presolve::Linear, Presolve::Combined, Presolve::CombinedLinear] {
+    let symbolic = [Presolve::Constant, Presolve::Linear, Presolve::Combined, Presolve::CombinedLinear];
+    let hiding = (0..problem.unknowns.len().min(MAX_UNKNOWNS) as u8).map(Presolve::Hiding);
+    let at_run_time = [Presolve::Eliminated, Presolve::Solved].into_iter().chain(hiding);
+    for how in symbolic.into_iter().chain(at_run_time) {
         let reduced = presolve(problem, how);
         let names = |indices: &[usize]| indices.iter().map(|&at| problem.unknowns[at].clone()).collect::<Vec<_>>();
         let form = PresolvedForm {
@@ -100,14 +109,33 @@ fn forms(problem: &Problem) -> Vec<PresolvedForm> {
             eliminated: names(&reduced.recoveries.iter().map(|recovery| recovery.unknown).collect::<Vec<_>>()),
             kept: names(&reduced.kept),
             degrees: degrees(&reduced.problem),
+            solved_for: solved_for(problem, &reduced.problem),
         };
-        let is_known = |known: &PresolvedForm| known.kept == form.kept && known.degrees == form.degrees;
-        let changes = !form.eliminated.is_empty() || form.degrees != degrees(problem);
+        let is_known = |known: &PresolvedForm| {
+            (&known.kept, &known.degrees, &known.solved_for) == (&form.kept, &form.degrees, &form.solved_for)
+        };
+        let changes = !form.eliminated.is_empty() || form.degrees != degrees(problem) || !form.solved_for.is_empty();
         if changes && !forms.iter().any(is_known) {
             forms.push(form);
         }
     }
     forms
+}
+
+/// The monomials for which equations are solved: those with the coefficient 1 beside others that
+/// presolve derives.
+fn solved_for(problem: &Problem, reduced: &Problem) -> Vec<(String, usize)> {
+    let first = reduced.graph.derivations().iter().find(|d| d.first_input >= problem.graph.input_count());
+    let Some(first) = first.map(|derivation| derivation.first_input) else { return Vec::new() };
+    let is_derived = |node: Expression| matches!(node, Expression::Input(input) if input as usize >= first);
+    let solved = reduced.polynomials().filter_map(|p| {
+        let (ones, others): (Vec<_>, Vec<_>) =
+            p.terms().iter().partition(|(_, c)| reduced.graph.as_constant(*c) == Some(Rational::ONE));
+        let is_solved = others.iter().any(|&&(_, c)| is_derived(reduced.graph.node(c)));
+        let lead = ones.iter().max_by_key(|(m, _)| (m.degree(), *m)).filter(|_| is_solved)?;
+        Some((lead.0.display(&reduced.unknowns).to_string(), p.terms().len()))
+    });
+    solved.collect()
 }
 
 impl fmt::Display for ProblemReport {
@@ -123,10 +151,15 @@ impl fmt::Display for ProblemReport {
         if self.presolve.is_empty() {
             writeln!(f, "presolve   no unknown can be eliminated beforehand")?;
         }
-        for PresolvedForm { kind, eliminated, kept, degrees } in &self.presolve {
+        for PresolvedForm { kind, eliminated, kept, degrees, solved_for } in &self.presolve {
             write!(f, "presolve   {kind}: ")?;
             if !eliminated.is_empty() {
                 write!(f, "eliminates {}; ", eliminated.join(", "))?;
+            }
+            if !solved_for.is_empty() {
+                let leads: Vec<String> =
+                    solved_for.iter().map(|(lead, terms)| format!("{lead} ({} terms)", terms - 1)).collect();
+                write!(f, "solves at run time for {}; ", leads.join(", "))?;
             }
             writeln!(f, "leaves {} in equations of degree {}", kept.join(", "), list(degrees))?;
         }

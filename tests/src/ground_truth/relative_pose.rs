@@ -123,8 +123,14 @@ fn rays(data: &[f64], count: usize) -> impl Iterator<Item = [Vector3<f64>; 2]> +
     (0..count).map(move |k| [0, count].map(|first| Vector3::from_column_slice(&data[3 * (first + k)..][..3])))
 }
 
+/// The unit in which the problems with points compute: the length of all of them.
+fn unit_of(data: &[f64]) -> f64 {
+    data.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
 fn null_space_of_points(data: &[f64], count: usize) -> Vec<f64> {
-    let point = |k: usize| Vector3::new(data[2 * k], data[2 * k + 1], 1.0);
+    let unit = unit_of(data);
+    let point = |k: usize| Vector3::new(data[2 * k], data[2 * k + 1], unit);
     let rows: Vec<Vec<f64>> = (0..count).map(|k| epipolar_row(&point(k), &point(count + k))).collect();
     derived_null_space(&rows)
 }
@@ -157,7 +163,11 @@ fn five_rays(random: &mut Random, motion: Motion) -> KnownInstance {
 fn image_points(seed: (&mut Random, Motion), count: usize, focal: f64) -> (Vec<f64>, Vec<f64>) {
     let (points, fundamental) = measured(seed, count, focal);
     let data: Vec<f64> = points.iter().flatten().flat_map(|x| image(x, focal).data.0[0]).collect();
-    let truth = coordinates(&weights(&null_space_of_points(&data, count), &fundamental));
+    let unit = unit_of(&data);
+    let to_unit = |at: usize| if at == 2 { unit } else { 1.0 };
+    let in_units: Vec<f64> =
+        fundamental.iter().enumerate().map(|(at, f)| f / (to_unit(at / 3) * to_unit(at % 3))).collect();
+    let truth = coordinates(&weights(&null_space_of_points(&data, count), &in_units));
     (data, truth)
 }
 
@@ -169,7 +179,8 @@ fn seven_points(random: &mut Random, motion: Motion) -> KnownInstance {
 fn six_measured_points(random: &mut Random, motion: Motion) -> KnownInstance {
     let focal = uniform(random, 0.5, 3.0);
     let (data, mut truth) = image_points((random, motion), 6, focal);
-    truth.push(1.0 / (focal * focal));
+    let unit = unit_of(&data);
+    truth.push(unit * unit / (focal * focal));
     KnownInstance { data, truths: vec![truth] }
 }
 
