@@ -72,7 +72,7 @@ pub use observations::colmap::{self, ColmapError, read_colmap};
 pub use observations::copies::{self, IndependentLines};
 pub use observations::input::{self, InputError, parse_scene, read_scene};
 pub use observations::scene::{self, CylinderLines, LineId, Scene};
-pub use observations::segments::{self, SegmentError, Segments, parse_segments, read_segments};
+pub use observations::segments::{self, PixelOrigin, SegmentError, Segments, parse_segments, read_segments};
 pub use observations::view::{self, Calibration, Camera, View, ViewError, ViewingPlane};
 pub use observations::{distortion, photograph};
 #[cfg(feature = "command")]

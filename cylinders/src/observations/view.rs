@@ -121,6 +121,11 @@ pub enum ViewError {
         /// Number of pairs, `None` included.
         ends: usize,
     },
+    /// A parameter of the distortion is out of the range in which it is defined.
+    #[error(
+        "the distortion is not defined: its coefficients are finite, the field of view of FOV is below pi, EUCM has 0 <= alpha <= 1 and beta > 0"
+    )]
+    NotADistortion,
     /// Lines in pixels were given with a camera that has no calibration.
     #[error("lines in pixels need a calibration")]
     NoCalibration,
