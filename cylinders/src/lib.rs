@@ -75,9 +75,9 @@ pub use observations::scene::{self, CylinderLines, LineId, Scene};
 pub use observations::segments::{self, PixelOrigin, SegmentError, Segments, parse_segments, read_segments};
 pub use observations::view::{self, Calibration, Camera, View, ViewError, ViewingPlane};
 pub use observations::{distortion, photograph};
-#[cfg(feature = "command")]
-pub use output::picture;
 pub use output::{matching_report, ply, report};
+#[cfg(feature = "command")]
+pub use output::{page, picture};
 pub use space::cylinder::{self, Cylinder, LineResidual, Side};
 pub use space::extent;
 pub use space::quadric::{self, silhouette_of_dual_quadric};

@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use super::error::CommandError;
+use super::page::folder_of;
 use crate::{Scene, read_colmap, read_scene, read_segments};
 
 /// A scene file, or a COLMAP model with segments.
@@ -25,6 +26,12 @@ impl SceneArguments {
     /// The file that is named by messages about the whole scene.
     pub(super) fn path(&self) -> &Path {
         self.scene.as_ref().or(self.segments.as_ref()).map_or(Path::new(""), PathBuf::as_path)
+    }
+
+    /// The folders of the files that are read, in which photographs may be.
+    pub(super) fn folders(&self) -> Vec<PathBuf> {
+        let files = self.scene.iter().chain(&self.segments).map(|path| folder_of(path));
+        files.chain(self.colmap.clone()).collect()
     }
 
     /// Reads the scene, or the model and its segments.

@@ -366,7 +366,7 @@ impl Segments {
             .and_then(|view| view.with_labels(labels));
         let (file, image) = (self.file.clone(), photograph.name.clone());
         match view {
-            Ok(view) => Ok(view.with_image(image)),
+            Ok(view) => Ok(view.with_image(image).with_distortion(photograph.distortion)),
             Err(source) => Err(SegmentError::View { file, image, source }),
         }
     }

@@ -18,6 +18,13 @@ const MAX_STEPS: usize = 50;
 /// A step is the last one if it is at most this, relative to the larger of one and the point.
 const LAST_STEP: f64 = 1e-15;
 
+/// After a step of at most this relative size, rounding ends the iteration if the next one is not
+/// smaller.
+const SMALL_STEP: f64 = 1e-9;
+
+/// Largest distance from the seen point at the end, relative to the larger of one and the point.
+const RESIDUAL: f64 = 1e-9;
+
 /// Steps from the centre to a point at which Newton's method does not converge from the point
 /// itself.
 const STAGES: usize = 32;
@@ -73,14 +80,18 @@ impl Polynomial {
     }
 
     fn newton(&self, start: Point2<f64>, seen: &Point2<f64>) -> Option<Point2<f64>> {
-        let mut ideal = start;
+        let (mut ideal, mut last) = (start, f64::INFINITY);
         for _ in 0..MAX_STEPS {
             let (value, jacobian) = self.map(&ideal);
             let step = jacobian.try_inverse()? * (value - seen);
             ideal -= step;
-            if step.norm() <= LAST_STEP * ideal.coords.norm().max(1.0) {
-                return Some(ideal);
+            let size = step.norm() / ideal.coords.norm().max(1.0);
+            if size <= LAST_STEP || (size <= SMALL_STEP && size >= last) {
+                // Far away, where the derivative is huge, a step is small without being near.
+                let residual = (self.map(&ideal).0 - seen).norm();
+                return (residual <= RESIDUAL * seen.coords.norm().max(1.0)).then_some(ideal);
             }
+            last = size;
         }
         None
     }
