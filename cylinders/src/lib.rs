@@ -68,11 +68,13 @@ pub use matching::{
 };
 pub use numerics::random;
 pub use numerics::ransac::{self, RansacOptions, RansacOptionsError};
+pub use observations::bundler::{self, BundlerError, parse_bundler, read_bundler};
 pub use observations::colmap::{self, ColmapError, read_colmap};
 pub use observations::copies::{self, IndependentLines};
 pub use observations::input::{self, InputError, parse_scene, read_scene};
 pub use observations::scene::{self, CylinderLines, LineId, Scene};
 pub use observations::segments::{self, PixelOrigin, SegmentError, Segments, parse_segments, read_segments};
+pub use observations::transforms::{self, TransformsError, parse_transforms, read_transforms};
 pub use observations::view::{self, Calibration, Camera, View, ViewError, ViewingPlane};
 pub use observations::{distortion, photograph};
 pub use output::{matching_report, ply, report};

@@ -46,7 +46,7 @@ pub struct Page<'a> {
     pub command: String,
     /// What makes the result doubtful.
     pub warnings: Vec<String>,
-    /// Numbers, in the order of the page.
+    /// Numbers: the first table is the result, the others are folded up at the end of the page.
     pub tables: Vec<Table>,
     /// Folders in which the photographs are looked for by the names of their images, the first
     /// first. A photograph that is in none of them is left out, and its lines are drawn on white.
@@ -72,7 +72,8 @@ impl Page<'_> {
             ("TITLE", escaped(&self.title())),
             ("SUMMARY", self.summary()),
             ("WARNINGS", self.warnings()),
-            ("TABLES", self.tables.iter().map(table).collect()),
+            ("FIRST_TABLE", self.tables.first().map(table).unwrap_or_default()),
+            ("OTHER_TABLES", self.tables.iter().skip(1).map(folded).collect()),
             ("PHOTOGRAPHS", overlay::figures(self)),
             ("SECTIONS", sections),
             ("COMMAND", escaped(&self.command)),
@@ -115,6 +116,13 @@ fn filled(template: &str, parts: &[(&str, String)]) -> String {
         rest = after;
     }
     text + rest
+}
+
+/// A table that opens on demand, without a script.
+fn folded(shown: &Table) -> String {
+    let caption = escaped(&shown.caption);
+    let shown = Table { caption: String::new(), ..shown.clone() };
+    format!("<details><summary>{caption}</summary>\n{}</details>\n", table(&shown))
 }
 
 fn table(table: &Table) -> String {
