@@ -79,7 +79,7 @@ pub use observations::view::{self, Calibration, Camera, View, ViewError, Viewing
 pub use observations::{distortion, photograph};
 pub use output::{matching_report, ply, report};
 #[cfg(feature = "command")]
-pub use output::{page, picture};
+pub use output::{page, picture, report_table};
 pub use space::cylinder::{self, Cylinder, LineResidual, Side};
 pub use space::extent;
 pub use space::quadric::{self, silhouette_of_dual_quadric};

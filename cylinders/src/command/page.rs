@@ -1,6 +1,6 @@
 //! The report of a result, for every subcommand that finds cylinders in a scene.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use super::error::CommandError;
 use super::files::File;
@@ -56,15 +56,7 @@ impl PageArguments {
 /// The folders, those above them, and the folders `images` in each: COLMAP's models are in a folder
 /// such as `sparse/0` beside `images`.
 fn near(folders: &[PathBuf]) -> Vec<PathBuf> {
-    let above = |folder: &PathBuf| {
-        let levels = [folder.clone(), folder.join(".."), folder.join("../..")];
-        levels.into_iter().take(3)
-    };
+    let above = |folder: &PathBuf| [folder.clone(), folder.join(".."), folder.join("../..")];
     let inputs = folders.iter().cloned();
     inputs.chain(folders.iter().flat_map(above).map(|folder| folder.join("images"))).collect()
-}
-
-/// The folder of a file.
-pub(super) fn folder_of(path: &Path) -> PathBuf {
-    path.parent().map_or_else(PathBuf::new, Path::to_owned)
 }

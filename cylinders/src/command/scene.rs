@@ -5,7 +5,6 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use super::error::CommandError;
-use super::page::folder_of;
 use crate::colmap::Model;
 use crate::{
     PixelOrigin, Scene, SegmentError, Segments, parse_segments, read_bundler, read_colmap, read_scene, read_segments,
@@ -72,7 +71,7 @@ impl SceneArguments {
     /// The folders of the files that are read, in which photographs may be.
     pub(super) fn folders(&self) -> Vec<PathBuf> {
         let files = [&self.scene, &self.transforms, &self.list, &self.segments].into_iter().flatten();
-        files.map(|path| folder_of(path)).chain(self.colmap.clone()).collect()
+        files.filter_map(|path| path.parent()).map(Path::to_owned).chain(self.colmap.clone()).collect()
     }
 
     /// Reads the scene, or cameras and their segments.

@@ -13,7 +13,8 @@ use super::output::Output;
 use super::page::{Findings, PageArguments};
 use super::scene::SceneArguments;
 use crate::page::Table;
-use crate::report::{Report, cylinder_table, residual_table};
+use crate::report::Report;
+use crate::report_table::{cylinder_table, residual_table};
 use crate::{CylinderLines, Estimate, Scene};
 
 /// Triangulate the cylinders of a scene by constrained least squares, or robustly

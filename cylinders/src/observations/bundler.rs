@@ -148,13 +148,9 @@ pub fn parse_bundler(
         let (name, sides) = (listed[0], sides.or(size));
         let (file, line, image) = (list_file.to_owned(), index + 1, name.to_owned());
         let Some(size) = sides else { return Err(BundlerError::NoSize { file, line, image }) };
-        photographs.push(
-            photograph(name, f, [k1, k2], &rotation, translation, size).map_err(|source| BundlerError::Invalid {
-                file: fields.file.to_owned(),
-                camera,
-                source,
-            })?,
-        );
+        let found = photograph(name, [f, k1, k2], &rotation, translation, size);
+        let invalid = |source| BundlerError::Invalid { file: fields.file.to_owned(), camera, source };
+        photographs.push(found.map_err(invalid)?);
     }
     let mut positions = Vec::new();
     for _ in 0..points {
@@ -170,8 +166,7 @@ pub fn parse_bundler(
 
 fn photograph(
     name: &str,
-    focal: f64,
-    radial: [f64; 2],
+    [focal, k1, k2]: [f64; 3],
     rotation: &[f64; 9],
     translation: [f64; 3],
     [width, height]: [f64; 2],
@@ -187,7 +182,7 @@ fn photograph(
     if camera.is_negated() {
         return Err(ViewError::NotARotation { deviation: 2.0 });
     }
-    Ok(Photograph { name: name.to_owned(), camera, distortion: Distortion::polynomial(radial, [0.0; 2]) })
+    Ok(Photograph { name: name.to_owned(), camera, distortion: Distortion::polynomial([k1, k2], [0.0; 2]) })
 }
 
 /// The fields of a file after its first line, with the numbers of their lines.

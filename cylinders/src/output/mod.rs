@@ -18,6 +18,6 @@ pub mod ply;
 pub mod report;
 /// Results as tables of a page.
 #[cfg(feature = "command")]
-mod report_table;
+pub mod report_table;
 /// A result as text.
 mod report_text;

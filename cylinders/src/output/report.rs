@@ -14,9 +14,6 @@ use crate::space::cylinder::{Cylinder, LineResidual, Side};
 use crate::space::extent::visible_extent;
 use crate::space::silhouette_distance::DistanceUnit;
 
-#[cfg(feature = "command")]
-pub use super::report_table::{cylinder_table, residual_table};
-
 /// The result as plain numbers in the form of the JSON output.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {

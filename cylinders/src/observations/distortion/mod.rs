@@ -27,8 +27,8 @@ use polynomial::Polynomial;
 /// Below this angle, radians, the model `FOV` is a lens without distortion.
 const SMALLEST_OMEGA: f64 = 1e-4;
 
-/// How a lens bends lines: a projection, and a polynomial of its image. Points at 90 degrees or more
-/// from the optical axis have no ideal point.
+/// How a lens bends lines: a projection, and a polynomial of its image. Points at 90 degrees or
+/// more from the optical axis have no ideal point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Distortion {
     /// From ideal points to the plane in which the polynomial acts.
@@ -141,8 +141,8 @@ impl Distortion {
     }
 
     /// The ideal point that is seen at `seen`; normalised image coordinates. `None` if there is no
-    /// such point: many models fold the plane back at some distance from the centre, and no point is
-    /// seen beyond the fold. Nor is there one for lines of sight that do not point forward.
+    /// such point: many models fold the plane back at some distance from the centre, and no point
+    /// is seen beyond the fold. Nor is there one for lines of sight that do not point forward.
     pub fn undistort(&self, seen: &Point2<f64>) -> Option<Point2<f64>> {
         let ideal = self.projection.unproject(&self.plane().inverse(seen)?)?;
         ideal.coords.iter().all(|coordinate| coordinate.is_finite()).then_some(ideal)
@@ -178,6 +178,6 @@ mod tests {
     fn a_fisheye_sees_90_degrees_nowhere() {
         let lens = Distortion { projection: Projection::Equidistant, ..Distortion::default() };
         assert!(lens.undistort(&Point2::new(1.57, 0.0)).is_some_and(|ideal| ideal.x > 1000.0));
-        assert_eq!(lens.undistort(&Point2::new(1.5708, 0.0)), None);
+        assert_eq!(lens.undistort(&Point2::new(FRAC_PI_2, 0.0)), None);
     }
 }

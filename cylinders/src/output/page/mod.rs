@@ -74,7 +74,7 @@ impl Page<'_> {
             ("WARNINGS", self.warnings()),
             ("FIRST_TABLE", self.tables.first().map(table).unwrap_or_default()),
             ("OTHER_TABLES", self.tables.iter().skip(1).map(folded).collect()),
-            ("PHOTOGRAPHS", overlay::figures(self)),
+            ("PHOTOGRAPHS", overlay::figures(self.scene, self.found, &self.folders)),
             ("SECTIONS", sections),
             ("COMMAND", escaped(&self.command)),
             ("VERSION", escaped(env!("CARGO_PKG_VERSION"))),

@@ -2,15 +2,15 @@
 //! pixels of the photograph. Straight lines are bent where the lens bends them.
 
 use std::fmt::Write;
+use std::path::PathBuf;
 
-use nalgebra::{Point2, Vector3};
+use nalgebra::{Point2, Vector2, Vector3};
 
-use super::Page;
 use super::data_url::data_url;
 use super::escape::escaped;
 use super::image_file::{self, ImageFile};
-use crate::View;
 use crate::output::palette::{self, Colour, GIVEN};
+use crate::{Cylinder, CylinderLines, Scene, View};
 
 /// Pixels to the unit of normalised coordinates for a camera without calibration.
 const SCALE: f64 = 1000.0;
@@ -25,19 +25,22 @@ const FARTHEST: f64 = 1.5;
 /// seen. Beyond a fold of the distortion another one is found.
 const SAME: f64 = 1e-6;
 
-/// One figure for each view with lines.
-pub(super) fn figures(page: &Page<'_>) -> String {
-    let seen = page.scene.views.iter().enumerate().filter(|(_, view)| !view.lines().is_empty());
-    seen.map(|(index, view)| figure(page, index, view)).collect()
+/// One figure for each view with lines. The photographs are in one of the folders.
+pub(super) fn figures(scene: &Scene, found: &[(CylinderLines, Cylinder)], folders: &[PathBuf]) -> String {
+    let seen = scene.views.iter().enumerate().filter(|(_, view)| !view.lines().is_empty());
+    let figure = |(index, view): (usize, &View)| {
+        let photograph = view.image().and_then(|name| image_file::find(folders, name));
+        figure(index, view, found, photograph.as_ref())
+    };
+    seen.map(figure).collect()
 }
 
-fn figure(page: &Page<'_>, index: usize, view: &View) -> String {
-    let photograph = view.image().and_then(|name| image_file::find(&page.folders, name));
-    let [width, height] = size(view, photograph.as_ref());
+fn figure(index: usize, view: &View, found: &[(CylinderLines, Cylinder)], photograph: Option<&ImageFile>) -> String {
+    let [width, height] = size(view, photograph);
     let unit = 0.002 * width.max(height);
     let mut svg = format!("<svg viewBox=\"0 0 {width} {height}\" role=\"img\" xmlns=\"http://www.w3.org/2000/svg\">\n");
     // Writing to a string does not fail.
-    let _ = match &photograph {
+    let _ = match photograph {
         Some(ImageFile { bytes, media_type, .. }) => writeln!(
             svg,
             "<image width=\"{width}\" height=\"{height}\" preserveAspectRatio=\"none\" href=\"{}\"/>",
@@ -45,7 +48,7 @@ fn figure(page: &Page<'_>, index: usize, view: &View) -> String {
         ),
         None => writeln!(svg, "<rect width=\"{width}\" height=\"{height}\" class=\"blank\"/>"),
     };
-    for (number, (lines, cylinder)) in page.found.iter().enumerate() {
+    for (number, (lines, cylinder)) in found.iter().enumerate() {
         let is_seen = lines.views.get(index).is_some_and(|view| !view.lines().is_empty());
         for line in cylinder.silhouette(view.camera()).iter().flatten().filter(|_| is_seen) {
             path(&mut svg, "found", palette::series(number), 2.0 * unit, &curve(view, line, None));
@@ -72,7 +75,7 @@ fn size(view: &View, photograph: Option<&ImageFile>) -> [f64; 2] {
 /// Where a point in normalised coordinates is seen, pixels. `None` if the lens does not show it.
 fn pixel(view: &View, ideal: &Point2<f64>) -> Option<Point2<f64>> {
     let Some(calibration) = view.camera().calibration() else {
-        return Some((ideal + nalgebra::Vector2::new(0.5, 0.5)) * SCALE);
+        return Some((ideal + Vector2::new(0.5, 0.5)) * SCALE);
     };
     let lens = view.distortion();
     let seen = if lens.is_none() { *ideal } else { lens.distort(ideal) };
@@ -85,7 +88,7 @@ fn pixel(view: &View, ideal: &Point2<f64>) -> Option<Point2<f64>> {
 fn curve(view: &View, line: &Vector3<f64>, ends: Option<&[Point2<f64>; 2]>) -> Vec<Vec<Point2<f64>>> {
     let square = line.xy().norm_squared();
     let foot = Point2::from(line.xy() * (-line.z / square));
-    let along = nalgebra::Vector2::new(-line.y, line.x) / square.sqrt();
+    let along = Vector2::new(-line.y, line.x) / square.sqrt();
     // The angle from the foot, seen from the camera centre, grows evenly from point to point.
     let distance = (1.0 + foot.coords.norm_squared()).sqrt();
     let [start, end] = match ends {
