@@ -101,15 +101,18 @@ fn transforms_give_the_cameras() {
     assert!(found.amax() < 1e-9);
 }
 
+/// Makes a good file a bad one.
+type Change<'a> = &'a dyn Fn(&mut Value);
+
 #[test]
 fn bad_transforms_are_refused() {
     let good = transforms(&views(), &json!({ "fl_x": 2900, "w": 4000, "h": 3000 }), 1.0);
-    let changed = |change: &dyn Fn(&mut Value)| {
+    let changed = |change: Change<'_>| {
         let mut file = good.clone();
         change(&mut file);
         parse_transforms(&file.to_string(), "t.json").expect_err("an error").to_string()
     };
-    let cases: [(&dyn Fn(&mut Value), &str); 7] = [
+    let cases: [(Change<'_>, &str); 7] = [
         (&|file| file["frames"] = json!([]), "t.json: `frames` is empty"),
         (&|file| file["frames"] = Value::Null, "t.json: invalid type: null"),
         (&|file| file["fl_x"] = Value::Null, "t.json: frames[0] (images/0.jpg): no focal length: `fl_x` is needed"),

@@ -40,8 +40,8 @@ pub(super) struct SceneArguments {
     /// cylinder,line, separated by commas, semicolons or tabs; - is standard input
     #[arg(long, value_name = "CSV")]
     segments: Option<PathBuf>,
-    /// Where pixels of the segments are (0, 0): at the corner of the upper left pixel, as in COLMAP,
-    /// or at its centre, as in OpenCV
+    /// Which point of the upper left pixel is (0, 0) in the segments: its corner, as in COLMAP, or
+    /// its centre, as in OpenCV
     #[arg(long, value_enum, default_value = "corner", requires = "segments")]
     pixel_origin: Origin,
 }

@@ -3,7 +3,7 @@
 //! ```text
 //!   # Bundle file v0.3
 //!   CAMERAS POINTS
-//!   f k1 k2          for each camera: focal length, pixels, and radial distortion; f = 0: not found
+//!   f k1 k2          for each camera: focal length, pixels, radial distortion; f = 0: not found
 //!   R                three rows, world to camera
 //!   t
 //!   X Y Z            for each point: position,
@@ -15,8 +15,8 @@
 //! up. This reader changes both to the axes of COLMAP, z forward and y down from the upper left
 //! corner, for which it needs the sizes of the images. Segments are in pixels from that corner.
 //!
-//! The list has one line for each camera: the name of its image, and perhaps width and height of the
-//! image, pixels. Other fields, such as the `0 FOCAL` of Bundler's own lists, are ignored. Images
+//! The list has one line for each camera: the name of its image, and perhaps width and height of
+//! the image, pixels. Other fields, such as the `0 FOCAL` of Bundler's own lists, are ignored. Images
 //! without sizes have one size in common.
 
 use std::fs;
