@@ -49,7 +49,7 @@ fn it_is_one_file_and_names_are_text() {
     assert!(text.starts_with("<!doctype html>") && text.ends_with("</html>\n") && !text.contains("{{"));
     assert!(!text.contains("<script>bad") && !text.contains("<b>"));
     assert!(text.contains("&lt;script&gt;bad()&lt;/script&gt;") && text.contains("&lt;b&gt;7&lt;/b&gt;"));
-    // Nothing is loaded: every address is in the page, and that of the SVG namespace is only a name.
+    // Nothing is loaded: every address is in the page. That of the SVG namespace is only a name.
     for address in text.split("href=\"").skip(1).chain(text.split("src=\"").skip(1)) {
         assert!(address.starts_with("data:image/"), "{}", &address[..40]);
     }
@@ -69,7 +69,6 @@ fn it_is_one_file_and_names_are_text() {
     assert_eq!(text.matches("<tr><td>").count(), 1 + 16);
 }
 
-/// The silhouettes of an exact scene lie on its lines: the paths are the same up to rounding.
 #[test]
 fn it_is_the_same_each_time_and_written_with_the_others_or_not() {
     let folder = folder("report_files");

@@ -16,8 +16,8 @@
 //! corner, for which it needs the sizes of the images. Segments are in pixels from that corner.
 //!
 //! The list has one line for each camera: the name of its image, and perhaps width and height of
-//! the image, pixels. Other fields, such as the `0 FOCAL` of Bundler's own lists, are ignored. Images
-//! without sizes have one size in common.
+//! the image, pixels. Other fields, such as the `0 FOCAL` of Bundler's own lists, are ignored.
+//! Images without sizes have one size in common.
 
 use std::fs;
 use std::path::Path;

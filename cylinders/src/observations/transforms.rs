@@ -5,20 +5,23 @@
 //!   "fl_x": 3000, "fl_y": 3000, "cx": 2000, "cy": 1500, "w": 4000, "h": 3000,
 //!   "k1": -0.1, "k2": 0.02, "p1": 0.001, "p2": -0.001,
 //!   "frames": [
-//!     { "file_path": "images/left.jpg", "transform_matrix": [[1,0,0,0],[0,1,0,0],[0,0,1,5],[0,0,0,1]] }
+//!     {
+//!       "file_path": "images/left.jpg",
+//!       "transform_matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 5], [0, 0, 0, 1]]
+//!     }
 //!   ]
 //! }
 //! ```
 //!
-//! - `transform_matrix`: camera to world, in the axes of OpenGL: x to the right, y up, and the camera
-//!   looks along -z. A scale of its rotation is removed.
+//! - `transform_matrix`: camera to world, in the axes of OpenGL: x to the right, y up, and the
+//!   camera looks along -z. A scale of its rotation is removed.
 //! - `fl_x`, `fl_y`: focal lengths, pixels; or `camera_angle_x`, `camera_angle_y`: fields of view,
 //!   radians, which need `w`, `h`. One direction stands for the other. `cx`, `cy`: principal point,
 //!   by default the middle of the image. A frame may have its own values of all of these.
 //! - `camera_model`: `OPENCV` (the default), `PINHOLE`, `SIMPLE_PINHOLE`, `OPENCV_FISHEYE`; with
-//!   `is_fisheye: true` the latter. Coefficients `k1` .. `k4`, `p1`, `p2`, by default zero: `OPENCV`
-//!   takes `k1` to `k3` and refuses another `k4` than zero, since its meaning differs between
-//!   programs; the fisheye takes `k1` to `k4`.
+//!   `is_fisheye: true` the latter. Coefficients `k1` .. `k4`, `p1`, `p2`, by default zero:
+//!   `OPENCV` takes `k1` to `k3` and refuses another `k4` than zero, since its meaning differs
+//!   between programs; the fisheye takes `k1` to `k4`.
 //! - `file_path`: the name of the image in segments.
 //!
 //! The pixel coordinates (0, 0) are the upper left corner of an image, as in COLMAP.

@@ -1,5 +1,5 @@
-//! Photographs as files. They are embedded byte by byte, so that no decoder is needed; only type and
-//! size are read from the file's header.
+//! Photographs as files. They are embedded byte by byte, so that no decoder is needed; only type
+//! and size are read from the file's header.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
