@@ -68,16 +68,18 @@ pub use matching::{
 };
 pub use numerics::random;
 pub use numerics::ransac::{self, RansacOptions, RansacOptionsError};
+pub use observations::bundler::{self, BundlerError, parse_bundler, read_bundler};
 pub use observations::colmap::{self, ColmapError, read_colmap};
 pub use observations::copies::{self, IndependentLines};
 pub use observations::input::{self, InputError, parse_scene, read_scene};
 pub use observations::scene::{self, CylinderLines, LineId, Scene};
-pub use observations::segments::{self, SegmentError, Segments, parse_segments, read_segments};
+pub use observations::segments::{self, PixelOrigin, SegmentError, Segments, parse_segments, read_segments};
+pub use observations::transforms::{self, TransformsError, parse_transforms, read_transforms};
 pub use observations::view::{self, Calibration, Camera, View, ViewError, ViewingPlane};
 pub use observations::{distortion, photograph};
-#[cfg(feature = "command")]
-pub use output::picture;
 pub use output::{matching_report, ply, report};
+#[cfg(feature = "command")]
+pub use output::{page, picture, report_table};
 pub use space::cylinder::{self, Cylinder, LineResidual, Side};
 pub use space::extent;
 pub use space::quadric::{self, silhouette_of_dual_quadric};

@@ -167,7 +167,7 @@ fn images_must_be_clear() {
     assert_eq!(error, "s.csv:2: the camera of `a.jpg` has no calibration");
 
     // No point is seen further than two thirds of the focal length from the centre.
-    let barrel = [photograph("a.jpg", Distortion { radial: [-1.0 / 3.0, 0.0], tangential: [0.0, 0.0] })];
+    let barrel = [photograph("a.jpg", Distortion::polynomial([-1.0 / 3.0, 0.0], [0.0, 0.0]))];
     let far = parse_segments(b"image,x1,y1,x2,y2\na.jpg,500,400,1400,400\n", "s.csv").expect("segments");
     let error = far.views(&barrel).expect_err("an error").to_string();
     assert!(error.starts_with("s.csv:2: the distortion of `a.jpg` cannot be removed at (1400, 400)"), "{error}");
@@ -202,7 +202,7 @@ fn distortion_is_taken_off() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/soda_can.json");
     let straight = read_scene(&path).expect("a scene").views;
     let expected = triangulate(&straight).expect("a cylinder").cylinder.radius;
-    let lens = Distortion { radial: [-0.15, 0.03], tangential: [0.002, -0.001] };
+    let lens = Distortion::polynomial([-0.15, 0.03], [0.002, -0.001]);
     let mut text = HEADER.to_owned();
     let mut photographs = Vec::new();
     for (index, view) in straight.iter().enumerate() {

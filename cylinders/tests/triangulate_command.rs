@@ -114,7 +114,7 @@ fn a_bad_scene_is_1_and_names_the_file() {
 #[test]
 fn a_model_with_segments_gives_the_labelled_cylinders() {
     let scene = read_scene(Path::new(&soda_can())).expect("a scene");
-    let lens = Distortion { radial: [-0.1, 0.02], tangential: [0.001, -0.001] };
+    let lens = Distortion::polynomial([-0.1, 0.02], [0.001, -0.001]);
     let mut model = TestModel { cameras: vec![], images: vec![], points: vec![(1, [120.0, -40.0, 30.0], vec![])] };
     let parameters = vec![3000.0, 3000.0, 2000.0, 1500.0, -0.1, 0.02, 0.001, -0.001];
     model.cameras.push((1, "OPENCV", 4, parameters));

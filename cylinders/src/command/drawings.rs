@@ -6,7 +6,7 @@ use super::error::CommandError;
 use super::files::File;
 use crate::picture::{Format, Picture, PictureError, SectionPicture, SilhouettePicture};
 use crate::ply::to_ply;
-use crate::{Cylinder, CylinderLines, LeastSquares, Scene, Section, SectionLine, SectionSolver};
+use crate::{Cylinder, CylinderLines, Scene};
 
 /// Where to draw the result.
 #[derive(clap::Args, Debug)]
@@ -45,7 +45,7 @@ impl DrawingArguments {
         if let Some(path) = &self.section {
             for (lines, cylinder) in found {
                 let path = labelled(path, lines.label.as_deref());
-                files.push(drawn(path, &section(lines, cylinder))?);
+                files.push(drawn(path, &SectionPicture::of_cylinder(lines, cylinder))?);
             }
         }
         if let Some(folder) = &self.silhouettes {
@@ -65,16 +65,6 @@ fn drawn(path: PathBuf, picture: &impl Picture) -> Result<File, CommandError> {
         Ok(content) => Ok((path, content)),
         Err(source) => Err(CommandError::Picture { path, source }),
     }
-}
-
-/// The cross-section with all stationary circles of its least squares cost.
-fn section(lines: &CylinderLines, cylinder: &Cylinder) -> SectionPicture {
-    let title = lines.label.as_ref().map_or("cross-section".to_owned(), |label| format!("cross-section of {label}"));
-    let picture = SectionPicture::new(title, cylinder, &lines.views);
-    let tangents: Vec<_> = picture.lines().map(|line| SectionLine { line, weight: 1.0, view: 0 }).collect();
-    // If the solver fails, there are no stationary circles to draw.
-    let sections = LeastSquares.solve(&tangents).unwrap_or_default();
-    picture.with_others(sections.iter().skip(1).filter_map(Section::circle).collect())
 }
 
 /// `FILE-LABEL` before the extension.

@@ -7,7 +7,7 @@ use thiserror::Error;
 
 use crate::experiment::ExperimentError;
 use crate::picture::PictureError;
-use crate::{ColmapError, EstimateError, InputError, MatchError, SegmentError};
+use crate::{BundlerError, ColmapError, EstimateError, InputError, MatchError, SegmentError, TransformsError};
 
 /// Why a subcommand failed. The data or a file is at fault in every case.
 #[derive(Debug, Error)]
@@ -21,6 +21,12 @@ pub(super) enum CommandError {
     /// The model cannot be read.
     #[error(transparent)]
     Colmap(#[from] ColmapError),
+    /// The cameras of Bundler cannot be read.
+    #[error(transparent)]
+    Bundler(#[from] BundlerError),
+    /// The cameras of `transforms.json` cannot be read.
+    #[error(transparent)]
+    Transforms(#[from] TransformsError),
     /// Neither a scene nor a model with segments was given.
     #[error("there is no scene")]
     NoScene,

@@ -17,6 +17,8 @@ mod files;
 mod matching;
 /// Text for people, or one JSON object.
 mod output;
+/// The report of a result, one HTML page.
+mod page;
 /// Where cameras and lines come from.
 mod scene;
 /// `cylinders triangulate`.
@@ -49,11 +51,11 @@ enum Command {
 }
 
 impl Command {
-    fn run(&self) -> Result<Output, CommandError> {
+    fn run(&self, line: &str) -> Result<Output, CommandError> {
         match self {
             Self::Experiment(arguments) => experiment::run(arguments),
             Self::Match(arguments) => matching::run(arguments),
-            Self::Triangulate(arguments) => triangulate::run(arguments),
+            Self::Triangulate(arguments) => triangulate::run(arguments, line),
         }
     }
 }
@@ -73,6 +75,8 @@ pub fn run(
     stdout: &mut dyn Write,
     stderr: &mut dyn Write,
 ) -> u8 {
+    let arguments: Vec<OsString> = arguments.into_iter().map(Into::into).collect();
+    let line = arguments.iter().map(|argument| argument.to_string_lossy()).collect::<Vec<_>>().join(" ");
     let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
         Err(error) => {
@@ -88,7 +92,7 @@ pub fn run(
             };
         }
     };
-    match arguments.command.run() {
+    match arguments.command.run(&line) {
         Ok(output) => {
             if arguments.json {
                 for warning in &output.warnings {

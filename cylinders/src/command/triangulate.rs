@@ -10,8 +10,11 @@ use super::error::CommandError;
 use super::estimator::EstimatorArguments;
 use super::files::write_all;
 use super::output::Output;
+use super::page::{Findings, PageArguments};
 use super::scene::SceneArguments;
+use crate::page::Table;
 use crate::report::Report;
+use crate::report_table::{cylinder_table, residual_table};
 use crate::{CylinderLines, Estimate, Scene};
 
 /// Triangulate the cylinders of a scene by constrained least squares, or robustly
@@ -33,6 +36,8 @@ pub(super) struct Arguments {
     out: Option<PathBuf>,
     #[command(flatten)]
     drawings: DrawingArguments,
+    #[command(flatten)]
+    page: PageArguments,
 }
 
 /// A single object for a scene without labels; otherwise a list, even with one label.
@@ -44,6 +49,18 @@ enum Reports {
 }
 
 impl Reports {
+    fn all(&self) -> &[Report] {
+        match self {
+            Self::Unlabelled(report) => std::slice::from_ref(report),
+            Self::Labelled { cylinders } => cylinders,
+        }
+    }
+
+    /// The tables of the report: one of all cylinders, and one of the lines of each.
+    fn tables(&self) -> Vec<Table> {
+        std::iter::once(cylinder_table(self.all())).chain(self.all().iter().map(residual_table)).collect()
+    }
+
     /// The warnings of all cylinders, those of labelled ones with their label.
     fn warnings(&self) -> Vec<String> {
         match self {
@@ -71,7 +88,7 @@ impl fmt::Display for Reports {
     }
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
+pub(super) fn run(arguments: &Arguments, command: &str) -> Result<Output, CommandError> {
     let scene = arguments.scene.read()?;
     let cylinders = scene.cylinders();
     let estimates = arguments.estimator.estimate(&arguments.scene, &cylinders)?;
@@ -84,6 +101,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     };
     let found: Vec<_> = cylinders.into_iter().zip(&estimates).map(shown).collect();
     let mut files = arguments.drawings.draw(&scene, &found)?;
+    let findings =
+        Findings { command: command.to_owned(), warnings: output.warnings.clone(), tables: reports.tables() };
+    files.extend(arguments.page.file(&arguments.scene, &scene, &found, findings)?);
     files.extend(arguments.out.iter().map(|path| (path.clone(), output.json.clone().into_bytes())));
     write_all(arguments.drawings.folder().as_slice(), &files)?;
     Ok(output)

@@ -1,5 +1,7 @@
 //! What is observed: cameras and image lines, and the files from which they are read.
 
+/// Bundler's cameras.
+pub mod bundler;
 /// COLMAP models, text and binary: cameras of photographs, and points.
 pub mod colmap;
 /// Copies of a line to one line.
@@ -14,5 +16,7 @@ pub mod photograph;
 pub mod scene;
 /// CSV files of line segments: end points to fitted lines.
 pub mod segments;
+/// Cameras of instant-ngp and nerfstudio.
+pub mod transforms;
 /// Cameras, silhouette lines and viewing planes; validated.
 pub mod view;

@@ -7,7 +7,8 @@
 //! left.jpg,2411,198.2,2437,2991,tower,
 //! ```
 //!
-//! The first row names the columns, in any order; other columns are ignored.
+//! The first row names the columns, in any order and in capital or small letters; other columns are
+//! ignored. Columns are separated by commas, semicolons or tabs, the same in all rows.
 //!
 //! - `image`: name of the image, as in the scene or in the model that has the cameras.
 //! - `x1`, `y1`, `x2`, `y2`: end points, pixels of the original photograph; the reader removes
@@ -15,6 +16,9 @@
 //! - `cylinder`: optional label of the cylinder whose silhouette the segment is.
 //! - `line`: optional name, any text. The segments of one image and cylinder with the same name are
 //!   pieces of one line. A segment without name is a line by itself.
+//!
+//! COLMAP, and this reader, call the centre of the upper left pixel (0.5, 0.5). For files of
+//! programs such as OpenCV that call it (0, 0) there is [`PixelOrigin::Centre`].
 //!
 //! The line of several segments has the least sum of squared distances from all their end points,
 //! in pixels without distortion. Its end points are the projections of the outermost end points to
@@ -49,6 +53,16 @@ struct Segment {
     cylinder: Option<String>,
     line: Option<String>,
     ends: [Point2<f64>; 2],
+}
+
+/// Which point of the upper left pixel has the coordinates (0, 0).
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub enum PixelOrigin {
+    /// Its outer corner, as in COLMAP: its centre is (0.5, 0.5).
+    #[default]
+    Corner,
+    /// Its centre, as in OpenCV.
+    Centre,
 }
 
 /// Errors of a file of segments. Every message starts with the file and the line in it.
@@ -197,7 +211,8 @@ pub fn read_segments(path: &Path) -> Result<Segments, SegmentError> {
 /// # Errors
 /// As [`read_segments`], except [`SegmentError::Read`].
 pub fn parse_segments(text: &[u8], file: &str) -> Result<Segments, SegmentError> {
-    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text);
+    let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
+    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).delimiter(separator(text)).from_reader(text);
     let header = reader.headers().map_err(|error| csv_error(text, file, &error))?.clone();
     let columns = Columns::find(&header, file)?;
     let mut segments = Vec::new();
@@ -206,6 +221,15 @@ pub fn parse_segments(text: &[u8], file: &str) -> Result<Segments, SegmentError>
         segments.push(columns.segment(&record, file, row(text, record.position()))?);
     }
     Ok(Segments { file: file.to_owned(), segments })
+}
+
+/// The separator of columns: of comma, semicolon and tab, the one that is most often in the first
+/// line.
+fn separator(text: &[u8]) -> u8 {
+    let header = text.trim_ascii_start().split(|&byte| byte == b'\n').next().unwrap_or_default();
+    let count = |separator: u8| header.iter().filter(|&&byte| byte == separator).count();
+    // The last of several largest counts is taken, so that the comma comes last.
+    [b'\t', b';', b','].into_iter().max_by_key(|&separator| count(separator)).unwrap_or(b',')
 }
 
 /// The line of a record. The position of the reader is the end of the previous record, which line
@@ -242,7 +266,8 @@ struct Columns {
 impl Columns {
     fn find(header: &StringRecord, file: &str) -> Result<Self, SegmentError> {
         let optional = |column: &'static str| {
-            let mut places = header.iter().enumerate().filter(|(_, name)| *name == column).map(|(index, _)| index);
+            let mut places =
+                header.iter().enumerate().filter(|(_, name)| name.eq_ignore_ascii_case(column)).map(|(index, _)| index);
             match (places.next(), places.count()) {
                 (first, 0) => Ok(first),
                 (_, more) => Err(SegmentError::Column { file: file.to_owned(), column, found: 1 + more }),
@@ -297,6 +322,16 @@ struct Pieces<'a> {
 }
 
 impl Segments {
+    /// The same segments, with pixels counted from the corner of the image. `origin` is where they
+    /// are counted from now.
+    pub fn with_pixel_origin(mut self, origin: PixelOrigin) -> Self {
+        if origin == PixelOrigin::Centre {
+            let ends = self.segments.iter_mut().flat_map(|segment| &mut segment.ends);
+            ends.for_each(|end| *end += Vector2::new(0.5, 0.5));
+        }
+        self
+    }
+
     /// The lines of the segments as views: one view for each photograph with lines, in the order of
     /// the photographs. The lines are in the order of their first segments.
     ///
@@ -331,7 +366,7 @@ impl Segments {
             .and_then(|view| view.with_labels(labels));
         let (file, image) = (self.file.clone(), photograph.name.clone());
         match view {
-            Ok(view) => Ok(view.with_image(image)),
+            Ok(view) => Ok(view.with_image(image).with_distortion(photograph.distortion)),
             Err(source) => Err(SegmentError::View { file, image, source }),
         }
     }

@@ -14,6 +14,8 @@
 use nalgebra::{Matrix3, Matrix3x4, Point2, Point3, Vector2, Vector3};
 use thiserror::Error;
 
+use super::distortion::Distortion;
+
 /// Largest accepted entry of `M^T M / s^2 - I` for the left 3x3 part `M` of a camera, `s` its mean
 /// row norm. It admits rotations written with four digits and refuses a camera that still contains
 /// its calibration.
@@ -56,6 +58,8 @@ pub struct View {
     /// One entry for each line.
     labels: Vec<Option<String>>,
     image: Option<String>,
+    /// Distortion of the photograph, which has been removed from the lines.
+    distortion: Distortion,
 }
 
 /// The plane `n^T (X - C) = 0` through the camera centre `C` and an image line; `n` is of unit
@@ -121,6 +125,11 @@ pub enum ViewError {
         /// Number of pairs, `None` included.
         ends: usize,
     },
+    /// A parameter of the distortion is out of the range in which it is defined.
+    #[error(
+        "the distortion is not defined: its coefficients are finite, the field of view of FOV is below pi, EUCM has 0 <= alpha <= 1 and beta > 0"
+    )]
+    NotADistortion,
     /// Lines in pixels were given with a camera that has no calibration.
     #[error("lines in pixels need a calibration")]
     NoCalibration,
@@ -306,7 +315,14 @@ impl View {
 
     fn new(camera: Camera, lines: Vec<Vector3<f64>>) -> Self {
         let count = lines.len();
-        Self { camera, lines, ends: vec![None; count], labels: vec![None; count], image: None }
+        Self {
+            camera,
+            lines,
+            ends: vec![None; count],
+            labels: vec![None; count],
+            image: None,
+            distortion: Distortion::default(),
+        }
     }
 
     /// The same view with end points of lines, `None` for a line whose end points are unknown;
@@ -334,6 +350,12 @@ impl View {
     /// The same view, with the name of its image.
     pub fn with_image(self, image: String) -> Self {
         Self { image: Some(image), ..self }
+    }
+
+    /// The same view, with the distortion of its photograph. The lines are those without
+    /// distortion; it serves to draw them over the photograph.
+    pub fn with_distortion(self, distortion: Distortion) -> Self {
+        Self { distortion, ..self }
     }
 
     /// The same view, with the label of the cylinder to which each line belongs.
@@ -368,6 +390,7 @@ impl View {
             ends: indices.iter().map(|&line| self.ends[line]).collect(),
             labels: indices.iter().map(|&line| self.labels[line].clone()).collect(),
             image: self.image.clone(),
+            distortion: self.distortion,
         }
     }
 
@@ -409,6 +432,11 @@ impl View {
     /// The name of the image, if it has one.
     pub fn image(&self) -> Option<&str> {
         self.image.as_deref()
+    }
+
+    /// The distortion of the photograph. It has been removed from the lines.
+    pub fn distortion(&self) -> &Distortion {
+        &self.distortion
     }
 
     /// The viewing planes of the lines, in their order.

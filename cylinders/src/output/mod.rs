@@ -4,6 +4,9 @@
 pub mod matching_report;
 /// Numbers in columns of a text.
 mod number;
+/// A result as one HTML page.
+#[cfg(feature = "command")]
+pub mod page;
 /// Colours of pictures and models.
 mod palette;
 /// Cross-sections, silhouettes and plots as SVG and PNG files.
@@ -13,5 +16,8 @@ pub mod picture;
 pub mod ply;
 /// A result as plain numbers, for JSON.
 pub mod report;
+/// Results as tables of a page.
+#[cfg(feature = "command")]
+pub mod report_table;
 /// A result as text.
 mod report_text;

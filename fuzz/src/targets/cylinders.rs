@@ -172,7 +172,7 @@ fn photographs() -> Vec<Photograph> {
     let matrix = Matrix3x4::new(1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 5.0);
     let camera = Camera::from_normalised(&matrix).ok();
     let calibrated = camera.zip(calibration).map(|(camera, calibration)| camera.with_calibration(calibration));
-    let bent = Distortion { radial: [-0.2, 0.05], tangential: [0.001, -0.002] };
+    let bent = Distortion::polynomial([-0.2, 0.05], [0.001, -0.002]);
     let named = |(name, camera, distortion): (&str, Option<Camera>, Distortion)| {
         camera.map(|camera| Photograph { name: name.to_owned(), camera, distortion })
     };

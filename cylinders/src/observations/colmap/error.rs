@@ -121,7 +121,7 @@ pub enum ColmapError {
     },
     /// The distortion of the camera model is not supported.
     #[error(
-        "{at}: camera {camera} has the model {model}; the supported models are SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL and OPENCV"
+        "{at}: camera {camera} has the model {model}; the models of COLMAP up to EUCM are supported (numbers 0 to 16); hint: `colmap image_undistorter` writes PINHOLE"
     )]
     UnsupportedModel {
         /// Place in the file.

@@ -9,9 +9,11 @@
 //!   point         id, position, colour, error, track
 //! ```
 //!
-//! The reader takes the cameras of the images and the positions of the points. The pixel
+//! The reader takes the cameras of the images and the positions of the points. `points3D` may be
+//! missing. All camera models but that of panoramas are supported (`camera.rs`). The pixel
 //! coordinates (0, 0) are the upper left *corner* of an image, so the centre of its first pixel is
-//! at (0.5, 0.5). Segments must use the same coordinates.
+//! at (0.5, 0.5). Segments must use the same coordinates, or be moved
+//! ([`Segments::with_pixel_origin`](super::segments::Segments::with_pixel_origin)).
 //!
 //! A truncated file is refused. In a binary file every count is checked against the remaining bytes
 //! before memory is allocated. A text file gives its number of records in a comment, which COLMAP
@@ -63,6 +65,14 @@ impl Encoding {
             Self::Binary => ["cameras.bin", "images.bin", "points3D.bin"],
         }
     }
+
+    /// A file of no points.
+    fn without_points(self) -> &'static [u8] {
+        match self {
+            Self::Text => &[],
+            Self::Binary => &[0; 8],
+        }
+    }
 }
 
 /// Reads the model in a folder.
@@ -81,7 +91,9 @@ pub fn read_colmap(folder: &Path) -> Result<Model, ColmapError> {
         }
     };
     let [cameras, images, points] = encoding.file_names();
-    let files = [read(cameras)?, read(images)?, read(points)?];
+    let no_points = || (points.to_owned(), encoding.without_points().to_vec());
+    let points = if folder.join(points).exists() { read(points)? } else { no_points() };
+    let files = [read(cameras)?, read(images)?, points];
     parse_colmap(encoding, files.each_ref().map(|(name, content)| (name.as_str(), content.as_slice())))
 }
 

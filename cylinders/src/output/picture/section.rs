@@ -13,7 +13,7 @@ use super::clip::Window;
 use super::{Area, Drawn, Picture, rgb, units};
 use crate::cross_section::rectify::{Rectification, TangentLine};
 use crate::output::palette::{self, GIVEN, GREY};
-use crate::{Circle, Cylinder, View};
+use crate::{Circle, Cylinder, CylinderLines, LeastSquares, Section, SectionLine, SectionSolver, View};
 
 /// Side of each of the two squares, units.
 const SIDE: u32 = 560;
@@ -45,6 +45,18 @@ impl SectionPicture {
         let line = |plane| Some((rectification.line(&plane)?, rectification.point(&plane.centre)));
         let best = Circle { centre: Point2::origin(), radius: cylinder.radius };
         Self { title, cameras, lines: planes.filter_map(line).collect(), best, others: Vec::new() }
+    }
+
+    /// The cross-section of a cylinder by its lines, with all stationary circles of their least
+    /// squares cost.
+    pub fn of_cylinder(lines: &CylinderLines, cylinder: &Cylinder) -> Self {
+        let title =
+            lines.label.as_ref().map_or("cross-section".to_owned(), |label| format!("cross-section of {label}"));
+        let picture = Self::new(title, cylinder, &lines.views);
+        let tangents: Vec<_> = picture.lines().map(|line| SectionLine { line, weight: 1.0, view: 0 }).collect();
+        // If the solver fails, there are no stationary circles to draw.
+        let sections = LeastSquares.solve(&tangents).unwrap_or_default();
+        picture.with_others(sections.iter().skip(1).filter_map(Section::circle).collect())
     }
 
     /// The same picture, with the other circles at which the cost is stationary; in the coordinates
