@@ -37,6 +37,8 @@ mod section_scene;
 mod table;
 /// `table1`: distance to the true conic.
 mod table1;
+/// `table1` with views among fixed photographs, as in the paper.
+mod table1_fixed;
 
 pub use error::ExperimentError;
 pub use options::Options;

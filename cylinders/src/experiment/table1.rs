@@ -10,6 +10,7 @@ use super::outcome::Outcome;
 use super::quantile::Sorted;
 use super::random::some_of;
 use super::table::Table;
+use super::table1_fixed;
 use crate::circle::fit_circle_in_front;
 use crate::picture::{Axis, Plot, Series};
 use crate::random::Random;
@@ -18,7 +19,7 @@ use crate::{LinearConic, Navab, Section, SectionShape, SectionSolver};
 const RUNS: usize = 10_000;
 
 /// Numbers of photographs.
-const IMAGES: [usize; 5] = [2, 3, 5, 10, 15];
+pub(super) const IMAGES: [usize; 5] = [2, 3, 5, 10, 15];
 
 /// Standard deviations of the coordinates of an end point, pixels.
 const PIXELS: [f64; 3] = [0.5, 2.0, 8.0];
@@ -57,7 +58,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
     let runs = options.runs_or(RUNS);
     let can = Can::of_seed(options.seed)?;
     let results: Vec<Estimates> = instances(options, runs, |random| instance(&can, random));
-    let mut outcome = Outcome::new(format!("{}\n{SETUP}", can::SETUP), runs);
+    let mut outcome = Outcome::new(format!("{}\n{SETUP}\n{}", can::SETUP, table1_fixed::SETUP), runs);
     let mut means =
         Table::new("table1", &["pixels", "method", "2 images", "3 images", "5 images", "10 images", "15 images"]);
     let columns = ["pixels", "images", "method", "mean", "median", "90 %", "mean, unit norm", "no ellipse", "none"];
@@ -91,6 +92,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
         outcome.draw(&format!("noise_{pixels}"), &plot)?;
     }
     outcome.tables.extend([means, details]);
+    table1_fixed::add(&mut outcome, options)?;
     Ok(outcome)
 }
 
