@@ -19,10 +19,14 @@ mod matching;
 mod noise;
 /// `one_sided`: only the left silhouettes.
 mod one_sided;
+/// `one_sided` with cameras on one side.
+mod one_sided_range;
 /// What an experiment is run with.
 mod options;
 /// What an experiment found.
 mod outcome;
+/// Least squares with the choice of the circle in front of the cameras.
+mod proposed;
 /// Quantiles of samples.
 mod quantile;
 /// Seeds of instances, and random choices.

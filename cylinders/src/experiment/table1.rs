@@ -2,16 +2,16 @@
 
 use nalgebra::Matrix3;
 
-use super::can::{self, Can, CrossSection, Noise, PHOTOGRAPHS};
+use super::can::{self, Can, Noise, PHOTOGRAPHS};
 use super::error::ExperimentError;
 use super::instances::instances;
 use super::options::Options;
 use super::outcome::Outcome;
+use super::proposed::proposed;
 use super::quantile::Sorted;
 use super::random::some_of;
 use super::table::Table;
 use super::table1_fixed;
-use crate::circle::fit_circle_in_front;
 use crate::picture::{Axis, Plot, Series};
 use crate::random::Random;
 use crate::{LinearConic, Navab, Section, SectionShape, SectionSolver};
@@ -108,18 +108,11 @@ fn instance(can: &Can, random: &mut Random) -> Estimates {
                 let section = lines.as_ref()?;
                 match solver {
                     Some(solver) => solver.solve(&section.lines).ok()?.first().map(estimate),
-                    None => proposed(section).map(|section| estimate(&section)),
+                    None => proposed(&section.lines, &section.sights).map(|section| estimate(&section)),
                 }
             })
         })
     })
-}
-
-/// Like triangulation, takes the best minimum in front of all cameras.
-fn proposed(CrossSection { lines, sights }: &CrossSection) -> Option<Section> {
-    let tangents: Vec<_> = lines.iter().map(|line| line.line).collect();
-    let extent = sights.iter().map(|sight| sight.camera.coords.norm()).fold(0.0, f64::max);
-    Some(Section::from_circle(fit_circle_in_front(&tangents, sights, extent).ok()?.circle, lines))
 }
 
 fn estimate(section: &Section) -> Estimate {
