@@ -25,6 +25,8 @@ mod one_sided_range;
 mod options;
 /// What an experiment found.
 mod outcome;
+/// Silhouettes over a photograph.
+mod overlay;
 /// Least squares with the choice of the circle in front of the cameras.
 mod proposed;
 /// Quantiles of samples.

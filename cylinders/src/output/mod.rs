@@ -5,7 +5,7 @@ pub mod matching_report;
 /// Numbers in columns of a text.
 mod number;
 /// Colours of pictures and models.
-mod palette;
+pub(crate) mod palette;
 /// Cross-sections, silhouettes and plots as SVG and PNG files.
 #[cfg(feature = "command")]
 pub mod picture;

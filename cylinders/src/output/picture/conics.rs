@@ -9,6 +9,7 @@ use plotters::style::{Color, ShapeStyle};
 
 use super::axes::{Entry, Extent, Mark, frame, frame_size, legend, legend_width, stroke};
 use super::clip::Window;
+use super::style::draw_path;
 use super::{Area, Drawn, Picture, rgb, units};
 use crate::cross_section::rectify::TangentLine;
 use crate::output::palette::{self, GIVEN};
@@ -38,7 +39,7 @@ pub struct ConicPicture {
 impl ConicPicture {
     fn entries(&self) -> Vec<Entry> {
         let conic = |(index, (label, _)): (usize, &(String, _))| Entry {
-            mark: Mark::Line,
+            mark: Mark::Series(index),
             colour: palette::series(index),
             label: label.clone(),
         };
@@ -75,7 +76,10 @@ impl Picture for ConicPicture {
         }
         for (index, (_, dual_conic)) in self.conics.iter().enumerate() {
             for branch in branches(dual_conic, reach) {
-                path(&branch, stroke(rgb(palette::series(index)), 2.5))?;
+                for part in window.path(&branch) {
+                    let points: Vec<_> = part.iter().map(|point| (point.x, point.y)).collect();
+                    draw_path(area, index, &points)?;
+                }
             }
         }
         legend(&beside, &self.entries())

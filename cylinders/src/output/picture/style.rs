@@ -1,15 +1,14 @@
 //! Dashes and markers of series. Colour alone does not tell curves apart in print, and a curve
 //! would hide another one below it.
 
-use plotters::coord::ranged1d::Ranged;
-use plotters::coord::cartesian::Cartesian2d;
+use plotters::coord::CoordTranslate;
 use plotters::drawing::DrawingArea;
 use plotters::element::{Circle, DashedPathElement, PathElement};
 use plotters::prelude::{DrawingBackend, EmptyElement};
 use plotters::style::{Color, ShapeStyle};
 
 use super::axes::stroke;
-use super::{Area, Drawn, rgb, units};
+use super::{Drawn, rgb, units};
 use crate::output::palette;
 
 /// Lengths of dash and gap for each series in turn, units; no dashes for the first. A later series
@@ -42,20 +41,38 @@ pub(super) fn series_stroke(index: usize) -> ShapeStyle {
 }
 
 /// Draws a path with the dashes and the colour of a series.
-pub(super) fn draw_path<DB: DrawingBackend, X: Ranged, Y: Ranged>(
-    area: &DrawingArea<DB, Cartesian2d<X, Y>>,
+pub(super) fn draw_path<DB: DrawingBackend, C: CoordTranslate>(
+    area: &DrawingArea<DB, C>,
     index: usize,
-    points: &[(X::ValueType, Y::ValueType)],
+    points: &[C::From],
 ) -> Drawn<DB>
 where
-    X::ValueType: Clone + 'static,
-    Y::ValueType: Clone + 'static,
+    C::From: Clone,
 {
     match DASHES[index % DASHES.len()] {
         None => area.draw(&PathElement::new(points.to_vec(), series_stroke(index))),
         Some((dash, gap)) => {
-            let (dash, gap) = (units(dash), units(gap));
-            area.draw(&DashedPathElement::new(points.to_vec(), dash, gap, series_stroke(index)))
+            let points = points.to_vec();
+            area.draw(&DashedPathElement::new(points, units(dash), units(gap), series_stroke(index)))
+        }
+    }
+}
+
+/// Draws the marker of a series at a point.
+pub(super) fn draw_marker<DB: DrawingBackend, C: CoordTranslate>(
+    area: &DrawingArea<DB, C>,
+    index: usize,
+    point: C::From,
+) -> Drawn<DB>
+where
+    C::From: Clone,
+{
+    let colour = rgb(palette::series(index));
+    match CORNERS[index % CORNERS.len()] {
+        [] => area.draw(&Circle::new(point, units(3.2), colour.filled())),
+        corners => {
+            let corners = corners.iter().map(|&(x, y)| (units(MARKER * x), units(MARKER * y))).collect::<Vec<_>>();
+            area.draw(&(EmptyElement::at(point) + PathElement::new(corners, stroke(colour, 1.4))))
         }
     }
 }
