@@ -14,7 +14,7 @@ use super::section_scene::Sight;
 use super::table::Table;
 use crate::picture::{Axis, ConicPicture, Plot, Series};
 use crate::random::Random;
-use crate::{Circle, LinearConic, Section, SectionLine, SectionShape, SectionSolver};
+use crate::{Circle, LeastSquares, LinearConic, Section, SectionLine, SectionShape, SectionSolver};
 
 const IMAGES: usize = 15;
 
@@ -35,11 +35,13 @@ const TRUTH: Circle = Circle { centre: Point2::new(0.0, 0.0), radius: 1.0 };
 pub(super) const SETUP: &str = "Table 'ranges': circle of radius 1 at the origin; 15 cameras at distances uniform in [10, 20], \
 in directions uniform within a sector of the given range (degrees), each with its left tangent \
 only, turned about the camera by normal noise sigma (radians). Distance as above; errors of axis \
-and radius in radii. Proposed: the best minimum of the cost in front of all cameras. 'times': \
-median distance of the linear method over that of the proposed one. All ranges and levels of \
+and radius in radii. Proposed: of the stationary circles of least squares that lie to the right \
+of every line, as the side of the silhouettes tells, the one of least cost. In front: as in \
+triangulation, which does not know the side, the best minimum of the cost in front of all \
+cameras. 'times': median distance over that of the proposed method. All ranges and levels of \
 noise have the same scenes.";
 
-const METHODS: [&str; 2] = ["proposed", "linear"];
+const METHODS: [&str; 3] = ["proposed", "in front", "linear"];
 
 /// Distance of the dual conics, errors of axis and radius (infinite if the conic is not an
 /// ellipse).
@@ -80,7 +82,11 @@ impl Scene {
         let lines: Vec<_> = self.sights(range).map(|sight| sight.lines(&TRUTH, noise)[0]).collect();
         let seen: Vec<_> = self.sights(range).map(|sight| sight.seen(&TRUTH)).collect();
         let linear = LinearConic.solve(&lines).ok().and_then(|sections| sections.into_iter().next());
-        ([proposed(&lines, &seen), linear], lines)
+        // The normal of a left silhouette points at the cylinder.
+        let on_its_side = |circle: &Circle| lines.iter().all(|line| line.line.distance(&circle.centre) > 0.0);
+        let stationary = LeastSquares.solve(&lines).unwrap_or_default();
+        let constrained = stationary.into_iter().find(|section| section.circle().as_ref().is_some_and(on_its_side));
+        ([constrained, proposed(&lines, &seen), linear], lines)
     }
 }
 
@@ -116,7 +122,7 @@ pub(super) fn add(outcome: &mut Outcome, options: &Options) -> Result<(), Experi
     let mut table = Table::new("ranges", &columns);
     let mut series: Vec<Series> = Vec::new();
     for (level, noise) in NOISE.into_iter().enumerate() {
-        let mut points = [Vec::new(), Vec::new()];
+        let mut points: [Vec<[f64; 2]>; METHODS.len()] = Default::default();
         for (range, degrees) in RANGES.into_iter().enumerate() {
             let mut medians = [f64::NAN; METHODS.len()];
             for (method, name) in METHODS.into_iter().enumerate() {
@@ -133,15 +139,15 @@ pub(super) fn add(outcome: &mut Outcome, options: &Options) -> Result<(), Experi
                 points[method].push([degrees, medians[method]]);
             }
         }
-        if [0.0002, 0.001].contains(&noise) {
+        if level == DRAWN.1 {
             for (name, points) in METHODS.into_iter().zip(points) {
-                series.push(Series { label: format!("{name}, sigma {noise}"), points, band: None });
+                series.push(Series { label: name.to_owned(), points, band: None });
             }
         }
     }
     outcome.tables.push(table);
     let plot = Plot {
-        title: format!("fifteen left silhouettes on one side, {runs} runs"),
+        title: format!("fifteen left silhouettes, sigma {}, {runs} runs", NOISE[DRAWN.1]),
         x: Axis::logarithmic("viewing range / degrees"),
         y: Axis::logarithmic("median distance to the true conic"),
         series,
@@ -158,7 +164,7 @@ fn example(options: &Options, runs: usize) -> Option<ConicPicture> {
     let (range, noise) = (RANGES[DRAWN.0], NOISE[DRAWN.1]);
     (0..runs).find_map(|instance| {
         let scene = Scene::new(&mut Random::new(instance_seed(options.seed, instance as u64)));
-        let ([circle, linear], lines) = scene.solve(range, noise);
+        let ([circle, _, linear], lines) = scene.solve(range, noise);
         let linear = linear.filter(|section| section.shape == SectionShape::Hyperbola)?;
         let truth = Section::from_circle(TRUTH, &lines);
         let conics = [("truth", truth), ("proposed: circle", circle?), ("linear: hyperbola", linear)];
