@@ -171,8 +171,12 @@ fn one_side_of_the_silhouette_is_enough() {
             number(&summary, "ranges", &row, column)
         };
         assert!(number("linear", 0.0001, "times") > 10.0, "{range} degrees");
-        assert!(number("linear", 0.001, "no ellipse") > 0.0, "{range} degrees");
         assert_eq!(number("proposed", 0.001, "no ellipse"), 0.0, "{range} degrees");
+        if range < 100.0 {
+            assert!(number("linear", 0.001, "no ellipse") > 0.05, "{range} degrees");
+            // Without the side, a small circle among the lines costs less than that of the cylinder.
+            assert!(number("in front", 0.0005, "times") > 10.0, "{range} degrees");
+        }
     }
 }
 

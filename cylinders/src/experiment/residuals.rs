@@ -72,7 +72,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
         if title == "residual" {
             // The figure of the paper has its two solvers.
             let samples = [0, 2].map(|method| histogram.samples[method].clone()).into();
-            outcome.draw("solvers", &Histogram { samples, ..histogram })?;
+            outcome.draw("solvers", &Histogram { samples, bins: 40, ..histogram })?;
         }
     }
     Ok(outcome)

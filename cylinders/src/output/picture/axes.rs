@@ -87,7 +87,8 @@ impl Axis {
             _ if low > high => (1.0, 10.0),
             Scale::Logarithmic => {
                 let (below, above) = (round_down(low), round_up(high));
-                if is_short(below, above) && below < above {
+                let decades = (above / below).log10();
+                if is_short(below, above) && below < above || decades > 2.0 {
                     (below, above)
                 } else {
                     let (low, high) = (low.log10().floor(), high.log10().ceil());
@@ -143,7 +144,9 @@ impl Extent {
                 ticks.filter(inside).collect()
             }
             Scale::Logarithmic => {
-                let (first, last) = (self.low.log10().round() as i32, self.high.log10().round() as i32);
+                // Ends that are whole decades up to rounding count as ticks.
+                let (first, last) =
+                    ((self.low.log10() - 1e-9).ceil() as i32, (self.high.log10() + 1e-9).floor() as i32);
                 let step = ((f64::from(last - first) / TICKS).ceil() as usize).max(1);
                 (first..=last).step_by(step).map(|exponent| 10f64.powi(exponent)).collect()
             }
@@ -154,7 +157,7 @@ impl Extent {
 /// Whether a logarithmic axis is so short that its ticks are the numbers of [`ROUND`] times a power
 /// of ten, not whole decades.
 fn is_short(low: f64, high: f64) -> bool {
-    high / low < 99.0 && low >= 1e-4 && high <= 1e6
+    high / low < 1001.0 && low >= 1e-4 && high <= 1e6
 }
 
 /// The largest number of [`ROUND`] times a power of ten that is at most this.
