@@ -46,9 +46,8 @@ squares circle of all 18 photographs. Linear: least squares for d6 = -1 in these
 the solution of minimum norm with two images. Nearest: of all stationary circles of least squares \
 the one nearest to the truth. Axis equations: another reading of Navab's method, linear in axis \
 and radius. 'above 10' and 'none': parts of the runs with such a distance, and without result. \
-'fixed' has one set of photographs, 'fixed_sets' \
-the quantiles over 200 sets of the mean over their runs. 'paper': the figure of the paper's Table \
-1.";
+'fixed' has one set of photographs, 'fixed_sets' the quantiles over 200 sets of the mean over \
+their runs. 'paper': the figure of the paper's Table 1.";
 
 const METHODS: [&str; 5] = ["proposed", "nearest", "linear", "navab", "axis equations"];
 
