@@ -205,12 +205,16 @@ fn what_has_no_place_is_left_out() {
     with.series[0].points.extend([[f64::NAN, 1.0], [1.0, f64::INFINITY]]);
     assert_eq!(svg(&with), svg(&plot()));
 
-    // No zero on a logarithmic axis; whole decades.
+    // No zero on a logarithmic axis. Up to three decades have plain numbers, others powers of ten.
     let mut logarithmic = plot();
     logarithmic.x = Axis::logarithmic("x");
     logarithmic.y = Axis::logarithmic("y");
     let texts = texts(&svg(&logarithmic));
-    assert!(["1e-1", "1e0", "1e1"].iter().all(|tick| texts.iter().any(|text| text == tick)), "{texts:?}");
+    assert!(["0.02", "0.1", "0.5", "1", "2"].iter().all(|tick| texts.iter().any(|text| text == tick)), "{texts:?}");
+    logarithmic.series[0].points = vec![[1.0, 3e-6], [2.0, 4e2]];
+    let texts = self::texts(&svg(&logarithmic));
+    assert!(["1e-5", "1e0", "1e2"].iter().all(|tick| texts.iter().any(|text| text == tick)), "{texts:?}");
+    assert!(!["1e-6", "1e3"].iter().any(|tick| texts.iter().any(|text| text == tick)), "outside of the data");
 
     for points in [vec![], vec![[0.0, 0.0]], vec![[-1e300, 5.0], [1e300, 5.0]], vec![[1e-300, 1e8], [2e-300, 2e8]]] {
         for axis in [Axis::linear, Axis::logarithmic] {

@@ -21,6 +21,9 @@
 //! together. Lines carry no sign, so the bisector of the acute angle is taken, and a camera must be
 //! further than `sqrt(2) r` from the axis. The weight of a view is `1 / (1 / w_1 + 1 / w_2)`, as
 //! for the difference of independent measurements. A single line of a view is not used.
+//!
+//! Gummeson & Oskarsson report errors of the method that, with five images or more, contain a
+//! constant which this implementation does not have. The experiment `table1` compares both.
 
 use std::collections::BTreeMap;
 

@@ -33,6 +33,9 @@ pub enum ExperimentError {
         /// Reason.
         reason: String,
     },
+    /// Simulated data determine no result.
+    #[error("{0}")]
+    Unsolved(String),
     /// A scene file was given to an experiment that simulates its own scenes.
     #[error("only the experiment `real` takes a scene file")]
     NoScene,

@@ -19,10 +19,16 @@ mod matching;
 mod noise;
 /// `one_sided`: only the left silhouettes.
 mod one_sided;
+/// `one_sided` with cameras on one side.
+mod one_sided_range;
 /// What an experiment is run with.
 mod options;
 /// What an experiment found.
 mod outcome;
+/// Silhouettes over a photograph.
+mod overlay;
+/// Least squares with the choice of the circle in front of the cameras.
+mod proposed;
 /// Quantiles of samples.
 mod quantile;
 /// Seeds of instances, and random choices.
@@ -37,6 +43,8 @@ mod section_scene;
 mod table;
 /// `table1`: distance to the true conic.
 mod table1;
+/// `table1` with views among fixed photographs, as in the paper.
+mod table1_fixed;
 
 pub use error::ExperimentError;
 pub use options::Options;
@@ -51,18 +59,18 @@ pub enum Experiment {
     /// Response of the minimal solver and of least squares to noise
     Noise,
     /// Distance to the true conic of the proposed, the linear and Navab's method for a soda can in
-    /// 2 to 15 photographs
+    /// 2 to 15 photographs, with new noise for each draw and, as in the paper, with fixed noise
     Table1,
     /// Linear and constrained estimate for a limited viewing range
     Conditioning,
-    /// Proposed and linear method for fifteen left silhouettes
+    /// Proposed and linear method for fifteen left silhouettes, from all sides and from one side
     #[value(name = "one_sided")]
     OneSided,
     /// Seven cylinders in twelve images without correspondences: success against outlier rate and
     /// noise
     Matching,
     /// All methods and refinement on a scene file, by default a round tower, compared with its
-    /// sparse points
+    /// sparse points, and silhouettes over its photographs
     Real,
 }
 

@@ -7,6 +7,7 @@ use super::error::ExperimentError;
 use super::instances::instances;
 use super::options::Options;
 use super::outcome::Outcome;
+use super::proposed::proposed;
 use super::quantile::Sorted;
 use super::section_scene::{Sight, least_errors};
 use super::table::Table;
@@ -27,13 +28,33 @@ const SETUP: &str = "Circle at the origin, radius uniform in (0.5, 2); cameras u
 without the inner square of side 6. Each has both tangents, turned about the camera by normal \
 noise of standard deviation sigma (radians), sigma from 0 to 0.02.\n\
 Minimal: three lines of the first two cameras, and of the four circles the one nearest to the \
-truth. Least squares: the global minimum for all lines of the first 2, 3 and 5 cameras.\n\
+truth. Least squares: all lines of the first 2, 3 and 5 cameras. Circle: 'nearest' is the \
+stationary circle nearest to the truth, as in the paper; 'in front' the best minimum in front of \
+all cameras, as in triangulation; 'least cost' the global minimum.\n\
 Errors are in units of the scene. All levels have the same scenes and deviations. Linear \
 response: the part of the variation of the medians that a line through the origin does not \
 explain (1 - R^2).";
 
-const METHODS: [(&dyn SectionSolver, usize); 4] =
-    [(&Minimal, 3), (&LeastSquares, 4), (&LeastSquares, 6), (&LeastSquares, 10)];
+/// Which of the circles of a method counts.
+#[derive(Clone, Copy)]
+enum Choice {
+    /// The one nearest to the truth, as in the paper.
+    Nearest,
+    /// The best minimum in front of all cameras, as in triangulation.
+    InFront,
+    /// The one of least cost.
+    Best,
+}
+
+/// Solver, number of lines, choice and its name. The last is in the tables only.
+const METHODS: [(&dyn SectionSolver, usize, Choice, &str); 6] = [
+    (&Minimal, 3, Choice::Nearest, "nearest"),
+    (&LeastSquares, 4, Choice::Nearest, "nearest"),
+    (&LeastSquares, 4, Choice::InFront, "in front"),
+    (&LeastSquares, 6, Choice::InFront, "in front"),
+    (&LeastSquares, 10, Choice::InFront, "in front"),
+    (&LeastSquares, 4, Choice::Best, "least cost"),
+];
 
 /// Errors of centre and radius, by level and method.
 type Errors = [[[f64; 2]; METHODS.len()]; LEVELS + 1];
@@ -42,25 +63,30 @@ pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
     let runs = options.runs_or(RUNS);
     let results: Vec<Errors> = instances(options, runs, instance);
     let mut outcome = Outcome::new(SETUP, runs);
-    let mut linearity = Table::new("linearity", &["error", "method", "lines", "median / sigma", "1 - R^2"]);
+    let mut linearity = Table::new("linearity", &["error", "method", "lines", "circle", "median / sigma", "1 - R^2"]);
     for (index, error) in ["translation", "radius"].into_iter().enumerate() {
-        let columns = ["sigma", "method", "lines", "25 %", "median", "75 %", "mean"];
+        let columns = ["sigma", "method", "lines", "circle", "25 %", "median", "75 %", "mean"];
         let mut table = Table::new(error, &columns);
         let mut series = Vec::new();
-        for (method, (solver, lines)) in METHODS.into_iter().enumerate() {
+        for (method, (solver, lines, choice, name)) in METHODS.into_iter().enumerate() {
             let mut points = Vec::new();
             let mut limits = Vec::new();
             for level in 0..=LEVELS {
                 let sample = Sorted::new(results.iter().map(|result| result[level][method][index]));
                 let [low, high] = [0.25, 0.75].map(|part| sample.quantile(part));
                 let numbers = [low, sample.median(), high, sample.mean()].map(Into::into);
-                table.push([sigma(level).into(), solver.name().into(), lines.into()].into_iter().chain(numbers));
+                let names = [sigma(level).into(), solver.name().into(), lines.into(), name.into()];
+                table.push(names.into_iter().chain(numbers));
                 points.push([sigma(level), sample.median()]);
                 limits.push([sigma(level), low, high]);
             }
             let (slope, unexplained) = line_through_origin(&points);
-            linearity.push([error.into(), solver.name().into(), lines.into(), slope.into(), unexplained.into()]);
-            let label = format!("{}, {lines} lines", solver.name());
+            let names = [error.into(), solver.name().into(), lines.into(), name.into()];
+            linearity.push(names.into_iter().chain([slope.into(), unexplained.into()]));
+            if matches!(choice, Choice::Best) {
+                continue;
+            }
+            let label = format!("{}, {lines} lines, {name}", solver.name());
             // Only one band is drawn, because four would hide each other.
             let band = (lines == 10).then(|| Band { label: "its middle half".to_owned(), limits });
             series.push(Series { label, points, band });
@@ -85,12 +111,17 @@ fn sigma(level: usize) -> f64 {
 fn instance(random: &mut Random) -> Errors {
     let truth = Circle { centre: Point2::origin(), radius: random.uniform(0.5, 2.0) };
     let sights: [Sight; CAMERAS] = std::array::from_fn(|view| Sight::new(camera(random), view, random));
+    let seen: Vec<_> = sights.iter().flat_map(|sight| [sight.seen(&truth); 2]).collect();
     std::array::from_fn(|level| {
         let lines: Vec<SectionLine> = sights.iter().flat_map(|sight| sight.lines(&truth, sigma(level))).collect();
-        METHODS.map(|(solver, count)| {
-            let sections = solver.solve(&lines[..count]).unwrap_or_default();
-            let offered = if count == 3 { sections.len() } else { 1 };
-            least_errors(sections.iter().take(offered).filter_map(Section::circle), &truth)
+        METHODS.map(|(solver, count, choice, _)| {
+            let lines = &lines[..count];
+            let found = match choice {
+                Choice::InFront => proposed(lines, &seen[..count]).into_iter().collect(),
+                Choice::Nearest => solver.solve(lines).unwrap_or_default(),
+                Choice::Best => solver.solve(lines).unwrap_or_default().into_iter().take(1).collect(),
+            };
+            least_errors(found.iter().filter_map(Section::circle), &truth)
         })
     })
 }

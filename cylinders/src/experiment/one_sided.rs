@@ -3,6 +3,7 @@
 use super::can::{self, Can, Noise, PHOTOGRAPHS, RADIUS};
 use super::error::ExperimentError;
 use super::instances::instances;
+use super::one_sided_range;
 use super::options::Options;
 use super::outcome::Outcome;
 use super::quantile::Sorted;
@@ -49,7 +50,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
     let runs = options.runs_or(RUNS);
     let can = Can::of_seed(options.seed)?;
     let results: Vec<Estimates> = instances(options, runs, |random| instance(&can, random));
-    let mut outcome = Outcome::new(format!("{}\n{SETUP}", can::SETUP), runs);
+    let mut outcome = Outcome::new(format!("{}\n{SETUP}\n{}", can::SETUP, one_sided_range::SETUP), runs);
     let columns = [
         "pixels",
         "method",
@@ -88,6 +89,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
         series,
     };
     outcome.draw("one_sided", &plot)?;
+    one_sided_range::add(&mut outcome, options)?;
     Ok(outcome)
 }
 

@@ -69,6 +69,11 @@ pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
         );
         let histogram = Histogram { title: format!("noise-free {title}s, {runs} runs"), label, samples, bins: 80 };
         outcome.draw(title, &histogram)?;
+        if title == "residual" {
+            // The figure of the paper has its two solvers.
+            let samples = [0, 2].map(|method| histogram.samples[method].clone()).into();
+            outcome.draw("solvers", &Histogram { samples, bins: 40, ..histogram })?;
+        }
     }
     Ok(outcome)
 }

@@ -2,6 +2,7 @@
 
 use nalgebra::{Point2, Vector2};
 
+use crate::cross_section::sight;
 use crate::random::Random;
 use crate::rectify::TangentLine;
 use crate::{Circle, SectionLine};
@@ -26,6 +27,12 @@ impl Sight {
     /// A camera with the deviations of its lines drawn from the standard normal distribution.
     pub(super) fn new(camera: Point2<f64>, view: usize, random: &mut Random) -> Self {
         Self { camera, view, deviations: [random.normal(), random.normal()] }
+    }
+
+    /// The camera as triangulation knows it; it looks at the circle.
+    pub(super) fn seen(&self, circle: &Circle) -> sight::Sight {
+        let towards = circle.centre - self.camera;
+        sight::Sight { camera: self.camera, ray: Some(towards.normalize()) }
     }
 
     /// The two silhouettes of a circle, turned about the camera by the deviations times `noise`,

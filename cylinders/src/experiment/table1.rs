@@ -2,15 +2,16 @@
 
 use nalgebra::Matrix3;
 
-use super::can::{self, Can, CrossSection, Noise, PHOTOGRAPHS};
+use super::can::{self, Can, Noise, PHOTOGRAPHS};
 use super::error::ExperimentError;
 use super::instances::instances;
 use super::options::Options;
 use super::outcome::Outcome;
+use super::proposed::proposed;
 use super::quantile::Sorted;
 use super::random::some_of;
 use super::table::Table;
-use crate::circle::fit_circle_in_front;
+use super::table1_fixed;
 use crate::picture::{Axis, Plot, Series};
 use crate::random::Random;
 use crate::{LinearConic, Navab, Section, SectionShape, SectionSolver};
@@ -18,7 +19,7 @@ use crate::{LinearConic, Navab, Section, SectionShape, SectionSolver};
 const RUNS: usize = 10_000;
 
 /// Numbers of photographs.
-const IMAGES: [usize; 5] = [2, 3, 5, 10, 15];
+pub(super) const IMAGES: [usize; 5] = [2, 3, 5, 10, 15];
 
 /// Standard deviations of the coordinates of an end point, pixels.
 const PIXELS: [f64; 3] = [0.5, 2.0, 8.0];
@@ -57,7 +58,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
     let runs = options.runs_or(RUNS);
     let can = Can::of_seed(options.seed)?;
     let results: Vec<Estimates> = instances(options, runs, |random| instance(&can, random));
-    let mut outcome = Outcome::new(format!("{}\n{SETUP}", can::SETUP), runs);
+    let mut outcome = Outcome::new(format!("{}\n{SETUP}\n{}", can::SETUP, table1_fixed::SETUP), runs);
     let mut means =
         Table::new("table1", &["pixels", "method", "2 images", "3 images", "5 images", "10 images", "15 images"]);
     let columns = ["pixels", "images", "method", "mean", "median", "90 %", "mean, unit norm", "no ellipse", "none"];
@@ -91,6 +92,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
         outcome.draw(&format!("noise_{pixels}"), &plot)?;
     }
     outcome.tables.extend([means, details]);
+    table1_fixed::add(&mut outcome, options)?;
     Ok(outcome)
 }
 
@@ -106,18 +108,11 @@ fn instance(can: &Can, random: &mut Random) -> Estimates {
                 let section = lines.as_ref()?;
                 match solver {
                     Some(solver) => solver.solve(&section.lines).ok()?.first().map(estimate),
-                    None => proposed(section).map(|section| estimate(&section)),
+                    None => proposed(&section.lines, &section.sights).map(|section| estimate(&section)),
                 }
             })
         })
     })
-}
-
-/// Like triangulation, takes the best minimum in front of all cameras.
-fn proposed(CrossSection { lines, sights }: &CrossSection) -> Option<Section> {
-    let tangents: Vec<_> = lines.iter().map(|line| line.line).collect();
-    let extent = sights.iter().map(|sight| sight.camera.coords.norm()).fold(0.0, f64::max);
-    Some(Section::from_circle(fit_circle_in_front(&tangents, sights, extent).ok()?.circle, lines))
 }
 
 fn estimate(section: &Section) -> Estimate {

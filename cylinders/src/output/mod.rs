@@ -8,7 +8,7 @@ mod number;
 #[cfg(feature = "command")]
 pub mod page;
 /// Colours of pictures and models.
-mod palette;
+pub(crate) mod palette;
 /// Cross-sections, silhouettes and plots as SVG and PNG files.
 #[cfg(feature = "command")]
 pub mod picture;

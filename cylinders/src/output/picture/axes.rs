@@ -11,6 +11,7 @@ use plotters::prelude::{DrawingBackend, IntoFont};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{BLACK, Color, RGBColor, ShapeStyle, TRANSPARENT, TextStyle};
 
+use super::style::{draw_marker, draw_path};
 use super::{Area, Drawn, rgb, units};
 use crate::output::palette::Colour;
 
@@ -28,6 +29,9 @@ const RIGHT: f64 = 18.0;
 
 /// Approximate number of ticks of an axis.
 const TICKS: f64 = 9.0;
+
+/// First digits of the ticks of a short logarithmic axis.
+const ROUND: [f64; 3] = [1.0, 2.0, 5.0];
 
 /// How values are spread along an axis.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
@@ -82,8 +86,14 @@ impl Axis {
         let (low, high) = match scale {
             _ if low > high => (1.0, 10.0),
             Scale::Logarithmic => {
-                let (low, high) = (low.log10().floor(), high.log10().ceil());
-                (10f64.powf(low), 10f64.powf(high.max(low + 1.0)))
+                let (below, above) = (round_down(low), round_up(high));
+                let decades = (above / below).log10();
+                if is_short(below, above) && below < above || decades > 2.0 {
+                    (below, above)
+                } else {
+                    let (low, high) = (low.log10().floor(), high.log10().ceil());
+                    (10f64.powf(low), 10f64.powf(high.max(low + 1.0)))
+                }
             }
             Scale::Linear => {
                 // A single value gets a range around it; otherwise the step would be zero.
@@ -126,13 +136,42 @@ impl Extent {
                 let (first, last) = ((self.low / step - 1e-9).ceil() as i64, (self.high / step + 1e-9).floor() as i64);
                 (first..=last).map(|index| index as f64 * step).collect()
             }
+            Scale::Logarithmic if is_short(self.low, self.high) => {
+                let (first, last) = (self.low.log10().floor() as i32, self.high.log10().ceil() as i32);
+                let decades = (first..=last).map(|exponent| 10f64.powi(exponent));
+                let ticks = decades.flat_map(|decade| ROUND.map(|factor| factor * decade));
+                let inside = |tick: &f64| (self.low * (1.0 - 1e-9)..=self.high * (1.0 + 1e-9)).contains(tick);
+                ticks.filter(inside).collect()
+            }
             Scale::Logarithmic => {
-                let (first, last) = (self.low.log10().round() as i32, self.high.log10().round() as i32);
+                // Ends that are whole decades up to rounding count as ticks.
+                let (first, last) =
+                    ((self.low.log10() - 1e-9).ceil() as i32, (self.high.log10() + 1e-9).floor() as i32);
                 let step = ((f64::from(last - first) / TICKS).ceil() as usize).max(1);
                 (first..=last).step_by(step).map(|exponent| 10f64.powi(exponent)).collect()
             }
         }
     }
+}
+
+/// Whether a logarithmic axis is so short that its ticks are the numbers of [`ROUND`] times a power
+/// of ten, not whole decades.
+fn is_short(low: f64, high: f64) -> bool {
+    high / low < 1001.0 && low >= 1e-4 && high <= 1e6
+}
+
+/// The largest number of [`ROUND`] times a power of ten that is at most this.
+fn round_down(value: f64) -> f64 {
+    let decade = 10f64.powf(value.log10().floor());
+    let factors = ROUND.into_iter().rev().map(|factor| factor * decade);
+    factors.into_iter().find(|&round| round <= value * (1.0 + 1e-9)).unwrap_or(decade)
+}
+
+/// The smallest number of [`ROUND`] times a power of ten that is at least this.
+fn round_up(value: f64) -> f64 {
+    let decade = 10f64.powf(value.log10().floor());
+    let factors = ROUND.map(|factor| factor * decade);
+    factors.into_iter().find(|&round| round >= value * (1.0 - 1e-9)).unwrap_or(10.0 * decade)
 }
 
 /// The step of about [`TICKS`] ticks: 1, 2 or 5 times a power of ten.
@@ -164,6 +203,11 @@ impl Ranged for Extent {
 impl ValueFormatter<f64> for Extent {
     fn format_ext(&self, value: &f64) -> String {
         if self.scale == Scale::Logarithmic {
+            if is_short(self.low, self.high) {
+                // One digit and its zeros.
+                let decimals = (-(value * 1.000_001).log10().floor()).max(0.0) as usize;
+                return format!("{value:.decimals$}");
+            }
             return format!("1e{}", value.log10().round());
         }
         let (step, value) = (step(self.high - self.low), if self.downward { -value } else { *value });
@@ -237,6 +281,10 @@ pub(super) fn stroke(colour: impl Color, width: f64) -> ShapeStyle {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Mark {
     Line,
+    /// The line of a series, by its index.
+    Series(usize),
+    /// The same with its marker.
+    Marked(usize),
     Band,
     Dot,
 }
@@ -251,17 +299,22 @@ pub(super) struct Entry {
 /// The width that a legend takes, units.
 pub(super) fn legend_width(entries: &[Entry]) -> u32 {
     let longest = entries.iter().map(|entry| entry.label.chars().count()).max();
-    longest.map_or(0, |longest| 48 + (longest as f64 * 0.52 * LABEL) as u32)
+    longest.map_or(0, |longest| 62 + (longest as f64 * 0.52 * LABEL) as u32)
 }
 
 /// Draws a legend at the upper left of an area, below the height of the title.
 pub(super) fn legend<DB: DrawingBackend>(area: &Area<DB>, entries: &[Entry]) -> Drawn<DB> {
     for (row, entry) in entries.iter().enumerate() {
         let y = units(ABOVE + 12.0 + 22.0 * row as f64);
-        let (left, right) = (units(2.0), units(28.0));
+        let (left, right) = (units(2.0), units(42.0));
         let colour = rgb(entry.colour);
         match entry.mark {
             Mark::Line => area.draw(&PathElement::new([(left, y), (right, y)], stroke(colour, 2.0)))?,
+            Mark::Series(index) => draw_path(area, index, &[(left, y), (right, y)])?,
+            Mark::Marked(index) => {
+                draw_path(area, index, &[(left, y), (right, y)])?;
+                draw_marker(area, index, ((left + right) / 2, y))?;
+            }
             Mark::Band => {
                 let corners = [(left, y - units(6.0)), (right, y + units(6.0))];
                 area.draw(&Rectangle::new(corners, colour.mix(0.3).filled()))?;
@@ -269,7 +322,7 @@ pub(super) fn legend<DB: DrawingBackend>(area: &Area<DB>, entries: &[Entry]) -> 
             Mark::Dot => area.draw(&Circle::new(((left + right) / 2, y), units(3.5), colour.filled()))?,
         }
         let beside = text(LABEL).pos(Pos::new(HPos::Left, VPos::Center));
-        area.draw_text(&entry.label, &beside, (units(36.0), y))?;
+        area.draw_text(&entry.label, &beside, (units(50.0), y))?;
     }
     Ok(())
 }

@@ -5,10 +5,11 @@ use std::f64::consts::TAU;
 use nalgebra::{Matrix2, Matrix3, Point2, SymmetricEigen, Vector2};
 use plotters::element::PathElement;
 use plotters::prelude::DrawingBackend;
-use plotters::style::{Color, ShapeStyle};
+use plotters::style::Color;
 
 use super::axes::{Entry, Extent, Mark, frame, frame_size, legend, legend_width, stroke};
 use super::clip::Window;
+use super::style::draw_path;
 use super::{Area, Drawn, Picture, rgb, units};
 use crate::cross_section::rectify::TangentLine;
 use crate::output::palette::{self, GIVEN};
@@ -38,7 +39,7 @@ pub struct ConicPicture {
 impl ConicPicture {
     fn entries(&self) -> Vec<Entry> {
         let conic = |(index, (label, _)): (usize, &(String, _))| Entry {
-            mark: Mark::Line,
+            mark: Mark::Series(index),
             colour: palette::series(index),
             label: label.clone(),
         };
@@ -60,22 +61,22 @@ impl Picture for ConicPicture {
         let y = Extent::exactly([window.low.y, window.high.y]);
         let chart = frame(&area, &self.title, ("x / world units", x), ("z / world units", y))?;
         let area = chart.plotting_area();
-        let path = |points: &[Point2<f64>], style: ShapeStyle| {
-            window.path(points).iter().try_for_each(|part| {
-                let points: Vec<_> = part.iter().map(|point| (point.x, point.y)).collect();
-                area.draw(&PathElement::new(points, style))
-            })
+        let parts = |points: &[Point2<f64>]| {
+            let coordinates = |part: Vec<Point2<f64>>| part.iter().map(|point| (point.x, point.y)).collect();
+            window.path(points).into_iter().map(coordinates).collect::<Vec<Vec<_>>>()
         };
         // The branch is long enough to cross the window wherever it enters.
         let reach = 4.0 * (window.high - window.low).norm();
         for line in &self.lines {
             let foot = self.middle - line.normal * line.distance(&self.middle);
             let along = Vector2::new(-line.normal.y, line.normal.x) * reach;
-            path(&[foot - along, foot + along], stroke(rgb(GIVEN).mix(0.5), 0.8))?;
+            for part in parts(&[foot - along, foot + along]) {
+                area.draw(&PathElement::new(part, stroke(rgb(GIVEN).mix(0.5), 0.8)))?;
+            }
         }
         for (index, (_, dual_conic)) in self.conics.iter().enumerate() {
             for branch in branches(dual_conic, reach) {
-                path(&branch, stroke(rgb(palette::series(index)), 2.5))?;
+                parts(&branch).iter().try_for_each(|part| draw_path(area, index, part))?;
             }
         }
         legend(&beside, &self.entries())

@@ -1,11 +1,12 @@
-//! Histograms of several samples over one axis, drawn as outlines, so that no histogram hides
-//! another.
+//! Histograms of several samples over one axis, drawn as outlines with dashes, so that no histogram
+//! hides another.
 
-use plotters::element::{PathElement, Polygon};
+use plotters::element::Polygon;
 use plotters::prelude::DrawingBackend;
 use plotters::style::Color;
 
-use super::axes::{Axis, Entry, Mark, frame, legend, legend_width, stroke};
+use super::axes::{Axis, Entry, Mark, frame, legend, legend_width};
+use super::style::draw_path;
 use super::{Area, Drawn, Picture, rgb, units};
 use crate::output::palette;
 
@@ -44,7 +45,7 @@ impl Picture for Histogram {
                 shares.iter().enumerate().flat_map(|(bin, &share)| [(edge(bin), share), (edge(bin + 1), share)]);
             let outline: Vec<_> = [(low, 0.0)].into_iter().chain(steps).chain([(high, 0.0)]).collect();
             chart.plotting_area().draw(&Polygon::new(outline.clone(), colour.mix(0.15)))?;
-            chart.plotting_area().draw(&PathElement::new(outline, stroke(colour, 1.5)))?;
+            draw_path(chart.plotting_area(), index, &outline)?;
         }
         Ok(())
     }
@@ -55,7 +56,7 @@ impl Histogram {
         let entry = |(index, (name, values)): (usize, &(String, Vec<f64>))| {
             let left_out = values.iter().filter(|value| !value.is_finite()).count();
             let label = if left_out == 0 { name.clone() } else { format!("{name} ({left_out} not finite)") };
-            Entry { mark: Mark::Line, colour: palette::series(index), label }
+            Entry { mark: Mark::Series(index), colour: palette::series(index), label }
         };
         self.samples.iter().enumerate().map(entry).collect()
     }

@@ -17,6 +17,8 @@ mod plot;
 mod section;
 /// The silhouettes in an image.
 mod silhouettes;
+/// Dashes and markers of series.
+mod style;
 
 use std::path::Path;
 

@@ -1,14 +1,15 @@
 //! Plots: series of points with lines and bands over linear and logarithmic axes.
 
-use plotters::element::{Circle, PathElement, Polygon};
+use plotters::element::Polygon;
 use plotters::prelude::DrawingBackend;
 use plotters::style::Color;
 
-use super::axes::{Axis, Entry, Mark, frame, legend, legend_width, stroke};
+use super::axes::{Axis, Entry, Mark, frame, legend, legend_width};
+use super::style::{draw_marker, draw_path};
 use super::{Area, Drawn, Picture, rgb, units};
 use crate::output::palette;
 
-/// A plot of several series, each in its own colour. Points that are not finite, or not positive on
+/// A plot of several series, each in its own colour, with its own dashes and markers. Points that are not finite, or not positive on
 /// a logarithmic axis, are left out.
 #[derive(Clone, Debug)]
 pub struct Plot {
@@ -68,13 +69,10 @@ impl Picture for Plot {
         }
         // Lines are drawn above all bands.
         for (index, series) in self.series.iter().enumerate() {
-            let colour = rgb(palette::series(index));
             let shown = |&&[x, y]: &&[f64; 2]| self.x.shows(x) && self.y.shows(y);
             let points: Vec<_> = series.points.iter().filter(shown).map(|&[x, y]| (x, y)).collect();
-            for &point in &points {
-                area.draw(&Circle::new(point, units(3.0), colour.filled()))?;
-            }
-            area.draw(&PathElement::new(points, stroke(colour, 2.0)))?;
+            draw_path(area, index, &points)?;
+            points.iter().try_for_each(|&point| draw_marker(area, index, point))?;
         }
         Ok(())
     }
@@ -85,7 +83,7 @@ impl Plot {
         let entries = |(index, series): (usize, &Series)| {
             let colour = palette::series(index);
             let band = series.band.as_ref().map(|band| Entry { mark: Mark::Band, colour, label: band.label.clone() });
-            [Entry { mark: Mark::Line, colour, label: series.label.clone() }].into_iter().chain(band)
+            [Entry { mark: Mark::Marked(index), colour, label: series.label.clone() }].into_iter().chain(band)
         };
         self.series.iter().enumerate().flat_map(entries).collect()
     }
