@@ -174,7 +174,7 @@ fn one_side_of_the_silhouette_is_enough() {
         assert_eq!(number("proposed", 0.001, "no ellipse"), 0.0, "{range} degrees");
         if range < 100.0 {
             assert!(number("linear", 0.001, "no ellipse") > 0.05, "{range} degrees");
-            // Without the side, a small circle among the lines costs less than that of the cylinder.
+            // Without the side, a small circle among the lines costs less than the cylinder.
             assert!(number("in front", 0.0005, "times") > 10.0, "{range} degrees");
         }
     }

@@ -112,8 +112,8 @@ fn unsolved(path: &Path, reason: String) -> ExperimentError {
     ExperimentError::Scene { path: path.to_owned(), reason }
 }
 
-/// Cross-sections, reprojected silhouettes, and silhouettes over the photographs that lie beside the
-/// scene file.
+/// Cross-sections, reprojected silhouettes, and silhouettes over the photographs that lie beside
+/// the scene file.
 fn draw(
     outcome: &mut Outcome,
     path: &Path,

@@ -11,15 +11,12 @@ use super::proposed::proposed;
 use super::quantile::Sorted;
 use super::random::some_of;
 use super::table::Table;
-use super::table1_fixed;
+use super::table1_fixed::{self, IMAGES};
 use crate::picture::{Axis, Plot, Series};
 use crate::random::Random;
 use crate::{LinearConic, Navab, Section, SectionShape, SectionSolver};
 
 const RUNS: usize = 10_000;
-
-/// Numbers of photographs.
-pub(super) const IMAGES: [usize; 5] = [2, 3, 5, 10, 15];
 
 /// Standard deviations of the coordinates of an end point, pixels.
 const PIXELS: [f64; 3] = [0.5, 2.0, 8.0];

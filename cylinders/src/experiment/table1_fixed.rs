@@ -15,10 +15,12 @@ use super::quantile::Sorted;
 use super::random::{instance_seed, some_of};
 use super::section_scene::Sight as Photograph;
 use super::table::Table;
-use super::table1::IMAGES;
 use crate::cross_section::sight::Sight;
 use crate::random::Random;
 use crate::{Circle, LeastSquares, Navab, Section, SectionLine, SectionSolver};
+
+/// Numbers of photographs.
+pub(super) const IMAGES: [usize; 5] = [2, 3, 5, 10, 15];
 
 /// The circle has radius 1 and is ten radii from the origin of the coordinates.
 const TRUTH: Circle = Circle { centre: Point2::new(10.0, 0.0), radius: 1.0 };

@@ -9,8 +9,9 @@ use plotters::drawing::DrawingAreaErrorKind;
 use plotters::element::{Circle, PathElement, Rectangle};
 use plotters::prelude::{DrawingBackend, IntoFont};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{BLACK, Color, RGBColor, ShapeStyle, TRANSPARENT, TextStyle};
+use plotters::style::{BLACK, Color, RGBColor, TRANSPARENT, TextStyle};
 
+pub(super) use super::style::stroke;
 use super::style::{draw_marker, draw_path};
 use super::{Area, Drawn, rgb, units};
 use crate::output::palette::Colour;
@@ -270,11 +271,6 @@ pub(super) fn frame<'a, DB: DrawingBackend>(
 /// Black text of this height, units.
 pub(super) fn text(height: f64) -> TextStyle<'static> {
     ("sans-serif", f64::from(units(height))).into_font().color(&BLACK)
-}
-
-/// A line of this width, units.
-pub(super) fn stroke(colour: impl Color, width: f64) -> ShapeStyle {
-    ShapeStyle { color: colour.to_rgba(), filled: false, stroke_width: units(width) as u32 }
 }
 
 /// What a legend shows beside a label.

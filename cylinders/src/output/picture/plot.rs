@@ -9,8 +9,8 @@ use super::style::{draw_marker, draw_path};
 use super::{Area, Drawn, Picture, rgb, units};
 use crate::output::palette;
 
-/// A plot of several series, each in its own colour, with its own dashes and markers. Points that are not finite, or not positive on
-/// a logarithmic axis, are left out.
+/// A plot of several series, each in its own colour, with its own dashes and markers. Points that
+/// are not finite, or not positive on a logarithmic axis, are left out.
 #[derive(Clone, Debug)]
 pub struct Plot {
     /// Title.

@@ -7,7 +7,6 @@ use plotters::element::{Circle, DashedPathElement, PathElement};
 use plotters::prelude::{DrawingBackend, EmptyElement};
 use plotters::style::{Color, ShapeStyle};
 
-use super::axes::stroke;
 use super::{Drawn, rgb, units};
 use crate::output::palette;
 
@@ -33,6 +32,11 @@ const MARKER: f64 = 4.5;
 /// Width of the line of a series, units: later series are thinner.
 fn width(index: usize) -> f64 {
     if index == 0 { 2.6 } else { 1.8 }
+}
+
+/// A line of this width, units.
+pub(super) fn stroke(colour: impl Color, width: f64) -> ShapeStyle {
+    ShapeStyle { color: colour.to_rgba(), filled: false, stroke_width: units(width) as u32 }
 }
 
 /// The stroke of a series.
