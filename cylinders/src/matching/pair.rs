@@ -21,15 +21,26 @@
 //! These are two of the four circles that touch the three lines (`closed_form`). The other two lie
 //! in the wedges where one line of the pair points backwards. As a ray turns, its circle moves
 //! through the family in one direction. The circles that have a line within the threshold therefore
-//! form an interval, whose ends are the circles of the rays turned by `+-t`. One sweep over the
-//! ends of all intervals bounds the support of every hypothesis of the pair, in `O(N log N)`. The
-//! bound exceeds the support only for lines that are near both silhouettes.
+//! form an interval, whose ends are the circles of the rays turned by `+-t`.
+//!
+//! The family is divided into equal parts of `u = s / (s + E)`, from 0 at the camera to 1 at
+//! infinity, with the extent `E` of the cameras. With `s = a / d`, `u = a / (a + E d)` needs no case
+//! for circles at infinity. Each part has a set of silhouettes, one bit for each: those with a line
+//! whose interval meets the part. The size of the set bounds the support of every hypothesis in the
+//! part, in time linear in the number of lines `N`. Only hypotheses whose bound is large are scored.
 
 use nalgebra::Vector2;
 
 use super::options::References;
-use super::plan::{Plan, Support, ray};
+use super::plan::{Plan, PlanView, Support, ray};
 use crate::cross_section::circle::Circle;
+
+/// Number of parts of the family of a pair. Where the circles are as far away as the cameras from
+/// each other, the width of a part is a few thousandths of the distance: about that of an interval.
+const PARTS: usize = 1024;
+
+/// Number of silhouettes in one word of a set.
+const WORD: usize = u64::BITS as usize;
 
 /// A pair of rays of one view that may be the two silhouettes of a cylinder.
 #[derive(Clone, Copy, Debug)]
@@ -73,15 +84,22 @@ pub(super) fn pairs(plan: &Plan, references: References) -> Vec<Pair> {
     pairs
 }
 
-/// An event at a circle of the family, in the order in which events at the same circle count.
-#[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
-enum Event {
-    /// From this circle on, a line is within the threshold.
-    Start,
-    /// A circle that a line touches.
-    Touch,
-    /// From this circle on, a line is no longer within the threshold.
-    End,
+/// Memory of the search in a family, kept from pair to pair.
+#[derive(Default)]
+pub(super) struct Workspace {
+    /// The set of silhouettes of each part, one array for each word.
+    sets: Vec<[u64; PARTS]>,
+    /// Parts and place of every line as a silhouette.
+    touches: Vec<Touch>,
+    /// Bound and place of every hypothesis.
+    hypotheses: Vec<(usize, f64)>,
+}
+
+/// The circle of the family that a line touches.
+#[derive(Clone, Copy, Debug)]
+struct Touch {
+    part: usize,
+    place: f64,
 }
 
 impl Pair {
@@ -97,16 +115,16 @@ impl Pair {
 
     /// The best supported circle of the pair and one more line, the nearest one among equals.
     /// `None` if no circle has the least support.
-    pub(super) fn best(&self, plan: &Plan, least_support: usize) -> Option<Hypothesis> {
-        if !self.is_free(plan) {
+    pub(super) fn best(&self, plan: &Plan, least_support: usize, workspace: &mut Workspace) -> Option<Hypothesis> {
+        if !self.is_free(plan) || !self.bound(plan, least_support, workspace) {
             return None;
         }
-        let mut hypotheses = self.bounded(plan, least_support);
+        let hypotheses = &mut workspace.hypotheses;
         hypotheses.sort_unstable_by(|(bound, place), (other, other_place)| {
             other.cmp(bound).then(place.total_cmp(other_place))
         });
         let mut best: Option<Hypothesis> = None;
-        for (bound, place) in hypotheses {
+        for &(bound, place) in hypotheses.iter() {
             let least = best.map_or(least_support, |best| best.support.matches);
             if bound < least {
                 break;
@@ -125,100 +143,76 @@ impl Pair {
         Circle { centre: plan.views()[self.view].centre + self.bisector * place, radius: place * self.sine }
     }
 
-    /// Every hypothesis `s` with a bound on its number of matches, if the bound is at least the
-    /// least support.
-    fn bounded(&self, plan: &Plan, least_support: usize) -> Vec<(usize, f64)> {
-        let mut events = self.events(plan);
-        events.sort_unstable_by(|(place, event, silhouette), (other, other_event, other_silhouette)| {
-            place.total_cmp(other).then(event.cmp(other_event)).then(silhouette.cmp(other_silhouette))
-        });
-        // Number of lines within the threshold of each silhouette, two silhouettes for each view.
-        // The lines of the pair touch every circle of the family.
-        let mut lines = vec![0_u32; 2 * plan.views().len()];
-        let mut matches = 2;
-        let mut hypotheses = Vec::new();
-        for (place, event, silhouette) in events {
-            let lines = &mut lines[silhouette];
-            match event {
-                Event::Start => {
-                    *lines += 1;
-                    matches += usize::from(*lines == 1);
-                }
-                Event::End => {
-                    *lines -= 1;
-                    matches -= usize::from(*lines == 0);
-                }
-                Event::Touch if matches >= least_support => hypotheses.push((matches, place)),
-                Event::Touch => {}
+    /// Writes every hypothesis whose bound on the number of matches is at least the least support.
+    /// Whether there are any.
+    fn bound(&self, plan: &Plan, least_support: usize, workspace: &mut Workspace) -> bool {
+        let Workspace { sets, touches, hypotheses } = workspace;
+        sets.clear();
+        sets.resize((2 * plan.views().len()).div_ceil(WORD), [0; PARTS]);
+        touches.clear();
+        hypotheses.clear();
+        // Silhouettes are numbered `2 view + side`. The lines of the pair touch every circle.
+        for index in (0..plan.views().len()).filter(|&index| index != self.view) {
+            for (side, sine) in [self.sine, -self.sine].into_iter().enumerate() {
+                let silhouette = 2 * index + side;
+                self.mark(plan, index, sine, (&mut sets[silhouette / WORD], 1 << (silhouette % WORD)), touches);
             }
         }
-        hypotheses
+        let matches = |part: usize| 2 + sets.iter().map(|set| set[part].count_ones() as usize).sum::<usize>();
+        let bounds: [usize; PARTS] = std::array::from_fn(matches);
+        if bounds.iter().all(|&bound| bound < least_support) {
+            return false;
+        }
+        let bounded = touches.iter().map(|touch| (bounds[touch.part], touch.place));
+        hypotheses.extend(bounded.filter(|(bound, _)| *bound >= least_support));
+        !hypotheses.is_empty()
     }
 
-    /// Interval and circle of every line of the other views, as left and as right silhouette,
-    /// numbered `2 view + side`.
-    fn events(&self, plan: &Plan) -> Vec<(f64, Event, usize)> {
-        let centre = plan.views()[self.view].centre;
-        let mut events = Vec::new();
-        for (index, view) in plan.views().iter().enumerate() {
-            if index == self.view {
+    /// Marks the parts of every line of another view as one of its silhouettes, with the sine
+    /// `sin(beta)` for the right and `-sin(beta)` for the left one.
+    fn mark(
+        &self,
+        plan: &Plan,
+        view: usize,
+        sine: f64,
+        (set, bit): (&mut [u64; PARTS], u64),
+        touches: &mut Vec<Touch>,
+    ) {
+        let (centre, extent) = (plan.views()[self.view].centre, plan.extent());
+        let PlanView { centre: other, cosine: cos_t, sine: sin_t, ref lines, .. } = plan.views()[view];
+        let (start, bisector) = (centre - other, self.bisector);
+        let [x, y] = plan.normals(lines);
+        for (&x, &y) in x.iter().zip(y) {
+            // Of the ray: s = a / d. A turned normal is n cos(t) +- ray(n) sin(t), so that its a and
+            // d follow from those of the ray and from its products with `start` and `bisector`.
+            let (a, along) = (-(x * start.x + y * start.y), x * start.y - y * start.x);
+            let (across, forward) = (x * bisector.x + y * bisector.y, x * bisector.y - y * bisector.x);
+            let d = across - sine;
+            let place = a / d;
+            // In front of both cameras. It is false for a line that was taken.
+            if !(a * d > 0.0 && along + forward * place > 0.0 && place.is_finite()) {
                 continue;
             }
-            let start = centre - view.centre;
-            for line in view.lines.clone() {
-                let normal = plan.normal(line);
-                for (side, sine) in [self.sine, -self.sine].into_iter().enumerate() {
-                    let family = Family { start, bisector: self.bisector, sine };
-                    let Some(place) = family.place(&normal) else { continue };
-                    let ends = family.ends(&normal, place, [view.cosine, view.sine]);
-                    let silhouette = 2 * index + side;
-                    events.extend(
-                        [(ends[0], Event::Start), (place, Event::Touch), (ends[1], Event::End)]
-                            .map(|(place, event)| (place, event, silhouette)),
-                    );
+            let turned = |sin_t: f64| {
+                let a = a * cos_t - along * sin_t;
+                (a, a + extent * (across * cos_t + forward * sin_t - sine))
+            };
+            let [(first, below_first), (second, below_second)] = [turned(-sin_t), turned(sin_t)];
+            // Otherwise the other camera is near the surface of some of the circles.
+            let [low, high] = match below_first * below_second > 0.0 {
+                true => {
+                    let [first, second] = [first / below_first, second / below_second];
+                    [first.min(second), first.max(second)]
                 }
-            }
+                false => [0.0, 1.0],
+            };
+            // Conversion of numbers saturates.
+            let part = |u: f64| ((u * PARTS as f64) as usize).min(PARTS - 1);
+            let part_of_place = part(place / (place + extent));
+            let (from, to) = (part(low).min(part_of_place), part(high).max(part_of_place));
+            set[from..=to].iter_mut().for_each(|set| *set |= bit);
+            touches.push(Touch { part: part_of_place, place });
         }
-        events
-    }
-}
-
-/// The circles of a pair, seen from another camera, and one of their silhouettes.
-struct Family {
-    /// `C - C'`
-    start: Vector2<f64>,
-    bisector: Vector2<f64>,
-    /// `sin(beta)` for the right, `-sin(beta)` for the left silhouette.
-    sine: f64,
-}
-
-impl Family {
-    /// The circle that the ray with this normal touches; `None` if it is not in front of both
-    /// cameras.
-    fn place(&self, normal: &Vector2<f64>) -> Option<f64> {
-        let place = -normal.dot(&self.start) / (normal.dot(&self.bisector) - self.sine);
-        let ahead = ray(normal).dot(&(self.start + self.bisector * place)) > 0.0;
-        (place > 0.0 && place.is_finite() && ahead).then_some(place)
-    }
-
-    /// An interval that contains all circles that have the ray within the threshold, whose cosine
-    /// and sine are given.
-    fn ends(&self, normal: &Vector2<f64>, place: f64, [cosine, sine]: [f64; 2]) -> [f64; 2] {
-        let mut ends = [place; 2];
-        for sine in [sine, -sine] {
-            let turned = normal * cosine + ray(normal) * sine;
-            let changes = |value: &dyn Fn(&Vector2<f64>) -> f64| value(normal) * value(&turned) <= 0.0;
-            let through_zero = changes(&|normal| normal.dot(&self.start));
-            let through_infinity = changes(&|normal| normal.dot(&self.bisector) - self.sine);
-            match self.place(&turned).filter(|_| !through_zero && !through_infinity) {
-                Some(end) => ends = [ends[0].min(end), ends[1].max(end)],
-                None if through_zero && !through_infinity => ends[0] = 0.0,
-                None if through_infinity && !through_zero => ends[1] = f64::INFINITY,
-                // The other camera is near the surface of some of the circles.
-                None => ends = [0.0, f64::INFINITY],
-            }
-        }
-        ends
     }
 }
 
@@ -261,7 +255,7 @@ mod tests {
             let plan = Plan::new(&scene.views, &scene.direction, &options).expect("a plan");
             for pair in pairs(&plan, References::Every) {
                 let expected = best_of_all(&plan, &pair).filter(|support| support.matches >= 4);
-                let found = pair.best(&plan, 4).map(|best| best.support);
+                let found = pair.best(&plan, 4, &mut Workspace::default()).map(|best| best.support);
                 assert_eq!(found.map(|best| best.matches), expected.map(|best| best.matches), "seed {seed}, {pair:?}");
                 if let (Some(found), Some(expected)) = (found, expected) {
                     assert!((found.cost - expected.cost).abs() < 1e-6, "{found:?} {expected:?}");

@@ -186,6 +186,11 @@ impl Plan {
         Vector2::new(self.normals[0][line], self.normals[1][line])
     }
 
+    /// Entries of the normals of some lines; zero for lines that were taken away.
+    pub(super) fn normals(&self, lines: &Range<usize>) -> [&[f64]; 2] {
+        [0, 1].map(|entry| &self.normals[entry][lines.clone()])
+    }
+
     /// Whether a line has not been taken away.
     pub(super) fn is_free(&self, line: usize) -> bool {
         self.normal(line) != Vector2::zeros()

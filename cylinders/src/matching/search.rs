@@ -12,7 +12,7 @@ use super::found::Matching;
 use super::model::{Model, fitted};
 use super::occlusion::hidden;
 use super::options::MatchOptions;
-use super::pair::{Hypothesis, Pair, pairs};
+use super::pair::{Hypothesis, Pair, Workspace, pairs};
 use super::plan::Plan;
 use crate::cross_section::circle::Circle;
 use crate::observations::scene::LineId;
@@ -145,15 +145,18 @@ fn extract(
     found: &mut Vec<Model>,
 ) {
     progress(Progress::Pairs(pairs.len()));
-    let search = |(index, pair): (usize, &Pair)| {
-        let best = pair.best(plan, demand.least_support);
+    let search = |workspace: &mut Workspace, (index, pair): (usize, &Pair)| {
+        let best = pair.best(plan, demand.least_support, workspace);
         progress(Progress::Pair);
         best.map(|best| (best, index))
     };
     #[cfg(feature = "parallel")]
-    let best: Vec<_> = pairs.par_iter().enumerate().map(search).collect();
+    let best: Vec<_> = pairs.par_iter().enumerate().map_init(Workspace::default, search).collect();
     #[cfg(not(feature = "parallel"))]
-    let best: Vec<_> = pairs.iter().enumerate().map(search).collect();
+    let best: Vec<_> = {
+        let mut workspace = Workspace::default();
+        pairs.iter().enumerate().map(|pair| search(&mut workspace, pair)).collect()
+    };
 
     let mut round = found.len();
     let mut chance = Chance::of(plan, pairs);
@@ -162,10 +165,11 @@ fn extract(
     // Candidates that might be chance. They are tried again when another model is found: then there
     // are fewer lines, and some of their silhouettes may be hidden.
     let mut doubtful = Vec::new();
+    let mut workspace = Workspace::default();
     while found.len() < demand.count {
         let Some(candidate) = queue.pop() else { break };
         if candidate.round < round {
-            let again = pairs[candidate.pair].best(plan, demand.least_support);
+            let again = pairs[candidate.pair].best(plan, demand.least_support, &mut workspace);
             queue.extend(again.map(|best| Candidate { best, round, ..candidate }));
             continue;
         }
