@@ -57,7 +57,7 @@ fn text_and_json_report_the_cylinders() {
     assert_eq!(std::fs::read_to_string(&out).expect("a file"), output);
 
     let report = parsed(&output);
-    assert_eq!((&report["threshold"], &report["warnings"]), (&json!(3.0), &json!([])));
+    assert_eq!((&report["threshold"], &report["warnings"]), (&json!(12.0), &json!([])));
     let cylinders = report["cylinders"].as_array().expect("an array");
     assert_eq!(cylinders.len(), 3);
     let mut matches = 0;
@@ -69,8 +69,32 @@ fn text_and_json_report_the_cylinders() {
         matches += cylinder["matches"].as_array().expect("an array").len();
         assert_eq!(cylinder["matches"][0]["image"], format!("{}.jpg", cylinder["matches"][0]["view"]));
     }
+    // Each cylinder is refined on its matches, with standard deviations that explain its error.
+    for cylinder in cylinders {
+        let refined = &cylinder["refined"];
+        let [radius, deviation] = [&refined["radius"], &refined["refinement"]["radius_deviation"]]
+            .map(|number| number.as_f64().expect("a number"));
+        assert_eq!(refined["residuals"].as_array().map(Vec::len), cylinder["matches"].as_array().map(Vec::len));
+        let error = scene().cylinders.iter().map(|truth| (truth.radius - radius).abs()).fold(1.0, f64::min);
+        assert!(deviation > 0.0 && deviation < 0.01 && error < 5.0 * deviation, "{radius} {deviation}");
+    }
     let unmatched = report["unmatched"].as_array().expect("an array").len();
     assert_eq!(report["lines"], matches + unmatched);
+}
+
+#[test]
+fn what_is_found_is_drawn() {
+    let scene_file = scene_file("match_drawn.json");
+    let place = |name: &str| Path::new(env!("CARGO_TARGET_TMPDIR")).join(name).display().to_string();
+    let (ply, section, folder) = (place("match_drawn.ply"), place("match_drawn.svg"), place("match_drawn"));
+    let (code, _, error) = command(&[&scene_file, "--ply", &ply, "--section", &section, "--silhouettes", &folder]);
+    assert_eq!((code, error.as_str()), (0, ""));
+    assert!(std::fs::read(&ply).expect("a file").starts_with(b"ply"));
+    for number in 1..=3 {
+        let picture = std::fs::read_to_string(place(&format!("match_drawn-{number}.svg"))).expect("a picture");
+        assert!(picture.contains("<svg"));
+    }
+    assert_eq!(std::fs::read_dir(&folder).expect("a folder").count(), 8);
 }
 
 #[test]

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use nalgebra::{Unit, Vector3};
 
+use super::drawings::DrawingArguments;
 use super::error::CommandError;
 use super::files::write_all;
 use super::output::Output;
@@ -12,9 +13,11 @@ use super::scene::SceneArguments;
 use crate::direction::estimate_direction;
 use crate::matching_report::MatchingReport;
 use crate::progress::progress_bar;
+use crate::report::Report;
 use crate::{
-    MatchError, MatchOptions, Matching, Progress, References, Scene, TriangulateError, View, default_direction_options,
-    estimate_direction_robustly, match_cylinders_with,
+    CylinderLines, Estimate, MatchError, MatchOptions, MatchedCylinder, Matching, Progress, RefineError, References,
+    TriangulateError, View, default_direction_options, estimate_direction_robustly, estimate_from,
+    match_cylinders_with,
 };
 
 /// Find parallel cylinders and their silhouettes among unlabelled lines
@@ -27,9 +30,9 @@ Every pair of lines in an image is tried with every line of the other images. La
 pub(super) struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Largest distance between a line and its silhouette: pixels if all cameras have a calibration
-    /// (default 3), radians otherwise (default 0.001); the default is doubled up to three times if
-    /// there is no cylinder
+    /// Upper bound of the distance of a line from its silhouette: pixels if all cameras have a
+    /// calibration (default 12), radians otherwise (default 0.004); the default is doubled once if
+    /// there is no cylinder. Less is allowed where the lines show less noise
     #[arg(long, value_name = "DISTANCE", value_parser = positive)]
     threshold: Option<f64>,
     /// Largest number of cylinders; by default all that are unlikely to be chance
@@ -49,12 +52,15 @@ pub(super) struct Arguments {
     /// Also write the result to this file, as JSON
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    drawings: DrawingArguments,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
-    let Scene { views, .. } = arguments.scene.read()?;
-    let directions = directions(arguments, &views)?;
-    let defaults = MatchOptions::of(&views);
+    let read = arguments.scene.read()?;
+    let views = &read.views;
+    let directions = directions(arguments, views)?;
+    let defaults = MatchOptions::of(views);
     let options = MatchOptions {
         threshold: arguments.threshold.unwrap_or(defaults.threshold),
         references: if arguments.first_image { References::First } else { References::Every },
@@ -64,12 +70,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     };
     let scene = || arguments.scene.path().to_owned();
     // Hand-drawn lines may need more than the default.
-    let factors: &[f64] = if arguments.threshold.is_some() { &[1.0] } else { &[1.0, 2.0, 4.0, 8.0] };
+    let factors: &[f64] = if arguments.threshold.is_some() { &[1.0] } else { &[1.0, 2.0] };
     let mut found = Err(MatchError::NoPair);
     for factor in factors {
         let options = MatchOptions { threshold: factor * options.threshold, ..options };
         for direction in &directions {
-            found = search(&views, direction, &options).map(|matching| (*direction, options.threshold, matching));
+            found = search(views, direction, &options).map(|matching| (*direction, options.threshold, matching));
             if !matches!(found, Err(MatchError::NoCylinder { .. })) {
                 break;
             }
@@ -79,10 +85,24 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         }
     }
     let (direction, threshold, matching) = found.map_err(|error| CommandError::Match { scene: scene(), error })?;
-    let report = MatchingReport::new(&views, (&direction, threshold), &matching);
+    let lines: Vec<_> = (1..).zip(&matching.cylinders).map(|(n, found)| found.lines(views, &n.to_string())).collect();
+    let refine = |(lines, found): (&CylinderLines, &MatchedCylinder)| estimate_from(&lines.views, &found.cylinder);
+    let estimates: Vec<_> = lines.iter().zip(&matching.cylinders).map(refine).collect();
+    let reports = lines.iter().zip(&estimates).map(|(lines, estimate)| match estimate {
+        Ok(estimate) => Ok(Report::new(lines, estimate, &read.points)),
+        Err(error) => Err(*error),
+    });
+    let report = MatchingReport::new(views, (&direction, threshold), &matching).with_refined(reports.collect());
     let output = Output::of(&report).with_warnings(report.warnings);
-    let out = arguments.out.iter().map(|path| (path.clone(), output.json.clone().into_bytes()));
-    write_all(&[], &out.collect::<Vec<_>>())?;
+    let cylinder = |(found, estimate): (&MatchedCylinder, &Result<Estimate, RefineError>)| match estimate {
+        Ok(estimate) => estimate.cylinder,
+        Err(_) => found.cylinder,
+    };
+    let cylinders: Vec<_> = matching.cylinders.iter().zip(&estimates).map(cylinder).collect();
+    let found: Vec<_> = lines.into_iter().zip(cylinders).collect();
+    let mut files = arguments.drawings.draw(&read, &found)?;
+    files.extend(arguments.out.iter().map(|path| (path.clone(), output.json.clone().into_bytes())));
+    write_all(arguments.drawings.folder().as_slice(), &files)?;
     Ok(output)
 }
 

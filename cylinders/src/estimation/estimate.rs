@@ -134,6 +134,27 @@ pub fn estimate(views: &[View], method: &Method) -> Result<Estimate, EstimateErr
     Ok(estimate)
 }
 
+/// A cylinder that is known roughly, refined on all of its lines, with the other cylinders that
+/// explain them about as well, and with warnings. Copies of a line count as one line.
+///
+/// # Errors
+/// [`RefineError`].
+pub fn estimate_from(views: &[View], initial: &Cylinder) -> Result<Estimate, RefineError> {
+    let lines = IndependentLines::of(views);
+    let metric = Metric::of(views);
+    let (planes, measured) = (identified_planes(&lines), metric.measured(&lines)?);
+    let distinct = distinct_planes(&lines);
+    let evidence = Evidence { planes: &planes, measured: &measured, distinct: &distinct, unit: metric.unit };
+    let options = RefineOptions { metric, loss: Loss::Quadratic };
+    let mut estimate = Estimate::of_cylinder(*initial, views, lines.count())?.refined(views, initial, &options)?;
+    let plausible = evidence.plausible_cylinders(Some(&estimate.cylinder));
+    estimate.warnings.extend(camera_warnings(views));
+    estimate.warnings.extend(thin(&estimate.cylinder, views));
+    estimate.warnings.extend(fit_warnings(&evidence, &estimate.cylinder, &plausible));
+    estimate.plausible = Some(plausible);
+    Ok(estimate)
+}
+
 /// The cylinders of a common direction as estimates. Cylinders of another direction that may
 /// explain the lines are not looked for.
 pub fn parallel_estimates(result: ParallelTriangulation, cylinders: &[Vec<View>]) -> Vec<Estimate> {

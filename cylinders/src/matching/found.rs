@@ -1,6 +1,7 @@
 //! The cylinders that were found, with their silhouettes.
 
-use crate::observations::scene::LineId;
+use crate::observations::scene::{CylinderLines, LineId};
+use crate::observations::view::View;
 use crate::space::cylinder::{Cylinder, LineResidual};
 
 /// A cylinder and its silhouettes among the lines.
@@ -17,6 +18,19 @@ pub struct MatchedCylinder {
     /// Expected number of cylinders with as many and as near matches, if the lines that remained
     /// when it was found were random.
     pub false_alarms: f64,
+}
+
+impl MatchedCylinder {
+    /// Its silhouettes in the views of the search, under this label.
+    pub fn lines(&self, views: &[View], label: &str) -> CylinderLines {
+        let of_view = |view: usize| self.matches.iter().filter(move |line| line.view == view).map(|line| line.line);
+        let selected = |(index, view): (usize, &View)| view.selected(&of_view(index).collect::<Vec<_>>());
+        CylinderLines {
+            label: Some(label.to_owned()),
+            views: views.iter().enumerate().map(selected).collect(),
+            lines: self.matches.iter().map(|&LineResidual { view, line, .. }| LineId { view, line }).collect(),
+        }
+    }
 }
 
 /// All cylinders that were found.

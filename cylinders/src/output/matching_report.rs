@@ -6,7 +6,7 @@ use nalgebra::{Unit, Vector3};
 use serde::Serialize;
 
 use super::number::{number, triple};
-use super::report::ResidualReport;
+use super::report::{Report, ResidualReport};
 use crate::estimation::warnings::camera_warnings;
 use crate::matching::{MatchedCylinder, Matching};
 use crate::observations::scene::LineId;
@@ -49,6 +49,10 @@ pub struct MatchedCylinderReport {
     pub outlier_rate: f64,
     /// Expected number of cylinders with matches as many and as near by chance.
     pub false_alarms: f64,
+    /// The cylinder refined on its matches in the images, by itself, with the form of
+    /// `cylinders triangulate`. Absent if it could not be refined.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub refined: Option<Report>,
     /// One residual for each silhouette.
     pub matches: Vec<ResidualReport>,
 }
@@ -75,6 +79,7 @@ impl MatchingReport {
             section_rms: found.rms,
             outlier_rate: found.outlier_rate,
             false_alarms: found.false_alarms,
+            refined: None,
             matches: found
                 .matches
                 .iter()
@@ -94,6 +99,28 @@ impl MatchingReport {
             unmatched: matching.unmatched.iter().map(line).collect(),
             warnings: warnings(views, matching),
         }
+    }
+}
+
+impl MatchingReport {
+    /// The report with the refined cylinders, in the order of the matching, or why they could not
+    /// be refined. Their warnings are said, too, each with the number of its cylinder.
+    pub fn with_refined<E: fmt::Display>(mut self, refined: Vec<Result<Report, E>>) -> Self {
+        for (index, (cylinder, refined)) in self.cylinders.iter_mut().zip(refined).enumerate() {
+            let number = index + 1;
+            match refined {
+                Ok(report) => {
+                    // Those about the cameras concern all cylinders and are said once.
+                    let new: Vec<_> =
+                        report.warnings.iter().filter(|warning| !self.warnings.contains(warning)).collect();
+                    let new: Vec<_> = new.iter().map(|warning| format!("cylinder {number}: {warning}")).collect();
+                    self.warnings.extend(new);
+                    cylinder.refined = Some(report);
+                }
+                Err(error) => self.warnings.push(format!("cylinder {number} is not refined: {error}")),
+            }
+        }
+        self
     }
 }
 
@@ -124,6 +151,10 @@ impl fmt::Display for MatchingReport {
             writeln!(text, "section rms      {:14.6e}   world units", cylinder.section_rms)?;
             writeln!(text, "outlier rate     {:14.4}   {} matches", cylinder.outlier_rate, cylinder.matches.len())?;
             writeln!(text, "false alarms     {:14.1e}   as many and as near matches by chance", cylinder.false_alarms)?;
+            if let Some(refined) = &cylinder.refined {
+                writeln!(text, "\nrefined")?;
+                refined.write_cylinder(text)?;
+            }
             writeln!(text, "\n{}", ResidualReport::HEADING)?;
             cylinder.matches.iter().try_for_each(|residual| writeln!(text, "{residual}"))?;
         }

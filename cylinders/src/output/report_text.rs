@@ -12,13 +12,7 @@ impl fmt::Display for Report {
         if let Some(label) = &self.label {
             writeln!(text, "cylinder         {label:>14}")?;
         }
-        writeln!(text, "axis point       {}   nearest to the origin", triple(self.axis_point))?;
-        writeln!(text, "direction        {}", triple(self.direction))?;
-        writeln!(text, "radius           {}", number(self.radius))?;
-        if let Some([low, high]) = self.extent {
-            writeln!(text, "extent           {}{}   along the axis from the axis point", number(low), number(high))?;
-        }
-        self.write_quality(text)?;
+        self.write_cylinder(text)?;
         if let Some(points) = &self.points {
             let percent = 100.0 * NEAR_SURFACE;
             writeln!(
@@ -43,6 +37,17 @@ impl fmt::Display for Report {
 }
 
 impl Report {
+    /// The cylinder and its quality.
+    pub(super) fn write_cylinder(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(text, "axis point       {}   nearest to the origin", triple(self.axis_point))?;
+        writeln!(text, "direction        {}", triple(self.direction))?;
+        writeln!(text, "radius           {}", number(self.radius))?;
+        if let Some([low, high]) = self.extent {
+            writeln!(text, "extent           {}{}   along the axis from the axis point", number(low), number(high))?;
+        }
+        self.write_quality(text)
+    }
+
     fn write_quality(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.independent_lines < self.residuals.len() {
             let lines = self.residuals.len();
