@@ -17,6 +17,8 @@ mod files;
 mod matching;
 /// Text for people, or one JSON object.
 mod output;
+/// `cylinders photos`.
+mod photos;
 /// Where cameras and lines come from.
 mod scene;
 /// `cylinders triangulate`.
@@ -45,6 +47,7 @@ struct Arguments {
 enum Command {
     Experiment(experiment::Arguments),
     Match(matching::Arguments),
+    Photos(photos::Arguments),
     Triangulate(triangulate::Arguments),
 }
 
@@ -53,6 +56,7 @@ impl Command {
         match self {
             Self::Experiment(arguments) => experiment::run(arguments),
             Self::Match(arguments) => matching::run(arguments),
+            Self::Photos(arguments) => photos::run(arguments),
             Self::Triangulate(arguments) => triangulate::run(arguments),
         }
     }

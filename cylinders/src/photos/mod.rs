@@ -1,0 +1,21 @@
+//! Photographs and their cameras to the cylinders in them, without correspondences.
+//!
+//! ```text
+//!   photograph --> distortion removed --> segments --> pieces joined, short ones left out
+//!     --> directions on which many lines agree --> matching along each
+//!     --> the direction with the most evidence for cylinders
+//! ```
+
+/// Files of photographs to grey images.
+#[cfg(feature = "command")]
+pub mod decode;
+/// Candidates of the direction of the axes.
+mod directions;
+/// Photographs to candidates of silhouettes.
+mod lines;
+/// Directions and matches.
+mod search;
+
+pub use directions::candidate_directions;
+pub use lines::{LineOptions, PhotoError, candidate_lines, undistorted_segments};
+pub use search::{PhotoMatching, PhotoOptions, find_cylinders};
