@@ -32,6 +32,9 @@ pub(super) enum CommandError {
     /// The lines cannot be matched.
     #[error("{}: {error}", scene.display())]
     Match { scene: PathBuf, error: MatchError },
+    /// A view does not name its photograph.
+    #[error("views[{view}]: there is no `image`, the name of the photograph")]
+    NoImageName { view: usize },
     /// A photograph cannot be read.
     #[error("cannot read `{}`: {source}", path.display())]
     Read { path: PathBuf, source: io::Error },

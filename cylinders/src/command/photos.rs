@@ -1,31 +1,36 @@
 //! `cylinders photos`: photographs and cameras to cylinders.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use nalgebra::{Point3, Unit, Vector3};
 
-use super::drawings::DrawingArguments;
+use super::drawings::{DrawingArguments, view_file};
 use super::error::CommandError;
 use super::files::write_all;
 use super::matching::{parse_direction, positive};
 use super::output::Output;
+use super::triangulate::reports;
 use crate::distortion::Distortion;
 use crate::matching_report::MatchingReport;
 use crate::photograph::Photograph;
-use crate::photos::decode::decode_photograph;
+use crate::photos::decode::{decode_photograph, encode_png, media_type};
 use crate::photos::{
-    LineOptions, PhotoMatching, PhotoOptions, candidate_lines, find_cylinders, undistorted_segments,
+    LineOptions, PhotoMatching, PhotoOptions, candidate_lines, find_cylinders, snapped, undistorted_image,
 };
-use crate::{Cylinder, CylinderLines, Scene, View, read_colmap, read_scene};
+use crate::picture::{PhotographFile, photograph_overlay};
+use crate::{
+    Cylinder, CylinderLines, Method, Scene, View, detection::detect_segments, estimate, read_colmap, read_scene,
+};
 
 /// Find parallel cylinders in photographs whose cameras are known
 #[derive(clap::Args, Debug)]
 #[command(after_help = "Examples:
   cylinders photos --colmap model --images photographs --json
-  cylinders photos scene.json --images photographs --silhouettes pictures --ply cylinders.ply
+  cylinders photos scene.json --images photographs --overlays pictures --ply cylinders.ply
+  cylinders photos scene.json --images photographs --snap
 
-Lines of the scene are not looked at, only its cameras.")]
+Lines of the scene are not looked at, only its cameras, unless --snap is given.")]
 pub(super) struct Arguments {
     /// Scene with the cameras and the names of their images, JSON
     #[arg(required_unless_present = "colmap", conflicts_with = "colmap")]
@@ -42,6 +47,14 @@ pub(super) struct Arguments {
     /// Direction of all axes, world frame; by default the one with the most evidence for cylinders
     #[arg(long, value_name = "X,Y,Z", value_parser = parse_direction, allow_hyphen_values = true)]
     direction: Option<Unit<Vector3<f64>>>,
+    /// Do not search: move the lines of the scene to the edges that are detected within 5 pixels,
+    /// and refine the cylinder of each label on them
+    #[arg(long, conflicts_with_all = ["colmap", "threshold", "direction"])]
+    snap: bool,
+    /// Draw lines and silhouettes over each photograph, to an SVG file in this folder, which is
+    /// made if it is not there
+    #[arg(long, value_name = "FOLDER")]
+    overlays: Option<PathBuf>,
     /// Also write the result to this file, as JSON
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -49,53 +62,132 @@ pub(super) struct Arguments {
     drawings: DrawingArguments,
 }
 
+/// The file of a photograph without distortion, and its candidates for silhouettes.
+struct Seen {
+    file: Vec<u8>,
+    media_type: &'static str,
+    size: [usize; 2],
+    lines: View,
+}
+
+/// A scene with the lines of cylinders labelled, and these cylinders.
+type Labelled = (Scene, Vec<(CylinderLines, Cylinder)>);
+
 pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
-    let (photographs, points) = photographs(arguments)?;
-    let views = photographs.iter().map(|photograph| view(arguments, photograph)).collect::<Result<Vec<_>, _>>()?;
-    let defaults = PhotoOptions::of(&views);
-    let mut options = defaults;
+    let scene = scene(arguments)?;
+    let photographs = photographs(arguments, &scene)?;
+    let seen = photographs.into_iter().map(|photograph| look(arguments, &photograph)).collect::<Result<Vec<_>, _>>()?;
+    let (output, (scene, found)) = match arguments.snap {
+        true => snap(arguments, scene, &seen)?,
+        false => search(arguments, scene.points, &seen)?,
+    };
+    let mut files = arguments.drawings.draw(&scene, &found)?;
+    if let Some(folder) = &arguments.overlays {
+        files.extend(overlays(&scene, &found, &seen).map(|(name, content)| (folder.join(name), content)));
+    }
+    files.extend(arguments.out.iter().map(|path| (path.clone(), output.json.clone().into_bytes())));
+    let folders: Vec<_> = arguments.drawings.folder().into_iter().chain(arguments.overlays.as_deref()).collect();
+    write_all(&folders, &files)?;
+    Ok(output)
+}
+
+/// The scene of the file; of a model only the points.
+fn scene(arguments: &Arguments) -> Result<Scene, CommandError> {
+    match &arguments.scene {
+        Some(scene) => Ok(read_scene(scene)?),
+        None => Ok(Scene { views: Vec::new(), points: Vec::new() }),
+    }
+}
+
+/// The photographs of the model, or of the views of the scene.
+fn photographs(arguments: &Arguments, scene: &Scene) -> Result<Vec<Photograph>, CommandError> {
+    if let Some(model) = &arguments.colmap {
+        return Ok(read_colmap(model)?.photographs);
+    }
+    let photograph = |(index, view): (usize, &View)| {
+        let name = view.image().ok_or(CommandError::NoImageName { view: index })?.to_owned();
+        Ok(Photograph { name, camera: *view.camera(), distortion: Distortion::default() })
+    };
+    scene.views.iter().enumerate().map(photograph).collect()
+}
+
+/// Reads a photograph and detects its lines.
+fn look(arguments: &Arguments, photograph: &Photograph) -> Result<Seen, CommandError> {
+    let path = arguments.images.join(&photograph.name);
+    let file = fs::read(&path).map_err(|source| CommandError::Read { path: path.clone(), source })?;
+    let image = decode_photograph(&file).map_err(|source| CommandError::Photograph { path: path.clone(), source })?;
+    let size = [image.width(), image.height()];
+    let straight = undistorted_image(photograph, &image)?;
+    let diagonal = (size[0] as f64).hypot(size[1] as f64);
+    let lines = candidate_lines(photograph, &detect_segments(&straight), diagonal, &LineOptions::default())?;
+    // Lines are drawn over the photograph without distortion.
+    let (media_type, file) = match photograph.distortion.is_none() {
+        true => (media_type(&file).unwrap_or_default(), file),
+        false => {
+            let failure = |source: png::EncodingError| CommandError::Picture { path, source: source.into() };
+            ("image/png", encode_png(&straight).map_err(failure)?)
+        }
+    };
+    Ok(Seen { file, media_type, size, lines })
+}
+
+/// Cylinders without labels.
+fn search(arguments: &Arguments, points: Vec<Point3<f64>>, seen: &[Seen]) -> Result<(Output, Labelled), CommandError> {
+    let views: Vec<_> = seen.iter().map(|seen| seen.lines.clone()).collect();
+    let mut options = PhotoOptions::of(&views);
     options.matching.threshold = arguments.threshold;
     let found = find_cylinders(&views, arguments.direction, &options)
         .map_err(|error| CommandError::Match { scene: arguments.images.clone(), error })?;
     let report = MatchingReport::new(&found.views, (&found.direction, options.matching.threshold), &found.matching);
-    let output = Output::of(&report).with_warnings(report.warnings);
-    let (scene, cylinders) = labelled(found, points);
-    let mut files = arguments.drawings.draw(&scene, &cylinders)?;
-    files.extend(arguments.out.iter().map(|path| (path.clone(), output.json.clone().into_bytes())));
-    write_all(arguments.drawings.folder().as_slice(), &files)?;
-    Ok(output)
+    let points = match &arguments.colmap {
+        Some(model) => read_colmap(model)?.points,
+        None => points,
+    };
+    Ok((Output::of(&report).with_warnings(report.warnings), labelled(found, points)))
 }
 
-fn photographs(arguments: &Arguments) -> Result<(Vec<Photograph>, Vec<Point3<f64>>), CommandError> {
-    match (&arguments.scene, &arguments.colmap) {
-        (_, Some(model)) => {
-            let model = read_colmap(model)?;
-            Ok((model.photographs, model.points))
-        }
-        (Some(scene), None) => {
-            let scene = read_scene(scene)?;
-            let photograph = |view: &View| {
-                let name = view.image()?.to_owned();
-                Some(Photograph { name, camera: *view.camera(), distortion: Distortion::default() })
-            };
-            Ok((scene.views.iter().filter_map(photograph).collect(), scene.points))
-        }
-        // The parser of the command line rejects it.
-        (None, None) => Err(CommandError::NoScene),
+/// The cylinder of each label of the scene, on the edges near its lines.
+fn snap(arguments: &Arguments, scene: Scene, seen: &[Seen]) -> Result<(Output, Labelled), CommandError> {
+    let (mut views, mut moved, mut marked) = (Vec::new(), 0, 0);
+    for (view, seen) in scene.views.iter().zip(seen) {
+        let (snapped, count) = snapped(view, &seen.lines).unwrap_or_else(|| (view.clone(), 0));
+        marked += view.lines().len();
+        moved += count;
+        views.push(snapped);
     }
+    let scene = Scene { views, points: scene.points };
+    let lines = scene.cylinders();
+    let estimate = |lines: &CylinderLines| {
+        estimate(&lines.views, &Method::Refined).map_err(|error| CommandError::Estimate {
+            scene: arguments.images.clone(),
+            label: lines.label.clone(),
+            error,
+        })
+    };
+    let estimates = lines.iter().map(estimate).collect::<Result<Vec<_>, _>>()?;
+    let reports = reports(&scene, &lines, &estimates);
+    let mut warnings = reports.warnings();
+    if moved < marked {
+        warnings.push(format!("{} of {marked} lines have no edge within reach and stay where they are", marked - moved));
+    }
+    let output = Output::of(&reports).with_warnings(warnings);
+    let found = lines.into_iter().zip(&estimates).map(|(lines, estimate)| (lines, estimate.cylinder)).collect();
+    Ok((output, (scene, found)))
 }
 
-fn view(arguments: &Arguments, photograph: &Photograph) -> Result<View, CommandError> {
-    let path = arguments.images.join(Path::new(&photograph.name));
-    let bytes = fs::read(&path).map_err(|source| CommandError::Read { path: path.clone(), source })?;
-    let image = decode_photograph(&bytes).map_err(|source| CommandError::Photograph { path, source })?;
-    let segments = undistorted_segments(photograph, &image)?;
-    let diagonal = (image.width() as f64).hypot(image.height() as f64);
-    Ok(candidate_lines(photograph, &segments, diagonal, &LineOptions::default())?)
+/// Name and content of the picture of each photograph.
+fn overlays(scene: &Scene, found: &[(CylinderLines, Cylinder)], seen: &[Seen]) -> impl Iterator<Item = (String, Vec<u8>)> {
+    let overlay = move |(view, seen): (usize, &Seen)| {
+        let [width, height] = seen.size;
+        let file = PhotographFile { media_type: seen.media_type, bytes: &seen.file, width, height };
+        let svg = photograph_overlay(&file, scene, found, view)?;
+        Some((view_file(scene, view), svg.into_bytes()))
+    };
+    seen.iter().enumerate().filter_map(overlay)
 }
 
 /// The scene with the number of its cylinder, from 1, as the label of each matched line.
-fn labelled(found: PhotoMatching, points: Vec<Point3<f64>>) -> (Scene, Vec<(CylinderLines, Cylinder)>) {
+fn labelled(found: PhotoMatching, points: Vec<Point3<f64>>) -> Labelled {
     let PhotoMatching { views, matching, .. } = found;
     let labels = |index: usize, view: &View| {
         let mut labels = vec![None; view.lines().len()];
@@ -107,9 +199,8 @@ fn labelled(found: PhotoMatching, points: Vec<Point3<f64>>) -> (Scene, Vec<(Cyli
         labels
     };
     let views = views.iter().enumerate().map(|(index, view)| {
-        let labels = labels(index, view);
-        // There is one label for each line.
-        view.clone().with_labels(labels).unwrap_or_else(|_| view.clone())
+        // There is one label for each line, so they are not refused.
+        view.clone().with_labels(labels(index, view)).unwrap_or_else(|_| view.clone())
     });
     let scene = Scene { views: views.collect(), points };
     let lines = scene.cylinders();

@@ -38,14 +38,14 @@ pub(super) struct Arguments {
 /// A single object for a scene without labels; otherwise a list, even with one label.
 #[derive(Serialize)]
 #[serde(untagged)]
-enum Reports {
+pub(super) enum Reports {
     Unlabelled(Box<Report>),
     Labelled { cylinders: Vec<Report> },
 }
 
 impl Reports {
     /// The warnings of all cylinders, those of labelled ones with their label.
-    fn warnings(&self) -> Vec<String> {
+    pub(super) fn warnings(&self) -> Vec<String> {
         match self {
             Self::Unlabelled(report) => report.warnings.clone(),
             Self::Labelled { cylinders } => {
@@ -89,7 +89,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     Ok(output)
 }
 
-fn reports(scene: &Scene, cylinders: &[CylinderLines], estimates: &[Estimate]) -> Reports {
+pub(super) fn reports(scene: &Scene, cylinders: &[CylinderLines], estimates: &[Estimate]) -> Reports {
     let report = |(lines, estimate)| Report::new(lines, estimate, &scene.points);
     let mut reports: Vec<_> = cylinders.iter().zip(estimates).map(report).collect();
     match reports.pop() {

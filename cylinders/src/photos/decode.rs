@@ -1,4 +1,4 @@
-//! JPEG and PNG files to grey images.
+//! JPEG and PNG files to grey images, and grey images to PNG files.
 
 use std::io::Cursor;
 
@@ -83,4 +83,22 @@ fn png(bytes: &[u8]) -> Result<GreyImage, DecodeError> {
     };
     let grey = values.chunks_exact(frame.color_type.samples()).map(brightness).collect();
     Ok(GreyImage::new(frame.width as usize, frame.height as usize, grey)?)
+}
+
+/// A PNG file of an image. Unknown pixels are black.
+///
+/// # Errors
+/// [`png::EncodingError`], for an image without pixels too.
+pub fn encode_png(image: &GreyImage) -> Result<Vec<u8>, png::EncodingError> {
+    let size = |length: usize| u32::try_from(length).unwrap_or(0);
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, size(image.width()), size(image.height()));
+    encoder.set_color(png::ColorType::Grayscale);
+    encoder.set_depth(png::BitDepth::Eight);
+    let mut writer = encoder.write_header()?;
+    // The conversion saturates, and turns what is not a number into 0.
+    let values: Vec<_> = image.values().iter().map(|value| value.round() as u8).collect();
+    writer.write_image_data(&values)?;
+    writer.finish()?;
+    Ok(bytes)
 }

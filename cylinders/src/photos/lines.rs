@@ -4,6 +4,8 @@
 //! across it, so a segment of `L` pixels is turned by up to `1 / L` radians: a short one agrees
 //! with any direction near it, and says nothing.
 
+use std::borrow::Cow;
+
 use nalgebra::Point2;
 use thiserror::Error;
 
@@ -14,6 +16,9 @@ use crate::observations::view::{View, ViewError};
 
 /// Default of the least length of a line, as a part of the diagonal of the image.
 const LEAST_LENGTH: f64 = 0.03;
+
+/// Points that are nearer are one point; normalised image coordinates.
+const SAME_POINT: f64 = 1e-6;
 
 /// Which segments become lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,26 +52,38 @@ pub enum PhotoError {
     },
 }
 
-/// The segments of a photograph, in pixels without distortion. The distortion is removed from the
-/// image before detection, because the image of a straight line is curved.
+/// The image that a lens without distortion would give, of the same size. Pixels outside of the
+/// photograph are unknown.
 ///
 /// # Errors
 /// [`PhotoError::NoCalibration`].
-pub fn undistorted_segments(photograph: &Photograph, image: &GreyImage) -> Result<Vec<DetectedSegment>, PhotoError> {
+pub fn undistorted_image<'a>(
+    photograph: &Photograph,
+    image: &'a GreyImage,
+) -> Result<Cow<'a, GreyImage>, PhotoError> {
     let Some(calibration) = photograph.camera.calibration() else {
         return Err(PhotoError::NoCalibration { image: photograph.name.clone() });
     };
     if photograph.distortion.is_none() {
-        return Ok(detect_segments(image));
+        return Ok(Cow::Borrowed(image));
     }
     let seen = |ideal: Point2<f64>| {
         let point = calibration.point_to_normalised(&ideal);
         let seen = photograph.distortion.distort(&point);
         // Beyond the fold of the distortion a point of the image is seen a second time.
         let back = photograph.distortion.undistort(&seen)?;
-        ((back - point).norm() < 1e-6).then(|| calibration.point_to_pixels(&seen))
+        ((back - point).norm() < SAME_POINT).then(|| calibration.point_to_pixels(&seen))
     };
-    Ok(detect_segments(&image.warped(seen)))
+    Ok(Cow::Owned(image.warped(seen)))
+}
+
+/// The segments of a photograph, in pixels without distortion. The distortion is removed from the
+/// image before detection, because the image of a straight line is curved.
+///
+/// # Errors
+/// [`PhotoError::NoCalibration`].
+pub fn undistorted_segments(photograph: &Photograph, image: &GreyImage) -> Result<Vec<DetectedSegment>, PhotoError> {
+    Ok(detect_segments(undistorted_image(photograph, image)?.as_ref()))
 }
 
 /// The view of a photograph with the candidates for silhouettes among its segments (pixels without

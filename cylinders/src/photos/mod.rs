@@ -15,7 +15,10 @@ mod directions;
 mod lines;
 /// Directions and matches.
 mod search;
+/// Marked lines to the edges near them.
+mod snap;
 
 pub use directions::candidate_directions;
-pub use lines::{LineOptions, PhotoError, candidate_lines, undistorted_segments};
+pub use lines::{LineOptions, PhotoError, candidate_lines, undistorted_image, undistorted_segments};
 pub use search::{PhotoMatching, PhotoOptions, find_cylinders};
+pub use snap::snapped;
