@@ -67,11 +67,8 @@ impl RenderingSetup {
     /// for the cylinders, or the size of the image is zero.
     pub fn scene(&self, seed: u64) -> Option<RenderedScene> {
         let mut random = Random::new(seed);
-        let turn = Rotation3::from_euler_angles(
-            random.uniform(0.0, TAU),
-            random.uniform(-0.5, 0.5),
-            random.uniform(0.0, TAU),
-        );
+        let turn =
+            Rotation3::from_euler_angles(random.uniform(0.0, TAU), random.uniform(-0.5, 0.5), random.uniform(0.0, TAU));
         let columns = columns(self.cylinders, &mut random)?;
         let light = Unit::try_new(Vector3::new(random.normal(), random.normal(), 1.5), 1e-9)?;
         let stage = Stage { columns, light: light.into_inner(), floor_angle: random.uniform(0.0, TAU) };
@@ -106,7 +103,8 @@ impl RenderingSetup {
         let distance = random.uniform(DISTANCES[0], DISTANCES[1]);
         let height = random.uniform(CAMERA_HEIGHTS[0], CAMERA_HEIGHTS[1]);
         let centre = Point3::new(angle.cos() * distance, angle.sin() * distance, height);
-        let forward = (Vector3::new(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4), 1.4) - centre.coords).normalize();
+        let forward =
+            (Vector3::new(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4), 1.4) - centre.coords).normalize();
         let right = forward.cross(&Vector3::z()).normalize();
         let upright = Matrix3::from_rows(&[right.transpose(), forward.cross(&right).transpose(), forward.transpose()]);
         let roll = Rotation3::from_axis_angle(&Vector3::z_axis(), random.uniform(-0.15, 0.15));

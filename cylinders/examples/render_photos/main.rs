@@ -7,9 +7,7 @@ use std::time::Instant;
 use std::{env, error, fs};
 
 use eliminant_cylinders::distortion::Distortion;
-use eliminant_cylinders::photos::{
-    LineOptions, PhotoOptions, candidate_lines, find_cylinders, undistorted_segments,
-};
+use eliminant_cylinders::photos::{LineOptions, PhotoOptions, candidate_lines, find_cylinders, undistorted_segments};
 use eliminant_cylinders::rendering::{RenderedScene, RenderingSetup};
 use eliminant_cylinders::{Cylinder, View};
 

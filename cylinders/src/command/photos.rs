@@ -166,17 +166,22 @@ fn snap(arguments: &Arguments, scene: Scene, seen: &[Seen]) -> Result<(Output, L
     };
     let estimates = lines.iter().map(estimate).collect::<Result<Vec<_>, _>>()?;
     let reports = reports(&scene, &lines, &estimates);
-    let mut warnings = reports.warnings();
+    let mut output = Output::of(&reports).with_warnings(reports.warnings());
     if moved < marked {
-        warnings.push(format!("{} of {marked} lines have no edge within reach and stay where they are", marked - moved));
+        let warning = format!("{} of {marked} lines have no edge within reach and stay where they are", marked - moved);
+        output.text += &format!("\nwarning: {warning}\n");
+        output.warnings.push(warning);
     }
-    let output = Output::of(&reports).with_warnings(warnings);
     let found = lines.into_iter().zip(&estimates).map(|(lines, estimate)| (lines, estimate.cylinder)).collect();
     Ok((output, (scene, found)))
 }
 
 /// Name and content of the picture of each photograph.
-fn overlays(scene: &Scene, found: &[(CylinderLines, Cylinder)], seen: &[Seen]) -> impl Iterator<Item = (String, Vec<u8>)> {
+fn overlays(
+    scene: &Scene,
+    found: &[(CylinderLines, Cylinder)],
+    seen: &[Seen],
+) -> impl Iterator<Item = (String, Vec<u8>)> {
     let overlay = move |(view, seen): (usize, &Seen)| {
         let [width, height] = seen.size;
         let file = PhotographFile { media_type: seen.media_type, bytes: &seen.file, width, height };

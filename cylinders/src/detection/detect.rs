@@ -7,6 +7,7 @@ use super::level_lines::{LevelLines, SCALE, TOLERANCE, difference};
 use super::rectangle::{PROBABILITY, Rectangle};
 use super::region::{Region, grow};
 use super::significance::log_tests;
+use super::subpixel::refined;
 
 /// Number of classes of steepness by which pixels are ordered.
 const CLASSES: f32 = 1024.0;
@@ -61,6 +62,7 @@ pub fn detect_segments(image: &GreyImage) -> Vec<DetectedSegment> {
         if significance > 0.0 {
             // A gradient belongs to the corner between its four pixels.
             let ends = rectangle.ends.map(|end| Point2::new(end.x + 1.0, end.y + 1.0) / SCALE);
+            let ends = refined(image, ends);
             found.push(DetectedSegment { ends, width: rectangle.width / SCALE, significance });
         }
     }

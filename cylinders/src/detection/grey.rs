@@ -59,8 +59,7 @@ impl GreyImage {
     /// The value between pixels, by linear interpolation; NaN outside.
     pub fn at(&self, point: &Point2<f64>) -> f32 {
         let (x, y) = (point.x - 0.5, point.y - 0.5);
-        let inside =
-            x >= 0.0 && y >= 0.0 && x <= self.width as f64 - 1.0 && y <= self.height as f64 - 1.0;
+        let inside = x >= 0.0 && y >= 0.0 && x <= self.width as f64 - 1.0 && y <= self.height as f64 - 1.0;
         if !inside {
             return f32::NAN;
         }
@@ -75,9 +74,7 @@ impl GreyImage {
     /// An image of the same size whose pixels are seen at other places of this one; `None` for a
     /// pixel that is unknown.
     pub fn warped(&self, seen: impl Fn(Point2<f64>) -> Option<Point2<f64>>) -> Self {
-        let place = |index: usize| {
-            Point2::new((index % self.width) as f64 + 0.5, (index / self.width) as f64 + 0.5)
-        };
+        let place = |index: usize| Point2::new((index % self.width) as f64 + 0.5, (index / self.width) as f64 + 0.5);
         let value = |index| seen(place(index)).map_or(f32::NAN, |point| self.at(&point));
         Self { values: (0..self.values.len()).map(value).collect(), ..*self }
     }

@@ -4,6 +4,7 @@
 //! ```text
 //!   image --> smoothed, 0.8 of the size --> direction of the level line at each pixel
 //!     --> regions of equal direction --> rectangles, dense --> rectangles that are no chance
+//!     --> ends at the edge between pixels (an addition to LSD)
 //! ```
 
 /// The detector.
@@ -18,6 +19,8 @@ mod rectangle;
 mod region;
 /// How unlikely a rectangle is by chance.
 mod significance;
+/// The place of an edge between pixels.
+mod subpixel;
 
 pub use detect::{DetectedSegment, detect_segments};
 pub use grey::{GreyError, GreyImage};

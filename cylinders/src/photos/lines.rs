@@ -57,10 +57,7 @@ pub enum PhotoError {
 ///
 /// # Errors
 /// [`PhotoError::NoCalibration`].
-pub fn undistorted_image<'a>(
-    photograph: &Photograph,
-    image: &'a GreyImage,
-) -> Result<Cow<'a, GreyImage>, PhotoError> {
+pub fn undistorted_image<'a>(photograph: &Photograph, image: &'a GreyImage) -> Result<Cow<'a, GreyImage>, PhotoError> {
     let Some(calibration) = photograph.camera.calibration() else {
         return Err(PhotoError::NoCalibration { image: photograph.name.clone() });
     };
@@ -98,8 +95,7 @@ pub fn candidate_lines(
     options: &LineOptions,
 ) -> Result<View, PhotoError> {
     let image = || photograph.name.clone();
-    let calibration =
-        *photograph.camera.calibration().ok_or_else(|| PhotoError::NoCalibration { image: image() })?;
+    let calibration = *photograph.camera.calibration().ok_or_else(|| PhotoError::NoCalibration { image: image() })?;
     let mut ends: Vec<_> = segments.iter().map(|segment| segment.ends).collect();
     let length = |ends: &[Point2<f64>; 2]| (ends[1] - ends[0]).norm();
     // A third of a line is enough for a piece of it.
@@ -113,7 +109,10 @@ pub fn candidate_lines(
         return Err(PhotoError::View { image: image(), source: ViewError::NoCalibration });
     };
     let pixels = |ends: &[Point2<f64>; 2]| length(&ends.map(|end| calibration.point_to_pixels(&end)));
-    let mut long: Vec<_> = view.ends().iter().enumerate()
+    let mut long: Vec<_> = view
+        .ends()
+        .iter()
+        .enumerate()
         .filter_map(|(line, ends)| Some((line, pixels(ends.as_ref()?))))
         .filter(|(_, length)| *length >= options.least_length * diagonal)
         .collect();

@@ -1,13 +1,34 @@
 //! Cylinders along each candidate of their direction, and the direction with the most evidence.
+//!
+//! What is no cylinder must not win:
+//!
+//! - Only lines whose viewing plane is along the direction are matched, the longest of each image.
+//! - An edge of a texture is a cylinder without width: one line in each image. A cylinder needs two
+//!   images that show both its silhouettes, further apart than the threshold can tell.
+//! - The evidence for a direction is the sum of the orders of magnitude by which the matches of its
+//!   cylinders are no chance.
 
 use nalgebra::{Unit, Vector3};
 
 use super::directions::candidate_directions;
-use crate::matching::{MatchError, MatchOptions, Matching, match_cylinders};
+use crate::axis::direction::estimate_direction;
+use crate::matching::{MatchError, MatchOptions, MatchedCylinder, Matching, match_cylinders};
+use crate::observations::scene::LineId;
 use crate::observations::view::View;
+use crate::space::cylinder::LineResidual;
+use crate::space::silhouette_distance::DistanceUnit;
 
 /// Largest sine between a viewing plane and the axis of which it is a silhouette.
 const MAX_TILT: f64 = 0.03;
+
+/// Default of the largest distance between a line and its silhouette, pixels.
+const THRESHOLD: f64 = 2.0;
+
+/// Least number of images that show both silhouettes of a cylinder.
+const BOTH_SIDES: usize = 2;
+
+/// Least distance of the silhouettes of a cylinder from its axis, in thresholds.
+const LEAST_WIDTH: f64 = 2.0;
 
 /// How cylinders are searched.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,19 +37,24 @@ pub struct PhotoOptions {
     pub matching: MatchOptions,
     /// Number of directions that are tried.
     pub directions: usize,
-    /// Largest number of lines of an image along one direction, the longest.
+    /// Largest number of lines of an image along one direction. The longest count.
     pub lines: usize,
 }
 
 impl PhotoOptions {
-    /// Options for these views.
+    /// Options for these views: 5 directions, 60 lines of each image, and a threshold of 2 pixels
+    /// if all cameras have a calibration.
     pub fn of(views: &[View]) -> Self {
-        Self { matching: MatchOptions { threshold: 2.0, ..MatchOptions::of(views) }, directions: 5, lines: 60 }
+        let mut matching = MatchOptions::of(views);
+        if matching.unit == DistanceUnit::Pixels {
+            matching.threshold = THRESHOLD;
+        }
+        Self { matching, directions: 5, lines: 60 }
     }
 }
 
 /// Cylinders of one direction and the lines that were searched.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PhotoMatching {
     /// Direction of all axes.
     pub direction: Unit<Vector3<f64>>,
@@ -38,45 +64,87 @@ pub struct PhotoMatching {
     pub matching: Matching,
 }
 
-/// The cylinders along the direction with the most evidence.
+impl PhotoMatching {
+    /// Orders of magnitude by which the matches are no chance.
+    pub fn evidence(&self) -> f64 {
+        let of_cylinder = |found: &MatchedCylinder| -found.false_alarms.max(f64::MIN_POSITIVE).log10();
+        self.matching.cylinders.iter().map(of_cylinder).sum()
+    }
+}
+
+/// The cylinders along the given direction, or along the one with the most evidence for cylinders.
 ///
 /// # Errors
 /// [`MatchError`]: that of the first direction if no direction has cylinders.
-pub fn find_cylinders(views: &[View], given: Option<Unit<Vector3<f64>>>, options: &PhotoOptions) -> Result<PhotoMatching, MatchError> {
+pub fn find_cylinders(
+    views: &[View],
+    given: Option<Unit<Vector3<f64>>>,
+    options: &PhotoOptions,
+) -> Result<PhotoMatching, MatchError> {
     let directions = given.map_or_else(|| candidate_directions(views, options.directions), |given| vec![given]);
-    let mut best: Result<PhotoMatching, MatchError> = Err(MatchError::NoPair);
+    let mut best: Option<PhotoMatching> = None;
+    let mut error = None;
     for direction in directions {
-        let views = along(views, &direction, options.lines);
-        let found = match_cylinders(&views, &direction, &options.matching)
-            .map(|matching| PhotoMatching { direction, views, matching });
-        let is_better = match (&best, &found) {
-            (Ok(best), Ok(found)) => evidence(found) > evidence(best),
-            (Err(_), Ok(_)) => true,
-            _ => false,
-        };
-        if is_better || best == Err(MatchError::NoPair) {
-            best = found;
+        match find_along(views, direction, options) {
+            Ok(found) if best.as_ref().is_none_or(|best| found.evidence() > best.evidence()) => best = Some(found),
+            Ok(_) => {}
+            Err(failure) => error = error.or(Some(failure)),
         }
     }
-    best
+    let Some(found) = best else {
+        // There is no direction if no two lines are left.
+        return Err(error.unwrap_or(MatchError::TooFewViews { views: 0 }));
+    };
+    // The lines of the cylinders determine their direction better than all lines do.
+    let planes = found.matching.cylinders.iter().flat_map(|cylinder| &cylinder.matches);
+    let planes: Vec<_> = planes.filter_map(|residual| found.views[residual.view].planes().nth(residual.line)).collect();
+    let again = match (given, estimate_direction(&planes)) {
+        (None, Ok(better)) => find_along(views, better.direction, options).ok(),
+        _ => None,
+    };
+    Ok(again.filter(|again| again.evidence() > found.evidence()).unwrap_or(found))
 }
 
-impl PartialEq for PhotoMatching {
-    fn eq(&self, other: &Self) -> bool {
-        self.direction == other.direction && self.matching == other.matching
+fn find_along(
+    views: &[View],
+    direction: Unit<Vector3<f64>>,
+    options: &PhotoOptions,
+) -> Result<PhotoMatching, MatchError> {
+    let views = along(views, &direction, options.lines);
+    let Matching { cylinders, mut unmatched, least_support } = match_cylinders(&views, &direction, &options.matching)?;
+    let (cylinders, others): (Vec<_>, Vec<_>) =
+        cylinders.into_iter().partition(|found| is_cylinder(found, &views, &options.matching));
+    let released = others.iter().flat_map(|found| &found.matches);
+    unmatched.extend(released.map(|residual| LineId { view: residual.view, line: residual.line }));
+    unmatched.sort_by_key(|id| (id.view, id.line));
+    if cylinders.is_empty() {
+        let lines = views.iter().map(|view| view.lines().len()).sum();
+        return Err(MatchError::NoCylinder { least_support, lines });
     }
+    Ok(PhotoMatching { direction, views, matching: Matching { cylinders, unmatched, least_support } })
 }
 
-/// Orders of magnitude by which the matches are no chance.
-pub(super) fn evidence(found: &PhotoMatching) -> f64 {
-    found.matching.cylinders.iter().map(|cylinder| -cylinder.false_alarms.max(1e-300).log10()).sum()
-}
-
-/// The views with the longest lines along a direction.
+/// The views with the longest lines along a direction; the longest come first in a view.
 fn along(views: &[View], direction: &Unit<Vector3<f64>>, count: usize) -> Vec<View> {
     let near = |view: &View| {
         let planes = view.planes().enumerate().filter(|(_, plane)| plane.normal.dot(direction).abs() <= MAX_TILT);
         view.selected(&planes.map(|(line, _)| line).take(count).collect::<Vec<_>>())
     };
     views.iter().map(near).collect()
+}
+
+/// Whether enough images show both silhouettes apart from each other.
+fn is_cylinder(found: &MatchedCylinder, views: &[View], options: &MatchOptions) -> bool {
+    // Matches are in the order of the views, two at most in each.
+    let both = found.matches.windows(2).filter(|pair| pair[0].view == pair[1].view);
+    let is_wide = |pair: &&[LineResidual]| {
+        let camera = views[pair[0].view].camera();
+        let distance = found.cylinder.vector_to_axis(&camera.centre()).norm();
+        let focal = match (options.unit, camera.calibration()) {
+            (DistanceUnit::Pixels, Some(calibration)) => calibration.matrix()[(0, 0)].abs(),
+            _ => 1.0,
+        };
+        focal * (found.cylinder.radius / distance) >= LEAST_WIDTH * options.threshold
+    };
+    both.filter(is_wide).count() >= BOTH_SIDES
 }
