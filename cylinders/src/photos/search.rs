@@ -5,6 +5,8 @@
 //! - Only lines whose viewing plane is along the direction are matched, the longest of each image.
 //! - An edge of a texture is a cylinder without width: one line in each image. A cylinder needs two
 //!   images that show both its silhouettes, further apart than the threshold can tell.
+//! - Matching keeps what chance gives less than once among random lines. Lines of a texture are not
+//!   random, and several directions are tried: a cylinder needs 1e-4 false alarms or fewer.
 //! - The evidence for a direction is the sum of the orders of magnitude by which the matches of its
 //!   cylinders are no chance.
 
@@ -30,6 +32,9 @@ const BOTH_SIDES: usize = 2;
 /// Least distance of the silhouettes of a cylinder from its axis, in thresholds.
 const LEAST_WIDTH: f64 = 2.0;
 
+/// Default of the largest number of false alarms of a cylinder.
+const FALSE_ALARMS: f64 = 1e-4;
+
 /// How cylinders are searched.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PhotoOptions {
@@ -39,17 +44,19 @@ pub struct PhotoOptions {
     pub directions: usize,
     /// Largest number of lines of an image along one direction. The longest count.
     pub lines: usize,
+    /// Largest number of cylinders with as many and as near matches by chance.
+    pub false_alarms: f64,
 }
 
 impl PhotoOptions {
-    /// Options for these views: 5 directions, 60 lines of each image, and a threshold of 2 pixels
-    /// if all cameras have a calibration.
+    /// Options for these views: 5 directions, 60 lines of each image, at most 1e-4 false alarms, and
+    /// a threshold of 2 pixels if all cameras have a calibration.
     pub fn of(views: &[View]) -> Self {
         let mut matching = MatchOptions::of(views);
         if matching.unit == DistanceUnit::Pixels {
             matching.threshold = THRESHOLD;
         }
-        Self { matching, directions: 5, lines: 60 }
+        Self { matching, directions: 5, lines: 60, false_alarms: FALSE_ALARMS }
     }
 }
 
@@ -113,7 +120,7 @@ fn find_along(
     let views = along(views, &direction, options.lines);
     let Matching { cylinders, mut unmatched, least_support } = match_cylinders(&views, &direction, &options.matching)?;
     let (cylinders, others): (Vec<_>, Vec<_>) =
-        cylinders.into_iter().partition(|found| is_cylinder(found, &views, &options.matching));
+        cylinders.into_iter().partition(|found| is_cylinder(found, &views, options));
     let released = others.iter().flat_map(|found| &found.matches);
     unmatched.extend(released.map(|residual| LineId { view: residual.view, line: residual.line }));
     unmatched.sort_by_key(|id| (id.view, id.line));
@@ -133,8 +140,12 @@ fn along(views: &[View], direction: &Unit<Vector3<f64>>, count: usize) -> Vec<Vi
     views.iter().map(near).collect()
 }
 
-/// Whether enough images show both silhouettes apart from each other.
-fn is_cylinder(found: &MatchedCylinder, views: &[View], options: &MatchOptions) -> bool {
+/// Whether the matches are no chance, and enough images show both silhouettes apart.
+fn is_cylinder(found: &MatchedCylinder, views: &[View], options: &PhotoOptions) -> bool {
+    if found.false_alarms > options.false_alarms {
+        return false;
+    }
+    let options = &options.matching;
     // Matches are in the order of the views, two at most in each.
     let both = found.matches.windows(2).filter(|pair| pair[0].view == pair[1].view);
     let is_wide = |pair: &&[LineResidual]| {
