@@ -9,9 +9,11 @@ use std::path::{Path, PathBuf};
 use eliminant_cylinders::command::run;
 use eliminant_cylinders::distortion::Distortion;
 use eliminant_cylinders::photos::decode::{decode_photograph, encode_png};
-use eliminant_cylinders::photos::{LineOptions, PhotoOptions, candidate_lines, find_cylinders, undistorted_segments};
+use eliminant_cylinders::photos::{
+    LineOptions, PhotoOptions, candidate_lines, find_cylinders, snapped, undistorted_segments,
+};
 use eliminant_cylinders::rendering::{RenderedScene, RenderingSetup};
-use eliminant_cylinders::{Cylinder, View};
+use eliminant_cylinders::{Cylinder, View, parse_scene};
 use nalgebra::{Point3, Rotation3, UnitQuaternion, Vector3};
 use serde_json::{Value, json};
 
@@ -112,9 +114,7 @@ fn write_model(folder: &Path, scene: &RenderedScene) {
 
 fn cylinders(json: &str) -> Vec<Cylinder> {
     let report: Value = serde_json::from_str(json).expect("JSON");
-    let vector = |value: &Value| -> Vector3<f64> {
-        Vector3::from_fn(|row, _| value[row].as_f64().expect("a number"))
-    };
+    let vector = |value: &Value| -> Vector3<f64> { Vector3::from_fn(|row, _| value[row].as_f64().expect("a number")) };
     let cylinder = |value: &Value| {
         let direction = nalgebra::Unit::new_normalize(vector(&report["direction"]));
         let point = Point3::from(vector(&value["axis_point"]));
@@ -137,7 +137,8 @@ fn photographs_with_distortion_and_a_model_give_cylinders_and_pictures() {
     check(&cylinders(&output), &scene);
     assert_eq!(command(&arguments).1, output, "the same again");
     assert!(fs::read(&ply).expect("a file").starts_with(b"ply"));
-    let pictures: Vec<_> = fs::read_dir(&overlays).expect("a folder").map(|file| file.expect("a file").path()).collect();
+    let pictures: Vec<_> =
+        fs::read_dir(&overlays).expect("a folder").map(|file| file.expect("a file").path()).collect();
     assert_eq!(pictures.len(), scene.images.len());
     for picture in pictures {
         let text = fs::read_to_string(&picture).expect("UTF-8");
@@ -188,16 +189,32 @@ fn marked(scene: &RenderedScene, shift: f64) -> String {
 #[test]
 fn marked_lines_are_moved_to_the_edges() {
     let scene = rendered(1, Distortion::default(), 6);
+    let text = marked(&scene, 3.0);
+    let (mut distances, mut moved, mut marked) = (Vec::new(), 0, 0);
+    for (view, edges) in parse_scene(&text, "").expect("a scene").views.iter().zip(views(&scene)) {
+        let (snapped, count) = snapped(view, &edges).expect("a calibration");
+        assert_eq!(snapped.labels(), view.labels());
+        let calibration = view.camera().calibration().expect("a calibration");
+        let silhouettes = scene.cylinders[0].silhouette(view.camera()).expect("seen");
+        for (silhouette, ends) in silhouettes.iter().zip(snapped.ends()) {
+            let line = calibration.line_to_pixels(silhouette);
+            let distance = |end| line.dot(&calibration.point_to_pixels(&end).to_homogeneous()).abs() / line.xy().norm();
+            distances.extend(ends.iter().flatten().map(|end| distance(*end)));
+        }
+        moved += count;
+        marked += silhouettes.len();
+    }
+    assert_eq!(distances.len(), 2 * moved);
+    distances.sort_by(f64::total_cmp);
+    println!("{moved} of {marked} moved; distances {distances:.2?}");
+    // Not every silhouette has a contrast. All were three pixels away.
+    assert!(2 * moved > marked && distances[moved] < 0.5, "{moved} of {marked}: {distances:?}");
+
     let folder = folder("photos_snap", &scene);
-    let file = folder.join("scene.json").display().to_string();
-    let here = folder.display().to_string();
-    fs::write(&file, marked(&scene, 3.0)).expect("written");
-    let (code, output, error) = command(&[&file, "--images", &here, "--snap", "--json"]);
+    let (file, here) = (folder.join("scene.json").display().to_string(), folder.display().to_string());
+    fs::write(&file, text).expect("written");
+    let (code, output, error) = command(&[&file, "--images", &here, "--snap"]);
     assert_eq!(code, 0, "{error}");
-    let report: Value = serde_json::from_str(&output).expect("JSON");
-    println!("{report:#}");
-    let found = report["cylinders"].as_array().map_or(&report, |cylinders| &cylinders[0]);
-    let radius = found["radius"].as_f64().expect("a radius");
-    let truth = scene.cylinders[0].radius;
-    assert!((radius - truth).abs() < 0.01 * truth, "{radius} instead of {truth}");
+    let warning = format!("{} of {marked} lines have no edge", marked - moved);
+    assert_eq!(output.contains(&warning), moved < marked, "{output}{error}");
 }
