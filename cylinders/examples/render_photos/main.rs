@@ -1,6 +1,6 @@
 //! Renders photographs of cylinders on a chequered floor, searches them, and compares what is found
-//! with the truth: `render_photos FIRST_SEED COUNT [FOLDER]`. With a folder, the photographs and a
-//! scene file of the first seed are written to it.
+//! with the truth: `render_photos FIRST_SEED COUNT [CYLINDERS [FOLDER]]`. With a folder, the
+//! photographs and a scene file of the first seed are written to it.
 
 use std::path::Path;
 use std::time::Instant;
@@ -24,9 +24,10 @@ fn main() -> Result<(), Box<dyn error::Error>> {
     let arguments: Vec<_> = env::args().skip(1).collect();
     let number = |index: usize, default: u64| arguments.get(index).map_or(Ok(default), |text| text.parse());
     let (first, count) = (number(0, 1)?, number(1, 1)?);
+    let setup = RenderingSetup { cylinders: usize::try_from(number(2, SETUP.cylinders as u64)?)?, ..SETUP };
     for seed in first..first + count {
-        let scene = SETUP.scene(seed).ok_or("no room for the cylinders")?;
-        if let Some(folder) = arguments.get(2).filter(|_| seed == first) {
+        let scene = setup.scene(seed).ok_or("no room for the cylinders")?;
+        if let Some(folder) = arguments.get(3).filter(|_| seed == first) {
             write(&scene, Path::new(folder))?;
         }
         let start = Instant::now();

@@ -11,6 +11,8 @@
 pub mod decode;
 /// Candidates of the direction of the axes.
 mod directions;
+/// Edges in space, which are no silhouettes.
+mod edges;
 /// Photographs to candidates of silhouettes.
 mod lines;
 /// Directions and matches.

@@ -6,13 +6,16 @@
 //! - An edge of a texture is a cylinder without width: one line in each image. A cylinder needs two
 //!   images that show both its silhouettes, further apart than the threshold can tell.
 //! - Matching keeps what chance gives less than once among random lines. Lines of a texture are not
-//!   random, and several directions are tried: a cylinder needs 1e-4 false alarms or fewer.
+//!   random, and several directions are tried: a direction needs a cylinder with 1e-4 false alarms
+//!   or fewer. Then it is that of cylinders, and the others along it need no more than matching asks.
+//! - A cylinder whose matches are lines of edges in space is none (`edges`).
 //! - The evidence for a direction is the sum of the orders of magnitude by which the matches of its
 //!   cylinders are no chance.
 
 use nalgebra::{Unit, Vector3};
 
 use super::directions::candidate_directions;
+use super::edges::Edges;
 use crate::axis::direction::estimate_direction;
 use crate::matching::{MatchError, MatchOptions, MatchedCylinder, Matching, match_cylinders};
 use crate::observations::scene::LineId;
@@ -32,7 +35,7 @@ const BOTH_SIDES: usize = 2;
 /// Least distance of the silhouettes of a cylinder from its axis, in thresholds.
 const LEAST_WIDTH: f64 = 2.0;
 
-/// Default of the largest number of false alarms of a cylinder.
+/// Default of the largest number of false alarms of the best cylinder of a direction.
 const FALSE_ALARMS: f64 = 1e-4;
 
 /// How cylinders are searched.
@@ -44,13 +47,13 @@ pub struct PhotoOptions {
     pub directions: usize,
     /// Largest number of lines of an image along one direction. The longest count.
     pub lines: usize,
-    /// Largest number of cylinders with as many and as near matches by chance.
+    /// Largest number of false alarms of the least doubtful cylinder of a direction.
     pub false_alarms: f64,
 }
 
 impl PhotoOptions {
-    /// Options for these views: 5 directions, 60 lines of each image, at most 1e-4 false alarms, and
-    /// a threshold of 2 pixels if all cameras have a calibration.
+    /// Options for these views: 5 directions, 60 lines of each image, at most 1e-4 false alarms of a
+    /// direction, and a threshold of 2 pixels if all cameras have a calibration.
     pub fn of(views: &[View]) -> Self {
         let mut matching = MatchOptions::of(views);
         if matching.unit == DistanceUnit::Pixels {
@@ -119,12 +122,15 @@ fn find_along(
 ) -> Result<PhotoMatching, MatchError> {
     let views = along(views, &direction, options.lines);
     let Matching { cylinders, mut unmatched, least_support } = match_cylinders(&views, &direction, &options.matching)?;
-    let (cylinders, others): (Vec<_>, Vec<_>) =
-        cylinders.into_iter().partition(|found| is_cylinder(found, &views, options));
+    // An edge is seen twice as precisely as the threshold asks.
+    let tolerance = |view: &View| 0.5 * options.matching.threshold / focal(view, &options.matching);
+    let edges = Edges::new(&views, &direction, views.iter().map(tolerance).collect());
+    let is_found = |found: &MatchedCylinder| is_cylinder(found, &views, &options.matching) && !edges.explain(found);
+    let (cylinders, others): (Vec<_>, Vec<_>) = cylinders.into_iter().partition(is_found);
     let released = others.iter().flat_map(|found| &found.matches);
     unmatched.extend(released.map(|residual| LineId { view: residual.view, line: residual.line }));
     unmatched.sort_by_key(|id| (id.view, id.line));
-    if cylinders.is_empty() {
+    if !cylinders.iter().any(|found| found.false_alarms <= options.false_alarms) {
         let lines = views.iter().map(|view| view.lines().len()).sum();
         return Err(MatchError::NoCylinder { least_support, lines });
     }
@@ -140,22 +146,22 @@ fn along(views: &[View], direction: &Unit<Vector3<f64>>, count: usize) -> Vec<Vi
     views.iter().map(near).collect()
 }
 
-/// Whether the matches are no chance, and enough images show both silhouettes apart.
-fn is_cylinder(found: &MatchedCylinder, views: &[View], options: &PhotoOptions) -> bool {
-    if found.false_alarms > options.false_alarms {
-        return false;
-    }
-    let options = &options.matching;
+/// Whether enough images show both silhouettes apart from each other.
+fn is_cylinder(found: &MatchedCylinder, views: &[View], options: &MatchOptions) -> bool {
     // Matches are in the order of the views, two at most in each.
     let both = found.matches.windows(2).filter(|pair| pair[0].view == pair[1].view);
     let is_wide = |pair: &&[LineResidual]| {
-        let camera = views[pair[0].view].camera();
-        let distance = found.cylinder.vector_to_axis(&camera.centre()).norm();
-        let focal = match (options.unit, camera.calibration()) {
-            (DistanceUnit::Pixels, Some(calibration)) => calibration.matrix()[(0, 0)].abs(),
-            _ => 1.0,
-        };
-        focal * (found.cylinder.radius / distance) >= LEAST_WIDTH * options.threshold
+        let view = &views[pair[0].view];
+        let distance = found.cylinder.vector_to_axis(&view.camera().centre()).norm();
+        focal(view, options) * (found.cylinder.radius / distance) >= LEAST_WIDTH * options.threshold
     };
     both.filter(is_wide).count() >= BOTH_SIDES
+}
+
+/// Units of the threshold in a radian.
+fn focal(view: &View, options: &MatchOptions) -> f64 {
+    match (options.unit, view.camera().calibration()) {
+        (DistanceUnit::Pixels, Some(calibration)) => calibration.matrix()[(0, 0)].abs(),
+        _ => 1.0,
+    }
 }
