@@ -7,7 +7,7 @@
 //!   images that show both its silhouettes, further apart than the threshold can tell.
 //! - Matching keeps what chance gives less than once among random lines. Lines of a texture are not
 //!   random, and several directions are tried: a direction needs a cylinder with 1e-4 false alarms
-//!   or fewer. Then it is that of cylinders, and the others along it need no more than matching asks.
+//!   or fewer. Then it is that of cylinders, and for the others along it matching is enough.
 //! - A cylinder whose matches are lines of edges in space is none (`edges`).
 //! - The evidence for a direction is the sum of the orders of magnitude by which the matches of its
 //!   cylinders are no chance.
