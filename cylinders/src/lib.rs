@@ -24,8 +24,18 @@ mod estimation;
 /// Lines without labels to all cylinders of one direction.
 pub mod matching;
 
+/// Photographs to line segments.
+pub mod detection;
+
+/// Photographs and cameras to the cylinders in them.
+pub mod photos;
+
 /// Cylinders to text, JSON, models and pictures.
 mod output;
+
+/// Photographs of scenes whose truth is known.
+#[cfg(feature = "command")]
+pub mod rendering;
 
 /// Scenes whose truth is known.
 #[cfg(feature = "command")]

@@ -51,13 +51,17 @@ impl DrawingArguments {
         if let Some(folder) = &self.silhouettes {
             let seen = (0..scene.views.len()).filter(|&view| !scene.views[view].lines().is_empty());
             for (view, picture) in seen.filter_map(|view| Some((view, SilhouettePicture::new(scene, found, view)?))) {
-                let image = scene.views[view].image().and_then(|image| Path::new(image).file_stem()?.to_str());
-                let name = image.map_or(format!("{view:03}"), |image| format!("{view:03}-{}", in_file_name(image)));
-                files.push(drawn(folder.join(name + ".svg"), &picture)?);
+                files.push(drawn(folder.join(view_file(scene, view)), &picture)?);
             }
         }
         Ok(files)
     }
+}
+
+/// The name of the picture of a view: its index and the name of its image.
+pub(super) fn view_file(scene: &Scene, view: usize) -> String {
+    let image = scene.views[view].image().and_then(|image| Path::new(image).file_stem()?.to_str());
+    image.map_or(format!("{view:03}.svg"), |image| format!("{view:03}-{}.svg", in_file_name(image)))
 }
 
 fn drawn(path: PathBuf, picture: &impl Picture) -> Result<File, CommandError> {

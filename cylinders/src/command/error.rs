@@ -6,6 +6,8 @@ use std::path::PathBuf;
 use thiserror::Error;
 
 use crate::experiment::ExperimentError;
+use crate::photos::PhotoError;
+use crate::photos::decode::DecodeError;
 use crate::picture::PictureError;
 use crate::{BundlerError, ColmapError, EstimateError, InputError, MatchError, SegmentError, TransformsError};
 
@@ -36,6 +38,18 @@ pub(super) enum CommandError {
     /// The lines cannot be matched.
     #[error("{}: {error}", scene.display())]
     Match { scene: PathBuf, error: MatchError },
+    /// A view does not name its photograph.
+    #[error("views[{view}]: there is no `image`, the name of the photograph")]
+    NoImageName { view: usize },
+    /// A photograph cannot be read.
+    #[error("cannot read `{}`: {source}", path.display())]
+    Read { path: PathBuf, source: io::Error },
+    /// A file is not a photograph.
+    #[error("{}: {source}", path.display())]
+    Photograph { path: PathBuf, source: DecodeError },
+    /// A photograph gives no lines.
+    #[error(transparent)]
+    Photo(#[from] PhotoError),
     /// A picture cannot be drawn.
     #[error("{}: {source}", path.display())]
     Picture { path: PathBuf, source: PictureError },

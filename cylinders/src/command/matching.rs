@@ -15,7 +15,7 @@ use crate::matching_report::MatchingReport;
 use crate::progress::progress_bar;
 use crate::report::Report;
 use crate::{
-    CylinderLines, Estimate, MatchError, MatchOptions, MatchedCylinder, Matching, Progress, RefineError, References,
+    CylinderLines, Estimate, MatchError, MatchOptions, MatchedCylinder, Matching, Progress, References, RefineError,
     TriangulateError, View, default_direction_options, estimate_direction_robustly, estimate_from,
     match_cylinders_with,
 };
@@ -139,7 +139,7 @@ fn directions(arguments: &Arguments, views: &[View]) -> Result<Vec<Unit<Vector3<
     Ok([found.direction.direction].into_iter().chain(of_all).collect())
 }
 
-fn positive(text: &str) -> Result<f64, String> {
+pub(super) fn positive(text: &str) -> Result<f64, String> {
     let number = text.parse().ok().filter(|number: &f64| *number > 0.0 && number.is_finite());
     number.ok_or_else(|| "the threshold must be a number greater than 0".to_owned())
 }
@@ -150,7 +150,7 @@ fn at_least<const LEAST: usize>(text: &str) -> Result<usize, String> {
 }
 
 /// Three numbers, not all zero.
-fn parse_direction(text: &str) -> Result<Unit<Vector3<f64>>, String> {
+pub(super) fn parse_direction(text: &str) -> Result<Unit<Vector3<f64>>, String> {
     let numbers: Result<Vec<f64>, _> = text.split(',').map(|number| number.trim().parse()).collect();
     match numbers.as_deref() {
         Ok(&[x, y, z]) if [x, y, z].iter().all(|number| number.is_finite()) => {

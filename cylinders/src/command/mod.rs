@@ -19,6 +19,8 @@ mod matching;
 mod output;
 /// The report of a result, one HTML page.
 mod page;
+/// `cylinders photos`.
+mod photos;
 /// Where cameras and lines come from.
 mod scene;
 /// `cylinders triangulate`.
@@ -47,6 +49,7 @@ struct Arguments {
 enum Command {
     Experiment(experiment::Arguments),
     Match(matching::Arguments),
+    Photos(photos::Arguments),
     Triangulate(triangulate::Arguments),
 }
 
@@ -55,6 +58,7 @@ impl Command {
         match self {
             Self::Experiment(arguments) => experiment::run(arguments),
             Self::Match(arguments) => matching::run(arguments),
+            Self::Photos(arguments) => photos::run(arguments),
             Self::Triangulate(arguments) => triangulate::run(arguments, line),
         }
     }

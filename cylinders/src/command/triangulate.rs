@@ -43,7 +43,7 @@ pub(super) struct Arguments {
 /// A single object for a scene without labels; otherwise a list, even with one label.
 #[derive(Serialize)]
 #[serde(untagged)]
-enum Reports {
+pub(super) enum Reports {
     Unlabelled(Box<Report>),
     Labelled { cylinders: Vec<Report> },
 }
@@ -62,7 +62,7 @@ impl Reports {
     }
 
     /// The warnings of all cylinders, those of labelled ones with their label.
-    fn warnings(&self) -> Vec<String> {
+    pub(super) fn warnings(&self) -> Vec<String> {
         match self {
             Self::Unlabelled(report) => report.warnings.clone(),
             Self::Labelled { cylinders } => {
@@ -109,7 +109,7 @@ pub(super) fn run(arguments: &Arguments, command: &str) -> Result<Output, Comman
     Ok(output)
 }
 
-fn reports(scene: &Scene, cylinders: &[CylinderLines], estimates: &[Estimate]) -> Reports {
+pub(super) fn reports(scene: &Scene, cylinders: &[CylinderLines], estimates: &[Estimate]) -> Reports {
     let report = |(lines, estimate)| Report::new(lines, estimate, &scene.points);
     let mut reports: Vec<_> = cylinders.iter().zip(estimates).map(report).collect();
     match reports.pop() {

@@ -1,0 +1,169 @@
+//! Cylinders along each candidate of their direction, and the direction with the most evidence.
+//!
+//! What is no cylinder must not win:
+//!
+//! - Only lines whose viewing plane is along the direction are matched, the longest of each image.
+//! - An edge of a texture is a cylinder without width: one line in each image. A cylinder needs two
+//!   images that show both its silhouettes, further apart than the threshold can tell.
+//! - Matching keeps what chance gives less than once among random lines. Lines of a texture are not
+//!   random, and several directions are tried: a direction needs a cylinder with 1e-4 false alarms
+//!   or fewer. Then it is that of cylinders, and for the others along it matching is enough.
+//! - A cylinder whose matches are lines of edges in space is none (`edges`).
+//! - The evidence for a direction is the sum of the orders of magnitude by which the matches of its
+//!   cylinders are no chance.
+
+use nalgebra::{Unit, Vector3};
+
+use super::directions::candidate_directions;
+use super::edges::Edges;
+use crate::axis::direction::estimate_direction;
+use crate::matching::{MatchError, MatchOptions, MatchedCylinder, Matching, match_cylinders};
+use crate::observations::scene::LineId;
+use crate::observations::view::View;
+use crate::space::cylinder::LineResidual;
+use crate::space::silhouette_distance::DistanceUnit;
+
+/// Largest sine between a viewing plane and the axis of which it is a silhouette.
+const MAX_TILT: f64 = 0.03;
+
+/// Default of the largest distance between a line and its silhouette, pixels.
+const THRESHOLD: f64 = 2.0;
+
+/// Least number of images that show both silhouettes of a cylinder.
+const BOTH_SIDES: usize = 2;
+
+/// Least distance of the silhouettes of a cylinder from its axis, in thresholds.
+const LEAST_WIDTH: f64 = 2.0;
+
+/// Default of the largest number of false alarms of the best cylinder of a direction. Edges of a
+/// texture are not independent of each other, as the number supposes: on rendered floors without
+/// cylinders it fell to 1e-4, and on those with cylinders it is 1e-20 and less.
+const FALSE_ALARMS: f64 = 1e-8;
+
+/// How cylinders are searched.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PhotoOptions {
+    /// Options of the matching.
+    pub matching: MatchOptions,
+    /// Number of directions that are tried.
+    pub directions: usize,
+    /// Largest number of lines of an image along one direction. The longest count.
+    pub lines: usize,
+    /// Largest number of false alarms of the least doubtful cylinder of a direction.
+    pub false_alarms: f64,
+}
+
+impl PhotoOptions {
+    /// Options for these views: 5 directions, 60 lines of each image, at most 1e-4 false alarms of a
+    /// direction, and a threshold of 2 pixels if all cameras have a calibration.
+    pub fn of(views: &[View]) -> Self {
+        let mut matching = MatchOptions::of(views);
+        if matching.unit == DistanceUnit::Pixels {
+            matching.threshold = THRESHOLD;
+        }
+        Self { matching, directions: 5, lines: 60, false_alarms: FALSE_ALARMS }
+    }
+}
+
+/// Cylinders of one direction and the lines that were searched.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PhotoMatching {
+    /// Direction of all axes.
+    pub direction: Unit<Vector3<f64>>,
+    /// The views with the lines along the direction only.
+    pub views: Vec<View>,
+    /// The cylinders; places of lines are those in `views`.
+    pub matching: Matching,
+}
+
+impl PhotoMatching {
+    /// Orders of magnitude by which the matches are no chance.
+    pub fn evidence(&self) -> f64 {
+        let of_cylinder = |found: &MatchedCylinder| -found.false_alarms.max(f64::MIN_POSITIVE).log10();
+        self.matching.cylinders.iter().map(of_cylinder).sum()
+    }
+}
+
+/// The cylinders along the given direction, or along the one with the most evidence for cylinders.
+///
+/// # Errors
+/// [`MatchError`]: that of the first direction if no direction has cylinders.
+pub fn find_cylinders(
+    views: &[View],
+    given: Option<Unit<Vector3<f64>>>,
+    options: &PhotoOptions,
+) -> Result<PhotoMatching, MatchError> {
+    let directions = given.map_or_else(|| candidate_directions(views, options.directions), |given| vec![given]);
+    let mut best: Option<PhotoMatching> = None;
+    let mut error = None;
+    for direction in directions {
+        match find_along(views, direction, options) {
+            Ok(found) if best.as_ref().is_none_or(|best| found.evidence() > best.evidence()) => best = Some(found),
+            Ok(_) => {}
+            Err(failure) => error = error.or(Some(failure)),
+        }
+    }
+    let Some(found) = best else {
+        // There is no direction if no two lines are left.
+        return Err(error.unwrap_or(MatchError::TooFewViews { views: 0 }));
+    };
+    // The lines of the cylinders determine their direction better than all lines do.
+    let planes = found.matching.cylinders.iter().flat_map(|cylinder| &cylinder.matches);
+    let planes: Vec<_> = planes.filter_map(|residual| found.views[residual.view].planes().nth(residual.line)).collect();
+    let again = match (given, estimate_direction(&planes)) {
+        (None, Ok(better)) => find_along(views, better.direction, options).ok(),
+        _ => None,
+    };
+    Ok(again.filter(|again| again.evidence() > found.evidence()).unwrap_or(found))
+}
+
+fn find_along(
+    views: &[View],
+    direction: Unit<Vector3<f64>>,
+    options: &PhotoOptions,
+) -> Result<PhotoMatching, MatchError> {
+    let views = along(views, &direction, options.lines);
+    let Matching { cylinders, mut unmatched, least_support } = match_cylinders(&views, &direction, &options.matching)?;
+    // An edge is seen twice as precisely as the threshold asks.
+    let tolerance = |view: &View| 0.5 * options.matching.threshold / focal(view, &options.matching);
+    let edges = Edges::new(&views, &direction, views.iter().map(tolerance).collect());
+    let is_found = |found: &MatchedCylinder| is_cylinder(found, &views, &options.matching) && !edges.explain(found);
+    let (cylinders, others): (Vec<_>, Vec<_>) = cylinders.into_iter().partition(is_found);
+    let released = others.iter().flat_map(|found| &found.matches);
+    unmatched.extend(released.map(|residual| LineId { view: residual.view, line: residual.line }));
+    unmatched.sort_by_key(|id| (id.view, id.line));
+    if !cylinders.iter().any(|found| found.false_alarms <= options.false_alarms) {
+        let lines = views.iter().map(|view| view.lines().len()).sum();
+        return Err(MatchError::NoCylinder { least_support, lines });
+    }
+    Ok(PhotoMatching { direction, views, matching: Matching { cylinders, unmatched, least_support } })
+}
+
+/// The views with the longest lines along a direction; the longest come first in a view.
+fn along(views: &[View], direction: &Unit<Vector3<f64>>, count: usize) -> Vec<View> {
+    let near = |view: &View| {
+        let planes = view.planes().enumerate().filter(|(_, plane)| plane.normal.dot(direction).abs() <= MAX_TILT);
+        view.selected(&planes.map(|(line, _)| line).take(count).collect::<Vec<_>>())
+    };
+    views.iter().map(near).collect()
+}
+
+/// Whether enough images show both silhouettes apart from each other.
+fn is_cylinder(found: &MatchedCylinder, views: &[View], options: &MatchOptions) -> bool {
+    // Matches are in the order of the views, two at most in each.
+    let both = found.matches.windows(2).filter(|pair| pair[0].view == pair[1].view);
+    let is_wide = |pair: &&[LineResidual]| {
+        let view = &views[pair[0].view];
+        let distance = found.cylinder.vector_to_axis(&view.camera().centre()).norm();
+        focal(view, options) * (found.cylinder.radius / distance) >= LEAST_WIDTH * options.threshold
+    };
+    both.filter(is_wide).count() >= BOTH_SIDES
+}
+
+/// Units of the threshold in a radian.
+fn focal(view: &View, options: &MatchOptions) -> f64 {
+    match (options.unit, view.camera().calibration()) {
+        (DistanceUnit::Pixels, Some(calibration)) => calibration.matrix()[(0, 0)].abs(),
+        _ => 1.0,
+    }
+}
