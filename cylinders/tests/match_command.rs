@@ -46,18 +46,23 @@ fn parsed(text: &str) -> Value {
     serde_json::from_str(text).expect("JSON")
 }
 
+/// Whether nothing but lines are doubted: clutter lies within the threshold by chance.
+fn doubts_lines_only((code, error): (u8, &str)) -> bool {
+    code == 0 && error.lines().all(|line| line.starts_with("warning: ") && line.contains("does not fit the others"))
+}
+
 #[test]
 fn text_and_json_report_the_cylinders() {
     let scene_file = scene_file("match_good.json");
     let out = file("match_out.json", "old").display().to_string();
     let (code, text, error) = command(&[&scene_file, "--out", &out]);
-    assert_eq!((code, error.as_str()), (0, ""));
+    assert!(doubts_lines_only((code, &error)), "{error}");
     let (code, output, error) = command(&[&scene_file, "--json"]);
-    assert_eq!((code, error.as_str()), (0, ""));
+    assert!(doubts_lines_only((code, &error)), "{error}");
     assert_eq!(std::fs::read_to_string(&out).expect("a file"), output);
 
     let report = parsed(&output);
-    assert_eq!((&report["threshold"], &report["warnings"]), (&json!(12.0), &json!([])));
+    assert_eq!((&report["threshold"], &report["warnings"]), (&json!(3.0), &json!([])));
     let cylinders = report["cylinders"].as_array().expect("an array");
     assert_eq!(cylinders.len(), 3);
     let mut matches = 0;
@@ -88,7 +93,7 @@ fn what_is_found_is_drawn() {
     let place = |name: &str| Path::new(env!("CARGO_TARGET_TMPDIR")).join(name).display().to_string();
     let (ply, section, folder) = (place("match_drawn.ply"), place("match_drawn.svg"), place("match_drawn"));
     let (code, _, error) = command(&[&scene_file, "--ply", &ply, "--section", &section, "--silhouettes", &folder]);
-    assert_eq!((code, error.as_str()), (0, ""));
+    assert!(doubts_lines_only((code, &error)), "{error}");
     assert!(std::fs::read(&ply).expect("a file").starts_with(b"ply"));
     for number in 1..=3 {
         let picture = std::fs::read_to_string(place(&format!("match_drawn-{number}.svg"))).expect("a picture");
@@ -102,7 +107,7 @@ fn options_reach_the_search() {
     let scene_file = scene_file("match_options.json");
     let cylinders = |arguments: &[&str]| {
         let (code, output, error) = command(&[&[scene_file.as_str(), "--json"], arguments].concat());
-        assert_eq!((code, error.as_str()), (0, ""));
+        assert!(doubts_lines_only((code, &error)), "{error}");
         parsed(&output)["cylinders"].as_array().expect("an array").len()
     };
     assert_eq!(cylinders(&["--count", "1"]), 1);

@@ -112,8 +112,8 @@ fn scale_of<R: Real>(row: &[R]) -> Result<f64, SolveError> {
 ///
 /// # Errors
 /// [`SolveError::Overflow`] if a number or X is not finite, [`SolveError::LostRank`] if A is
-/// singular up to rounding, or the lengths do not belong together. The contents of both lists are undefined after an error, and those of `matrix`
-/// also without one.
+/// singular up to rounding, or the lengths do not belong together. The contents of both lists are
+/// undefined after an error, and those of `matrix` also without one.
 pub fn solve_linear<R: Real>(matrix: &mut [R], size: usize, least: f64, solution: &mut [R]) -> Result<(), SolveError> {
     let right = solution.len().checked_div(size).unwrap_or(0);
     if right == 0 || solution.len() != size * right || matrix.len() != size * (size + right) {

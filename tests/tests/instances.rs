@@ -53,6 +53,11 @@ const ON_RANDOM_DATA: Demands = Demands {
             usual: 1e-14,
             exceptions: &[
                 Exception {
+                    problem: "fundamental_7pt",
+                    bound: 1e-12,
+                    reason: "2.3e-14 measured: its coefficients are determinants, computed with cancellation",
+                },
+                Exception {
                     problem: "pose_35pt_focal",
                     bound: 1e-12,
                     reason: "2e-14 measured: its coefficients are computed with cancellation",

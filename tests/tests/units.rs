@@ -64,7 +64,9 @@ fn values(problem: &Problem, scaling: &Scaling, base: u32, seed: u64) -> Vec<u32
         let factor = field.pow(base, u32::from(weight.unsigned_abs()));
         field.mul(x, if weight < 0 { field.inverse(factor).expect("not 0") } else { factor })
     };
-    let inputs = draw_inputs(&problem.data, field, &mut random).into_iter().zip(&scaling.data);
+    let given = draw_inputs(&problem.data, field, &mut random);
+    let all = problem.graph.all_inputs(field, &given).expect("no divisor is 0");
+    let inputs = all.into_iter().zip(&scaling.data);
     let inputs: Vec<u32> = inputs.map(|(x, &weight)| scaled(x, weight)).collect();
     let unknowns = scaling.unknowns.iter();
     let unknowns: Vec<u32> =
@@ -106,6 +108,10 @@ fn known_solutions_are_found_in_all_units() {
     for case in cases() {
         let plan = case.planned().plan;
         let Some(maker) = makers().into_iter().find(|maker| maker.name == case.name) else { continue };
+        if !plan.derived.is_empty() {
+            // Scaled measurements have other null spaces: `results.rs` has tests of their units.
+            continue;
+        }
         let scenes = affordable(&plan, SCENES, WORK).max(FEWEST);
         for scaling in plan.scalings.iter().filter(|scaling| scaling.unknowns.iter().any(|&weight| weight != 0)) {
             directions += 1;

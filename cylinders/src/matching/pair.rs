@@ -24,10 +24,11 @@
 //! form an interval, whose ends are the circles of the rays turned by `+-t`.
 //!
 //! The family is divided into equal parts of `u = s / (s + E)`, from 0 at the camera to 1 at
-//! infinity, with the extent `E` of the cameras. With `s = a / d`, `u = a / (a + E d)` needs no case
-//! for circles at infinity. Each part has a set of silhouettes, one bit for each: those with a line
-//! whose interval meets the part. The size of the set bounds the support of every hypothesis in the
-//! part, in time linear in the number of lines `N`. Only hypotheses whose bound is large are scored.
+//! infinity, with the extent `E` of the cameras. With `s = a / d`, `u = a / (a + E d)` needs no
+//! case for circles at infinity. Each part has a set of silhouettes, one bit for each: those with a
+//! line whose interval meets the part. The size of the set bounds the support of every hypothesis
+//! in the part, in time linear in the number of lines `N`. Only hypotheses whose bound is large are
+//! scored.
 
 use nalgebra::Vector2;
 
@@ -183,8 +184,8 @@ impl Pair {
         let (start, bisector) = (centre - other, self.bisector);
         let [x, y] = plan.normals(lines);
         for (&x, &y) in x.iter().zip(y) {
-            // Of the ray: s = a / d. A turned normal is n cos(t) +- ray(n) sin(t), so that its a and
-            // d follow from those of the ray and from its products with `start` and `bisector`.
+            // Of the ray: s = a / d. A turned normal is n cos(t) +- ray(n) sin(t), so that its a
+            // and d follow from those of the ray and from its products with `start` and `bisector`.
             let (a, along) = (-(x * start.x + y * start.y), x * start.y - y * start.x);
             let (across, forward) = (x * bisector.x + y * bisector.y, x * bisector.y - y * bisector.x);
             let d = across - sine;

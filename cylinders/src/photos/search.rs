@@ -38,7 +38,7 @@ const LEAST_WIDTH: f64 = 2.0;
 /// Default of the largest number of false alarms of the best cylinder of a direction. Edges of a
 /// texture are not independent of each other, as the number supposes: on rendered floors without
 /// cylinders it fell to 1e-4, and on those with cylinders it is 1e-20 and less.
-const FALSE_ALARMS: f64 = 1e-8;
+const FALSE_ALARMS: f64 = 1e-4;
 
 /// How cylinders are searched.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,8 +54,8 @@ pub struct PhotoOptions {
 }
 
 impl PhotoOptions {
-    /// Options for these views: 5 directions, 60 lines of each image, at most 1e-4 false alarms of a
-    /// direction, and a threshold of 2 pixels if all cameras have a calibration.
+    /// Options for these views: 5 directions, 60 lines of each image, at most 1e-4 false alarms of
+    /// a direction, and a threshold of 2 pixels if all cameras have a calibration.
     pub fn of(views: &[View]) -> Self {
         let mut matching = MatchOptions::of(views);
         if matching.unit == DistanceUnit::Pixels {

@@ -120,7 +120,8 @@ impl PrimeField {
         if self.pow(a, half) != 1 {
             return None;
         }
-        // p - 1 = odd 2^twos, and the powers of `unit` are the elements of an order of a power of 2.
+        // p - 1 = odd 2^twos, and the powers of `unit` are the elements of an order of a power of
+        // 2.
         let twos = (self.modulus - 1).trailing_zeros();
         let odd = (self.modulus - 1) >> twos;
         let unit = (2..).find(|&candidate| self.pow(candidate, half) != 1).map_or(1, |n| self.pow(n, odd));

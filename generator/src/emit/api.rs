@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::names::Names;
-use super::shapes::{array_type, doc_line, indices, parameter};
+use super::shapes::{array_type, chart_name, doc_line, indices, parameter};
 use super::{output, scaling, storage};
 use crate::plan::Plan;
 use crate::problem::SolutionField;
@@ -126,11 +126,6 @@ fn points(plan: &Plan) -> TokenStream {
             }
         }
     }
-}
-
-/// The constant that holds the chart of a vector.
-pub(super) fn chart_name(field: &SolutionField) -> Ident {
-    format_ident!("CHART_OF_{}", field.name.to_uppercase())
 }
 
 /// The range of the unknowns of a field.

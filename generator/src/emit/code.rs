@@ -99,8 +99,8 @@ struct Expression {
 }
 
 impl Expression {
-    /// An operation on values that are printed. `one` and `inputs` are the variables of 1 and of the
-    /// data.
+    /// An operation on values that are printed. `one` and `inputs` are the variables of 1 and of
+    /// the data.
     fn of(program: &Program, operation: Operation, printed: &[Self], (one, inputs): (&Ident, &[Ident])) -> Self {
         let operand = |id: ValueId| &printed[id.0 as usize];
         match operation {

@@ -27,8 +27,8 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
     let derived = is_derived(plan).then(|| {
         let steps = steps(plan, false);
         quote! {
-            /// All data of the problem: those that are given, one parameter after another, and those
-            /// that are derived from them.
+            /// All data of the problem: those that are given, one parameter after another, and
+            /// those that are derived from them.
             fn derived(given: &[&[f64]]) -> Result<[f64; #inputs], ::eliminant::SolveError> {
                 let mut data = emitted::joined(given);
                 emitted::check_coefficients(&[], given)?;

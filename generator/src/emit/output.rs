@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::names::Names;
-use super::shapes::{array_type, parameter};
+use super::shapes::{array_type, chart_name, indices, parameter};
 use super::storage;
 use crate::plan::{Plan, PlannedElement, PlannedOutput, Term};
 use crate::problem::SolutionField;
@@ -143,7 +143,7 @@ fn variables(plan: &Plan) -> TokenStream {
                 coordinates(field, at)
             }
             _ => {
-                let elements = super::shapes::indices(&field.shape).zip(field.unknowns()).map(|(indices, unknown)| {
+                let elements = indices(&field.shape).zip(field.unknowns()).map(|(indices, unknown)| {
                     let indices = indices.into_iter().map(Literal::usize_unsuffixed);
                     let unknown = Literal::usize_unsuffixed(unknown);
                     quote!(x[#unknown] = solution.#name #([#indices])*;)
@@ -165,7 +165,7 @@ fn variables(plan: &Plan) -> TokenStream {
 
 /// The coordinates of a vector of length 1 that is given up to scale, the last one at `last`.
 fn coordinates(field: &SolutionField, last: usize) -> TokenStream {
-    let (name, chart) = (format_ident!("{}", field.name), super::api::chart_name(field));
+    let (name, chart) = (format_ident!("{}", field.name), chart_name(field));
     let factor = Literal::f64_unsuffixed(field.scale_of_chart());
     let places = field.unknowns().chain([last]).map(Literal::usize_unsuffixed);
     let rows = (0..field.scalars()).map(Literal::usize_unsuffixed);

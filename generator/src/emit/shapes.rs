@@ -1,9 +1,9 @@
 //! Prints data and arrays: parameters, their types, their elements; and lines of documentation.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::problem::DataParameter;
+use crate::problem::{DataParameter, SolutionField};
 
 pub(super) fn doc_line(line: &str) -> String {
     if line.is_empty() { String::new() } else { format!(" {line}") }
@@ -49,4 +49,9 @@ pub(super) fn as_slice(parameter: &DataParameter) -> TokenStream {
             quote!(#flattened)
         }
     }
+}
+
+/// The constant that holds the chart of a vector.
+pub(super) fn chart_name(field: &SolutionField) -> Ident {
+    format_ident!("CHART_OF_{}", field.name.to_uppercase())
 }

@@ -395,8 +395,8 @@ impl ExpressionGraph {
     }
 
     /// Takes fingerprints at other data: `given` are the values of the inputs that are given, over
-    /// field k of [`FINGERPRINT_FIELDS`]. Returns false, and changes nothing, where a value does not
-    /// exist there.
+    /// field k of [`FINGERPRINT_FIELDS`]. Returns false, and changes nothing, where a value does
+    /// not exist there.
     pub(crate) fn move_fingerprints(&mut self, k: usize, given: &[u32]) -> bool {
         let Some(values) = self.evaluate(FINGERPRINT_FIELDS[k], given) else { return false };
         for (fingerprint, value) in self.fingerprints.iter_mut().zip(values) {

@@ -14,6 +14,7 @@
 mod block_triangular;
 pub mod chains;
 mod check;
+mod coefficients;
 mod constant_rows;
 pub mod interpret;
 mod memory;

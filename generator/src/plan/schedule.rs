@@ -3,18 +3,16 @@
 use std::collections::HashMap;
 
 use super::block_triangular::{DiagonalBlock, block_triangular_form};
+use super::coefficients::{Coefficients, planned_output};
 use super::constant_rows::{Row, eliminate_constant_rows};
 use super::straight_line::{planned_derivations, straight_line_program};
-use super::system_table::SystemTable;
 use super::{
-    ActionRow, BasisId, Block, CoefficientId, Elimination, Entry, Extraction, KnownMonomial, PivotId, Plan, PlanError,
-    PlannedElement, PlannedOutput, PlannedRecovery, Term,
+    ActionRow, BasisId, Block, Elimination, Entry, Extraction, KnownMonomial, PivotId, Plan, PlanError, PlannedRecovery,
 };
 use crate::algebra::Monomial;
-use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
+use crate::expression::{ExpressionGraph, ExpressionId};
 use crate::presolve::ReducedProblem;
 use crate::presolve::symmetry::{Reading, Symmetry};
-use crate::problem::output::Output;
 use crate::problem::scaling::scalings;
 use crate::problem::{Problem, Statement};
 use crate::template::{EliminationTemplate, Shift};
@@ -159,19 +157,6 @@ impl Scheduler<'_> {
     }
 }
 
-fn planned_output(problem: &Problem, output: &Output, coefficients: &mut Coefficients) -> PlannedOutput {
-    let width = problem.unknowns.len() + problem.fields.iter().filter(|field| field.is_projective).count();
-    let fields = output.fields.iter().map(|field| {
-        let elements = field.elements.iter().map(|element| PlannedElement {
-            numerator: coefficients.terms(&element.numerator, width),
-            denominator: element.denominator.as_ref().map(|divisor| coefficients.terms(divisor, width)),
-            is_root: element.is_root,
-        });
-        (field.name.clone(), field.shape.clone(), elements.collect())
-    });
-    PlannedOutput { name: output.name.clone(), fields: fields.collect() }
-}
-
 fn check_shape(reduced: &ReducedProblem, template: &EliminationTemplate) -> Result<(), ScheduleError> {
     let mismatch = |what: String| Err(ScheduleError::Mismatch(what));
     if template.rows() > usize::from(u16::MAX) || template.basis.len() > usize::from(u16::MAX) {
@@ -189,50 +174,6 @@ fn check_shape(reduced: &ReducedProblem, template: &EliminationTemplate) -> Resu
     match template.shifts.iter().find(|shift| shift.equation >= equations) {
         Some(shift) => mismatch(format!("a shift of equation {}, but there are {equations}", shift.equation + 1)),
         None => Ok(()),
-    }
-}
-
-/// The coefficients that the tables refer to. If the equations are stored as a matrix, it comes
-/// first, row by row. The others follow in order of first use.
-#[derive(Default)]
-struct Coefficients {
-    ids: HashMap<ExpressionId, u32>,
-    /// `None` for a zero.
-    used: Vec<Option<ExpressionId>>,
-}
-
-impl Coefficients {
-    fn of_equations(problem: &Problem) -> Self {
-        let (mut listed, width) = (Self::default(), problem.unknowns.len());
-        let equations: Vec<Vec<Term>> = problem.polynomials().map(|p| listed.terms(p, width)).collect();
-        let table = SystemTable::of(&equations, width);
-        let mut coefficients = Self::default();
-        if table.is_dense() {
-            let entry = |entry: Option<u16>| entry.and_then(|id| listed.used[usize::from(id)]);
-            coefficients.used = table.matrix().into_iter().map(entry).collect();
-            for (&expression, at) in coefficients.used.iter().zip(0..) {
-                expression.map(|expression| *coefficients.ids.entry(expression).or_insert(at));
-            }
-        }
-        coefficients
-    }
-
-    fn id(&mut self, expression: ExpressionId) -> CoefficientId {
-        let next = self.used.len() as u32;
-        let id = *self.ids.entry(expression).or_insert(next);
-        if id == next {
-            self.used.push(Some(expression));
-        }
-        // A number that does not fit is refused at the end, before anything reads the plan.
-        CoefficientId(id as u16)
-    }
-
-    fn terms(&mut self, polynomial: &SymbolicPolynomial, width: usize) -> Vec<Term> {
-        let term = |&(m, c): &(Monomial, ExpressionId)| Term {
-            coefficient: self.id(c),
-            exponents: m.exponents()[..width].iter().map(|&e| e.max(0) as u8).collect(),
-        };
-        polynomial.terms().iter().map(term).collect()
     }
 }
 

@@ -154,9 +154,9 @@ pub fn fingerprint_points(data: &[DataParameter]) -> [Vec<u32>; 2] {
     FINGERPRINT_FIELDS.map(|field| draw_inputs(data, field, &mut random))
 }
 
-/// Draws data over Z_p, and the values of all nodes, so that all square roots exist there: where one
-/// does not, some of what it depends on is drawn again, as long as the roots before it exist. `None`
-/// if that does not end.
+/// Draws data over Z_p, and the values of all nodes, so that all square roots exist there: where
+/// one does not, some of what it depends on is drawn again, as long as the roots before it exist.
+/// `None` if that does not end.
 fn draw_with_roots(problem: &Problem, f: PrimeField, random: &mut Random) -> Option<(Vec<u32>, Vec<u32>)> {
     let mut inputs = draw_inputs(&problem.data, f, random);
     let (mut next, mut missing) = (inputs.clone(), 0);
@@ -175,9 +175,9 @@ fn draw_with_roots(problem: &Problem, f: PrimeField, random: &mut Random) -> Opt
     None
 }
 
-/// Which of the given inputs are drawn again where the derivation of this number, of these operands,
-/// has no value: those that it depends on and no square root before it does. If there are none, one
-/// of all that it depends on.
+/// Which of the given inputs are drawn again where the derivation of this number, of these
+/// operands, has no value: those that it depends on and no square root before it does. If there are
+/// none, one of all that it depends on.
 pub(super) fn redrawn(
     graph: &ExpressionGraph,
     number: usize,

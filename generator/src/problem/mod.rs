@@ -12,6 +12,7 @@ mod names;
 pub mod output;
 mod parse;
 mod projective;
+mod results;
 pub mod scaling;
 mod scope;
 mod signature;

@@ -7,8 +7,8 @@ use syn::{Attribute, Ident, Item, ItemConst, ItemFn, ReturnType, Safety, Visibil
 use super::functions::BUILT_IN;
 use super::interpret::Interpreter;
 use super::names::{refuse, refuse_module};
-use super::output::check_even;
 use super::projective::{check_homogeneous, dehomogenised, homogeneous};
+use super::results::check_even;
 use super::scope::{Binding, Kind};
 use super::signature::{doc_lines, unknown_list};
 use super::syntax::{parse_file, place};

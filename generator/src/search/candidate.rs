@@ -2,17 +2,13 @@
 
 use super::formulation::SEARCH_FIELD;
 use super::options::SearchOptions;
-use super::preference::Cost;
+use super::preference::{BURDEN_OF_PRESOLVE, Cost};
 
 use crate::plan::Plan;
 use crate::presolve::Presolve;
 use crate::problem::Problem;
 use crate::template::EliminationTemplate;
 use crate::template::file::TemplateFile;
-
-/// A solver that solves equations for monomials at run time must be faster by this factor: it is
-/// not computed side by side with others, and takes a second attempt where that system is singular.
-pub(super) const BURDEN_OF_PRESOLVE: f64 = 1.25;
 
 /// A template with how it was found and what it costs.
 #[derive(Clone, Debug)]

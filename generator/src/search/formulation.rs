@@ -1,8 +1,8 @@
 //! The formulations of a problem: what presolve leaves, with or without the use of sign changes.
 
-use super::candidate::BURDEN_OF_PRESOLVE;
 use super::error::SearchError;
 use super::options::SearchOptions;
+use super::preference::BURDEN_OF_PRESOLVE;
 use super::solving_set::Requirements;
 use crate::algebra::{Monomial, PRIMES, PrimeField};
 use crate::expression::ExpressionId;

@@ -15,6 +15,10 @@ pub enum Preference {
     Size,
 }
 
+/// A solver that solves equations for monomials at run time must be faster by this factor: it is
+/// not computed side by side with others, and takes a second attempt where that system is singular.
+pub(super) const BURDEN_OF_PRESOLVE: f64 = 1.25;
+
 /// The cost of a candidate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cost {

@@ -20,11 +20,6 @@ pub(super) fn makers() -> Vec<Maker> {
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
-            name: "pose_3pt",
-            make: Make::Scene(three_points),
-            error: |_, solution, truth| relative_error(solution, truth),
-        },
-        Maker {
             name: "pose_3pt_depths",
             make: Make::Scene(three_depths),
             error: |_, solution, truth| relative_error(solution, truth),
@@ -87,15 +82,6 @@ pub(super) fn makers() -> Vec<Maker> {
 }
 
 /// Points in the unit ball. The depths, and their negatives: points behind the camera.
-/// Rays of any length, and points in the unit ball.
-fn three_points(random: &mut Random) -> KnownInstance {
-    let (rotation, translation) = camera(random);
-    let points: [Vector3<f64>; 3] = from_fn(|_| in_ball(random));
-    let seen = points.map(|x| rotation * x + translation);
-    let data = seen.iter().map(|x| x * uniform(random, 0.5, 2.0)).chain(points).flat_map(|x| x.data.0[0]).collect();
-    KnownInstance { data, truths: vec![seen.map(|x| x.norm()).to_vec()] }
-}
-
 fn three_depths(random: &mut Random) -> KnownInstance {
     let (rotation, translation) = camera(random);
     let points: [Vector3<f64>; 3] = from_fn(|_| rotation * in_ball(random) + translation);

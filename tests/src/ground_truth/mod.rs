@@ -6,6 +6,7 @@ mod cameras;
 mod circles;
 mod linear;
 mod maker;
+mod measurements;
 mod optimal_pose;
 mod orbits;
 mod platforms;
@@ -27,6 +28,7 @@ pub fn makers() -> Vec<Maker> {
         absolute_pose::makers(),
         benchmarks::makers(),
         circles::makers(),
+        measurements::makers(),
         optimal_pose::makers(),
         orbits::makers(),
         platforms::makers(),

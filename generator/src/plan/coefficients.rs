@@ -1,0 +1,68 @@
+//! The list of coefficients that the tables of a plan refer to.
+
+use std::collections::HashMap;
+
+use super::system_table::SystemTable;
+use super::{CoefficientId, PlannedElement, PlannedOutput, Term};
+use crate::algebra::Monomial;
+use crate::expression::{ExpressionId, SymbolicPolynomial};
+use crate::problem::Problem;
+use crate::problem::output::Output;
+
+/// The coefficients that the tables refer to. If the equations are stored as a matrix, it comes
+/// first, row by row. The others follow in order of first use.
+#[derive(Default)]
+pub(super) struct Coefficients {
+    ids: HashMap<ExpressionId, u32>,
+    /// `None` for a zero.
+    pub(super) used: Vec<Option<ExpressionId>>,
+}
+
+impl Coefficients {
+    pub(super) fn of_equations(problem: &Problem) -> Self {
+        let (mut listed, width) = (Self::default(), problem.unknowns.len());
+        let equations: Vec<Vec<Term>> = problem.polynomials().map(|p| listed.terms(p, width)).collect();
+        let table = SystemTable::of(&equations, width);
+        let mut coefficients = Self::default();
+        if table.is_dense() {
+            let entry = |entry: Option<u16>| entry.and_then(|id| listed.used[usize::from(id)]);
+            coefficients.used = table.matrix().into_iter().map(entry).collect();
+            for (&expression, at) in coefficients.used.iter().zip(0..) {
+                expression.map(|expression| *coefficients.ids.entry(expression).or_insert(at));
+            }
+        }
+        coefficients
+    }
+
+    pub(super) fn id(&mut self, expression: ExpressionId) -> CoefficientId {
+        let next = self.used.len() as u32;
+        let id = *self.ids.entry(expression).or_insert(next);
+        if id == next {
+            self.used.push(Some(expression));
+        }
+        // A number that does not fit is refused at the end, before anything reads the plan.
+        CoefficientId(id as u16)
+    }
+
+    pub(super) fn terms(&mut self, polynomial: &SymbolicPolynomial, width: usize) -> Vec<Term> {
+        let term = |&(m, c): &(Monomial, ExpressionId)| Term {
+            coefficient: self.id(c),
+            exponents: m.exponents()[..width].iter().map(|&e| e.max(0) as u8).collect(),
+        };
+        polynomial.terms().iter().map(term).collect()
+    }
+}
+
+/// What a solver returns beside the unknowns.
+pub(super) fn planned_output(problem: &Problem, output: &Output, coefficients: &mut Coefficients) -> PlannedOutput {
+    let width = problem.unknowns.len() + problem.fields.iter().filter(|field| field.is_projective).count();
+    let fields = output.fields.iter().map(|field| {
+        let elements = field.elements.iter().map(|element| PlannedElement {
+            numerator: coefficients.terms(&element.numerator, width),
+            denominator: element.denominator.as_ref().map(|divisor| coefficients.terms(divisor, width)),
+            is_root: element.is_root,
+        });
+        (field.name.clone(), field.shape.clone(), elements.collect())
+    });
+    PlannedOutput { name: output.name.clone(), fields: fields.collect() }
+}

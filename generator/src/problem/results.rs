@@ -1,0 +1,180 @@
+//! Statements about results: the struct that a problem returns, and inequalities that its solutions
+//! satisfy.
+
+use syn::{BinOp, Expr, ExprBinary, ExprStruct, Member};
+
+use super::Statement;
+use super::functions::BUILT_IN;
+use super::interpret::Interpreter;
+use super::names::refuse;
+use super::output::{Output, OutputElement, OutputField, function_name};
+use super::scope::Outcome;
+use super::syntax::place;
+use super::value::{Value, describe};
+use crate::expression::SymbolicPolynomial;
+use crate::problem::diagnostic::Diagnostic;
+
+/// Types of the emitted module.
+const TAKEN: [&str; 5] = ["Solution", "Data", "Instance", "Chains", "Monomials"];
+
+impl Interpreter<'_> {
+    /// The last line of a problem: a struct of what it returns.
+    pub(super) fn state_output(&mut self, stated: &ExprStruct) {
+        let span = place(stated);
+        if let Some((name, _)) = self.calls.last().cloned() {
+            let diagnostic = Diagnostic::new("a helper function returns a value, not a struct", span);
+            self.report(diagnostic.label(format!("`{name}` is a helper: it does not return unknowns")));
+            return;
+        }
+        if let Some(first) = self.output.as_ref().map(|first| first.span.clone()) {
+            let diagnostic = Diagnostic::new("a problem returns one struct", span).label("a second one");
+            self.report(diagnostic.context(first, "the first"));
+            return;
+        }
+        let Ok(name) = self.name_of_output(stated) else { return };
+        let mut fields: Vec<OutputField> = Vec::new();
+        for field in &stated.fields {
+            let Member::Named(ident) = &field.member else {
+                self.report(Diagnostic::new("fields have names", place(&field.member)));
+                continue;
+            };
+            if let Some(diagnostic) = refuse(ident, "a field") {
+                self.report(diagnostic);
+            }
+            if fields.iter().any(|known| *ident == known.name) {
+                self.report(Diagnostic::new(format!("the field `{ident}` is listed twice"), place(ident)));
+                continue;
+            }
+            if let Ok((shape, elements)) = self.output_elements(&field.expr) {
+                fields.push(OutputField { name: ident.to_string(), shape, elements });
+            }
+        }
+        self.output = Some(Output { name, fields, span });
+    }
+
+    fn name_of_output(&mut self, stated: &ExprStruct) -> Outcome<String> {
+        let name = stated.path.get_ident().map(ToString::to_string).unwrap_or_default();
+        let is_type = name.starts_with(|c: char| c.is_ascii_uppercase())
+            && name.chars().all(|c| c.is_ascii_alphanumeric())
+            && refuse(&quote::format_ident!("{}", function_name(&name)), "").is_none();
+        if !is_type || TAKEN.contains(&name.as_str()) {
+            let diagnostic = Diagnostic::new("this cannot be the name of what is returned", place(&stated.path));
+            let diagnostic = diagnostic.label("expected a name in CamelCase, such as `Pose`");
+            return Err(self.report(match TAKEN.contains(&name.as_str()) {
+                true => diagnostic.hint(format!("every solver has a type `{name}`")),
+                false => diagnostic,
+            }));
+        }
+        if let Some(rest) = &stated.rest {
+            return Err(self.report(Diagnostic::new("all fields are listed", place(&**rest))));
+        }
+        if stated.fields.is_empty() {
+            let diagnostic = Diagnostic::new("the struct has no fields", place(stated));
+            return Err(self.report(diagnostic.label("expected such as `Pose { rotation: r }`")));
+        }
+        Ok(name)
+    }
+
+    /// The shape and the scalars of a field. A quotient or a square root may hold unknowns if it is
+    /// the outermost operation.
+    fn output_elements(&mut self, expression: &Expr) -> Outcome<(Vec<usize>, Vec<OutputElement>)> {
+        let plain = |numerator: &SymbolicPolynomial| OutputElement {
+            numerator: numerator.clone(),
+            denominator: None,
+            is_root: false,
+        };
+        match expression {
+            Expr::Paren(inner) => self.output_elements(&inner.expr),
+            Expr::Binary(binary) if matches!(binary.op, BinOp::Div(_)) => self.quotient(binary, plain),
+            Expr::Call(call) if is_root(&call.func) && call.args.len() == 1 => {
+                let (shape, mut elements) = self.output_elements(&call.args[0])?;
+                if !shape.is_empty() || elements.iter().any(|element| element.is_root) {
+                    let diagnostic = Diagnostic::new("`sqrt` needs a polynomial or a quotient", place(&call.args[0]));
+                    return Err(self.report(diagnostic));
+                }
+                if elements.iter().all(|e| e.denominator.is_none() && e.numerator.degree() == 0) {
+                    return self.evaluate(expression).map(|value| as_elements(&value, plain));
+                }
+                elements.iter_mut().for_each(|element| element.is_root = true);
+                Ok((shape, elements))
+            }
+            _ => self.evaluate(expression).map(|value| as_elements(&value, plain)),
+        }
+    }
+
+    fn quotient(
+        &mut self,
+        binary: &ExprBinary,
+        plain: impl Fn(&SymbolicPolynomial) -> OutputElement,
+    ) -> Outcome<(Vec<usize>, Vec<OutputElement>)> {
+        let (left, right) = (self.evaluate(&binary.left), self.evaluate(&binary.right));
+        let (left, right) = (left?, right?);
+        let divisor = right.as_scalar().filter(|divisor| divisor.degree() > 0).cloned();
+        if divisor.is_none() {
+            return self.combine(binary, &left, &right).map(|value| as_elements(&value, plain));
+        }
+        let (shape, mut elements) = as_elements(&left, plain);
+        elements.iter_mut().for_each(|element| element.denominator.clone_from(&divisor));
+        Ok((shape, elements))
+    }
+
+    /// `left > right` or `left < right`: `solve` returns no other solutions.
+    pub(super) fn state_inequality(&mut self, expression: &Expr, binary: &ExprBinary) {
+        if self.outside_helpers(expression).is_err() {
+            return;
+        }
+        let (left, right) = (self.evaluate(&binary.left), self.evaluate(&binary.right));
+        let (Ok(left), Ok(right)) = (left, right) else { return };
+        let (larger, smaller) = if matches!(binary.op, BinOp::Gt(_)) { (left, right) } else { (right, left) };
+        let Ok(difference) = self.difference(binary, &larger, &smaller) else { return };
+        let span = place(expression);
+        match difference.as_scalar() {
+            Some(polynomial) if polynomial.degree() > 0 => {
+                let statement = Statement { polynomial: polynomial.clone(), span, element: String::new() };
+                self.positive.push(statement);
+            }
+            Some(_) => {
+                let diagnostic = Diagnostic::new("the inequality does not depend on the unknowns", span);
+                self.report(diagnostic.hint("it holds for some data and fails for others: test the data beforehand"));
+            }
+            None => {
+                let diagnostic = Diagnostic::new("an inequality needs scalars", span);
+                let diagnostic = diagnostic.label(format!("this is {}", describe(difference.shape())));
+                self.report(diagnostic.hint("state it for each element in a loop"));
+            }
+        }
+    }
+
+    fn difference(&mut self, binary: &ExprBinary, larger: &Value, smaller: &Value) -> Outcome<Value> {
+        if smaller.is_scalar_zero() {
+            return Ok(larger.clone());
+        }
+        let difference = self.algebra.subtract(larger, smaller);
+        self.check(difference, binary)
+    }
+}
+
+fn as_elements(
+    value: &Value,
+    plain: impl Fn(&SymbolicPolynomial) -> OutputElement,
+) -> (Vec<usize>, Vec<OutputElement>) {
+    (value.shape().to_vec(), value.elements().iter().map(plain).collect())
+}
+
+/// Whether a call is one of the function `sqrt` of the language.
+fn is_root(function: &Expr) -> bool {
+    let is_built_in = |name: &syn::Ident| name == "sqrt" && BUILT_IN.iter().any(|known| known.name == "sqrt");
+    matches!(function, Expr::Path(path) if path.path.get_ident().is_some_and(is_built_in))
+}
+
+/// Checks that an inequality means the same for both signs of a vector that is given up to scale.
+pub(super) fn check_even(statement: &Statement, unknowns: &[usize], field: &str) -> Result<(), Diagnostic> {
+    let first = statement.polynomial.monomials().next();
+    let degree = first.map_or(0, |m| unknowns.iter().map(|&at| i32::from(m.exponent(at))).sum::<i32>());
+    match degree % 2 {
+        0 => Ok(()),
+        _ => Err(Diagnostic::new("the inequality depends on a sign that nothing determines", statement.span.clone())
+            .label(format!("of degree {degree} in `{field}`"))
+            .hint(format!("`{field}` is given up to scale: state it for products of two of its elements"))),
+    }
+}

@@ -1,0 +1,126 @@
+//! Problems that take measurements: rays and points.
+
+use std::array::from_fn;
+
+use eliminant::emitted;
+use eliminant_generator::algebra::Random;
+use nalgebra::{Matrix3, Vector3};
+
+use super::cameras::{Motion, camera, image, in_ball, two_cameras};
+use super::relative_pose::epipolar_row;
+use super::{
+    KnownInstance, Make, Maker, combination, coordinates, projective_error, relative_error, uniform, vector, weights,
+};
+
+pub(super) fn makers() -> Vec<Maker> {
+    vec![
+        Maker {
+            name: "relpose_5pt_rays",
+            make: Make::TwoCameras(five_rays),
+            error: |data, s, truth| {
+                let rows: Vec<Vec<f64>> = rays(data, 5).map(|[x1, x2]| epipolar_row(&x1, &x2)).collect();
+                epipolar_error(&derived_null_space(&rows), s, truth)
+            },
+        },
+        Maker {
+            name: "fundamental_7pt",
+            make: Make::TwoCameras(seven_points),
+            error: |data, s, truth| epipolar_error(&null_space_of_points(data, 7), s, truth),
+        },
+        Maker {
+            name: "relpose_6pt_focal_points",
+            make: Make::TwoCameras(six_measured_points),
+            error: |data, s, truth| {
+                let basis = null_space_of_points(data, 6);
+                epipolar_error(&basis, &s[..2], &truth[..2]).max(relative_error(&s[2..], &truth[2..]))
+            },
+        },
+        Maker {
+            name: "pose_3pt",
+            make: Make::Scene(three_points),
+            error: |_, solution, truth| relative_error(solution, truth),
+        },
+    ]
+}
+
+/// The null space that a solver derives from such rows, to the last bit.
+fn derived_null_space(rows: &[Vec<f64>]) -> Vec<f64> {
+    let mut vectors = vec![0.0; (9 - rows.len()) * 9];
+    emitted::null_space(&mut rows.concat(), rows.len(), &mut vectors).expect("random instances are not degenerate");
+    vectors
+}
+
+/// The rays of points in two cameras, those in the first before those in the second.
+fn rays(data: &[f64], count: usize) -> impl Iterator<Item = [Vector3<f64>; 2]> + '_ {
+    (0..count).map(move |k| [0, count].map(|first| Vector3::from_column_slice(&data[3 * (first + k)..][..3])))
+}
+
+/// The unit in which the problems with points compute: the length of all of them.
+fn unit_of(data: &[f64]) -> f64 {
+    data.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+fn null_space_of_points(data: &[f64], count: usize) -> Vec<f64> {
+    let unit = unit_of(data);
+    let point = |k: usize| Vector3::new(data[2 * k], data[2 * k + 1], unit);
+    let rows: Vec<Vec<f64>> = (0..count).map(|k| epipolar_row(&point(k), &point(count + k))).collect();
+    derived_null_space(&rows)
+}
+
+/// The error of the matrix that such weights stand for.
+fn epipolar_error(basis: &[f64], solution: &[f64], truth: &[f64]) -> f64 {
+    let [solved, known] = [solution, truth].map(|x| combination(basis, &vector(x)));
+    projective_error(&solved, &known)
+}
+
+/// Points in the coordinates of two cameras, and the fundamental matrix for focal lengths.
+fn measured((random, motion): (&mut Random, Motion), count: usize, focal: f64) -> ([Vec<Vector3<f64>>; 2], Vec<f64>) {
+    let (rotation, translation, points) = two_cameras((random, motion), count);
+    let seen = points.iter().map(|x| rotation * x + translation).collect();
+    let inverse = Matrix3::from_diagonal(&Vector3::new(1.0 / focal, 1.0 / focal, 1.0));
+    let fundamental = inverse * translation.cross_matrix() * rotation * inverse;
+    ([points, seen], fundamental.transpose().as_slice().to_vec())
+}
+
+/// Rays of any length.
+fn five_rays(random: &mut Random, motion: Motion) -> KnownInstance {
+    let (points, essential) = measured((random, motion), 5, 1.0);
+    let data: Vec<f64> = points.iter().flatten().flat_map(|x| x.data.0[0]).collect();
+    let rows: Vec<Vec<f64>> = rays(&data, 5).map(|[x1, x2]| epipolar_row(&x1, &x2)).collect();
+    let truth = coordinates(&weights(&derived_null_space(&rows), &essential));
+    KnownInstance { data, truths: vec![truth] }
+}
+
+/// Images in cameras of this focal length, and the weights of the fundamental matrix.
+fn image_points(seed: (&mut Random, Motion), count: usize, focal: f64) -> (Vec<f64>, Vec<f64>) {
+    let (points, fundamental) = measured(seed, count, focal);
+    let data: Vec<f64> = points.iter().flatten().flat_map(|x| image(x, focal).data.0[0]).collect();
+    let unit = unit_of(&data);
+    let to_unit = |at: usize| if at == 2 { unit } else { 1.0 };
+    let in_units: Vec<f64> =
+        fundamental.iter().enumerate().map(|(at, f)| f / (to_unit(at / 3) * to_unit(at % 3))).collect();
+    let truth = coordinates(&weights(&null_space_of_points(&data, count), &in_units));
+    (data, truth)
+}
+
+fn seven_points(random: &mut Random, motion: Motion) -> KnownInstance {
+    let (data, truth) = image_points((random, motion), 7, 1.0);
+    KnownInstance { data, truths: vec![truth] }
+}
+
+fn six_measured_points(random: &mut Random, motion: Motion) -> KnownInstance {
+    let focal = uniform(random, 0.5, 3.0);
+    let (data, mut truth) = image_points((random, motion), 6, focal);
+    let unit = unit_of(&data);
+    truth.push(unit * unit / (focal * focal));
+    KnownInstance { data, truths: vec![truth] }
+}
+
+/// Rays of any length, and points in the unit ball.
+fn three_points(random: &mut Random) -> KnownInstance {
+    let (rotation, translation) = camera(random);
+    let points: [Vector3<f64>; 3] = from_fn(|_| in_ball(random));
+    let seen = points.map(|x| rotation * x + translation);
+    let data = seen.iter().map(|x| x * uniform(random, 0.5, 2.0)).chain(points).flat_map(|x| x.data.0[0]).collect();
+    KnownInstance { data, truths: vec![seen.map(|x| x.norm()).to_vec()] }
+}
