@@ -218,8 +218,8 @@ fn degenerate_data_are_refused_or_solved() {
             subject.assert(&format!("all {value}"), &vec![value; n]);
         }
         let zeros = (subject.case.solve)(&vec![0.0; n]);
-        // A block of zeros is singular, and so is a matrix that data are derived from; a coefficient
-        // that divides by the data is not finite.
+        // A block of zeros is singular, and so is a matrix from which data are derived; a
+        // coefficient that divides by the data is not finite.
         let refused = matches!(zeros, Err(SolveError::Degenerate { .. } | SolveError::LostRank | SolveError::Overflow));
         assert!(refused || subject.data.is_empty(), "{}: {zeros:?}", subject.case.name);
         let stride = subject.stride(8 * n).max(1);
