@@ -2,9 +2,9 @@
 ///
 /// Hartley, Zisserman, "Multiple view geometry in computer vision", 2003, section 11.1.2.
 ///
-/// `first[k]` and `second[k]` are the images of point k. A fundamental matrix satisfies
-/// (second[k], 1) . F (first[k], 1) = 0; it is the sum of the two matrices that span the null space
-/// of these equations, each times its weight.
+/// `first[k]` and `second[k]` are the images of point k. A fundamental matrix F satisfies
+/// `(second[k], 1) . F (first[k], 1) = 0`; it is the sum of the two matrices that span the null
+/// space of these equations, each times its weight.
 fn fundamental_7pt(first: [[f64; 2]; 7], second: [[f64; 2]; 7]) -> (#[projective] weights: [f64; 2]) {
     // In units in which images are about 1, so that all entries of the matrix keep their digits.
     let unit = norm([first, second]);

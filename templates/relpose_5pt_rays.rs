@@ -1,8 +1,8 @@
 /// Relative pose of two calibrated cameras from five points: 10 essential matrices.
 ///
 /// The problem `relpose_5pt` from measurements. `first[k]` and `second[k]` are the rays of point k
-/// in both cameras, of any length. An essential matrix satisfies second[k] . E first[k] = 0; it is
-/// the sum of the matrices that span the null space of these equations, each times its weight.
+/// in both cameras, of any length. An essential matrix E satisfies `second[k] . E first[k] = 0`; it
+/// is the sum of the matrices that span the null space of these equations, each times its weight.
 fn relpose_5pt_rays(first: [[f64; 3]; 5], second: [[f64; 3]; 5]) -> (#[projective] weights: [f64; 4]) {
     let mut rows = [[0; 9]; 5];
     for k in 0..5 {

@@ -18,7 +18,7 @@
 //!   pieces of one line. A segment without name is a line by itself.
 //!
 //! COLMAP, and this reader, call the centre of the upper left pixel (0.5, 0.5). For files of
-//! programs such as OpenCV that call it (0, 0) there is [`PixelOrigin::Centre`].
+//! programs such as OpenCV that call it (0, 0) there is `PixelOrigin::Centre`.
 //!
 //! The line of several segments has the least sum of squared distances from all their end points,
 //! in pixels without distortion. Its end points are the projections of the outermost end points to

@@ -50,7 +50,7 @@ impl TemplateCandidate {
         }
     }
 
-    /// The cost of the solver; its time with [`BURDEN_OF_PRESOLVE`].
+    /// The cost of the solver. Where equations are solved at run time its time counts 1.25 times.
     pub fn cost(&self) -> Cost {
         let nanoseconds = self.plan.predicted_nanoseconds(0.0);
         let burden = if self.plan.is_presolved_at_run_time() { BURDEN_OF_PRESOLVE } else { 1.0 };
