@@ -4,7 +4,7 @@
 use eliminant_generator::algebra::{PRIMES, PrimeField, Random};
 use eliminant_generator::expression::SymbolicPolynomial;
 use eliminant_generator::problem::Problem;
-use eliminant_generator::problem::instance::draw_inputs;
+use eliminant_generator::problem::instance::Instance;
 use eliminant_generator::problem::scaling::{Scaling, scalings};
 use eliminant_tests::ground_truth::{FOUND, Maker, makers};
 use eliminant_tests::measure::affordable;
@@ -64,7 +64,8 @@ fn values(problem: &Problem, scaling: &Scaling, base: u32, seed: u64) -> Vec<u32
         let factor = field.pow(base, u32::from(weight.unsigned_abs()));
         field.mul(x, if weight < 0 { field.inverse(factor).expect("not 0") } else { factor })
     };
-    let given = draw_inputs(&problem.data, field, &mut random);
+    // Data of which all square roots exist.
+    let given = Instance::draw(problem, field, seed).expect("data").inputs;
     let all = problem.graph.all_inputs(field, &given).expect("no divisor is 0");
     let inputs = all.into_iter().zip(&scaling.data);
     let inputs: Vec<u32> = inputs.map(|(x, &weight)| scaled(x, weight)).collect();

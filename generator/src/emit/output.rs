@@ -8,12 +8,11 @@ use super::shapes::{array_type, chart_name, indices, parameter};
 use super::storage;
 use crate::plan::{Plan, PlannedElement, PlannedOutput, Term};
 use crate::problem::SolutionField;
-use crate::problem::output::function_name;
 
 /// The struct of an output, and the functions that return it; nothing without one.
 pub(super) fn output(plan: &Plan) -> TokenStream {
     let Some(output) = &plan.output else { return quote!() };
-    let (name, what) = (format_ident!("{}", output.name), function_name(&output.name));
+    let (name, what) = (format_ident!("{}", output.name), &output.function);
     let [of, solve_for] = [format_ident!("{what}_of"), format_ident!("solve_for_{what}")];
     let fields = output.fields.iter().map(|(field, shape, _)| {
         let (field, ty) = (format_ident!("{field}"), array_type(quote!(T), shape));

@@ -64,5 +64,5 @@ pub(super) fn planned_output(problem: &Problem, output: &Output, coefficients: &
         });
         (field.name.clone(), field.shape.clone(), elements.collect())
     });
-    PlannedOutput { name: output.name.clone(), fields: fields.collect() }
+    PlannedOutput { name: output.name.clone(), function: output.function.clone(), fields: fields.collect() }
 }

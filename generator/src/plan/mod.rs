@@ -203,6 +203,8 @@ pub struct PlannedDerivation {
 pub struct PlannedOutput {
     /// The name of the struct.
     pub name: String,
+    /// The name after which the functions are named that return it.
+    pub function: String,
     /// The names of its fields, with their shapes and scalars, row by row.
     pub fields: Vec<(String, Vec<usize>, Vec<PlannedElement>)>,
 }

@@ -1,7 +1,7 @@
 //! What a problem returns beside its unknowns.
 
-use super::Span;
-use super::names::snake_case;
+use std::ops::Range;
+
 use crate::expression::SymbolicPolynomial;
 
 /// What a problem returns beside its unknowns: `Pose { rotation: r, depth: d }`.
@@ -12,10 +12,12 @@ use crate::expression::SymbolicPolynomial;
 pub struct Output {
     /// The name of the struct.
     pub name: String,
+    /// The name in snake case, after which the functions are named that return it.
+    pub function: String,
     /// Its fields.
     pub fields: Vec<OutputField>,
     /// Where it stands.
-    pub span: Span,
+    pub span: Range<usize>,
 }
 
 /// A field of an output.
@@ -38,9 +40,4 @@ pub struct OutputElement {
     pub denominator: Option<SymbolicPolynomial>,
     /// Whether the square root of the quotient is meant.
     pub is_root: bool,
-}
-
-/// The function that computes an output is named after it.
-pub(crate) fn function_name(output: &str) -> String {
-    snake_case(output)
 }

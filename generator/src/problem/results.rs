@@ -6,8 +6,8 @@ use syn::{BinOp, Expr, ExprBinary, ExprStruct, Member};
 use super::Statement;
 use super::functions::BUILT_IN;
 use super::interpret::Interpreter;
-use super::names::refuse;
-use super::output::{Output, OutputElement, OutputField, function_name};
+use super::names::{refuse, snake_case};
+use super::output::{Output, OutputElement, OutputField};
 use super::scope::Outcome;
 use super::syntax::place;
 use super::value::{Value, describe};
@@ -49,14 +49,15 @@ impl Interpreter<'_> {
                 fields.push(OutputField { name: ident.to_string(), shape, elements });
             }
         }
-        self.output = Some(Output { name, fields, span });
+        let function = snake_case(&name);
+        self.output = Some(Output { name, function, fields, span });
     }
 
     fn name_of_output(&mut self, stated: &ExprStruct) -> Outcome<String> {
         let name = stated.path.get_ident().map(ToString::to_string).unwrap_or_default();
         let is_type = name.starts_with(|c: char| c.is_ascii_uppercase())
             && name.chars().all(|c| c.is_ascii_alphanumeric())
-            && refuse(&quote::format_ident!("{}", function_name(&name)), "").is_none();
+            && refuse(&quote::format_ident!("{}", snake_case(&name)), "").is_none();
         if !is_type || TAKEN.contains(&name.as_str()) {
             let diagnostic = Diagnostic::new("this cannot be the name of what is returned", place(&stated.path));
             let diagnostic = diagnostic.label("expected a name in CamelCase, such as `Pose`");
