@@ -36,8 +36,8 @@ const BOTH_SIDES: usize = 2;
 const LEAST_WIDTH: f64 = 2.0;
 
 /// Default of the largest number of false alarms of the best cylinder of a direction. Edges of a
-/// texture are not independent of each other, as the number supposes: on rendered floors without
-/// cylinders it fell to 1e-4, and on those with cylinders it is 1e-20 and less.
+/// texture are not independent of each other, as the number supposes: a rendered floor without
+/// cylinders has reached it. Small scenes with cylinders are lost at 1e-8.
 const FALSE_ALARMS: f64 = 1e-4;
 
 /// How cylinders are searched.
