@@ -14,8 +14,27 @@ use super::value::{Value, describe};
 use crate::expression::SymbolicPolynomial;
 use crate::problem::diagnostic::Diagnostic;
 
-/// Types of the emitted module.
-const TAKEN: [&str; 5] = ["Solution", "Data", "Instance", "Chains", "Monomials"];
+/// Types, traits and parameters that the emitted module has or names: a struct would hide them.
+const TAKEN: [&str; 18] = [
+    "Solution",
+    "Data",
+    "Instance",
+    "Chains",
+    "Monomials",
+    "Result",
+    "Option",
+    "Some",
+    "None",
+    "Ok",
+    "Err",
+    "Copy",
+    "Clone",
+    "From",
+    "C",
+    "R",
+    "S",
+    "T",
+];
 
 impl Interpreter<'_> {
     /// The last line of a problem: a struct of what it returns.
@@ -62,7 +81,7 @@ impl Interpreter<'_> {
             let diagnostic = Diagnostic::new("this cannot be the name of what is returned", place(&stated.path));
             let diagnostic = diagnostic.label("expected a name in CamelCase, such as `Pose`");
             return Err(self.report(match TAKEN.contains(&name.as_str()) {
-                true => diagnostic.hint(format!("every solver has a type `{name}`")),
+                true => diagnostic.hint(format!("the code of every solver has the name `{name}`")),
                 false => diagnostic,
             }));
         }
