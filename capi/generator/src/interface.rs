@@ -194,9 +194,10 @@ impl Interface {
 
     /// How many instances of a batch are on the stack at once.
     pub fn piece(&self) -> usize {
-        let numbers = |row: &Row| row.len() * self.solutions;
         let of_data: usize = self.data.iter().map(Field::len).sum();
-        let bytes = size_of::<f64>() * (2 + of_data + self.rows.iter().map(numbers).sum::<usize>());
+        let of_solutions = self.rows.first().map_or(0, Row::len) * self.solutions;
+        // Beside the numbers, the length of a list and whether there is one.
+        let bytes = size_of::<f64>() * (of_data + of_solutions + 2);
         let instances = (BYTES_OF_A_PIECE / bytes).clamp(1, MOST_INSTANCES);
         if instances > LANES { instances / LANES * LANES } else { instances }
     }
