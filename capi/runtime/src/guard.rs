@@ -12,8 +12,10 @@ pub(crate) fn guarded<T>(function: impl FnOnce() -> Result<T, Code>) -> Result<T
     // Nothing that the function changes is seen after a panic: results are written from what it
     // returns.
     catch_unwind(AssertUnwindSafe(function)).unwrap_or_else(|payload| {
-        // Its destructor could panic, too.
-        std::mem::forget(payload);
+        // The destructor of what was thrown could panic, too, and throw something of that kind.
+        if let Err(second) = catch_unwind(AssertUnwindSafe(|| drop(payload))) {
+            std::mem::forget(second);
+        }
         Err(Code::Panic)
     })
 }
