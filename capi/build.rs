@@ -54,11 +54,11 @@ fn case_of_row(interface: &Interface, row: &Row) -> String {
     most: {most},
     solve: |data, out| unsafe {{
         let _ = data;
-        functions::{name}::eliminant_{solve}({single}out.solutions, out.length, out.counts)
+        eliminant_c::functions::{name}::eliminant_{solve}({single}out.solutions, out.length, out.counts)
     }},
     solve_batch: |instances, data, out| unsafe {{
         let _ = data;
-        functions::{name}::eliminant_{solve_batch}(
+        eliminant_c::functions::{name}::eliminant_{solve_batch}(
             instances, {lists}out.solutions, out.length, out.counts, out.codes)
     }},
     in_rust: |data| {{

@@ -148,6 +148,7 @@ fn arguments(interface: &Interface) -> String {
 fn single(prefix: &str, interface: &Interface, row: &Row) -> String {
     let (name, parameters) = interface.solve(row);
     let read = |field: &Field| match field.shape.is_empty() {
+        true if field.name == field.c_name => format!("{}, ", field.name),
         true => format!("{}: {}, ", field.name, field.c_name),
         false => {
             let list = &field.c_name;
