@@ -12,11 +12,11 @@ use eliminant_generator::template::file::TemplateFile;
 const HEAD: &str = "\
 # Gallery of the catalogue
 
-All problems that come with Eliminant, by families. A family is a feature of `eliminant-solvers`, and
-so is each problem; some belong to several families, and stand in the first. Each entry says what is
-given and sought, and links to the problem file, which cites its source. `template` is rows x
-columns, with the size of the eigenvalue problem; how the solvers measure up, beside published ones,
-is in [templates/README.md](../../../templates/README.md).
+All problems that come with Eliminant, by families. A family is a feature of `eliminant-solvers`,
+and so is each problem. A problem of several families stands in the first. Each entry says what is
+given and sought, and leads to the problem file, which cites its source. The template has so many
+rows x columns, and |B| is the size of the eigenvalue problem. How the solvers measure up, beside
+published ones, is in [templates/README.md](../../../templates/README.md).
 
 This page is written by
 
@@ -89,9 +89,9 @@ fn text(Entry { problem, template }: &Entry) -> String {
     wrap(&mut text, "", &title.join(" "));
     text.push('\n');
     wrap(&mut text, "- ", &format!("given {data}; sought {}{result}", unknowns.join(", ")));
-    let facts = format!("{} solutions, template {rows} x {columns}, eigenvalue problem {basis}", template.solutions);
+    let facts = format!("{} solutions, template {rows} x {columns}, |B| = {basis}", template.solutions);
     wrap(&mut text, "- ", &facts);
-    let _ = writeln!(text, "- [{name}.rs](../../../templates/{name}.rs)");
+    let _ = writeln!(text, "- [problem file](../../../templates/{name}.rs)");
     text
 }
 
