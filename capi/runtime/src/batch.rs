@@ -99,7 +99,10 @@ pub unsafe fn solve_batch<B: Batch<N, MAX>, const N: usize, const MAX: usize, co
     instances: usize,
     output: BatchOutput,
 ) -> i32 {
-    let numbers = const { N * MAX };
+    let numbers = const {
+        assert!(PIECE > 0, "a piece has an instance");
+        N * MAX
+    };
     if let Err(code) = batch.check(instances).and_then(|()| output.check(instances, numbers)) {
         return code.number();
     }
@@ -151,4 +154,98 @@ fn rows<B: Batch<N, MAX>, const N: usize, const MAX: usize>(
         rows.push(batch.row(data, solution)?);
     }
     Ok(rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::ptr;
+
+    use super::*;
+    use crate::buffer::Input;
+
+    /// The square roots of a number, at most two. 13 panics, and 14 does for its rows.
+    struct Roots(Input);
+
+    impl Batch<1, 2> for Roots {
+        type Data = f64;
+        type Solution = f64;
+
+        fn check(&self, instances: usize) -> Result<(), Code> {
+            self.0.check::<f64>(instances).map(|_| ())
+        }
+
+        unsafe fn read(&self, at: usize) -> f64 {
+            unsafe { self.0.read(at) }
+        }
+
+        fn solve(&self, data: &[f64], results: &mut [Result<Solutions<f64, 2>, SolveError>]) {
+            for (&number, result) in data.iter().zip(results) {
+                assert!(number != 13.0, "this panic belongs to the test");
+                let mut roots = Solutions::new();
+                if number >= 0.0 {
+                    assert!(roots.push(-number.sqrt()) && roots.push(number.sqrt()));
+                }
+                *result = if number.is_nan() { Err(SolveError::NonFiniteInput) } else { Ok(roots) };
+            }
+        }
+
+        fn row(&self, data: &f64, solution: f64) -> Result<[f64; 1], SolveError> {
+            assert!(*data != 14.0, "this panic belongs to the test");
+            Ok([solution])
+        }
+    }
+
+    /// What a call writes for these numbers: its code, then solutions, counts and codes.
+    fn call<const PIECE: usize>(numbers: &[f64]) -> (i32, Vec<f64>, Vec<usize>, Vec<i32>) {
+        let n = numbers.len();
+        let (mut solutions, mut counts, mut codes) = (vec![7.0; 2 * n], vec![7; n], vec![7; n]);
+        let output = BatchOutput::new(solutions.as_mut_ptr(), 2 * n, counts.as_mut_ptr(), codes.as_mut_ptr());
+        let roots = Roots(Input::new(numbers.as_ptr(), n));
+        let code = unsafe { solve_batch::<_, 1, 2, PIECE>(&roots, n, output) };
+        (code, solutions, counts, codes)
+    }
+
+    #[test]
+    fn results_are_in_their_places_whatever_the_pieces() {
+        let numbers = [4.0, -1.0, f64::NAN, 9.0, 16.0];
+        for (code, solutions, counts, codes) in [call::<1>(&numbers), call::<2>(&numbers), call::<8>(&numbers)] {
+            assert_eq!(code, 0);
+            assert_eq!(counts, [2, 0, 0, 2, 2]);
+            assert_eq!(codes, [0, 0, Code::NonFiniteInput.number(), 0, 0]);
+            assert_eq!([&solutions[..2], &solutions[6..]].concat(), [-2.0, 2.0, -3.0, 3.0, -4.0, 4.0]);
+            assert!(solutions[2..6].iter().all(|number| number.is_nan()));
+        }
+        assert_eq!(call::<4>(&[]).0, 0);
+    }
+
+    #[test]
+    fn a_panic_is_the_code_of_its_piece() {
+        let (code, _, counts, codes) = call::<2>(&[4.0, 4.0, 13.0, 4.0, 14.0, 4.0]);
+        let panic = Code::Panic.number();
+        assert_eq!((code, counts, codes), (0, vec![2, 2, 0, 0, 0, 2], vec![0, 0, panic, panic, panic, 0]));
+    }
+
+    #[test]
+    fn buffers_are_checked_before_anything_is_written() {
+        let numbers = [4.0; 3];
+        let (mut solutions, mut counts, mut codes) = ([7.0; 6], [7; 3], [7; 3]);
+        let (to_solutions, to_counts, to_codes) = (solutions.as_mut_ptr(), counts.as_mut_ptr(), codes.as_mut_ptr());
+        let given = |length, instances, output| {
+            let roots = Roots(Input::new(numbers.as_ptr(), length));
+            unsafe { solve_batch::<_, 1, 2, 2>(&roots, instances, output) }
+        };
+        let output = BatchOutput::new(to_solutions, 6, to_counts, to_codes);
+        assert_eq!(given(2, 3, output), Code::WrongLength.number());
+        assert_eq!(given(usize::MAX, usize::MAX, output), Code::WrongLength.number());
+        let wrong = [
+            (BatchOutput::new(to_solutions, 5, to_counts, to_codes), Code::ShortBuffer),
+            (BatchOutput::new(ptr::null_mut(), 6, to_counts, to_codes), Code::NullPointer),
+            (BatchOutput::new(to_solutions, 6, ptr::null_mut(), to_codes), Code::NullPointer),
+            (BatchOutput::new(to_solutions, 6, to_counts, to_codes.wrapping_byte_add(1)), Code::MisalignedPointer),
+        ];
+        for (output, code) in wrong {
+            assert_eq!(given(3, 3, output), code.number());
+        }
+        assert_eq!((solutions, counts, codes), ([7.0; 6], [7; 3], [7; 3]));
+    }
 }

@@ -30,8 +30,8 @@ pub fn page(name: &str) -> String {
     fs::read_to_string(page_path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
-/// The command `eliminant`: the one that the variable ELIMINANT names, or that of the project, which
-/// `docs/book/check` builds.
+/// The command `eliminant`: the one that the variable ELIMINANT names, or that of the project,
+/// which `docs/book/check` builds.
 #[must_use]
 pub fn command() -> PathBuf {
     let built = || {
