@@ -45,7 +45,7 @@ pub unsafe fn solve<const N: usize, const MAX: usize>(
     match output.check::<N>().and_then(|()| guarded(solve)) {
         Ok(found) => {
             let written = found.len().min(output.capacity);
-            // SAFETY: the pointers are checked, and no more rows are written than there is room for.
+            // SAFETY: the pointers are checked, and there is room for the rows that are written.
             unsafe {
                 write_rows(output.solutions, found.iter().take(written).copied());
                 output.count.write(found.len());

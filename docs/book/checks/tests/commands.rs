@@ -7,9 +7,9 @@ use std::{env, fs};
 
 use eliminant_book_checks::{Mark, blocks, command, page, page_path, root};
 
-/// An empty folder for a test.
+/// An empty folder for a test, outside of all workspaces, as that of a reader.
 fn fresh_folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let folder = env::temp_dir().join(format!("eliminant-book-{name}-{}", std::process::id()));
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).expect("a folder");
     folder
@@ -67,6 +67,7 @@ fn the_tutorial_does_what_it_says() {
             Mark::None => {}
         }
     }
+    fs::remove_dir_all(folder).expect("removed");
 }
 
 #[test]
@@ -85,6 +86,7 @@ fn pictures_are_those_of_the_templates() {
         count += 1;
     }
     assert!(count >= 3, "{count} pictures");
+    fs::remove_dir_all(folder).expect("removed");
 }
 
 #[test]
