@@ -49,7 +49,7 @@ fn problem(prefix: &str, interface: &Interface) -> String {
     format!(
         r#"
 /// The C functions of `{name}`.
-#[allow(clippy::too_many_arguments)]
+#[allow(clippy::too_many_arguments, non_snake_case)]
 pub mod {name} {{
 use super::super::{name} as solver;
 use ::eliminant_capi_runtime as border;

@@ -144,26 +144,19 @@ pub struct Interface {
 impl Interface {
     /// The interface of a problem with so many solutions.
     pub fn new(problem: &Problem, solutions: usize) -> Self {
-        let mut data: Vec<Field> = Vec::new();
-        for parameter in &problem.data {
-            let used: Vec<String> =
-                data.iter().flat_map(|field| [field.c_name.clone(), length_name(&field.c_name)]).collect();
-            let c_name = free_name(&parameter.name, &used);
-            let note = note(parameter.attribute).to_owned();
-            data.push(Field { name: parameter.name.clone(), c_name, shape: parameter.shape.clone(), note });
-        }
+        let data = problem.data.iter().map(|data| (&data.name, &data.shape, note(data.attribute)));
         let unknowns = problem.fields.iter().map(|unknown| {
             let note = if unknown.is_projective { "given up to scale: of length 1" } else { "" };
-            field(&unknown.name, &unknown.shape, note)
+            (&unknown.name, &unknown.shape, note)
         });
         let solution = Row {
             name: "Solution".to_owned(),
             suffix: String::new(),
             what: "solution".to_owned(),
-            fields: unknowns.collect(),
+            fields: fields(unknowns),
         };
         let rows = [solution].into_iter().chain(problem.output.as_ref().map(row_of_output)).collect();
-        Self { name: problem.name.clone(), docs: problem.docs.clone(), data, solutions, rows }
+        Self { name: problem.name.clone(), docs: problem.docs.clone(), data: fields(data), solutions, rows }
     }
 
     /// The function that solves one instance: its name without the prefix, and its parameters.
@@ -208,9 +201,17 @@ fn list(field: &Field) -> [Parameter; 2] {
     [Parameter::new(&field.c_name, Type::Data), Parameter::new(length_name(&field.c_name), Type::Size)]
 }
 
-/// A field of a row: in C++ it is a member of a struct, beside no other names.
-fn field(name: &str, shape: &[usize], note: &str) -> Field {
-    Field { name: name.to_owned(), c_name: free_name(name, &[]), shape: shape.to_vec(), note: note.to_owned() }
+/// Fields from their names, shapes and notes. No two have the same name in C, nor does one have
+/// that of another's length.
+fn fields<'a>(stated: impl Iterator<Item = (&'a String, &'a Vec<usize>, &'a str)>) -> Vec<Field> {
+    let mut fields: Vec<Field> = Vec::new();
+    for (name, shape, note) in stated {
+        let used: Vec<String> =
+            fields.iter().flat_map(|field| [field.c_name.clone(), length_name(&field.c_name)]).collect();
+        let c_name = free_name(name, &used);
+        fields.push(Field { name: name.clone(), c_name, shape: shape.clone(), note: note.to_owned() });
+    }
+    fields
 }
 
 fn row_of_output(output: &Output) -> Row {
@@ -218,7 +219,7 @@ fn row_of_output(output: &Output) -> Row {
         name: output.name.clone(),
         suffix: format!("_for_{}", output.function),
         what: output.function.clone(),
-        fields: output.fields.iter().map(|of_output| field(&of_output.name, &of_output.shape, "")).collect(),
+        fields: fields(output.fields.iter().map(|field| (&field.name, &field.shape, ""))),
     }
 }
 

@@ -9,9 +9,12 @@ use eliminant_generator::template::file::TemplateFile;
 use eliminant_generator::{BuildError, Generator};
 
 use crate::header::constants;
-use crate::interface::Interface;
+use crate::interface::{Interface, Row};
 use crate::names::is_prefix;
 use crate::{cpp_header, functions, header};
+
+/// Classes of the C++ header, which a result of the same name would hide.
+const CLASSES: [&str; 7] = ["Error", "Span", "Many", "Values", "Solutions", "Result", "Batch"];
 
 /// Emits solvers and C functions for every problem of a folder.
 ///
@@ -122,6 +125,13 @@ fn check_names(prefix: &str, interfaces: &[Interface]) -> Result<(), LibraryErro
     if interfaces.iter().any(|interface| interface.name == prefix) {
         return Err(LibraryError::Names(format!("`{prefix}` is the name of a problem, and of the library")));
     }
+    let hidden = |row: &&Row| CLASSES.contains(&row.name.as_str());
+    if let Some(row) = interfaces.iter().flat_map(|interface| &interface.rows).find(hidden) {
+        return Err(LibraryError::Names(format!(
+            "`{}` is a class of the C++ header: name the result otherwise",
+            row.name
+        )));
+    }
     match names.windows(2).find(|pair| pair[0] == pair[1]) {
         Some(pair) => Err(LibraryError::Names(format!("two problems give the name `{}`: rename one", pair[0]))),
         None => Ok(()),
@@ -163,3 +173,26 @@ impl fmt::Debug for LibraryError {
 }
 
 impl error::Error for LibraryError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn interface(name: &str, output: &str) -> Interface {
+        let text = format!("fn {name}(a: f64) -> x {{ x * x == a; {output} {{ y: x }} }}");
+        let problem = Problem::parse("test.rs", &text).unwrap_or_else(|messages| panic!("{}", messages.render()));
+        Interface::new(&problem, 2)
+    }
+
+    #[test]
+    fn names_that_collide_are_refused() {
+        let message = |prefix, interfaces: &[Interface]| check_names(prefix, interfaces).err().map(|e| e.to_string());
+        assert_eq!(message("own", &[interface("roots", "Pose"), interface("others", "Pose")]), None);
+        let of_functions = message("own", &[interface("roots", "Pose"), interface("roots", "Pose")]);
+        assert!(of_functions.is_some_and(|text| text.contains("two problems give the name")));
+        let of_library = message("roots", &[interface("roots", "Pose")]);
+        assert!(of_library.is_some_and(|text| text.contains("and of the library")));
+        let of_class = message("own", &[interface("roots", "Batch")]);
+        assert!(of_class.is_some_and(|text| text.contains("class of the C++ header")));
+    }
+}
