@@ -14,8 +14,8 @@ const UNTOUCHED: f64 = 12345.678;
 const MARGIN: usize = 8;
 const UNTOUCHED_COUNT: usize = 77;
 const UNTOUCHED_CODE: i32 = -77;
-/// The most instances of a batch.
-const MOST_INSTANCES: usize = 20;
+/// The most numbers of a result up to which a solver counts as small.
+const SMALL: usize = 100;
 
 /// How a caller passes a pointer and a length.
 #[derive(Clone, Copy, Debug)]
@@ -58,10 +58,20 @@ struct Call {
     of_codes: Fault,
 }
 
+/// Large solvers take milliseconds, or seconds where their data are degenerate.
+fn is_small(case: &Case) -> bool {
+    case.most * case.row <= SMALL
+}
+
+/// The most instances of a batch: more than a piece of a small solver has.
+fn most_instances(case: &Case) -> usize {
+    if is_small(case) { 70 } else { 2 }
+}
+
 fn calls(case: &Case) -> impl Strategy<Value = Call> + use<> {
     let lists = case.data.len();
     let numbers_of_instance: usize = case.data.iter().map(|(length, _)| length).sum();
-    (0..=MOST_INSTANCES).prop_flat_map(move |instances| {
+    (0..=most_instances(case)).prop_flat_map(move |instances| {
         let numbers = prop::collection::vec(numbers(), numbers_of_instance * instances.max(1));
         let faults_of_data = prop::collection::vec(faults(), lists);
         (numbers, faults_of_data, faults(), faults(), faults()).prop_map(
@@ -242,8 +252,7 @@ fn run(check: fn(&Case, &Call) -> Result<(), TestCaseError>) {
     let cases = cases();
     assert!(!cases.is_empty(), "enable problems for this test: `--features trilateration,relpose_5pt_rays`");
     for case in cases {
-        // Large solvers take milliseconds, or seconds where their data are degenerate.
-        let calls_of_case = if case.most * case.row > 100 { 8 } else { 1024 };
+        let calls_of_case = if is_small(&case) { 400 } else { 8 };
         let config = ProptestConfig { cases: calls_of_case, failure_persistence: None, ..ProptestConfig::default() };
         let outcome = TestRunner::new(config).run(&calls(&case), |call| check(&case, &call));
         outcome.unwrap_or_else(|error| panic!("{}: {error}", case.name));
