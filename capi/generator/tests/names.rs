@@ -13,7 +13,7 @@ const ODD: &str = "\
 fn template(double: [f64; 2], count: f64, double_: [f64; 2], x: [f64; 2], x_length: f64) -> (class, class_) {
     double[0] * class * class + double[1] * class_ == count + x[0];
     double_[0] * class_ * class_ + double_[1] * class == x_length + x[1];
-    Union { private: class * class_, public: [class, class_] }
+    Found { private: class * class_, public: [class, class_] }
 }
 ";
 
