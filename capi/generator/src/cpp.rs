@@ -1,0 +1,100 @@
+//! Prints the C++ header.
+
+use std::fmt::Write as _;
+
+use crate::header::with_prefix;
+use crate::interface::{Field, Interface, Row};
+use crate::names::free_name;
+
+/// What all libraries have; `@name@` and `@NAME@` stand for the prefix.
+const PRELUDE: &str = include_str!("prelude.hpp");
+
+/// The header `PREFIX.hpp` of a library: a namespace for each problem.
+#[must_use]
+pub fn cpp_header(prefix: &str, interfaces: &[Interface]) -> String {
+    let (start, end) = PRELUDE.split_once("@problems@\n").unwrap_or((PRELUDE, ""));
+    let problems: String = interfaces.iter().map(|interface| problem(prefix, interface)).collect();
+    [&with_prefix(start, prefix), problems.as_str(), &with_prefix(end, prefix)].concat()
+}
+
+fn problem(prefix: &str, interface: &Interface) -> String {
+    let namespace = free_name(&interface.name, &[]);
+    let mut text = String::new();
+    for line in &interface.docs {
+        let _ = writeln!(text, "{}", format!("/// {}", line.trim()).trim_end());
+    }
+    let _ = writeln!(text, "namespace {namespace} {{\n");
+    let _ = writeln!(text, "/// No call returns more solutions.");
+    let _ = writeln!(text, "inline constexpr std::size_t max_solutions = {};\n", interface.solutions);
+    for row in &interface.rows {
+        text.push_str(&structure(interface, row));
+        text.push_str(&functions(prefix, interface, row));
+    }
+    let _ = writeln!(text, "}} // namespace {namespace}\n");
+    text
+}
+
+/// The struct of a row.
+fn structure(interface: &Interface, row: &Row) -> String {
+    let what = match row.suffix.is_empty() {
+        true => format!("A solution of `{}`.", interface.name),
+        false => format!("What `{}` returns beside its unknowns.", interface.name),
+    };
+    let mut text = format!("/// {what}\nstruct {} {{\n", row.name);
+    for Field { c_name, shape, note, .. } in &row.fields {
+        let note = if note.is_empty() { String::new() } else { format!(" ///< {note}") };
+        let _ = writeln!(text, "    {} {c_name};{note}", cpp_type(shape));
+    }
+    let _ = writeln!(text, "}};\nstatic_assert(sizeof({}) == {} * sizeof(double), \"a row\");\n", row.name, row.len());
+    text
+}
+
+/// `std::array<std::array<double, 3>, 5>`.
+fn cpp_type(shape: &[usize]) -> String {
+    shape.iter().rev().fold("double".to_owned(), |inner, length| format!("std::array<{inner}, {length}>"))
+}
+
+/// The calls that return rows of a kind.
+fn functions(prefix: &str, interface: &Interface, row: &Row) -> String {
+    let Row { name, suffix, what, .. } = row;
+    let joined = |parts: Vec<String>| parts.join(", ");
+    let single = |field: &Field| match field.shape.is_empty() {
+        true => format!("double {}", field.c_name),
+        false => format!("Values<{}> {}", field.len(), field.c_name),
+    };
+    let list = |field: &Field| format!("{0}.data(), {0}.size(), ", field.c_name);
+    let given = |field: &Field| if field.shape.is_empty() { format!("{}, ", field.c_name) } else { list(field) };
+    let parameters = joined(interface.data.iter().map(single).collect());
+    let names = joined(interface.data.iter().map(|field| field.c_name.clone()).collect());
+    let arguments: String = interface.data.iter().map(given).collect();
+    let lists: String = interface.data.iter().map(|field| format!("Many {}, ", field.c_name)).collect();
+    let of_lists: String = interface.data.iter().map(list).collect();
+    let ((solve, _), (solve_batch, _)) = (interface.solve(row), interface.solve_batch(row));
+    let returned = format!("Solutions<{name}, max_solutions>");
+    format!(
+        "\
+/// Real solutions of one instance: each {what}, or the code of an error.
+[[nodiscard]] inline Result<{returned}> try_solve{suffix}({parameters}) noexcept {{
+    return Result<{returned}>::of([&](double *to_solutions, std::size_t *to_count) {{
+        return {prefix}_{solve}({arguments}to_solutions, max_solutions, to_count);
+    }});
+}}
+
+/// Real solutions of one instance: each {what}. Throws `Error`.
+[[nodiscard]] inline {returned} solve{suffix}({parameters}) {{
+    return try_solve{suffix}({names}).value();
+}}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch{suffix}(
+    std::size_t instances, {lists}Batch<{name}, max_solutions> &batch) {{
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {{
+        return {prefix}_{solve_batch}(
+            instances, {of_lists}to_solutions, solutions_length, counts, codes);
+    }});
+}}
+
+"
+    )
+}

@@ -1,0 +1,222 @@
+//! Prints the `extern "C"` functions.
+
+use std::fmt::Write as _;
+
+use crate::interface::{Field, Interface, Parameter, Row};
+
+/// The functions of a library. The solvers stand beside the module `functions` that this is.
+pub(crate) fn functions(prefix: &str, interfaces: &[Interface]) -> String {
+    let problems: String = interfaces.iter().map(|interface| problem(prefix, interface)).collect();
+    format!(
+        r#"
+/// The functions of the C library, for each problem.
+pub mod functions {{
+/// The text of a code.
+#[unsafe(no_mangle)]
+pub extern "C" fn {prefix}_error_text(code: i32) -> *const ::core::ffi::c_char {{
+    ::eliminant_capi_runtime::error_text(code).as_ptr()
+}}
+
+/// The version of the library.
+#[unsafe(no_mangle)]
+pub extern "C" fn {prefix}_version() -> *const ::core::ffi::c_char {{
+    c"{version}".as_ptr()
+}}
+{problems}}}
+
+/// The C header and the C++ header, each with its name.
+pub const HEADERS: [(&str, &str); 2] = [
+    ("{prefix}.h", include_str!(concat!(env!("OUT_DIR"), "/{prefix}.h"))),
+    ("{prefix}.hpp", include_str!(concat!(env!("OUT_DIR"), "/{prefix}.hpp"))),
+];
+"#,
+        version = env!("CARGO_PKG_VERSION"),
+    )
+}
+
+/// A module with the functions of a problem, and what they have in common.
+fn problem(prefix: &str, interface: &Interface) -> String {
+    let Interface { name, data, solutions, .. } = interface;
+    let unknowns = interface.rows.first().map_or(0, Row::len);
+    let list = |print: &dyn Fn(&Field) -> String| data.iter().map(print).collect::<String>();
+    let buffers = list(&|field| format!("{}: border::Input, ", field.c_name));
+    let checks = list(&|field| {
+        let ty = rust_type(field);
+        format!("        self.{0}.check::<{ty}>(instances)?;\n", field.c_name)
+    });
+    let reads = list(&|field| format!("{}: unsafe {{ self.{}.read(at) }}, ", field.name, field.c_name));
+    let rows: String = interface.rows.iter().map(|row| functions_of_row(prefix, interface, row)).collect();
+    format!(
+        r#"
+/// The C functions of `{name}`.
+#[allow(clippy::too_many_arguments, non_snake_case)]
+pub mod {name} {{
+use super::super::{name} as solver;
+use ::eliminant_capi_runtime as border;
+
+// What the headers say.
+const _: () = assert!(solver::MAX_SOLUTIONS == {solutions} && solver::UNKNOWNS.len() == {unknowns});
+
+/// The data of many instances.
+struct Inputs {{ {buffers} }}
+
+impl Inputs {{
+    #[allow(unused_variables)]
+    fn check(&self, instances: usize) -> Result<(), border::Code> {{
+{checks}        Ok(())
+    }}
+
+    #[allow(unused_variables)]
+    unsafe fn read(&self, at: usize) -> solver::Data {{
+        // SAFETY: the caller has checked the buffers.
+        solver::Data {{ {reads} }}
+    }}
+}}
+{rows}}}
+"#
+    )
+}
+
+/// The two functions that return rows of a kind.
+fn functions_of_row(prefix: &str, interface: &Interface, row: &Row) -> String {
+    let (batch, to_row) = (format!("BatchOf{}", row.name), to_row(interface, row));
+    let (length, solutions) = (row.len(), interface.solutions);
+    let result = if row.suffix.is_empty() { "solution" } else { "result" };
+    let single = single(prefix, interface, row);
+    let of_batch = of_batch(prefix, interface, row);
+    format!(
+        r#"
+/// Many instances, with the {result} as a row.
+struct {batch}(Inputs);
+
+impl border::Batch<{length}, {solutions}> for {batch} {{
+    type Data = solver::Data;
+    type Solution = solver::Solution;
+
+    fn check(&self, instances: usize) -> Result<(), border::Code> {{
+        self.0.check(instances)
+    }}
+
+    unsafe fn read(&self, at: usize) -> solver::Data {{
+        // SAFETY: the caller has checked the buffers.
+        unsafe {{ self.0.read(at) }}
+    }}
+
+    fn solve(
+        &self,
+        data: &[solver::Data],
+        results: &mut [Result<::eliminant::Solutions<solver::Solution, {solutions}>, ::eliminant::SolveError>],
+    ) {{
+        solver::solve_batch(data, results);
+    }}
+
+    #[allow(unused_variables)]
+    fn row(&self, data: &solver::Data, solution: solver::Solution) -> Result<[f64; {length}], ::eliminant::SolveError> {{
+        {to_row}
+    }}
+}}
+{single}{of_batch}"#
+    )
+}
+
+/// The expression of type `Result` that makes a row of `solution`.
+fn to_row(interface: &Interface, row: &Row) -> String {
+    if row.suffix.is_empty() {
+        return "Ok(solution.to_array())".to_owned();
+    }
+    let mut arguments = arguments(interface);
+    arguments.push_str("&solution");
+    let put = put(row);
+    format!("solver::{}_of({arguments}).map(|result| border::row(|mut to| {{ {put} }}))", row.what)
+}
+
+/// The statements that put the fields of `result` to a row.
+fn put(row: &Row) -> String {
+    let put = |field: &Field| format!("border::Numbers::put(&result.{}, &mut to);", field.name);
+    row.fields.iter().map(put).collect::<Vec<_>>().join(" ")
+}
+
+/// `data.NAME`, as solvers take it.
+fn arguments(interface: &Interface) -> String {
+    let argument = |field: &Field| {
+        let reference = if field.shape.is_empty() { "" } else { "&" };
+        format!("{reference}data.{}, ", field.name)
+    };
+    interface.data.iter().map(argument).collect()
+}
+
+fn single(prefix: &str, interface: &Interface, row: &Row) -> String {
+    let (name, parameters) = interface.solve(row);
+    let read = |field: &Field| match field.shape.is_empty() {
+        true if field.name == field.c_name => format!("{}, ", field.name),
+        true => format!("{}: {}, ", field.name, field.c_name),
+        false => {
+            let list = &field.c_name;
+            format!("{}: border::Input::new({list}, {list}_length).read_one()?, ", field.name)
+        }
+    };
+    let reads: String = interface.data.iter().map(read).collect();
+    let to_array = match row.suffix.is_empty() {
+        true => "solver::Solution::to_array".to_owned(),
+        false => format!("|result| border::row(|mut to| {{ {} }})", put(row)),
+    };
+    let arguments = arguments(interface);
+    format!(
+        r#"
+{doc}pub unsafe extern "C" fn {prefix}_{name}({parameters}) -> i32 {{
+    let output = border::Output::new(solutions, capacity, count);
+    // SAFETY: the caller promises what the functions of the border need.
+    unsafe {{
+        border::solve::<{length}, {solutions}>(output, || {{
+            #[allow(unused_variables)]
+            let data = solver::Data {{ {reads} }};
+            Ok(solver::solve{suffix}({arguments})?.map({to_array}))
+        }})
+    }}
+}}
+"#,
+        doc = doc("Solves one instance."),
+        parameters = rust_parameters(&parameters),
+        length = row.len(),
+        solutions = interface.solutions,
+        suffix = row.suffix,
+    )
+}
+
+fn of_batch(prefix: &str, interface: &Interface, row: &Row) -> String {
+    let (name, parameters) = interface.solve_batch(row);
+    let mut inputs = String::new();
+    for Field { c_name, .. } in &interface.data {
+        let _ = write!(inputs, "{c_name}: border::Input::new({c_name}, {c_name}_length), ");
+    }
+    format!(
+        r#"
+{doc}pub unsafe extern "C" fn {prefix}_{name}({parameters}) -> i32 {{
+    let batch = BatchOf{struct_name}(Inputs {{ {inputs} }});
+    let output = border::BatchOutput::new(solutions, solutions_length, counts, codes);
+    // SAFETY: the caller promises what the functions of the border need.
+    unsafe {{ border::solve_batch::<_, _, _, {piece}>(&batch, instances, output) }}
+}}
+"#,
+        doc = doc("Solves many instances."),
+        parameters = rust_parameters(&parameters),
+        struct_name = row.name,
+        piece = interface.piece(),
+    )
+}
+
+fn doc(what: &str) -> String {
+    format!(
+        "/// {what}\n///\n/// # Safety\n/// Pointers are null, or their buffers as long as the lengths beside them say.\n\
+         #[unsafe(no_mangle)]\n"
+    )
+}
+
+fn rust_parameters(parameters: &[Parameter]) -> String {
+    parameters.iter().map(Parameter::in_rust).collect::<Vec<_>>().join(", ")
+}
+
+/// `[[f64; 3]; 5]`.
+fn rust_type(field: &Field) -> String {
+    field.shape.iter().rev().fold("f64".to_owned(), |inner, length| format!("[{inner}; {length}]"))
+}

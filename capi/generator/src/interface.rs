@@ -1,0 +1,235 @@
+//! What a problem looks like from C: the functions, their parameters, and the rows that they write.
+
+use eliminant_generator::problem::output::Output;
+use eliminant_generator::problem::{DataAttribute, Problem};
+
+use crate::names::{free_name, length_name};
+
+/// The most bytes of data and results that a batch keeps on the stack at once.
+const BYTES_OF_A_PIECE: usize = 16 * 1024;
+/// The most instances of a piece.
+const MOST_INSTANCES: usize = 64;
+/// As many instances as the widest registers hold.
+const LANES: usize = 8;
+
+/// A named array of numbers, or a number.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Field {
+    /// Its name in the problem file.
+    pub name: String,
+    /// Its name in C, C++ and in the emitted functions.
+    pub c_name: String,
+    /// Outermost dimension first; empty for a number.
+    pub shape: Vec<usize>,
+    /// What its values satisfy, for people; may be empty.
+    pub note: String,
+}
+
+impl Field {
+    /// Number of numbers.
+    pub fn len(&self) -> usize {
+        self.shape.iter().product()
+    }
+
+    /// Whether it is an array of length 0.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// As C declares it: `first[5][3]`.
+    pub fn declaration(&self) -> String {
+        let dimensions: String = self.shape.iter().map(|length| format!("[{length}]")).collect();
+        format!("{}{dimensions}", self.name)
+    }
+}
+
+/// What a row of numbers holds: the unknowns, or a result of the problem.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// The name of the struct in Rust and C++: `Solution`, `Pose`.
+    pub name: String,
+    /// What stands at the end of names of C functions: nothing, or `_for_pose`.
+    pub suffix: String,
+    /// The name in snake case: `solution`, `pose`.
+    pub what: String,
+    /// In the order of the numbers.
+    pub fields: Vec<Field>,
+}
+
+impl Row {
+    /// Number of numbers.
+    pub fn len(&self) -> usize {
+        self.fields.iter().map(Field::len).sum()
+    }
+
+    /// Whether it has no numbers.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// The type of a parameter of a C function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Type {
+    /// A number.
+    Number,
+    /// Data.
+    Data,
+    /// A length.
+    Size,
+    /// Room for solutions.
+    Numbers,
+    /// Room for counts.
+    Sizes,
+    /// Room for codes.
+    Codes,
+}
+
+/// A parameter of a C function.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Parameter {
+    /// Its name.
+    pub name: String,
+    /// Its type.
+    pub ty: Type,
+}
+
+impl Parameter {
+    fn new(name: impl Into<String>, ty: Type) -> Self {
+        Self { name: name.into(), ty }
+    }
+
+    /// As C declares it.
+    pub fn in_c(&self) -> String {
+        let ty = match self.ty {
+            Type::Number => "double ",
+            Type::Data => "const double *",
+            Type::Size => "size_t ",
+            Type::Numbers => "double *",
+            Type::Sizes => "size_t *",
+            Type::Codes => "int32_t *",
+        };
+        format!("{ty}{}", self.name)
+    }
+
+    /// As Rust declares it.
+    pub fn in_rust(&self) -> String {
+        let ty = match self.ty {
+            Type::Number => "f64",
+            Type::Data => "*const f64",
+            Type::Size => "usize",
+            Type::Numbers => "*mut f64",
+            Type::Sizes => "*mut usize",
+            Type::Codes => "*mut i32",
+        };
+        format!("{}: {ty}", self.name)
+    }
+}
+
+/// A problem as C sees it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Interface {
+    /// Name of the problem.
+    pub name: String,
+    /// Lines of its documentation.
+    pub docs: Vec<String>,
+    /// The data, in the order of the problem file.
+    pub data: Vec<Field>,
+    /// The most solutions.
+    pub solutions: usize,
+    /// What functions write: the unknowns, then the result if the problem has one.
+    pub rows: Vec<Row>,
+}
+
+impl Interface {
+    /// The interface of a problem with so many solutions.
+    pub fn new(problem: &Problem, solutions: usize) -> Self {
+        let data = problem.data.iter().map(|data| (&data.name, &data.shape, note(data.attribute)));
+        let unknowns = problem.fields.iter().map(|unknown| {
+            let note = if unknown.is_projective { "given up to scale: of length 1" } else { "" };
+            (&unknown.name, &unknown.shape, note)
+        });
+        let solution = Row {
+            name: "Solution".to_owned(),
+            suffix: String::new(),
+            what: "solution".to_owned(),
+            fields: fields(unknowns),
+        };
+        let rows = [solution].into_iter().chain(problem.output.as_ref().map(row_of_output)).collect();
+        Self { name: problem.name.clone(), docs: problem.docs.clone(), data: fields(data), solutions, rows }
+    }
+
+    /// The function that solves one instance: its name without the prefix, and its parameters.
+    pub fn solve(&self, row: &Row) -> (String, Vec<Parameter>) {
+        let mut parameters = Vec::new();
+        for field in &self.data {
+            match field.shape.is_empty() {
+                true => parameters.push(Parameter::new(&field.c_name, Type::Number)),
+                false => parameters.extend(list(field)),
+            }
+        }
+        parameters.push(Parameter::new("solutions", Type::Numbers));
+        parameters.push(Parameter::new("capacity", Type::Size));
+        parameters.push(Parameter::new("count", Type::Sizes));
+        (format!("{}_solve{}", self.name, row.suffix), parameters)
+    }
+
+    /// The function that solves many instances.
+    pub fn solve_batch(&self, row: &Row) -> (String, Vec<Parameter>) {
+        let mut parameters = vec![Parameter::new("instances", Type::Size)];
+        parameters.extend(self.data.iter().flat_map(list));
+        parameters.push(Parameter::new("solutions", Type::Numbers));
+        parameters.push(Parameter::new("solutions_length", Type::Size));
+        parameters.push(Parameter::new("counts", Type::Sizes));
+        parameters.push(Parameter::new("codes", Type::Codes));
+        (format!("{}_solve_batch{}", self.name, row.suffix), parameters)
+    }
+
+    /// How many instances of a batch are on the stack at once.
+    pub fn piece(&self) -> usize {
+        let of_data: usize = self.data.iter().map(Field::len).sum();
+        let of_solutions = self.rows.first().map_or(0, Row::len) * self.solutions;
+        // Beside the numbers, the length of a list and whether there is one.
+        let bytes = size_of::<f64>() * (of_data + of_solutions + 2);
+        let instances = (BYTES_OF_A_PIECE / bytes).clamp(1, MOST_INSTANCES);
+        if instances > LANES { instances / LANES * LANES } else { instances }
+    }
+}
+
+/// The parameters of a list of data.
+fn list(field: &Field) -> [Parameter; 2] {
+    [Parameter::new(&field.c_name, Type::Data), Parameter::new(length_name(&field.c_name), Type::Size)]
+}
+
+/// Fields from their names, shapes and notes. No two have the same name in C, nor does one have
+/// that of another's length.
+fn fields<'a>(stated: impl Iterator<Item = (&'a String, &'a Vec<usize>, &'a str)>) -> Vec<Field> {
+    let mut fields: Vec<Field> = Vec::new();
+    for (name, shape, note) in stated {
+        let used: Vec<String> =
+            fields.iter().flat_map(|field| [field.c_name.clone(), length_name(&field.c_name)]).collect();
+        let c_name = free_name(name, &used);
+        fields.push(Field { name: name.clone(), c_name, shape: shape.clone(), note: note.to_owned() });
+    }
+    fields
+}
+
+fn row_of_output(output: &Output) -> Row {
+    Row {
+        name: output.name.clone(),
+        suffix: format!("_for_{}", output.function),
+        what: output.function.clone(),
+        fields: fields(output.fields.iter().map(|field| (&field.name, &field.shape, ""))),
+    }
+}
+
+fn note(attribute: DataAttribute) -> &'static str {
+    match attribute {
+        DataAttribute::Generic | DataAttribute::Integer => "",
+        DataAttribute::Symmetric => "symmetric",
+        DataAttribute::Rotation => "rotation matrices",
+        DataAttribute::Unit => "of length 1",
+        DataAttribute::Plucker => "direction and moment of a line",
+        DataAttribute::Rank(_) => "of lower rank",
+    }
+}

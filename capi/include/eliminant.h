@@ -1,0 +1,1537 @@
+/*
+ * eliminant.h: solvers of polynomial problems, as C functions.
+ *
+ * Written by eliminant-capi-generator 0.1.0. Do not edit.
+ *
+ * Data are numbers in the order of the problem file, arrays row by row, each list with its length,
+ * which must be the one that is documented (`.._LENGTH`). Solutions are rows of numbers. All memory
+ * is the caller's, and the functions keep none of it. They may be called from several threads.
+ *
+ * `.._solve` writes at most `capacity` rows, and their number to `count`. Room for MAX_SOLUTIONS
+ * rows always suffices. If there are more solutions than room, the code is ELIMINANT_SHORT_BUFFER,
+ * and `count` their number. No solution is no error: `count` is then 0.
+ *
+ * `.._solve_batch` solves many instances. Each list of data holds those of all instances, one after
+ * another, and numbers are lists, too. `solutions` has room for MAX_SOLUTIONS rows for each
+ * instance, and is as long as `solutions_length` says or longer; rows without a solution are NaN.
+ * `counts` and `codes` have room for a number for each instance. What the function returns says
+ * whether the buffers fit; if they do not, nothing is written.
+ *
+ * `.._for_NAME` returns results that the problem states, such as poses, in place of unknowns.
+ *
+ * Buffers for results may overlap neither each other nor data.
+ */
+#ifndef ELIMINANT_H
+#define ELIMINANT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* All went well. */
+#define ELIMINANT_OK 0
+/* A pointer is null, and numbers had to be read or written there. */
+#define ELIMINANT_NULL_POINTER 1
+/* A pointer is not a multiple of the alignment of what it points to. */
+#define ELIMINANT_MISALIGNED_POINTER 2
+/* A list of data has another length than is documented. */
+#define ELIMINANT_WRONG_LENGTH 3
+/* There are more solutions than there is room for. */
+#define ELIMINANT_SHORT_BUFFER 4
+/* The data hold an infinite value or a NaN. */
+#define ELIMINANT_NON_FINITE_INPUT 5
+/* Degenerate data: the elimination lost rank. */
+#define ELIMINANT_DEGENERATE 6
+/* Degenerate data: a matrix from which data are derived has lost rank. */
+#define ELIMINANT_LOST_RANK 7
+/* A number computed from the data is not finite. */
+#define ELIMINANT_OVERFLOW 8
+/* The problem needs larger arrays than are set aside. */
+#define ELIMINANT_TOO_LARGE 9
+/* The eigenvalue iteration reached its limit. */
+#define ELIMINANT_NO_CONVERGENCE 10
+/* The solver panicked, which is an error of the library. */
+#define ELIMINANT_PANIC 11
+/* An error that this version does not know. */
+#define ELIMINANT_OTHER 12
+
+/* The version that wrote this header. */
+#define ELIMINANT_VERSION "0.1.0"
+
+/* A sentence in English for a code, for any other number, too. It lives as long as the library. */
+const char *eliminant_error_text(int32_t code);
+
+/* The version of the library, as ELIMINANT_VERSION is that of the header. */
+const char *eliminant_version(void);
+
+/*
+ * calibration_6_receivers_4_senders
+ *
+ * Positions of six receivers and four senders from all ranges between them: 38 solutions.
+ *
+ * Kuang, Burgess, Torstensson, Åström, "A complete characterization and solution to the microphone
+ * position self-calibration problem", ICASSP 2013. Published as `toa_46`.
+ *
+ * Relative to the first sender let G be the Gram matrix of the other three and K its inverse, [k11
+ * v w; v k22 x; w x y]. A receiver with the squares r of its range to the first sender and s of
+ * those to the others satisfies 4 r = c K c + 2 c g + a with c_j = r - s_j, g = K n, a = n K n and
+ * n = diag(G). Six receivers give k11, k22, g and a as combinations, `linear`, of v, w, x, y and
+ * 1. With C = adj(K) and z = det(K), n is diag(C) / z. M = [K g; g a] is K times [1 n] from both
+ * sides: its adjugate is z times the square of (n, -1). The receivers follow from K.
+ *
+ * Data: linear[6][5].
+ * A row of 5 numbers, the unknowns: v, w, x, y, z.
+ */
+#define ELIMINANT_CALIBRATION_6_RECEIVERS_4_SENDERS_LINEAR_LENGTH 30
+#define ELIMINANT_CALIBRATION_6_RECEIVERS_4_SENDERS_UNKNOWNS 5
+#define ELIMINANT_CALIBRATION_6_RECEIVERS_4_SENDERS_MAX_SOLUTIONS 38
+int32_t eliminant_calibration_6_receivers_4_senders_solve(
+    const double *linear, size_t linear_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_calibration_6_receivers_4_senders_solve_batch(
+    size_t instances, const double *linear, size_t linear_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * circle_least_squares
+ *
+ * Circle tangent to n lines in the least-squares sense: the stationary points of the constrained
+ * dual conic, 9 solutions.
+ *
+ * Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation", eq. (23)-(26): the
+ * Lagrangian as printed.
+ *
+ * `gram` is the sum over all lines l = (a, b, c) of r r^T with r = (a^2, ab, ac, b^2, bc, c^2).
+ * The dual conic is [d1 d2 d3; d2 d4 d5; d3 d5 -1]: a circle with centre (-d3, -d5) and squared
+ * radius d1 + d3^2 = d4 + d5^2.
+ *
+ * Data: gram[6][6] (symmetric).
+ * A row of 7 numbers, the unknowns: d1, d2, d3, d4, d5, lambda1, lambda2.
+ */
+#define ELIMINANT_CIRCLE_LEAST_SQUARES_GRAM_LENGTH 36
+#define ELIMINANT_CIRCLE_LEAST_SQUARES_UNKNOWNS 7
+#define ELIMINANT_CIRCLE_LEAST_SQUARES_MAX_SOLUTIONS 9
+int32_t eliminant_circle_least_squares_solve(
+    const double *gram, size_t gram_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_circle_least_squares_solve_batch(
+    size_t instances, const double *gram, size_t gram_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * circle_least_squares_dual
+ *
+ * Circle tangent to n lines in the least-squares sense, in three unknowns of the dual conic, 9
+ * solutions.
+ *
+ * Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation": the two constraints give d1
+ * and d2, which leaves the cost as a polynomial in d3, d4, d5. Data and conic are those of
+ * `circle_least_squares`.
+ *
+ * Data: gram[6][6] (symmetric).
+ * A row of 3 numbers, the unknowns: d3, d4, d5.
+ */
+#define ELIMINANT_CIRCLE_LEAST_SQUARES_DUAL_GRAM_LENGTH 36
+#define ELIMINANT_CIRCLE_LEAST_SQUARES_DUAL_UNKNOWNS 3
+#define ELIMINANT_CIRCLE_LEAST_SQUARES_DUAL_MAX_SOLUTIONS 9
+int32_t eliminant_circle_least_squares_dual_solve(
+    const double *gram, size_t gram_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_circle_least_squares_dual_solve_batch(
+    size_t instances, const double *gram, size_t gram_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * circle_minimal
+ *
+ * The circles tangent to three lines: 4 solutions (the incircle and the three excircles of the
+ * triangle).
+ *
+ * Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation", the minimal three-line
+ * solver.
+ *
+ * A line l = (a, b, c) is tangent to the circle with dual conic D = [d1 d2 d3; d2 d4 d5; d3 d5 d6]
+ * if l^T D l = 0: one linear equation in d = (d1, .., d6), (a^2, 2ab, 2ac, b^2, 2bc, c^2) d = 0.
+ * Three lines leave a null space of dimension three, d = a d_alpha + b d_beta + d_gamma, in which
+ * the two constraints of a circle, d2 d6 = d3 d5 and (d1 - d4) d6 = d3^2 - d5^2, pick four points.
+ *
+ * Data: d_alpha[6], d_beta[6], d_gamma[6].
+ * A row of 2 numbers, the unknowns: a, b.
+ */
+#define ELIMINANT_CIRCLE_MINIMAL_D_ALPHA_LENGTH 6
+#define ELIMINANT_CIRCLE_MINIMAL_D_BETA_LENGTH 6
+#define ELIMINANT_CIRCLE_MINIMAL_D_GAMMA_LENGTH 6
+#define ELIMINANT_CIRCLE_MINIMAL_UNKNOWNS 2
+#define ELIMINANT_CIRCLE_MINIMAL_MAX_SOLUTIONS 4
+int32_t eliminant_circle_minimal_solve(
+    const double *d_alpha, size_t d_alpha_length, const double *d_beta, size_t d_beta_length,
+    const double *d_gamma, size_t d_gamma_length, double *solutions, size_t capacity,
+    size_t *count);
+int32_t eliminant_circle_minimal_solve_batch(
+    size_t instances, const double *d_alpha, size_t d_alpha_length, const double *d_beta,
+    size_t d_beta_length, const double *d_gamma, size_t d_gamma_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * fundamental_7pt
+ *
+ * Fundamental matrix of two cameras from seven points: 3 solutions.
+ *
+ * Hartley, Zisserman, "Multiple view geometry in computer vision", 2003, section 11.1.2.
+ *
+ * `first[k]` and `second[k]` are the images of point k. A fundamental matrix F satisfies
+ * `(second[k], 1) . F (first[k], 1) = 0`; it is the sum of the two matrices that span the null
+ * space of these equations, each times its weight.
+ *
+ * Data: first[7][2], second[7][2].
+ * A row of 2 numbers, the unknowns: weights[2] (given up to scale: of length 1).
+ * A row of 9 numbers, the result epipolar: fundamental[3][3].
+ */
+#define ELIMINANT_FUNDAMENTAL_7PT_FIRST_LENGTH 14
+#define ELIMINANT_FUNDAMENTAL_7PT_SECOND_LENGTH 14
+#define ELIMINANT_FUNDAMENTAL_7PT_UNKNOWNS 2
+#define ELIMINANT_FUNDAMENTAL_7PT_LENGTH_OF_EPIPOLAR 9
+#define ELIMINANT_FUNDAMENTAL_7PT_MAX_SOLUTIONS 3
+int32_t eliminant_fundamental_7pt_solve(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_fundamental_7pt_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_fundamental_7pt_solve_for_epipolar(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_fundamental_7pt_solve_batch_for_epipolar(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
+ * fundamental_8pt_radial
+ *
+ * Fundamental matrix and the radial distortion common to both cameras from eight point
+ * correspondences: 16 solutions.
+ *
+ * Kukelova, Pajdla, "A minimal solution to the autocalibration of radial distortion", CVPR 2007.
+ * Published as `8ptF_radial`.
+ *
+ * A point x lies along (x, 1 + radial |x|^2), the division model. Then x2^T F x1 = 0 is, with f33
+ * = 1, linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the monomials radial
+ * f13, radial f23, radial^2, f13, f23, radial, 1: eight points give the former as combinations of
+ * these, the rows of `affine`.
+ *
+ * Data: affine[8][7].
+ * A row of 3 numbers, the unknowns: radial, f_13, f_23.
+ */
+#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_AFFINE_LENGTH 56
+#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_UNKNOWNS 3
+#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_MAX_SOLUTIONS 16
+int32_t eliminant_fundamental_8pt_radial_solve(
+    const double *affine, size_t affine_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_fundamental_8pt_radial_solve_batch(
+    size_t instances, const double *affine, size_t affine_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * fundamental_8pt_radial_one_side
+ *
+ * Fundamental matrix and radial distortion of the second camera from eight point correspondences:
+ * 8 solutions.
+ *
+ * Kuang, Solem, Kahl, Åström, "Minimal solvers for relative pose with a single unknown radial
+ * distortion", CVPR 2014. Published as `8ptF_radial_1s`.
+ *
+ * A point x2 of the second image lies along (x2, 1 + radial |x2|^2), the division model. Then x2^T
+ * F x1 = 0 is linear in the nine entries of F, the third row also multiplied by `radial`. Eight
+ * points, and f33 = 1, give (f11, f21, f31, f12, f22, f13, f23, radial f31) = affine (radial f32,
+ * radial, f32, 1).
+ *
+ * Data: affine[8][4].
+ * A row of 2 numbers, the unknowns: f_32, radial.
+ */
+#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_AFFINE_LENGTH 32
+#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_UNKNOWNS 2
+#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_MAX_SOLUTIONS 8
+int32_t eliminant_fundamental_8pt_radial_one_side_solve(
+    const double *affine, size_t affine_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_fundamental_8pt_radial_one_side_solve_batch(
+    size_t instances, const double *affine, size_t affine_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * fundamental_9pt_two_radials
+ *
+ * Fundamental matrix and the two different radial distortions of two cameras from nine point
+ * correspondences: 24 solutions.
+ *
+ * Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
+ * problems for cameras with radial distortion", CVIU 114, 2010. Published as `rdist9p`, with f13
+ * and f23 eliminated in place of t and f13.
+ *
+ * A point x lies along (x, 1 + radial |x|^2), the division model: with s in the second image and t
+ * in the first. Then x2^T F x1 = 0 is, with f33 = 1, linear in f11, f12, f21, f22, t, f13, t f13,
+ * t f23, s t and in s f31, s f32, s, f31, f32, f23, 1: nine points give the former as combinations
+ * of these, the rows of `affine`.
+ *
+ * Data: affine[9][7].
+ * A row of 4 numbers, the unknowns: s, f_31, f_32, f_23.
+ */
+#define ELIMINANT_FUNDAMENTAL_9PT_TWO_RADIALS_AFFINE_LENGTH 63
+#define ELIMINANT_FUNDAMENTAL_9PT_TWO_RADIALS_UNKNOWNS 4
+#define ELIMINANT_FUNDAMENTAL_9PT_TWO_RADIALS_MAX_SOLUTIONS 24
+int32_t eliminant_fundamental_9pt_two_radials_solve(
+    const double *affine, size_t affine_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_fundamental_9pt_two_radials_solve_batch(
+    size_t instances, const double *affine, size_t affine_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * katsura_5
+ *
+ * Katsura's equations for the magnetic field of a spin glass with six unknowns: 32 solutions.
+ * There are no data.
+ *
+ * Katsura, "Spin glass problem by the method of integral equation of the effective field", in: New
+ * Trends in Magnetism, 1990; as in the data base of PHCpack (Verschelde, ACM TOMS 795, 1999).
+ * Published as `katsura5`.
+ *
+ * Data: none.
+ * A row of 6 numbers, the unknowns: t, u, v, x, y, z.
+ */
+#define ELIMINANT_KATSURA_5_UNKNOWNS 6
+#define ELIMINANT_KATSURA_5_MAX_SOLUTIONS 32
+int32_t eliminant_katsura_5_solve(
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_katsura_5_solve_batch(
+    size_t instances, double *solutions, size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * orbit_5_lines_of_sight
+ *
+ * Keplerian orbit from five lines of sight without times: 66 solutions.
+ *
+ * Mancini, Duff, Leykin, Christian, "Geometric solution to the angles-only initial orbit
+ * determination problem", 2023; Huang, Leykin, Mancini, "Projective plane subdivision method for
+ * initial orbit determination", arXiv 2509.14397, 2025. Published as `IOD`.
+ *
+ * `sights` holds for each line the position of the observer and the direction; the Sun is the
+ * origin. The plane of the orbit has the normal n = (a, b, 1). It meets the line with direction d
+ * and moment m in x = n x m / n.d. The orbit is |x| = h - e.x, where e points to the pericentre
+ * and has the eccentricity as its length. With w = n x e / h = (-q, p, r), where (p, q, 0) is e /
+ * h up to a multiple of n, this is (n.d + w.m)^2 = |n x m|^2 / h^2, and `square` is 1 / h^2. The
+ * published unknowns are the entries of the orbit's dual quadric.
+ *
+ * With directions and moments exchanged these are the cylinders that touch five lines: n is the
+ * direction of the axis, w its moment, and `square` that of the radius.
+ *
+ * Data: sights[5][2][3].
+ * A row of 6 numbers, the unknowns: a, b, p, q, r, square.
+ */
+#define ELIMINANT_ORBIT_5_LINES_OF_SIGHT_SIGHTS_LENGTH 30
+#define ELIMINANT_ORBIT_5_LINES_OF_SIGHT_UNKNOWNS 6
+#define ELIMINANT_ORBIT_5_LINES_OF_SIGHT_MAX_SOLUTIONS 66
+int32_t eliminant_orbit_5_lines_of_sight_solve(
+    const double *sights, size_t sights_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_orbit_5_lines_of_sight_solve_batch(
+    size_t instances, const double *sights, size_t sights_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * platform_forward_kinematics
+ *
+ * Forward kinematics of the general Stewart-Gough platform, all poses with given lengths of its
+ * six legs: 40 solutions.
+ *
+ * Husty, "An algorithm for solving the direct kinematics of general Stewart-Gough-type platforms",
+ * Mechanism and Machine Theory 31, 1996. Published as `parallel_robot_66`.
+ *
+ * The first leg joins the origins of base and platform. Let t be that leg in the base's
+ * coordinates, s = R^T t in the platform's. The length of the leg from X to x, less that of the
+ * first, gives x s - X t as a linear combination of the entries of R and 1: five equations for s
+ * and t, solved after base and platform are turned so that only the third coordinates remain
+ * together. R is that of the quaternion q = 1 + a i + b j + c k, so n s and n t, with n = |q|^2,
+ * are quadratic polynomials, with coefficients of 1, a, b, c, a a, a b, a c, b b, b c, c c: `sums`
+ * has those of s_i + t_i, `differences` those of s_i - t_i, for i = 1, 2, and s_3 + t_3 = (2 +
+ * `excess`) (s_3 - t_3) + `shift`. `excess` exceeds -1 if the null vector of the five equations is
+ * longer in s than in t, as where the base is larger; else base and platform are exchanged.
+ * `square` is the square of the length of the first leg.
+ *
+ * That t q = q s gives n (s_3 - t_3) times 1, a, b and c as cubic polynomials, and that |s| = |t|
+ * its square: with these |t|^2 = `square` and its product with n (s_3 - t_3) have degrees of four
+ * and six.
+ *
+ * Data: sums[2][10], differences[2][10], shift[10], excess, square.
+ * A row of 3 numbers, the unknowns: a, b, c.
+ */
+#define ELIMINANT_PLATFORM_FORWARD_KINEMATICS_SUMS_LENGTH 20
+#define ELIMINANT_PLATFORM_FORWARD_KINEMATICS_DIFFERENCES_LENGTH 20
+#define ELIMINANT_PLATFORM_FORWARD_KINEMATICS_SHIFT_LENGTH 10
+#define ELIMINANT_PLATFORM_FORWARD_KINEMATICS_UNKNOWNS 3
+#define ELIMINANT_PLATFORM_FORWARD_KINEMATICS_MAX_SOLUTIONS 40
+int32_t eliminant_platform_forward_kinematics_solve(
+    const double *sums, size_t sums_length, const double *differences, size_t differences_length,
+    const double *shift, size_t shift_length, double excess, double square, double *solutions,
+    size_t capacity, size_t *count);
+int32_t eliminant_platform_forward_kinematics_solve_batch(
+    size_t instances, const double *sums, size_t sums_length, const double *differences,
+    size_t differences_length, const double *shift, size_t shift_length, const double *excess,
+    size_t excess_length, const double *square, size_t square_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * pose_35pt_focal
+ *
+ * Pose and focal length of a camera from three points and one image coordinate of a fourth: 10
+ * solutions.
+ *
+ * Wu, "P3.5P: Pose estimation with unknown focal length", CVPR 2015. Published as `pose_35pt`.
+ *
+ * `points` holds the points, one a row; `horizontal` and `vertical` their image coordinates,
+ * centred at the principal point. The rotation is, up to scale, that about the optical axis times
+ * that of the quaternion (1, x, y, 0). Each row of the matrix eliminates the rotation about the
+ * optical axis, and what is unknown of the focal length, from three points: it annihilates (cos,
+ * sin, 1/f).
+ *
+ * Data: points[4][3], horizontal[4], vertical[3].
+ * A row of 2 numbers, the unknowns: x, y.
+ */
+#define ELIMINANT_POSE_35PT_FOCAL_POINTS_LENGTH 12
+#define ELIMINANT_POSE_35PT_FOCAL_HORIZONTAL_LENGTH 4
+#define ELIMINANT_POSE_35PT_FOCAL_VERTICAL_LENGTH 3
+#define ELIMINANT_POSE_35PT_FOCAL_UNKNOWNS 2
+#define ELIMINANT_POSE_35PT_FOCAL_MAX_SOLUTIONS 10
+int32_t eliminant_pose_35pt_focal_solve(
+    const double *points, size_t points_length, const double *horizontal, size_t horizontal_length,
+    const double *vertical, size_t vertical_length, double *solutions, size_t capacity,
+    size_t *count);
+int32_t eliminant_pose_35pt_focal_solve_batch(
+    size_t instances, const double *points, size_t points_length, const double *horizontal,
+    size_t horizontal_length, const double *vertical, size_t vertical_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * pose_3pt
+ *
+ * Pose of a calibrated camera from three points: at most 4 of 8 solutions, in front of the camera.
+ *
+ * The problem `pose_3pt_depths` from measurements. `rays[k]` is the ray of point k in the camera,
+ * of any length, and `points[k]` its position. The unknowns are the distances of the points from
+ * the centre of the camera. A point x has the coordinates `rotation` x + `translation` in the
+ * camera: the rotation takes the differences of positions, and their cross product, to those in
+ * the camera.
+ *
+ * Data: rays[3][3], points[3][3].
+ * A row of 3 numbers, the unknowns: distances[3].
+ * A row of 12 numbers, the result pose: rotation[3][3], translation[3].
+ */
+#define ELIMINANT_POSE_3PT_RAYS_LENGTH 9
+#define ELIMINANT_POSE_3PT_POINTS_LENGTH 9
+#define ELIMINANT_POSE_3PT_UNKNOWNS 3
+#define ELIMINANT_POSE_3PT_LENGTH_OF_POSE 12
+#define ELIMINANT_POSE_3PT_MAX_SOLUTIONS 8
+int32_t eliminant_pose_3pt_solve(
+    const double *rays, size_t rays_length, const double *points, size_t points_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_3pt_solve_batch(
+    size_t instances, const double *rays, size_t rays_length, const double *points,
+    size_t points_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_pose_3pt_solve_for_pose(
+    const double *rays, size_t rays_length, const double *points, size_t points_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_3pt_solve_batch_for_pose(
+    size_t instances, const double *rays, size_t rays_length, const double *points,
+    size_t points_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
+ * pose_3pt_depths
+ *
+ * Pose of a calibrated camera from three points: their distances from the centre of the camera, 8
+ * solutions, which are 4 with both signs.
+ *
+ * Grunert, "Das Pothenotische Problem in erweiterter Gestalt", 1841; in this form Haralick, Lee,
+ * Ottenberg, Nölle, "Review and analysis of solutions of the three point perspective pose
+ * estimation problem", IJCV 1994, equation (1).
+ *
+ * `cosines` are those of the angles between the viewing rays of the points b and c, a and c, a and
+ * b; `squares` the squared distances of these points. Those of the solutions are poses in which
+ * all depths are positive.
+ *
+ * Data: cosines[3], squares[3].
+ * A row of 3 numbers, the unknowns: a, b, c.
+ */
+#define ELIMINANT_POSE_3PT_DEPTHS_COSINES_LENGTH 3
+#define ELIMINANT_POSE_3PT_DEPTHS_SQUARES_LENGTH 3
+#define ELIMINANT_POSE_3PT_DEPTHS_UNKNOWNS 3
+#define ELIMINANT_POSE_3PT_DEPTHS_MAX_SOLUTIONS 8
+int32_t eliminant_pose_3pt_depths_solve(
+    const double *cosines, size_t cosines_length, const double *squares, size_t squares_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_3pt_depths_solve_batch(
+    size_t instances, const double *cosines, size_t cosines_length, const double *squares,
+    size_t squares_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
+ * pose_3pt_upright_error_bound
+ *
+ * Poses of a camera with known vertical direction in which the errors of three points equal their
+ * bounds and are stationary: 48 solutions.
+ *
+ * Svärm, Enqvist, Kahl, Oskarsson, "City-scale localization for cameras with known vertical
+ * direction", PAMI 2017. Published as `optpose3pt_v2`. A pose with the largest number of points
+ * within the bound can be moved until four errors equal it, or three where it can be moved no
+ * further.
+ *
+ * The camera is turned about its first axis by the angle of the cosine y and the sine z, and
+ * shifted by (u, v, w). A point of `points`, one a row, in the camera's coordinates (X, Y, Z),
+ * lies on the cone a X^2 + a Y^2 + 2 b X Z + 2 c Y Z + d Z^2 = 0 with (a, b, c, d) a row of
+ * `cones`: for an image point (p, q) and a bound e that is (1, -p, -q, p^2 + q^2 - e^2). The
+ * derivatives of the three left sides by w, y and z are linearly dependent.
+ *
+ * Data: points[3][3], cones[3][4].
+ * A row of 5 numbers, the unknowns: u, v, w, y, z.
+ */
+#define ELIMINANT_POSE_3PT_UPRIGHT_ERROR_BOUND_POINTS_LENGTH 9
+#define ELIMINANT_POSE_3PT_UPRIGHT_ERROR_BOUND_CONES_LENGTH 12
+#define ELIMINANT_POSE_3PT_UPRIGHT_ERROR_BOUND_UNKNOWNS 5
+#define ELIMINANT_POSE_3PT_UPRIGHT_ERROR_BOUND_MAX_SOLUTIONS 48
+int32_t eliminant_pose_3pt_upright_error_bound_solve(
+    const double *points, size_t points_length, const double *cones, size_t cones_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_3pt_upright_error_bound_solve_batch(
+    size_t instances, const double *points, size_t points_length, const double *cones,
+    size_t cones_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
+ * pose_4pt_focal_radial
+ *
+ * Pose, focal length and radial distortion of a camera from four points: 16 solutions.
+ *
+ * Josephson, Byröd, "Pose estimation with radial distortion and unknown focal length", CVPR 2009,
+ * in the form of Bujnak, Kukelova, Pajdla, "New efficient solution to the absolute pose problem
+ * for camera with unknown focal length and radial distortion", ACCV 2010. Published as `p4p_fr`.
+ *
+ * An image point (u, v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with
+ * P = diag(1, 1, 1/f) \[R t\]. That v times the first row of P minus u times the second vanishes
+ * at X leaves a null space of dimension four: the first two rows of P, without their last entries,
+ * are row1 w and row2 w with the weights w. The third, from the four points, is row3 (w, radial
+ * w).
+ *
+ * Data: row1[3][4], row2[3][4], row3[3][8].
+ * A row of 5 numbers, the unknowns: weights[4] (given up to scale: of length 1), radial.
+ */
+#define ELIMINANT_POSE_4PT_FOCAL_RADIAL_ROW1_LENGTH 12
+#define ELIMINANT_POSE_4PT_FOCAL_RADIAL_ROW2_LENGTH 12
+#define ELIMINANT_POSE_4PT_FOCAL_RADIAL_ROW3_LENGTH 24
+#define ELIMINANT_POSE_4PT_FOCAL_RADIAL_UNKNOWNS 5
+#define ELIMINANT_POSE_4PT_FOCAL_RADIAL_MAX_SOLUTIONS 16
+int32_t eliminant_pose_4pt_focal_radial_solve(
+    const double *row1, size_t row1_length, const double *row2, size_t row2_length,
+    const double *row3, size_t row3_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_4pt_focal_radial_solve_batch(
+    size_t instances, const double *row1, size_t row1_length, const double *row2,
+    size_t row2_length, const double *row3, size_t row3_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * pose_4pt_focal_radial_cut
+ *
+ * Pose, focal length and radial distortion of a camera from four points, without the degenerate
+ * solutions: 12 solutions.
+ *
+ * Larsson, Kukelova, Zheng, "Making minimal solvers for absolute pose estimation compact and
+ * robust", ICCV 2017. Published as `p4p_fr_iccv17`; `pose_4pt_focal_radial` is the older
+ * formulation of the same problem, with 16.
+ *
+ * An image point (u, v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with
+ * P = diag(1, 1, 1/f) \[R t\]. The first two rows of R, column by column, are `upper` w
+ * with the weights w, the null space of four equations; the third row of P is, from the four
+ * points, `lower` (w, radial w), of which R takes the first three entries.
+ *
+ * Data: upper[6][4], lower[3][8].
+ * A row of 5 numbers, the unknowns: radial, weights[4] (given up to scale: of length 1).
+ */
+#define ELIMINANT_POSE_4PT_FOCAL_RADIAL_CUT_UPPER_LENGTH 24
+#define ELIMINANT_POSE_4PT_FOCAL_RADIAL_CUT_LOWER_LENGTH 24
+#define ELIMINANT_POSE_4PT_FOCAL_RADIAL_CUT_UNKNOWNS 5
+#define ELIMINANT_POSE_4PT_FOCAL_RADIAL_CUT_MAX_SOLUTIONS 12
+int32_t eliminant_pose_4pt_focal_radial_cut_solve(
+    const double *upper, size_t upper_length, const double *lower, size_t lower_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_4pt_focal_radial_cut_solve_batch(
+    size_t instances, const double *upper, size_t upper_length, const double *lower,
+    size_t lower_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
+ * pose_4pt_generalized_scale
+ *
+ * Pose and scale of a generalised camera from four points: 8 solutions.
+ *
+ * Ventura, Arth, Reitmayr, Schmalstieg, "A minimal solution to the generalized pose-and-scale
+ * problem", CVPR 2014. Published as `gp4p_scale`.
+ *
+ * A point X, and the ray from c along d by which the camera sees it, satisfy d x (R X + t - s c) =
+ * 0: two equations, linear in the entries of R, t and s up to a common factor. Seven of the eight
+ * leave a null space of dimension six; `basis` holds the entries of R, row by row, of vectors that
+ * span it; R is their sum, each times its weight, up to scale.
+ *
+ * Data: basis[6][9].
+ * A row of 6 numbers, the unknowns: weights[6] (given up to scale: of length 1).
+ */
+#define ELIMINANT_POSE_4PT_GENERALIZED_SCALE_BASIS_LENGTH 54
+#define ELIMINANT_POSE_4PT_GENERALIZED_SCALE_UNKNOWNS 6
+#define ELIMINANT_POSE_4PT_GENERALIZED_SCALE_MAX_SOLUTIONS 8
+int32_t eliminant_pose_4pt_generalized_scale_solve(
+    const double *basis, size_t basis_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_4pt_generalized_scale_solve_batch(
+    size_t instances, const double *basis, size_t basis_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * pose_4pt_upright_error_bound
+ *
+ * Poses of a camera with known vertical direction in which the errors of four points equal their
+ * bounds: 28 solutions.
+ *
+ * Svärm, Enqvist, Kahl, Oskarsson, "City-scale localization for cameras with known vertical
+ * direction", PAMI 2017. Published as `optpose4pt_v2`. A pose with the largest number of points
+ * within the bound can be moved until four errors equal it.
+ *
+ * The camera is turned about its first axis by the angle of the cosine y and the sine z, and
+ * shifted by (u, v, w). A point of `points`, one a row, in the camera's coordinates (X, Y, Z),
+ * lies on the cone a X^2 + a Y^2 + 2 b X Z + 2 c Y Z + d Z^2 = 0 with (a, b, c, d) a row of
+ * `cones`: for an image point (p, q) and a bound e that is (1, -p, -q, p^2 + q^2 - e^2).
+ *
+ * Data: points[4][3], cones[4][4].
+ * A row of 5 numbers, the unknowns: u, v, w, y, z.
+ */
+#define ELIMINANT_POSE_4PT_UPRIGHT_ERROR_BOUND_POINTS_LENGTH 12
+#define ELIMINANT_POSE_4PT_UPRIGHT_ERROR_BOUND_CONES_LENGTH 16
+#define ELIMINANT_POSE_4PT_UPRIGHT_ERROR_BOUND_UNKNOWNS 5
+#define ELIMINANT_POSE_4PT_UPRIGHT_ERROR_BOUND_MAX_SOLUTIONS 28
+int32_t eliminant_pose_4pt_upright_error_bound_solve(
+    const double *points, size_t points_length, const double *cones, size_t cones_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_4pt_upright_error_bound_solve_batch(
+    size_t instances, const double *points, size_t points_length, const double *cones,
+    size_t cones_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
+ * pose_5pt_refraction
+ *
+ * Pose of a calibrated camera that looks at five points through a known refracting plane: 16
+ * solutions.
+ *
+ * Haner, Åström, "Absolute pose for cameras under flat refractive interfaces", CVPR 2015.
+ * Published as `refract5p`.
+ *
+ * The plane is Z = 0. Refraction keeps a ray in its plane with the normal, so that R ray and the
+ * point X minus the camera centre (v, w, ..) are parallel in their first two coordinates: (r1 ray)
+ * (X2 - w) - (r2 ray) (X1 - v) = 0 with the rows r1, r2, r3 of R, that of the quaternion (1, x, y,
+ * z) times 1 + x^2 + y^2 + z^2. Linear combinations of five such equations have the leading terms
+ * r2\[i\] v - r1\[i\] w with i = 0, 1, 2, then x y, and x^2 - y^2, and otherwise the terms 1 -
+ * z^2, z, x z + y and x - y z, with the coefficients `affine`. These are large where the image's
+ * frame is unfortunate: turn the rays so that another axis is the third.
+ *
+ * Data: affine[5][4].
+ * A row of 3 numbers, the unknowns: x, y, z.
+ */
+#define ELIMINANT_POSE_5PT_REFRACTION_AFFINE_LENGTH 20
+#define ELIMINANT_POSE_5PT_REFRACTION_UNKNOWNS 3
+#define ELIMINANT_POSE_5PT_REFRACTION_MAX_SOLUTIONS 16
+int32_t eliminant_pose_5pt_refraction_solve(
+    const double *affine, size_t affine_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_5pt_refraction_solve_batch(
+    size_t instances, const double *affine, size_t affine_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * pose_5tdoa_two_receivers
+ *
+ * Pose of two receivers close to each other from the time differences with which they hear five
+ * senders: 24 solutions.
+ *
+ * Burgess, Kuang, Åström, "Pose estimation from minimal dual-receiver configurations", ICPR 2012.
+ * Published as `tdoa_pose_5pt`.
+ *
+ * The receivers are at C, one from the other in the direction n = (u, v, w). Divided by their
+ * distance, the difference of the ranges of a sender U is the cosine c of an angle: (n U - t)^2 =
+ * c^2 |n|^2 |U - C|^2 with t = n C. Five such equations are linear in |n|^2 |C|^2 and |n|^2 C, and
+ * otherwise have the terms u u, u v, u w, v v, v w, w w, t u, t v, t w and t t. Solved for the
+ * former, they have the coefficients `linear`; a fifth linear combination, `quadric`, has none of
+ * the former. C follows from n and t, which are `plane`: n X = t passes through the receivers,
+ * across their line.
+ *
+ * Data: quadric[10], linear[4][10].
+ * A row of 4 numbers, the unknowns: plane[4] (given up to scale: of length 1).
+ */
+#define ELIMINANT_POSE_5TDOA_TWO_RECEIVERS_QUADRIC_LENGTH 10
+#define ELIMINANT_POSE_5TDOA_TWO_RECEIVERS_LINEAR_LENGTH 40
+#define ELIMINANT_POSE_5TDOA_TWO_RECEIVERS_UNKNOWNS 4
+#define ELIMINANT_POSE_5TDOA_TWO_RECEIVERS_MAX_SOLUTIONS 24
+int32_t eliminant_pose_5tdoa_two_receivers_solve(
+    const double *quadric, size_t quadric_length, const double *linear, size_t linear_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_5tdoa_two_receivers_solve_batch(
+    size_t instances, const double *quadric, size_t quadric_length, const double *linear,
+    size_t linear_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
+ * pose_6pt_rolling_shutter
+ *
+ * Pose and motion of a camera with rolling shutter from six points: 20 solutions.
+ *
+ * Albl, Kukelova, Pajdla, "R6P - rolling shutter absolute camera pose", CVPR 2015. Published as
+ * `r6p`.
+ *
+ * A point X is seen at q, in the row q\[0\], where (q, 1) and (I + q\[0\] \[(x, y, z)\]x) (I +
+ * \[(u, v, w)\]x) X + C + q\[0\] t are parallel: both rotations linearised, the first for an
+ * angular velocity. Three of the points, linear in the position C and the velocity t, give them as
+ * position m and velocity m, m being the products of x, y, z (slower) with u, v, w, and then u, v,
+ * w, x, y, z, 1. `image` and `points` are the other three, one a row.
+ *
+ * Data: image[3][2], points[3][3], position[3][16], velocity[3][16].
+ * A row of 6 numbers, the unknowns: u, v, w, x, y, z.
+ */
+#define ELIMINANT_POSE_6PT_ROLLING_SHUTTER_IMAGE_LENGTH 6
+#define ELIMINANT_POSE_6PT_ROLLING_SHUTTER_POINTS_LENGTH 9
+#define ELIMINANT_POSE_6PT_ROLLING_SHUTTER_POSITION_LENGTH 48
+#define ELIMINANT_POSE_6PT_ROLLING_SHUTTER_VELOCITY_LENGTH 48
+#define ELIMINANT_POSE_6PT_ROLLING_SHUTTER_UNKNOWNS 6
+#define ELIMINANT_POSE_6PT_ROLLING_SHUTTER_MAX_SOLUTIONS 20
+int32_t eliminant_pose_6pt_rolling_shutter_solve(
+    const double *image, size_t image_length, const double *points, size_t points_length,
+    const double *position, size_t position_length, const double *velocity, size_t velocity_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_6pt_rolling_shutter_solve_batch(
+    size_t instances, const double *image, size_t image_length, const double *points,
+    size_t points_length, const double *position, size_t position_length, const double *velocity,
+    size_t velocity_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
+ * pose_npt_direct_least_squares
+ *
+ * Pose of a calibrated camera from n points, all stationary points of a least-squares cost in
+ * Cayley parameters: 27 solutions.
+ *
+ * Hesch, Roumeliotis, "A direct least-squares (DLS) method for PnP", ICCV 2011. Published as
+ * `opt_pnp_hesch`.
+ *
+ * For a given rotation the best translation is linear in the rotation. Without the common
+ * denominator 1 + x^2 + y^2 + z^2 of the rotation of the quaternion (1, x, y, z), the sum of
+ * squares that remains is a polynomial of degree four; its coefficients are data, those of one
+ * degree in lexicographic order. Of the constant nothing depends.
+ *
+ * Data: linear[3], quadratic[6], cubic[10], quartic[15].
+ * A row of 3 numbers, the unknowns: x, y, z.
+ */
+#define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_LINEAR_LENGTH 3
+#define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_QUADRATIC_LENGTH 6
+#define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_CUBIC_LENGTH 10
+#define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_QUARTIC_LENGTH 15
+#define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_UNKNOWNS 3
+#define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_MAX_SOLUTIONS 27
+int32_t eliminant_pose_npt_direct_least_squares_solve(
+    const double *linear, size_t linear_length, const double *quadratic, size_t quadratic_length,
+    const double *cubic, size_t cubic_length, const double *quartic, size_t quartic_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_npt_direct_least_squares_solve_batch(
+    size_t instances, const double *linear, size_t linear_length, const double *quadratic,
+    size_t quadratic_length, const double *cubic, size_t cubic_length, const double *quartic,
+    size_t quartic_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
+ * pose_npt_least_squares_cayley
+ *
+ * Pose of a calibrated camera from n points, all stationary points of a least-squares cost over
+ * the rotations, by Cayley parameters: 40 solutions.
+ *
+ * Nakano, "Globally optimal DLS method for PnP problem with Cayley parameterization", BMVC 2015.
+ * Published as `opt_pnp_nakanoC`.
+ *
+ * With the best translation and the best depths the cost is r^T `cost` r, r being the entries of
+ * the rotation of the quaternion q, row by row. With r times |q|^2 in its place the
+ * cost grows with the fourth power of the length of q, so q is stationary up to its length where
+ * the gradient d is parallel to it.
+ *
+ * Data: cost[9][9] (symmetric).
+ * A row of 4 numbers, the unknowns: q[4] (given up to scale: of length 1).
+ */
+#define ELIMINANT_POSE_NPT_LEAST_SQUARES_CAYLEY_COST_LENGTH 81
+#define ELIMINANT_POSE_NPT_LEAST_SQUARES_CAYLEY_UNKNOWNS 4
+#define ELIMINANT_POSE_NPT_LEAST_SQUARES_CAYLEY_MAX_SOLUTIONS 40
+int32_t eliminant_pose_npt_least_squares_cayley_solve(
+    const double *cost, size_t cost_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_npt_least_squares_cayley_solve_batch(
+    size_t instances, const double *cost, size_t cost_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * pose_npt_least_squares_quaternion
+ *
+ * Pose of a calibrated camera from n points, all stationary points of a least-squares cost in a
+ * quaternion that is not normalised: 40 solutions.
+ *
+ * Zheng, Kuang, Sugimoto, Åström, Okutomi, "Revisiting the PnP problem: a fast, general and
+ * optimal solution", ICCV 2013. Published as `opt_pnp_zheng`.
+ *
+ * The quaternion q has the square of its length, the inverse of the mean depth, free. The rest of
+ * the pose is linear in the products of two of its entries, and the cost is |`rows` p|^2 with p =
+ * (1, w w, w x, w y, w z, x x, x y, x z, y y, y z, z z): `rows` are the equations of ten points,
+ * or, of another number of points, their triangular factor and zeros, since only the Gram matrix
+ * matters. Since q and -q are the same rotation, q is an unknown scale s times the unknown
+ * direction below. The derivatives, divided by s, are linear in the square of s, with the
+ * coefficients `cubic` and `linear`: it follows from any of them, and is eliminated here.
+ *
+ * Data: rows[20][11].
+ * A row of 4 numbers, the unknowns: q[4] (given up to scale: of length 1).
+ */
+#define ELIMINANT_POSE_NPT_LEAST_SQUARES_QUATERNION_ROWS_LENGTH 220
+#define ELIMINANT_POSE_NPT_LEAST_SQUARES_QUATERNION_UNKNOWNS 4
+#define ELIMINANT_POSE_NPT_LEAST_SQUARES_QUATERNION_MAX_SOLUTIONS 40
+int32_t eliminant_pose_npt_least_squares_quaternion_solve(
+    const double *rows, size_t rows_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_npt_least_squares_quaternion_solve_batch(
+    size_t instances, const double *rows, size_t rows_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * pose_npt_weak_perspective
+ *
+ * Pose of a weak-perspective camera from n points, all stationary points of the least-squares
+ * cost: 16 solutions.
+ *
+ * Larsson, Åström, "Uncovering symmetries in polynomial systems", ECCV 2016. Published as `wpnp`.
+ *
+ * In the principal axes of the points, whose standard deviations are `spread`, the cost is |P
+ * diag(spread) - `image`|^2, with P the first two rows of a rotation times a scale, that is, of
+ * the rotation of a quaternion q that is not normalised. Since q and -q are the same rotation, the
+ * unknowns are the ratios in q = root (w, 1, y, z), and `square`, that of the root.
+ *
+ * Data: spread[3], image[2][3].
+ * A row of 4 numbers, the unknowns: w, square, y, z.
+ */
+#define ELIMINANT_POSE_NPT_WEAK_PERSPECTIVE_SPREAD_LENGTH 3
+#define ELIMINANT_POSE_NPT_WEAK_PERSPECTIVE_IMAGE_LENGTH 6
+#define ELIMINANT_POSE_NPT_WEAK_PERSPECTIVE_UNKNOWNS 4
+#define ELIMINANT_POSE_NPT_WEAK_PERSPECTIVE_MAX_SOLUTIONS 16
+int32_t eliminant_pose_npt_weak_perspective_solve(
+    const double *spread, size_t spread_length, const double *image, size_t image_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_npt_weak_perspective_solve_batch(
+    size_t instances, const double *spread, size_t spread_length, const double *image,
+    size_t image_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
+ * relpose_3pt_angle_zero_screw
+ *
+ * Relative pose of two calibrated cameras from three point correspondences where the motion turns
+ * by a known angle about an axis without moving along it: 12 solutions.
+ *
+ * Martyushev, Li, "Efficient relative pose estimation for cameras and generalized cameras in case
+ * of known relative rotation angle", JMIV 62, 2020. Published as `3pra_st0`.
+ *
+ * `first` and `second` hold the rays of the points in either camera, one a row, and `half_angle`
+ * the cosine and the sine of half the angle: the rotation from the first camera to the second is
+ * that of the unit quaternion cosine + u i + v j + w k. The ratio of the two depths of a point
+ * follows from any other point, and from the translation being orthogonal to (u, v, w). All
+ * polynomials are written p + w q, with p and q in u and v only, and stated with their multiple by
+ * w.
+ *
+ * Data: first[3][3], second[3][3], half_angle[2] (of length 1).
+ * A row of 3 numbers, the unknowns: u, v, w.
+ */
+#define ELIMINANT_RELPOSE_3PT_ANGLE_ZERO_SCREW_FIRST_LENGTH 9
+#define ELIMINANT_RELPOSE_3PT_ANGLE_ZERO_SCREW_SECOND_LENGTH 9
+#define ELIMINANT_RELPOSE_3PT_ANGLE_ZERO_SCREW_HALF_ANGLE_LENGTH 2
+#define ELIMINANT_RELPOSE_3PT_ANGLE_ZERO_SCREW_UNKNOWNS 3
+#define ELIMINANT_RELPOSE_3PT_ANGLE_ZERO_SCREW_MAX_SOLUTIONS 12
+int32_t eliminant_relpose_3pt_angle_zero_screw_solve(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *half_angle, size_t half_angle_length, double *solutions, size_t capacity,
+    size_t *count);
+int32_t eliminant_relpose_3pt_angle_zero_screw_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * relpose_4pt_angle
+ *
+ * Relative pose of two calibrated cameras with a known angle of rotation from four point
+ * correspondences: 20 solutions.
+ *
+ * Li, Heng, Lee, Pollefeys, "A 4-point algorithm for relative pose estimation of a calibrated
+ * camera with a known relative rotation angle", IROS 2013. Published as `relpose_4pt`, with the
+ * translation among the unknowns; it is eliminated here as in Martyushev, Li, "Efficient relative
+ * pose estimation for cameras and generalized cameras in case of known relative rotation angle",
+ * JMIV 62, 2020.
+ *
+ * `first` and `second` hold the rays of the points in either camera, one a row, and `half_angle`
+ * the cosine and the sine of half the angle: the rotation from the first camera to the second is
+ * that of the unit quaternion cosine + u i + v j + w k. The ratio of the two depths of a point
+ * follows from any other point. All polynomials are written p + w q, with p and q in u and v only,
+ * and stated with their multiple by w.
+ *
+ * Data: first[4][3], second[4][3], half_angle[2] (of length 1).
+ * A row of 3 numbers, the unknowns: u, v, w.
+ */
+#define ELIMINANT_RELPOSE_4PT_ANGLE_FIRST_LENGTH 12
+#define ELIMINANT_RELPOSE_4PT_ANGLE_SECOND_LENGTH 12
+#define ELIMINANT_RELPOSE_4PT_ANGLE_HALF_ANGLE_LENGTH 2
+#define ELIMINANT_RELPOSE_4PT_ANGLE_UNKNOWNS 3
+#define ELIMINANT_RELPOSE_4PT_ANGLE_MAX_SOLUTIONS 20
+int32_t eliminant_relpose_4pt_angle_solve(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *half_angle, size_t half_angle_length, double *solutions, size_t capacity,
+    size_t *count);
+int32_t eliminant_relpose_4pt_angle_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * relpose_5pt
+ *
+ * Relative pose of two calibrated cameras from five point correspondences: 10 essential matrices.
+ *
+ * Nistér, "An efficient solution to the five-point relative pose problem", PAMI 2004; in this form
+ * Stewénius, Engels, Nistér, "Recent developments on direct relative orientation", ISPRS 2006.
+ * Published as `5p`.
+ *
+ * `basis` spans the null space of the five epipolar equations; the essential matrix is the sum
+ * of its matrices, each times its weight.
+ *
+ * Data: basis[4][3][3].
+ * A row of 4 numbers, the unknowns: weights[4] (given up to scale: of length 1).
+ */
+#define ELIMINANT_RELPOSE_5PT_BASIS_LENGTH 36
+#define ELIMINANT_RELPOSE_5PT_UNKNOWNS 4
+#define ELIMINANT_RELPOSE_5PT_MAX_SOLUTIONS 10
+int32_t eliminant_relpose_5pt_solve(
+    const double *basis, size_t basis_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_5pt_solve_batch(
+    size_t instances, const double *basis, size_t basis_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * relpose_5pt_generalized_angle
+ *
+ * Relative pose of two generalized cameras with a known angle of rotation from five point
+ * correspondences: 44 solutions.
+ *
+ * Martyushev, Li, "Efficient relative pose estimation for cameras and generalized cameras in case
+ * of known relative rotation angle", JMIV 62, 2020. Published as `gen5pra`.
+ *
+ * `first` and `second` hold the rays of the points in either system of cameras: a point of the
+ * ray, and its direction. `half_angle` holds the cosine and the sine of half the angle: the
+ * rotation from the first system to the second is that of the unit quaternion cosine + u i + v j +
+ * w k. That the rays of one point meet gives the translation up to the depths of that point along
+ * either ray; that the rays of any three others meet, too, are linear equations for these depths.
+ * All polynomials are written p + w q, with p and q in u and v only, and stated with their
+ * multiple by w.
+ *
+ * Data: first[5][2][3], second[5][2][3], half_angle[2] (of length 1).
+ * A row of 3 numbers, the unknowns: u, v, w.
+ */
+#define ELIMINANT_RELPOSE_5PT_GENERALIZED_ANGLE_FIRST_LENGTH 30
+#define ELIMINANT_RELPOSE_5PT_GENERALIZED_ANGLE_SECOND_LENGTH 30
+#define ELIMINANT_RELPOSE_5PT_GENERALIZED_ANGLE_HALF_ANGLE_LENGTH 2
+#define ELIMINANT_RELPOSE_5PT_GENERALIZED_ANGLE_UNKNOWNS 3
+#define ELIMINANT_RELPOSE_5PT_GENERALIZED_ANGLE_MAX_SOLUTIONS 44
+int32_t eliminant_relpose_5pt_generalized_angle_solve(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *half_angle, size_t half_angle_length, double *solutions, size_t capacity,
+    size_t *count);
+int32_t eliminant_relpose_5pt_generalized_angle_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * relpose_5pt_rays
+ *
+ * Relative pose of two calibrated cameras from five points: 10 essential matrices.
+ *
+ * The problem `relpose_5pt` from measurements. `first[k]` and `second[k]` are the rays of point k
+ * in both cameras, of any length. An essential matrix E satisfies `second[k] . E first[k] = 0`; it
+ * is the sum of the matrices that span the null space of these equations, each times its weight.
+ *
+ * Data: first[5][3], second[5][3].
+ * A row of 4 numbers, the unknowns: weights[4] (given up to scale: of length 1).
+ * A row of 9 numbers, the result relative_pose: essential[3][3].
+ */
+#define ELIMINANT_RELPOSE_5PT_RAYS_FIRST_LENGTH 15
+#define ELIMINANT_RELPOSE_5PT_RAYS_SECOND_LENGTH 15
+#define ELIMINANT_RELPOSE_5PT_RAYS_UNKNOWNS 4
+#define ELIMINANT_RELPOSE_5PT_RAYS_LENGTH_OF_RELATIVE_POSE 9
+#define ELIMINANT_RELPOSE_5PT_RAYS_MAX_SOLUTIONS 10
+int32_t eliminant_relpose_5pt_rays_solve(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_5pt_rays_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_relpose_5pt_rays_solve_for_relative_pose(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_5pt_rays_solve_batch_for_relative_pose(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
+ * relpose_5pt_semi_generalized_focal
+ *
+ * Pose and focal length of a camera from five points that calibrated cameras of known poses see,
+ * too, and one point of known position: 56 solutions.
+ *
+ * Bhayani, Sattler, Larsson, Heikkilä, Kukelova, "Partially calibrated semi-generalized pose from
+ * hybrid point correspondences", WACV 2023. Published as `hyb51f`.
+ *
+ * The known point is the origin; `centres` and `directions` are a point and the direction of the
+ * ray that a calibrated camera sees each of the others along. `images` are those of the other
+ * points, turned and scaled so that the image of the known point is (1, 0). Its depth is the
+ * unknown `depth`. The camera's rotation is that of the quaternion 1 + x i + y j, and a turn about
+ * its axis after it, by the angle of which c and s are cosine and sine, times the focal length. An
+ * image lies on that of the ray: det(M) M^-T, the cofactors of M, maps moments of rays to lines of
+ * the image where M maps directions to points of it. The squared norm of the quaternion, which
+ * divides all cofactors, is left out.
+ *
+ * Data: images[5][2], directions[5][3], centres[5][3].
+ * A row of 5 numbers, the unknowns: x, y, c, s, depth.
+ */
+#define ELIMINANT_RELPOSE_5PT_SEMI_GENERALIZED_FOCAL_IMAGES_LENGTH 10
+#define ELIMINANT_RELPOSE_5PT_SEMI_GENERALIZED_FOCAL_DIRECTIONS_LENGTH 15
+#define ELIMINANT_RELPOSE_5PT_SEMI_GENERALIZED_FOCAL_CENTRES_LENGTH 15
+#define ELIMINANT_RELPOSE_5PT_SEMI_GENERALIZED_FOCAL_UNKNOWNS 5
+#define ELIMINANT_RELPOSE_5PT_SEMI_GENERALIZED_FOCAL_MAX_SOLUTIONS 56
+int32_t eliminant_relpose_5pt_semi_generalized_focal_solve(
+    const double *images, size_t images_length, const double *directions, size_t directions_length,
+    const double *centres, size_t centres_length, double *solutions, size_t capacity,
+    size_t *count);
+int32_t eliminant_relpose_5pt_semi_generalized_focal_solve_batch(
+    size_t instances, const double *images, size_t images_length, const double *directions,
+    size_t directions_length, const double *centres, size_t centres_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * relpose_6pt_focal
+ *
+ * Relative pose of two cameras with one unknown shared focal length from six point
+ * correspondences: 15 solutions.
+ *
+ * Stewénius, Nistér, Kahl, Schaffalitzky, "A minimal solution for relative pose with unknown focal
+ * length", CVPR 2005; the form with w = 1/f^2 as in Kukelova, Bujnak, Pajdla, "Polynomial
+ * eigenvalue solutions to the 5-pt and 6-pt relative pose problems", BMVC 2008. Published as
+ * `focal6p`.
+ *
+ * `basis` spans the null space of the six epipolar equations; the fundamental matrix is the
+ * sum of its matrices, each times its weight.
+ *
+ * Data: basis[3][3][3].
+ * A row of 4 numbers, the unknowns: weights[3] (given up to scale: of length 1), w.
+ */
+#define ELIMINANT_RELPOSE_6PT_FOCAL_BASIS_LENGTH 27
+#define ELIMINANT_RELPOSE_6PT_FOCAL_UNKNOWNS 4
+#define ELIMINANT_RELPOSE_6PT_FOCAL_MAX_SOLUTIONS 15
+int32_t eliminant_relpose_6pt_focal_solve(
+    const double *basis, size_t basis_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_6pt_focal_solve_batch(
+    size_t instances, const double *basis, size_t basis_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * relpose_6pt_focal_one_side
+ *
+ * Relative pose of a calibrated camera and one with unknown focal length from six point
+ * correspondences: 9 solutions.
+ *
+ * Bujnak, Kukelova, Pajdla, "3D reconstruction from image collections with a single known focal
+ * length", ICCV 2009. Published as `focal6p_1s`.
+ *
+ * `basis` spans the null space of the six epipolar equations x2^T F x1 = 0, the first camera
+ * having the unknown focal length f and the second none; the fundamental matrix is the sum
+ * of its matrices, each times its weight, and w = 1/f^2.
+ *
+ * Data: basis[3][3][3].
+ * A row of 4 numbers, the unknowns: weights[3] (given up to scale: of length 1), w.
+ */
+#define ELIMINANT_RELPOSE_6PT_FOCAL_ONE_SIDE_BASIS_LENGTH 27
+#define ELIMINANT_RELPOSE_6PT_FOCAL_ONE_SIDE_UNKNOWNS 4
+#define ELIMINANT_RELPOSE_6PT_FOCAL_ONE_SIDE_MAX_SOLUTIONS 9
+int32_t eliminant_relpose_6pt_focal_one_side_solve(
+    const double *basis, size_t basis_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_6pt_focal_one_side_solve_batch(
+    size_t instances, const double *basis, size_t basis_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * relpose_6pt_focal_points
+ *
+ * Relative pose of two cameras with one unknown shared focal length from six points: 15 solutions,
+ * of which those with a real focal length are returned.
+ *
+ * The problem `relpose_6pt_focal` from measurements. `first[k]` and `second[k]` are the images of
+ * point k, relative to the principal points. The fundamental matrix is the sum of the matrices
+ * that span the null space of the epipolar equations, each times its weight. w is 1 / focal^2 in
+ * units of the length of all images.
+ *
+ * Data: first[6][2], second[6][2].
+ * A row of 4 numbers, the unknowns: weights[3] (given up to scale: of length 1), w.
+ * A row of 10 numbers, the result focal_pose: fundamental[3][3], focal.
+ */
+#define ELIMINANT_RELPOSE_6PT_FOCAL_POINTS_FIRST_LENGTH 12
+#define ELIMINANT_RELPOSE_6PT_FOCAL_POINTS_SECOND_LENGTH 12
+#define ELIMINANT_RELPOSE_6PT_FOCAL_POINTS_UNKNOWNS 4
+#define ELIMINANT_RELPOSE_6PT_FOCAL_POINTS_LENGTH_OF_FOCAL_POSE 10
+#define ELIMINANT_RELPOSE_6PT_FOCAL_POINTS_MAX_SOLUTIONS 15
+int32_t eliminant_relpose_6pt_focal_points_solve(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_6pt_focal_points_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_relpose_6pt_focal_points_solve_for_focal_pose(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_6pt_focal_points_solve_batch_for_focal_pose(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
+ * relpose_6pt_generalized
+ *
+ * Relative pose of two generalized cameras from six point correspondences: 64 solutions.
+ *
+ * Stewénius, Nistér, Oskarsson, Åström, "Solutions to minimal generalized relative pose problems",
+ * OMNIVIS 2005. Published as `gen6p`.
+ *
+ * `first` and `second` hold the rays of the points in either system of cameras: a point of the
+ * ray, and its direction. The rotation from the first system to the second is that of the
+ * quaternion q. That the rays of one point meet gives the translation up to the
+ * depths of that point along either ray; that the rays of any three others meet, too, are linear
+ * equations for these depths.
+ *
+ * Data: first[6][2][3], second[6][2][3].
+ * A row of 4 numbers, the unknowns: q[4] (given up to scale: of length 1).
+ */
+#define ELIMINANT_RELPOSE_6PT_GENERALIZED_FIRST_LENGTH 36
+#define ELIMINANT_RELPOSE_6PT_GENERALIZED_SECOND_LENGTH 36
+#define ELIMINANT_RELPOSE_6PT_GENERALIZED_UNKNOWNS 4
+#define ELIMINANT_RELPOSE_6PT_GENERALIZED_MAX_SOLUTIONS 64
+int32_t eliminant_relpose_6pt_generalized_solve(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_6pt_generalized_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
+ * relpose_6pt_radial
+ *
+ * Relative pose and the radial distortion common to two otherwise calibrated cameras from six
+ * point correspondences: 52 solutions.
+ *
+ * Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
+ * problems for cameras with radial distortion", CVIU 114, 2010. Published as `relpose_6p_rad`.
+ *
+ * A point x lies along (x, 1 + radial |x|^2), the division model. Then x1^T E x2 = 0 is, with e33
+ * = 1, linear in e11, e21, e12, e22, radial e31, e31 and the monomials e32, radial e32, e13,
+ * radial e13, e23, radial e23, radial^2, radial, 1: six points give the former as combinations of
+ * these. The first image may be turned about its centre, which turns (e13, e23), and `radial` may
+ * have any unit: they are such that in e31 radial e23 has the coefficient 0 and radial e13 the
+ * coefficient 1, which is a divisor of all that follows. `affine` holds the coefficients of e11,
+ * e21, e12, e22, radial e31, and `affine_e31` the other seven of e31.
+ *
+ * Data: affine[5][9], affine_e31[7].
+ * A row of 4 numbers, the unknowns: e_13, e_32, e_23, radial.
+ */
+#define ELIMINANT_RELPOSE_6PT_RADIAL_AFFINE_LENGTH 45
+#define ELIMINANT_RELPOSE_6PT_RADIAL_AFFINE_E31_LENGTH 7
+#define ELIMINANT_RELPOSE_6PT_RADIAL_UNKNOWNS 4
+#define ELIMINANT_RELPOSE_6PT_RADIAL_MAX_SOLUTIONS 52
+int32_t eliminant_relpose_6pt_radial_solve(
+    const double *affine, size_t affine_length, const double *affine_e31, size_t affine_e31_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_6pt_radial_solve_batch(
+    size_t instances, const double *affine, size_t affine_length, const double *affine_e31,
+    size_t affine_e31_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
+ * relpose_7pt_angle_focal_centre
+ *
+ * Focal length and principal point common to two cameras from their fundamental matrix and the
+ * angle of rotation between them: 6 solutions.
+ *
+ * Martyushev, "Self-calibration of cameras with Euclidean image plane in case of two views and
+ * known relative rotation angle", ECCV 2018. Published as `relpose_7p_fuv_angle`.
+ *
+ * The fundamental matrix, from seven points or more, is given as `left`\[0\] `right`\[0\]^T +
+ * `left`\[1\] `right`\[1\]^T, for example by its singular value decomposition; `half_angle` holds
+ * the cosine and the sine of half the angle. The principal point is (x, y), `z` the square of the
+ * focal length. With the matrix K of these K^T F K is an essential matrix: with the products A of
+ * the left vectors in the quadratic form K K^T, and B of the right ones, B A is a multiple of the
+ * identity. With z = 0 all points of a conic are solutions; four combinations of the equations
+ * that are divisible by z are stated divided.
+ *
+ * Data: left[2][3], right[2][3], half_angle[2] (of length 1).
+ * A row of 3 numbers, the unknowns: x, y, z.
+ */
+#define ELIMINANT_RELPOSE_7PT_ANGLE_FOCAL_CENTRE_LEFT_LENGTH 6
+#define ELIMINANT_RELPOSE_7PT_ANGLE_FOCAL_CENTRE_RIGHT_LENGTH 6
+#define ELIMINANT_RELPOSE_7PT_ANGLE_FOCAL_CENTRE_HALF_ANGLE_LENGTH 2
+#define ELIMINANT_RELPOSE_7PT_ANGLE_FOCAL_CENTRE_UNKNOWNS 3
+#define ELIMINANT_RELPOSE_7PT_ANGLE_FOCAL_CENTRE_MAX_SOLUTIONS 6
+int32_t eliminant_relpose_7pt_angle_focal_centre_solve(
+    const double *left, size_t left_length, const double *right, size_t right_length,
+    const double *half_angle, size_t half_angle_length, double *solutions, size_t capacity,
+    size_t *count);
+int32_t eliminant_relpose_7pt_angle_focal_centre_solve_batch(
+    size_t instances, const double *left, size_t left_length, const double *right,
+    size_t right_length, const double *half_angle, size_t half_angle_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * relpose_7pt_focal_radial
+ *
+ * Relative pose, focal length and radial distortion common to two cameras from seven point
+ * correspondences: 68 solutions.
+ *
+ * Jiang, Kuang, Solem, Åström, "A minimal solution to relative pose with unknown focal length and
+ * radial distortion", ACCV 2014. Published as `relpose_7p_fr`.
+ *
+ * A point x lies along (x, 1 + radial |x|^2), the division model. Then x1^T F x2 = 0 is, with f33
+ * = 1, linear in f11, f21, f12, f22, radial f31, radial^2, f31 and the monomials f32, radial f32,
+ * f13, radial f13, f23, radial f23, radial, 1: seven points give the former as combinations of
+ * these. The first image may be turned about its centre, which turns (f13, f23), and `radial` may
+ * have any unit: they are such that in f31 radial f23 has the coefficient 0 and radial f13 the
+ * coefficient 1. `affine` holds the coefficients of the first six, and `affine_f31` the other six
+ * of f31. With the focal length, diag(focal, focal, 1) F diag(focal, focal, 1) is an essential
+ * matrix; `w` is 1 / focal^2.
+ *
+ * Everything is p + radial q, two polynomials without `radial`, modulo the equation that gives
+ * radial^2, and most equations are stated times `radial`, too. There are points at infinity, near
+ * which residuals are small; there the factors that are stated not to vanish are small beside
+ * their terms.
+ *
+ * Data: affine[6][8], affine_f31[6].
+ * A row of 5 numbers, the unknowns: w, f_32, f_13, f_23, radial.
+ */
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_AFFINE_LENGTH 48
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_AFFINE_F31_LENGTH 6
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_UNKNOWNS 5
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_MAX_SOLUTIONS 68
+int32_t eliminant_relpose_7pt_focal_radial_solve(
+    const double *affine, size_t affine_length, const double *affine_f31, size_t affine_f31_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_7pt_focal_radial_solve_batch(
+    size_t instances, const double *affine, size_t affine_length, const double *affine_f31,
+    size_t affine_f31_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
+ * relpose_7pt_focal_radial_one_side
+ *
+ * Relative pose, focal length and radial distortion of the first camera, the second calibrated,
+ * from seven point correspondences: 19 solutions.
+ *
+ * Kuang, Solem, Kahl, Åström, "Minimal solvers for relative pose with a single unknown radial
+ * distortion", CVPR 2014. Published as `relpose_7p_fr_1s`;
+ * `relpose_7pt_focal_radial_one_side_eliminated` is a formulation without the focal length.
+ *
+ * A point x1 of the first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T
+ * F x2 = 0 is, with f33 = 1, linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial
+ * f31, f32, radial f32, radial, 1: seven points give the former as combinations of these, the rows
+ * of `affine`. With the focal length, diag(focal, focal, 1) F is an essential matrix; `w` is 1 /
+ * focal^2.
+ *
+ * Data: affine[7][5].
+ * A row of 4 numbers, the unknowns: w, f_31, f_32, radial.
+ */
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_AFFINE_LENGTH 35
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_UNKNOWNS 4
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_MAX_SOLUTIONS 19
+int32_t eliminant_relpose_7pt_focal_radial_one_side_solve(
+    const double *affine, size_t affine_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_7pt_focal_radial_one_side_solve_batch(
+    size_t instances, const double *affine, size_t affine_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * relpose_7pt_focal_radial_one_side_eliminated
+ *
+ * Relative pose and radial distortion of the first camera, whose focal length is unknown, too, and
+ * eliminated, the second calibrated, from seven point correspondences: 19 solutions.
+ *
+ * Kukelova, Kileel, Sturmfels, Pajdla, "A clever elimination strategy for efficient minimal
+ * solvers", CVPR 2017. Published as `relpose_7p_fr_1s_elr`.
+ *
+ * A point x1 of the first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T
+ * F x1 = 0 is, with f33 = 1, linear in radial f13, f11, f21, f31, f12, f22, f32 and the monomials
+ * radial f23, f13, f23, radial, 1: seven points give the former as combinations of these, the rows
+ * of `affine`. F diag(focal, focal, 1) is an essential matrix for some focal length: with A the
+ * first two columns of F, the third is an eigenvector of A A^T, and where mu is its eigenvalue,
+ * |third column|^2 / focal^2 = trace(A A^T) - 2 mu.
+ *
+ * Data: affine[7][5].
+ * A row of 3 numbers, the unknowns: f_13, f_23, radial.
+ */
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_AFFINE_LENGTH 35
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_UNKNOWNS 3
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_MAX_SOLUTIONS 19
+int32_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve(
+    const double *affine, size_t affine_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve_batch(
+    size_t instances, const double *affine, size_t affine_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * relpose_7pt_generalized_scale
+ *
+ * Relative pose and relative scale of two generalized cameras from seven point correspondences:
+ * 140 solutions.
+ *
+ * Kneip, Sweeney, Hartley, "The generalized relative pose and scale problem: View-graph fusion via
+ * 2D-2D registration", WACV 2016. Published as `gen_relpose_scale`.
+ *
+ * `first` and `second` hold the rays of the points in either system of cameras: a point of the
+ * ray, and its direction. The rotation from the first system to the second is that of the
+ * quaternion q, and points of the second system are multiplied by its scale.
+ * That the rays of one point meet gives the translation up to the depths of that point along
+ * either ray and the scale; that the rays of any four others meet, too, are linear equations for
+ * these three. What is stated depends on these five points, not on which is the first.
+ *
+ * Call it in a thread with a stack of more than 2 MiB: a second attempt, at twice the precision,
+ * takes 2.3.
+ *
+ * Data: first[7][2][3], second[7][2][3].
+ * A row of 4 numbers, the unknowns: q[4] (given up to scale: of length 1).
+ */
+#define ELIMINANT_RELPOSE_7PT_GENERALIZED_SCALE_FIRST_LENGTH 42
+#define ELIMINANT_RELPOSE_7PT_GENERALIZED_SCALE_SECOND_LENGTH 42
+#define ELIMINANT_RELPOSE_7PT_GENERALIZED_SCALE_UNKNOWNS 4
+#define ELIMINANT_RELPOSE_7PT_GENERALIZED_SCALE_MAX_SOLUTIONS 140
+int32_t eliminant_relpose_7pt_generalized_scale_solve(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_7pt_generalized_scale_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
+ * stitching_3pt_radial_focal
+ *
+ * Rotation between two photographs with common unknown focal length and radial distortion, a
+ * panorama, from three points: 18 solutions.
+ *
+ * Naroditsky, Daniilidis, "Optimizing polynomial solvers for minimal geometry problems", ICCV
+ * 2011, after Byröd, Brown, Åström, "Minimal solutions for panoramic stitching with radial
+ * distortion", BMVC 2009. Published as `stitching`.
+ *
+ * A point p lies along (p, focal (1 + radial |p|^2)), the division model. Two points with the
+ * inner product xy of their rays, in the first image, and x'y' in the second, satisfy xy^2 x'x'
+ * y'y' = x'y'^2 xx yy. With w = 1/focal^2, and divided by focal^6, this is a polynomial whose
+ * sixteen coefficients, in the order below, are `first` for the first and second point, and
+ * `second` for the first and third.
+ *
+ * Data: first[16], second[16].
+ * A row of 2 numbers, the unknowns: radial, w.
+ */
+#define ELIMINANT_STITCHING_3PT_RADIAL_FOCAL_FIRST_LENGTH 16
+#define ELIMINANT_STITCHING_3PT_RADIAL_FOCAL_SECOND_LENGTH 16
+#define ELIMINANT_STITCHING_3PT_RADIAL_FOCAL_UNKNOWNS 2
+#define ELIMINANT_STITCHING_3PT_RADIAL_FOCAL_MAX_SOLUTIONS 18
+int32_t eliminant_stitching_3pt_radial_focal_solve(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_stitching_3pt_radial_focal_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
+ * tensor_eigenvectors
+ *
+ * Eigenvectors of a 3 x 3 x 3 tensor, scaled to eigenvalue 1: x_i = sum over j and k of a_ijk x_j
+ * x_k, 8 solutions with x = 0.
+ *
+ * Cartwright and Sturmfels, "The number of eigenvalues of a tensor", Linear Algebra and its
+ * Applications 2013: 7 of them for general data. The method of moments reads the parts of a
+ * mixture from them (Anandkumar, Ge, Hsu, Kakade, Telgarsky, "Tensor decompositions for learning
+ * latent variable models", JMLR 2014, section 4).
+ *
+ * Data: a[3][3][3].
+ * A row of 3 numbers, the unknowns: x, y, z.
+ */
+#define ELIMINANT_TENSOR_EIGENVECTORS_A_LENGTH 27
+#define ELIMINANT_TENSOR_EIGENVECTORS_UNKNOWNS 3
+#define ELIMINANT_TENSOR_EIGENVECTORS_MAX_SOLUTIONS 8
+int32_t eliminant_tensor_eigenvectors_solve(
+    const double *a, size_t a_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_tensor_eigenvectors_solve_batch(
+    size_t instances, const double *a, size_t a_length, double *solutions, size_t solutions_length,
+    size_t *counts, int32_t *codes);
+
+/*
+ * three_quadrics
+ *
+ * The intersection of three general quadrics: 8 solutions by Bézout's theorem.
+ *
+ * Kukelova, Heller, Fitzgibbon, "Efficient intersection of three quadrics and applications in
+ * computer vision", CVPR 2016.
+ *
+ * `quadrics` holds the coefficients of x^2, x y, x z, y^2, y z, z^2, x, y, z, 1, a quadric in each
+ * row.
+ *
+ * Data: quadrics[3][10].
+ * A row of 3 numbers, the unknowns: x, y, z.
+ */
+#define ELIMINANT_THREE_QUADRICS_QUADRICS_LENGTH 30
+#define ELIMINANT_THREE_QUADRICS_UNKNOWNS 3
+#define ELIMINANT_THREE_QUADRICS_MAX_SOLUTIONS 8
+int32_t eliminant_three_quadrics_solve(
+    const double *quadrics, size_t quadrics_length, double *solutions, size_t capacity,
+    size_t *count);
+int32_t eliminant_three_quadrics_solve_batch(
+    size_t instances, const double *quadrics, size_t quadrics_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * triangulation_3view
+ *
+ * Triangulation from three views, all stationary points of the sum of squared reprojection errors:
+ * 47 solutions.
+ *
+ * Stewénius, Schaffalitzky, Nistér, "How hard is 3-view triangulation really?", ICCV 2005.
+ * Published as `3v_triang_laurent`.
+ *
+ * The unknowns are projective coordinates (x, y, z, 1) of the point: x and y its depths in the
+ * first and second view over that in the third, each times a constant, and z its first error in
+ * the third view. Every image is turned so that its second error does not depend on z, and scales
+ * are chosen so that the first errors of the first two views are (`first`\[0\] + z) / x and
+ * (`second`\[0\] + z) / y, rows standing for linear forms in x, y and 1. The other errors are
+ * `first`\[1\] / x, `second`\[1\] / y and `third`.
+ *
+ * Stated are derivatives towards seven points. Where the depth of a view vanishes, so does a power
+ * of it in the denominators; where the errors of a view vanish, too, at its centre, they do not
+ * change at all.
+ *
+ * Data: first[2][3], second[2][3], third[3].
+ * A row of 3 numbers, the unknowns: x, y, z.
+ */
+#define ELIMINANT_TRIANGULATION_3VIEW_FIRST_LENGTH 6
+#define ELIMINANT_TRIANGULATION_3VIEW_SECOND_LENGTH 6
+#define ELIMINANT_TRIANGULATION_3VIEW_THIRD_LENGTH 3
+#define ELIMINANT_TRIANGULATION_3VIEW_UNKNOWNS 3
+#define ELIMINANT_TRIANGULATION_3VIEW_MAX_SOLUTIONS 47
+int32_t eliminant_triangulation_3view_solve(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *third, size_t third_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_triangulation_3view_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, const double *third, size_t third_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * triangulation_3view_relaxed
+ *
+ * Triangulation from three views with two of the three epipolar constraints, all stationary points
+ * of the least-squares cost: 27 solutions.
+ *
+ * Kukelova, Pajdla, Bujnak, "Fast and stable algebraic solution to L2 three-view triangulation",
+ * 3DV 2013. Published as `l2_3view_triang`, for matrices of full rank, which give 31 solutions.
+ * Fundamental and essential matrices have rank 2, and with them four of the 31 are at infinity.
+ *
+ * `image` holds the measured image points, one a row. The corrected ones (x1, x2), (x3, x4) and
+ * (x5, x6) are the closest to these that satisfy p1^T `first` p2 = 0 and p2^T `second` p3 = 0,
+ * with the multipliers x7 and x8.
+ *
+ * Data: first[3][3] (of lower rank), second[3][3] (of lower rank), image[3][2].
+ * A row of 8 numbers, the unknowns: x1, x2, x3, x4, x5, x6, x7, x8.
+ */
+#define ELIMINANT_TRIANGULATION_3VIEW_RELAXED_FIRST_LENGTH 9
+#define ELIMINANT_TRIANGULATION_3VIEW_RELAXED_SECOND_LENGTH 9
+#define ELIMINANT_TRIANGULATION_3VIEW_RELAXED_IMAGE_LENGTH 6
+#define ELIMINANT_TRIANGULATION_3VIEW_RELAXED_UNKNOWNS 8
+#define ELIMINANT_TRIANGULATION_3VIEW_RELAXED_MAX_SOLUTIONS 27
+int32_t eliminant_triangulation_3view_relaxed_solve(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *image, size_t image_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_triangulation_3view_relaxed_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, const double *image, size_t image_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * trilateration
+ *
+ * A point at given distances from three known points: 2 solutions, mirror images in the plane of
+ * the three.
+ *
+ * Thomas & Ros, "Revisiting trilateration for robot localization", IEEE Transactions on Robotics
+ * 21(1), 2005.
+ *
+ * `centres` holds the known points, one a row; `distances` the distances from them, in the same
+ * unit.
+ *
+ * Data: centres[3][3], distances[3].
+ * A row of 3 numbers, the unknowns: x, y, z.
+ */
+#define ELIMINANT_TRILATERATION_CENTRES_LENGTH 9
+#define ELIMINANT_TRILATERATION_DISTANCES_LENGTH 3
+#define ELIMINANT_TRILATERATION_UNKNOWNS 3
+#define ELIMINANT_TRILATERATION_MAX_SOLUTIONS 2
+int32_t eliminant_trilateration_solve(
+    const double *centres, size_t centres_length, const double *distances, size_t distances_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_trilateration_solve_batch(
+    size_t instances, const double *centres, size_t centres_length, const double *distances,
+    size_t distances_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
+ * two_conics
+ *
+ * The intersection of two general conics: 4 solutions by Bézout's theorem.
+ *
+ * Kukelova, Bujnak, Pajdla, "Automatic Generator of Minimal Problem Solvers", ECCV 2008, use two
+ * such quadrics as their running example.
+ *
+ * `p` and `q` hold the coefficients of x^2, x y, y^2, x, y, 1.
+ *
+ * Data: p[6], q[6].
+ * A row of 2 numbers, the unknowns: x, y.
+ */
+#define ELIMINANT_TWO_CONICS_P_LENGTH 6
+#define ELIMINANT_TWO_CONICS_Q_LENGTH 6
+#define ELIMINANT_TWO_CONICS_UNKNOWNS 2
+#define ELIMINANT_TWO_CONICS_MAX_SOLUTIONS 4
+int32_t eliminant_two_conics_solve(
+    const double *p, size_t p_length, const double *q, size_t q_length, double *solutions,
+    size_t capacity, size_t *count);
+int32_t eliminant_two_conics_solve_batch(
+    size_t instances, const double *p, size_t p_length, const double *q, size_t q_length,
+    double *solutions, size_t solutions_length, size_t *counts, int32_t *codes);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,2683 @@
+// eliminant.hpp: the solvers of eliminant.h for C++17.
+//
+// Written by eliminant-capi-generator 0.1.0. Do not edit.
+//
+// Each problem is a namespace:
+//
+//     using namespace eliminant;
+//     const auto found = NAME::solve(data, ..);          // throws eliminant::Error
+//     const auto result = NAME::try_solve(data, ..);     // result.code(), result.text()
+//     for (const NAME::Solution &solution : found) { .. }
+//
+// Data are numbers, or arrays row by row: `double[5][3]`, nested `std::array`, `std::vector` of
+// such, a `Span` of numbers, and with Eigen matrices of fixed size that are stored by rows, vectors,
+// and arrays of such. Solutions are structs of numbers and nested `std::array`, stored in place.
+// Nothing is allocated but by `Batch`. With ELIMINANT_NO_EIGEN defined, Eigen is left alone.
+#ifndef ELIMINANT_HPP
+#define ELIMINANT_HPP
+
+#include "eliminant.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+#if !defined(ELIMINANT_NO_EIGEN) && __has_include(<Eigen/Core>)
+#define ELIMINANT_HAS_EIGEN 1
+#include <Eigen/Core>
+#endif
+
+namespace eliminant {
+
+/// What went wrong, as an exception.
+class Error : public std::runtime_error {
+public:
+    explicit Error(std::int32_t code) : std::runtime_error(eliminant_error_text(code)), code_(code) {}
+    /// One of the codes of eliminant.h.
+    std::int32_t code() const noexcept { return code_; }
+
+private:
+    std::int32_t code_;
+};
+
+/// A list that belongs to somebody else.
+template <class T> class Span {
+public:
+    constexpr Span() noexcept = default;
+    constexpr Span(T *pointer, std::size_t size) noexcept : pointer_(pointer), size_(size) {}
+    constexpr T *data() const noexcept { return pointer_; }
+    constexpr std::size_t size() const noexcept { return size_; }
+    constexpr bool empty() const noexcept { return size_ == 0; }
+    constexpr T *begin() const noexcept { return pointer_; }
+    constexpr T *end() const noexcept { return pointer_ + size_; }
+    constexpr T &operator[](std::size_t at) const noexcept { return pointer_[at]; }
+
+private:
+    T *pointer_ = nullptr;
+    std::size_t size_ = 0;
+};
+
+namespace detail {
+
+/// How many numbers a type consists of; 0 for a type that does not.
+template <class T> struct Numbers : std::integral_constant<std::size_t, 0> {};
+template <> struct Numbers<double> : std::integral_constant<std::size_t, 1> {};
+template <class T, std::size_t N>
+struct Numbers<T[N]> : std::integral_constant<std::size_t, N * Numbers<T>::value> {};
+template <class T, std::size_t N>
+struct Numbers<std::array<T, N>> : std::integral_constant<std::size_t, N * Numbers<T>::value> {};
+#ifdef ELIMINANT_HAS_EIGEN
+template <int Rows, int Columns, int Options, int MaxRows, int MaxColumns>
+struct Numbers<Eigen::Matrix<double, Rows, Columns, Options, MaxRows, MaxColumns>>
+    : std::integral_constant<std::size_t, (Rows > 0 && Columns > 0 &&
+                                           (Rows == 1 || Columns == 1 || (Options & Eigen::RowMajor) != 0))
+                                              ? static_cast<std::size_t>(Rows) * static_cast<std::size_t>(Columns)
+                                              : 0> {};
+#endif
+
+template <class T> const double *first_number(const T &array) noexcept {
+    static_assert(sizeof(T) == Numbers<T>::value * sizeof(double), "numbers without anything between them");
+    return reinterpret_cast<const double *>(&array);
+}
+
+} // namespace detail
+
+/// Numbers, row by row: an argument of a call. It refers to what it is made from, and their number
+/// is checked by the call.
+class Many {
+public:
+    Many(Span<const double> numbers) noexcept : Many(numbers.data(), numbers.size()) {}
+    Many(Span<double> numbers) noexcept : Many(numbers.data(), numbers.size()) {}
+    template <class T, class = std::enable_if_t<detail::Numbers<T>::value != 0>>
+    Many(const T &array) noexcept : Many(detail::first_number(array), detail::Numbers<T>::value) {}
+    template <class T, class A, class = std::enable_if_t<detail::Numbers<T>::value != 0>>
+    Many(const std::vector<T, A> &list) noexcept
+        : Many(list.empty() ? nullptr : detail::first_number(list.front()), list.size() * detail::Numbers<T>::value) {}
+    const double *data() const noexcept { return pointer_; }
+    std::size_t size() const noexcept { return size_; }
+
+private:
+    Many(const double *pointer, std::size_t size) noexcept : pointer_(pointer), size_(size) {}
+    const double *pointer_;
+    std::size_t size_;
+};
+
+/// N numbers, row by row: an argument of a call. An array of another size does not compile, and
+/// another length of a list is an error of the call.
+template <std::size_t N> class Values : public Many {
+public:
+    Values(Span<const double> numbers) noexcept : Many(numbers) {}
+    Values(Span<double> numbers) noexcept : Many(numbers) {}
+    template <class T, class = std::enable_if_t<detail::Numbers<T>::value != 0>>
+    Values(const T &array) noexcept : Many(array) {
+        static_assert(detail::Numbers<T>::value == N, "these data have another number of numbers");
+    }
+    template <class T, class A, class = std::enable_if_t<detail::Numbers<T>::value != 0>>
+    Values(const std::vector<T, A> &list) noexcept : Many(list) {}
+};
+
+/// Up to `Max` solutions, stored in place.
+template <class S, std::size_t Max> class Solutions {
+public:
+    using value_type = S;
+    static constexpr std::size_t max_size() noexcept { return Max; }
+    std::size_t size() const noexcept { return count_; }
+    bool empty() const noexcept { return count_ == 0; }
+    const S *data() const noexcept { return rows_.data(); }
+    const S *begin() const noexcept { return rows_.data(); }
+    const S *end() const noexcept { return rows_.data() + count_; }
+    const S &operator[](std::size_t at) const noexcept { return rows_[at]; }
+
+    /// Fills the list by a call that takes room for numbers and a count, and returns its code.
+    template <class Call> std::int32_t fill(const Call &call) noexcept {
+        static_assert(std::is_standard_layout_v<S> && sizeof(S) % sizeof(double) == 0, "a row of numbers");
+        return call(reinterpret_cast<double *>(rows_.data()), &count_);
+    }
+
+private:
+    std::array<S, Max> rows_{};
+    std::size_t count_ = 0;
+};
+
+/// A value, or the code of what went wrong.
+template <class T> class Result {
+public:
+    /// Makes the value by a call that returns a code.
+    template <class Call> static Result of(const Call &call) noexcept {
+        Result result;
+        result.code_ = result.value_.fill(call);
+        return result;
+    }
+    explicit operator bool() const noexcept { return code_ == ELIMINANT_OK; }
+    std::int32_t code() const noexcept { return code_; }
+    const char *text() const noexcept { return eliminant_error_text(code_); }
+    /// The value; an empty list if something went wrong.
+    const T &operator*() const noexcept { return value_; }
+    const T *operator->() const noexcept { return &value_; }
+    /// The value; throws if something went wrong.
+    const T &value() const {
+        if (code_ != ELIMINANT_OK) throw Error(code_);
+        return value_;
+    }
+
+private:
+    T value_;
+    std::int32_t code_ = ELIMINANT_OK;
+};
+
+/// The results of many instances. Its memory serves batch after batch.
+template <class S, std::size_t Max> class Batch {
+public:
+    std::size_t size() const noexcept { return counts_.size(); }
+    /// The solutions of an instance; none if something went wrong.
+    Span<const S> operator[](std::size_t at) const noexcept { return {rows_.data() + at * Max, counts_[at]}; }
+    /// The code of an instance.
+    std::int32_t code(std::size_t at) const noexcept { return codes_[at]; }
+
+    /// Fills the results by a call that takes room for numbers, its length, counts and codes.
+    template <class Call> void fill(std::size_t instances, const Call &call) {
+        static_assert(std::is_standard_layout_v<S> && sizeof(S) % sizeof(double) == 0, "a row of numbers");
+        rows_.resize(instances * Max);
+        counts_.assign(instances, 0);
+        codes_.assign(instances, ELIMINANT_OK);
+        const std::size_t length = rows_.size() * (sizeof(S) / sizeof(double));
+        const std::int32_t code =
+            call(reinterpret_cast<double *>(rows_.data()), length, counts_.data(), codes_.data());
+        if (code != ELIMINANT_OK) throw Error(code);
+    }
+
+private:
+    std::vector<S> rows_;
+    std::vector<std::size_t> counts_;
+    std::vector<std::int32_t> codes_;
+};
+
+#ifdef ELIMINANT_HAS_EIGEN
+/// A matrix of a solution as an Eigen matrix, without a copy.
+template <std::size_t Rows, std::size_t Columns>
+Eigen::Map<const Eigen::Matrix<double, int(Rows), int(Columns), Eigen::RowMajor>>
+map(const std::array<std::array<double, Columns>, Rows> &matrix) noexcept {
+    return Eigen::Map<const Eigen::Matrix<double, int(Rows), int(Columns), Eigen::RowMajor>>(
+        detail::first_number(matrix));
+}
+
+/// A vector of a solution as an Eigen vector, without a copy.
+template <std::size_t N>
+Eigen::Map<const Eigen::Matrix<double, int(N), 1>> map(const std::array<double, N> &vector) noexcept {
+    return Eigen::Map<const Eigen::Matrix<double, int(N), 1>>(vector.data());
+}
+
+/// An Eigen expression of fixed size as an argument: a copy that is stored by rows.
+template <class D> auto by_rows(const Eigen::MatrixBase<D> &matrix) {
+    constexpr int rows = D::RowsAtCompileTime, columns = D::ColsAtCompileTime;
+    static_assert(rows > 0 && columns > 0, "a matrix of fixed size");
+    std::array<std::array<double, std::size_t(columns)>, std::size_t(rows)> copy{};
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column)
+            copy[std::size_t(row)][std::size_t(column)] = matrix(row, column);
+    return copy;
+}
+#endif
+
+/// Positions of six receivers and four senders from all ranges between them: 38 solutions.
+///
+/// Kuang, Burgess, Torstensson, Åström, "A complete characterization and solution to the microphone
+/// position self-calibration problem", ICASSP 2013. Published as `toa_46`.
+///
+/// Relative to the first sender let G be the Gram matrix of the other three and K its inverse, [k11
+/// v w; v k22 x; w x y]. A receiver with the squares r of its range to the first sender and s of
+/// those to the others satisfies 4 r = c K c + 2 c g + a with c_j = r - s_j, g = K n, a = n K n and
+/// n = diag(G). Six receivers give k11, k22, g and a as combinations, `linear`, of v, w, x, y and
+/// 1. With C = adj(K) and z = det(K), n is diag(C) / z. M = [K g; g a] is K times [1 n] from both
+/// sides: its adjugate is z times the square of (n, -1). The receivers follow from K.
+namespace calibration_6_receivers_4_senders {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 38;
+
+/// A solution of `calibration_6_receivers_4_senders`.
+struct Solution {
+    double v;
+    double w;
+    double x;
+    double y;
+    double z;
+};
+static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<30> linear) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_calibration_6_receivers_4_senders_solve(linear.data(), linear.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<30> linear) {
+    return try_solve(linear).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many linear, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_calibration_6_receivers_4_senders_solve_batch(
+            instances, linear.data(), linear.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace calibration_6_receivers_4_senders
+
+/// Circle tangent to n lines in the least-squares sense: the stationary points of the constrained
+/// dual conic, 9 solutions.
+///
+/// Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation", eq. (23)-(26): the
+/// Lagrangian as printed.
+///
+/// `gram` is the sum over all lines l = (a, b, c) of r r^T with r = (a^2, ab, ac, b^2, bc, c^2).
+/// The dual conic is [d1 d2 d3; d2 d4 d5; d3 d5 -1]: a circle with centre (-d3, -d5) and squared
+/// radius d1 + d3^2 = d4 + d5^2.
+namespace circle_least_squares {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 9;
+
+/// A solution of `circle_least_squares`.
+struct Solution {
+    double d1;
+    double d2;
+    double d3;
+    double d4;
+    double d5;
+    double lambda1;
+    double lambda2;
+};
+static_assert(sizeof(Solution) == 7 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<36> gram) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_circle_least_squares_solve(gram.data(), gram.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<36> gram) {
+    return try_solve(gram).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many gram, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_circle_least_squares_solve_batch(
+            instances, gram.data(), gram.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace circle_least_squares
+
+/// Circle tangent to n lines in the least-squares sense, in three unknowns of the dual conic, 9
+/// solutions.
+///
+/// Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation": the two constraints give d1
+/// and d2, which leaves the cost as a polynomial in d3, d4, d5. Data and conic are those of
+/// `circle_least_squares`.
+namespace circle_least_squares_dual {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 9;
+
+/// A solution of `circle_least_squares_dual`.
+struct Solution {
+    double d3;
+    double d4;
+    double d5;
+};
+static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<36> gram) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_circle_least_squares_dual_solve(gram.data(), gram.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<36> gram) {
+    return try_solve(gram).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many gram, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_circle_least_squares_dual_solve_batch(
+            instances, gram.data(), gram.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace circle_least_squares_dual
+
+/// The circles tangent to three lines: 4 solutions (the incircle and the three excircles of the
+/// triangle).
+///
+/// Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation", the minimal three-line
+/// solver.
+///
+/// A line l = (a, b, c) is tangent to the circle with dual conic D = [d1 d2 d3; d2 d4 d5; d3 d5 d6]
+/// if l^T D l = 0: one linear equation in d = (d1, .., d6), (a^2, 2ab, 2ac, b^2, 2bc, c^2) d = 0.
+/// Three lines leave a null space of dimension three, d = a d_alpha + b d_beta + d_gamma, in which
+/// the two constraints of a circle, d2 d6 = d3 d5 and (d1 - d4) d6 = d3^2 - d5^2, pick four points.
+namespace circle_minimal {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 4;
+
+/// A solution of `circle_minimal`.
+struct Solution {
+    double a;
+    double b;
+};
+static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<6> d_alpha, Values<6> d_beta, Values<6> d_gamma) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_circle_minimal_solve(d_alpha.data(), d_alpha.size(), d_beta.data(), d_beta.size(), d_gamma.data(), d_gamma.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<6> d_alpha, Values<6> d_beta, Values<6> d_gamma) {
+    return try_solve(d_alpha, d_beta, d_gamma).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many d_alpha, Many d_beta, Many d_gamma, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_circle_minimal_solve_batch(
+            instances, d_alpha.data(), d_alpha.size(), d_beta.data(), d_beta.size(), d_gamma.data(), d_gamma.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace circle_minimal
+
+/// Fundamental matrix of two cameras from seven points: 3 solutions.
+///
+/// Hartley, Zisserman, "Multiple view geometry in computer vision", 2003, section 11.1.2.
+///
+/// `first[k]` and `second[k]` are the images of point k. A fundamental matrix F satisfies
+/// `(second[k], 1) . F (first[k], 1) = 0`; it is the sum of the two matrices that span the null
+/// space of these equations, each times its weight.
+namespace fundamental_7pt {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 3;
+
+/// A solution of `fundamental_7pt`.
+struct Solution {
+    std::array<double, 2> weights; ///< given up to scale: of length 1
+};
+static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<14> first, Values<14> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_fundamental_7pt_solve(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<14> first, Values<14> second) {
+    return try_solve(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_fundamental_7pt_solve_batch(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `fundamental_7pt` returns beside its unknowns.
+struct Epipolar {
+    std::array<std::array<double, 3>, 3> fundamental;
+};
+static_assert(sizeof(Epipolar) == 9 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each epipolar, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Epipolar, max_solutions>> try_solve_for_epipolar(Values<14> first, Values<14> second) noexcept {
+    return Result<Solutions<Epipolar, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_fundamental_7pt_solve_for_epipolar(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each epipolar. Throws `Error`.
+[[nodiscard]] inline Solutions<Epipolar, max_solutions> solve_for_epipolar(Values<14> first, Values<14> second) {
+    return try_solve_for_epipolar(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_epipolar(
+    std::size_t instances, Many first, Many second, Batch<Epipolar, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_fundamental_7pt_solve_batch_for_epipolar(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace fundamental_7pt
+
+/// Fundamental matrix and the radial distortion common to both cameras from eight point
+/// correspondences: 16 solutions.
+///
+/// Kukelova, Pajdla, "A minimal solution to the autocalibration of radial distortion", CVPR 2007.
+/// Published as `8ptF_radial`.
+///
+/// A point x lies along (x, 1 + radial |x|^2), the division model. Then x2^T F x1 = 0 is, with f33
+/// = 1, linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the monomials radial
+/// f13, radial f23, radial^2, f13, f23, radial, 1: eight points give the former as combinations of
+/// these, the rows of `affine`.
+namespace fundamental_8pt_radial {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 16;
+
+/// A solution of `fundamental_8pt_radial`.
+struct Solution {
+    double radial;
+    double f_13;
+    double f_23;
+};
+static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<56> affine) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_fundamental_8pt_radial_solve(affine.data(), affine.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<56> affine) {
+    return try_solve(affine).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many affine, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_fundamental_8pt_radial_solve_batch(
+            instances, affine.data(), affine.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace fundamental_8pt_radial
+
+/// Fundamental matrix and radial distortion of the second camera from eight point correspondences:
+/// 8 solutions.
+///
+/// Kuang, Solem, Kahl, Åström, "Minimal solvers for relative pose with a single unknown radial
+/// distortion", CVPR 2014. Published as `8ptF_radial_1s`.
+///
+/// A point x2 of the second image lies along (x2, 1 + radial |x2|^2), the division model. Then x2^T
+/// F x1 = 0 is linear in the nine entries of F, the third row also multiplied by `radial`. Eight
+/// points, and f33 = 1, give (f11, f21, f31, f12, f22, f13, f23, radial f31) = affine (radial f32,
+/// radial, f32, 1).
+namespace fundamental_8pt_radial_one_side {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 8;
+
+/// A solution of `fundamental_8pt_radial_one_side`.
+struct Solution {
+    double f_32;
+    double radial;
+};
+static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<32> affine) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_fundamental_8pt_radial_one_side_solve(affine.data(), affine.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<32> affine) {
+    return try_solve(affine).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many affine, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_fundamental_8pt_radial_one_side_solve_batch(
+            instances, affine.data(), affine.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace fundamental_8pt_radial_one_side
+
+/// Fundamental matrix and the two different radial distortions of two cameras from nine point
+/// correspondences: 24 solutions.
+///
+/// Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
+/// problems for cameras with radial distortion", CVIU 114, 2010. Published as `rdist9p`, with f13
+/// and f23 eliminated in place of t and f13.
+///
+/// A point x lies along (x, 1 + radial |x|^2), the division model: with s in the second image and t
+/// in the first. Then x2^T F x1 = 0 is, with f33 = 1, linear in f11, f12, f21, f22, t, f13, t f13,
+/// t f23, s t and in s f31, s f32, s, f31, f32, f23, 1: nine points give the former as combinations
+/// of these, the rows of `affine`.
+namespace fundamental_9pt_two_radials {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 24;
+
+/// A solution of `fundamental_9pt_two_radials`.
+struct Solution {
+    double s;
+    double f_31;
+    double f_32;
+    double f_23;
+};
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<63> affine) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_fundamental_9pt_two_radials_solve(affine.data(), affine.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<63> affine) {
+    return try_solve(affine).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many affine, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_fundamental_9pt_two_radials_solve_batch(
+            instances, affine.data(), affine.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace fundamental_9pt_two_radials
+
+/// Katsura's equations for the magnetic field of a spin glass with six unknowns: 32 solutions.
+/// There are no data.
+///
+/// Katsura, "Spin glass problem by the method of integral equation of the effective field", in: New
+/// Trends in Magnetism, 1990; as in the data base of PHCpack (Verschelde, ACM TOMS 795, 1999).
+/// Published as `katsura5`.
+namespace katsura_5 {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 32;
+
+/// A solution of `katsura_5`.
+struct Solution {
+    double t;
+    double u;
+    double v;
+    double x;
+    double y;
+    double z;
+};
+static_assert(sizeof(Solution) == 6 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve() noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_katsura_5_solve(to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve() {
+    return try_solve().value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_katsura_5_solve_batch(
+            instances, to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace katsura_5
+
+/// Keplerian orbit from five lines of sight without times: 66 solutions.
+///
+/// Mancini, Duff, Leykin, Christian, "Geometric solution to the angles-only initial orbit
+/// determination problem", 2023; Huang, Leykin, Mancini, "Projective plane subdivision method for
+/// initial orbit determination", arXiv 2509.14397, 2025. Published as `IOD`.
+///
+/// `sights` holds for each line the position of the observer and the direction; the Sun is the
+/// origin. The plane of the orbit has the normal n = (a, b, 1). It meets the line with direction d
+/// and moment m in x = n x m / n.d. The orbit is |x| = h - e.x, where e points to the pericentre
+/// and has the eccentricity as its length. With w = n x e / h = (-q, p, r), where (p, q, 0) is e /
+/// h up to a multiple of n, this is (n.d + w.m)^2 = |n x m|^2 / h^2, and `square` is 1 / h^2. The
+/// published unknowns are the entries of the orbit's dual quadric.
+///
+/// With directions and moments exchanged these are the cylinders that touch five lines: n is the
+/// direction of the axis, w its moment, and `square` that of the radius.
+namespace orbit_5_lines_of_sight {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 66;
+
+/// A solution of `orbit_5_lines_of_sight`.
+struct Solution {
+    double a;
+    double b;
+    double p;
+    double q;
+    double r;
+    double square;
+};
+static_assert(sizeof(Solution) == 6 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<30> sights) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_orbit_5_lines_of_sight_solve(sights.data(), sights.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<30> sights) {
+    return try_solve(sights).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many sights, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_orbit_5_lines_of_sight_solve_batch(
+            instances, sights.data(), sights.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace orbit_5_lines_of_sight
+
+/// Forward kinematics of the general Stewart-Gough platform, all poses with given lengths of its
+/// six legs: 40 solutions.
+///
+/// Husty, "An algorithm for solving the direct kinematics of general Stewart-Gough-type platforms",
+/// Mechanism and Machine Theory 31, 1996. Published as `parallel_robot_66`.
+///
+/// The first leg joins the origins of base and platform. Let t be that leg in the base's
+/// coordinates, s = R^T t in the platform's. The length of the leg from X to x, less that of the
+/// first, gives x s - X t as a linear combination of the entries of R and 1: five equations for s
+/// and t, solved after base and platform are turned so that only the third coordinates remain
+/// together. R is that of the quaternion q = 1 + a i + b j + c k, so n s and n t, with n = |q|^2,
+/// are quadratic polynomials, with coefficients of 1, a, b, c, a a, a b, a c, b b, b c, c c: `sums`
+/// has those of s_i + t_i, `differences` those of s_i - t_i, for i = 1, 2, and s_3 + t_3 = (2 +
+/// `excess`) (s_3 - t_3) + `shift`. `excess` exceeds -1 if the null vector of the five equations is
+/// longer in s than in t, as where the base is larger; else base and platform are exchanged.
+/// `square` is the square of the length of the first leg.
+///
+/// That t q = q s gives n (s_3 - t_3) times 1, a, b and c as cubic polynomials, and that |s| = |t|
+/// its square: with these |t|^2 = `square` and its product with n (s_3 - t_3) have degrees of four
+/// and six.
+namespace platform_forward_kinematics {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 40;
+
+/// A solution of `platform_forward_kinematics`.
+struct Solution {
+    double a;
+    double b;
+    double c;
+};
+static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<20> sums, Values<20> differences, Values<10> shift, double excess, double square) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_platform_forward_kinematics_solve(sums.data(), sums.size(), differences.data(), differences.size(), shift.data(), shift.size(), excess, square, to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<20> sums, Values<20> differences, Values<10> shift, double excess, double square) {
+    return try_solve(sums, differences, shift, excess, square).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many sums, Many differences, Many shift, Many excess, Many square, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_platform_forward_kinematics_solve_batch(
+            instances, sums.data(), sums.size(), differences.data(), differences.size(), shift.data(), shift.size(), excess.data(), excess.size(), square.data(), square.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace platform_forward_kinematics
+
+/// Pose and focal length of a camera from three points and one image coordinate of a fourth: 10
+/// solutions.
+///
+/// Wu, "P3.5P: Pose estimation with unknown focal length", CVPR 2015. Published as `pose_35pt`.
+///
+/// `points` holds the points, one a row; `horizontal` and `vertical` their image coordinates,
+/// centred at the principal point. The rotation is, up to scale, that about the optical axis times
+/// that of the quaternion (1, x, y, 0). Each row of the matrix eliminates the rotation about the
+/// optical axis, and what is unknown of the focal length, from three points: it annihilates (cos,
+/// sin, 1/f).
+namespace pose_35pt_focal {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 10;
+
+/// A solution of `pose_35pt_focal`.
+struct Solution {
+    double x;
+    double y;
+};
+static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<12> points, Values<4> horizontal, Values<3> vertical) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_35pt_focal_solve(points.data(), points.size(), horizontal.data(), horizontal.size(), vertical.data(), vertical.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<12> points, Values<4> horizontal, Values<3> vertical) {
+    return try_solve(points, horizontal, vertical).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many points, Many horizontal, Many vertical, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_35pt_focal_solve_batch(
+            instances, points.data(), points.size(), horizontal.data(), horizontal.size(), vertical.data(), vertical.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace pose_35pt_focal
+
+/// Pose of a calibrated camera from three points: at most 4 of 8 solutions, in front of the camera.
+///
+/// The problem `pose_3pt_depths` from measurements. `rays[k]` is the ray of point k in the camera,
+/// of any length, and `points[k]` its position. The unknowns are the distances of the points from
+/// the centre of the camera. A point x has the coordinates `rotation` x + `translation` in the
+/// camera: the rotation takes the differences of positions, and their cross product, to those in
+/// the camera.
+namespace pose_3pt {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 8;
+
+/// A solution of `pose_3pt`.
+struct Solution {
+    std::array<double, 3> distances;
+};
+static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<9> rays, Values<9> points) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_3pt_solve(rays.data(), rays.size(), points.data(), points.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<9> rays, Values<9> points) {
+    return try_solve(rays, points).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many rays, Many points, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_3pt_solve_batch(
+            instances, rays.data(), rays.size(), points.data(), points.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `pose_3pt` returns beside its unknowns.
+struct Pose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
+};
+static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_for_pose(Values<9> rays, Values<9> points) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_3pt_solve_for_pose(rays.data(), rays.size(), points.data(), points.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each pose. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_for_pose(Values<9> rays, Values<9> points) {
+    return try_solve_for_pose(rays, points).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_pose(
+    std::size_t instances, Many rays, Many points, Batch<Pose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_3pt_solve_batch_for_pose(
+            instances, rays.data(), rays.size(), points.data(), points.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace pose_3pt
+
+/// Pose of a calibrated camera from three points: their distances from the centre of the camera, 8
+/// solutions, which are 4 with both signs.
+///
+/// Grunert, "Das Pothenotische Problem in erweiterter Gestalt", 1841; in this form Haralick, Lee,
+/// Ottenberg, Nölle, "Review and analysis of solutions of the three point perspective pose
+/// estimation problem", IJCV 1994, equation (1).
+///
+/// `cosines` are those of the angles between the viewing rays of the points b and c, a and c, a and
+/// b; `squares` the squared distances of these points. Those of the solutions are poses in which
+/// all depths are positive.
+namespace pose_3pt_depths {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 8;
+
+/// A solution of `pose_3pt_depths`.
+struct Solution {
+    double a;
+    double b;
+    double c;
+};
+static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<3> cosines, Values<3> squares) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_3pt_depths_solve(cosines.data(), cosines.size(), squares.data(), squares.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<3> cosines, Values<3> squares) {
+    return try_solve(cosines, squares).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many cosines, Many squares, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_3pt_depths_solve_batch(
+            instances, cosines.data(), cosines.size(), squares.data(), squares.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace pose_3pt_depths
+
+/// Poses of a camera with known vertical direction in which the errors of three points equal their
+/// bounds and are stationary: 48 solutions.
+///
+/// Svärm, Enqvist, Kahl, Oskarsson, "City-scale localization for cameras with known vertical
+/// direction", PAMI 2017. Published as `optpose3pt_v2`. A pose with the largest number of points
+/// within the bound can be moved until four errors equal it, or three where it can be moved no
+/// further.
+///
+/// The camera is turned about its first axis by the angle of the cosine y and the sine z, and
+/// shifted by (u, v, w). A point of `points`, one a row, in the camera's coordinates (X, Y, Z),
+/// lies on the cone a X^2 + a Y^2 + 2 b X Z + 2 c Y Z + d Z^2 = 0 with (a, b, c, d) a row of
+/// `cones`: for an image point (p, q) and a bound e that is (1, -p, -q, p^2 + q^2 - e^2). The
+/// derivatives of the three left sides by w, y and z are linearly dependent.
+namespace pose_3pt_upright_error_bound {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 48;
+
+/// A solution of `pose_3pt_upright_error_bound`.
+struct Solution {
+    double u;
+    double v;
+    double w;
+    double y;
+    double z;
+};
+static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<9> points, Values<12> cones) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_3pt_upright_error_bound_solve(points.data(), points.size(), cones.data(), cones.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<9> points, Values<12> cones) {
+    return try_solve(points, cones).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many points, Many cones, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_3pt_upright_error_bound_solve_batch(
+            instances, points.data(), points.size(), cones.data(), cones.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace pose_3pt_upright_error_bound
+
+/// Pose, focal length and radial distortion of a camera from four points: 16 solutions.
+///
+/// Josephson, Byröd, "Pose estimation with radial distortion and unknown focal length", CVPR 2009,
+/// in the form of Bujnak, Kukelova, Pajdla, "New efficient solution to the absolute pose problem
+/// for camera with unknown focal length and radial distortion", ACCV 2010. Published as `p4p_fr`.
+///
+/// An image point (u, v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with
+/// P = diag(1, 1, 1/f) \[R t\]. That v times the first row of P minus u times the second vanishes
+/// at X leaves a null space of dimension four: the first two rows of P, without their last entries,
+/// are row1 w and row2 w with the weights w. The third, from the four points, is row3 (w, radial
+/// w).
+namespace pose_4pt_focal_radial {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 16;
+
+/// A solution of `pose_4pt_focal_radial`.
+struct Solution {
+    std::array<double, 4> weights; ///< given up to scale: of length 1
+    double radial;
+};
+static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<12> row1, Values<12> row2, Values<24> row3) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_4pt_focal_radial_solve(row1.data(), row1.size(), row2.data(), row2.size(), row3.data(), row3.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<12> row1, Values<12> row2, Values<24> row3) {
+    return try_solve(row1, row2, row3).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many row1, Many row2, Many row3, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_4pt_focal_radial_solve_batch(
+            instances, row1.data(), row1.size(), row2.data(), row2.size(), row3.data(), row3.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace pose_4pt_focal_radial
+
+/// Pose, focal length and radial distortion of a camera from four points, without the degenerate
+/// solutions: 12 solutions.
+///
+/// Larsson, Kukelova, Zheng, "Making minimal solvers for absolute pose estimation compact and
+/// robust", ICCV 2017. Published as `p4p_fr_iccv17`; `pose_4pt_focal_radial` is the older
+/// formulation of the same problem, with 16.
+///
+/// An image point (u, v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with
+/// P = diag(1, 1, 1/f) \[R t\]. The first two rows of R, column by column, are `upper` w
+/// with the weights w, the null space of four equations; the third row of P is, from the four
+/// points, `lower` (w, radial w), of which R takes the first three entries.
+namespace pose_4pt_focal_radial_cut {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 12;
+
+/// A solution of `pose_4pt_focal_radial_cut`.
+struct Solution {
+    double radial;
+    std::array<double, 4> weights; ///< given up to scale: of length 1
+};
+static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<24> upper, Values<24> lower) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_4pt_focal_radial_cut_solve(upper.data(), upper.size(), lower.data(), lower.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<24> upper, Values<24> lower) {
+    return try_solve(upper, lower).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many upper, Many lower, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_4pt_focal_radial_cut_solve_batch(
+            instances, upper.data(), upper.size(), lower.data(), lower.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace pose_4pt_focal_radial_cut
+
+/// Pose and scale of a generalised camera from four points: 8 solutions.
+///
+/// Ventura, Arth, Reitmayr, Schmalstieg, "A minimal solution to the generalized pose-and-scale
+/// problem", CVPR 2014. Published as `gp4p_scale`.
+///
+/// A point X, and the ray from c along d by which the camera sees it, satisfy d x (R X + t - s c) =
+/// 0: two equations, linear in the entries of R, t and s up to a common factor. Seven of the eight
+/// leave a null space of dimension six; `basis` holds the entries of R, row by row, of vectors that
+/// span it; R is their sum, each times its weight, up to scale.
+namespace pose_4pt_generalized_scale {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 8;
+
+/// A solution of `pose_4pt_generalized_scale`.
+struct Solution {
+    std::array<double, 6> weights; ///< given up to scale: of length 1
+};
+static_assert(sizeof(Solution) == 6 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<54> basis) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_4pt_generalized_scale_solve(basis.data(), basis.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<54> basis) {
+    return try_solve(basis).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many basis, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_4pt_generalized_scale_solve_batch(
+            instances, basis.data(), basis.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace pose_4pt_generalized_scale
+
+/// Poses of a camera with known vertical direction in which the errors of four points equal their
+/// bounds: 28 solutions.
+///
+/// Svärm, Enqvist, Kahl, Oskarsson, "City-scale localization for cameras with known vertical
+/// direction", PAMI 2017. Published as `optpose4pt_v2`. A pose with the largest number of points
+/// within the bound can be moved until four errors equal it.
+///
+/// The camera is turned about its first axis by the angle of the cosine y and the sine z, and
+/// shifted by (u, v, w). A point of `points`, one a row, in the camera's coordinates (X, Y, Z),
+/// lies on the cone a X^2 + a Y^2 + 2 b X Z + 2 c Y Z + d Z^2 = 0 with (a, b, c, d) a row of
+/// `cones`: for an image point (p, q) and a bound e that is (1, -p, -q, p^2 + q^2 - e^2).
+namespace pose_4pt_upright_error_bound {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 28;
+
+/// A solution of `pose_4pt_upright_error_bound`.
+struct Solution {
+    double u;
+    double v;
+    double w;
+    double y;
+    double z;
+};
+static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<12> points, Values<16> cones) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_4pt_upright_error_bound_solve(points.data(), points.size(), cones.data(), cones.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<12> points, Values<16> cones) {
+    return try_solve(points, cones).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many points, Many cones, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_4pt_upright_error_bound_solve_batch(
+            instances, points.data(), points.size(), cones.data(), cones.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace pose_4pt_upright_error_bound
+
+/// Pose of a calibrated camera that looks at five points through a known refracting plane: 16
+/// solutions.
+///
+/// Haner, Åström, "Absolute pose for cameras under flat refractive interfaces", CVPR 2015.
+/// Published as `refract5p`.
+///
+/// The plane is Z = 0. Refraction keeps a ray in its plane with the normal, so that R ray and the
+/// point X minus the camera centre (v, w, ..) are parallel in their first two coordinates: (r1 ray)
+/// (X2 - w) - (r2 ray) (X1 - v) = 0 with the rows r1, r2, r3 of R, that of the quaternion (1, x, y,
+/// z) times 1 + x^2 + y^2 + z^2. Linear combinations of five such equations have the leading terms
+/// r2\[i\] v - r1\[i\] w with i = 0, 1, 2, then x y, and x^2 - y^2, and otherwise the terms 1 -
+/// z^2, z, x z + y and x - y z, with the coefficients `affine`. These are large where the image's
+/// frame is unfortunate: turn the rays so that another axis is the third.
+namespace pose_5pt_refraction {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 16;
+
+/// A solution of `pose_5pt_refraction`.
+struct Solution {
+    double x;
+    double y;
+    double z;
+};
+static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<20> affine) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_5pt_refraction_solve(affine.data(), affine.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<20> affine) {
+    return try_solve(affine).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many affine, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_5pt_refraction_solve_batch(
+            instances, affine.data(), affine.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace pose_5pt_refraction
+
+/// Pose of two receivers close to each other from the time differences with which they hear five
+/// senders: 24 solutions.
+///
+/// Burgess, Kuang, Åström, "Pose estimation from minimal dual-receiver configurations", ICPR 2012.
+/// Published as `tdoa_pose_5pt`.
+///
+/// The receivers are at C, one from the other in the direction n = (u, v, w). Divided by their
+/// distance, the difference of the ranges of a sender U is the cosine c of an angle: (n U - t)^2 =
+/// c^2 |n|^2 |U - C|^2 with t = n C. Five such equations are linear in |n|^2 |C|^2 and |n|^2 C, and
+/// otherwise have the terms u u, u v, u w, v v, v w, w w, t u, t v, t w and t t. Solved for the
+/// former, they have the coefficients `linear`; a fifth linear combination, `quadric`, has none of
+/// the former. C follows from n and t, which are `plane`: n X = t passes through the receivers,
+/// across their line.
+namespace pose_5tdoa_two_receivers {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 24;
+
+/// A solution of `pose_5tdoa_two_receivers`.
+struct Solution {
+    std::array<double, 4> plane; ///< given up to scale: of length 1
+};
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<10> quadric, Values<40> linear) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_5tdoa_two_receivers_solve(quadric.data(), quadric.size(), linear.data(), linear.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<10> quadric, Values<40> linear) {
+    return try_solve(quadric, linear).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many quadric, Many linear, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_5tdoa_two_receivers_solve_batch(
+            instances, quadric.data(), quadric.size(), linear.data(), linear.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace pose_5tdoa_two_receivers
+
+/// Pose and motion of a camera with rolling shutter from six points: 20 solutions.
+///
+/// Albl, Kukelova, Pajdla, "R6P - rolling shutter absolute camera pose", CVPR 2015. Published as
+/// `r6p`.
+///
+/// A point X is seen at q, in the row q\[0\], where (q, 1) and (I + q\[0\] \[(x, y, z)\]x) (I +
+/// \[(u, v, w)\]x) X + C + q\[0\] t are parallel: both rotations linearised, the first for an
+/// angular velocity. Three of the points, linear in the position C and the velocity t, give them as
+/// position m and velocity m, m being the products of x, y, z (slower) with u, v, w, and then u, v,
+/// w, x, y, z, 1. `image` and `points` are the other three, one a row.
+namespace pose_6pt_rolling_shutter {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 20;
+
+/// A solution of `pose_6pt_rolling_shutter`.
+struct Solution {
+    double u;
+    double v;
+    double w;
+    double x;
+    double y;
+    double z;
+};
+static_assert(sizeof(Solution) == 6 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<6> image, Values<9> points, Values<48> position, Values<48> velocity) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_6pt_rolling_shutter_solve(image.data(), image.size(), points.data(), points.size(), position.data(), position.size(), velocity.data(), velocity.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<6> image, Values<9> points, Values<48> position, Values<48> velocity) {
+    return try_solve(image, points, position, velocity).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many image, Many points, Many position, Many velocity, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_6pt_rolling_shutter_solve_batch(
+            instances, image.data(), image.size(), points.data(), points.size(), position.data(), position.size(), velocity.data(), velocity.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace pose_6pt_rolling_shutter
+
+/// Pose of a calibrated camera from n points, all stationary points of a least-squares cost in
+/// Cayley parameters: 27 solutions.
+///
+/// Hesch, Roumeliotis, "A direct least-squares (DLS) method for PnP", ICCV 2011. Published as
+/// `opt_pnp_hesch`.
+///
+/// For a given rotation the best translation is linear in the rotation. Without the common
+/// denominator 1 + x^2 + y^2 + z^2 of the rotation of the quaternion (1, x, y, z), the sum of
+/// squares that remains is a polynomial of degree four; its coefficients are data, those of one
+/// degree in lexicographic order. Of the constant nothing depends.
+namespace pose_npt_direct_least_squares {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 27;
+
+/// A solution of `pose_npt_direct_least_squares`.
+struct Solution {
+    double x;
+    double y;
+    double z;
+};
+static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<3> linear, Values<6> quadratic, Values<10> cubic, Values<15> quartic) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_npt_direct_least_squares_solve(linear.data(), linear.size(), quadratic.data(), quadratic.size(), cubic.data(), cubic.size(), quartic.data(), quartic.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<3> linear, Values<6> quadratic, Values<10> cubic, Values<15> quartic) {
+    return try_solve(linear, quadratic, cubic, quartic).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many linear, Many quadratic, Many cubic, Many quartic, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_npt_direct_least_squares_solve_batch(
+            instances, linear.data(), linear.size(), quadratic.data(), quadratic.size(), cubic.data(), cubic.size(), quartic.data(), quartic.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace pose_npt_direct_least_squares
+
+/// Pose of a calibrated camera from n points, all stationary points of a least-squares cost over
+/// the rotations, by Cayley parameters: 40 solutions.
+///
+/// Nakano, "Globally optimal DLS method for PnP problem with Cayley parameterization", BMVC 2015.
+/// Published as `opt_pnp_nakanoC`.
+///
+/// With the best translation and the best depths the cost is r^T `cost` r, r being the entries of
+/// the rotation of the quaternion q, row by row. With r times |q|^2 in its place the
+/// cost grows with the fourth power of the length of q, so q is stationary up to its length where
+/// the gradient d is parallel to it.
+namespace pose_npt_least_squares_cayley {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 40;
+
+/// A solution of `pose_npt_least_squares_cayley`.
+struct Solution {
+    std::array<double, 4> q; ///< given up to scale: of length 1
+};
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<81> cost) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_npt_least_squares_cayley_solve(cost.data(), cost.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<81> cost) {
+    return try_solve(cost).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many cost, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_npt_least_squares_cayley_solve_batch(
+            instances, cost.data(), cost.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace pose_npt_least_squares_cayley
+
+/// Pose of a calibrated camera from n points, all stationary points of a least-squares cost in a
+/// quaternion that is not normalised: 40 solutions.
+///
+/// Zheng, Kuang, Sugimoto, Åström, Okutomi, "Revisiting the PnP problem: a fast, general and
+/// optimal solution", ICCV 2013. Published as `opt_pnp_zheng`.
+///
+/// The quaternion q has the square of its length, the inverse of the mean depth, free. The rest of
+/// the pose is linear in the products of two of its entries, and the cost is |`rows` p|^2 with p =
+/// (1, w w, w x, w y, w z, x x, x y, x z, y y, y z, z z): `rows` are the equations of ten points,
+/// or, of another number of points, their triangular factor and zeros, since only the Gram matrix
+/// matters. Since q and -q are the same rotation, q is an unknown scale s times the unknown
+/// direction below. The derivatives, divided by s, are linear in the square of s, with the
+/// coefficients `cubic` and `linear`: it follows from any of them, and is eliminated here.
+namespace pose_npt_least_squares_quaternion {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 40;
+
+/// A solution of `pose_npt_least_squares_quaternion`.
+struct Solution {
+    std::array<double, 4> q; ///< given up to scale: of length 1
+};
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<220> rows) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_npt_least_squares_quaternion_solve(rows.data(), rows.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<220> rows) {
+    return try_solve(rows).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many rows, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_npt_least_squares_quaternion_solve_batch(
+            instances, rows.data(), rows.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace pose_npt_least_squares_quaternion
+
+/// Pose of a weak-perspective camera from n points, all stationary points of the least-squares
+/// cost: 16 solutions.
+///
+/// Larsson, Åström, "Uncovering symmetries in polynomial systems", ECCV 2016. Published as `wpnp`.
+///
+/// In the principal axes of the points, whose standard deviations are `spread`, the cost is |P
+/// diag(spread) - `image`|^2, with P the first two rows of a rotation times a scale, that is, of
+/// the rotation of a quaternion q that is not normalised. Since q and -q are the same rotation, the
+/// unknowns are the ratios in q = root (w, 1, y, z), and `square`, that of the root.
+namespace pose_npt_weak_perspective {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 16;
+
+/// A solution of `pose_npt_weak_perspective`.
+struct Solution {
+    double w;
+    double square;
+    double y;
+    double z;
+};
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<3> spread, Values<6> image) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_npt_weak_perspective_solve(spread.data(), spread.size(), image.data(), image.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<3> spread, Values<6> image) {
+    return try_solve(spread, image).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many spread, Many image, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_npt_weak_perspective_solve_batch(
+            instances, spread.data(), spread.size(), image.data(), image.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace pose_npt_weak_perspective
+
+/// Relative pose of two calibrated cameras from three point correspondences where the motion turns
+/// by a known angle about an axis without moving along it: 12 solutions.
+///
+/// Martyushev, Li, "Efficient relative pose estimation for cameras and generalized cameras in case
+/// of known relative rotation angle", JMIV 62, 2020. Published as `3pra_st0`.
+///
+/// `first` and `second` hold the rays of the points in either camera, one a row, and `half_angle`
+/// the cosine and the sine of half the angle: the rotation from the first camera to the second is
+/// that of the unit quaternion cosine + u i + v j + w k. The ratio of the two depths of a point
+/// follows from any other point, and from the translation being orthogonal to (u, v, w). All
+/// polynomials are written p + w q, with p and q in u and v only, and stated with their multiple by
+/// w.
+namespace relpose_3pt_angle_zero_screw {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 12;
+
+/// A solution of `relpose_3pt_angle_zero_screw`.
+struct Solution {
+    double u;
+    double v;
+    double w;
+};
+static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<9> first, Values<9> second, Values<2> half_angle) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_3pt_angle_zero_screw_solve(first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<9> first, Values<9> second, Values<2> half_angle) {
+    return try_solve(first, second, half_angle).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many first, Many second, Many half_angle, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_3pt_angle_zero_screw_solve_batch(
+            instances, first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace relpose_3pt_angle_zero_screw
+
+/// Relative pose of two calibrated cameras with a known angle of rotation from four point
+/// correspondences: 20 solutions.
+///
+/// Li, Heng, Lee, Pollefeys, "A 4-point algorithm for relative pose estimation of a calibrated
+/// camera with a known relative rotation angle", IROS 2013. Published as `relpose_4pt`, with the
+/// translation among the unknowns; it is eliminated here as in Martyushev, Li, "Efficient relative
+/// pose estimation for cameras and generalized cameras in case of known relative rotation angle",
+/// JMIV 62, 2020.
+///
+/// `first` and `second` hold the rays of the points in either camera, one a row, and `half_angle`
+/// the cosine and the sine of half the angle: the rotation from the first camera to the second is
+/// that of the unit quaternion cosine + u i + v j + w k. The ratio of the two depths of a point
+/// follows from any other point. All polynomials are written p + w q, with p and q in u and v only,
+/// and stated with their multiple by w.
+namespace relpose_4pt_angle {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 20;
+
+/// A solution of `relpose_4pt_angle`.
+struct Solution {
+    double u;
+    double v;
+    double w;
+};
+static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<12> first, Values<12> second, Values<2> half_angle) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_4pt_angle_solve(first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<12> first, Values<12> second, Values<2> half_angle) {
+    return try_solve(first, second, half_angle).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many first, Many second, Many half_angle, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_4pt_angle_solve_batch(
+            instances, first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace relpose_4pt_angle
+
+/// Relative pose of two calibrated cameras from five point correspondences: 10 essential matrices.
+///
+/// Nistér, "An efficient solution to the five-point relative pose problem", PAMI 2004; in this form
+/// Stewénius, Engels, Nistér, "Recent developments on direct relative orientation", ISPRS 2006.
+/// Published as `5p`.
+///
+/// `basis` spans the null space of the five epipolar equations; the essential matrix is the sum
+/// of its matrices, each times its weight.
+namespace relpose_5pt {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 10;
+
+/// A solution of `relpose_5pt`.
+struct Solution {
+    std::array<double, 4> weights; ///< given up to scale: of length 1
+};
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<36> basis) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_5pt_solve(basis.data(), basis.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<36> basis) {
+    return try_solve(basis).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many basis, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_5pt_solve_batch(
+            instances, basis.data(), basis.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace relpose_5pt
+
+/// Relative pose of two generalized cameras with a known angle of rotation from five point
+/// correspondences: 44 solutions.
+///
+/// Martyushev, Li, "Efficient relative pose estimation for cameras and generalized cameras in case
+/// of known relative rotation angle", JMIV 62, 2020. Published as `gen5pra`.
+///
+/// `first` and `second` hold the rays of the points in either system of cameras: a point of the
+/// ray, and its direction. `half_angle` holds the cosine and the sine of half the angle: the
+/// rotation from the first system to the second is that of the unit quaternion cosine + u i + v j +
+/// w k. That the rays of one point meet gives the translation up to the depths of that point along
+/// either ray; that the rays of any three others meet, too, are linear equations for these depths.
+/// All polynomials are written p + w q, with p and q in u and v only, and stated with their
+/// multiple by w.
+namespace relpose_5pt_generalized_angle {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 44;
+
+/// A solution of `relpose_5pt_generalized_angle`.
+struct Solution {
+    double u;
+    double v;
+    double w;
+};
+static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<30> first, Values<30> second, Values<2> half_angle) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_5pt_generalized_angle_solve(first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<30> first, Values<30> second, Values<2> half_angle) {
+    return try_solve(first, second, half_angle).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many first, Many second, Many half_angle, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_5pt_generalized_angle_solve_batch(
+            instances, first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace relpose_5pt_generalized_angle
+
+/// Relative pose of two calibrated cameras from five points: 10 essential matrices.
+///
+/// The problem `relpose_5pt` from measurements. `first[k]` and `second[k]` are the rays of point k
+/// in both cameras, of any length. An essential matrix E satisfies `second[k] . E first[k] = 0`; it
+/// is the sum of the matrices that span the null space of these equations, each times its weight.
+namespace relpose_5pt_rays {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 10;
+
+/// A solution of `relpose_5pt_rays`.
+struct Solution {
+    std::array<double, 4> weights; ///< given up to scale: of length 1
+};
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<15> first, Values<15> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_5pt_rays_solve(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<15> first, Values<15> second) {
+    return try_solve(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_5pt_rays_solve_batch(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `relpose_5pt_rays` returns beside its unknowns.
+struct RelativePose {
+    std::array<std::array<double, 3>, 3> essential;
+};
+static_assert(sizeof(RelativePose) == 9 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each relative_pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<RelativePose, max_solutions>> try_solve_for_relative_pose(Values<15> first, Values<15> second) noexcept {
+    return Result<Solutions<RelativePose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_5pt_rays_solve_for_relative_pose(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each relative_pose. Throws `Error`.
+[[nodiscard]] inline Solutions<RelativePose, max_solutions> solve_for_relative_pose(Values<15> first, Values<15> second) {
+    return try_solve_for_relative_pose(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_relative_pose(
+    std::size_t instances, Many first, Many second, Batch<RelativePose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_5pt_rays_solve_batch_for_relative_pose(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace relpose_5pt_rays
+
+/// Pose and focal length of a camera from five points that calibrated cameras of known poses see,
+/// too, and one point of known position: 56 solutions.
+///
+/// Bhayani, Sattler, Larsson, Heikkilä, Kukelova, "Partially calibrated semi-generalized pose from
+/// hybrid point correspondences", WACV 2023. Published as `hyb51f`.
+///
+/// The known point is the origin; `centres` and `directions` are a point and the direction of the
+/// ray that a calibrated camera sees each of the others along. `images` are those of the other
+/// points, turned and scaled so that the image of the known point is (1, 0). Its depth is the
+/// unknown `depth`. The camera's rotation is that of the quaternion 1 + x i + y j, and a turn about
+/// its axis after it, by the angle of which c and s are cosine and sine, times the focal length. An
+/// image lies on that of the ray: det(M) M^-T, the cofactors of M, maps moments of rays to lines of
+/// the image where M maps directions to points of it. The squared norm of the quaternion, which
+/// divides all cofactors, is left out.
+namespace relpose_5pt_semi_generalized_focal {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 56;
+
+/// A solution of `relpose_5pt_semi_generalized_focal`.
+struct Solution {
+    double x;
+    double y;
+    double c;
+    double s;
+    double depth;
+};
+static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<10> images, Values<15> directions, Values<15> centres) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_5pt_semi_generalized_focal_solve(images.data(), images.size(), directions.data(), directions.size(), centres.data(), centres.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<10> images, Values<15> directions, Values<15> centres) {
+    return try_solve(images, directions, centres).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many images, Many directions, Many centres, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_5pt_semi_generalized_focal_solve_batch(
+            instances, images.data(), images.size(), directions.data(), directions.size(), centres.data(), centres.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace relpose_5pt_semi_generalized_focal
+
+/// Relative pose of two cameras with one unknown shared focal length from six point
+/// correspondences: 15 solutions.
+///
+/// Stewénius, Nistér, Kahl, Schaffalitzky, "A minimal solution for relative pose with unknown focal
+/// length", CVPR 2005; the form with w = 1/f^2 as in Kukelova, Bujnak, Pajdla, "Polynomial
+/// eigenvalue solutions to the 5-pt and 6-pt relative pose problems", BMVC 2008. Published as
+/// `focal6p`.
+///
+/// `basis` spans the null space of the six epipolar equations; the fundamental matrix is the
+/// sum of its matrices, each times its weight.
+namespace relpose_6pt_focal {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 15;
+
+/// A solution of `relpose_6pt_focal`.
+struct Solution {
+    std::array<double, 3> weights; ///< given up to scale: of length 1
+    double w;
+};
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<27> basis) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_6pt_focal_solve(basis.data(), basis.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<27> basis) {
+    return try_solve(basis).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many basis, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_6pt_focal_solve_batch(
+            instances, basis.data(), basis.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace relpose_6pt_focal
+
+/// Relative pose of a calibrated camera and one with unknown focal length from six point
+/// correspondences: 9 solutions.
+///
+/// Bujnak, Kukelova, Pajdla, "3D reconstruction from image collections with a single known focal
+/// length", ICCV 2009. Published as `focal6p_1s`.
+///
+/// `basis` spans the null space of the six epipolar equations x2^T F x1 = 0, the first camera
+/// having the unknown focal length f and the second none; the fundamental matrix is the sum
+/// of its matrices, each times its weight, and w = 1/f^2.
+namespace relpose_6pt_focal_one_side {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 9;
+
+/// A solution of `relpose_6pt_focal_one_side`.
+struct Solution {
+    std::array<double, 3> weights; ///< given up to scale: of length 1
+    double w;
+};
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<27> basis) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_6pt_focal_one_side_solve(basis.data(), basis.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<27> basis) {
+    return try_solve(basis).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many basis, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_6pt_focal_one_side_solve_batch(
+            instances, basis.data(), basis.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace relpose_6pt_focal_one_side
+
+/// Relative pose of two cameras with one unknown shared focal length from six points: 15 solutions,
+/// of which those with a real focal length are returned.
+///
+/// The problem `relpose_6pt_focal` from measurements. `first[k]` and `second[k]` are the images of
+/// point k, relative to the principal points. The fundamental matrix is the sum of the matrices
+/// that span the null space of the epipolar equations, each times its weight. w is 1 / focal^2 in
+/// units of the length of all images.
+namespace relpose_6pt_focal_points {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 15;
+
+/// A solution of `relpose_6pt_focal_points`.
+struct Solution {
+    std::array<double, 3> weights; ///< given up to scale: of length 1
+    double w;
+};
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<12> first, Values<12> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_6pt_focal_points_solve(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<12> first, Values<12> second) {
+    return try_solve(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_6pt_focal_points_solve_batch(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `relpose_6pt_focal_points` returns beside its unknowns.
+struct FocalPose {
+    std::array<std::array<double, 3>, 3> fundamental;
+    double focal;
+};
+static_assert(sizeof(FocalPose) == 10 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each focal_pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<FocalPose, max_solutions>> try_solve_for_focal_pose(Values<12> first, Values<12> second) noexcept {
+    return Result<Solutions<FocalPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_6pt_focal_points_solve_for_focal_pose(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each focal_pose. Throws `Error`.
+[[nodiscard]] inline Solutions<FocalPose, max_solutions> solve_for_focal_pose(Values<12> first, Values<12> second) {
+    return try_solve_for_focal_pose(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_focal_pose(
+    std::size_t instances, Many first, Many second, Batch<FocalPose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_6pt_focal_points_solve_batch_for_focal_pose(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace relpose_6pt_focal_points
+
+/// Relative pose of two generalized cameras from six point correspondences: 64 solutions.
+///
+/// Stewénius, Nistér, Oskarsson, Åström, "Solutions to minimal generalized relative pose problems",
+/// OMNIVIS 2005. Published as `gen6p`.
+///
+/// `first` and `second` hold the rays of the points in either system of cameras: a point of the
+/// ray, and its direction. The rotation from the first system to the second is that of the
+/// quaternion q. That the rays of one point meet gives the translation up to the
+/// depths of that point along either ray; that the rays of any three others meet, too, are linear
+/// equations for these depths.
+namespace relpose_6pt_generalized {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 64;
+
+/// A solution of `relpose_6pt_generalized`.
+struct Solution {
+    std::array<double, 4> q; ///< given up to scale: of length 1
+};
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<36> first, Values<36> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_6pt_generalized_solve(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<36> first, Values<36> second) {
+    return try_solve(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_6pt_generalized_solve_batch(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace relpose_6pt_generalized
+
+/// Relative pose and the radial distortion common to two otherwise calibrated cameras from six
+/// point correspondences: 52 solutions.
+///
+/// Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
+/// problems for cameras with radial distortion", CVIU 114, 2010. Published as `relpose_6p_rad`.
+///
+/// A point x lies along (x, 1 + radial |x|^2), the division model. Then x1^T E x2 = 0 is, with e33
+/// = 1, linear in e11, e21, e12, e22, radial e31, e31 and the monomials e32, radial e32, e13,
+/// radial e13, e23, radial e23, radial^2, radial, 1: six points give the former as combinations of
+/// these. The first image may be turned about its centre, which turns (e13, e23), and `radial` may
+/// have any unit: they are such that in e31 radial e23 has the coefficient 0 and radial e13 the
+/// coefficient 1, which is a divisor of all that follows. `affine` holds the coefficients of e11,
+/// e21, e12, e22, radial e31, and `affine_e31` the other seven of e31.
+namespace relpose_6pt_radial {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 52;
+
+/// A solution of `relpose_6pt_radial`.
+struct Solution {
+    double e_13;
+    double e_32;
+    double e_23;
+    double radial;
+};
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<45> affine, Values<7> affine_e31) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_6pt_radial_solve(affine.data(), affine.size(), affine_e31.data(), affine_e31.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<45> affine, Values<7> affine_e31) {
+    return try_solve(affine, affine_e31).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many affine, Many affine_e31, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_6pt_radial_solve_batch(
+            instances, affine.data(), affine.size(), affine_e31.data(), affine_e31.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace relpose_6pt_radial
+
+/// Focal length and principal point common to two cameras from their fundamental matrix and the
+/// angle of rotation between them: 6 solutions.
+///
+/// Martyushev, "Self-calibration of cameras with Euclidean image plane in case of two views and
+/// known relative rotation angle", ECCV 2018. Published as `relpose_7p_fuv_angle`.
+///
+/// The fundamental matrix, from seven points or more, is given as `left`\[0\] `right`\[0\]^T +
+/// `left`\[1\] `right`\[1\]^T, for example by its singular value decomposition; `half_angle` holds
+/// the cosine and the sine of half the angle. The principal point is (x, y), `z` the square of the
+/// focal length. With the matrix K of these K^T F K is an essential matrix: with the products A of
+/// the left vectors in the quadratic form K K^T, and B of the right ones, B A is a multiple of the
+/// identity. With z = 0 all points of a conic are solutions; four combinations of the equations
+/// that are divisible by z are stated divided.
+namespace relpose_7pt_angle_focal_centre {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 6;
+
+/// A solution of `relpose_7pt_angle_focal_centre`.
+struct Solution {
+    double x;
+    double y;
+    double z;
+};
+static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<6> left, Values<6> right, Values<2> half_angle) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_7pt_angle_focal_centre_solve(left.data(), left.size(), right.data(), right.size(), half_angle.data(), half_angle.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<6> left, Values<6> right, Values<2> half_angle) {
+    return try_solve(left, right, half_angle).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many left, Many right, Many half_angle, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_7pt_angle_focal_centre_solve_batch(
+            instances, left.data(), left.size(), right.data(), right.size(), half_angle.data(), half_angle.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace relpose_7pt_angle_focal_centre
+
+/// Relative pose, focal length and radial distortion common to two cameras from seven point
+/// correspondences: 68 solutions.
+///
+/// Jiang, Kuang, Solem, Åström, "A minimal solution to relative pose with unknown focal length and
+/// radial distortion", ACCV 2014. Published as `relpose_7p_fr`.
+///
+/// A point x lies along (x, 1 + radial |x|^2), the division model. Then x1^T F x2 = 0 is, with f33
+/// = 1, linear in f11, f21, f12, f22, radial f31, radial^2, f31 and the monomials f32, radial f32,
+/// f13, radial f13, f23, radial f23, radial, 1: seven points give the former as combinations of
+/// these. The first image may be turned about its centre, which turns (f13, f23), and `radial` may
+/// have any unit: they are such that in f31 radial f23 has the coefficient 0 and radial f13 the
+/// coefficient 1. `affine` holds the coefficients of the first six, and `affine_f31` the other six
+/// of f31. With the focal length, diag(focal, focal, 1) F diag(focal, focal, 1) is an essential
+/// matrix; `w` is 1 / focal^2.
+///
+/// Everything is p + radial q, two polynomials without `radial`, modulo the equation that gives
+/// radial^2, and most equations are stated times `radial`, too. There are points at infinity, near
+/// which residuals are small; there the factors that are stated not to vanish are small beside
+/// their terms.
+namespace relpose_7pt_focal_radial {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 68;
+
+/// A solution of `relpose_7pt_focal_radial`.
+struct Solution {
+    double w;
+    double f_32;
+    double f_13;
+    double f_23;
+    double radial;
+};
+static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<48> affine, Values<6> affine_f31) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_7pt_focal_radial_solve(affine.data(), affine.size(), affine_f31.data(), affine_f31.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<48> affine, Values<6> affine_f31) {
+    return try_solve(affine, affine_f31).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many affine, Many affine_f31, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_7pt_focal_radial_solve_batch(
+            instances, affine.data(), affine.size(), affine_f31.data(), affine_f31.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace relpose_7pt_focal_radial
+
+/// Relative pose, focal length and radial distortion of the first camera, the second calibrated,
+/// from seven point correspondences: 19 solutions.
+///
+/// Kuang, Solem, Kahl, Åström, "Minimal solvers for relative pose with a single unknown radial
+/// distortion", CVPR 2014. Published as `relpose_7p_fr_1s`;
+/// `relpose_7pt_focal_radial_one_side_eliminated` is a formulation without the focal length.
+///
+/// A point x1 of the first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T
+/// F x2 = 0 is, with f33 = 1, linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial
+/// f31, f32, radial f32, radial, 1: seven points give the former as combinations of these, the rows
+/// of `affine`. With the focal length, diag(focal, focal, 1) F is an essential matrix; `w` is 1 /
+/// focal^2.
+namespace relpose_7pt_focal_radial_one_side {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 19;
+
+/// A solution of `relpose_7pt_focal_radial_one_side`.
+struct Solution {
+    double w;
+    double f_31;
+    double f_32;
+    double radial;
+};
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<35> affine) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_7pt_focal_radial_one_side_solve(affine.data(), affine.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<35> affine) {
+    return try_solve(affine).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many affine, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_7pt_focal_radial_one_side_solve_batch(
+            instances, affine.data(), affine.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace relpose_7pt_focal_radial_one_side
+
+/// Relative pose and radial distortion of the first camera, whose focal length is unknown, too, and
+/// eliminated, the second calibrated, from seven point correspondences: 19 solutions.
+///
+/// Kukelova, Kileel, Sturmfels, Pajdla, "A clever elimination strategy for efficient minimal
+/// solvers", CVPR 2017. Published as `relpose_7p_fr_1s_elr`.
+///
+/// A point x1 of the first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T
+/// F x1 = 0 is, with f33 = 1, linear in radial f13, f11, f21, f31, f12, f22, f32 and the monomials
+/// radial f23, f13, f23, radial, 1: seven points give the former as combinations of these, the rows
+/// of `affine`. F diag(focal, focal, 1) is an essential matrix for some focal length: with A the
+/// first two columns of F, the third is an eigenvector of A A^T, and where mu is its eigenvalue,
+/// |third column|^2 / focal^2 = trace(A A^T) - 2 mu.
+namespace relpose_7pt_focal_radial_one_side_eliminated {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 19;
+
+/// A solution of `relpose_7pt_focal_radial_one_side_eliminated`.
+struct Solution {
+    double f_13;
+    double f_23;
+    double radial;
+};
+static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<35> affine) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve(affine.data(), affine.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<35> affine) {
+    return try_solve(affine).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many affine, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve_batch(
+            instances, affine.data(), affine.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace relpose_7pt_focal_radial_one_side_eliminated
+
+/// Relative pose and relative scale of two generalized cameras from seven point correspondences:
+/// 140 solutions.
+///
+/// Kneip, Sweeney, Hartley, "The generalized relative pose and scale problem: View-graph fusion via
+/// 2D-2D registration", WACV 2016. Published as `gen_relpose_scale`.
+///
+/// `first` and `second` hold the rays of the points in either system of cameras: a point of the
+/// ray, and its direction. The rotation from the first system to the second is that of the
+/// quaternion q, and points of the second system are multiplied by its scale.
+/// That the rays of one point meet gives the translation up to the depths of that point along
+/// either ray and the scale; that the rays of any four others meet, too, are linear equations for
+/// these three. What is stated depends on these five points, not on which is the first.
+///
+/// Call it in a thread with a stack of more than 2 MiB: a second attempt, at twice the precision,
+/// takes 2.3.
+namespace relpose_7pt_generalized_scale {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 140;
+
+/// A solution of `relpose_7pt_generalized_scale`.
+struct Solution {
+    std::array<double, 4> q; ///< given up to scale: of length 1
+};
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<42> first, Values<42> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_7pt_generalized_scale_solve(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<42> first, Values<42> second) {
+    return try_solve(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_7pt_generalized_scale_solve_batch(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace relpose_7pt_generalized_scale
+
+/// Rotation between two photographs with common unknown focal length and radial distortion, a
+/// panorama, from three points: 18 solutions.
+///
+/// Naroditsky, Daniilidis, "Optimizing polynomial solvers for minimal geometry problems", ICCV
+/// 2011, after Byröd, Brown, Åström, "Minimal solutions for panoramic stitching with radial
+/// distortion", BMVC 2009. Published as `stitching`.
+///
+/// A point p lies along (p, focal (1 + radial |p|^2)), the division model. Two points with the
+/// inner product xy of their rays, in the first image, and x'y' in the second, satisfy xy^2 x'x'
+/// y'y' = x'y'^2 xx yy. With w = 1/focal^2, and divided by focal^6, this is a polynomial whose
+/// sixteen coefficients, in the order below, are `first` for the first and second point, and
+/// `second` for the first and third.
+namespace stitching_3pt_radial_focal {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 18;
+
+/// A solution of `stitching_3pt_radial_focal`.
+struct Solution {
+    double radial;
+    double w;
+};
+static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<16> first, Values<16> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_stitching_3pt_radial_focal_solve(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<16> first, Values<16> second) {
+    return try_solve(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_stitching_3pt_radial_focal_solve_batch(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace stitching_3pt_radial_focal
+
+/// Eigenvectors of a 3 x 3 x 3 tensor, scaled to eigenvalue 1: x_i = sum over j and k of a_ijk x_j
+/// x_k, 8 solutions with x = 0.
+///
+/// Cartwright and Sturmfels, "The number of eigenvalues of a tensor", Linear Algebra and its
+/// Applications 2013: 7 of them for general data. The method of moments reads the parts of a
+/// mixture from them (Anandkumar, Ge, Hsu, Kakade, Telgarsky, "Tensor decompositions for learning
+/// latent variable models", JMLR 2014, section 4).
+namespace tensor_eigenvectors {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 8;
+
+/// A solution of `tensor_eigenvectors`.
+struct Solution {
+    double x;
+    double y;
+    double z;
+};
+static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<27> a) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_tensor_eigenvectors_solve(a.data(), a.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<27> a) {
+    return try_solve(a).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many a, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_tensor_eigenvectors_solve_batch(
+            instances, a.data(), a.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace tensor_eigenvectors
+
+/// The intersection of three general quadrics: 8 solutions by Bézout's theorem.
+///
+/// Kukelova, Heller, Fitzgibbon, "Efficient intersection of three quadrics and applications in
+/// computer vision", CVPR 2016.
+///
+/// `quadrics` holds the coefficients of x^2, x y, x z, y^2, y z, z^2, x, y, z, 1, a quadric in each
+/// row.
+namespace three_quadrics {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 8;
+
+/// A solution of `three_quadrics`.
+struct Solution {
+    double x;
+    double y;
+    double z;
+};
+static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<30> quadrics) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_three_quadrics_solve(quadrics.data(), quadrics.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<30> quadrics) {
+    return try_solve(quadrics).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many quadrics, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_three_quadrics_solve_batch(
+            instances, quadrics.data(), quadrics.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace three_quadrics
+
+/// Triangulation from three views, all stationary points of the sum of squared reprojection errors:
+/// 47 solutions.
+///
+/// Stewénius, Schaffalitzky, Nistér, "How hard is 3-view triangulation really?", ICCV 2005.
+/// Published as `3v_triang_laurent`.
+///
+/// The unknowns are projective coordinates (x, y, z, 1) of the point: x and y its depths in the
+/// first and second view over that in the third, each times a constant, and z its first error in
+/// the third view. Every image is turned so that its second error does not depend on z, and scales
+/// are chosen so that the first errors of the first two views are (`first`\[0\] + z) / x and
+/// (`second`\[0\] + z) / y, rows standing for linear forms in x, y and 1. The other errors are
+/// `first`\[1\] / x, `second`\[1\] / y and `third`.
+///
+/// Stated are derivatives towards seven points. Where the depth of a view vanishes, so does a power
+/// of it in the denominators; where the errors of a view vanish, too, at its centre, they do not
+/// change at all.
+namespace triangulation_3view {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 47;
+
+/// A solution of `triangulation_3view`.
+struct Solution {
+    double x;
+    double y;
+    double z;
+};
+static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<6> first, Values<6> second, Values<3> third) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_triangulation_3view_solve(first.data(), first.size(), second.data(), second.size(), third.data(), third.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<6> first, Values<6> second, Values<3> third) {
+    return try_solve(first, second, third).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many first, Many second, Many third, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_triangulation_3view_solve_batch(
+            instances, first.data(), first.size(), second.data(), second.size(), third.data(), third.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace triangulation_3view
+
+/// Triangulation from three views with two of the three epipolar constraints, all stationary points
+/// of the least-squares cost: 27 solutions.
+///
+/// Kukelova, Pajdla, Bujnak, "Fast and stable algebraic solution to L2 three-view triangulation",
+/// 3DV 2013. Published as `l2_3view_triang`, for matrices of full rank, which give 31 solutions.
+/// Fundamental and essential matrices have rank 2, and with them four of the 31 are at infinity.
+///
+/// `image` holds the measured image points, one a row. The corrected ones (x1, x2), (x3, x4) and
+/// (x5, x6) are the closest to these that satisfy p1^T `first` p2 = 0 and p2^T `second` p3 = 0,
+/// with the multipliers x7 and x8.
+namespace triangulation_3view_relaxed {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 27;
+
+/// A solution of `triangulation_3view_relaxed`.
+struct Solution {
+    double x1;
+    double x2;
+    double x3;
+    double x4;
+    double x5;
+    double x6;
+    double x7;
+    double x8;
+};
+static_assert(sizeof(Solution) == 8 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<9> first, Values<9> second, Values<6> image) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_triangulation_3view_relaxed_solve(first.data(), first.size(), second.data(), second.size(), image.data(), image.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<9> first, Values<9> second, Values<6> image) {
+    return try_solve(first, second, image).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many first, Many second, Many image, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_triangulation_3view_relaxed_solve_batch(
+            instances, first.data(), first.size(), second.data(), second.size(), image.data(), image.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace triangulation_3view_relaxed
+
+/// A point at given distances from three known points: 2 solutions, mirror images in the plane of
+/// the three.
+///
+/// Thomas & Ros, "Revisiting trilateration for robot localization", IEEE Transactions on Robotics
+/// 21(1), 2005.
+///
+/// `centres` holds the known points, one a row; `distances` the distances from them, in the same
+/// unit.
+namespace trilateration {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 2;
+
+/// A solution of `trilateration`.
+struct Solution {
+    double x;
+    double y;
+    double z;
+};
+static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<9> centres, Values<3> distances) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_trilateration_solve(centres.data(), centres.size(), distances.data(), distances.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<9> centres, Values<3> distances) {
+    return try_solve(centres, distances).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many centres, Many distances, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_trilateration_solve_batch(
+            instances, centres.data(), centres.size(), distances.data(), distances.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace trilateration
+
+/// The intersection of two general conics: 4 solutions by Bézout's theorem.
+///
+/// Kukelova, Bujnak, Pajdla, "Automatic Generator of Minimal Problem Solvers", ECCV 2008, use two
+/// such quadrics as their running example.
+///
+/// `p` and `q` hold the coefficients of x^2, x y, y^2, x, y, 1.
+namespace two_conics {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 4;
+
+/// A solution of `two_conics`.
+struct Solution {
+    double x;
+    double y;
+};
+static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<6> p, Values<6> q) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_two_conics_solve(p.data(), p.size(), q.data(), q.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<6> p, Values<6> q) {
+    return try_solve(p, q).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many p, Many q, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_two_conics_solve_batch(
+            instances, p.data(), p.size(), q.data(), q.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace two_conics
+
+} // namespace eliminant
+
+#endif
