@@ -13,7 +13,8 @@ use crate::problem::SolutionField;
 pub(super) fn output(plan: &Plan) -> TokenStream {
     let Some(output) = &plan.output else { return quote!() };
     let (name, what) = (format_ident!("{}", output.name), &output.function);
-    let [of, solve_for] = [format_ident!("{what}_of"), format_ident!("solve_for_{what}")];
+    let [of, of_each, solve_for] =
+        [format_ident!("{what}_of"), format_ident!("{what}_of_each"), format_ident!("solve_for_{what}")];
     let fields = output.fields.iter().map(|(field, shape, _)| {
         let (field, ty) = (format_ident!("{field}"), array_type(quote!(T), shape));
         quote!(pub #field: #ty)
@@ -51,6 +52,19 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
             Ok(self::output(#coefficients, #solution))
         }
 
+        /// What the problem returns for each of these solutions, such as those of [`solve_batch`].
+        ///
+        /// # Errors
+        /// As [`solve`], for the data.
+        pub fn #of_each(
+            #(#parameters,)*
+            #solutions: &::eliminant::Solutions<Solution, MAX_SOLUTIONS>,
+        ) -> Result<::eliminant::Solutions<#name, MAX_SOLUTIONS>, ::eliminant::SolveError> {
+            #make
+            let #instance = Instance::new(#made, #(#arguments),*)?;
+            Ok(#solutions.map(|#solution| self::output(#coefficients, &#solution)))
+        }
+
         /// Like [`solve`], with what the problem returns for each solution.
         ///
         /// # Errors
@@ -59,9 +73,7 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
             #(#parameters),*
         ) -> Result<::eliminant::Solutions<#name, MAX_SOLUTIONS>, ::eliminant::SolveError> {
             let #solutions = self::solve(#(#arguments),*)?;
-            #make
-            let #instance = Instance::new(#made, #(#arguments),*)?;
-            Ok(#solutions.map(|#solution| self::output(#coefficients, &#solution)))
+            self::#of_each(#(#arguments,)* &#solutions)
         }
 
         #values
