@@ -115,9 +115,9 @@ macro_rules! solver {
             docs: $docs,
             files: [include_str!($source), include_str!($template)],
             operations: solvers::$name::SECOND_ATTEMPT_OPERATIONS,
-            solve_batch: |values, found| {
+            solve_batch: |_values, found| {
                 let data: Vec<solvers::$name::Data> = (0..found.counts.len())
-                    .map(|at| typed!(values, at, $name, ($($data),*)))
+                    .map(|_at| typed!(_values, _at, $name, ($($data),*)))
                     .collect();
                 let mut solved = vec![Ok(Solutions::new()); data.len()];
                 solvers::$name::solve_batch(&data, &mut solved);

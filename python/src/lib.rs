@@ -33,6 +33,9 @@ mod problem;
 /// The command `eliminant` as a function.
 mod command;
 
+/// Cylinder triangulation.
+mod cylinders;
+
 pyo3::create_exception!(
     _eliminant,
     SolveError,
@@ -45,6 +48,13 @@ pyo3::create_exception!(
     ProblemError,
     pyo3::exceptions::PyValueError,
     "A problem, or its template, is at fault. The text is what the command `eliminant` prints."
+);
+
+pyo3::create_exception!(
+    _eliminant,
+    CylinderError,
+    pyo3::exceptions::PyValueError,
+    "A scene is at fault, or its lines determine no cylinder."
 );
 
 /// Name and shape of each array.
@@ -83,6 +93,9 @@ fn _eliminant(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add("SolveError", module.py().get_type::<SolveError>())?;
     module.add("ProblemError", module.py().get_type::<ProblemError>())?;
+    module.add("CylinderError", module.py().get_type::<CylinderError>())?;
+    module.add_function(wrap_pyfunction!(cylinders::triangulate_cylinders, module)?)?;
+    module.add_function(wrap_pyfunction!(cylinders::match_cylinder_lines, module)?)?;
     module.add("COUNTS", stability::COUNTS.to_vec())?;
     module.add("ERRORS", stability::ERRORS.to_vec())?;
     module.add_class::<problem::NativeProblem>()?;
