@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from typing import Any, List, Sequence, Tuple
 
 import numpy as np
@@ -23,6 +24,17 @@ def numbers(name: str, value: Any) -> Array:
         raise TypeError(f"`{name}` has elements of type {array.dtype}: expected real numbers")
     with np.errstate(over="ignore"):
         return np.asarray(array, dtype=np.float64)
+
+
+def whole(name: str, value: Any) -> int:
+    """A number of 64 bits without a sign."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"`{name}` is a {type(value).__name__}: expected a whole number") from None
+    if not 0 <= number < 2**63:
+        raise ValueError(f"`{name}` is {number}: expected a whole number from 0 to 2**63 - 1")
+    return number
 
 
 def data(

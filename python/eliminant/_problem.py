@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, Callable, List, NamedTuple, Optional, Tuple, Union
 
 from . import _eliminant
-from ._arrays import Shape, data
+from ._arrays import Shape, data, whole
 from ._solutions import Named, Solutions, arranged, element_names
 from ._stability import Stability
 
@@ -151,12 +151,12 @@ class Problem:
         """
         settings = {
             "prefer": prefer,
-            "seed": seed,
-            "max_columns": max_columns,
-            "max_basis": max_basis,
-            "shuffles": shuffles,
-            "trials": trials,
-            "confirm": confirm,
+            "seed": whole("seed", seed),
+            "max_columns": None if max_columns is None else whole("max_columns", max_columns),
+            "max_basis": None if max_basis is None else whole("max_basis", max_basis),
+            "shuffles": whole("shuffles", shuffles),
+            "trials": whole("trials", trials),
+            "confirm": whole("confirm", confirm),
         }
         self.template, is_cut = self._native.search(settings, budget, progress)
         return self.template_size._replace(is_cut=is_cut)
@@ -177,8 +177,7 @@ class Problem:
         Instance k depends on the seed and k only, so that runs on parts of the instances, joined by
         `Stability.join`, are one run. True solutions are computed to 71 digits.
         """
-        if trials < 0 or first < 0:
-            raise ValueError("expected no negative number of instances")
+        first, trials, seed = whole("first", first), whole("trials", trials), whole("seed", seed)
         return Stability.of(self.name, seed, first, self._solver().stability(first, trials, seed))
 
     def emit(self) -> str:

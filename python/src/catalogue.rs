@@ -1,6 +1,6 @@
 //! All solvers of the catalogue behind function pointers on flat data.
 
-use eliminant::{SolveError, Solutions};
+use eliminant::{Solutions, SolveError};
 use eliminant_solvers as solvers;
 
 use crate::flat::{Flat, len};

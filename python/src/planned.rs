@@ -2,8 +2,8 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use eliminant::emitted::{chart_entry, vector_of};
 use eliminant::SolveError as Error;
+use eliminant::emitted::{chart_entry, vector_of};
 use eliminant_generator::expression::arithmetic::Float64;
 use eliminant_generator::generate::{GenerateError, generate, plan};
 use eliminant_generator::plan::interpret;

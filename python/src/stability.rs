@@ -21,16 +21,8 @@ pub(crate) type Figures<'py> =
 
 /// The names of the counts: what there is, was missed and does not belong there, of real and of
 /// complex solutions; attempts of `solve_complex`; whether all true solutions are known.
-pub(crate) const COUNTS: [&str; 8] = [
-    "real",
-    "real_missed",
-    "real_spurious",
-    "complex",
-    "complex_missed",
-    "complex_spurious",
-    "attempts",
-    "is_certain",
-];
+pub(crate) const COUNTS: [&str; 8] =
+    ["real", "real_missed", "real_spurious", "complex", "complex_missed", "complex_spurious", "attempts", "is_certain"];
 
 /// The names of the errors: the largest relative residual, and the largest relative distance from
 /// a true solution.
@@ -78,11 +70,8 @@ impl Outcome {
         };
         let error = real.as_ref().err().or(complex.as_ref().err());
         let status = error.map_or(status::SOLVED, status::of);
-        let real: Vec<Vec<Complex<f64>>> = real
-            .unwrap_or_default()
-            .into_iter()
-            .map(|point| point.into_iter().map(Complex::from).collect())
-            .collect();
+        let real: Vec<Vec<Complex<f64>>> =
+            real.unwrap_or_default().into_iter().map(|point| point.into_iter().map(Complex::from).collect()).collect();
         let complex = complex.unwrap_or_default();
         let near: Vec<Vec<Complex<f64>>> = complex.iter().chain(&real).cloned().collect();
         // Data that a coefficient divides by zero with have no solutions to judge by.
