@@ -79,7 +79,10 @@ def main() -> None:
     parser.add_argument("--instances", type=int, default=100_000)
     parser.add_argument("--rounds", type=int, default=7)
     arguments = parser.parse_args()
-    n, cores = arguments.instances, len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+    n, cores = (
+        arguments.instances,
+        len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count(),
+    )
     views = scenes.two_views(np.random.default_rng(1), n, 5)
     DATA["first"], DATA["second"] = rays(views["first"]), rays(views["second"])
     # Processes are forked before any thread of ours starts.
@@ -102,7 +105,9 @@ def main() -> None:
     for name, used, share in zip(times, (cores, cores, 1), (*shares, shares[1])):
         took = medians[name]
         ratio = took / medians["eliminant"]
-        print(f"| {name:13} | {used:5} | {took:7.3f} | {n / took / 1e6:9.3f} | {ratio:10.2f} | {100 * share:6.2f} % |")
+        print(
+            f"| {name:13} | {used:5} | {took:7.3f} | {n / took / 1e6:9.3f} | {ratio:10.2f} | {100 * share:6.2f} % |"
+        )
 
 
 if __name__ == "__main__":

@@ -186,7 +186,9 @@ class Problem:
 
     def _solver(self) -> _eliminant.Planned:
         if self._planned is None:
-            raise ProblemError(f"error: the problem `{self.name}` has no template\nhelp: search one: `problem.search()`")
+            raise ProblemError(
+                f"error: the problem `{self.name}` has no template\nhelp: search one: `problem.search()`"
+            )
         return self._planned
 
     def _repr_svg_(self) -> Optional[str]:
@@ -195,7 +197,9 @@ class Problem:
             return None
         with tempfile.TemporaryDirectory() as folder:
             problem, picture = self.save(folder)[0], Path(folder) / "picture.svg"
-            status, _, errors = _eliminant.run_command(["eliminant", "inspect", str(problem), "--svg", str(picture)])
+            status, _, errors = _eliminant.run_command(
+                ["eliminant", "inspect", str(problem), "--svg", str(picture)]
+            )
             if status != 0:
                 raise ProblemError(errors.strip())
             return picture.read_text(encoding="utf-8")

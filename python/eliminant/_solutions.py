@@ -26,7 +26,8 @@ class Solutions:
     ``values`` holds the unknowns, one solution a row: of shape (k, unknowns) for one instance with
     k real solutions, of shape (n, most, unknowns) for n instances, filled up with NaN. Unknowns and
     results are attributes by their names, too, of shapes (k, ...) and (n, most, ...), and
-    ``solutions["name"]`` gives the same. ``numpy.asarray(solutions)`` is ``values``.
+    ``solutions["name"]`` gives the same, also where the name is that of an attribute.
+    ``numpy.asarray(solutions)`` is ``values``.
     """
 
     __slots__ = ("_arrays", "_codes", "counts", "unknowns", "values")
@@ -77,12 +78,13 @@ class Solutions:
         return {int(at): _eliminant.status_text(int(self._codes[at])) for at in np.flatnonzero(self._codes)}
 
     def __getattr__(self, name: str) -> Array:
-        if not name.startswith("_"):
-            try:
-                return self._arrays[name]
-            except KeyError:
-                pass
-        raise AttributeError(f"no unknown or result `{name}`: there are {', '.join(self.names)}") from None
+        if name.startswith("_"):
+            raise AttributeError(name)
+        try:
+            return self._arrays[name]
+        except KeyError:
+            names = ", ".join(self.names)
+            raise AttributeError(f"no unknown or result `{name}`: there are {names}") from None
 
     def __getitem__(self, key: Any) -> Any:
         """An array by its name, or part of `values`."""
@@ -121,14 +123,18 @@ class Solutions:
         count = int(self.counts[instance])
         arrays = {name: array[instance, :count] for name, array in self._arrays.items()}
         values = self.values[instance, :count]
-        return Solutions(arrays, values, self.counts[instance : instance + 1].reshape(()), self._codes[:0], self.unknowns)
+        return Solutions(
+            arrays, values, self.counts[instance : instance + 1].reshape(()), self._codes[:0], self.unknowns
+        )
 
     def __repr__(self) -> str:
         names = ", ".join(f"{name} {array.shape}" for name, array in self._arrays.items())
         if not self.is_batch:
             return f"<{len(self)} solutions: {names}>"
         failed = int(np.count_nonzero(self._codes))
-        return f"<{int(self.counts.sum())} solutions of {len(self)} instances, {failed} with an error: {names}>"
+        return (
+            f"<{int(self.counts.sum())} solutions of {len(self)} instances, {failed} with an error: {names}>"
+        )
 
     def __reduce__(self) -> "Tuple[Type[Solutions], Tuple[Any, ...]]":
         return Solutions, (self._arrays, self.values, self.counts, self._codes, self.unknowns)

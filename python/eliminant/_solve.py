@@ -55,5 +55,9 @@ def solve(name: str, *values: Any) -> Solutions:
     """
     solver = SOLVERS[name]
     arrays, count = data(solver.data, HOMOGENEOUS.get(name, ()), values)
-    solved = _eliminant.solve_one(solver.number, arrays) if count < 0 else _eliminant.solve_batch(solver.number, arrays, count)
+    solved = (
+        _eliminant.solve_one(solver.number, arrays)
+        if count < 0
+        else _eliminant.solve_batch(solver.number, arrays, count)
+    )
     return arranged(solver.fields, solver.results, solver.most, solved, count >= 0)

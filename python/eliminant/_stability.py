@@ -64,7 +64,9 @@ class Stability:
         if len({(part.problem, part.seed) for part in parts}) > 1:
             raise ValueError("the parts are of different problems or seeds")
         order = np.argsort(np.concatenate([part.instance for part in parts]), kind="stable")
-        arrays = {name: np.concatenate([getattr(part, name) for part in parts])[order] for name in array_names()}
+        arrays = {
+            name: np.concatenate([getattr(part, name) for part in parts])[order] for name in array_names()
+        }
         return Stability(problem=parts[0].problem, seed=parts[0].seed, **arrays)
 
     def __len__(self) -> int:

@@ -75,7 +75,9 @@ def scene(
         raise ValueError("expected either lines or segments")
     if segments is not None and calibration is None:
         raise ValueError("segments are in pixels: they need a calibration")
-    form = "segments_pixels" if lines is None else "lines_normalised" if calibration is None else "lines_pixels"
+    form = (
+        "segments_pixels" if lines is None else "lines_normalised" if calibration is None else "lines_pixels"
+    )
     given = segments if lines is None else lines
     width = 4 if lines is None else 3
     for name, each in (("lines or segments", given), ("labels", labels), ("images", images)):
@@ -86,7 +88,10 @@ def scene(
         assert given is not None
         of_view = numbers(f"lines of view {at}", given[at])
         of_view = of_view if of_view.size else of_view.reshape(0, width)
-        view = {"camera_normalised": pose.tolist(), form: _shaped(f"lines of view {at}", of_view, (-1, width)).tolist()}
+        view = {
+            "camera_normalised": pose.tolist(),
+            form: _shaped(f"lines of view {at}", of_view, (-1, width)).tolist(),
+        }
         if labels is not None:
             view["cylinders"] = list(labels[at])
         if images is not None:
@@ -106,7 +111,9 @@ def scene(
 
 
 def from_pycolmap(
-    reconstruction: Any, segments: Mapping[str, Any], labels: Optional[Mapping[str, Sequence[Optional[str]]]] = None
+    reconstruction: Any,
+    segments: Mapping[str, Any],
+    labels: Optional[Mapping[str, Sequence[Optional[str]]]] = None,
 ) -> Dict[str, Any]:
     """A scene from a `pycolmap.Reconstruction` and segments in its photographs.
 
@@ -193,7 +200,10 @@ def match(
     }
     report = json.loads(_eliminant.match_cylinder_lines(_text(scene), matcher))
     along = np.array(report["direction"])
-    found = [_cylinder(cylinder.get("refined") or {"direction": along, **cylinder}, None) for cylinder in report["cylinders"]]
+    found = [
+        _cylinder(cylinder.get("refined") or {"direction": along, **cylinder}, None)
+        for cylinder in report["cylinders"]
+    ]
     return Matching(along, found, report["warnings"], report)
 
 

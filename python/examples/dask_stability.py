@@ -37,7 +37,10 @@ def stability(
 def same(a: eliminant.Stability, b: eliminant.Stability) -> bool:
     """Whether all figures are the same."""
     names = a.__dataclass_fields__
-    return all(np.array_equal(getattr(a, name), getattr(b, name), equal_nan=name in ("residual", "forward_error")) for name in names)
+    return all(
+        np.array_equal(getattr(a, name), getattr(b, name), equal_nan=name in ("residual", "forward_error"))
+        for name in names
+    )
 
 
 def main() -> None:

@@ -9,7 +9,8 @@ use rayon::prelude::*;
 
 use crate::catalogue::{Found, SOLVERS, Sizes, Solver, Values, product};
 use crate::threads::interruptible;
-use crate::{SolveError, status};
+use crate::errors::SolveError;
+use crate::status;
 
 /// Instances that a core takes at once. Solvers that compute several side by side need no more.
 const PIECE: usize = 256;

@@ -13,7 +13,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde::Serialize;
 
-use crate::CylinderError;
+use crate::errors::CylinderError;
 use crate::threads::on_all_cores;
 
 /// What messages about a scene begin with.

@@ -3,6 +3,9 @@
 
 use pyo3::prelude::*;
 
+/// The exceptions of this package.
+mod errors;
+
 /// Arrays of any depth from flat values and back.
 mod flat;
 
@@ -35,27 +38,6 @@ mod command;
 
 /// Cylinder triangulation.
 mod cylinders;
-
-pyo3::create_exception!(
-    _eliminant,
-    SolveError,
-    pyo3::exceptions::PyArithmeticError,
-    "The data of an instance are not finite, or degenerate."
-);
-
-pyo3::create_exception!(
-    _eliminant,
-    ProblemError,
-    pyo3::exceptions::PyValueError,
-    "A problem, or its template, is at fault. The text is what the command `eliminant` prints."
-);
-
-pyo3::create_exception!(
-    _eliminant,
-    CylinderError,
-    pyo3::exceptions::PyValueError,
-    "A scene is at fault, or its lines determine no cylinder."
-);
 
 /// Name and shape of each array.
 fn named(arrays: &[catalogue::Named]) -> Vec<(&'static str, Vec<usize>)> {
@@ -91,9 +73,9 @@ fn files(name: &str) -> Option<[&'static str; 2]> {
 #[pymodule]
 fn _eliminant(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
-    module.add("SolveError", module.py().get_type::<SolveError>())?;
-    module.add("ProblemError", module.py().get_type::<ProblemError>())?;
-    module.add("CylinderError", module.py().get_type::<CylinderError>())?;
+    module.add("SolveError", module.py().get_type::<errors::SolveError>())?;
+    module.add("ProblemError", module.py().get_type::<errors::ProblemError>())?;
+    module.add("CylinderError", module.py().get_type::<errors::CylinderError>())?;
     module.add_function(wrap_pyfunction!(cylinders::triangulate_cylinders, module)?)?;
     module.add_function(wrap_pyfunction!(cylinders::match_cylinder_lines, module)?)?;
     module.add("COUNTS", stability::COUNTS.to_vec())?;

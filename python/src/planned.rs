@@ -19,7 +19,7 @@ use crate::batch::{Lists, Solved, values};
 use crate::catalogue::{Found, Sizes, Values};
 use crate::stability::{Figures, figures};
 use crate::threads::interruptible;
-use crate::{ProblemError, SolveError};
+use crate::errors::{ProblemError, SolveError};
 
 /// A problem, its template, and the plan of its solver.
 #[pyclass(frozen, module = "eliminant._eliminant")]

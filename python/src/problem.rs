@@ -5,7 +5,7 @@ use eliminant_generator::problem::Problem;
 use eliminant_generator::template::file::TemplateFile;
 use pyo3::prelude::*;
 
-use crate::ProblemError;
+use crate::errors::ProblemError;
 use crate::planned::Planned;
 use crate::search::{self, Settings};
 

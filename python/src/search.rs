@@ -14,7 +14,7 @@ use eliminant_generator::search::{Found, MOST_COLUMNS, SearchError, SearchOption
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::ProblemError;
+use crate::errors::ProblemError;
 use crate::threads::interruptible;
 
 /// The limit on the number of columns of a second try.

@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
-import textwrap
-
 import numpy as np
 import pytest
 
@@ -76,13 +72,19 @@ def test_layouts_of_batches(rng):
     expected = eliminant.trilateration(centres, distances).values
     for other in (np.asfortranarray(centres), centres.transpose(1, 2, 0).copy().transpose(2, 0, 1)):
         np.testing.assert_array_equal(eliminant.trilateration(other, distances).values, expected)
-    np.testing.assert_array_equal(eliminant.trilateration(centres[::2], distances[::2]).values, expected[::2])
+    copies = eliminant.trilateration(centres[::2].copy(), distances[::2].copy()).values
+    np.testing.assert_array_equal(eliminant.trilateration(centres[::2], distances[::2]).values, copies)
 
 
 def test_a_batch_of_nothing_is_empty():
     result = eliminant.trilateration(np.zeros((0, 3, 3)), np.zeros((0, 3)))
     assert result.values.shape == (0, 2, 3) and len(result.counts) == 0 and result.errors == {}
-    assert eliminant.relpose_5pt_rays(np.zeros((0, 5, 2)), np.zeros((0, 5, 3))).essential.shape == (0, 10, 3, 3)
+    assert eliminant.relpose_5pt_rays(np.zeros((0, 5, 2)), np.zeros((0, 5, 3))).essential.shape == (
+        0,
+        10,
+        3,
+        3,
+    )
     assert eliminant.problem("trilateration").solve(np.zeros((0, 3, 3)), np.zeros((0, 3))).shape == (0, 2, 3)
 
 
@@ -114,26 +116,3 @@ def test_the_extension_module_checks_lengths_itself():
         native.solve_batch(number, [np.zeros((2, 3, 3)), np.zeros((2, 3))], 2**62)
     with pytest.raises(TypeError):
         native.solve_one(number, [np.zeros((3, 3), dtype=np.float32), np.zeros(3)])
-
-
-def test_ctrl_c_ends_a_batch():
-    """A slow solver on many instances: the process must end soon after the signal."""
-    program = textwrap.dedent(
-        """
-        import os, signal, threading, time
-        import numpy as np
-        import eliminant
-
-        data = np.random.default_rng(0).normal(size=(5000, 7, 2, 3))
-        threading.Timer(1.0, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
-        start = time.monotonic()
-        try:
-            eliminant.relpose_7pt_generalized_scale(data, data[::-1].copy())
-        except KeyboardInterrupt:
-            print("interrupted", time.monotonic() - start)
-        """
-    )
-    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
-    words = run.stdout.split()
-    assert words[:1] == ["interrupted"], run.stderr
-    assert float(words[1]) < 30

@@ -77,7 +77,10 @@ def test_triangulate_labelled_segments(rng, truth):
     others = [(point, radius), (point + np.cross(direction, [0, 0, 1]), 0.3)]
     poses, lines = views_of(rng, 5, others, direction)
     scene = cylinders.scene(
-        poses, segments=[pixels(of_view) for of_view in lines], calibration=CALIBRATION, labels=[["a", "a", "b", "b"]] * 5
+        poses,
+        segments=[pixels(of_view) for of_view in lines],
+        calibration=CALIBRATION,
+        labels=[["a", "a", "b", "b"]] * 5,
     )
     first, second = cylinders.triangulate(scene, parallel=True)
     assert (first.label, second.label) == ("a", "b")
@@ -157,7 +160,11 @@ POSES = np.repeat(np.eye(3, 4)[None], 2, axis=0)
     "call, error, text",
     [
         (lambda: cylinders.scene(POSES), ValueError, "either lines or segments"),
-        (lambda: cylinders.scene(POSES[0], [[]]), ValueError, r"`cameras` has the shape \(3, 4\): expected \(n, 3, 4\)"),
+        (
+            lambda: cylinders.scene(POSES[0], [[]]),
+            ValueError,
+            r"`cameras` has the shape \(3, 4\): expected \(n, 3, 4\)",
+        ),
         (lambda: cylinders.scene(POSES, [[]]), ValueError, "2 cameras, and lines or segments of 1 views"),
         (lambda: cylinders.scene(POSES, segments=[[], []]), ValueError, "they need a calibration"),
         (lambda: cylinders.scene(POSES, [np.zeros((1, 4))] * 2), ValueError, "lines of view 0"),
@@ -169,13 +176,25 @@ POSES = np.repeat(np.eye(3, 4)[None], 2, axis=0)
         (lambda: cylinders.triangulate({"views": [np.nan]}), cylinders.CylinderError, "scene:"),
         (lambda: cylinders.triangulate({"views": [object()]}), TypeError, "holds a object"),
         (lambda: cylinders.triangulate("nothing.json"), FileNotFoundError, "nothing.json"),
-        (lambda: cylinders.triangulate(cylinders.scene(POSES, [[], []])), cylinders.CylinderError, "silhouette line"),
+        (
+            lambda: cylinders.triangulate(cylinders.scene(POSES, [[], []])),
+            cylinders.CylinderError,
+            "silhouette line",
+        ),
         (lambda: cylinders.triangulate({"views": []}, method="magic"), ValueError, "expected the method"),
-        (lambda: cylinders.triangulate({"views": []}, method="robust", threshold=-1.0), ValueError, "threshold"),
+        (
+            lambda: cylinders.triangulate({"views": []}, method="robust", threshold=-1.0),
+            ValueError,
+            "threshold",
+        ),
         (lambda: cylinders.triangulate({"views": []}, confidence=float("nan")), ValueError, "confidence"),
         (lambda: cylinders.match({"views": []}, count=0), ValueError, "count"),
         (lambda: cylinders.match({"views": []}), cylinders.CylinderError, "scene:"),
-        (lambda: cylinders.match(cylinders.scene(POSES, [[], []]), direction=[0, 0, 0]), cylinders.CylinderError, "all 0"),
+        (
+            lambda: cylinders.match(cylinders.scene(POSES, [[], []]), direction=[0, 0, 0]),
+            cylinders.CylinderError,
+            "all 0",
+        ),
     ],
 )
 def test_bad_scenes(call, error, text):

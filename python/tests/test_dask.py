@@ -16,6 +16,8 @@ def test_two_workers_give_the_figures_of_one_process():
     if not EXAMPLE.exists():
         pytest.skip("the package is tested outside of its repository")
     arguments = ["trilateration", "--trials", "203", "--seed", "5", "--shards", "5", "--check"]
-    run = subprocess.run([sys.executable, str(EXAMPLE), *arguments], capture_output=True, text=True, timeout=300)
+    run = subprocess.run(
+        [sys.executable, str(EXAMPLE), *arguments], capture_output=True, text=True, timeout=300
+    )
     assert run.returncode == 0, run.stderr
     assert "203 instances" in run.stdout and "the figures of one process are the same" in run.stdout

@@ -37,7 +37,9 @@ def poses(candidates: list, truth: dict[str, np.ndarray], at: int) -> bool:
 
 def report(what: str, ours: float, theirs: float) -> None:
     """Shown by `pytest -s`, or where the test fails."""
-    print(f"{what}: found {100 * ours:.2f} % by eliminant, {100 * theirs:.2f} % by poselib {poselib.__version__}")
+    print(
+        f"{what}: found {100 * ours:.2f} % by eliminant, {100 * theirs:.2f} % by poselib {poselib.__version__}"
+    )
 
 
 def test_five_points(rng):

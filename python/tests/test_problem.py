@@ -51,7 +51,11 @@ def test_what_a_problem_states():
 def test_search_and_solve(gps, rng):
     size = gps.template_size
     assert size.solutions == 2 and size.rows < size.columns and not size.is_cut
-    satellites, position, offset = 4 * rng.normal(size=(30, 4, 3)), rng.normal(size=(30, 3)), rng.normal(size=30)
+    satellites, position, offset = (
+        4 * rng.normal(size=(30, 4, 3)),
+        rng.normal(size=(30, 3)),
+        rng.normal(size=30),
+    )
     ranges = np.linalg.norm(satellites - position[:, None], axis=-1) + offset[:, None]
     batch = gps.solve(satellites, ranges)
     assert batch.values.shape == (30, 2, 4) and (batch.counts == 2).all()
@@ -150,7 +154,11 @@ def test_templates_are_verified(gps):
 
 def test_emit_is_rust(gps):
     source = gps.emit()
-    assert "pub mod gps" in source and "pub fn solve(" in source and "pub const MAX_SOLUTIONS: usize = 2;" in source
+    assert (
+        "pub mod gps" in source
+        and "pub fn solve(" in source
+        and "pub const MAX_SOLUTIONS: usize = 2;" in source
+    )
 
 
 def test_picture(gps):
@@ -209,9 +217,13 @@ def test_catalogue():
 
 
 def test_command(tmp_path):
-    run = subprocess.run([sys.executable, "-m", "eliminant", "new", "mine", "--dir", str(tmp_path)], check=True)
+    run = subprocess.run(
+        [sys.executable, "-m", "eliminant", "new", "mine", "--dir", str(tmp_path)], check=True
+    )
     assert run.returncode == 0 and (tmp_path / "mine.rs").exists()
-    wrong = subprocess.run([sys.executable, "-m", "eliminant", "check", "nothing.rs"], capture_output=True, text=True)
+    wrong = subprocess.run(
+        [sys.executable, "-m", "eliminant", "check", "nothing.rs"], capture_output=True, text=True
+    )
     assert wrong.returncode == 1 and re.search("cannot read `nothing.rs`", wrong.stderr)
 
 

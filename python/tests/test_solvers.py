@@ -26,7 +26,9 @@ def test_five_point_finds_the_motion(rng):
 def test_image_points_are_rays(rng):
     views = scenes.two_views(rng, 10, 5)
     rays = [np.concatenate([views[name], np.ones((10, 5, 1))], axis=-1) for name in ("first", "second")]
-    points, by_rays = (eliminant.relpose_5pt_rays(*data) for data in ([views["first"], views["second"]], rays))
+    points, by_rays = (
+        eliminant.relpose_5pt_rays(*data) for data in ([views["first"], views["second"]], rays)
+    )
     np.testing.assert_array_equal(points.values, by_rays.values)
     one = eliminant.relpose_5pt_rays(views["first"][0], views["second"][0])
     assert one.essential.shape == (len(one), 3, 3)
@@ -77,7 +79,9 @@ def test_every_solver_takes_its_data(name, rng):
         pytest.skip("the problem has no data")
     n = 6 if name in FAST else 2
     problem = eliminant.problem(name)
-    assert problem.data == solver.data and problem.fields == solver.fields and problem.results == solver.results
+    assert (
+        problem.data == solver.data and problem.fields == solver.fields and problem.results == solver.results
+    )
     data = [rng.normal(size=(n, *shape)) for _, shape in solver.data]
     batch = getattr(eliminant, name)(*data)
     assert batch.values.shape == (n, solver.most, len(batch.unknowns)) and batch.is_batch
@@ -153,7 +157,9 @@ def test_docstrings_say_shapes_and_sources():
 
 def test_rays_of_image_points_are_those_that_the_problems_say():
     """The list of data that take image points, too, against the documentation of the problems."""
-    says = re.compile(r"`(?P<a>\w+)(\[k\])?`( and `(?P<b>\w+)(\[k\])?`)? (is|are|hold) the rays? of (the )?points?\b")
+    says = re.compile(
+        r"`(?P<a>\w+)(\[k\])?`( and `(?P<b>\w+)(\[k\])?`)? (is|are|hold) the rays? of (the )?points?\b"
+    )
     expected = {}
     for name, solver in SOLVERS.items():
         text = " ".join(solver.docs.split())

@@ -1,7 +1,7 @@
 """Writes `eliminant/solvers.py`: a function for each problem of the catalogue.
 
-    python tools/write_solvers.py          prints it
-    python tools/write_solvers.py --write  writes it
+python tools/write_solvers.py          prints it
+python tools/write_solvers.py --write  writes it
 """
 
 from __future__ import annotations
