@@ -22,8 +22,10 @@ def numbers(name: str, value: Any) -> Array:
         raise ValueError(f"`{name}` is no array of real numbers: {error}") from None
     if array.dtype.kind not in "fiu":
         raise TypeError(f"`{name}` has elements of type {array.dtype}: expected real numbers")
+    if array.dtype == np.float64:
+        return array
     with np.errstate(over="ignore"):
-        return np.asarray(array, dtype=np.float64)
+        return array.astype(np.float64)
 
 
 def whole(name: str, value: Any) -> int:
@@ -55,7 +57,9 @@ def data(
         if name in homogeneous:
             array = with_ones(array, shape)
         count = joined(name, shape, array.shape, count)
-        arrays.append(np.require(array, requirements=["C", "A"]))
+        if not (array.flags.c_contiguous and array.flags.aligned):
+            array = array.copy()
+        arrays.append(array)
     return arrays, count
 
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from enum import IntEnum
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Optional, Sequence, Tuple
 
 import numpy as np
@@ -14,7 +16,7 @@ from ._arrays import Array, Shape
 if TYPE_CHECKING:
     from typing import Type
 
-Named = Sequence[Tuple[str, Shape]]
+Named = Tuple[Tuple[str, Shape], ...]
 
 Status = IntEnum("Status", _eliminant.STATUS)  # type: ignore[misc]
 Status.__doc__ = "What came of an instance of a batch: `SOLVED`, or the kind of its error."
@@ -140,6 +142,7 @@ class Solutions:
         return Solutions, (self._arrays, self.values, self.counts, self._codes, self.unknowns)
 
 
+@lru_cache(maxsize=256)
 def element_names(fields: Named) -> Tuple[str, ...]:
     """The scalars of arrays as problem files name them: `x`, or `v[0]`, `v[1]`."""
     names = []
@@ -184,4 +187,4 @@ def split(named: Named, values: Array) -> Dict[str, Array]:
 
 def size_of(shape: Shape) -> int:
     """The number of elements of an array."""
-    return int(np.prod(shape, dtype=int))
+    return math.prod(shape)

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use numpy::{PyArray1, PyReadonlyArrayDyn, PyUntypedArrayMethods};
-use pyo3::exceptions::{PyIndexError, PyValueError};
+use pyo3::exceptions::{PyIndexError, PyMemoryError, PyValueError};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
@@ -40,7 +40,7 @@ pub(crate) fn solve_batch<'py>(
 ) -> PyResult<Solved<'py>> {
     let solver = numbered(solver)?;
     let values = values(solver.name, solver.data, &arrays, count)?;
-    let mut lists = Lists::new(solver.sizes, count);
+    let mut lists = Lists::new(solver.sizes, count)?;
     let piece = (PIECE_WORK / solver.operations.max(1)).clamp(1, PIECE as u64) as usize;
     if count <= piece {
         py.detach(|| (solver.solve_batch)(&values, &mut lists.found(solver.sizes)));
@@ -62,7 +62,7 @@ pub(crate) fn solve_one<'py>(
 ) -> PyResult<Solved<'py>> {
     let solver = numbered(solver)?;
     let values = values(solver.name, solver.data, &arrays, 1)?;
-    let mut lists = Lists::new(solver.sizes, 1);
+    let mut lists = Lists::new(solver.sizes, 1)?;
     let solved = py.detach(|| (solver.solve)(&values, &mut lists.found(solver.sizes)));
     solved.map_err(|error| SolveError::new_err(error.to_string()))?;
     Ok(lists.into_arrays(py))
@@ -110,15 +110,24 @@ fn solve_pieces(solver: &Solver, values: &[Values<'_>], lists: &mut Lists, piece
     });
 }
 
+/// As many zeros. Pages of memory are not touched before they are written.
+fn zeros<T: Clone + Default>(length: usize) -> PyResult<Vec<T>> {
+    let no_memory = |_| PyMemoryError::new_err(format!("there is no memory for {length} numbers"));
+    Vec::<T>::new().try_reserve_exact(length).map_err(no_memory)?;
+    Ok(vec![T::default(); length])
+}
+
 impl Lists {
-    pub(crate) fn new(sizes: Sizes, count: usize) -> Self {
-        let solutions = count * sizes.solutions;
-        Self {
-            unknowns: vec![0.0; solutions * sizes.unknowns],
-            results: vec![0.0; solutions * sizes.results],
-            counts: vec![0; count],
-            status: vec![0; count],
-        }
+    /// # Errors
+    /// There is not so much memory.
+    pub(crate) fn new(sizes: Sizes, count: usize) -> PyResult<Self> {
+        let solutions = count.saturating_mul(sizes.solutions);
+        Ok(Self {
+            unknowns: zeros(solutions.saturating_mul(sizes.unknowns))?,
+            results: zeros(solutions.saturating_mul(sizes.results))?,
+            counts: zeros(count)?,
+            status: zeros(count)?,
+        })
     }
 
     pub(crate) fn found(&mut self, sizes: Sizes) -> Found<'_> {

@@ -138,7 +138,7 @@ impl Planned {
         count: usize,
     ) -> PyResult<Solved<'py>> {
         let values = values(&self.problem.name, &self.data, &arrays, count)?;
-        let mut lists = Lists::new(self.sizes, count);
+        let mut lists = Lists::new(self.sizes, count)?;
         let work = |is_over: &AtomicBool| {
             lists.found(self.sizes).pieces(1).into_par_iter().enumerate().for_each(|(at, mut found)| {
                 if is_over.load(Ordering::Relaxed) || found.is_empty() {
@@ -157,7 +157,7 @@ impl Planned {
     /// Solves one instance.
     fn solve_one<'py>(&self, py: Python<'py>, arrays: Vec<PyReadonlyArrayDyn<'py, f64>>) -> PyResult<Solved<'py>> {
         let values = values(&self.problem.name, &self.data, &arrays, 1)?;
-        let mut lists = Lists::new(self.sizes, 1);
+        let mut lists = Lists::new(self.sizes, 1)?;
         let solved = interruptible(py, |_| self.solve(&values, 0, &mut lists.found(self.sizes)), |_| Ok(()))?;
         solved.map_err(|error| SolveError::new_err(error.to_string()))?;
         Ok(lists.into_arrays(py))

@@ -114,5 +114,7 @@ def test_the_extension_module_checks_lengths_itself():
         native.solve_one(10**6, [])
     with pytest.raises(ValueError):
         native.solve_batch(number, [np.zeros((2, 3, 3)), np.zeros((2, 3))], 2**62)
+    with pytest.raises(MemoryError):
+        native.solve_batch(number, [np.zeros((3, 3)), np.zeros(3)], 2**62)
     with pytest.raises(TypeError):
         native.solve_one(number, [np.zeros((3, 3), dtype=np.float32), np.zeros(3)])
