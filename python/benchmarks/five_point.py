@@ -2,9 +2,11 @@
 
     python benchmarks/five_point.py
 
-Both sides get rays as arrays and return all essential matrices as arrays. PoseLib solves an instance
-a call: in a loop, and in a pool of as many processes as there are cores, which inherit the rays and
-return one array for each of their chunks. The sides take turns; times are medians over the rounds.
+Both sides get rays as arrays. Ours and the pool return all essential matrices as arrays; the loop
+drops what is returned. PoseLib solves an instance a call: in a loop, and in a pool of as many
+processes as there are cores, which inherit the rays and return one array for each of their chunks.
+The sides take turns; times are medians over the rounds. CPU seconds are those of all threads and
+processes of a side, so that other programs on the machine matter less.
 """
 
 from __future__ import annotations
@@ -25,6 +27,7 @@ import eliminant
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 import scenes  # noqa: E402
 
+SIDES = ("eliminant", "poselib, pool", "poselib, loop")
 MOST = 10
 DATA: dict[str, np.ndarray] = {}
 
@@ -35,17 +38,24 @@ def rays(points: np.ndarray) -> np.ndarray:
     return rays / np.linalg.norm(rays, axis=-1, keepdims=True)
 
 
-def poselib_chunk(bounds: tuple[int, int]) -> np.ndarray:
-    """The essential matrices of some instances, filled up with NaN."""
+def poselib_chunk(bounds: tuple[int, int]) -> tuple[np.ndarray, float]:
+    """The essential matrices of some instances, filled up with NaN, and the CPU seconds."""
     import poselib
 
+    start = time.process_time()
     first, second, solve = DATA["first"], DATA["second"], poselib.essential_matrix_5pt
     found = np.full((bounds[1] - bounds[0], MOST, 3, 3), np.nan)
     for at in range(*bounds):
         matrices = solve(first[at], second[at])
         if matrices:
             found[at - bounds[0], : len(matrices)] = matrices
-    return found
+    return found, time.process_time() - start
+
+
+def poselib_pool(pool, chunks: list[tuple[int, int]]) -> tuple[np.ndarray, float]:
+    """The essential matrices of all instances, and the CPU seconds of the processes."""
+    found = pool.map(poselib_chunk, chunks, chunksize=1)
+    return np.concatenate([part for part, _ in found]), sum(cpu for _, cpu in found)
 
 
 def poselib_loop(n: int) -> None:
@@ -57,11 +67,11 @@ def poselib_loop(n: int) -> None:
         solve(first, second)
 
 
-def seconds(work) -> tuple[float, object]:
-    """The time of a call, and what it returns."""
-    start = time.perf_counter()
-    result = work()
-    return time.perf_counter() - start, result
+def measured(work) -> tuple[np.ndarray, tuple[float, float]]:
+    """What a call returns, its seconds, and the CPU seconds of all threads."""
+    start, cpu = time.perf_counter(), time.process_time()
+    result, of_others = work()
+    return result, (time.perf_counter() - start, time.process_time() - cpu + of_others)
 
 
 def processor() -> str:
@@ -88,25 +98,33 @@ def main() -> None:
     # Processes are forked before any thread of ours starts.
     chunks = np.linspace(0, n, 8 * cores + 1).astype(int)
     chunks = [(int(a), int(b)) for a, b in zip(chunks, chunks[1:])]
-    times: dict[str, list[float]] = {"eliminant": [], "poselib, pool": [], "poselib, loop": []}
+    first, second = DATA["first"], DATA["second"]
+    times: dict[str, list[tuple[float, float]]] = {name: [] for name in SIDES}
+    found = {}
     with multiprocessing.get_context("fork").Pool(cores) as pool:
         pool.map(poselib_chunk, [(0, 10)] * cores)
+        sides = (
+            lambda: (eliminant.relpose_5pt_rays(first, second).essential, 0.0),
+            lambda: poselib_pool(pool, chunks),
+            lambda: (poselib_loop(n), 0.0),
+        )
         for _ in range(arguments.rounds):
-            took, ours = seconds(lambda: eliminant.relpose_5pt_rays(DATA["first"], DATA["second"]).essential)
-            times["eliminant"].append(took)
-            took, theirs = seconds(lambda: np.concatenate(pool.map(poselib_chunk, chunks, chunksize=1)))
-            times["poselib, pool"].append(took)
-            times["poselib, loop"].append(seconds(lambda: poselib_loop(n))[0])
-    shares = [scenes.found(found, views["essential"]).mean() for found in (ours, theirs)]
-    medians = {name: statistics.median(list_) for name, list_ in times.items()}
+            for name, side in zip(SIDES, sides):
+                found[name], took = measured(side)
+                times[name].append(took)
     print(f"{cores} cores of {processor()}; {n} instances, medians of {arguments.rounds} rounds\n")
-    print("| side          | cores | seconds | million/s | times ours | found    |")
-    print("|---------------|-------|---------|-----------|------------|----------|")
-    for name, used, share in zip(times, (cores, cores, 1), (*shares, shares[1])):
-        took = medians[name]
-        ratio = took / medians["eliminant"]
+    print("| side          | seconds | times ours | CPU seconds | times ours | found    |")
+    print("|---------------|---------|------------|-------------|------------|----------|")
+    medians = {name: [statistics.median(each) for each in zip(*list_)] for name, list_ in times.items()}
+    for name, (took, cpu) in medians.items():
+        ratios = [value / ours for value, ours in zip((took, cpu), medians[SIDES[0]])]
+        share = (
+            ""
+            if found[name] is None
+            else f"{100 * scenes.found(found[name], views['essential']).mean():.2f} %"
+        )
         print(
-            f"| {name:13} | {used:5} | {took:7.3f} | {n / took / 1e6:9.3f} | {ratio:10.2f} | {100 * share:6.2f} % |"
+            f"| {name:13} | {took:7.3f} | {ratios[0]:10.2f} | {cpu:11.3f} | {ratios[1]:10.2f} | {share:>8} |"
         )
 
 

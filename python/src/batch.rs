@@ -2,15 +2,15 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use numpy::{PyArray1, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use numpy::{Element, PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyReadwriteArray1, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyIndexError, PyMemoryError, PyValueError};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
 use crate::catalogue::{Found, SOLVERS, Sizes, Solver, Values, product};
-use crate::threads::interruptible;
 use crate::errors::SolveError;
 use crate::status;
+use crate::threads::interruptible;
 
 /// Instances that a core takes at once. Solvers that compute several side by side need no more.
 const PIECE: usize = 256;
@@ -21,12 +21,13 @@ const PIECE_WORK: u64 = 1 << 24;
 pub(crate) type Solved<'py> =
     (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<u16>>);
 
-/// The lists of a batch.
-pub(crate) struct Lists {
-    unknowns: Vec<f64>,
-    results: Vec<f64>,
-    counts: Vec<i64>,
-    status: Vec<u16>,
+/// The lists of a batch, in memory of NumPy, which takes large pages.
+pub(crate) struct Lists<'py> {
+    sizes: Sizes,
+    unknowns: PyReadwriteArray1<'py, f64>,
+    results: PyReadwriteArray1<'py, f64>,
+    counts: PyReadwriteArray1<'py, i64>,
+    status: PyReadwriteArray1<'py, u16>,
 }
 
 /// Solves `count` instances by the solver with this number. Each array holds the data of all
@@ -40,14 +41,15 @@ pub(crate) fn solve_batch<'py>(
 ) -> PyResult<Solved<'py>> {
     let solver = numbered(solver)?;
     let values = values(solver.name, solver.data, &arrays, count)?;
-    let mut lists = Lists::new(solver.sizes, count)?;
+    let mut lists = Lists::new(py, solver.sizes, count)?;
+    let mut found = lists.found()?;
     let piece = (PIECE_WORK / solver.operations.max(1)).clamp(1, PIECE as u64) as usize;
     if count <= piece {
-        py.detach(|| (solver.solve_batch)(&values, &mut lists.found(solver.sizes)));
+        py.detach(|| (solver.solve_batch)(&values, &mut found));
     } else {
-        interruptible(py, |is_over| solve_pieces(solver, &values, &mut lists, piece, is_over), |_| Ok(()))?;
+        interruptible(py, |is_over| solve_pieces(solver, &values, found, piece, is_over), |_| Ok(()))?;
     }
-    Ok(lists.into_arrays(py))
+    Ok(lists.into_arrays())
 }
 
 /// Solves one instance.
@@ -62,10 +64,11 @@ pub(crate) fn solve_one<'py>(
 ) -> PyResult<Solved<'py>> {
     let solver = numbered(solver)?;
     let values = values(solver.name, solver.data, &arrays, 1)?;
-    let mut lists = Lists::new(solver.sizes, 1)?;
-    let solved = py.detach(|| (solver.solve)(&values, &mut lists.found(solver.sizes)));
+    let mut lists = Lists::new(py, solver.sizes, 1)?;
+    let mut found = lists.found()?;
+    let solved = py.detach(|| (solver.solve)(&values, &mut found));
     solved.map_err(|error| SolveError::new_err(error.to_string()))?;
-    Ok(lists.into_arrays(py))
+    Ok(lists.into_arrays())
 }
 
 /// The text of a status; empty where there is no error.
@@ -101,8 +104,8 @@ pub(crate) fn values<'a, N: AsRef<str>, S: AsRef<[usize]>>(
 }
 
 /// Solves the pieces of a batch on all cores, until it is over.
-fn solve_pieces(solver: &Solver, values: &[Values<'_>], lists: &mut Lists, piece: usize, is_over: &AtomicBool) {
-    lists.found(solver.sizes).pieces(piece).into_par_iter().enumerate().for_each(|(number, mut found)| {
+fn solve_pieces(solver: &Solver, values: &[Values<'_>], found: Found<'_>, piece: usize, is_over: &AtomicBool) {
+    found.pieces(piece).into_par_iter().enumerate().for_each(|(number, mut found)| {
         if !is_over.load(Ordering::Relaxed) {
             let values: Vec<Values<'_>> = values.iter().map(|values| values.from(number * piece)).collect();
             (solver.solve_batch)(&values, &mut found);
@@ -111,42 +114,48 @@ fn solve_pieces(solver: &Solver, values: &[Values<'_>], lists: &mut Lists, piece
 }
 
 /// As many zeros. Pages of memory are not touched before they are written.
-fn zeros<T: Clone + Default>(length: usize) -> PyResult<Vec<T>> {
+///
+/// # Errors
+/// There is not so much memory.
+fn zeros<T: Element>(py: Python<'_>, length: usize) -> PyResult<PyReadwriteArray1<'_, T>> {
     let no_memory = |_| PyMemoryError::new_err(format!("there is no memory for {length} numbers"));
+    // NumPy would end in a panic.
     Vec::<T>::new().try_reserve_exact(length).map_err(no_memory)?;
-    Ok(vec![T::default(); length])
+    Ok(PyArray1::zeros(py, length, false).try_readwrite()?)
 }
 
-impl Lists {
+impl<'py> Lists<'py> {
     /// # Errors
-    /// There is not so much memory.
-    pub(crate) fn new(sizes: Sizes, count: usize) -> PyResult<Self> {
+    /// As [`zeros`].
+    pub(crate) fn new(py: Python<'py>, sizes: Sizes, count: usize) -> PyResult<Self> {
         let solutions = count.saturating_mul(sizes.solutions);
         Ok(Self {
-            unknowns: zeros(solutions.saturating_mul(sizes.unknowns))?,
-            results: zeros(solutions.saturating_mul(sizes.results))?,
-            counts: zeros(count)?,
-            status: zeros(count)?,
+            sizes,
+            unknowns: zeros(py, solutions.saturating_mul(sizes.unknowns))?,
+            results: zeros(py, solutions.saturating_mul(sizes.results))?,
+            counts: zeros(py, count)?,
+            status: zeros(py, count)?,
         })
     }
 
-    pub(crate) fn found(&mut self, sizes: Sizes) -> Found<'_> {
-        Found {
-            sizes,
-            unknowns: &mut self.unknowns,
-            results: &mut self.results,
-            counts: &mut self.counts,
-            status: &mut self.status,
-        }
+    /// Where solutions are written.
+    pub(crate) fn found(&mut self) -> PyResult<Found<'_>> {
+        Ok(Found {
+            sizes: self.sizes,
+            unknowns: self.unknowns.as_slice_mut()?,
+            results: self.results.as_slice_mut()?,
+            counts: self.counts.as_slice_mut()?,
+            status: self.status.as_slice_mut()?,
+        })
     }
 
-    pub(crate) fn into_arrays(self, py: Python<'_>) -> Solved<'_> {
-        let Self { unknowns, results, counts, status } = self;
-        (
-            PyArray1::from_vec(py, unknowns),
-            PyArray1::from_vec(py, results),
-            PyArray1::from_vec(py, counts),
-            PyArray1::from_vec(py, status),
-        )
+    pub(crate) fn into_arrays(self) -> Solved<'py> {
+        let Self { unknowns, results, counts, status, .. } = self;
+        (array(&unknowns), array(&results), array(&counts), array(&status))
     }
+}
+
+/// The array of which a list is a borrow.
+fn array<'py, T: Element>(list: &Bound<'py, PyArray1<T>>) -> Bound<'py, PyArray1<T>> {
+    list.clone()
 }

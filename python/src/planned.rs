@@ -17,9 +17,9 @@ use rayon::prelude::*;
 
 use crate::batch::{Lists, Solved, values};
 use crate::catalogue::{Found, Sizes, Values};
+use crate::errors::{ProblemError, SolveError};
 use crate::stability::{Figures, figures};
 use crate::threads::interruptible;
-use crate::errors::{ProblemError, SolveError};
 
 /// A problem, its template, and the plan of its solver.
 #[pyclass(frozen, module = "eliminant._eliminant")]
@@ -138,9 +138,10 @@ impl Planned {
         count: usize,
     ) -> PyResult<Solved<'py>> {
         let values = values(&self.problem.name, &self.data, &arrays, count)?;
-        let mut lists = Lists::new(self.sizes, count)?;
+        let mut lists = Lists::new(py, self.sizes, count)?;
+        let found = lists.found()?;
         let work = |is_over: &AtomicBool| {
-            lists.found(self.sizes).pieces(1).into_par_iter().enumerate().for_each(|(at, mut found)| {
+            found.pieces(1).into_par_iter().enumerate().for_each(|(at, mut found)| {
                 if is_over.load(Ordering::Relaxed) || found.is_empty() {
                     return;
                 }
@@ -151,16 +152,17 @@ impl Planned {
             });
         };
         interruptible(py, work, |_| Ok(()))?;
-        Ok(lists.into_arrays(py))
+        Ok(lists.into_arrays())
     }
 
     /// Solves one instance.
     fn solve_one<'py>(&self, py: Python<'py>, arrays: Vec<PyReadonlyArrayDyn<'py, f64>>) -> PyResult<Solved<'py>> {
         let values = values(&self.problem.name, &self.data, &arrays, 1)?;
-        let mut lists = Lists::new(self.sizes, 1)?;
-        let solved = interruptible(py, |_| self.solve(&values, 0, &mut lists.found(self.sizes)), |_| Ok(()))?;
+        let mut lists = Lists::new(py, self.sizes, 1)?;
+        let mut found = lists.found()?;
+        let solved = interruptible(py, |_| self.solve(&values, 0, &mut found), |_| Ok(()))?;
         solved.map_err(|error| SolveError::new_err(error.to_string()))?;
-        Ok(lists.into_arrays(py))
+        Ok(lists.into_arrays())
     }
 
     /// The Rust source of the solver.
