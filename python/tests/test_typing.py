@@ -15,12 +15,11 @@ import eliminant
 PYTHON = Path(__file__).parents[1]
 
 
-def test_mypy():
+def test_mypy(tmp_path):
     pytest.importorskip("mypy", reason="mypy is not installed")
-    package = Path(eliminant.__file__).parent
-    run = subprocess.run(
-        [sys.executable, "-m", "mypy", "--strict", str(package)], capture_output=True, text=True
-    )
+    command = [sys.executable, "-m", "mypy", "--strict", "-p", "eliminant"]
+    # From elsewhere, so that the installed package is checked.
+    run = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path)
     assert run.returncode == 0, run.stdout + run.stderr
 
 
