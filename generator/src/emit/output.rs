@@ -4,8 +4,9 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::names::Names;
-use super::shapes::{array_type, chart_name, indices, parameter};
-use super::storage;
+use super::shapes::{array_type, as_slice, chart_name, indices, parameter};
+use super::{derived, storage};
+use crate::plan::program::ProgramForm;
 use crate::plan::{Plan, PlannedElement, PlannedOutput, Term};
 use crate::problem::SolutionField;
 
@@ -32,6 +33,9 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
         false => quote!(&#instance.coefficients),
     };
     let (values, variables) = (values(plan, output), variables(plan));
+    let (each, of_data) = coefficients_of_results(plan, &mut names).unwrap_or_else(|| {
+        (quote!(#make let #instance = Instance::new(#made, #(#arguments),*)?;), coefficients.clone())
+    });
     quote! {
         #[doc = #doc]
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,9 +64,8 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
             #(#parameters,)*
             #solutions: &::eliminant::Solutions<Solution, MAX_SOLUTIONS>,
         ) -> Result<::eliminant::Solutions<#name, MAX_SOLUTIONS>, ::eliminant::SolveError> {
-            #make
-            let #instance = Instance::new(#made, #(#arguments),*)?;
-            Ok(#solutions.map(|#solution| self::output(#coefficients, &#solution)))
+            #each
+            Ok(#solutions.map(|#solution| self::output(#of_data, &#solution)))
         }
 
         /// Like [`solve`], with what the problem returns for each solution.
@@ -79,6 +82,25 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
         #values
         #variables
     }
+}
+
+/// The statements that compute the coefficients from the arguments without an instance, and a
+/// reference to them. Of coefficients that are statements the compiler leaves out those that no
+/// result reads. `None` for others.
+fn coefficients_of_results(plan: &Plan, names: &mut Names) -> Option<(TokenStream, TokenStream)> {
+    if plan.program.form != ProgramForm::Statements || plan.is_presolved_at_run_time() {
+        return None;
+    }
+    let [given, data, coefficients] = ["given", "data", "coefficients"].map(|name| names.take(name));
+    let (slices, count) = (plan.data.iter().map(as_slice), Literal::usize_unsuffixed(plan.data.len()));
+    let joined = derived::joined(plan, &given);
+    let statements = quote! {
+        let #given: [&[f64]; #count] = [#(#slices),*];
+        emitted::check_coefficients(&[], &#given)?;
+        let #data = #joined;
+        let #coefficients = self::coefficients(1.0, &#data);
+    };
+    Some((statements, quote!(&#coefficients)))
 }
 
 /// The function from the coefficients and a solution to the output.
