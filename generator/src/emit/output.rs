@@ -1,6 +1,6 @@
 //! Prints what a problem returns beside its unknowns, and the test of its inequalities.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::names::Names;
@@ -28,10 +28,7 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
     let [instance, solution, solutions, workspace] =
         ["instance", "solution", "solutions", "workspace"].map(|name| names.take(name));
     let (make, made) = storage::default(plan, &workspace);
-    let coefficients = match storage::has_coefficients_on_heap(plan) {
-        true => quote!(#instance.coefficients.as_ref()),
-        false => quote!(&#instance.coefficients),
-    };
+    let coefficients = coefficients_of(plan, &instance);
     let (values, variables) = (values(plan, output), variables(plan));
     let (each, of_data) = coefficients_of_results(plan, &mut names).unwrap_or_else(|| {
         (quote!(#make let #instance = Instance::new(#made, #(#arguments),*)?;), coefficients.clone())
@@ -81,6 +78,14 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
 
         #values
         #variables
+    }
+}
+
+/// A reference to the coefficients of an instance.
+fn coefficients_of(plan: &Plan, instance: &Ident) -> TokenStream {
+    match storage::has_coefficients_on_heap(plan) {
+        true => quote!(#instance.coefficients.as_ref()),
+        false => quote!(&#instance.coefficients),
     }
 }
 
@@ -206,14 +211,11 @@ fn coordinates(field: &SolutionField, last: usize) -> TokenStream {
 }
 
 /// The statement that drops points of an instance that do not satisfy the inequalities.
-pub(super) fn filter(plan: &Plan, instance: &proc_macro2::Ident) -> TokenStream {
+pub(super) fn filter(plan: &Plan, instance: &Ident) -> TokenStream {
     if plan.positive.is_empty() {
         return quote!();
     }
-    let coefficients = match storage::has_coefficients_on_heap(plan) {
-        true => quote!(#instance.coefficients.as_ref()),
-        false => quote!(&#instance.coefficients),
-    };
+    let coefficients = coefficients_of(plan, instance);
     quote!(points.retain(|point| self::is_wanted(#coefficients, point));)
 }
 
