@@ -156,6 +156,7 @@ fn results_of_single_solutions() {
     let solutions = relpose_5pt_rays::solve(&first, &second).unwrap();
     let results = relpose_5pt_rays::solve_for_relative_pose(&first, &second).unwrap();
     assert!(!solutions.is_empty());
+    assert_eq!(relpose_5pt_rays::relative_pose_of_each(&first, &second, &solutions).unwrap(), results);
     for (solution, result) in solutions.iter().zip(&results) {
         assert_eq!(relpose_5pt_rays::relative_pose_of(&first, &second, solution).unwrap(), *result);
         // Of weights of length 1 on an orthonormal basis.
