@@ -67,11 +67,11 @@ pub use cross_section::rectify;
 pub use cross_section::section::{self, Section, SectionError, SectionLine, SectionShape, SectionSolver};
 pub use cross_section::sight::{self, Sight};
 pub use estimation::alternatives::{self, Alternative, PlausibleCylinders};
-pub use estimation::estimate::{
-    Estimate, EstimateConsensus, EstimateError, Method, estimate, estimate_from, parallel_estimates,
-};
+pub use estimation::estimate::{Estimate, EstimateConsensus, EstimateError, Method, estimate, estimate_from};
+pub use estimation::joint::{self, JointRefinement, Radii};
+pub use estimation::joint_estimate::{JointError, JointEstimate, JointMethod, estimate_together};
 pub use estimation::parallel::{self, ParallelError, ParallelTriangulation, triangulate_parallel};
-pub use estimation::refine::{self, Deviation, Loss, RefineError, RefineOptions, Refinement, refine};
+pub use estimation::refine::{self, Deviation, Loss, Measure, RefineError, RefineOptions, Refinement, refine};
 pub use estimation::robust::{self, RobustError, RobustOptions, RobustTriangulation, triangulate_robustly};
 pub use estimation::triangulate::{self, TriangulateError, Triangulation, triangulate, triangulate_along};
 pub use estimation::warnings::{self, Warning};

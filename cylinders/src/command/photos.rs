@@ -20,7 +20,8 @@ use crate::photos::{
 };
 use crate::picture::{PhotographFile, photograph_overlay};
 use crate::{
-    Cylinder, CylinderLines, Method, Scene, View, detection::detect_segments, estimate, read_colmap, read_scene,
+    Cylinder, CylinderLines, JointEstimate, Method, Scene, View, detection::detect_segments, estimate, read_colmap,
+    read_scene,
 };
 
 /// Find parallel cylinders in photographs whose cameras are known
@@ -164,15 +165,17 @@ fn snap(arguments: &Arguments, scene: Scene, seen: &[Seen]) -> Result<(Output, L
             error,
         })
     };
-    let estimates = lines.iter().map(estimate).collect::<Result<Vec<_>, _>>()?;
-    let reports = reports(&scene, &lines, &estimates);
+    let cylinders = lines.iter().map(estimate).collect::<Result<Vec<_>, _>>()?;
+    let estimate = JointEstimate { cylinders, radius: None };
+    let reports = reports(&scene, &lines, &estimate);
     let mut output = Output::of(&reports).with_warnings(reports.warnings());
     if moved < marked {
         let warning = format!("{} of {marked} lines have no edge within reach and stay where they are", marked - moved);
         output.text += &format!("\nwarning: {warning}\n");
         output.warnings.push(warning);
     }
-    let found = lines.into_iter().zip(&estimates).map(|(lines, estimate)| (lines, estimate.cylinder)).collect();
+    let found =
+        lines.into_iter().zip(&estimate.cylinders).map(|(lines, estimate)| (lines, estimate.cylinder)).collect();
     Ok((output, (scene, found)))
 }
 
