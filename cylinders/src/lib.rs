@@ -21,7 +21,7 @@ mod space;
 /// Views to a cylinder, by all steps: least squares, refinement, RANSAC.
 mod estimation;
 
-/// Lines without labels to all cylinders of one direction.
+/// Lines without labels to all cylinders of one direction or of several.
 pub mod matching;
 
 /// Photographs to line segments.
@@ -77,6 +77,7 @@ pub use estimation::triangulate::{self, TriangulateError, Triangulation, triangu
 pub use estimation::warnings::{self, Warning};
 pub use matching::{
     MatchError, MatchOptions, MatchedCylinder, Matching, Progress, References, match_cylinders, match_cylinders_with,
+    match_directions, match_directions_with,
 };
 pub use numerics::random;
 pub use numerics::ransac::{self, RansacOptions, RansacOptionsError};

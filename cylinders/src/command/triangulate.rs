@@ -5,12 +5,12 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
-use super::drawings::DrawingArguments;
+use super::drawings::{DrawingArguments, Drawn, Findings};
 use super::error::CommandError;
 use super::estimator::EstimatorArguments;
 use super::files::write_all;
+use super::images::ImageArguments;
 use super::output::Output;
-use super::page::{Findings, PageArguments};
 use super::scene::SceneArguments;
 use crate::output::number::number;
 use crate::page::Table;
@@ -39,7 +39,7 @@ pub(super) struct Arguments {
     #[command(flatten)]
     drawings: DrawingArguments,
     #[command(flatten)]
-    page: PageArguments,
+    images: ImageArguments,
 }
 
 /// A single object for a scene without labels; otherwise a list, even with one label.
@@ -71,7 +71,7 @@ impl Reports {
     }
 
     /// The tables of the report: one of all cylinders, and one of the lines of each.
-    fn tables(&self) -> Vec<Table> {
+    pub(super) fn tables(&self) -> Vec<Table> {
         std::iter::once(cylinder_table(self.all())).chain(self.all().iter().map(residual_table)).collect()
     }
 
@@ -117,10 +117,10 @@ pub(super) fn run(arguments: &Arguments, command: &str) -> Result<Output, Comman
         None => (lines, estimate.cylinder),
     };
     let found: Vec<_> = cylinders.into_iter().zip(&estimate.cylinders).map(shown).collect();
-    let mut files = arguments.drawings.draw(&scene, &found)?;
+    let drawn = Drawn { scene: &scene, found: &found, folders: arguments.images.folders(&arguments.scene) };
     let findings =
         Findings { command: command.to_owned(), warnings: output.warnings.clone(), tables: reports.tables() };
-    files.extend(arguments.page.file(&arguments.scene, &scene, &found, findings)?);
+    let mut files = arguments.drawings.draw(drawn, findings)?;
     files.extend(arguments.out.iter().map(|path| (path.clone(), output.json.clone().into_bytes())));
     write_all(arguments.drawings.folder().as_slice(), &files)?;
     Ok(output)
