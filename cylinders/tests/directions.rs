@@ -30,8 +30,8 @@ fn right_and_false(matching: &Matching, scene: &ParallelScene) -> [usize; 2] {
 
 #[test]
 fn cylinders_of_two_and_four_directions_are_found_and_nothing_else() {
-    for directions in [1, 2, 4] {
-        for seed in 0..5 {
+    for directions in [2, 4] {
+        for seed in 0..10 {
             let scene = scene(directions, seed);
             let matching = match_directions(&scene.views, &MatchOptions::of(&scene.views)).expect("cylinders");
             assert_eq!(right_and_false(&matching, &scene), [7, 0], "{directions} directions, seed {seed}");

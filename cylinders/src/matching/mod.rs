@@ -39,6 +39,7 @@ pub(crate) mod selection;
 /// Cylinders of several directions.
 mod several;
 
+pub(crate) use chance::tail;
 pub use directions::candidate_directions;
 pub use error::MatchError;
 pub use found::{MatchedCylinder, Matching};

@@ -1,5 +1,7 @@
 //! A part of the lines of some views.
 
+use std::collections::HashSet;
+
 use super::found::{MatchedCylinder, Matching};
 use crate::observations::scene::LineId;
 use crate::observations::view::{View, ViewingPlane};
@@ -24,6 +26,11 @@ impl Selection {
         let places: Vec<_> = views.iter().enumerate().map(places).collect();
         let views = views.iter().zip(&places).map(|(view, places)| view.selected(places)).collect();
         Self { views, places }
+    }
+
+    /// Lines of the selection, with their places in all views.
+    pub(crate) fn ids_in_all(&self, ids: Vec<LineId>) -> HashSet<LineId> {
+        ids.into_iter().map(|LineId { view, line }| LineId { view, line: self.places[view][line] }).collect()
     }
 
     /// Cylinders that were found in the selection, with the places of their lines in all views.

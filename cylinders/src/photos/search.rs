@@ -8,13 +8,13 @@
 //! - Matching keeps what chance gives less than once among random lines. Lines of a texture are not
 //!   random, and several directions are tried: a direction needs a cylinder with 1e-4 false alarms
 //!   or fewer. Then it is that of cylinders, and for the others along it matching is enough.
-//! - A cylinder whose matches are lines of edges in space is none (`edges`).
+//! - The lines of edges in space are left out (`edges`).
 //! - The evidence for a direction is the sum of the orders of magnitude by which the matches of its
 //!   cylinders are no chance.
 
 use nalgebra::{Unit, Vector3};
 
-use super::edges::Edges;
+use super::edges::edge_lines;
 use crate::matching::selection::Selection;
 use crate::matching::{MatchError, MatchOptions, MatchedCylinder, Matching, match_cylinders, match_directions_with};
 use crate::observations::scene::LineId;
@@ -98,14 +98,17 @@ pub fn find_cylinders(
 }
 
 fn find_along(all: &[View], direction: &Unit<Vector3<f64>>, options: &PhotoOptions) -> Result<Matching, MatchError> {
+    let is_along = |plane: &ViewingPlane| plane.normal.dot(direction).abs() <= MAX_TILT;
+    // An edge is seen twice as precisely as the threshold asks.
+    let tolerances: Vec<_> =
+        all.iter().map(|view| 0.5 * options.matching.threshold / focal(view, &options.matching)).collect();
+    let near = Selection::new(all, usize::MAX, |_, plane| is_along(plane));
+    let edges = near.ids_in_all(edge_lines(&near.views, direction, &tolerances));
     // The longest lines come first in a view.
-    let selection = Selection::new(all, options.lines, |_, plane| plane.normal.dot(direction).abs() <= MAX_TILT);
+    let selection = Selection::new(all, options.lines, |id, plane| is_along(plane) && !edges.contains(&id));
     let views = &selection.views;
     let Matching { cylinders, least_support, .. } = match_cylinders(views, direction, &options.matching)?;
-    // An edge is seen twice as precisely as the threshold asks.
-    let tolerance = |view: &View| 0.5 * options.matching.threshold / focal(view, &options.matching);
-    let edges = Edges::new(views, direction, views.iter().map(tolerance).collect());
-    let is_found = |found: &MatchedCylinder| is_cylinder(found, views, &options.matching) && !edges.explain(found);
+    let is_found = |found: &MatchedCylinder| is_cylinder(found, views, &options.matching);
     let cylinders: Vec<_> = cylinders.into_iter().filter(is_found).collect();
     if !cylinders.iter().any(|found| found.false_alarms <= options.false_alarms) {
         let lines = views.iter().map(|view| view.lines().len()).sum();
