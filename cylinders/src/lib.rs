@@ -67,7 +67,9 @@ pub use cross_section::rectify;
 pub use cross_section::section::{self, Section, SectionError, SectionLine, SectionShape, SectionSolver};
 pub use cross_section::sight::{self, Sight};
 pub use estimation::alternatives::{self, Alternative, PlausibleCylinders};
-pub use estimation::estimate::{Estimate, EstimateConsensus, EstimateError, Method, estimate, estimate_from};
+pub use estimation::estimate::{
+    Estimate, EstimateConsensus, EstimateError, Method, estimate, estimate_from, estimate_on_side,
+};
 pub use estimation::joint::{self, JointRefinement, Radii};
 pub use estimation::joint_estimate::{JointError, JointEstimate, JointMethod, estimate_together};
 pub use estimation::parallel::{self, ParallelError, ParallelTriangulation, triangulate_parallel};

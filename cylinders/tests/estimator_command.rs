@@ -231,6 +231,22 @@ fn cylinders_share_a_radius_or_it_is_known() {
 }
 
 #[test]
+fn the_side_of_one_sided_silhouettes_is_kept_or_refused() {
+    let mut scene = soda_can();
+    for view in scene["views"].as_array_mut().expect("views") {
+        view["lines_pixels"].as_array_mut().expect("lines").truncate(1);
+    }
+    let path = file("one_side.json", &scene);
+    let (left, right) = (command(&["--side", "left", "--json", &path]), command(&["--side", "right", "--json", &path]));
+    let (good, bad, side) = if left.0 == 0 { (left, right, "left") } else { (right, left, "right") };
+    assert_eq!((good.0, bad.0), (0, 1), "{} {}", good.2, bad.2);
+    assert!(bad.2.contains("no cylinder in front of the cameras has all lines on its"), "{}", bad.2);
+    let report: Value = serde_json::from_str(&good.1).expect("JSON");
+    assert!((report["radius"].as_f64().expect("a number") / 33.0 - 1.0).abs() < 0.05);
+    assert!(report["residuals"].as_array().expect("lines").iter().all(|line| line["side"] == side));
+}
+
+#[test]
 fn few_lines_say_what_to_pass() {
     let mut scene = soda_can();
     let views = scene["views"].as_array_mut().expect("views");
@@ -254,6 +270,8 @@ fn wrong_usage_is_2() {
         (&["--robust", "--parallel", "a.json"], "cannot be used with"),
         (&["--robust", "--shared-radius", "a.json"], "cannot be used with"),
         (&["--radius", "1", "--shared-radius", "a.json"], "cannot be used with"),
+        (&["--side", "left", "--parallel", "a.json"], "cannot be used with"),
+        (&["--side", "above", "a.json"], "invalid value"),
         (&["--radius=-1", "a.json"], "not a number greater than 0"),
     ] {
         let (code, output, error) = command(arguments);

@@ -5,7 +5,7 @@ use super::error::CommandError;
 use super::scene::SceneArguments;
 use crate::{
     CylinderLines, Estimate, EstimateError, JointError, JointEstimate, JointMethod, Loss, Method, Radii, RansacOptions,
-    RobustOptions, TriangulateError, View, estimate, estimate_together,
+    RobustOptions, Side, TriangulateError, View, estimate, estimate_on_side, estimate_together,
 };
 
 /// How to estimate.
@@ -38,6 +38,17 @@ pub(super) struct EstimatorArguments {
     /// The radius of all cylinders, if it is known, world units; refines
     #[arg(long, value_name = "R", conflicts_with = "robust", value_parser = positive)]
     radius: Option<f64>,
+    /// The side of all lines, for one line in each image: left or right of the axis if its direction,
+    /// with the largest entry positive, points up; refines
+    #[arg(long, value_enum, conflicts_with_all = ["robust", "parallel", "shared_radius", "radius"])]
+    side: Option<SideArgument>,
+}
+
+/// [`Side`] on the command line.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum SideArgument {
+    Left,
+    Right,
 }
 
 fn number(text: &str, is_valid: impl Fn(f64) -> bool, range: &str) -> Result<f64, String> {
@@ -91,6 +102,11 @@ impl EstimatorArguments {
     }
 
     fn single(&self, CylinderLines { views, .. }: &CylinderLines) -> Result<Estimate, EstimateError> {
+        match self.side {
+            Some(SideArgument::Left) => return estimate_on_side(views, Side::Left),
+            Some(SideArgument::Right) => return estimate_on_side(views, Side::Right),
+            None => {}
+        }
         let method = match (self.robust, self.refine) {
             (true, _) => Method::Robust(self.robust_options(views)),
             (false, true) => Method::Refined,

@@ -102,7 +102,8 @@ impl Evidence<'_> {
 
     fn minima(&self, found: Option<&Cylinder>) -> PlausibleCylinders {
         let minimum = |start: &Cylinder| {
-            let cylinder = self.known.nearest(self.measured, start, STEPS)?;
+            let nearest = self.known.nearest(self.measured, start, STEPS);
+            let cylinder = nearest.filter(|cylinder| self.known.has_side(self.measured, cylinder))?;
             Some((cylinder, self.cost(&cylinder)?))
         };
         let of_found = found.and_then(minimum);

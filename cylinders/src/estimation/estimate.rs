@@ -13,7 +13,7 @@ use crate::axis::direction::Direction;
 use crate::cross_section::circle::{CircleError, CircleFit};
 use crate::observations::scene::LineId;
 use crate::observations::view::View;
-use crate::space::cylinder::{Cylinder, LineResidual};
+use crate::space::cylinder::{Cylinder, LineResidual, Side};
 use crate::space::silhouette_distance::{DistanceUnit, Metric};
 
 /// Largest expected number of cylinders by chance that draws no warning.
@@ -74,6 +74,12 @@ pub enum EstimateError {
     /// Least squares found no cylinder.
     #[error(transparent)]
     Triangulate(#[from] TriangulateError),
+    /// No cylinder in front of the cameras has all lines on the given side.
+    #[error("no cylinder in front of the cameras has all lines on its {side} side")]
+    NoneOnSide {
+        /// The side.
+        side: Side,
+    },
     /// RANSAC found no cylinder.
     #[error(transparent)]
     Robust(#[from] RobustError),
@@ -122,6 +128,28 @@ pub fn estimate(views: &[View], method: &Method) -> Result<Estimate, EstimateErr
         plausible.found = best.map(|_| 0);
     }
     Ok(estimate.judged(views, &evidence, plausible))
+}
+
+/// The best cylinder that has all lines on one side, if the axis, with its largest entry positive,
+/// points up: for one line in each image, which may touch a circle on either side. Refined, with the
+/// other such cylinders that explain the lines about as well, and with warnings.
+///
+/// # Errors
+/// [`EstimateError`].
+pub fn estimate_on_side(views: &[View], side: Side) -> Result<Estimate, EstimateError> {
+    let metric = Metric::of(views);
+    let lines = PreparedLines::of(views, &metric).map_err(RefineError::from)?;
+    if lines.count < 3 {
+        return Err(TriangulateError::TooFewLines { lines: lines.count }.into());
+    }
+    let evidence = lines.evidence(Known { side: Some(side), ..Known::default() });
+    let plausible = evidence.plausible_cylinders(None);
+    let Some(best) = plausible.cylinders.first().map(|best| best.cylinder) else {
+        return Err(EstimateError::NoneOnSide { side });
+    };
+    let options = RefineOptions { metric, loss: Loss::Quadratic };
+    let estimate = Estimate::of_cylinder(best, views, lines.count)?.refined(views, &best, &options)?;
+    Ok(estimate.judged(views, &evidence, PlausibleCylinders { found: Some(0), ..plausible }))
 }
 
 /// A cylinder that is known roughly, refined on all of its lines, with the other cylinders that

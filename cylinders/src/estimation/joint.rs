@@ -16,7 +16,7 @@ use super::refine::{Measure, NO_RADIUS, RefineError, Refinement, STEPS, check};
 use super::silhouette_cost::{Frame, PARAMETERS, SilhouetteCost, moved};
 use super::uncertainty::{Block, Uncertainty};
 use crate::numerics::levenberg_marquardt::{LeastSquares, Linearised, minimise};
-use crate::space::cylinder::Cylinder;
+use crate::space::cylinder::{Cylinder, Side};
 use crate::space::silhouette_distance::MeasuredLine;
 
 /// The radii of several cylinders.
@@ -213,6 +213,8 @@ impl LeastSquares<Dyn> for Problem {
 pub(crate) struct Known {
     pub(crate) direction: Option<Unit<Vector3<f64>>>,
     pub(crate) radius: Option<f64>,
+    /// The side of all lines, if the axis, with its largest entry positive, points up.
+    pub(crate) side: Option<Side>,
 }
 
 impl Known {
@@ -228,6 +230,13 @@ impl Known {
         (directions, self.radius.map_or(Radii::Own, Radii::Known))
     }
 
+    /// Whether all lines are on the known side of a cylinder.
+    pub(crate) fn has_side(&self, lines: &[MeasuredLine], cylinder: &Cylinder) -> bool {
+        let cylinder = cylinder.with_canonical_sign();
+        let is_there = |line: &MeasuredLine, side| line.distance(&cylinder).is_some_and(|found| found.side() == side);
+        self.side.is_none_or(|side| lines.iter().all(|line| is_there(line, side)))
+    }
+
     /// A cylinder with the known radius: with its axis where it is, and so far away from the
     /// cameras that it looks as large as before. Otherwise the cylinder itself.
     pub(crate) fn sized(&self, cylinder: &Cylinder, cameras: &Point3<f64>) -> Vec<Cylinder> {
@@ -239,7 +248,7 @@ impl Known {
 
     /// The cylinder of least squared distances near another one, after at most `limit` steps.
     pub(crate) fn nearest(&self, lines: &[MeasuredLine], start: &Cylinder, limit: usize) -> Option<Cylinder> {
-        if *self == Self::default() {
+        if self.direction.is_none() && self.radius.is_none() {
             return Some(super::refine::optimise(lines, start, Loss::Quadratic, limit).ok()?.cylinder);
         }
         let start = Cylinder { direction: self.direction.unwrap_or(start.direction), ..*start };

@@ -127,7 +127,7 @@ impl<'a> Start<'a> {
             result => result,
         };
         let lines = PreparedLines::of(views, metric).map_err(RefineError::from)?;
-        let known = Known { direction: direction.map(|direction| direction.direction), radius };
+        let known = Known { direction: direction.map(|direction| direction.direction), radius, side: None };
         let start = least_squares.as_ref().ok().map(|result| result.cylinder);
         let mut plausible = lines.evidence(known).plausible_cylinders(start.as_ref());
         let estimate = match (least_squares, plausible.cylinders.first()) {
@@ -167,8 +167,11 @@ fn refined(
         let joint = refine_together(&lines, &initial, (directions, radii), loss)?;
         for (start, refinement) in starts.iter_mut().zip(&joint.cylinders) {
             let Cylinder { direction, radius, .. } = refinement.cylinder;
-            start.known =
-                Known { direction: parallel.then_some(direction), radius: (radii != Radii::Own).then_some(radius) };
+            start.known = Known {
+                direction: parallel.then_some(direction),
+                radius: (radii != Radii::Own).then_some(radius),
+                side: None,
+            };
             start.plausible = start.lines.evidence(start.known).plausible_cylinders(Some(&refinement.cylinder));
         }
         let is_best = |start: &Start<'_>| start.plausible.found == Some(0) || start.plausible.cylinders.is_empty();
