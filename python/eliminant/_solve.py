@@ -35,8 +35,10 @@ SOLVERS = _solvers()
 """All solvers by their names."""
 
 HOMOGENEOUS: Dict[str, Tuple[str, ...]] = {
+    "pose_2pt_upright": ("rays",),
     "pose_3pt": ("rays",),
     "relpose_3pt_angle_zero_screw": ("first", "second"),
+    "relpose_3pt_upright": ("first", "second"),
     "relpose_4pt_angle": ("first", "second"),
     "relpose_5pt_rays": ("first", "second"),
 }
