@@ -1,5 +1,5 @@
-/// Relative pose of two cameras whose vertical is known, as by an inertial sensor, from three points:
-/// 4 solutions.
+/// Relative pose of two cameras whose vertical is known, as by an inertial sensor, from three
+/// points: 4 solutions.
 ///
 /// Fraundorfer, Tanskanen, Pollefeys, "A minimal case solution to the calibrated relative pose
 /// problem for the case of two known orientation angles", ECCV 2010.

@@ -1,8 +1,8 @@
 /// The joint angles of a robot arm for a given place of its hand: 16 solutions.
 ///
 /// Morgan and Shapiro, "Box-bisection for solving second-degree systems and the problem of
-/// clustering", ACM Transactions on Mathematical Software 1987: the test system `puma`, with data in
-/// place of its constants. The unknowns are cosines and sines of four angles.
+/// clustering", ACM Transactions on Mathematical Software 1987: the test system `puma`, with data
+/// in place of its constants. The unknowns are cosines and sines of four angles.
 ///
 /// `place` holds the coefficients of x1 x3, x2 x3, x1, x2, x4 and 1 in two equations, `twist` and
 /// `first` those of x1, x2 and 1.

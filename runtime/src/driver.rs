@@ -250,9 +250,9 @@ fn first_attempt<I: SolverInstance>(
     Ok(())
 }
 
-/// Adds the solutions of separate eigenpairs, and their eigenvalues to those known. Returns false if
-/// two of them gave the same solution, or if it stopped early because the eigenpairs that are left
-/// are too few. It is a function of its own, so that its memory is free afterwards.
+/// Adds the solutions of separate eigenpairs, and their eigenvalues to those known. Returns false
+/// if two of them gave the same solution, or if it stopped early because the eigenpairs that are
+/// left are too few. It is a function of its own, so that its memory is free afterwards.
 #[inline(never)]
 fn add_separate<I: SolverInstance>(
     solver: &I,
@@ -429,6 +429,7 @@ fn second_attempt<I: SolverInstance>(
     let solver = &*solver;
     let size = solver.sizes().basis;
     let add_all = &mut |spectrum: &PreciseSpectrum<'_>| {
+        found.note(solver, spectrum.eigenvalues);
         let source = PreciseEigenpairs { size, spectrum };
         let mut order = size.list();
         for (at, value) in spectrum.eigenvalues.iter().enumerate().filter(|(_, value)| value.im >= 0.0) {

@@ -38,8 +38,8 @@ pub(super) struct EstimatorArguments {
     /// The radius of all cylinders, if it is known, world units; refines
     #[arg(long, value_name = "R", conflicts_with = "robust", value_parser = positive)]
     radius: Option<f64>,
-    /// The side of all lines, for one line in each image: left or right of the axis if its direction,
-    /// with the largest entry positive, points up; refines
+    /// The side of all lines, for one line in each image: left or right of the axis if its
+    /// direction, with the largest entry positive, points up; refines
     #[arg(long, value_enum, conflicts_with_all = ["robust", "parallel", "shared_radius", "radius"])]
     side: Option<SideArgument>,
 }

@@ -7,8 +7,8 @@ use super::scene::SceneArguments;
 /// The folder of the photographs.
 #[derive(clap::Args, Debug)]
 pub(super) struct ImageArguments {
-    /// Folder of the photographs, for --report and --silhouettes; by default those of the scene, the
-    /// segments and the model, and folders `images` beside them
+    /// Folder of the photographs, for --report and --silhouettes; by default those of the scene,
+    /// the segments and the model, and folders `images` beside them
     #[arg(long, value_name = "FOLDER")]
     images: Option<PathBuf>,
 }

@@ -131,8 +131,8 @@ pub fn estimate(views: &[View], method: &Method) -> Result<Estimate, EstimateErr
 }
 
 /// The best cylinder that has all lines on one side, if the axis, with its largest entry positive,
-/// points up: for one line in each image, which may touch a circle on either side. Refined, with the
-/// other such cylinders that explain the lines about as well, and with warnings.
+/// points up: for one line in each image, which may touch a circle on either side. Refined, with
+/// the other such cylinders that explain the lines about as well, and with warnings.
 ///
 /// # Errors
 /// [`EstimateError`].

@@ -1,13 +1,15 @@
 //! The sum of squared distances of lines from the silhouettes of a cylinder, as a function of five
 //! local parameters.
 //!
-//! A step turns the direction `w`, moves the point `A` of the axis across it and adds to the radius:
+//! A step turns the direction `w`, moves the point `A` of the axis across it and adds to the
+//! radius:
 //!
 //! ```text
 //!   (f1^T dw, f2^T dw, f1^T dA, f2^T dA, dr),    f1, f2: unit vectors across the axis
 //! ```
 //!
-//! `A` is in the middle of the part that the lines see, so that a turn moves the silhouettes little.
+//! `A` is in the middle of the part that the lines see, so that a turn moves the silhouettes
+//! little.
 
 use nalgebra::{Point3, SVector, U5, Unit, Vector3};
 

@@ -1,6 +1,6 @@
 //! Matching without correspondences: unlabelled lines of several images to all cylinders of one
-//! direction or of several, and their silhouettes (Gummeson & Oskarsson, "Robust and Accurate Cylinder
-//! Triangulation", the experiment on unknown matches).
+//! direction or of several, and their silhouettes (Gummeson & Oskarsson, "Robust and Accurate
+//! Cylinder Triangulation", the experiment on unknown matches).
 //!
 //! ```text
 //!   left and right silhouette in one image + one line of another image

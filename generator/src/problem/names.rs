@@ -5,15 +5,6 @@ use proc_macro2::Ident;
 use super::syntax::place;
 use crate::problem::diagnostic::Diagnostic;
 
-/// Types of Rust that are names in lower case.
-pub(super) const PRIMITIVES: [&str; 17] = [
-    "f64", "f32", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32", "u64", "u128", "usize", "bool",
-    "char", "str",
-];
-
-/// Crates that the crate of a solver has.
-const CRATES: [&str; 4] = ["eliminant", "core", "alloc", "std"];
-
 /// Reserved in some edition of Rust although the parser takes them as names.
 const RESERVED: [&str; 4] = ["gen", "try", "union", "macro_rules"];
 
@@ -55,18 +46,13 @@ pub(super) fn emitted_name(name: &str) -> Option<String> {
 /// The message for the name of a problem that cannot name a module beside
 /// `eliminant::include_solver!`.
 pub(super) fn refuse_module(ident: &Ident) -> Option<Diagnostic> {
-    let name = ident.to_string();
-    let diagnostic = if CRATES.contains(&name.as_str()) {
-        // A module from a macro hides no crate: Rust calls all paths ambiguous that begin with the
-        // name.
-        Diagnostic::new(format!("`{name}` is the name of a crate"), place(ident))
-            .label("the module of the solver would make paths such as `eliminant::include_solver!` ambiguous")
-    } else if PRIMITIVES.contains(&name.as_str()) {
-        Diagnostic::new(format!("`{name}` is a type"), place(ident)).label("the module of the solver would hide it")
-    } else {
-        return None;
-    };
-    Some(diagnostic.hint("choose another name"))
+    // A module from a macro hides no crate: Rust calls all paths ambiguous that begin with the
+    // name.
+    (ident == "eliminant").then(|| {
+        Diagnostic::new("`eliminant` is the name of the run-time crate", place(ident))
+            .label("the module of the solver would make `eliminant::include_solver!` ambiguous")
+            .hint("choose another name")
+    })
 }
 
 /// `TwoLines` as `two_lines`.

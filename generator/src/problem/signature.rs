@@ -6,7 +6,7 @@ use syn::{Attribute, Expr, ExprLit, FnArg, ItemFn, Lit, LitInt, Meta, Pat, PatTy
 
 use super::functions::BUILT_IN;
 use super::interpret::Interpreter;
-use super::names::{PRIMITIVES, closest, refuse};
+use super::names::{closest, refuse};
 use super::scope::{Outcome, Reported};
 use super::syntax::place;
 use super::unknown_shapes::{Shapes, UnknownShape};
@@ -14,6 +14,12 @@ use super::value::{Checked, MAX_ELEMENTS, describe, fault};
 use super::{DataAttribute, DataParameter, SolutionField, Span};
 use crate::algebra::MAX_UNKNOWNS;
 use crate::problem::diagnostic::Diagnostic;
+
+/// Types of Rust that somebody may write by habit; none of them is the name of an unknown.
+const PRIMITIVES: [&str; 17] = [
+    "f64", "f32", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32", "u64", "u128", "usize", "bool",
+    "char", "str",
+];
 
 /// The attributes without an argument; `rank` has one.
 const ATTRIBUTES: [(&str, DataAttribute); 5] = [

@@ -37,7 +37,7 @@ pub(crate) trait Collection<I: SolverInstance> {
     /// Whether an eigenvalue with im >= 0 may belong to a collected solution.
     fn wants(&self, value: &Complex<f64>) -> bool;
 
-    /// Takes note of the eigenvalues of the first attempt.
+    /// Takes note of the eigenvalues of an attempt, and forgets what those of another one said.
     fn note(&mut self, solver: &I, values: &[Complex<f64>]);
 
     /// Adds the solutions of an eigenvalue with im >= 0; its conjugate stands for the conjugate
@@ -240,9 +240,10 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
 
     #[inline]
     fn note(&mut self, solver: &I, values: &[Complex<f64>]) {
+        self.has_failed = false;
         if self.all.is_none() && flips(solver).is_empty() {
             let real = values.iter().filter(|value| value.im == 0.0);
-            self.expected = Some(self.real.len() + real.count());
+            self.expected = Some(usize::from(solver.has_origin()) + real.count());
         }
     }
 

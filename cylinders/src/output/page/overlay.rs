@@ -1,6 +1,6 @@
 //! A view of the scene as an SVG element: the photograph, the given lines and the silhouettes, in
-//! pixels of the photograph. Straight lines are bent where the lens bends them. The photograph is in
-//! the element, so that it needs no other file.
+//! pixels of the photograph. Straight lines are bent where the lens bends them. The photograph is
+//! in the element, so that it needs no other file.
 
 use std::fmt::Write;
 use std::path::PathBuf;
