@@ -380,6 +380,46 @@ int32_t eliminant_platform_forward_kinematics_solve_batch(
     size_t solutions_length, size_t *counts, int32_t *codes);
 
 /*
+ * pose_2pt_upright
+ *
+ * Pose of a camera whose vertical is known, as by an inertial sensor, from two points: 2
+ * solutions.
+ *
+ * Kukelova, Bujnak, Pajdla, "Closed-form solutions to minimal absolute pose problems with known
+ * vertical direction", ACCV 2010; here by the depths, as Haralick, Lee, Ottenberg, Nölle, IJCV
+ * 1994, state the pose from three points.
+ *
+ * `rays` are two viewing rays in a frame of the camera whose y axis is vertical, of any length,
+ * `points` the points that they see, in a world with the same vertical. The unknowns are the
+ * depths along the rays. A pose X -> rotation X + translation takes the world to the camera; the
+ * rotation is about the y axis, and both points are in front. The points must not be above each
+ * other, nor both rays level.
+ *
+ * Data: rays[2][3], points[2][3].
+ * A row of 2 numbers, the unknowns: a, b.
+ * A row of 12 numbers, the result pose: rotation[3][3], translation[3].
+ */
+#define ELIMINANT_POSE_2PT_UPRIGHT_RAYS_LENGTH 6
+#define ELIMINANT_POSE_2PT_UPRIGHT_POINTS_LENGTH 6
+#define ELIMINANT_POSE_2PT_UPRIGHT_UNKNOWNS 2
+#define ELIMINANT_POSE_2PT_UPRIGHT_LENGTH_OF_POSE 12
+#define ELIMINANT_POSE_2PT_UPRIGHT_MAX_SOLUTIONS 2
+int32_t eliminant_pose_2pt_upright_solve(
+    const double *rays, size_t rays_length, const double *points, size_t points_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_2pt_upright_solve_batch(
+    size_t instances, const double *rays, size_t rays_length, const double *points,
+    size_t points_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_pose_2pt_upright_solve_for_pose(
+    const double *rays, size_t rays_length, const double *points, size_t points_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_2pt_upright_solve_batch_for_pose(
+    size_t instances, const double *rays, size_t rays_length, const double *points,
+    size_t points_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
  * pose_35pt_focal
  *
  * Pose and focal length of a camera from three points and one image coordinate of a fourth: 10
@@ -864,6 +904,44 @@ int32_t eliminant_relpose_3pt_angle_zero_screw_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * relpose_3pt_upright
+ *
+ * Relative pose of two cameras whose vertical is known, as by an inertial sensor, from three
+ * points: 4 solutions.
+ *
+ * Fraundorfer, Tanskanen, Pollefeys, "A minimal case solution to the calibrated relative pose
+ * problem for the case of two known orientation angles", ECCV 2010.
+ *
+ * `first` and `second` are corresponding viewing rays in frames of the cameras whose y axes are
+ * vertical, of any length. The unknowns are cosine and sine of the turn about the vertical. A pose
+ * X -> rotation X + translation takes the frame of the first camera to that of the second. The
+ * length of the translation is open, and so is its sign: with one of them the points are in front.
+ *
+ * Data: first[3][3], second[3][3].
+ * A row of 2 numbers, the unknowns: c, s.
+ * A row of 12 numbers, the result relative_pose: rotation[3][3], translation[3].
+ */
+#define ELIMINANT_RELPOSE_3PT_UPRIGHT_FIRST_LENGTH 9
+#define ELIMINANT_RELPOSE_3PT_UPRIGHT_SECOND_LENGTH 9
+#define ELIMINANT_RELPOSE_3PT_UPRIGHT_UNKNOWNS 2
+#define ELIMINANT_RELPOSE_3PT_UPRIGHT_LENGTH_OF_RELATIVE_POSE 12
+#define ELIMINANT_RELPOSE_3PT_UPRIGHT_MAX_SOLUTIONS 4
+int32_t eliminant_relpose_3pt_upright_solve(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_3pt_upright_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_relpose_3pt_upright_solve_for_relative_pose(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_3pt_upright_solve_batch_for_relative_pose(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
 
 /*
  * relpose_4pt_angle

@@ -781,6 +781,83 @@ inline void solve_batch(
 
 } // namespace platform_forward_kinematics
 
+/// Pose of a camera whose vertical is known, as by an inertial sensor, from two points: 2
+/// solutions.
+///
+/// Kukelova, Bujnak, Pajdla, "Closed-form solutions to minimal absolute pose problems with known
+/// vertical direction", ACCV 2010; here by the depths, as Haralick, Lee, Ottenberg, Nölle, IJCV
+/// 1994, state the pose from three points.
+///
+/// `rays` are two viewing rays in a frame of the camera whose y axis is vertical, of any length,
+/// `points` the points that they see, in a world with the same vertical. The unknowns are the
+/// depths along the rays. A pose X -> rotation X + translation takes the world to the camera; the
+/// rotation is about the y axis, and both points are in front. The points must not be above each
+/// other, nor both rays level.
+namespace pose_2pt_upright {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 2;
+
+/// A solution of `pose_2pt_upright`.
+struct Solution {
+    double a;
+    double b;
+};
+static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<6> rays, Values<6> points) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_2pt_upright_solve(rays.data(), rays.size(), points.data(), points.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<6> rays, Values<6> points) {
+    return try_solve(rays, points).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many rays, Many points, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_2pt_upright_solve_batch(
+            instances, rays.data(), rays.size(), points.data(), points.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `pose_2pt_upright` returns beside its unknowns.
+struct Pose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
+};
+static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_for_pose(Values<6> rays, Values<6> points) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_2pt_upright_solve_for_pose(rays.data(), rays.size(), points.data(), points.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each pose. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_for_pose(Values<6> rays, Values<6> points) {
+    return try_solve_for_pose(rays, points).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_pose(
+    std::size_t instances, Many rays, Many points, Batch<Pose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_2pt_upright_solve_batch_for_pose(
+            instances, rays.data(), rays.size(), points.data(), points.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace pose_2pt_upright
+
 /// Pose and focal length of a camera from three points and one image coordinate of a fourth: 10
 /// solutions.
 ///
@@ -1568,6 +1645,81 @@ inline void solve_batch(
 }
 
 } // namespace relpose_3pt_angle_zero_screw
+
+/// Relative pose of two cameras whose vertical is known, as by an inertial sensor, from three
+/// points: 4 solutions.
+///
+/// Fraundorfer, Tanskanen, Pollefeys, "A minimal case solution to the calibrated relative pose
+/// problem for the case of two known orientation angles", ECCV 2010.
+///
+/// `first` and `second` are corresponding viewing rays in frames of the cameras whose y axes are
+/// vertical, of any length. The unknowns are cosine and sine of the turn about the vertical. A pose
+/// X -> rotation X + translation takes the frame of the first camera to that of the second. The
+/// length of the translation is open, and so is its sign: with one of them the points are in front.
+namespace relpose_3pt_upright {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 4;
+
+/// A solution of `relpose_3pt_upright`.
+struct Solution {
+    double c;
+    double s;
+};
+static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<9> first, Values<9> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_3pt_upright_solve(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<9> first, Values<9> second) {
+    return try_solve(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_3pt_upright_solve_batch(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `relpose_3pt_upright` returns beside its unknowns.
+struct RelativePose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
+};
+static_assert(sizeof(RelativePose) == 12 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each relative_pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<RelativePose, max_solutions>> try_solve_for_relative_pose(Values<9> first, Values<9> second) noexcept {
+    return Result<Solutions<RelativePose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_3pt_upright_solve_for_relative_pose(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each relative_pose. Throws `Error`.
+[[nodiscard]] inline Solutions<RelativePose, max_solutions> solve_for_relative_pose(Values<9> first, Values<9> second) {
+    return try_solve_for_relative_pose(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_relative_pose(
+    std::size_t instances, Many first, Many second, Batch<RelativePose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_3pt_upright_solve_batch_for_relative_pose(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace relpose_3pt_upright
 
 /// Relative pose of two calibrated cameras with a known angle of rotation from four point
 /// correspondences: 20 solutions.
