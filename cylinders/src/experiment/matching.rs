@@ -78,6 +78,21 @@ struct Score {
     wrong: usize,
 }
 
+/// The columns of all tables.
+const COLUMNS: [&str; 11] = [
+    "told",
+    "noise / pixels",
+    "detected",
+    "directions",
+    "lines",
+    "outlier rate",
+    "cylinders",
+    "found (mean)",
+    "all",
+    "false (mean)",
+    "wrong matches",
+];
+
 pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
     let runs = options.runs_or(RUNS);
     let paper = ParallelSetup::seven_in_twelve();
@@ -96,20 +111,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
         ("directions", &by_directions),
     ];
     for (name, rows) in parts {
-        let columns = [
-            "told",
-            "noise / pixels",
-            "detected",
-            "directions",
-            "lines",
-            "outlier rate",
-            "cylinders",
-            "found (mean)",
-            "all",
-            "false (mean)",
-            "wrong matches",
-        ];
-        let mut table = Table::new(name, &columns);
+        let mut table = Table::new(name, &COLUMNS);
         let mut points = [Vec::new(), Vec::new()];
         for row in rows {
             let setup = &row.setup;
