@@ -21,7 +21,7 @@ mod space;
 /// Views to a cylinder, by all steps: least squares, refinement, RANSAC.
 mod estimation;
 
-/// Lines without labels to all cylinders of one direction.
+/// Lines without labels to all cylinders of one direction or of several.
 pub mod matching;
 
 /// Photographs to line segments.
@@ -68,15 +68,18 @@ pub use cross_section::section::{self, Section, SectionError, SectionLine, Secti
 pub use cross_section::sight::{self, Sight};
 pub use estimation::alternatives::{self, Alternative, PlausibleCylinders};
 pub use estimation::estimate::{
-    Estimate, EstimateConsensus, EstimateError, Method, estimate, estimate_from, parallel_estimates,
+    Estimate, EstimateConsensus, EstimateError, Method, estimate, estimate_from, estimate_on_side,
 };
+pub use estimation::joint::{self, JointRefinement, Radii};
+pub use estimation::joint_estimate::{JointError, JointEstimate, JointMethod, estimate_together};
 pub use estimation::parallel::{self, ParallelError, ParallelTriangulation, triangulate_parallel};
-pub use estimation::refine::{self, Deviation, Loss, RefineError, RefineOptions, Refinement, refine};
+pub use estimation::refine::{self, Deviation, Loss, Measure, RefineError, RefineOptions, Refinement, refine};
 pub use estimation::robust::{self, RobustError, RobustOptions, RobustTriangulation, triangulate_robustly};
 pub use estimation::triangulate::{self, TriangulateError, Triangulation, triangulate, triangulate_along};
 pub use estimation::warnings::{self, Warning};
 pub use matching::{
     MatchError, MatchOptions, MatchedCylinder, Matching, Progress, References, match_cylinders, match_cylinders_with,
+    match_directions, match_directions_with,
 };
 pub use numerics::random;
 pub use numerics::ransac::{self, RansacOptions, RansacOptionsError};

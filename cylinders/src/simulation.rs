@@ -1,4 +1,5 @@
-//! Simulated photographs of several similar, parallel cylinders among clutter. The truth is known.
+//! Simulated photographs of several similar cylinders among clutter, parallel or of several
+//! directions. The truth is known.
 //!
 //! Silhouettes are not computed from tangent planes, as in the solvers, but from points: the end
 //! points of the lines on the surface where the line of sight is tangent are projected and moved by
@@ -34,6 +35,11 @@ const CLEARANCE: f64 = 1.2;
 const DISTANCES: [f64; 2] = [9.0, 13.0];
 const ELEVATION: f64 = 2.0;
 
+/// Largest angle between the first direction and another: no camera stands near an axis. Least
+/// angle between two directions. Radians.
+const LARGEST_ANGLE: f64 = 0.785;
+const LEAST_ANGLE: f64 = 0.436;
+
 /// Numbers of cylinders and images, noise and outliers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParallelSetup {
@@ -55,8 +61,10 @@ pub struct ParallelSetup {
 pub struct ParallelScene {
     /// The images with their lines, in no order.
     pub views: Vec<View>,
-    /// Common direction of the cylinders.
+    /// Common direction of the cylinders, or that of the first of them.
     pub direction: Unit<Vector3<f64>>,
+    /// All directions of cylinders.
+    pub directions: Vec<Unit<Vector3<f64>>>,
     /// The middle of the square in which they stand, at half of their height.
     pub middle: Point3<f64>,
     /// The cylinders.
@@ -72,28 +80,41 @@ impl ParallelSetup {
         Self { cylinders: 7, images: 12, noise: 1.0, detection: 0.9, outlier_rate: 0.89 }
     }
 
-    /// A random scene.
+    /// A random scene of parallel cylinders.
     ///
     /// # Errors
     /// [`ViewError`], but not for finite values.
     pub fn scene(&self, seed: u64) -> Result<ParallelScene, ViewError> {
+        self.scene_of_directions(1, seed)
+    }
+
+    /// A random scene of cylinders that take turns in so many directions, which are 25 degrees or
+    /// more apart and within 45 degrees of the first. Cylinders hide those of their own direction
+    /// only.
+    ///
+    /// # Errors
+    /// [`ViewError`], but not for finite values.
+    pub fn scene_of_directions(&self, directions: usize, seed: u64) -> Result<ParallelScene, ViewError> {
         let mut random = Random::new(seed);
-        let frame = Frame::random(&mut random);
-        let circles = circles(self.cylinders, &mut random);
-        let calibration = Matrix3::new(FOCAL, 0.0, PRINCIPAL[0], 0.0, FOCAL, PRINCIPAL[1], 0.0, 0.0, 1.0);
-        let cameras: Vec<_> = (0..self.images).map(|index| self.camera(index, &frame, &mut random)).collect();
-        let mut photographs: Vec<_> =
-            cameras.iter().map(|camera| self.silhouettes(camera, &frame, &circles, &mut random)).collect();
-
-        let silhouettes: usize = photographs.iter().map(Vec::len).sum();
-        let mean = silhouettes as f64 / self.cylinders as f64;
-        let clutter = ((mean / (1.0 - self.outlier_rate)).ceil() as usize).saturating_sub(silhouettes);
-        for index in 0..clutter {
-            let camera = &cameras[index % self.images];
-            let place = Point2::from(Vector2::from_fn(|_, _| random.uniform(-HALF_SIDE, HALF_SIDE)));
-            photographs[index % self.images].push((None, self.seen(camera, &frame, &place, &mut random)));
+        let frames = frames(directions, &mut random);
+        let circles: Vec<_> = (0..directions)
+            .map(|group| circles((self.cylinders + directions - 1 - group) / directions, &mut random))
+            .collect();
+        let cameras: Vec<_> = (0..self.images).map(|index| self.camera(index, &frames[0], &mut random)).collect();
+        let mut photographs: Vec<Vec<MarkedLine>> = Vec::new();
+        for camera in &cameras {
+            let mut lines = Vec::new();
+            for (group, (frame, circles)) in frames.iter().zip(&circles).enumerate() {
+                let of_group = self.silhouettes(camera, frame, circles, &mut random);
+                // Cylinder `k` of a group is cylinder `group + k directions` of the scene.
+                let mark = |(index, side): (usize, Side)| (group + index * directions, side);
+                lines.extend(of_group.into_iter().map(|(marked, line)| (marked.map(mark), line)));
+            }
+            photographs.push(lines);
         }
+        self.add_clutter(&mut photographs, &cameras, &frames, &mut random);
 
+        let calibration = Matrix3::new(FOCAL, 0.0, PRINCIPAL[0], 0.0, FOCAL, PRINCIPAL[1], 0.0, 0.0, 1.0);
         let mut views = Vec::with_capacity(self.images);
         let mut truth = Vec::with_capacity(self.images);
         for (camera, mut lines) in cameras.iter().zip(photographs) {
@@ -103,16 +124,38 @@ impl ParallelSetup {
             views.push(View::from_normalised_lines(camera, &lines)?);
             truth.push(labels);
         }
-        let direction = frame.direction();
-        let cylinder =
-            |&(centre, radius): &(Point2<f64>, f64)| Cylinder::new(&frame.point(&centre, 0.0), direction, radius);
+        let cylinder = |index: usize| {
+            let (frame, of_group) = (&frames[index % directions], &circles[index % directions]);
+            let (centre, radius) = of_group.get(index / directions)?;
+            Some(Cylinder::new(&frame.point(centre, 0.0), frame.direction(), *radius))
+        };
         Ok(ParallelScene {
             views,
-            direction,
-            middle: frame.origin,
-            cylinders: circles.iter().map(cylinder).collect(),
+            direction: frames[0].direction(),
+            directions: frames.iter().map(Frame::direction).collect(),
+            middle: frames[0].origin,
+            cylinders: (0..self.cylinders).map_while(cylinder).collect(),
             truth,
         })
+    }
+
+    /// Lines along the directions at random places, up to the rate of outliers.
+    fn add_clutter(
+        &self,
+        photographs: &mut [Vec<MarkedLine>],
+        cameras: &[Photographer],
+        frames: &[Frame],
+        random: &mut Random,
+    ) {
+        let silhouettes: usize = photographs.iter().map(Vec::len).sum();
+        let mean = silhouettes as f64 / self.cylinders as f64;
+        let clutter = ((mean / (1.0 - self.outlier_rate)).ceil() as usize).saturating_sub(silhouettes);
+        for index in 0..clutter {
+            let image = index % self.images;
+            let frame = &frames[index / self.images % frames.len()];
+            let place = Point2::from(Vector2::from_fn(|_, _| random.uniform(-HALF_SIDE, HALF_SIDE)));
+            photographs[image].push((None, self.seen(&cameras[image], frame, &place, random)));
+        }
     }
 
     /// A camera in its sector around the scene, directed at the middle of the scene.
@@ -128,7 +171,7 @@ impl ParallelSetup {
         let rotation = roll.into_inner() * upright;
         let translation = -(rotation * centre.coords);
         let [first, second, third] = [0, 1, 2].map(|column| rotation.column(column).into_owned());
-        Photographer { matrix: Matrix3x4::from_columns(&[first, second, third, translation]), place }
+        Photographer { matrix: Matrix3x4::from_columns(&[first, second, third, translation]), centre }
     }
 
     /// The silhouettes that are visible and detected.
@@ -140,10 +183,11 @@ impl ParallelSetup {
         random: &mut Random,
     ) -> Vec<MarkedLine> {
         let mut lines = Vec::new();
+        let place = frame.place(&camera.centre);
         for (index, (centre, radius)) in circles.iter().enumerate() {
             // Around the axis, measured from the direction to the camera at distance rho, contacts
             // are at +-acos(r / rho).
-            let toward = camera.place - centre;
+            let toward = place - centre;
             let cosine = radius / toward.norm();
             let toward = toward.normalize();
             // This contact is left of the ray to the axis if the axis points up.
@@ -151,7 +195,7 @@ impl ParallelSetup {
             for (side, sign) in [(Side::Left, -1.0), (Side::Right, 1.0)] {
                 let contact = centre + (toward * cosine - left * (sign * (1.0 - cosine * cosine).sqrt())) * *radius;
                 let hidden = |(other, (centre, radius)): (usize, &(Point2<f64>, f64))| {
-                    other != index && hides(centre, *radius, &camera.place, &contact)
+                    other != index && hides(centre, *radius, &place, &contact)
                 };
                 let visible = !circles.iter().enumerate().any(hidden);
                 if visible && random.uniform(0.0, 1.0) < self.detection {
@@ -177,10 +221,10 @@ impl ParallelSetup {
 /// A line, and the cylinder and side whose silhouette it is.
 type MarkedLine = (Option<(usize, Side)>, Vector3<f64>);
 
-/// A camera `[R t]` and its place in the cross-section.
+/// A camera `[R t]` and its centre.
 struct Photographer {
     matrix: Matrix3x4<f64>,
-    place: Point2<f64>,
+    centre: Point3<f64>,
 }
 
 /// The cross-section in space. Seen against the direction, the second axis is a right turn from the
@@ -201,9 +245,31 @@ impl Frame {
         self.rotation * Vector3::y_axis()
     }
 
+    /// Where a point is in the cross-section.
+    fn place(&self, point: &Point3<f64>) -> Point2<f64> {
+        let local = self.rotation.inverse() * (point - self.origin);
+        Point2::new(local.x, local.z)
+    }
+
     fn point(&self, place: &Point2<f64>, height: f64) -> Point3<f64> {
         self.origin + self.rotation * Vector3::new(place.x, height, place.y)
     }
+}
+
+/// So many frames with one origin. The directions are apart from each other.
+fn frames(count: usize, random: &mut Random) -> Vec<Frame> {
+    let mut frames = vec![Frame::random(random)];
+    while frames.len() < count {
+        let first = &frames[0];
+        let axis = Unit::new_normalize(Vector3::from_fn(|_, _| random.normal()));
+        let rotation = Rotation3::from_axis_angle(&axis, random.uniform(0.0, 3.0)) * first.rotation;
+        let other = Frame { rotation, origin: first.origin };
+        let angle = |frame: &Frame| frame.direction().dot(&other.direction()).abs().min(1.0).acos();
+        if angle(first) <= LARGEST_ANGLE && frames.iter().all(|frame| angle(frame) >= LEAST_ANGLE) {
+            frames.push(other);
+        }
+    }
+    frames
 }
 
 /// Circles that are apart from each other; fewer if there is no room.

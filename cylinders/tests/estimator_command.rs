@@ -197,6 +197,53 @@ fn parallel_cylinders_have_one_direction() {
     let direction = |report: &Value, index: usize| report["cylinders"][index]["direction"].clone();
     assert_ne!(direction(&alone, 0), direction(&alone, 1));
     assert_eq!(direction(&shared, 0), direction(&shared, 1));
+    assert!(shared["cylinders"][0]["refinement"].is_null() && shared["shared_radius"].is_null());
+    let refined = report(&["--parallel", "--refine", &path]);
+    assert_eq!(direction(&refined, 0), direction(&refined, 1));
+    assert_ne!(direction(&refined, 0), direction(&shared, 0));
+    assert!(refined["cylinders"][0]["refinement"]["direction_deviation"].as_f64().expect("a number") > 0.0);
+}
+
+#[test]
+fn cylinders_share_a_radius_or_it_is_known() {
+    let mut scene = soda_can();
+    for (index, view) in scene["views"].as_array_mut().expect("views").iter_mut().enumerate() {
+        let label = ["even", "odd"][index % 2];
+        view["cylinders"] = json!([label, label]);
+    }
+    let path = file("shared_radius.json", &scene);
+    let shared = report(&["--shared-radius", "--parallel", &path]);
+    let [radius, deviation] = ["radius", "radius_deviation"].map(|key| shared["shared_radius"][key].as_f64());
+    let (radius, deviation) = (radius.expect("a number"), deviation.expect("a number"));
+    assert!((radius - 33.0).abs() < 4.0 * deviation && deviation < 0.2, "{radius} {deviation}");
+    for cylinder in shared["cylinders"].as_array().expect("cylinders") {
+        assert_eq!(cylinder["radius"], radius);
+        assert_eq!(cylinder["refinement"]["radius_deviation"], deviation);
+    }
+    let (_, text, _) = command(&["--shared-radius", &path]);
+    assert!(text.starts_with("shared radius "), "{text}");
+    let known = report(&["--radius", "33", &path]);
+    assert!(known["shared_radius"].is_null());
+    for cylinder in known["cylinders"].as_array().expect("cylinders") {
+        assert!((cylinder["radius"].as_f64().expect("a number") - 33.0).abs() < 1e-9);
+        assert_eq!(cylinder["refinement"]["radius_deviation"], 0.0);
+    }
+}
+
+#[test]
+fn the_side_of_one_sided_silhouettes_is_kept_or_refused() {
+    let mut scene = soda_can();
+    for view in scene["views"].as_array_mut().expect("views") {
+        view["lines_pixels"].as_array_mut().expect("lines").truncate(1);
+    }
+    let path = file("one_side.json", &scene);
+    let (left, right) = (command(&["--side", "left", "--json", &path]), command(&["--side", "right", "--json", &path]));
+    let (good, bad, side) = if left.0 == 0 { (left, right, "left") } else { (right, left, "right") };
+    assert_eq!((good.0, bad.0), (0, 1), "{} {}", good.2, bad.2);
+    assert!(bad.2.contains("no cylinder in front of the cameras has all lines on its"), "{}", bad.2);
+    let report: Value = serde_json::from_str(&good.1).expect("JSON");
+    assert!((report["radius"].as_f64().expect("a number") / 33.0 - 1.0).abs() < 0.05);
+    assert!(report["residuals"].as_array().expect("lines").iter().all(|line| line["side"] == side));
 }
 
 #[test]
@@ -221,7 +268,11 @@ fn wrong_usage_is_2() {
         (&["--robust", "--threshold=NaN", "a.json"], "not a number greater than 0"),
         (&["--robust", "--confidence=1", "a.json"], "not a number between 0 and 1"),
         (&["--robust", "--parallel", "a.json"], "cannot be used with"),
-        (&["--refine", "--parallel", "a.json"], "cannot be used with"),
+        (&["--robust", "--shared-radius", "a.json"], "cannot be used with"),
+        (&["--radius", "1", "--shared-radius", "a.json"], "cannot be used with"),
+        (&["--side", "left", "--parallel", "a.json"], "cannot be used with"),
+        (&["--side", "above", "a.json"], "invalid value"),
+        (&["--radius=-1", "a.json"], "not a number greater than 0"),
     ] {
         let (code, output, error) = command(arguments);
         assert_eq!((code, output.as_str()), (2, ""), "{arguments:?}");

@@ -62,6 +62,8 @@ fn text_and_json_report_the_cylinders() {
     assert_eq!(std::fs::read_to_string(&out).expect("a file"), output);
 
     let report = parsed(&output);
+    assert_eq!(report["directions"].as_array().map(Vec::len), Some(1));
+    assert_eq!(report["cylinders"][0]["direction"], report["directions"][0]);
     assert_eq!(report["threshold"], json!(3.0));
     let warnings = report["warnings"].as_array().expect("an array");
     assert_eq!(warnings.len(), error.lines().count(), "{warnings:?}");
@@ -104,6 +106,44 @@ fn what_is_found_is_drawn() {
     assert_eq!(std::fs::read_dir(&folder).expect("a folder").count(), 8);
 }
 
+/// A PNG file of one pixel that claims to be 1600 x 1200: only its header is read.
+const PHOTOGRAPH: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\x06\x40\0\0\x04\xb0\x08\0\0\0\0";
+
+#[test]
+fn the_report_and_the_silhouettes_show_the_photographs_that_are_found() {
+    let scene_file = scene_file("match_report.json");
+    let place = |name: &str| Path::new(env!("CARGO_TARGET_TMPDIR")).join("match_report").join(name);
+    let _ = std::fs::remove_dir_all(place(""));
+    std::fs::create_dir_all(place("photographs")).expect("a writable folder for tests");
+    for index in 0..3 {
+        std::fs::write(place(&format!("photographs/{index}.jpg")), PHOTOGRAPH).expect("written");
+    }
+    let [page, pictures, photographs] =
+        ["page.html", "pictures", "photographs"].map(|name| place(name).display().to_string());
+    let (code, _, error) =
+        command(&[&scene_file, "--report", &page, "--silhouettes", &pictures, "--images", &photographs]);
+    assert!(doubts_lines_only((code, &error)), "{error}");
+    let page = std::fs::read_to_string(page).expect("a page");
+    assert!(page.contains("3 cylinders") && page.contains("cylinders match"), "title and command");
+    assert_eq!(page.matches("<figure>").count(), 8);
+    assert_eq!(page.matches("href=\"data:image/png;base64,").count(), 3);
+    // A table of three cylinders, and one of the lines of each.
+    assert_eq!(page.matches("<table>").count(), 4);
+    let mut with_photograph = 0;
+    for file in std::fs::read_dir(pictures).expect("a folder") {
+        let text = std::fs::read_to_string(file.expect("a file").path()).expect("UTF-8");
+        let document = roxmltree::Document::parse(&text).expect("well-formed");
+        if document.descendants().any(|node| node.has_tag_name("image")) {
+            with_photograph += 1;
+            assert_eq!(document.root_element().attribute("viewBox"), Some("0 0 1600 1200"));
+            let is_silhouette = |node: &roxmltree::Node| node.attribute("class") == Some("found");
+            assert_eq!(document.descendants().filter(is_silhouette).count() % 2, 0);
+            assert!(document.descendants().any(|node| is_silhouette(&node)));
+        }
+    }
+    assert_eq!(with_photograph, 3);
+}
+
 #[test]
 fn options_reach_the_search() {
     let scene_file = scene_file("match_options.json");
@@ -133,6 +173,7 @@ fn what_is_wrong_is_said() {
     for direction in ["0,0,0", "1,2", "1,x,2", "NaN,1,1"] {
         assert_eq!(command(&[&scene_file, "--direction", direction]).0, 2, "{direction}");
     }
+    assert_eq!(command(&[&scene_file, "--directions", "2", "--count", "3"]).0, 2);
     for usage in [["--threshold", "0"], ["--least-support", "3"], ["--least-support", "x"], ["--count", "0"]] {
         let (code, output, error) = command(&[&[scene_file.as_str()], usage.as_slice()].concat());
         assert_eq!((code, output.as_str()), (2, ""), "{error}");

@@ -118,7 +118,7 @@ fn cylinders(json: &str) -> Vec<Cylinder> {
     let report: Value = serde_json::from_str(json).expect("JSON");
     let vector = |value: &Value| -> Vector3<f64> { Vector3::from_fn(|row, _| value[row].as_f64().expect("a number")) };
     let cylinder = |value: &Value| {
-        let direction = nalgebra::Unit::new_normalize(vector(&report["direction"]));
+        let direction = nalgebra::Unit::new_normalize(vector(&value["direction"]));
         let point = Point3::from(vector(&value["axis_point"]));
         Cylinder::new(&point, direction, value["radius"].as_f64().expect("a radius"))
     };
@@ -132,8 +132,9 @@ fn photographs_with_distortion_and_a_model_give_cylinders_and_pictures() {
     write_model(&folder, &scene);
     let path = |name: &str| folder.join(name).display().to_string();
     let here = folder.display().to_string();
-    let (overlays, ply) = (path("overlays"), path("cylinders.ply"));
-    let arguments = ["--colmap", &here, "--images", &here, "--json", "--overlays", &overlays, "--ply", &ply];
+    let (overlays, ply, page) = (path("overlays"), path("cylinders.ply"), path("page.html"));
+    let drawings = ["--silhouettes", &overlays, "--ply", &ply, "--report", &page];
+    let arguments = [&["--colmap", &here, "--images", &here, "--json"], &drawings[..]].concat();
     let (code, output, error) = command(&arguments);
     assert_eq!(code, 0, "{error}");
     check(&cylinders(&output), &scene);
@@ -146,10 +147,13 @@ fn photographs_with_distortion_and_a_model_give_cylinders_and_pictures() {
         let text = fs::read_to_string(&picture).expect("UTF-8");
         let document = roxmltree::Document::parse(&text).expect("well-formed");
         let count = |name: &str| document.descendants().filter(|node| node.has_tag_name(name)).count();
-        assert!(count("line") > 6, "{}", picture.display());
+        assert!(count("path") > 6, "{}", picture.display());
         let image = document.descendants().find(|node| node.has_tag_name("image")).expect("the photograph");
         assert!(image.attribute("href").expect("an address").starts_with("data:image/png;base64,iVBORw0KGgo"));
     }
+    let page = fs::read_to_string(&page).expect("UTF-8");
+    assert_eq!(page.matches("href=\"data:image/png;base64,").count(), scene.images.len());
+    assert!(page.contains("3 cylinders") && page.matches("class=\"section\"").count() == 3);
 
     // A photograph is missing, or is none: nothing is written.
     fs::remove_dir_all(&overlays).expect("removed");

@@ -6,6 +6,7 @@ mod support;
 use std::fs;
 use std::path::PathBuf;
 
+use eliminant_generator::command::{Colour, run_in};
 use eliminant_generator::search::choose::EQUAL_COST;
 use serde_json::Value;
 use support::{TWO_CONICS, eliminant, folder, json, names, status, stderr, stdout, two_conics};
@@ -92,8 +93,10 @@ fn new_overwrites_nothing_and_takes_good_names_only() {
         assert_eq!(status(&output), 2, "{name}: {}", stderr(&output));
         assert!(stderr(&output).contains("NAME"), "{name}: {}", stderr(&output));
     }
-    assert_eq!(status(&eliminant(&folder, &["new", "other", "--dir", "nowhere"])), 1);
+    assert_eq!(status(&eliminant(&folder, &["new", "other", "--dir", "two_conics.rs"])), 1, "a file");
     assert_eq!(names(&folder), ["two_conics.rs"]);
+    assert_eq!(status(&eliminant(&folder, &["new", "other", "--dir", "new/folder"])), 0);
+    assert_eq!(names(&folder.join("new/folder")), ["other.rs"]);
     let report = json(&folder, &["new", "other"]);
     assert_eq!((&report["problem"], &report["file"]), (&"other".into(), &"./other.rs".into()));
 }
@@ -548,13 +551,47 @@ fn wrong_usage_is_told_apart() {
 #[test]
 fn every_subcommand_helps_with_an_example() {
     let folder = folder("every_subcommand_helps_with_an_example");
-    for subcommand in ["new", "check", "search", "emit", "inspect", "stability", "bench"] {
+    for subcommand in ["new", "check", "search", "emit", "inspect", "stability", "bench", "completions"] {
         let output = eliminant(&folder, &[subcommand, "--help"]);
         let text = stdout(&output);
         assert_eq!(status(&output), 0);
         for part in ["--json", "Example", &format!("eliminant {subcommand} ")] {
             assert!(text.contains(part), "{subcommand} --help lacks {part}:\n{text}");
         }
+    }
+}
+
+#[test]
+fn shells_complete_the_command() {
+    let folder = folder("shells_complete_the_command");
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = eliminant(&folder, &["completions", shell]);
+        assert_eq!(status(&script), 0);
+        for part in ["search", "stability", "budget"] {
+            assert!(stdout(&script).contains(part), "{shell}: {part}");
+        }
+    }
+}
+
+/// Messages have colours where they are asked for, and the same text.
+#[test]
+fn messages_may_have_colours() {
+    let folder = folder("messages_may_have_colours");
+    fs::write(folder.join("wrong.rs"), "fn wrong(a: f64) -> (x, y) { x == a; y == b; }").unwrap();
+    for arguments in [["check", "wrong.rs"], ["check", "missing.rs"], ["check", "--wrong"]] {
+        let file = folder.join(arguments[1]).display().to_string();
+        let arguments = ["eliminant", arguments[0], if arguments[1] == "--wrong" { "--wrong" } else { &file }];
+        let [plain, coloured] = [Colour::Never, Colour::Always].map(|colour| {
+            let mut err = Vec::new();
+            assert_ne!(run_in(arguments, &mut Vec::new(), &mut err, colour), 0);
+            String::from_utf8(err).unwrap()
+        });
+        assert!(coloured.contains("\x1b[") && !plain.contains('\x1b'), "{coloured:?}");
+        let stripped: String = coloured.split("\x1b[").enumerate().fold(String::new(), |text, (at, part)| {
+            text + if at == 0 { part } else { part.split_once('m').map_or("", |(_, rest)| rest) }
+        });
+        let lines = |text: &str| text.lines().map(|line| line.trim_end().to_owned()).collect::<Vec<_>>();
+        assert_eq!(lines(&stripped), lines(&plain));
     }
 }
 

@@ -139,14 +139,20 @@ fn has_spurious_values<I: SolverInstance>(solver: &I) -> bool {
 /// Collects the solutions, in one attempt or two.
 #[inline]
 fn solve<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> Result<(), SolveError> {
-    let first = first_attempt(solver, found);
-    let lacks_some = first.is_err() || found.lacks_some();
-    if !(lacks_some && solver.allows_second_attempt()) {
+    let may_repeat = solver.allows_second_attempt();
+    let mut known = solver.sizes().basis.list();
+    let first = first_attempt(solver, found, (&mut known, may_repeat));
+    if !(may_repeat && (first.is_err() || found.lacks_some())) {
         return first;
     }
-    match second_attempt(solver, first, found) {
-        Err(_) if continued(solver, found) => Ok(()),
-        second => second,
+    let can_repeat = first.is_ok() || solver.has_precise_coefficients();
+    let is_repeated = can_repeat && second_attempt(solver, found, &known).is_ok();
+    match first {
+        _ if is_repeated && !found.lacks_some() => Ok(()),
+        // It may have stopped early.
+        Ok(()) => first_attempt(solver, found, (&mut known, false)),
+        Err(_) if is_repeated || continued(solver, found) => Ok(()),
+        error => error,
     }
 }
 
@@ -210,49 +216,70 @@ fn continued<I: SolverInstance>(_: &mut I, _: &mut impl Collection<I>) -> bool {
 #[cfg(feature = "alloc")]
 fn general_solutions<I: SolverInstance>(solver: &mut I) -> Option<Points<I, Complex<f64>>> {
     let mut found = AllSolutions::new(solver);
-    let outcome = first_attempt(solver, &mut found);
+    let outcome = first_attempt(solver, &mut found, (&mut solver.sizes().basis.list(), false));
     (outcome.is_ok() && !found.lacks_some()).then(|| found.admissible(solver))
 }
 
-/// Collects what the usual precision finds. It is a function of its own, so that its memory is free
-/// for the second attempt.
+/// Eigenvalues that led to solutions.
+type Known<I> = <<I as SolverInstance>::Basis as Size>::List<Complex<f64>>;
+
+/// Collects what the usual precision finds, and the eigenvalues that led to it. It is a function of
+/// its own, so that its memory is free for the second attempt. With `may_stop` it ends as soon as
+/// it is known that solutions will be missing: polishes that fail take long, and so do solutions
+/// that share an eigenvalue.
 #[inline(never)]
-fn first_attempt<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> Result<(), SolveError> {
+fn first_attempt<I: SolverInstance>(
+    solver: &mut I,
+    found: &mut impl Collection<I>,
+    (known, may_stop): (&mut Known<I>, bool),
+) -> Result<(), SolveError> {
     let action = solver.action_matrix::<f64>()?;
     let mut spectrum = Hessenberg::zero(solver.sizes().basis);
     spectrum.matrix = action.clone();
     spectrum.reduce_in_place()?;
     let values = spectrum.eigenvalues()?;
     found.note(solver, values.as_ref());
-    let mut is_complete = add_separate(solver, &spectrum, &values, found);
+    let mut is_complete = add_separate(solver, (&spectrum, &values), found, (known, may_stop));
     if found.starts_to_count(solver) {
-        is_complete = add_separate(solver, &spectrum, &values, found) || found.has_all();
+        *known = solver.sizes().basis.list();
+        is_complete = add_separate(solver, (&spectrum, &values), found, (known, may_stop)) || found.has_all();
     }
-    if !is_complete {
+    if !(is_complete || may_stop && found.lacks_some()) {
         add_shared(solver, &action, (&spectrum, &values), found);
     }
     Ok(())
 }
 
-/// Adds the solutions of separate eigenpairs. Returns false if two of them gave the same solution.
-/// It is a function of its own, so that its memory is free afterwards.
+/// Adds the solutions of separate eigenpairs, and their eigenvalues to those known. Returns false
+/// if two of them gave the same solution, or if it stopped early because the eigenpairs that are
+/// left are too few. It is a function of its own, so that its memory is free afterwards.
 #[inline(never)]
 fn add_separate<I: SolverInstance>(
     solver: &I,
-    spectrum: &Hessenberg<I::Basis>,
-    values: &BasisVector<I, Complex<f64>>,
+    (spectrum, values): (&Hessenberg<I::Basis>, &BasisVector<I, Complex<f64>>),
     found: &mut impl Collection<I>,
+    (known, may_stop): (&mut Known<I>, bool),
 ) -> bool {
     let size = solver.sizes().basis;
     let mut pairs = size.list();
     push_eigenpairs(&mut pairs, spectrum, values.as_ref(), &|value| found.wants(value));
+    let each = 1 + flips(solver).len();
+    let solutions_of = |pair: &EigenpairOf<I::Basis>| if pair.value.im == 0.0 { each } else { 2 * each };
+    let mut left = pairs.iter().map(solutions_of).sum::<usize>();
     let mut complete = true;
     for &(residual, at) in in_order(solver, &pairs).iter() {
         if found.has_all() && residual > NO_SOLUTION {
             return true;
         }
-        let pair = &pairs[at];
+        if may_stop && found.will_lack_some(left) {
+            return false;
+        }
+        let (pair, count) = (&pairs[at], found.count());
+        left -= solutions_of(pair);
         complete &= found.add(solver, &Listed { size, pair }, pair.value);
+        if found.count() > count {
+            known.push(pair.value);
+        }
     }
     complete
 }
@@ -384,35 +411,50 @@ fn add_shared<I: SolverInstance>(
 }
 
 /// Repeats the elimination and the eigenvalue iteration at twice the precision and adds the
-/// solutions.
+/// solutions. Eigenvectors and polishes take most of the time, so eigenvalues that are closest to
+/// known ones, whose solutions are found, come last, and are left out once all are counted.
 ///
 /// # Errors
-/// The error of the `first` attempt, if this one fails, too, or if the coefficients cannot be more
-/// precise.
+/// As the first attempt.
 #[cold]
 #[inline(never)]
 fn second_attempt<I: SolverInstance>(
     solver: &mut I,
-    first: Result<(), SolveError>,
     found: &mut impl Collection<I>,
+    known: &[Complex<f64>],
 ) -> Result<(), SolveError> {
-    if first.is_err() && !solver.has_precise_coefficients() {
-        return first;
-    }
     // The matrix stays in its result: a move would take its size from the stack twice.
     let action = solver.action_matrix::<DoubleDouble>();
-    let Ok(action) = &action else { return first };
+    let action = action.as_ref().map_err(|&error| error)?;
     let solver = &*solver;
+    let size = solver.sizes().basis;
     let add_all = &mut |spectrum: &PreciseSpectrum<'_>| {
-        let source = PreciseEigenpairs { size: solver.sizes().basis, spectrum };
-        for &value in spectrum.eigenvalues {
-            if value.im >= 0.0 && found.wants(&value) {
+        found.note(solver, spectrum.eigenvalues);
+        let source = PreciseEigenpairs { size, spectrum };
+        let mut order = size.list();
+        for (at, value) in spectrum.eigenvalues.iter().enumerate().filter(|(_, value)| value.im >= 0.0) {
+            order.push((-distance_to_one(value, known), at));
+        }
+        sort(&mut order);
+        for &(_, at) in order.iter() {
+            let value = spectrum.eigenvalues[at];
+            if found.has_all() {
+                break;
+            }
+            if found.wants(&value) {
                 found.add(solver, &source, value);
             }
         }
     };
-    let (order, row): (_, Row<'_>) = (solver.sizes().basis.get(), &|at| action[at].as_ref());
-    with_precise_spectrum(order, row, solver.memory(), add_all).or(first)
+    let (order, row): (_, Row<'_>) = (size.get(), &|at| action[at].as_ref());
+    with_precise_spectrum(order, row, solver.memory(), add_all)
+}
+
+/// The distance to the nearest of the known eigenvalues, relative to the eigenvalue.
+#[inline(never)]
+fn distance_to_one(value: &Complex<f64>, known: &[Complex<f64>]) -> f64 {
+    let nearest = known.iter().map(|other| (value - other).l1_norm()).fold(f64::INFINITY, f64::min);
+    nearest / value.l1_norm()
 }
 
 /// The eigenpairs of the second attempt, listed under the eigenvalues.

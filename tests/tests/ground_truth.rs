@@ -13,6 +13,8 @@ use eliminant_tests::{Case, cases};
 use rayon::prelude::*;
 
 const INSTANCES: u64 = 10_000;
+/// Scenes of the circle solvers, which the cylinders stand on.
+const MANY: u64 = 1_000_000;
 /// A returned solution at most this far from a known one is the known one with fewer digits.
 const COARSE: f64 = 1e-2;
 /// The smallest singular value of the scaled Jacobian below which a solution counts as
@@ -158,6 +160,26 @@ fn known_solutions_are_found() {
     NOT_FOUND.check_names(&names, &mut faults);
     NOT_FOUND_WITHOUT_REASON.check_names(&names, &mut faults);
     assert!(faults.is_empty(), "{faults:#?}");
+}
+
+/// The circle solvers miss nothing, and every solution is one, on a million scenes each.
+#[test]
+fn a_million_circles_are_found() {
+    for maker in makers().iter().filter(|maker| maker.name.starts_with("circle")) {
+        let case = case(maker.name);
+        let (missed, residual) = (0..MANY)
+            .into_par_iter()
+            .map(|k| {
+                let instance = maker.make.draw(&mut Random::new(70_000_000 + k));
+                let found = (case.solve)(&instance.data).unwrap_or_default();
+                let residual = |solution: &Vec<f64>| (case.residual)(&instance.data, &complex(solution));
+                let residuals = found.iter().map(|solution| residual(solution).unwrap_or(f64::INFINITY));
+                (misses(maker, &case, &instance).len(), worst(residuals))
+            })
+            .reduce(|| (0, 0.0), |(missed, residual), (m, r)| (missed + m, residual.max(r)));
+        println!("{}: {missed} missed on {MANY} scenes, worst relative residual {residual:.1e}", case.name);
+        assert!(missed == 0 && residual <= 1e-12, "{}: {missed} missed, {residual:e}", case.name);
+    }
 }
 
 /// Three lines have an incircle and three excircles: all four real, all truly tangent.

@@ -2,8 +2,12 @@
 
 use eliminant::SolveError;
 use eliminant_generator::algebra::Random;
-use eliminant_solvers::{fundamental_7pt, pose_3pt, relpose_5pt_rays, relpose_6pt_focal_points};
-use eliminant_tests::ground_truth::{camera, image, in_ball, projective_error, uniform};
+use eliminant_solvers::{
+    fundamental_7pt, pose_2pt_upright, pose_3pt, relpose_3pt_upright, relpose_5pt_rays, relpose_6pt_focal_points,
+};
+use eliminant_tests::ground_truth::{
+    Motion, camera, image, in_ball, projective_error, uniform, upright, upright_cameras,
+};
 use nalgebra::{Matrix3, Vector2, Vector3};
 
 const SCENES: u64 = 1_000;
@@ -114,6 +118,36 @@ fn poses_come_from_rays_and_points() {
     assert!(lost <= LOST, "{lost}");
 }
 
+#[test]
+fn poses_of_upright_cameras_come_from_two_points() {
+    let lost = lost(|random| {
+        let (rotation, (_, translation)) = (upright(random), camera(random));
+        let points: [Vector3<f64>; 2] = std::array::from_fn(|_| in_ball(random));
+        let seen = points.map(|x| (rotation * x + translation) * uniform(random, 0.5, 2.0));
+        let found = pose_2pt_upright::solve_for_pose(&rays(&seen), &rays(&points)).unwrap_or_default();
+        found.iter().any(|pose| {
+            (Matrix3::from(pose.rotation).transpose() - rotation).norm() < FOUND
+                && (Vector3::from(pose.translation) - translation).norm() < FOUND * translation.norm()
+        })
+    });
+    assert!(lost <= LOST, "{lost}");
+}
+
+#[test]
+fn relative_poses_of_upright_cameras_come_from_three_points() {
+    let lost = lost(|random| {
+        let (rotation, translation, points) = upright_cameras((random, Motion::General), 3);
+        let first: [Vector3<f64>; 3] = std::array::from_fn(|k| points[k]);
+        let second = first.map(|x| (rotation * x + translation) * uniform(random, 0.5, 2.0));
+        let found = relpose_3pt_upright::solve_for_relative_pose(&rays(&first), &rays(&second)).unwrap_or_default();
+        found.iter().any(|pose| {
+            (Matrix3::from(pose.rotation).transpose() - rotation).norm() < FOUND
+                && Vector3::from(pose.translation).normalize().cross(&translation.normalize()).norm() < FOUND
+        })
+    });
+    assert!(lost <= LOST, "{lost}");
+}
+
 /// A result of one solution, also of a complex one, is that of the list.
 #[test]
 fn results_of_single_solutions() {
@@ -122,6 +156,7 @@ fn results_of_single_solutions() {
     let solutions = relpose_5pt_rays::solve(&first, &second).unwrap();
     let results = relpose_5pt_rays::solve_for_relative_pose(&first, &second).unwrap();
     assert!(!solutions.is_empty());
+    assert_eq!(relpose_5pt_rays::relative_pose_of_each(&first, &second, &solutions).unwrap(), results);
     for (solution, result) in solutions.iter().zip(&results) {
         assert_eq!(relpose_5pt_rays::relative_pose_of(&first, &second, solution).unwrap(), *result);
         // Of weights of length 1 on an orthonormal basis.

@@ -4,8 +4,8 @@
 use super::error::CommandError;
 use super::scene::SceneArguments;
 use crate::{
-    CylinderLines, Estimate, EstimateError, Method, ParallelError, RansacOptions, RobustOptions, View, estimate,
-    parallel_estimates, triangulate_parallel,
+    CylinderLines, Estimate, EstimateError, JointError, JointEstimate, JointMethod, Loss, Method, Radii, RansacOptions,
+    RobustOptions, Side, TriangulateError, View, estimate, estimate_on_side, estimate_together,
 };
 
 /// How to estimate.
@@ -30,8 +30,25 @@ pub(super) struct EstimatorArguments {
     #[arg(long)]
     refine: bool,
     /// Estimate one direction for the cylinders of all labels
-    #[arg(long, conflicts_with_all = ["robust", "refine"])]
+    #[arg(long, conflicts_with = "robust")]
     parallel: bool,
+    /// Estimate one radius for the cylinders of all labels; refines
+    #[arg(long, conflicts_with_all = ["robust", "radius"])]
+    shared_radius: bool,
+    /// The radius of all cylinders, if it is known, world units; refines
+    #[arg(long, value_name = "R", conflicts_with = "robust", value_parser = positive)]
+    radius: Option<f64>,
+    /// The side of all lines, for one line in each image: left or right of the axis if its
+    /// direction, with the largest entry positive, points up; refines
+    #[arg(long, value_enum, conflicts_with_all = ["robust", "parallel", "shared_radius", "radius"])]
+    side: Option<SideArgument>,
+}
+
+/// [`Side`] on the command line.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum SideArgument {
+    Left,
+    Right,
 }
 
 fn number(text: &str, is_valid: impl Fn(f64) -> bool, range: &str) -> Result<f64, String> {
@@ -47,31 +64,49 @@ fn probability(text: &str) -> Result<f64, String> {
 }
 
 impl EstimatorArguments {
-    /// The cylinders of a scene, in the order of their lines.
+    /// The cylinders of a scene, in the order of their lines, and the radius that they share.
     pub(super) fn estimate(
         &self,
         scene: &SceneArguments,
         cylinders: &[CylinderLines],
-    ) -> Result<Vec<Estimate>, CommandError> {
-        let failure = |index: usize, error: EstimateError| CommandError::Estimate {
+    ) -> Result<JointEstimate, CommandError> {
+        let failure = |index: Option<usize>, error: EstimateError| CommandError::Estimate {
             scene: scene.path().to_owned(),
-            label: cylinders.get(index).and_then(|lines| lines.label.clone()),
+            label: index.and_then(|index| cylinders.get(index)?.label.clone()),
             error,
         };
-        if self.parallel {
+        if let Some(method) = self.joint_method() {
             let views: Vec<_> = cylinders.iter().map(|lines| lines.views.clone()).collect();
-            let result = triangulate_parallel(&views).map_err(|error| match error {
-                ParallelError::Cylinder { cylinder, error } => failure(cylinder, error.into()),
-                // The error has no label, because it concerns the lines of all cylinders.
-                error @ ParallelError::Direction(_) => failure(usize::MAX, error.into()),
-            })?;
-            return Ok(parallel_estimates(result, &views));
+            // An error of all cylinders together has no label.
+            return estimate_together(&views, &method).map_err(|error| match error {
+                JointError::Cylinder { cylinder, error } => failure(Some(cylinder), error),
+                JointError::Direction(error) => failure(None, TriangulateError::Direction(error).into()),
+                JointError::Refine(error) => failure(None, error.into()),
+            });
         }
-        let estimate = |(index, lines)| self.single(lines).map_err(|error| failure(index, error));
-        cylinders.iter().enumerate().map(estimate).collect()
+        let estimate = |(index, lines)| self.single(lines).map_err(|error| failure(Some(index), error));
+        let cylinders = cylinders.iter().enumerate().map(estimate).collect::<Result<_, _>>()?;
+        Ok(JointEstimate { cylinders, radius: None })
+    }
+
+    /// How cylinders are estimated together; `None` if they share nothing.
+    fn joint_method(&self) -> Option<JointMethod> {
+        let radii = match self.radius {
+            Some(radius) => Radii::Known(radius),
+            None if self.shared_radius => Radii::Shared,
+            None => Radii::Own,
+        };
+        let refines = self.refine || radii != Radii::Own;
+        let method = JointMethod { parallel: self.parallel, refinement: refines.then_some((radii, Loss::Quadratic)) };
+        (self.parallel || radii != Radii::Own).then_some(method)
     }
 
     fn single(&self, CylinderLines { views, .. }: &CylinderLines) -> Result<Estimate, EstimateError> {
+        match self.side {
+            Some(SideArgument::Left) => return estimate_on_side(views, Side::Left),
+            Some(SideArgument::Right) => return estimate_on_side(views, Side::Right),
+            None => {}
+        }
         let method = match (self.robust, self.refine) {
             (true, _) => Method::Robust(self.robust_options(views)),
             (false, true) => Method::Refined,

@@ -5,22 +5,19 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use nalgebra::{Unit, Vector3};
 
-use super::drawings::DrawingArguments;
+use super::drawings::{DrawingArguments, Drawn, Findings};
 use super::error::CommandError;
 use super::files::write_all;
+use super::found::Found;
+use super::images::ImageArguments;
 use super::output::Output;
 use super::scene::SceneArguments;
-use crate::direction::estimate_direction;
-use crate::matching_report::MatchingReport;
 use crate::progress::progress_bar;
-use crate::report::Report;
 use crate::{
-    CylinderLines, Estimate, MatchError, MatchOptions, MatchedCylinder, Matching, Progress, References, RefineError,
-    TriangulateError, View, default_direction_options, estimate_direction_robustly, estimate_from,
-    match_cylinders_with,
+    MatchError, MatchOptions, Matching, Progress, References, View, match_cylinders_with, match_directions_with,
 };
 
-/// Find parallel cylinders and their silhouettes among unlabelled lines
+/// Find cylinders and their silhouettes among unlabelled lines
 #[derive(clap::Args, Debug)]
 #[command(after_help = "Examples:
   cylinders match scene.json
@@ -30,12 +27,13 @@ Every pair of lines in an image is tried with every line of the other images. La
 pub(super) struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Upper bound of the distance of a line from its silhouette: pixels if all cameras have a
-    /// calibration (default 12), radians otherwise (default 0.004); the default is doubled once if
-    /// there is no cylinder. Less is allowed where the lines show less noise
+    /// Largest distance of a line from its silhouette: pixels if all cameras have a calibration
+    /// (default 3), radians otherwise (default 0.001); the default is doubled once if there is no
+    /// cylinder
     #[arg(long, value_name = "DISTANCE", value_parser = positive)]
     threshold: Option<f64>,
-    /// Largest number of cylinders; by default all that are unlikely to be chance
+    /// Largest number of cylinders, all of one direction; by default all that are unlikely to be
+    /// chance
     #[arg(long, value_name = "N", value_parser = at_least::<1>)]
     count: Option<usize>,
     /// Least number of matches of a cylinder, 4 or more; by default more than chance gives, or 4
@@ -46,7 +44,10 @@ pub(super) struct Arguments {
     /// there
     #[arg(long)]
     first_image: bool,
-    /// Direction of all axes, world frame; by default the one on which most lines agree
+    /// Largest number of directions of cylinders; by default all that have cylinders
+    #[arg(long, value_name = "N", value_parser = at_least::<1>, conflicts_with_all = ["count", "direction"])]
+    directions: Option<usize>,
+    /// Direction of all axes, world frame; by default the directions on which many lines agree
     #[arg(long, value_name = "X,Y,Z", value_parser = parse_direction, allow_hyphen_values = true)]
     direction: Option<Unit<Vector3<f64>>>,
     /// Also write the result to this file, as JSON
@@ -54,13 +55,13 @@ pub(super) struct Arguments {
     out: Option<PathBuf>,
     #[command(flatten)]
     drawings: DrawingArguments,
+    #[command(flatten)]
+    images: ImageArguments,
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
+pub(super) fn run(arguments: &Arguments, command: &str) -> Result<Output, CommandError> {
     let read = arguments.scene.read()?;
-    let views = &read.views;
-    let directions = directions(arguments, views)?;
-    let defaults = MatchOptions::of(views);
+    let defaults = MatchOptions::of(&read.views);
     let options = MatchOptions {
         threshold: arguments.threshold.unwrap_or(defaults.threshold),
         references: if arguments.first_image { References::First } else { References::Every },
@@ -68,46 +69,40 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         least_support: arguments.least_support,
         ..defaults
     };
-    let scene = || arguments.scene.path().to_owned();
-    // Hand-drawn lines may need more than the default.
-    let factors: &[f64] = if arguments.threshold.is_some() { &[1.0] } else { &[1.0, 2.0] };
-    let mut found = Err(MatchError::NoPair);
-    for factor in factors {
-        let options = MatchOptions { threshold: factor * options.threshold, ..options };
-        for direction in &directions {
-            found = search(views, direction, &options).map(|matching| (*direction, options.threshold, matching));
-            if !matches!(found, Err(MatchError::NoCylinder { .. })) {
-                break;
-            }
-        }
-        if !matches!(found, Err(MatchError::NoCylinder { .. })) {
-            break;
-        }
+    let mut found = search(arguments, &read.views, &options).map(|matching| (options.threshold, matching));
+    if matches!(found, Err(MatchError::NoCylinder { .. })) && arguments.threshold.is_none() {
+        // Hand-drawn lines may need more than the default.
+        let options = MatchOptions { threshold: 2.0 * options.threshold, ..options };
+        found = search(arguments, &read.views, &options).map(|matching| (options.threshold, matching));
     }
-    let (direction, threshold, matching) = found.map_err(|error| CommandError::Match { scene: scene(), error })?;
-    let lines: Vec<_> = (1..).zip(&matching.cylinders).map(|(n, found)| found.lines(views, &n.to_string())).collect();
-    let refine = |(lines, found): (&CylinderLines, &MatchedCylinder)| estimate_from(&lines.views, &found.cylinder);
-    let estimates: Vec<_> = lines.iter().zip(&matching.cylinders).map(refine).collect();
-    let reports = lines.iter().zip(&estimates).map(|(lines, estimate)| match estimate {
-        Ok(estimate) => Ok(Report::new(lines, estimate, &read.points)),
-        Err(error) => Err(*error),
-    });
-    let report = MatchingReport::new(views, (&direction, threshold), &matching).with_refined(reports.collect());
-    let output = Output::of(&report).with_warnings(report.warnings);
-    let cylinder = |(found, estimate): (&MatchedCylinder, &Result<Estimate, RefineError>)| match estimate {
-        Ok(estimate) => estimate.cylinder,
-        Err(_) => found.cylinder,
-    };
-    let cylinders: Vec<_> = matching.cylinders.iter().zip(&estimates).map(cylinder).collect();
-    let found: Vec<_> = lines.into_iter().zip(cylinders).collect();
-    let mut files = arguments.drawings.draw(&read, &found)?;
+    let failure = |error| CommandError::Match { scene: arguments.scene.path().to_owned(), error };
+    let (threshold, matching) = found.map_err(failure)?;
+    let Found { output, scene, cylinders, tables } = Found::new(read.views, read.points, threshold, &matching);
+    let folders = arguments.images.folders(&arguments.scene);
+    let findings = Findings { command: command.to_owned(), warnings: output.warnings.clone(), tables };
+    let mut files = arguments.drawings.draw(Drawn { scene: &scene, found: &cylinders, folders }, findings)?;
     files.extend(arguments.out.iter().map(|path| (path.clone(), output.json.clone().into_bytes())));
     write_all(arguments.drawings.folder().as_slice(), &files)?;
     Ok(output)
 }
 
+/// The cylinders along the given direction, or of all directions.
+fn search(arguments: &Arguments, views: &[View], options: &MatchOptions) -> Result<Matching, MatchError> {
+    let along = |views: &[View], direction: &Unit<Vector3<f64>>| search_along(views, direction, options);
+    match (&arguments.direction, arguments.count) {
+        (Some(direction), _) => along(views, direction),
+        // So many cylinders would be found in any direction.
+        (None, Some(_)) => match_directions_with(views, 1, along),
+        (None, None) => match_directions_with(views, arguments.directions.unwrap_or(usize::MAX), along),
+    }
+}
+
 /// Shows a progress bar: the pairs searched and the cylinders found so far.
-fn search(views: &[View], direction: &Unit<Vector3<f64>>, options: &MatchOptions) -> Result<Matching, MatchError> {
+fn search_along(
+    views: &[View],
+    direction: &Unit<Vector3<f64>>,
+    options: &MatchOptions,
+) -> Result<Matching, MatchError> {
     let bar = progress_bar(0);
     let found = AtomicUsize::new(0);
     let matching = match_cylinders_with(views, direction, options, &|progress| match progress {
@@ -122,29 +117,12 @@ fn search(views: &[View], direction: &Unit<Vector3<f64>>, options: &MatchOptions
     matching
 }
 
-/// The directions to try one after the other: the given one; otherwise that on which most lines
-/// agree, and that of all lines.
-fn directions(arguments: &Arguments, views: &[View]) -> Result<Vec<Unit<Vector3<f64>>>, CommandError> {
-    if let Some(direction) = arguments.direction {
-        return Ok(vec![direction]);
-    }
-    let planes: Vec<_> = views.iter().flat_map(View::planes).collect();
-    let failure = |error| CommandError::Estimate {
-        scene: arguments.scene.path().to_owned(),
-        label: None,
-        error: TriangulateError::Direction(error).into(),
-    };
-    let found = estimate_direction_robustly(&planes, &default_direction_options()).map_err(failure)?;
-    let of_all = estimate_direction(&planes).ok().map(|direction| direction.direction);
-    Ok([found.direction.direction].into_iter().chain(of_all).collect())
-}
-
 pub(super) fn positive(text: &str) -> Result<f64, String> {
     let number = text.parse().ok().filter(|number: &f64| *number > 0.0 && number.is_finite());
     number.ok_or_else(|| "the threshold must be a number greater than 0".to_owned())
 }
 
-fn at_least<const LEAST: usize>(text: &str) -> Result<usize, String> {
+pub(super) fn at_least<const LEAST: usize>(text: &str) -> Result<usize, String> {
     let number = text.parse().ok().filter(|&number| number >= LEAST);
     number.ok_or_else(|| format!("not a whole number of {LEAST} or more"))
 }

@@ -3,7 +3,7 @@
 //!
 //! Exit status: 0 success; 1 the data or a file is at fault; 2 wrong usage.
 
-/// PLY files and pictures of a result.
+/// Models, pictures and the page of a result.
 mod drawings;
 /// Why a subcommand failed.
 mod error;
@@ -13,12 +13,14 @@ mod estimator;
 mod experiment;
 /// Output files, written whole or not at all.
 mod files;
+/// Cylinders that were found among lines without labels.
+mod found;
+/// Where photographs are.
+mod images;
 /// `cylinders match`.
 mod matching;
 /// Text for people, or one JSON object.
 mod output;
-/// The report of a result, one HTML page.
-mod page;
 /// `cylinders photos`.
 mod photos;
 /// Where cameras and lines come from.
@@ -57,8 +59,8 @@ impl Command {
     fn run(&self, line: &str) -> Result<Output, CommandError> {
         match self {
             Self::Experiment(arguments) => experiment::run(arguments),
-            Self::Match(arguments) => matching::run(arguments),
-            Self::Photos(arguments) => photos::run(arguments),
+            Self::Match(arguments) => matching::run(arguments, line),
+            Self::Photos(arguments) => photos::run(arguments, line),
             Self::Triangulate(arguments) => triangulate::run(arguments, line),
         }
     }

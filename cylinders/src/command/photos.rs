@@ -5,29 +5,24 @@ use std::path::PathBuf;
 
 use nalgebra::{Point3, Unit, Vector3};
 
-use super::drawings::{DrawingArguments, view_file};
+use super::drawings::{DrawingArguments, Drawn, Findings};
 use super::error::CommandError;
 use super::files::write_all;
-use super::matching::{parse_direction, positive};
+use super::found::Found;
+use super::matching::{at_least, parse_direction, positive};
 use super::output::Output;
 use super::triangulate::reports;
 use crate::distortion::Distortion;
-use crate::matching_report::MatchingReport;
 use crate::photograph::Photograph;
-use crate::photos::decode::{decode_photograph, encode_png, media_type};
-use crate::photos::{
-    LineOptions, PhotoMatching, PhotoOptions, candidate_lines, find_cylinders, snapped, undistorted_image,
-};
-use crate::picture::{PhotographFile, photograph_overlay};
-use crate::{
-    Cylinder, CylinderLines, Method, Scene, View, detection::detect_segments, estimate, read_colmap, read_scene,
-};
+use crate::photos::decode::decode_photograph;
+use crate::photos::{LineOptions, PhotoOptions, candidate_lines, find_cylinders, snapped, undistorted_segments};
+use crate::{CylinderLines, JointEstimate, Method, Scene, View, estimate, read_colmap, read_scene};
 
-/// Find parallel cylinders in photographs whose cameras are known
+/// Find cylinders in photographs whose cameras are known
 #[derive(clap::Args, Debug)]
 #[command(after_help = "Examples:
   cylinders photos --colmap model --images photographs --json
-  cylinders photos scene.json --images photographs --overlays pictures --ply cylinders.ply
+  cylinders photos scene.json --images photographs --silhouettes pictures --ply cylinders.ply
   cylinders photos scene.json --images photographs --snap
 
 Lines of the scene are not looked at, only its cameras, unless --snap is given.")]
@@ -44,17 +39,16 @@ pub(super) struct Arguments {
     /// Largest distance between a line and its silhouette, pixels
     #[arg(long, value_name = "PIXELS", default_value_t = 2.0, value_parser = positive)]
     threshold: f64,
-    /// Direction of all axes, world frame; by default the one with the most evidence for cylinders
+    /// Largest number of directions of cylinders
+    #[arg(long, value_name = "N", value_parser = at_least::<1>, conflicts_with = "direction")]
+    directions: Option<usize>,
+    /// Direction of all axes, world frame; by default the directions with evidence for cylinders
     #[arg(long, value_name = "X,Y,Z", value_parser = parse_direction, allow_hyphen_values = true)]
     direction: Option<Unit<Vector3<f64>>>,
     /// Do not search: move the lines of the scene to the edges that are detected within 5 pixels,
     /// and refine the cylinder of each label on them
-    #[arg(long, conflicts_with_all = ["colmap", "threshold", "direction"])]
+    #[arg(long, conflicts_with_all = ["colmap", "threshold", "direction", "directions"])]
     snap: bool,
-    /// Draw lines and silhouettes over each photograph, to an SVG file in this folder, which is
-    /// made if it is not there
-    #[arg(long, value_name = "FOLDER")]
-    overlays: Option<PathBuf>,
     /// Also write the result to this file, as JSON
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -62,32 +56,19 @@ pub(super) struct Arguments {
     drawings: DrawingArguments,
 }
 
-/// The file of a photograph without distortion, and its candidates for silhouettes.
-struct Seen {
-    file: Vec<u8>,
-    media_type: &'static str,
-    size: [usize; 2],
-    lines: View,
-}
-
-/// A scene with the lines of cylinders labelled, and these cylinders.
-type Labelled = (Scene, Vec<(CylinderLines, Cylinder)>);
-
-pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
+pub(super) fn run(arguments: &Arguments, command: &str) -> Result<Output, CommandError> {
     let scene = scene(arguments)?;
     let photographs = photographs(arguments, &scene)?;
-    let seen = photographs.into_iter().map(|photograph| look(arguments, &photograph)).collect::<Result<Vec<_>, _>>()?;
-    let (output, (scene, found)) = match arguments.snap {
-        true => snap(arguments, scene, &seen)?,
-        false => search(arguments, scene.points, &seen)?,
+    let lines = photographs.iter().map(|photograph| look(arguments, photograph)).collect::<Result<Vec<_>, _>>()?;
+    let Found { output, scene, cylinders, tables } = match arguments.snap {
+        true => snap(arguments, scene, &lines)?,
+        false => search(arguments, scene.points, &lines)?,
     };
-    let mut files = arguments.drawings.draw(&scene, &found)?;
-    if let Some(folder) = &arguments.overlays {
-        files.extend(overlays(&scene, &found, &seen).map(|(name, content)| (folder.join(name), content)));
-    }
+    let findings = Findings { command: command.to_owned(), warnings: output.warnings.clone(), tables };
+    let drawn = Drawn { scene: &scene, found: &cylinders, folders: vec![arguments.images.clone()] };
+    let mut files = arguments.drawings.draw(drawn, findings)?;
     files.extend(arguments.out.iter().map(|path| (path.clone(), output.json.clone().into_bytes())));
-    let folders: Vec<_> = arguments.drawings.folder().into_iter().chain(arguments.overlays.as_deref()).collect();
-    write_all(&folders, &files)?;
+    write_all(arguments.drawings.folder().as_slice(), &files)?;
     Ok(output)
 }
 
@@ -111,46 +92,35 @@ fn photographs(arguments: &Arguments, scene: &Scene) -> Result<Vec<Photograph>, 
     scene.views.iter().enumerate().map(photograph).collect()
 }
 
-/// Reads a photograph and detects its lines.
-fn look(arguments: &Arguments, photograph: &Photograph) -> Result<Seen, CommandError> {
+/// Reads a photograph and detects its candidates for silhouettes.
+fn look(arguments: &Arguments, photograph: &Photograph) -> Result<View, CommandError> {
     let path = arguments.images.join(&photograph.name);
     let file = fs::read(&path).map_err(|source| CommandError::Read { path: path.clone(), source })?;
     let image = decode_photograph(&file).map_err(|source| CommandError::Photograph { path: path.clone(), source })?;
-    let size = [image.width(), image.height()];
-    let straight = undistorted_image(photograph, &image)?;
-    let diagonal = (size[0] as f64).hypot(size[1] as f64);
-    let lines = candidate_lines(photograph, &detect_segments(&straight), diagonal, &LineOptions::default())?;
-    // Lines are drawn over the photograph without distortion.
-    let (media_type, file) = match photograph.distortion.is_none() {
-        true => (media_type(&file).unwrap_or_default(), file),
-        false => {
-            let failure = |source: png::EncodingError| CommandError::Picture { path, source: source.into() };
-            ("image/png", encode_png(&straight).map_err(failure)?)
-        }
-    };
-    Ok(Seen { file, media_type, size, lines })
+    let diagonal = (image.width() as f64).hypot(image.height() as f64);
+    let segments = undistorted_segments(photograph, &image)?;
+    Ok(candidate_lines(photograph, &segments, diagonal, &LineOptions::default())?)
 }
 
 /// Cylinders without labels.
-fn search(arguments: &Arguments, points: Vec<Point3<f64>>, seen: &[Seen]) -> Result<(Output, Labelled), CommandError> {
-    let views: Vec<_> = seen.iter().map(|seen| seen.lines.clone()).collect();
-    let mut options = PhotoOptions::of(&views);
+fn search(arguments: &Arguments, points: Vec<Point3<f64>>, views: &[View]) -> Result<Found, CommandError> {
+    let mut options = PhotoOptions::of(views);
     options.matching.threshold = arguments.threshold;
-    let found = find_cylinders(&views, arguments.direction, &options)
+    options.directions = arguments.directions.unwrap_or(options.directions);
+    let found = find_cylinders(views, arguments.direction, &options)
         .map_err(|error| CommandError::Match { scene: arguments.images.clone(), error })?;
-    let report = MatchingReport::new(&found.views, (&found.direction, options.matching.threshold), &found.matching);
     let points = match &arguments.colmap {
         Some(model) => read_colmap(model)?.points,
         None => points,
     };
-    Ok((Output::of(&report).with_warnings(report.warnings), labelled(found, points)))
+    Ok(Found::new(found.views, points, options.matching.threshold, &found.matching))
 }
 
 /// The cylinder of each label of the scene, on the edges near its lines.
-fn snap(arguments: &Arguments, scene: Scene, seen: &[Seen]) -> Result<(Output, Labelled), CommandError> {
+fn snap(arguments: &Arguments, scene: Scene, seen: &[View]) -> Result<Found, CommandError> {
     let (mut views, mut moved, mut marked) = (Vec::new(), 0, 0);
-    for (view, seen) in scene.views.iter().zip(seen) {
-        let (snapped, count) = snapped(view, &seen.lines).unwrap_or_else(|| (view.clone(), 0));
+    for (view, edges) in scene.views.iter().zip(seen) {
+        let (snapped, count) = snapped(view, edges).unwrap_or_else(|| (view.clone(), 0));
         marked += view.lines().len();
         moved += count;
         views.push(snapped);
@@ -164,56 +134,16 @@ fn snap(arguments: &Arguments, scene: Scene, seen: &[Seen]) -> Result<(Output, L
             error,
         })
     };
-    let estimates = lines.iter().map(estimate).collect::<Result<Vec<_>, _>>()?;
-    let reports = reports(&scene, &lines, &estimates);
+    let cylinders = lines.iter().map(estimate).collect::<Result<Vec<_>, _>>()?;
+    let estimate = JointEstimate { cylinders, radius: None };
+    let reports = reports(&scene, &lines, &estimate);
     let mut output = Output::of(&reports).with_warnings(reports.warnings());
     if moved < marked {
         let warning = format!("{} of {marked} lines have no edge within reach and stay where they are", marked - moved);
         output.text += &format!("\nwarning: {warning}\n");
         output.warnings.push(warning);
     }
-    let found = lines.into_iter().zip(&estimates).map(|(lines, estimate)| (lines, estimate.cylinder)).collect();
-    Ok((output, (scene, found)))
-}
-
-/// Name and content of the picture of each photograph.
-fn overlays(
-    scene: &Scene,
-    found: &[(CylinderLines, Cylinder)],
-    seen: &[Seen],
-) -> impl Iterator<Item = (String, Vec<u8>)> {
-    let overlay = move |(view, seen): (usize, &Seen)| {
-        let [width, height] = seen.size;
-        let file = PhotographFile { media_type: seen.media_type, bytes: &seen.file, width, height };
-        let svg = photograph_overlay(&file, scene, found, view)?;
-        Some((view_file(scene, view), svg.into_bytes()))
-    };
-    seen.iter().enumerate().filter_map(overlay)
-}
-
-/// The scene with the number of its cylinder, from 1, as the label of each matched line.
-fn labelled(found: PhotoMatching, points: Vec<Point3<f64>>) -> Labelled {
-    let PhotoMatching { views, matching, .. } = found;
-    let labels = |index: usize, view: &View| {
-        let mut labels = vec![None; view.lines().len()];
-        for (number, cylinder) in matching.cylinders.iter().enumerate() {
-            for residual in cylinder.matches.iter().filter(|residual| residual.view == index) {
-                labels[residual.line] = Some((number + 1).to_string());
-            }
-        }
-        labels
-    };
-    let views = views.iter().enumerate().map(|(index, view)| {
-        // There is one label for each line, so they are not refused.
-        view.clone().with_labels(labels(index, view)).unwrap_or_else(|_| view.clone())
-    });
-    let scene = Scene { views: views.collect(), points };
-    let lines = scene.cylinders();
-    let of_number = |number: usize| {
-        let label = (number + 1).to_string();
-        lines.iter().find(|lines| lines.label.as_deref() == Some(&label)).cloned()
-    };
-    let cylinders = matching.cylinders.iter().enumerate();
-    let cylinders = cylinders.filter_map(|(number, found)| Some((of_number(number)?, found.cylinder))).collect();
-    (scene, cylinders)
+    let cylinders =
+        lines.into_iter().zip(&estimate.cylinders).map(|(lines, estimate)| (lines, estimate.cylinder)).collect();
+    Ok(Found { output, scene, cylinders, tables: reports.tables() })
 }

@@ -13,15 +13,14 @@
 //! (inverse gamma prior of `sigma^2` with two degrees of freedom). The plausibility of a cylinder
 //! is its likelihood over that of the best.
 
-use nalgebra::{Unit, Vector3};
+use nalgebra::{Point3, Unit, Vector3};
 
-use super::refine::{Loss, Optimised, optimise};
-use super::triangulate::{CrossSection, identified_planes};
+use super::evidence::Evidence;
+use super::triangulate::CrossSection;
 use crate::axis::direction::estimate_direction;
 use crate::cross_section::closed_form::tangent_circles;
 use crate::cross_section::least_squares::StationaryCircles;
 use crate::cross_section::section::SectionLine;
-use crate::observations::copies::IndependentLines;
 use crate::observations::scene::LineId;
 use crate::observations::view::ViewingPlane;
 use crate::space::cylinder::Cylinder;
@@ -46,7 +45,7 @@ const FEW_LINES: usize = 6;
 const MANY_LINES: usize = 30;
 
 /// Steps of Levenberg-Marquardt to a local minimum.
-const STEPS: usize = 100;
+const STEPS: usize = 1000;
 
 /// Cylinders are the same if radius and axis differ by at most this part of the radius, and the
 /// directions by this angle.
@@ -82,25 +81,6 @@ impl PlausibleCylinders {
     }
 }
 
-/// Independent lines, as planes and prepared for measurement.
-#[derive(Clone, Copy)]
-pub(crate) struct Evidence<'a> {
-    pub(crate) planes: &'a [(LineId, ViewingPlane)],
-    pub(crate) measured: &'a [MeasuredLine],
-    /// The planes of clearly distinct lines: lines that are nearly copies are joined.
-    pub(crate) distinct: &'a [(LineId, ViewingPlane)],
-    pub(crate) unit: DistanceUnit,
-}
-
-/// Lines within this multiple of the tolerance of copies are not clearly distinct.
-const NEARLY: f64 = 4.0;
-
-/// The planes of the clearly distinct lines among independent ones. Each has the place of its first
-/// line.
-pub(crate) fn distinct_planes(lines: &IndependentLines) -> Vec<(LineId, ViewingPlane)> {
-    identified_planes(&IndependentLines::within(&lines.views, NEARLY))
-}
-
 impl Evidence<'_> {
     /// All local minima in front of the cameras, those with less than a thousandth of the
     /// plausibility of the best excepted; the best first. `found` is a cylinder near one of them,
@@ -111,7 +91,7 @@ impl Evidence<'_> {
             let step = self.measured.len() / MANY_LINES;
             let planes: Vec<_> = self.planes.iter().step_by(step).copied().collect();
             let measured: Vec<_> = self.measured.iter().step_by(step).copied().collect();
-            let part = Evidence { planes: &planes, measured: &measured, distinct: &planes, unit: self.unit };
+            let part = Evidence { planes: &planes, measured: &measured, distinct: &planes, ..*self };
             let plausible = part.minima(found);
             if !plausible.is_ambiguous() {
                 return plausible;
@@ -122,13 +102,16 @@ impl Evidence<'_> {
 
     fn minima(&self, found: Option<&Cylinder>) -> PlausibleCylinders {
         let minimum = |start: &Cylinder| {
-            let Optimised { cylinder, .. } = optimise(self.measured, start, Loss::Quadratic, STEPS).ok()?;
+            let nearest = self.known.nearest(self.measured, start, STEPS);
+            let cylinder = nearest.filter(|cylinder| self.known.has_side(self.measured, cylinder))?;
             Some((cylinder, self.cost(&cylinder)?))
         };
         let of_found = found.and_then(minimum);
         let mut minima: Vec<(Cylinder, f64)> = of_found.into_iter().collect();
         let refined = of_found.map(|(cylinder, _)| cylinder);
-        for (cylinder, cost) in self.starts(refined.as_ref().or(found)).iter().filter_map(minimum) {
+        let starts = self.starts(refined.as_ref().or(found));
+        let sized = starts.iter().flat_map(|start| self.known.sized(start, &self.cameras()));
+        for (cylinder, cost) in sized.filter_map(|start| minimum(&start)) {
             match minima.iter_mut().find(|(known, _)| self.is_same(known, &cylinder)) {
                 Some(known) if cost < known.1 => *known = (cylinder, cost),
                 Some(_) => {}
@@ -140,7 +123,7 @@ impl Evidence<'_> {
         let alternative = |(cylinder, cost): (Cylinder, f64)| Alternative {
             cylinder: cylinder.with_canonical_sign(),
             rms: (cost / (2.0 * self.measured.len() as f64)).sqrt(),
-            plausibility: self.likelihood_ratio(least, cost, 5.0),
+            plausibility: self.likelihood_ratio(least, cost, self.known.parameters()),
         };
         let plausible = |alternative: &Alternative| alternative.plausibility >= PLAUSIBLE;
         let cylinders: Vec<_> = minima.into_iter().map(alternative).filter(plausible).collect();
@@ -148,6 +131,12 @@ impl Evidence<'_> {
             cylinders.iter().position(|alternative| self.is_same(&alternative.cylinder, &of_found))
         });
         PlausibleCylinders { cylinders, found }
+    }
+
+    /// Mean of the camera centres, weighted by their numbers of lines.
+    fn cameras(&self) -> Point3<f64> {
+        let sum: Vector3<f64> = self.measured.iter().map(|line| line.centre.coords).sum();
+        Point3::from(sum / self.measured.len().max(1) as f64)
     }
 
     /// Likelihood of the sum of squares `cost` relative to that of `least`, for models with this
@@ -176,14 +165,19 @@ impl Evidence<'_> {
     }
 
     /// Cylinders from which local minima are reached: those along the direction of least squares,
-    /// and those along the direction of `found`. The former is poor if lines are short.
+    /// and those along the direction of `found`. The former is poor if lines are short. A known
+    /// direction is the only one.
     fn starts(&self, found: Option<&Cylinder>) -> Vec<Cylinder> {
         let mut starts = Vec::new();
         for planes in [self.planes, self.distinct] {
             let all: Vec<_> = planes.iter().map(|&(_, plane)| plane).collect();
-            let least_squares = estimate_direction(&all).ok().map(|direction| direction.direction);
-            for direction in least_squares.into_iter().chain(found.map(|found| found.direction)) {
-                starts.extend(along(planes, &direction).into_iter().flatten());
+            let least_squares = || estimate_direction(&all).ok().map(|direction| direction.direction);
+            let directions = match self.known.direction {
+                Some(known) => [Some(known), None],
+                None => [least_squares(), found.map(|found| found.direction)],
+            };
+            for direction in directions.iter().flatten() {
+                starts.extend(along(planes, direction).into_iter().flatten());
             }
             if self.distinct.len() == self.planes.len() {
                 break;

@@ -2,18 +2,18 @@
 
 use thiserror::Error;
 
-use super::alternatives::{Evidence, PlausibleCylinders, distinct_planes};
-use super::parallel::{ParallelError, ParallelTriangulation};
+use super::alternatives::PlausibleCylinders;
+use super::evidence::{Evidence, PreparedLines};
+use super::joint::Known;
 use super::refine::{Loss, RefineError, RefineOptions, Refinement, refine};
 use super::robust::{RobustError, RobustOptions, RobustTriangulation, triangulate_robustly};
-use super::triangulate::{TriangulateError, Triangulation, identified_planes, triangulate};
+use super::triangulate::{TriangulateError, Triangulation, triangulate};
 use super::warnings::{Warning, bad_fit, camera_warnings, fit_warnings, thin};
 use crate::axis::direction::Direction;
 use crate::cross_section::circle::{CircleError, CircleFit};
-use crate::observations::copies::IndependentLines;
 use crate::observations::scene::LineId;
 use crate::observations::view::View;
-use crate::space::cylinder::{Cylinder, LineResidual};
+use crate::space::cylinder::{Cylinder, LineResidual, Side};
 use crate::space::silhouette_distance::{DistanceUnit, Metric};
 
 /// Largest expected number of cylinders by chance that draws no warning.
@@ -46,8 +46,8 @@ pub struct Estimate {
     pub refinement: Option<(Refinement, DistanceUnit)>,
     /// What RANSAC chose, if it was used.
     pub consensus: Option<EstimateConsensus>,
-    /// All cylinders that explain the lines about as well. `None` if they were not looked for, as
-    /// for parallel cylinders.
+    /// All cylinders that explain the lines about as well; of cylinders that share a direction or a
+    /// radius, all that have them, too. `None` if they were not looked for.
     pub plausible: Option<PlausibleCylinders>,
     /// What makes the estimate doubtful.
     pub warnings: Vec<Warning>,
@@ -74,9 +74,12 @@ pub enum EstimateError {
     /// Least squares found no cylinder.
     #[error(transparent)]
     Triangulate(#[from] TriangulateError),
-    /// The cylinders with a shared direction are not determined.
-    #[error(transparent)]
-    Parallel(#[from] ParallelError),
+    /// No cylinder in front of the cameras has all lines on the given side.
+    #[error("no cylinder in front of the cameras has all lines on its {side} side")]
+    NoneOnSide {
+        /// The side.
+        side: Side,
+    },
     /// RANSAC found no cylinder.
     #[error(transparent)]
     Robust(#[from] RobustError),
@@ -98,26 +101,23 @@ pub fn estimate(views: &[View], method: &Method) -> Result<Estimate, EstimateErr
         let result = triangulate_robustly(views, options)?;
         return Ok(Estimate::from_robust(result, options.metric.unit, views));
     }
-    let lines = IndependentLines::of(views);
     let metric = Metric::of(views);
     let least_squares = match triangulate(views) {
         Ok(result) => Ok(result),
         Err(error @ TriangulateError::Circle(CircleError::Ambiguous { .. })) => Err(error),
         Err(error) => return Err(error.into()),
     };
-    let planes = identified_planes(&lines);
-    let measured = metric.measured(&lines).map_err(RefineError::from)?;
-    let distinct = distinct_planes(&lines);
-    let evidence = Evidence { planes: &planes, measured: &measured, distinct: &distinct, unit: metric.unit };
+    let lines = PreparedLines::of(views, &metric).map_err(RefineError::from)?;
+    let evidence = lines.evidence(Known::default());
     let start = least_squares.as_ref().ok().map(|result| result.cylinder);
     let mut plausible = evidence.plausible_cylinders(start.as_ref());
     let best = plausible.cylinders.first().map(|best| best.cylinder);
 
     let mut estimate = match (least_squares, best) {
-        (Ok(result), _) => Estimate::of_least_squares(result, lines.count()),
+        (Ok(result), _) => Estimate::of_least_squares(result, lines.count),
         (Err(_), Some(best)) => {
             plausible.found = Some(0);
-            Estimate::of_cylinder(best, views, lines.count())?
+            Estimate::of_cylinder(best, views, lines.count)?
         }
         (Err(error), None) => return Err(error.into()),
     };
@@ -127,11 +127,29 @@ pub fn estimate(views: &[View], method: &Method) -> Result<Estimate, EstimateErr
         estimate = estimate.refined(views, &start, &RefineOptions { metric, loss: Loss::Quadratic })?;
         plausible.found = best.map(|_| 0);
     }
-    estimate.warnings.extend(camera_warnings(views));
-    estimate.warnings.extend(thin(&estimate.cylinder, views));
-    estimate.warnings.extend(fit_warnings(&evidence, &estimate.cylinder, &plausible));
-    estimate.plausible = Some(plausible);
-    Ok(estimate)
+    Ok(estimate.judged(views, &evidence, plausible))
+}
+
+/// The best cylinder that has all lines on one side, if the axis, with its largest entry positive,
+/// points up: for one line in each image, which may touch a circle on either side. Refined, with
+/// the other such cylinders that explain the lines about as well, and with warnings.
+///
+/// # Errors
+/// [`EstimateError`].
+pub fn estimate_on_side(views: &[View], side: Side) -> Result<Estimate, EstimateError> {
+    let metric = Metric::of(views);
+    let lines = PreparedLines::of(views, &metric).map_err(RefineError::from)?;
+    if lines.count < 3 {
+        return Err(TriangulateError::TooFewLines { lines: lines.count }.into());
+    }
+    let evidence = lines.evidence(Known { side: Some(side), ..Known::default() });
+    let plausible = evidence.plausible_cylinders(None);
+    let Some(best) = plausible.cylinders.first().map(|best| best.cylinder) else {
+        return Err(EstimateError::NoneOnSide { side });
+    };
+    let options = RefineOptions { metric, loss: Loss::Quadratic };
+    let estimate = Estimate::of_cylinder(best, views, lines.count)?.refined(views, &best, &options)?;
+    Ok(estimate.judged(views, &evidence, PlausibleCylinders { found: Some(0), ..plausible }))
 }
 
 /// A cylinder that is known roughly, refined on all of its lines, with the other cylinders that
@@ -140,38 +158,17 @@ pub fn estimate(views: &[View], method: &Method) -> Result<Estimate, EstimateErr
 /// # Errors
 /// [`RefineError`].
 pub fn estimate_from(views: &[View], initial: &Cylinder) -> Result<Estimate, RefineError> {
-    let lines = IndependentLines::of(views);
     let metric = Metric::of(views);
-    let (planes, measured) = (identified_planes(&lines), metric.measured(&lines)?);
-    let distinct = distinct_planes(&lines);
-    let evidence = Evidence { planes: &planes, measured: &measured, distinct: &distinct, unit: metric.unit };
+    let lines = PreparedLines::of(views, &metric)?;
+    let evidence = lines.evidence(Known::default());
     let options = RefineOptions { metric, loss: Loss::Quadratic };
-    let mut estimate = Estimate::of_cylinder(*initial, views, lines.count())?.refined(views, initial, &options)?;
+    let estimate = Estimate::of_cylinder(*initial, views, lines.count)?.refined(views, initial, &options)?;
     let plausible = evidence.plausible_cylinders(Some(&estimate.cylinder));
-    estimate.warnings.extend(camera_warnings(views));
-    estimate.warnings.extend(thin(&estimate.cylinder, views));
-    estimate.warnings.extend(fit_warnings(&evidence, &estimate.cylinder, &plausible));
-    estimate.plausible = Some(plausible);
-    Ok(estimate)
-}
-
-/// The cylinders of a common direction as estimates. Cylinders of another direction that may
-/// explain the lines are not looked for.
-pub fn parallel_estimates(result: ParallelTriangulation, cylinders: &[Vec<View>]) -> Vec<Estimate> {
-    let estimate = |(result, views): (Triangulation, &Vec<View>)| {
-        let squares = result.residuals.iter().filter_map(|residual| residual.pixels).map(|pixels| pixels * pixels);
-        let noise = (squares.sum::<f64>() / result.residuals.len() as f64).sqrt();
-        let mut estimate = Estimate::of_least_squares(result, IndependentLines::of(views).count());
-        estimate.warnings = camera_warnings(views);
-        estimate.warnings.extend(thin(&estimate.cylinder, views));
-        estimate.warnings.extend(bad_fit(noise, DistanceUnit::Pixels, have_ends(views)));
-        estimate
-    };
-    result.cylinders.into_iter().zip(cylinders).map(estimate).collect()
+    Ok(estimate.judged(views, &evidence, plausible))
 }
 
 impl Estimate {
-    fn of_least_squares(result: Triangulation, independent_lines: usize) -> Self {
+    pub(super) fn of_least_squares(result: Triangulation, independent_lines: usize) -> Self {
         let Triangulation { cylinder, direction, fit, residuals } = result;
         Self {
             cylinder,
@@ -185,7 +182,11 @@ impl Estimate {
         }
     }
 
-    fn of_cylinder(cylinder: Cylinder, views: &[View], independent_lines: usize) -> Result<Self, RefineError> {
+    pub(super) fn of_cylinder(
+        cylinder: Cylinder,
+        views: &[View],
+        independent_lines: usize,
+    ) -> Result<Self, RefineError> {
         Ok(Self {
             cylinder,
             residuals: residuals(&cylinder, views)?,
@@ -238,10 +239,28 @@ impl Estimate {
 
     /// The estimate refined on all lines.
     fn refined(self, views: &[View], start: &Cylinder, options: &RefineOptions) -> Result<Self, RefineError> {
-        let refinement = refine(views, start, options)?;
+        self.with_refinement(views, refine(views, start, options)?, options.metric.unit)
+    }
+
+    /// The estimate with the cylinder of a refinement.
+    pub(super) fn with_refinement(
+        self,
+        views: &[View],
+        refinement: Refinement,
+        unit: DistanceUnit,
+    ) -> Result<Self, RefineError> {
         let cylinder = refinement.cylinder;
         let residuals = residuals(&cylinder, views)?;
-        Ok(Self { cylinder, residuals, refinement: Some((refinement, options.metric.unit)), ..self })
+        Ok(Self { cylinder, residuals, refinement: Some((refinement, unit)), ..self })
+    }
+
+    /// The estimate with the plausible cylinders and all warnings.
+    pub(super) fn judged(mut self, views: &[View], evidence: &Evidence<'_>, plausible: PlausibleCylinders) -> Self {
+        self.warnings.extend(camera_warnings(views));
+        self.warnings.extend(thin(&self.cylinder, views));
+        self.warnings.extend(fit_warnings(evidence, &self.cylinder, &plausible));
+        self.plausible = Some(plausible);
+        self
     }
 }
 

@@ -4,12 +4,16 @@
 pub mod alternatives;
 /// A cylinder from any of the estimators.
 pub(crate) mod estimate;
+/// The lines of a cylinder as evidence for it.
+mod evidence;
+/// Several cylinders with a direction or a radius in common, refined together.
+pub mod joint;
+/// Cylinders with a direction or a radius in common from views, with what makes them doubtful.
+pub(crate) mod joint_estimate;
 /// The influence of lines on the refinement.
 mod loss;
 /// Several cylinders with one direction.
 pub mod parallel;
-/// Lines in space by four parameters.
-mod plucker;
 /// A cylinder to the one whose silhouettes are nearest to the lines, with its covariance.
 pub mod refine;
 /// Why a cylinder cannot be refined.
@@ -20,9 +24,11 @@ pub mod robust;
 mod sampling;
 /// Whether lines could agree by chance.
 mod significance;
-/// The cost of a cylinder and the uncertainty of its parameters.
+/// The cost of a cylinder and its derivatives.
 mod silhouette_cost;
 /// Views to a cylinder with its residuals.
 pub mod triangulate;
+/// The covariance of refined cylinders.
+mod uncertainty;
 /// What makes an estimate doubtful.
 pub mod warnings;

@@ -2,20 +2,20 @@
 //! all parameters of the cylinder at once, and estimates their uncertainty.
 //!
 //! ```text
-//!   minimise  sum_i rho(|e_i|^2 / 2)   over the axis (4, orthonormal Plücker form) and the radius
+//!   minimise  sum_i rho(|e_i|^2 / 2)   over the axis (4 parameters) and the radius
 //! ```
 //!
 //! with the distances `e_i` of two points of each line and the loss `rho`, by Levenberg-Marquardt
 //! with the weights `rho'` (iteratively reweighted). The unit of the coordinates is the mean
-//! distance of the cameras from the axis. Their origin is at that distance beside the part of the
-//! axis that the lines see.
+//! distance of the cameras from the axis, and their origin is on the part of it that the lines see.
 
-use nalgebra::{Matrix5, Point3, Vector3};
+use nalgebra::{Matrix5, Point3, Vector3, Vector5};
 
 pub use super::loss::Loss;
 pub use super::refine_error::RefineError;
-use super::silhouette_cost::{SilhouetteCost, Uncertainty};
+use super::silhouette_cost::{Frame, SilhouetteCost, across};
 use super::triangulate::is_single_viewpoint;
+use super::uncertainty::{Block, Uncertainty};
 use crate::numerics::levenberg_marquardt::minimise;
 use crate::observations::copies::IndependentLines;
 use crate::observations::view::View;
@@ -23,11 +23,11 @@ use crate::space::cylinder::Cylinder;
 use crate::space::silhouette_distance::{MeasuredLine, Metric};
 
 /// Limit on the steps of Levenberg-Marquardt.
-const STEPS: usize = 200;
+pub(super) const STEPS: usize = 200;
 
 /// The radius counts as zero if it is at most this, relative to the mean distance of the cameras
 /// from the axis. It is far below what an image can show.
-const NO_RADIUS: f64 = 1e-9;
+pub(super) const NO_RADIUS: f64 = 1e-9;
 
 /// Two estimates of one cylinder hardly differ by more than this number of standard deviations of
 /// either.
@@ -101,6 +101,15 @@ pub struct Deviation {
     pub radius: f64,
 }
 
+/// A number and its standard deviation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measure {
+    /// The number.
+    pub value: f64,
+    /// Its standard deviation.
+    pub deviation: f64,
+}
+
 /// Refines a cylinder on the lines of all views. Copies of a line count as one line
 /// ([`IndependentLines`]). The direction of the result has a canonical sign: its entry of largest
 /// magnitude is positive.
@@ -125,35 +134,41 @@ pub(crate) fn refine_lines(lines: &[MeasuredLine], initial: &Cylinder, loss: Los
     let cylinder = cylinder.with_canonical_sign();
     // The frame is that of the result, because its position refers to the part of its own axis that
     // the lines see.
-    let (frame, problem) = SilhouetteCost::of(lines, &cylinder, loss)?;
-    let parameters = frame.parameters(&cylinder);
-    let Uncertainty { covariance: local, noise, degrees_of_freedom } = problem.uncertainty(&parameters)?;
+    let frame = Frame::of(&cylinder, lines)?;
+    let (cost, local) = (SilhouetteCost::new(lines, &frame, loss), frame.local(&cylinder));
+    let block = Block { cost: &cost, cylinder: &local, places: [0, 1, 2, 3, 4].map(Some) };
+    let uncertainty = Uncertainty::of(std::slice::from_ref(&block), 5)?;
+    Ok(Refinement::new((&cylinder, &frame), lines, &block, &uncertainty, iterations))
+}
 
-    // Maps steps in the frame to (dw, dA, dr) across the axis, in world units.
-    let across = parameters.axis.across();
-    let mut map = Matrix5::zeros();
-    for (column, (d_direction, d_point, d_radius)) in parameters.tangents().into_iter().enumerate() {
-        for (row, vector) in across.iter().enumerate() {
-            map[(row, column)] = vector.dot(&d_direction);
-            map[(row + 2, column)] = vector.dot(&d_point) * frame.unit;
+impl Refinement {
+    /// The numbers of a cylinder at the optimum in its frame.
+    pub(super) fn new(
+        (cylinder, frame): (&Cylinder, &Frame),
+        lines: &[MeasuredLine],
+        block: &Block<'_>,
+        uncertainty: &Uncertainty,
+        iterations: usize,
+    ) -> Self {
+        // Positions and radius to world units.
+        let unit = frame.unit;
+        let scale = Matrix5::from_diagonal(&Vector5::new(1.0, 1.0, unit, unit, unit));
+        let covariance = scale * block.part(&uncertainty.covariance) * scale;
+        let deviation = |from: usize, to: usize| (from..to).map(|index| covariance[(index, index)]).sum::<f64>().sqrt();
+        let square: f64 =
+            lines.iter().filter_map(|line| line.distance(cylinder)).map(|distance| distance.mean_square()).sum();
+        Self {
+            cylinder: *cylinder,
+            reference: frame.origin + cylinder.vector_to_axis(&frame.origin),
+            across: across(&cylinder.direction),
+            covariance,
+            deviation: Deviation { direction: deviation(0, 2), position: deviation(2, 4), radius: deviation(4, 5) },
+            rms: (square / lines.len() as f64).sqrt(),
+            noise: uncertainty.noise,
+            degrees_of_freedom: uncertainty.degrees_of_freedom,
+            iterations,
         }
-        map[(4, column)] = d_radius * frame.unit;
     }
-    let covariance = map * local * map.transpose();
-    let deviation = |from: usize, to: usize| (from..to).map(|index| covariance[(index, index)]).sum::<f64>().sqrt();
-    let square: f64 =
-        lines.iter().filter_map(|line| line.distance(&cylinder)).map(|distance| distance.mean_square()).sum();
-    Ok(Refinement {
-        cylinder,
-        reference: frame.world_point(&parameters.axis.nearest()),
-        across,
-        covariance,
-        deviation: Deviation { direction: deviation(0, 2), position: deviation(2, 4), radius: deviation(4, 5) },
-        rms: (square / lines.len() as f64).sqrt(),
-        noise,
-        degrees_of_freedom,
-        iterations,
-    })
 }
 
 /// The state in which Levenberg-Marquardt ended.
@@ -163,6 +178,20 @@ pub(crate) struct Optimised {
     pub(crate) converged: bool,
 }
 
+/// Whether the refinement can start.
+pub(super) fn check(lines: &[MeasuredLine], initial: &Cylinder, loss: Loss) -> Result<(), RefineError> {
+    loss.check()?;
+    if lines.len() < 3 {
+        return Err(RefineError::TooFewLines { lines: lines.len() });
+    }
+    let Cylinder { axis_point, direction, radius } = initial;
+    let finite = axis_point.iter().chain(direction.iter()).chain([radius]).all(|entry| entry.is_finite());
+    match finite && *radius > 0.0 {
+        true => Ok(()),
+        false => Err(RefineError::NotACylinder),
+    }
+}
+
 /// The optimum, or the cylinder that is reached after `limit` steps.
 pub(crate) fn optimise(
     lines: &[MeasuredLine],
@@ -170,20 +199,12 @@ pub(crate) fn optimise(
     loss: Loss,
     limit: usize,
 ) -> Result<Optimised, RefineError> {
-    loss.check()?;
-    if lines.len() < 3 {
-        return Err(RefineError::TooFewLines { lines: lines.len() });
-    }
-    let Cylinder { axis_point, direction, radius } = initial;
-    let finite = axis_point.iter().chain(direction.iter()).chain([radius]).all(|entry| entry.is_finite());
-    if !finite || *radius <= 0.0 {
-        return Err(RefineError::NotACylinder);
-    }
-    let (frame, problem) = SilhouetteCost::of(lines, initial, loss)?;
-    let optimum = minimise(&problem, frame.parameters(initial), limit)?;
+    check(lines, initial, loss)?;
+    let frame = Frame::of(initial, lines)?;
+    let optimum = minimise(&SilhouetteCost::new(lines, &frame, loss), frame.local(initial), limit)?;
     if optimum.state.radius <= NO_RADIUS {
         return Err(RefineError::NoRadius);
     }
-    let cylinder = frame.world_cylinder(&optimum.state.cylinder());
+    let cylinder = frame.world(&optimum.state);
     Ok(Optimised { cylinder, iterations: optimum.iterations, converged: optimum.converged })
 }

@@ -16,9 +16,9 @@
 use nalgebra::{Unit, Vector3};
 use thiserror::Error;
 
-use super::alternatives::{
-    Alternative, Evidence, PLAUSIBLE, PlausibleCylinders, distinct_planes, triples, usual_noise,
-};
+use super::alternatives::{Alternative, PLAUSIBLE, PlausibleCylinders, triples, usual_noise};
+use super::evidence::{Evidence, distinct_planes};
+use super::joint::Known;
 use super::refine::{Loss, RefineError, Refinement, refine_lines};
 use super::sampling::CylinderEstimator;
 use super::significance::log_false_alarms;
@@ -407,7 +407,8 @@ impl Search<'_> {
     fn plausible(&self, found: &Agreement, distinct: &[(LineId, ViewingPlane)]) -> PlausibleCylinders {
         let planes: Vec<_> = found.inliers.iter().map(|&index| self.estimator.planes[index]).collect();
         let measured = self.estimator.measured(&found.inliers);
-        let evidence = Evidence { planes: &planes, measured: &measured, distinct, unit: self.options.metric.unit };
+        let unit = self.options.metric.unit;
+        let evidence = Evidence { planes: &planes, measured: &measured, distinct, unit, known: Known::default() };
         let mut plausible = evidence.plausible_cylinders(Some(&found.refinement.cylinder));
         if self.estimator.count() <= FEW_LINES && self.estimator.count() > found.inliers.len() {
             let least = self.truncated_cost(&found.refinement.cylinder, found);

@@ -3,8 +3,8 @@
 
 use std::fmt;
 
-use super::alternatives::{Evidence, PlausibleCylinders};
-use super::refine::{Loss, optimise};
+use super::alternatives::PlausibleCylinders;
+use super::evidence::Evidence;
 use crate::observations::scene::{CylinderLines, LineId};
 use crate::observations::view::{Camera, View};
 use crate::space::cylinder::Cylinder;
@@ -253,7 +253,8 @@ pub(crate) fn fit_warnings(
         cylinders @ 2.. => warnings.push(Warning::Ambiguous { cylinders }),
         _ => {}
     }
-    if evidence.distinct.len() < 4 {
+    // With a known radius, the third line checks the others.
+    if evidence.distinct.len() < 4 && evidence.known.radius.is_none() {
         warnings.push(Warning::ThreeLines);
     }
     let behind = evidence
@@ -262,14 +263,14 @@ pub(crate) fn fit_warnings(
         .find(|line| line.distance(cylinder).is_none_or(|distance| distance.depth.is_nan() || distance.depth <= 0.0));
     warnings.extend(behind.map(|line| Warning::Behind { view: line.view }));
 
-    let nearest = optimise(evidence.measured, cylinder, Loss::Quadratic, STEPS).map_or(*cylinder, |best| best.cylinder);
+    let nearest = evidence.known.nearest(evidence.measured, cylinder, STEPS).unwrap_or(*cylinder);
     let ratio = nearest.radius / cylinder.radius;
     if (ratio - 1.0).abs() > FAR {
         warnings.push(Warning::FarFromRefined { ratio });
     }
     let squares: f64 =
         evidence.measured.iter().filter_map(|line| line.distance(&nearest)).map(|d| 2.0 * d.mean_square()).sum();
-    let freedom = 2.0 * evidence.measured.len() as f64 - 5.0;
+    let freedom = 2.0 * evidence.measured.len() as f64 - evidence.known.parameters();
     let noise = (squares / freedom).sqrt();
     warnings.extend(bad_fit(noise, evidence.unit, evidence.measured.iter().all(|line| line.has_ends)));
     warnings.extend(wrong_line(evidence, &nearest, squares));
@@ -304,10 +305,10 @@ fn wrong_line(evidence: &Evidence<'_>, cylinder: &Cylinder, squares: f64) -> Opt
         let (mut others, mut planes) = (lines.to_vec(), evidence.planes.to_vec());
         let line = others.remove(suspect);
         planes.remove(suspect);
-        let best = optimise(&others, cylinder, Loss::Quadratic, STEPS).ok()?.cylinder;
+        let best = evidence.known.nearest(&others, cylinder, STEPS)?;
         let others = Evidence { planes: &planes, measured: &others, ..*evidence };
         // The usual noise in the likelihood ratio adds two degrees of freedom to the exponent.
-        let probability = others.likelihood_ratio(others.cost(&best)?, squares, 7.0);
+        let probability = others.likelihood_ratio(others.cost(&best)?, squares, evidence.known.parameters() + 2.0);
         let distance = line.distance(&best)?.mean_square().sqrt();
         Some((probability * lines.len() as f64, suspect, distance))
     };

@@ -1,5 +1,5 @@
-//! `matching`: parallel cylinders among unlabelled lines; success of the search against clutter and
-//! noise.
+//! `matching`: cylinders among unlabelled lines; success of the search against clutter, noise,
+//! missing silhouettes and the number of directions.
 
 use super::error::ExperimentError;
 use super::instances::seeded_instances;
@@ -9,15 +9,18 @@ use super::quantile::Sorted;
 use super::table::Table;
 use crate::picture::{Axis, Plot, Series};
 use crate::simulation::{ParallelScene, ParallelSetup};
-use crate::{
-    Cylinder, MatchOptions, View, ViewError, default_direction_options, estimate_direction_robustly, match_cylinders,
-};
+use crate::{Cylinder, MatchOptions, ViewError, match_cylinders, match_directions, match_directions_with};
 
 const RUNS: usize = 100;
 
 /// Outlier rates, at the noise of the set-up; noise in pixels, at the outlier rate of the set-up.
 const OUTLIER_RATES: [f64; 6] = [0.86, 0.89, 0.90, 0.91, 0.92, 0.94];
 const NOISE: [f64; 6] = [0.25, 0.5, 1.0, 1.5, 2.0, 3.0];
+
+/// Parts of the visible silhouettes that are detected, and numbers of directions, at the outlier
+/// rate and the noise of the set-up.
+const DETECTION: [f64; 5] = [0.9, 0.8, 0.7, 0.6, 0.5];
+const DIRECTIONS: [usize; 3] = [1, 2, 4];
 
 /// A cylinder is found if axis and radius are off by less than this part of the radius.
 const FOUND: f64 = 0.1;
@@ -29,11 +32,20 @@ the mean over the cylinders of the part of all lines that are not its silhouette
 every image are tried, and lines within 3 pixels match, whatever the noise. Told: the \
 information given to the search. If the direction is not given, it is estimated from all \
 lines; if the number of cylinders is not given, the search takes all cylinders that are \
-unlikely to be chance.\n\
+unlikely to be chance. Cylinders of several directions take turns in them; the directions are 25 \
+degrees or more apart, and each has its part of the clutter.\n\
 Found: axis (in the middle of the scene) and radius are off by less than a tenth of the \
 radius. All: part of the runs in which all seven cylinders are found. False: mean number of \
 other cylinders. Wrong matches: part of the lines of found cylinders that are not their \
 silhouettes.";
+
+/// A kind of scene, and what the search is told.
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    setup: ParallelSetup,
+    directions: usize,
+    told: Told,
+}
 
 /// The information that the search gets besides the lines.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
@@ -69,16 +81,26 @@ struct Score {
 pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
     let runs = options.runs_or(RUNS);
     let paper = ParallelSetup::seven_in_twelve();
-    let by_rate = OUTLIER_RATES.map(|outlier_rate| ParallelSetup { outlier_rate, ..paper });
-    let by_noise = NOISE.map(|noise| ParallelSetup { noise, ..paper });
+    let row = |setup| Row { setup, directions: 1, told: Told::Nothing };
+    let told = Told::ALL.map(|told| Row { told, ..row(paper) });
+    let by_rate = OUTLIER_RATES.map(|outlier_rate| row(ParallelSetup { outlier_rate, ..paper }));
+    let by_noise = NOISE.map(|noise| row(ParallelSetup { noise, ..paper }));
+    let by_detection = DETECTION.map(|detection| row(ParallelSetup { detection, ..paper }));
+    let by_directions = DIRECTIONS.map(|directions| Row { directions, ..row(paper) });
     let mut outcome = Outcome::new(SETUP, runs);
-    let told = Told::ALL.map(|told| (paper, told));
-    let by_rate = by_rate.map(|setup| (setup, Told::Nothing));
-    let by_noise = by_noise.map(|setup| (setup, Told::Nothing));
-    for (name, setups) in [("paper", &told as &[_]), ("outlier_rate", &by_rate), ("noise", &by_noise)] {
+    let parts: [(_, &[Row]); 5] = [
+        ("paper", &told),
+        ("outlier_rate", &by_rate),
+        ("noise", &by_noise),
+        ("detection", &by_detection),
+        ("directions", &by_directions),
+    ];
+    for (name, rows) in parts {
         let columns = [
             "told",
             "noise / pixels",
+            "detected",
+            "directions",
             "lines",
             "outlier rate",
             "cylinders",
@@ -89,8 +111,9 @@ pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
         ];
         let mut table = Table::new(name, &columns);
         let mut points = [Vec::new(), Vec::new()];
-        for (setup, told) in setups {
-            let scores = seeded_instances(options, runs, |seed| score(setup, *told, seed));
+        for row in rows {
+            let setup = &row.setup;
+            let scores = seeded_instances(options, runs, |seed| score(row, seed));
             let scores = scores.into_iter().collect::<Result<Vec<_>, ViewError>>()?;
             let mean = |of: fn(&Score) -> f64| Sorted::new(scores.iter().map(of)).mean();
             let all = scores.iter().filter(|score| score.found == setup.cylinders).count() as f64 / runs as f64;
@@ -98,17 +121,26 @@ pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
             let [matches, wrong] = [mean(|score| score.matches as f64), mean(|score| score.wrong as f64)];
             let numbers = [found, all, mean(|score| score.spurious as f64), wrong / matches].map(Into::into);
             let lines = mean(|score| score.lines as f64);
-            let row = [told.name().into(), setup.noise.into(), lines.into(), rate.into(), setup.cylinders.into()];
-            table.push(row.into_iter().chain(numbers));
-            let x = if name == "noise" { setup.noise } else { rate };
+            let cells = [setup.noise.into(), setup.detection.into(), row.directions.into(), lines.into(), rate.into()];
+            let cells = [row.told.name().into()].into_iter().chain(cells).chain([setup.cylinders.into()]);
+            table.push(cells.chain(numbers));
+            let x = match name {
+                "noise" => setup.noise,
+                "detection" => setup.detection,
+                _ => rate,
+            };
             points[0].push([x, all]);
             points[1].push([x, found / setup.cylinders as f64]);
         }
         outcome.tables.push(table);
-        if name != "paper" {
+        if !matches!(name, "paper" | "directions") {
             let [all, each] = points;
             let series = [("all seven found", all), ("part of the seven found", each)];
-            let label = if name == "noise" { "noise of the end points / pixels" } else { "mean outlier rate" };
+            let label = match name {
+                "noise" => "noise of the end points / pixels",
+                "detection" => "part of the visible silhouettes that are detected",
+                _ => "mean outlier rate",
+            };
             let plot = Plot {
                 title: format!("seven cylinders in twelve images, {runs} runs"),
                 x: Axis::linear(label),
@@ -121,23 +153,22 @@ pub(super) fn run(options: &Options) -> Result<Outcome, ExperimentError> {
     Ok(outcome)
 }
 
-fn score(setup: &ParallelSetup, told: Told, seed: u64) -> Result<Score, ViewError> {
-    let scene = setup.scene(seed)?;
+fn score(row: &Row, seed: u64) -> Result<Score, ViewError> {
+    let Row { setup, directions, told } = row;
+    let scene = setup.scene_of_directions(*directions, seed)?;
     let lines: usize = scene.views.iter().map(|view| view.lines().len()).sum();
     let silhouettes = scene.truth.iter().flatten().flatten().count();
     let outlier_rate = 1.0 - silhouettes as f64 / (setup.cylinders * lines) as f64;
     let mut score = Score { lines, outlier_rate, found: 0, spurious: 0, matches: 0, wrong: 0 };
-    let planes: Vec<_> = scene.views.iter().flat_map(View::planes).collect();
-    let direction = match told {
-        Told::NumberAndDirection => scene.direction,
-        Told::Nothing | Told::Number => match estimate_direction_robustly(&planes, &default_direction_options()) {
-            Ok(found) => found.direction.direction,
-            Err(_) => return Ok(score),
-        },
+    let options = MatchOptions::of(&scene.views);
+    let told_number = MatchOptions { count: Some(setup.cylinders), ..options };
+    let found = match told {
+        Told::Nothing => match_directions(&scene.views, &options),
+        Told::Number => {
+            match_directions_with(&scene.views, 1, |views, direction| match_cylinders(views, direction, &told_number))
+        }
+        Told::NumberAndDirection => match_cylinders(&scene.views, &scene.direction, &told_number),
     };
-    let count = (told != Told::Nothing).then_some(setup.cylinders);
-    let options = MatchOptions { count, ..MatchOptions::of(&scene.views) };
-    let found = match_cylinders(&scene.views, &direction, &options);
     let mut seen = vec![false; scene.cylinders.len()];
     for found in found.iter().flat_map(|matching| &matching.cylinders) {
         let Some(index) = nearest(&found.cylinder, &scene).filter(|&index| !seen[index]) else {

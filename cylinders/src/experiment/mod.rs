@@ -25,8 +25,6 @@ mod one_sided_range;
 mod options;
 /// What an experiment found.
 mod outcome;
-/// Silhouettes over a photograph.
-mod overlay;
 /// Least squares with the choice of the circle in front of the cameras.
 mod proposed;
 /// Quantiles of samples.

@@ -1,7 +1,6 @@
 //! `real`: the cylinder of a scene file by every method, refined, and compared with the sparse
 //! points of the scene, which the fit does not use.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use nalgebra::{Point2, Point3, Unit, Vector3};
@@ -9,10 +8,10 @@ use nalgebra::{Point2, Point3, Unit, Vector3};
 use super::error::ExperimentError;
 use super::options::Options;
 use super::outcome::Outcome;
-use super::overlay::overlay;
 use super::quantile::Sorted;
 use super::table::Table;
 use crate::cross_section::sight::Sight;
+use crate::page::photograph_overlay;
 use crate::picture::{Histogram, SectionPicture, SilhouettePicture};
 use crate::rectify::Rectification;
 use crate::{
@@ -127,15 +126,13 @@ fn draw(
         };
         outcome.draw(&name, &SectionPicture::new(title, cylinder, &lines.views))?;
     }
-    for (index, view) in scene.views.iter().enumerate() {
+    let folders: Vec<_> = path.parent().map(Path::to_owned).into_iter().collect();
+    for index in 0..scene.views.len() {
         if let Some(picture) = SilhouettePicture::new(scene, refined, index) {
             outcome.draw(&format!("silhouettes_{index}"), &picture)?;
         }
-        let photograph = view.image().map(|image| path.with_file_name(image));
         // The photograph is optional: most scenes have none.
-        if let Some(overlay) =
-            photograph.and_then(|path| fs::read(path).ok()).and_then(|bytes| overlay(&bytes, index, view, refined))
-        {
+        if let Some(overlay) = photograph_overlay(scene, refined, index, &folders) {
             outcome.pictures.push((format!("overlay_{index}.svg"), overlay.into_bytes()));
         }
     }

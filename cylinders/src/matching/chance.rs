@@ -83,7 +83,7 @@ impl Chance {
 }
 
 /// Probability of at least `successes` successes in `trials` trials.
-fn tail(trials: usize, successes: usize, probability: f64) -> f64 {
+pub(crate) fn tail(trials: usize, successes: usize, probability: f64) -> f64 {
     // Without lines, or if no image has two of them, nothing is known.
     let probability = if probability.is_nan() { 1.0 } else { probability.clamp(f64::MIN_POSITIVE, 1.0) };
     // The smallest terms are added first.

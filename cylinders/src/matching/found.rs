@@ -1,5 +1,7 @@
 //! The cylinders that were found, with their silhouettes.
 
+use nalgebra::{Unit, Vector3};
+
 use crate::observations::scene::{CylinderLines, LineId};
 use crate::observations::view::View;
 use crate::space::cylinder::{Cylinder, LineResidual};
@@ -36,10 +38,22 @@ impl MatchedCylinder {
 /// All cylinders that were found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Matching {
-    /// The cylinders, the best supported first.
+    /// The directions of the cylinders.
+    pub directions: Vec<Unit<Vector3<f64>>>,
+    /// The cylinders, direction by direction, the best supported first.
     pub cylinders: Vec<MatchedCylinder>,
     /// Lines that belong to no cylinder, in the order of views and lines.
     pub unmatched: Vec<LineId>,
     /// Least number of matches that was required of a cylinder at the end.
     pub least_support: usize,
+}
+
+impl Matching {
+    /// The same cylinders among so many lines.
+    pub(crate) fn among(mut self, lines: usize) -> Self {
+        for found in &mut self.cylinders {
+            found.outlier_rate = 1.0 - found.matches.len() as f64 / lines as f64;
+        }
+        self
+    }
 }

@@ -1,6 +1,6 @@
 //! Matching without correspondences: unlabelled lines of several images to all cylinders of one
-//! direction and their silhouettes (Gummeson & Oskarsson, "Robust and Accurate Cylinder
-//! Triangulation", the experiment on unknown matches).
+//! direction or of several, and their silhouettes (Gummeson & Oskarsson, "Robust and Accurate
+//! Cylinder Triangulation", the experiment on unknown matches).
 //!
 //! ```text
 //!   left and right silhouette in one image + one line of another image
@@ -15,6 +15,8 @@
 
 /// Support by chance, and the support that chance does not reach.
 mod chance;
+/// Candidates of the directions of the axes.
+mod directions;
 /// Why nothing can be matched.
 mod error;
 /// The cylinders that were found.
@@ -32,8 +34,15 @@ mod pair;
 mod plan;
 /// Extraction of cylinders one after the other, the best supported first.
 mod search;
+/// A part of the lines of some views.
+pub(crate) mod selection;
+/// Cylinders of several directions.
+mod several;
 
+pub(crate) use chance::tail;
+pub use directions::candidate_directions;
 pub use error::MatchError;
 pub use found::{MatchedCylinder, Matching};
 pub use options::{MatchOptions, References};
 pub use search::{Progress, match_cylinders, match_cylinders_with};
+pub use several::{match_directions, match_directions_with};

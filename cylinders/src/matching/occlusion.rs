@@ -5,6 +5,9 @@
 //!           \     (   )  ( p )     at alpha = -+beta and at the distance sqrt(rho^2 - r^2),
 //!                                  passes through another circle
 //! ```
+//!
+//! The cross-section is seen against the direction, as in `plan`: the left silhouette is on the
+//! right of the centre in the sense of its coordinates.
 
 use nalgebra::{Point2, Vector2};
 
@@ -21,7 +24,7 @@ pub(super) fn hidden(camera: &Point2<f64>, circle: &Circle, others: &[Circle]) -
         return None;
     }
     let across = Vector2::new(-to_centre.y, to_centre.x) * circle.radius / tangent_square.sqrt();
-    let sight = [to_centre + across, to_centre - across].map(|ray| ray * (tangent_square / square));
+    let sight = [to_centre - across, to_centre + across].map(|ray| ray * (tangent_square / square));
     Some(sight.map(|sight| others.iter().any(|other| is_across(other, camera, &sight))))
 }
 
@@ -32,9 +35,13 @@ fn is_across(circle: &Circle, camera: &Point2<f64>, sight: &Vector2<f64>) -> boo
     (to_centre - sight * along).norm_squared() < circle.radius * circle.radius
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "command"))]
 mod tests {
     use super::*;
+    use crate::matching::MatchOptions;
+    use crate::matching::plan::Plan;
+    use crate::simulation::ParallelSetup;
+    use crate::space::cylinder::Side;
 
     fn circle(x: f64, y: f64, radius: f64) -> Circle {
         Circle { centre: Point2::new(x, y), radius }
@@ -43,12 +50,12 @@ mod tests {
     #[test]
     fn what_stands_between_hides_what_stands_behind_does_not() {
         let camera = Point2::new(1.0, 2.0);
-        // The camera looks along the first axis, so left is up.
+        // The camera looks along the first axis, so left is down.
         let seen = circle(11.0, 2.0, 1.0);
         let hidden = |others: &[Circle]| hidden(&camera, &seen, others).expect("a camera outside");
         assert_eq!(hidden(&[]), [false, false]);
-        assert_eq!(hidden(&[circle(6.0, 2.6, 0.3)]), [true, false]);
-        assert_eq!(hidden(&[circle(6.0, 1.4, 0.3)]), [false, true]);
+        assert_eq!(hidden(&[circle(6.0, 2.6, 0.3)]), [false, true]);
+        assert_eq!(hidden(&[circle(6.0, 1.4, 0.3)]), [true, false]);
         assert_eq!(hidden(&[circle(6.0, 2.0, 1.0)]), [true, true]);
         assert_eq!(hidden(&[circle(6.0, 2.0, 0.3)]), [false, false]);
         assert_eq!(hidden(&[circle(15.0, 2.0, 2.0)]), [false, false]);
@@ -61,11 +68,39 @@ mod tests {
         let (camera, seen) = (Point2::new(-3.0, 0.5), circle(1.0, 2.0, 1.2));
         let to_centre = seen.centre - camera;
         let tangent = (to_centre.norm_squared() - 1.44).sqrt();
-        for (side, sign) in [1.0, -1.0].into_iter().enumerate() {
+        for (side, sign) in [-1.0, 1.0].into_iter().enumerate() {
             let angle = to_centre.y.atan2(to_centre.x) + sign * 1.2_f64.atan2(tangent);
             let contact = camera + Vector2::new(angle.cos(), angle.sin()) * tangent;
             let hides = hidden(&camera, &seen, &[Circle { centre: contact, radius: 1e-9 }]).expect("a camera outside");
             assert!(hides[side] && !hides[1 - side]);
         }
+    }
+
+    /// In a scene whose truth is known, no silhouette that was seen is hidden, and left is left.
+    #[test]
+    fn what_is_seen_is_not_hidden() {
+        let setup = ParallelSetup { detection: 1.0, ..ParallelSetup::seven_in_twelve() };
+        let (mut seen, mut visible) = (0, 0);
+        for seed in 0..5 {
+            let scene = setup.scene(seed).expect("a scene");
+            let plan = Plan::new(&scene.views, &scene.direction, &MatchOptions::of(&scene.views)).expect("a plan");
+            let circle = |index: usize| {
+                let cylinder = &scene.cylinders[index];
+                Circle { centre: plan.rectification().point(&cylinder.axis_point), radius: cylinder.radius }
+            };
+            for (view, truth) in plan.views().iter().zip(&scene.truth) {
+                for index in 0..7 {
+                    let others: Vec<_> = (0..7).filter(|&other| other != index).map(circle).collect();
+                    let hidden = hidden(&view.centre, &circle(index), &others).expect("a camera outside");
+                    for (side, hidden) in [Side::Left, Side::Right].into_iter().zip(hidden) {
+                        let is_seen = truth.contains(&Some((index, side)));
+                        assert_eq!(is_seen, !hidden, "seed {seed}, cylinder {index}, {side:?}");
+                        seen += usize::from(is_seen);
+                        visible += usize::from(!hidden);
+                    }
+                }
+            }
+        }
+        assert!(seen == visible && (400..840).contains(&seen), "{seen}");
     }
 }

@@ -87,7 +87,8 @@ pub fn match_cylinders_with(
     let ids = unmatched.iter().enumerate().flat_map(|(view, lines)| {
         lines.iter().enumerate().filter(|(_, unmatched)| **unmatched).map(move |(line, _)| LineId { view, line })
     });
-    Ok(Matching { cylinders: found.iter().map(cylinder).collect(), unmatched: ids.collect(), least_support })
+    let cylinders = found.iter().map(cylinder).collect();
+    Ok(Matching { directions: vec![*direction], cylinders, unmatched: ids.collect(), least_support })
 }
 
 /// Searches for models with less and less support. Returns them with the least support that was

@@ -1,10 +1,12 @@
-//! Levenberg-Marquardt for nonlinear least squares on a manifold of a few dimensions.
+//! Levenberg-Marquardt for nonlinear least squares on a manifold of a few dimensions, whose number
+//! the compiler may know or not.
 //!
 //! A step `d` from the state `x` solves `(H + lambda D) d = -g` with the normal matrix
 //! `H = J^T W J`, its diagonal `D` (Marquardt) and `g = J^T W e`. The damping `lambda` follows the
 //! ratio of actual to predicted gain (Nielsen, "Damping parameter in Marquardt's method", 1999).
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::allocator::Allocator;
+use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
 
 /// Initial damping, relative to the diagonal of the normal matrix.
 const DAMPING: f64 = 1e-4;
@@ -16,8 +18,11 @@ const GAIN: f64 = 1e-15;
 /// of order one.
 const STEP: f64 = 1e-15;
 
-/// A least squares problem over `N` local parameters of order one.
-pub(crate) trait LeastSquares<const N: usize> {
+/// A least squares problem over `D` local parameters of order one.
+pub(crate) trait LeastSquares<D: Dim>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
     /// A point of the manifold.
     type State: Clone;
     /// Why a point has no cost.
@@ -27,20 +32,23 @@ pub(crate) trait LeastSquares<const N: usize> {
     ///
     /// # Errors
     /// Fails if the cost is not defined; a step to such a point is shortened.
-    fn linearise(&self, state: &Self::State) -> Result<Linearised<N>, Self::Error>;
+    fn linearise(&self, state: &Self::State) -> Result<Linearised<D>, Self::Error>;
 
     /// The point that a step in the local parameters reaches.
-    fn moved(&self, state: &Self::State, step: &SVector<f64, N>) -> Self::State;
+    fn moved(&self, state: &Self::State, step: &OVector<f64, D>) -> Self::State;
 }
 
 /// `cost(d) = cost + 2 g^T d + d^T H d`.
 #[derive(Clone, Debug)]
-pub(crate) struct Linearised<const N: usize> {
+pub(crate) struct Linearised<D: Dim>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
     pub(crate) cost: f64,
     /// Half of the gradient, `g = J^T W e`.
-    pub(crate) gradient: SVector<f64, N>,
+    pub(crate) gradient: OVector<f64, D>,
     /// `H = J^T W J`.
-    pub(crate) normal_matrix: SMatrix<f64, N, N>,
+    pub(crate) normal_matrix: OMatrix<f64, D, D>,
 }
 
 /// The state in which the iteration ended.
@@ -59,27 +67,33 @@ pub(crate) struct Optimum<S> {
 /// # Errors
 /// Fails if the cost of the start is not defined, or if the cost decreases towards points at which
 /// it is not defined.
-pub(crate) fn minimise<P: LeastSquares<N>, const N: usize>(
+pub(crate) fn minimise<P: LeastSquares<D>, D: Dim>(
     problem: &P,
     start: P::State,
     limit: usize,
-) -> Result<Optimum<P::State>, P::Error> {
+) -> Result<Optimum<P::State>, P::Error>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
     let mut linearised = problem.linearise(&start)?;
     let mut state = start;
     let (mut damping, mut growth) = (DAMPING, 2.0);
     let mut blocked = None;
     for iterations in 0..limit {
         let Linearised { cost, gradient, normal_matrix } = &linearised;
-        // A parameter without influence keeps its value.
-        let diagonal = normal_matrix.diagonal().map(|entry| if entry > 0.0 { entry } else { 1.0 });
-        let damped = normal_matrix + SMatrix::from_diagonal(&(diagonal * damping));
+        let mut damped = normal_matrix.clone();
+        for index in 0..gradient.len() {
+            // A parameter without influence keeps its value.
+            let entry = normal_matrix[(index, index)];
+            damped[(index, index)] += damping * if entry > 0.0 { entry } else { 1.0 };
+        }
         let step = damped.cholesky().map(|factor| -factor.solve(gradient));
         // Rounding may make a singular matrix indefinite; more damping repairs that.
         let Some(step) = step else {
             (damping, growth) = (damping * growth, growth * 2.0);
             continue;
         };
-        let predicted = -2.0 * gradient.dot(&step) - (normal_matrix * step).dot(&step);
+        let predicted = -2.0 * gradient.dot(&step) - (normal_matrix * &step).dot(&step);
         if step.amax() <= STEP || predicted <= GAIN * cost {
             return match blocked {
                 Some(error) => Err(error),
@@ -110,18 +124,18 @@ pub(crate) fn minimise<P: LeastSquares<N>, const N: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::{Matrix2, Vector2};
+    use nalgebra::{Matrix2, U2, Vector2};
 
     /// Rosenbrock's valley, `e = (10 (y - x^2), 1 - x)`, defined for `x < limit`.
     struct Rosenbrock {
         limit: f64,
     }
 
-    impl LeastSquares<2> for Rosenbrock {
+    impl LeastSquares<U2> for Rosenbrock {
         type State = Vector2<f64>;
         type Error = f64;
 
-        fn linearise(&self, state: &Vector2<f64>) -> Result<Linearised<2>, f64> {
+        fn linearise(&self, state: &Vector2<f64>) -> Result<Linearised<U2>, f64> {
             if state.x >= self.limit {
                 return Err(state.x);
             }

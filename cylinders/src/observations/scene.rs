@@ -21,7 +21,7 @@ pub struct Scene {
 }
 
 /// A line of a scene.
-#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+#[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
 pub struct LineId {
     /// Index of the view in its scene.
     pub view: usize,

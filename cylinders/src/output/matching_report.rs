@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use nalgebra::{Unit, Vector3};
 use serde::Serialize;
 
 use super::number::{number, triple};
@@ -18,8 +17,8 @@ const FALSE_ALARMS: f64 = 1.0;
 /// All cylinders found, as plain numbers in the form of the JSON output.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MatchingReport {
-    /// Unit direction of all axes.
-    pub direction: [f64; 3],
+    /// Unit directions of the axes.
+    pub directions: Vec<[f64; 3]>,
     /// Largest distance of a match: pixels if all cameras have a calibration, radians otherwise.
     pub threshold: f64,
     /// Number of lines in all views.
@@ -28,7 +27,7 @@ pub struct MatchingReport {
     pub least_support: usize,
     /// The part of all lines that are not silhouettes of a cylinder, averaged over the cylinders.
     pub outlier_rate: f64,
-    /// The cylinders, the best supported first.
+    /// The cylinders, direction by direction, the best supported first.
     pub cylinders: Vec<MatchedCylinderReport>,
     /// Lines of no cylinder.
     pub unmatched: Vec<LineReport>,
@@ -41,6 +40,8 @@ pub struct MatchingReport {
 pub struct MatchedCylinderReport {
     /// Point of the axis nearest to the world's origin.
     pub axis_point: [f64; 3],
+    /// Unit direction of the axis, one of the directions of the report.
+    pub direction: [f64; 3],
     /// Radius, world units.
     pub radius: f64,
     /// Root mean square distance between matches and circle in the cross-section, world units.
@@ -70,11 +71,11 @@ pub struct LineReport {
 }
 
 impl MatchingReport {
-    /// Collects the numbers of the result for these views and the direction and threshold of the
-    /// search.
-    pub fn new(views: &[View], (direction, threshold): (&Unit<Vector3<f64>>, f64), matching: &Matching) -> Self {
+    /// Collects the numbers of the result for these views and the threshold of the search.
+    pub fn new(views: &[View], threshold: f64, matching: &Matching) -> Self {
         let cylinder = |found: &MatchedCylinder| MatchedCylinderReport {
             axis_point: found.cylinder.axis_point.coords.into(),
+            direction: found.cylinder.direction.into_inner().into(),
             radius: found.cylinder.radius,
             section_rms: found.rms,
             outlier_rate: found.outlier_rate,
@@ -90,7 +91,7 @@ impl MatchingReport {
             |&LineId { view, line }: &LineId| LineReport { image: views[view].image().map(str::to_owned), view, line };
         let rates = matching.cylinders.iter().map(|found| found.outlier_rate);
         Self {
-            direction: direction.into_inner().into(),
+            directions: matching.directions.iter().map(|direction| direction.into_inner().into()).collect(),
             threshold,
             lines: views.iter().map(|view| view.lines().len()).sum(),
             least_support: matching.least_support,
@@ -138,7 +139,9 @@ fn warnings(views: &[View], matching: &Matching) -> Vec<String> {
 /// Text for people, with seven significant digits.
 impl fmt::Display for MatchingReport {
     fn fmt(&self, text: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(text, "direction        {}", triple(self.direction))?;
+        for direction in &self.directions {
+            writeln!(text, "direction        {}", triple(*direction))?;
+        }
         writeln!(text, "cylinders        {:14}   with {} matches or more", self.cylinders.len(), self.least_support)?;
         writeln!(text, "threshold        {:14.4}   largest distance of a match", self.threshold)?;
         writeln!(text, "lines            {:14}   {} of no cylinder", self.lines, self.unmatched.len())?;
@@ -147,6 +150,9 @@ impl fmt::Display for MatchingReport {
         for (index, cylinder) in self.cylinders.iter().enumerate() {
             writeln!(text, "\ncylinder         {:14}", index + 1)?;
             writeln!(text, "axis point       {}   nearest to the origin", triple(cylinder.axis_point))?;
+            if self.directions.len() > 1 {
+                writeln!(text, "direction        {}", triple(cylinder.direction))?;
+            }
             writeln!(text, "radius           {}", number(cylinder.radius))?;
             writeln!(text, "section rms      {:14.6e}   world units", cylinder.section_rms)?;
             writeln!(text, "outlier rate     {:14.4}   {} matches", cylinder.outlier_rate, cylinder.matches.len())?;

@@ -3,7 +3,7 @@
 /// Matches as text and as JSON.
 pub mod matching_report;
 /// Numbers in columns of a text.
-mod number;
+pub(crate) mod number;
 /// A result as one HTML page.
 #[cfg(feature = "command")]
 pub mod page;

@@ -104,7 +104,7 @@ pub fn candidate_lines(
     ends.sort_by(|a, b| length(b).total_cmp(&length(a)));
     let view = View::from_pixel_segments(photograph.camera, &ends)
         .map_err(|source| PhotoError::View { image: image(), source })?;
-    let joined = IndependentLines::of(&[view.with_image(image())]);
+    let joined = IndependentLines::of(&[view.with_image(image()).with_distortion(photograph.distortion)]);
     let Some(view) = joined.views.into_iter().next() else {
         return Err(PhotoError::View { image: image(), source: ViewError::NoCalibration });
     };

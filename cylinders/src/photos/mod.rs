@@ -3,14 +3,12 @@
 //! ```text
 //!   photograph --> distortion removed --> segments --> pieces joined, short ones left out
 //!     --> directions on which many lines agree --> matching along each
-//!     --> the direction with the most evidence for cylinders
+//!     --> the directions with evidence for cylinders
 //! ```
 
 /// Files of photographs to grey images.
 #[cfg(feature = "command")]
 pub mod decode;
-/// Candidates of the direction of the axes.
-mod directions;
 /// Edges in space, which are no silhouettes.
 mod edges;
 /// Photographs to candidates of silhouettes.
@@ -20,7 +18,6 @@ mod search;
 /// Marked lines to the edges near them.
 mod snap;
 
-pub use directions::candidate_directions;
 pub use lines::{LineOptions, PhotoError, candidate_lines, undistorted_image, undistorted_segments};
 pub use search::{PhotoMatching, PhotoOptions, find_cylinders};
 pub use snap::snapped;

@@ -8,18 +8,17 @@
 //! - Matching keeps what chance gives less than once among random lines. Lines of a texture are not
 //!   random, and several directions are tried: a direction needs a cylinder with 1e-4 false alarms
 //!   or fewer. Then it is that of cylinders, and for the others along it matching is enough.
-//! - A cylinder whose matches are lines of edges in space is none (`edges`).
+//! - The lines of edges in space are left out (`edges`).
 //! - The evidence for a direction is the sum of the orders of magnitude by which the matches of its
 //!   cylinders are no chance.
 
 use nalgebra::{Unit, Vector3};
 
-use super::directions::candidate_directions;
-use super::edges::Edges;
-use crate::axis::direction::estimate_direction;
-use crate::matching::{MatchError, MatchOptions, MatchedCylinder, Matching, match_cylinders};
+use super::edges::edge_lines;
+use crate::matching::selection::Selection;
+use crate::matching::{MatchError, MatchOptions, MatchedCylinder, Matching, match_cylinders, match_directions_with};
 use crate::observations::scene::LineId;
-use crate::observations::view::View;
+use crate::observations::view::{View, ViewingPlane};
 use crate::space::cylinder::LineResidual;
 use crate::space::silhouette_distance::DistanceUnit;
 
@@ -45,7 +44,7 @@ const FALSE_ALARMS: f64 = 1e-4;
 pub struct PhotoOptions {
     /// Options of the matching.
     pub matching: MatchOptions,
-    /// Number of directions that are tried.
+    /// Largest number of directions of cylinders.
     pub directions: usize,
     /// Largest number of lines of an image along one direction. The longest count.
     pub lines: usize,
@@ -65,26 +64,16 @@ impl PhotoOptions {
     }
 }
 
-/// Cylinders of one direction and the lines that were searched.
+/// Cylinders and the lines along their directions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PhotoMatching {
-    /// Direction of all axes.
-    pub direction: Unit<Vector3<f64>>,
-    /// The views with the lines along the direction only.
+    /// The views with the lines along the directions only.
     pub views: Vec<View>,
     /// The cylinders; places of lines are those in `views`.
     pub matching: Matching,
 }
 
-impl PhotoMatching {
-    /// Orders of magnitude by which the matches are no chance.
-    pub fn evidence(&self) -> f64 {
-        let of_cylinder = |found: &MatchedCylinder| -found.false_alarms.max(f64::MIN_POSITIVE).log10();
-        self.matching.cylinders.iter().map(of_cylinder).sum()
-    }
-}
-
-/// The cylinders along the given direction, or along the one with the most evidence for cylinders.
+/// The cylinders along the given direction, or of all directions for which there is evidence.
 ///
 /// # Errors
 /// [`MatchError`]: that of the first direction if no direction has cylinders.
@@ -93,59 +82,47 @@ pub fn find_cylinders(
     given: Option<Unit<Vector3<f64>>>,
     options: &PhotoOptions,
 ) -> Result<PhotoMatching, MatchError> {
-    let directions = given.map_or_else(|| candidate_directions(views, options.directions), |given| vec![given]);
-    let mut best: Option<PhotoMatching> = None;
-    let mut error = None;
-    for direction in directions {
-        match find_along(views, direction, options) {
-            Ok(found) if best.as_ref().is_none_or(|best| found.evidence() > best.evidence()) => best = Some(found),
-            Ok(_) => {}
-            Err(failure) => error = error.or(Some(failure)),
+    let matching = match given {
+        Some(direction) => find_along(views, &direction, options)?,
+        None => {
+            match_directions_with(views, options.directions, |views, direction| find_along(views, direction, options))?
         }
-    }
-    let Some(found) = best else {
-        // There is no direction if no two lines are left.
-        return Err(error.unwrap_or(MatchError::TooFewViews { views: 0 }));
     };
-    // The lines of the cylinders determine their direction better than all lines do.
-    let planes = found.matching.cylinders.iter().flat_map(|cylinder| &cylinder.matches);
-    let planes: Vec<_> = planes.filter_map(|residual| found.views[residual.view].planes().nth(residual.line)).collect();
-    let again = match (given, estimate_direction(&planes)) {
-        (None, Ok(better)) => find_along(views, better.direction, options).ok(),
-        _ => None,
+    let is_along = |plane: &ViewingPlane| {
+        matching.directions.iter().any(|direction| plane.normal.dot(direction).abs() <= MAX_TILT)
     };
-    Ok(again.filter(|again| again.evidence() > found.evidence()).unwrap_or(found))
+    let selection = Selection::new(views, usize::MAX, |_, plane| is_along(plane));
+    let lines = selection.views.iter().map(|view| view.lines().len()).sum();
+    let matching = selection.in_selection(matching).among(lines);
+    Ok(PhotoMatching { views: selection.views, matching })
 }
 
-fn find_along(
-    views: &[View],
-    direction: Unit<Vector3<f64>>,
-    options: &PhotoOptions,
-) -> Result<PhotoMatching, MatchError> {
-    let views = along(views, &direction, options.lines);
-    let Matching { cylinders, mut unmatched, least_support } = match_cylinders(&views, &direction, &options.matching)?;
+fn find_along(all: &[View], direction: &Unit<Vector3<f64>>, options: &PhotoOptions) -> Result<Matching, MatchError> {
+    let is_along = |plane: &ViewingPlane| plane.normal.dot(direction).abs() <= MAX_TILT;
     // An edge is seen twice as precisely as the threshold asks.
-    let tolerance = |view: &View| 0.5 * options.matching.threshold / focal(view, &options.matching);
-    let edges = Edges::new(&views, &direction, views.iter().map(tolerance).collect());
-    let is_found = |found: &MatchedCylinder| is_cylinder(found, &views, &options.matching) && !edges.explain(found);
-    let (cylinders, others): (Vec<_>, Vec<_>) = cylinders.into_iter().partition(is_found);
-    let released = others.iter().flat_map(|found| &found.matches);
-    unmatched.extend(released.map(|residual| LineId { view: residual.view, line: residual.line }));
-    unmatched.sort_by_key(|id| (id.view, id.line));
+    let tolerances: Vec<_> =
+        all.iter().map(|view| 0.5 * options.matching.threshold / focal(view, &options.matching)).collect();
+    let near = Selection::new(all, usize::MAX, |_, plane| is_along(plane));
+    let edges = near.ids_in_all(edge_lines(&near.views, direction, &tolerances));
+    // The longest lines come first in a view.
+    let selection = Selection::new(all, options.lines, |id, plane| is_along(plane) && !edges.contains(&id));
+    let views = &selection.views;
+    let Matching { cylinders, least_support, .. } = match_cylinders(views, direction, &options.matching)?;
+    let is_found = |found: &MatchedCylinder| is_cylinder(found, views, &options.matching);
+    let cylinders: Vec<_> = cylinders.into_iter().filter(is_found).collect();
     if !cylinders.iter().any(|found| found.false_alarms <= options.false_alarms) {
         let lines = views.iter().map(|view| view.lines().len()).sum();
         return Err(MatchError::NoCylinder { least_support, lines });
     }
-    Ok(PhotoMatching { direction, views, matching: Matching { cylinders, unmatched, least_support } })
-}
-
-/// The views with the longest lines along a direction; the longest come first in a view.
-fn along(views: &[View], direction: &Unit<Vector3<f64>>, count: usize) -> Vec<View> {
-    let near = |view: &View| {
-        let planes = view.planes().enumerate().filter(|(_, plane)| plane.normal.dot(direction).abs() <= MAX_TILT);
-        view.selected(&planes.map(|(line, _)| line).take(count).collect::<Vec<_>>())
+    let cylinders = selection.in_all(cylinders);
+    let is_free = |id: &LineId| {
+        let mut matches = cylinders.iter().flat_map(|found| &found.matches);
+        !matches.any(|line| (line.view, line.line) == (id.view, id.line))
     };
-    views.iter().map(near).collect()
+    let ids = all.iter().enumerate();
+    let ids = ids.flat_map(|(view, lines)| (0..lines.lines().len()).map(move |line| LineId { view, line }));
+    let unmatched = ids.filter(is_free).collect();
+    Ok(Matching { directions: vec![*direction], cylinders, unmatched, least_support })
 }
 
 /// Whether enough images show both silhouettes apart from each other.

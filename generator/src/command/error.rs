@@ -73,6 +73,19 @@ pub(super) enum CommandError {
 }
 
 impl CommandError {
+    /// The message in colours, for a terminal.
+    pub(super) fn render_in_colour(&self) -> String {
+        match self {
+            Self::Problem(diagnostics) => diagnostics.render_in_colour(),
+            Self::Several(errors) => errors.iter().map(Self::render_in_colour).collect::<Vec<_>>().join("\n"),
+            other => {
+                let message = other.to_string();
+                let rest = message.strip_prefix("error");
+                rest.map_or(message.clone(), |rest| format!("\x1b[1m\x1b[91merror\x1b[0m{rest}"))
+            }
+        }
+    }
+
     /// Why the search for a template of `problem` failed.
     pub(super) fn of_search(path: &Path, problem: &Problem, error: SearchError) -> Self {
         let mut hint = String::new();

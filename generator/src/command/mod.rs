@@ -22,9 +22,12 @@ mod svg;
 mod watch;
 
 use std::ffi::OsString;
+use std::fmt;
 use std::io::{self, Write};
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
+use clap_complete::Shell;
+use serde::Serialize;
 
 use error::CommandError;
 use report::Output;
@@ -59,6 +62,13 @@ enum Command {
     Inspect(inspect::Arguments),
     Stability(stability::Arguments),
     Bench(bench::Arguments),
+    /// Print a script that completes the command in a shell
+    #[command(after_help = "Example:
+  eliminant completions bash > ~/.local/share/bash-completion/completions/eliminant")]
+    Completions {
+        /// The shell
+        shell: Shell,
+    },
 }
 
 impl Command {
@@ -71,8 +81,26 @@ impl Command {
             Self::Inspect(arguments) => inspect::run(arguments),
             Self::Stability(arguments) => stability::run(arguments),
             Self::Bench(arguments) => bench::run(arguments),
+            Self::Completions { shell } => Ok(completions(*shell)),
         }
     }
+}
+
+#[derive(Serialize)]
+struct Completions {
+    script: String,
+}
+
+impl fmt::Display for Completions {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.script)
+    }
+}
+
+fn completions(shell: Shell) -> Output {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Arguments::command(), "eliminant", &mut script);
+    Output::of(&Completions { script: String::from_utf8_lossy(&script).into_owned() })
 }
 
 /// The exit status if the problem, its template or a file is at fault.
@@ -88,11 +116,32 @@ pub fn run(
     stdout: &mut dyn Write,
     stderr: &mut dyn Write,
 ) -> u8 {
+    run_in(arguments, stdout, stderr, Colour::Never)
+}
+
+/// Whether messages on standard error have colours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Colour {
+    /// As escape sequences of a terminal.
+    Always,
+    /// Plain text.
+    Never,
+}
+
+/// As [`run`], with messages in colours.
+pub fn run_in(
+    arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>,
+    stdout: &mut dyn Write,
+    stderr: &mut dyn Write,
+    colour: Colour,
+) -> u8 {
     let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
         Err(error) => {
             // `--help` and `--version` are errors of clap, too.
-            let text = error.render().to_string();
+            let text = error.render();
+            let is_coloured = error.use_stderr() && colour == Colour::Always;
+            let text = if is_coloured { text.ansi().to_string() } else { text.to_string() };
             return match error.use_stderr() {
                 true => {
                     // If even this cannot be written, there is nobody to tell.
@@ -110,7 +159,10 @@ pub fn run(
             written.max(if output.is_at_fault { AT_FAULT } else { 0 })
         }
         Err(error) => {
-            let _ = writeln!(stderr, "{error}");
+            let _ = match colour {
+                Colour::Always => writeln!(stderr, "{}", error.render_in_colour()),
+                Colour::Never => writeln!(stderr, "{error}"),
+            };
             if arguments.json {
                 let _ = stdout.write_all(report::error_json(&error).as_bytes());
             }
@@ -129,10 +181,10 @@ fn status_of(written: io::Result<()>) -> u8 {
 
 #[cfg(test)]
 mod tests {
-    use clap::CommandFactory;
+    use super::*;
 
     #[test]
     fn the_arguments_are_consistent() {
-        super::Arguments::command().debug_assert();
+        Arguments::command().debug_assert();
     }
 }

@@ -19,7 +19,7 @@ pub(super) struct Arguments {
     /// Name of the problem, of its file and of its solver; a Rust identifier
     #[arg(value_parser = problem_name)]
     name: String,
-    /// Folder of the file
+    /// Folder of the file; made if there is none
     #[arg(long, default_value = ".")]
     dir: PathBuf,
 }
@@ -50,6 +50,7 @@ fn problem_name(name: &str) -> Result<String, String> {
 
 pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     let path = arguments.dir.join(format!("{}.rs", arguments.name));
+    fs::create_dir_all(&arguments.dir).map_err(|source| CommandError::Write { path: arguments.dir.clone(), source })?;
     let created = OpenOptions::new().write(true).create_new(true).open(&path);
     let mut file = created.map_err(|source| match source.kind() {
         io::ErrorKind::AlreadyExists => CommandError::Exists { path: path.clone() },

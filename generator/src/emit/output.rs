@@ -1,11 +1,12 @@
 //! Prints what a problem returns beside its unknowns, and the test of its inequalities.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::names::Names;
-use super::shapes::{array_type, chart_name, indices, parameter};
-use super::storage;
+use super::shapes::{array_type, as_slice, chart_name, indices, parameter};
+use super::{derived, storage};
+use crate::plan::program::ProgramForm;
 use crate::plan::{Plan, PlannedElement, PlannedOutput, Term};
 use crate::problem::SolutionField;
 
@@ -13,7 +14,8 @@ use crate::problem::SolutionField;
 pub(super) fn output(plan: &Plan) -> TokenStream {
     let Some(output) = &plan.output else { return quote!() };
     let (name, what) = (format_ident!("{}", output.name), &output.function);
-    let [of, solve_for] = [format_ident!("{what}_of"), format_ident!("solve_for_{what}")];
+    let [of, of_each, solve_for] =
+        [format_ident!("{what}_of"), format_ident!("{what}_of_each"), format_ident!("solve_for_{what}")];
     let fields = output.fields.iter().map(|(field, shape, _)| {
         let (field, ty) = (format_ident!("{field}"), array_type(quote!(T), shape));
         quote!(pub #field: #ty)
@@ -26,11 +28,11 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
     let [instance, solution, solutions, workspace] =
         ["instance", "solution", "solutions", "workspace"].map(|name| names.take(name));
     let (make, made) = storage::default(plan, &workspace);
-    let coefficients = match storage::has_coefficients_on_heap(plan) {
-        true => quote!(#instance.coefficients.as_ref()),
-        false => quote!(&#instance.coefficients),
-    };
+    let coefficients = coefficients_of(plan, &instance);
     let (values, variables) = (values(plan, output), variables(plan));
+    let (each, of_data) = coefficients_of_results(plan, &mut names).unwrap_or_else(|| {
+        (quote!(#make let #instance = Instance::new(#made, #(#arguments),*)?;), coefficients.clone())
+    });
     quote! {
         #[doc = #doc]
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,6 +53,18 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
             Ok(self::output(#coefficients, #solution))
         }
 
+        /// What the problem returns for each of these solutions, such as those of [`solve_batch`].
+        ///
+        /// # Errors
+        /// As [`solve`], for the data.
+        pub fn #of_each(
+            #(#parameters,)*
+            #solutions: &::eliminant::Solutions<Solution, MAX_SOLUTIONS>,
+        ) -> Result<::eliminant::Solutions<#name, MAX_SOLUTIONS>, ::eliminant::SolveError> {
+            #each
+            Ok(#solutions.map(|#solution| self::output(#of_data, &#solution)))
+        }
+
         /// Like [`solve`], with what the problem returns for each solution.
         ///
         /// # Errors
@@ -59,14 +73,39 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
             #(#parameters),*
         ) -> Result<::eliminant::Solutions<#name, MAX_SOLUTIONS>, ::eliminant::SolveError> {
             let #solutions = self::solve(#(#arguments),*)?;
-            #make
-            let #instance = Instance::new(#made, #(#arguments),*)?;
-            Ok(#solutions.map(|#solution| self::output(#coefficients, &#solution)))
+            self::#of_each(#(#arguments,)* &#solutions)
         }
 
         #values
         #variables
     }
+}
+
+/// A reference to the coefficients of an instance.
+fn coefficients_of(plan: &Plan, instance: &Ident) -> TokenStream {
+    match storage::has_coefficients_on_heap(plan) {
+        true => quote!(#instance.coefficients.as_ref()),
+        false => quote!(&#instance.coefficients),
+    }
+}
+
+/// The statements that compute the coefficients from the arguments without an instance, and a
+/// reference to them. Of coefficients that are statements the compiler leaves out those that no
+/// result reads. `None` for others.
+fn coefficients_of_results(plan: &Plan, names: &mut Names) -> Option<(TokenStream, TokenStream)> {
+    if plan.program.form != ProgramForm::Statements || plan.is_presolved_at_run_time() {
+        return None;
+    }
+    let [given, data, coefficients] = ["given", "data", "coefficients"].map(|name| names.take(name));
+    let (slices, count) = (plan.data.iter().map(as_slice), Literal::usize_unsuffixed(plan.data.len()));
+    let joined = derived::joined(plan, &given);
+    let statements = quote! {
+        let #given: [&[f64]; #count] = [#(#slices),*];
+        emitted::check_coefficients(&[], &#given)?;
+        let #data = #joined;
+        let #coefficients = self::coefficients(1.0, &#data);
+    };
+    Some((statements, quote!(&#coefficients)))
 }
 
 /// The function from the coefficients and a solution to the output.
@@ -172,14 +211,11 @@ fn coordinates(field: &SolutionField, last: usize) -> TokenStream {
 }
 
 /// The statement that drops points of an instance that do not satisfy the inequalities.
-pub(super) fn filter(plan: &Plan, instance: &proc_macro2::Ident) -> TokenStream {
+pub(super) fn filter(plan: &Plan, instance: &Ident) -> TokenStream {
     if plan.positive.is_empty() {
         return quote!();
     }
-    let coefficients = match storage::has_coefficients_on_heap(plan) {
-        true => quote!(#instance.coefficients.as_ref()),
-        false => quote!(&#instance.coefficients),
-    };
+    let coefficients = coefficients_of(plan, instance);
     quote!(points.retain(|point| self::is_wanted(#coefficients, point));)
 }
 

@@ -54,7 +54,7 @@ impl Diagnostic {
         self
     }
 
-    fn render(&self, file: &SourceFile) -> String {
+    fn render(&self, file: &SourceFile, renderer: &Renderer) -> String {
         // Only the lines from the first place to the last are looked at: the file may be long, and
         // the messages many.
         let lines = self.lines(&file.text);
@@ -73,7 +73,7 @@ impl Diagnostic {
             .element(snippet)
             .elements(self.hints.iter().map(|hint| Level::HELP.message(hint.as_str())));
         // Trailing blanks are of no use in a terminal and a nuisance in golden files.
-        let report = Renderer::plain().render(&[group]);
+        let report = renderer.render(&[group]);
         report.lines().map(str::trim_end).collect::<Vec<_>>().join("\n")
     }
 
@@ -126,7 +126,16 @@ impl Diagnostics {
 
     /// Messages with `file:line:column`, the underlined span and the hints.
     pub fn render(&self) -> String {
-        let reports: Vec<_> = self.messages.iter().map(|diagnostic| diagnostic.render(&self.source_file)).collect();
-        reports.join("\n\n")
+        self.render_by(&Renderer::plain())
+    }
+
+    /// The same in colours, for a terminal.
+    pub fn render_in_colour(&self) -> String {
+        self.render_by(&Renderer::styled())
+    }
+
+    fn render_by(&self, renderer: &Renderer) -> String {
+        let of = |diagnostic: &Diagnostic| diagnostic.render(&self.source_file, renderer);
+        self.messages.iter().map(of).collect::<Vec<_>>().join("\n\n")
     }
 }

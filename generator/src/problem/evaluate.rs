@@ -142,7 +142,8 @@ impl Interpreter<'_> {
             {
                 let diagnostic = Diagnostic::new("the elements of an array must have one shape", place(item));
                 let (this, first) = (describe(value.shape()), describe(first.shape()));
-                return Err(self.report(diagnostic.label(format!("this is {this}, the first element is {first}"))));
+                let diagnostic = diagnostic.label(format!("this is {this}, the first element is {first}"));
+                return Err(self.report(diagnostic.hint("all rows of an array have one length: `[[a, b], [c, d]]`")));
             }
             rows.push(value);
         }
@@ -290,7 +291,11 @@ impl Interpreter<'_> {
         let at = place(&binary.right);
         let Some(divisor) = right.as_scalar() else {
             let diagnostic = Diagnostic::new("only scalars can divide", at);
-            return Err(self.report(diagnostic.label(format!("this is {}", describe(right.shape())))));
+            let hint = match *right.shape() {
+                [n, m] if n == m => "write `inverse(a) * b`, or `solve(a, b)`, for data a",
+                _ => "divide by an element, or by `norm(v)` of data v",
+            };
+            return Err(self.report(diagnostic.label(format!("this is {}", describe(right.shape()))).hint(hint)));
         };
         let diagnostic = match self.algebra.as_constant(divisor) {
             Some(value) => match Rational::ONE.checked_div(value) {

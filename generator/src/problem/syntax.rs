@@ -138,6 +138,11 @@ fn syntax_error(error: &syn::Error, text: &str) -> Diagnostic {
     if let Some(diagnostic) = keyword_for_name(text, span.start) {
         return diagnostic;
     }
+    if found == "expected curly braces" && text[..span.start].rsplit("->").next().is_some_and(is_lone_name) {
+        return Diagnostic::new("unknowns without parentheses", span)
+            .label("the list goes on here")
+            .hint("list the unknowns in parentheses: `-> (x, y)`");
+    }
     let diagnostic = Diagnostic::new(format!("syntax error: {found}"), span.clone());
     if !found.contains("expected `;`") {
         return diagnostic;
@@ -148,6 +153,12 @@ fn syntax_error(error: &syn::Error, text: &str) -> Diagnostic {
         return diagnostic.at(before.len() - last..before.len()).label("missing after this").hint("end it with `;`");
     }
     diagnostic.label("unexpected here").hint("a product needs `*`: `2 * x`, `a * (b + c)`")
+}
+
+/// Whether this is a name and nothing else, as between an arrow and a comma.
+fn is_lone_name(text: &str) -> bool {
+    let name = text.trim();
+    !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
 
 /// A keyword of Rust where a name is meant: at the place of a syntax error or right before it,

@@ -37,7 +37,7 @@ pub(crate) trait Collection<I: SolverInstance> {
     /// Whether an eigenvalue with im >= 0 may belong to a collected solution.
     fn wants(&self, value: &Complex<f64>) -> bool;
 
-    /// Takes note of the eigenvalues of the first attempt.
+    /// Takes note of the eigenvalues of an attempt, and forgets what those of another one said.
     fn note(&mut self, solver: &I, values: &[Complex<f64>]);
 
     /// Adds the solutions of an eigenvalue with im >= 0; its conjugate stands for the conjugate
@@ -53,8 +53,14 @@ pub(crate) trait Collection<I: SolverInstance> {
     /// true if it does so from now on: every eigenpair must then be added, known ones again.
     fn starts_to_count(&mut self, solver: &I) -> bool;
 
+    /// The number of solutions so far: complex ones if they are counted.
+    fn count(&self) -> usize;
+
     /// Whether as many complex solutions were counted as general data have.
     fn has_all(&self) -> bool;
+
+    /// Whether some will be missing if eigenpairs for at most so many complex solutions follow.
+    fn will_lack_some(&self, left: usize) -> bool;
 
     /// Whether the number of solutions shows that some are missing.
     fn lacks_some(&self) -> bool;
@@ -120,8 +126,18 @@ impl<I: SolverInstance> Collection<I> for AllSolutions<I> {
     }
 
     #[inline]
+    fn count(&self) -> usize {
+        self.found.len()
+    }
+
+    #[inline]
     fn has_all(&self) -> bool {
         self.found.len() == self.most
+    }
+
+    #[inline]
+    fn will_lack_some(&self, left: usize) -> bool {
+        self.found.len() + left < self.most
     }
 
     #[inline]
@@ -224,9 +240,10 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
 
     #[inline]
     fn note(&mut self, solver: &I, values: &[Complex<f64>]) {
+        self.has_failed = false;
         if self.all.is_none() && flips(solver).is_empty() {
             let real = values.iter().filter(|value| value.im == 0.0);
-            self.expected = Some(self.real.len() + real.count());
+            self.expected = Some(usize::from(solver.has_origin()) + real.count());
         }
     }
 
@@ -281,8 +298,18 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
     }
 
     #[inline]
+    fn count(&self) -> usize {
+        self.all.as_ref().map_or(self.real.len(), |all| all.found.len())
+    }
+
+    #[inline]
     fn has_all(&self) -> bool {
         self.all.as_ref().is_some_and(|all| all.has_all())
+    }
+
+    #[inline]
+    fn will_lack_some(&self, left: usize) -> bool {
+        self.all.as_ref().map_or(self.has_failed, |all| all.will_lack_some(left))
     }
 
     /// Solutions that are not real come in pairs. If they are not counted, some are lost if the

@@ -96,6 +96,25 @@ pub fn two_cameras(
     (rotation, t2 - rotation * t1, points)
 }
 
+/// Any turn about the vertical, the y axis.
+pub fn upright(random: &mut Random) -> Matrix3<f64> {
+    Rotation3::new(Vector3::y() * uniform(random, -PI, PI)).into_inner()
+}
+
+/// As [`two_cameras`], for upright cameras. Motions that do not leave a camera upright are replaced
+/// by any turn about a vertical axis near the points.
+pub fn upright_cameras(
+    (random, motion): (&mut Random, Motion),
+    points: usize,
+) -> (Matrix3<f64>, Vector3<f64>, Vec<Vector3<f64>>) {
+    if !matches!(motion, Motion::General | Motion::HalfTurn | Motion::QuarterTurn) {
+        return two_cameras((random, motion), points);
+    }
+    let (rotation, middle) = (upright(random), DEPTH * Vector3::z());
+    let points = (0..points).map(|_| in_ball(random) + middle).collect();
+    (rotation, middle - rotation * middle + in_ball(random), points)
+}
+
 /// A uniform point of the unit ball, not at its very centre.
 pub fn in_ball(random: &mut Random) -> Vector3<f64> {
     loop {
@@ -143,6 +162,9 @@ mod tests {
             for point in points {
                 assert!(point.z > 0.0 && (rotation * point + translation).z > 0.0);
             }
+            let (rotation, translation, points) = upright_cameras((&mut random, motion), 3);
+            assert!((rotation * Vector3::y() - Vector3::y()).norm() < 1e-15);
+            assert!(points.iter().all(|point| point.z > 0.0 && (rotation * point + translation).z > 0.0));
         }
     }
 

@@ -6,7 +6,7 @@ use eliminant::emitted;
 use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, Vector3};
 
-use super::cameras::{Motion, camera, image, in_ball, two_cameras};
+use super::cameras::{Motion, camera, image, in_ball, two_cameras, upright, upright_cameras};
 use super::relative_pose::epipolar_row;
 use super::{
     KnownInstance, Make, Maker, combination, coordinates, projective_error, relative_error, uniform, vector, weights,
@@ -38,6 +38,16 @@ pub(super) fn makers() -> Vec<Maker> {
         Maker {
             name: "pose_3pt",
             make: Make::Scene(three_points),
+            error: |_, solution, truth| relative_error(solution, truth),
+        },
+        Maker {
+            name: "pose_2pt_upright",
+            make: Make::Scene(two_points_upright),
+            error: |_, solution, truth| relative_error(solution, truth),
+        },
+        Maker {
+            name: "relpose_3pt_upright",
+            make: Make::TwoCameras(three_rays_upright),
             error: |_, solution, truth| relative_error(solution, truth),
         },
     ]
@@ -123,4 +133,22 @@ fn three_points(random: &mut Random) -> KnownInstance {
     let seen = points.map(|x| rotation * x + translation);
     let data = seen.iter().map(|x| x * uniform(random, 0.5, 2.0)).chain(points).flat_map(|x| x.data.0[0]).collect();
     KnownInstance { data, truths: vec![seen.map(|x| x.norm()).to_vec()] }
+}
+
+/// Rays of any length of an upright camera, and points in the unit ball.
+fn two_points_upright(random: &mut Random) -> KnownInstance {
+    let (rotation, (_, translation)) = (upright(random), camera(random));
+    let points: [Vector3<f64>; 2] = from_fn(|_| in_ball(random));
+    let depths: [f64; 2] = from_fn(|_| uniform(random, 0.5, 2.0));
+    let rays = (0..2).map(|k| (rotation * points[k] + translation) / depths[k]);
+    let data = rays.chain(points).flat_map(|x| x.data.0[0]).collect();
+    KnownInstance { data, truths: vec![depths.to_vec()] }
+}
+
+/// Rays of any length.
+fn three_rays_upright(random: &mut Random, motion: Motion) -> KnownInstance {
+    let (rotation, translation, points) = upright_cameras((random, motion), 3);
+    let seen = points.iter().map(|x| rotation * x + translation);
+    let data = points.iter().copied().chain(seen).flat_map(|x| (x * uniform(random, 0.5, 2.0)).data.0[0]).collect();
+    KnownInstance { data, truths: vec![vec![rotation.m11, rotation.m13]] }
 }

@@ -16,7 +16,7 @@ mod ranging;
 mod relative_pose;
 mod triangulation;
 
-pub use cameras::{Motion, camera, distorted, image, in_ball, two_cameras};
+pub use cameras::{Motion, camera, distorted, image, in_ball, two_cameras, upright, upright_cameras};
 pub use circles::{Circle, Line, gram, minimal_conic, minimal_data, normalised};
 pub use linear::{combination, coordinates, null_space, uniform, vector};
 use linear::{solved, weights};

@@ -21,6 +21,8 @@ use crate::{Cylinder, CylinderLines, Scene};
 use data_url::data_url;
 use escape::escaped;
 
+pub use overlay::photograph_overlay;
+
 /// Everything of the page that does not change, with marks for what does.
 const TEMPLATE: &str = include_str!("page.html");
 

@@ -1,5 +1,6 @@
 //! A view of the scene as an SVG element: the photograph, the given lines and the silhouettes, in
-//! pixels of the photograph. Straight lines are bent where the lens bends them.
+//! pixels of the photograph. Straight lines are bent where the lens bends them. The photograph is
+//! in the element, so that it needs no other file.
 
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -36,6 +37,26 @@ pub(super) fn figures(scene: &Scene, found: &[(CylinderLines, Cylinder)], folder
 }
 
 fn figure(index: usize, view: &View, found: &[(CylinderLines, Cylinder)], photograph: Option<&ImageFile>) -> String {
+    let svg = svg(index, view, found, photograph);
+    let name = view.image().map_or(format!("view {index}"), |name| format!("{name} (view {index})"));
+    let note = if photograph.is_none() { ", without photograph" } else { "" };
+    format!("<figure>{svg}<figcaption>{}{note}</figcaption></figure>\n", escaped(&name))
+}
+
+/// The photograph of a view under its lines and the silhouettes of the cylinders that have lines in
+/// it, as an SVG file that needs no other file. `None` if no folder has the photograph.
+pub fn photograph_overlay(
+    scene: &Scene,
+    found: &[(CylinderLines, Cylinder)],
+    index: usize,
+    folders: &[PathBuf],
+) -> Option<String> {
+    let view = scene.views.get(index)?;
+    let photograph = image_file::find(folders, view.image()?)?;
+    Some(svg(index, view, found, Some(&photograph)))
+}
+
+fn svg(index: usize, view: &View, found: &[(CylinderLines, Cylinder)], photograph: Option<&ImageFile>) -> String {
     let [width, height] = size(view, photograph);
     let unit = 0.002 * width.max(height);
     let mut svg = format!("<svg viewBox=\"0 0 {width} {height}\" role=\"img\" xmlns=\"http://www.w3.org/2000/svg\">\n");
@@ -57,9 +78,8 @@ fn figure(index: usize, view: &View, found: &[(CylinderLines, Cylinder)], photog
     for (line, ends) in view.lines().iter().zip(view.ends()) {
         path(&mut svg, "given", GIVEN, unit, &curve(view, line, ends.as_ref()));
     }
-    let name = view.image().map_or(format!("view {index}"), |name| format!("{name} (view {index})"));
-    let note = if photograph.is_none() { ", without photograph" } else { "" };
-    format!("<figure>{svg}</svg>\n<figcaption>{}{note}</figcaption></figure>\n", escaped(&name))
+    svg.push_str("</svg>\n");
+    svg
 }
 
 /// Width and height of the image: those of the file, or twice the principal point.

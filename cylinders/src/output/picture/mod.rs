@@ -11,8 +11,6 @@ mod clip;
 mod conics;
 /// Histograms of several samples.
 mod histogram;
-/// Photographs under lines and silhouettes.
-mod overlay;
 /// Series of points, lines and bands over linear and logarithmic axes.
 mod plot;
 /// The cross-section with its cameras, tangents and circles.
@@ -33,7 +31,6 @@ use thiserror::Error;
 pub use axes::{Axis, Scale};
 pub use conics::ConicPicture;
 pub use histogram::Histogram;
-pub use overlay::{PhotographFile, photograph_overlay};
 pub use plot::{Band, Plot, Series};
 pub use section::SectionPicture;
 pub use silhouettes::SilhouettePicture;

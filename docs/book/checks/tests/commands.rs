@@ -1,5 +1,5 @@
 //! What needs the command `eliminant`: the tutorial, and the pictures. `docs/book/check` builds it,
-//! and runs these tests with `--ignored`.
+//! and then runs these tests.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -33,7 +33,6 @@ fn run(commands: &str, folder: &Path) -> String {
 }
 
 #[test]
-#[ignore = "needs the command `eliminant`, and compiles a crate"]
 fn the_tutorial_does_what_it_says() {
     let folder = fresh_folder("tutorial");
     std::os::unix::fs::symlink(root().canonicalize().expect("the root"), folder.join("eliminant")).expect("a link");
@@ -71,7 +70,6 @@ fn the_tutorial_does_what_it_says() {
 }
 
 #[test]
-#[ignore = "needs the command `eliminant`"]
 fn pictures_are_those_of_the_templates() {
     let folder = fresh_folder("pictures");
     let committed = page_path("pictures");
@@ -90,7 +88,6 @@ fn pictures_are_those_of_the_templates() {
 }
 
 #[test]
-#[ignore = "needs the command `eliminant`, and compiles the cylinders"]
 fn commands_of_pages_run() {
     for name in ["choosing.md", "templates.md", "cylinders.md", "hidden-variables.md"] {
         let mut printed = String::new();

@@ -1,0 +1,65 @@
+"""Calls of the solvers of the catalogue."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, NamedTuple, Tuple
+
+from . import _eliminant
+from ._arrays import data
+from ._solutions import Named, Solutions, arranged
+
+
+class Solver(NamedTuple):
+    """What is known of a solver."""
+
+    number: int
+    name: str
+    data: Named
+    fields: Named
+    results: Named
+    most: int
+    docs: str
+
+
+def _solvers() -> Dict[str, Solver]:
+    def shapes(named: Any) -> Named:
+        return tuple((name, tuple(shape)) for name, shape in named)
+
+    solvers = {}
+    for number, (name, parameters, fields, results, most, docs) in enumerate(_eliminant.solvers()):
+        solvers[name] = Solver(number, name, shapes(parameters), shapes(fields), shapes(results), most, docs)
+    return solvers
+
+
+SOLVERS = _solvers()
+"""All solvers by their names."""
+
+HOMOGENEOUS: Dict[str, Tuple[str, ...]] = {
+    "pose_2pt_upright": ("rays",),
+    "pose_3pt": ("rays",),
+    "relpose_3pt_angle_zero_screw": ("first", "second"),
+    "relpose_3pt_upright": ("first", "second"),
+    "relpose_4pt_angle": ("first", "second"),
+    "relpose_5pt_rays": ("first", "second"),
+}
+"""Data that are rays of image points by the documentation of their problem.
+
+An image point (x, y) is the ray (x, y, 1). The rays of generalized cameras have points and
+directions in space, and are not among them.
+"""
+
+
+def solve(name: str, *values: Any) -> Solutions:
+    """The real solutions of one instance, or of a batch.
+
+    Raises `SolveError` where the data of one instance are not finite, or degenerate. In a batch the
+    status of the instance says so.
+    """
+    solver = SOLVERS[name]
+    arrays, count = data(solver.data, HOMOGENEOUS.get(name, ()), values)
+    solved = (
+        _eliminant.solve_one(solver.number, arrays)
+        if count < 0
+        else _eliminant.solve_batch(solver.number, arrays, count)
+    )
+    return arranged(solver.fields, solver.results, solver.most, solved, count >= 0)

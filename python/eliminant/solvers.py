@@ -1,0 +1,1449 @@
+"""The solvers of the catalogue.
+
+Each takes the data of one instance, or arrays of the data of n instances. Data of one instance in
+a batch hold for all. Batches are solved on all cores, without the lock of the interpreter.
+
+Written by `tools/write_solvers.py` from the problems in `templates/`.
+"""
+
+from __future__ import annotations
+
+import numpy.typing as npt
+
+from ._solutions import Solutions
+from ._solve import solve as _solve
+
+__all__ = [
+    "calibration_6_receivers_4_senders",
+    "circle_least_squares",
+    "circle_least_squares_dual",
+    "circle_minimal",
+    "fundamental_7pt",
+    "fundamental_8pt_radial",
+    "fundamental_8pt_radial_one_side",
+    "fundamental_9pt_two_radials",
+    "katsura_5",
+    "orbit_5_lines_of_sight",
+    "platform_forward_kinematics",
+    "pose_35pt_focal",
+    "pose_3pt",
+    "pose_3pt_depths",
+    "pose_3pt_upright_error_bound",
+    "pose_4pt_focal_radial",
+    "pose_4pt_focal_radial_cut",
+    "pose_4pt_generalized_scale",
+    "pose_4pt_upright_error_bound",
+    "pose_5pt_refraction",
+    "pose_5tdoa_two_receivers",
+    "pose_6pt_rolling_shutter",
+    "pose_npt_direct_least_squares",
+    "pose_npt_least_squares_cayley",
+    "pose_npt_least_squares_quaternion",
+    "pose_npt_weak_perspective",
+    "relpose_3pt_angle_zero_screw",
+    "relpose_4pt_angle",
+    "relpose_5pt",
+    "relpose_5pt_generalized_angle",
+    "relpose_5pt_rays",
+    "relpose_5pt_semi_generalized_focal",
+    "relpose_6pt_focal",
+    "relpose_6pt_focal_one_side",
+    "relpose_6pt_focal_points",
+    "relpose_6pt_generalized",
+    "relpose_6pt_radial",
+    "relpose_7pt_angle_focal_centre",
+    "relpose_7pt_focal_radial",
+    "relpose_7pt_focal_radial_one_side",
+    "relpose_7pt_focal_radial_one_side_eliminated",
+    "relpose_7pt_generalized_scale",
+    "stitching_3pt_radial_focal",
+    "tensor_eigenvectors",
+    "three_quadrics",
+    "triangulation_3view",
+    "triangulation_3view_relaxed",
+    "trilateration",
+    "two_conics",
+]
+
+
+def calibration_6_receivers_4_senders(linear: npt.ArrayLike) -> Solutions:
+    """Positions of six receivers and four senders from all ranges between them: 38 solutions.
+
+    Kuang, Burgess, Torstensson, Åström, "A complete characterization and solution to the microphone
+    position self-calibration problem", ICASSP 2013. Published as `toa_46`.
+
+    Relative to the first sender let G be the Gram matrix of the other three and K its inverse, [k11
+    v w; v k22 x; w x y]. A receiver with the squares r of its range to the first sender and s of
+    those to the others satisfies 4 r = c K c + 2 c g + a with c_j = r - s_j, g = K n, a = n K n and
+    n = diag(G). Six receivers give k11, k22, g and a as combinations, `linear`, of v, w, x, y and
+    1. With C = adj(K) and z = det(K), n is diag(C) / z. M = [K g; g a] is K times [1 n] from both
+    sides: its adjugate is z times the square of (n, -1). The receivers follow from K.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `linear`: (6, 5)
+
+    Solutions, of which there are at most 38:
+
+    - `v`: ()
+    - `w`: ()
+    - `x`: ()
+    - `y`: ()
+    - `z`: ()
+    """
+    return _solve("calibration_6_receivers_4_senders", linear)
+
+
+def circle_least_squares(gram: npt.ArrayLike) -> Solutions:
+    """Circle tangent to n lines in the least-squares sense: the stationary points of the constrained
+    dual conic, 9 solutions.
+
+    Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation", eq. (23)-(26): the
+    Lagrangian as printed.
+
+    `gram` is the sum over all lines l = (a, b, c) of r r^T with r = (a^2, ab, ac, b^2, bc, c^2).
+    The dual conic is [d1 d2 d3; d2 d4 d5; d3 d5 -1]: a circle with centre (-d3, -d5) and squared
+    radius d1 + d3^2 = d4 + d5^2.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `gram`: (6, 6)
+
+    Solutions, of which there are at most 9:
+
+    - `d1`: ()
+    - `d2`: ()
+    - `d3`: ()
+    - `d4`: ()
+    - `d5`: ()
+    - `lambda1`: ()
+    - `lambda2`: ()
+    """
+    return _solve("circle_least_squares", gram)
+
+
+def circle_least_squares_dual(gram: npt.ArrayLike) -> Solutions:
+    """Circle tangent to n lines in the least-squares sense, in three unknowns of the dual conic, 9
+    solutions.
+
+    Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation": the two constraints give d1
+    and d2, which leaves the cost as a polynomial in d3, d4, d5. Data and conic are those of
+    `circle_least_squares`.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `gram`: (6, 6)
+
+    Solutions, of which there are at most 9:
+
+    - `d3`: ()
+    - `d4`: ()
+    - `d5`: ()
+    """
+    return _solve("circle_least_squares_dual", gram)
+
+
+def circle_minimal(
+    d_alpha: npt.ArrayLike,
+    d_beta: npt.ArrayLike,
+    d_gamma: npt.ArrayLike,
+) -> Solutions:
+    """The circles tangent to three lines: 4 solutions (the incircle and the three excircles of the
+    triangle).
+
+    Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation", the minimal three-line
+    solver.
+
+    A line l = (a, b, c) is tangent to the circle with dual conic D = [d1 d2 d3; d2 d4 d5; d3 d5 d6]
+    if l^T D l = 0: one linear equation in d = (d1, .., d6), (a^2, 2ab, 2ac, b^2, 2bc, c^2) d = 0.
+    Three lines leave a null space of dimension three, d = a d_alpha + b d_beta + d_gamma, in which
+    the two constraints of a circle, d2 d6 = d3 d5 and (d1 - d4) d6 = d3^2 - d5^2, pick four points.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `d_alpha`: (6,)
+    - `d_beta`: (6,)
+    - `d_gamma`: (6,)
+
+    Solutions, of which there are at most 4:
+
+    - `a`: ()
+    - `b`: ()
+    """
+    return _solve("circle_minimal", d_alpha, d_beta, d_gamma)
+
+
+def fundamental_7pt(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+    """Fundamental matrix of two cameras from seven points: 3 solutions.
+
+    Hartley, Zisserman, "Multiple view geometry in computer vision", 2003, section 11.1.2.
+
+    `first[k]` and `second[k]` are the images of point k. A fundamental matrix F satisfies
+    `(second[k], 1) . F (first[k], 1) = 0`; it is the sum of the two matrices that span the null
+    space of these equations, each times its weight.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `first`: (7, 2)
+    - `second`: (7, 2)
+
+    Solutions, of which there are at most 3:
+
+    - `weights`: (2,)
+
+    Results of each solution:
+
+    - `fundamental`: (3, 3)
+    """
+    return _solve("fundamental_7pt", first, second)
+
+
+def fundamental_8pt_radial(affine: npt.ArrayLike) -> Solutions:
+    """Fundamental matrix and the radial distortion common to both cameras from eight point
+    correspondences: 16 solutions.
+
+    Kukelova, Pajdla, "A minimal solution to the autocalibration of radial distortion", CVPR 2007.
+    Published as `8ptF_radial`.
+
+    A point x lies along (x, 1 + radial |x|^2), the division model. Then x2^T F x1 = 0 is, with f33
+    = 1, linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the monomials radial
+    f13, radial f23, radial^2, f13, f23, radial, 1: eight points give the former as combinations of
+    these, the rows of `affine`.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `affine`: (8, 7)
+
+    Solutions, of which there are at most 16:
+
+    - `radial`: ()
+    - `f_13`: ()
+    - `f_23`: ()
+    """
+    return _solve("fundamental_8pt_radial", affine)
+
+
+def fundamental_8pt_radial_one_side(affine: npt.ArrayLike) -> Solutions:
+    """Fundamental matrix and radial distortion of the second camera from eight point correspondences:
+    8 solutions.
+
+    Kuang, Solem, Kahl, Åström, "Minimal solvers for relative pose with a single unknown radial
+    distortion", CVPR 2014. Published as `8ptF_radial_1s`.
+
+    A point x2 of the second image lies along (x2, 1 + radial |x2|^2), the division model. Then x2^T
+    F x1 = 0 is linear in the nine entries of F, the third row also multiplied by `radial`. Eight
+    points, and f33 = 1, give (f11, f21, f31, f12, f22, f13, f23, radial f31) = affine (radial f32,
+    radial, f32, 1).
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `affine`: (8, 4)
+
+    Solutions, of which there are at most 8:
+
+    - `f_32`: ()
+    - `radial`: ()
+    """
+    return _solve("fundamental_8pt_radial_one_side", affine)
+
+
+def fundamental_9pt_two_radials(affine: npt.ArrayLike) -> Solutions:
+    """Fundamental matrix and the two different radial distortions of two cameras from nine point
+    correspondences: 24 solutions.
+
+    Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
+    problems for cameras with radial distortion", CVIU 114, 2010. Published as `rdist9p`, with f13
+    and f23 eliminated in place of t and f13.
+
+    A point x lies along (x, 1 + radial |x|^2), the division model: with s in the second image and t
+    in the first. Then x2^T F x1 = 0 is, with f33 = 1, linear in f11, f12, f21, f22, t, f13, t f13,
+    t f23, s t and in s f31, s f32, s, f31, f32, f23, 1: nine points give the former as combinations
+    of these, the rows of `affine`.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `affine`: (9, 7)
+
+    Solutions, of which there are at most 24:
+
+    - `s`: ()
+    - `f_31`: ()
+    - `f_32`: ()
+    - `f_23`: ()
+    """
+    return _solve("fundamental_9pt_two_radials", affine)
+
+
+def katsura_5() -> Solutions:
+    """Katsura's equations for the magnetic field of a spin glass with six unknowns: 32 solutions.
+    There are no data.
+
+    Katsura, "Spin glass problem by the method of integral equation of the effective field", in: New
+    Trends in Magnetism, 1990; as in the data base of PHCpack (Verschelde, ACM TOMS 795, 1999).
+    Published as `katsura5`.
+
+    There are no data.
+
+    Solutions, of which there are at most 32:
+
+    - `t`: ()
+    - `u`: ()
+    - `v`: ()
+    - `x`: ()
+    - `y`: ()
+    - `z`: ()
+    """
+    return _solve("katsura_5")
+
+
+def orbit_5_lines_of_sight(sights: npt.ArrayLike) -> Solutions:
+    """Keplerian orbit from five lines of sight without times: 66 solutions.
+
+    Mancini, Duff, Leykin, Christian, "Geometric solution to the angles-only initial orbit
+    determination problem", 2023; Huang, Leykin, Mancini, "Projective plane subdivision method for
+    initial orbit determination", arXiv 2509.14397, 2025. Published as `IOD`.
+
+    `sights` holds for each line the position of the observer and the direction; the Sun is the
+    origin. The plane of the orbit has the normal n = (a, b, 1). It meets the line with direction d
+    and moment m in x = n x m / n.d. The orbit is |x| = h - e.x, where e points to the pericentre
+    and has the eccentricity as its length. With w = n x e / h = (-q, p, r), where (p, q, 0) is e /
+    h up to a multiple of n, this is (n.d + w.m)^2 = |n x m|^2 / h^2, and `square` is 1 / h^2. The
+    published unknowns are the entries of the orbit's dual quadric.
+
+    With directions and moments exchanged these are the cylinders that touch five lines: n is the
+    direction of the axis, w its moment, and `square` that of the radius.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `sights`: (5, 2, 3)
+
+    Solutions, of which there are at most 66:
+
+    - `a`: ()
+    - `b`: ()
+    - `p`: ()
+    - `q`: ()
+    - `r`: ()
+    - `square`: ()
+    """
+    return _solve("orbit_5_lines_of_sight", sights)
+
+
+def platform_forward_kinematics(
+    sums: npt.ArrayLike,
+    differences: npt.ArrayLike,
+    shift: npt.ArrayLike,
+    excess: npt.ArrayLike,
+    square: npt.ArrayLike,
+) -> Solutions:
+    """Forward kinematics of the general Stewart-Gough platform, all poses with given lengths of its
+    six legs: 40 solutions.
+
+    Husty, "An algorithm for solving the direct kinematics of general Stewart-Gough-type platforms",
+    Mechanism and Machine Theory 31, 1996. Published as `parallel_robot_66`.
+
+    The first leg joins the origins of base and platform. Let t be that leg in the base's
+    coordinates, s = R^T t in the platform's. The length of the leg from X to x, less that of the
+    first, gives x s - X t as a linear combination of the entries of R and 1: five equations for s
+    and t, solved after base and platform are turned so that only the third coordinates remain
+    together. R is that of the quaternion q = 1 + a i + b j + c k, so n s and n t, with n = |q|^2,
+    are quadratic polynomials, with coefficients of 1, a, b, c, a a, a b, a c, b b, b c, c c: `sums`
+    has those of s_i + t_i, `differences` those of s_i - t_i, for i = 1, 2, and s_3 + t_3 = (2 +
+    `excess`) (s_3 - t_3) + `shift`. `excess` exceeds -1 if the null vector of the five equations is
+    longer in s than in t, as where the base is larger; else base and platform are exchanged.
+    `square` is the square of the length of the first leg.
+
+    That t q = q s gives n (s_3 - t_3) times 1, a, b and c as cubic polynomials, and that |s| = |t|
+    its square: with these |t|^2 = `square` and its product with n (s_3 - t_3) have degrees of four
+    and six.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `sums`: (2, 10)
+    - `differences`: (2, 10)
+    - `shift`: (10,)
+    - `excess`: ()
+    - `square`: ()
+
+    Solutions, of which there are at most 40:
+
+    - `a`: ()
+    - `b`: ()
+    - `c`: ()
+    """
+    return _solve("platform_forward_kinematics", sums, differences, shift, excess, square)
+
+
+def pose_35pt_focal(
+    points: npt.ArrayLike,
+    horizontal: npt.ArrayLike,
+    vertical: npt.ArrayLike,
+) -> Solutions:
+    """Pose and focal length of a camera from three points and one image coordinate of a fourth: 10
+    solutions.
+
+    Wu, "P3.5P: Pose estimation with unknown focal length", CVPR 2015. Published as `pose_35pt`.
+
+    `points` holds the points, one a row; `horizontal` and `vertical` their image coordinates,
+    centred at the principal point. The rotation is, up to scale, that about the optical axis times
+    that of the quaternion (1, x, y, 0). Each row of the matrix eliminates the rotation about the
+    optical axis, and what is unknown of the focal length, from three points: it annihilates (cos,
+    sin, 1/f).
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `points`: (4, 3)
+    - `horizontal`: (4,)
+    - `vertical`: (3,)
+
+    Solutions, of which there are at most 10:
+
+    - `x`: ()
+    - `y`: ()
+    """
+    return _solve("pose_35pt_focal", points, horizontal, vertical)
+
+
+def pose_3pt(rays: npt.ArrayLike, points: npt.ArrayLike) -> Solutions:
+    """Pose of a calibrated camera from three points: at most 4 of 8 solutions, in front of the camera.
+
+    The problem `pose_3pt_depths` from measurements. `rays[k]` is the ray of point k in the camera,
+    of any length, and `points[k]` its position. The unknowns are the distances of the points from
+    the centre of the camera. A point x has the coordinates `rotation` x + `translation` in the
+    camera: the rotation takes the differences of positions, and their cross product, to those in
+    the camera.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `rays`: (3, 3), or image points, one coordinate less
+    - `points`: (3, 3)
+
+    Solutions, of which there are at most 8:
+
+    - `distances`: (3,)
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
+    """
+    return _solve("pose_3pt", rays, points)
+
+
+def pose_3pt_depths(cosines: npt.ArrayLike, squares: npt.ArrayLike) -> Solutions:
+    """Pose of a calibrated camera from three points: their distances from the centre of the camera, 8
+    solutions, which are 4 with both signs.
+
+    Grunert, "Das Pothenotische Problem in erweiterter Gestalt", 1841; in this form Haralick, Lee,
+    Ottenberg, Nölle, "Review and analysis of solutions of the three point perspective pose
+    estimation problem", IJCV 1994, equation (1).
+
+    `cosines` are those of the angles between the viewing rays of the points b and c, a and c, a and
+    b; `squares` the squared distances of these points. Those of the solutions are poses in which
+    all depths are positive.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `cosines`: (3,)
+    - `squares`: (3,)
+
+    Solutions, of which there are at most 8:
+
+    - `a`: ()
+    - `b`: ()
+    - `c`: ()
+    """
+    return _solve("pose_3pt_depths", cosines, squares)
+
+
+def pose_3pt_upright_error_bound(points: npt.ArrayLike, cones: npt.ArrayLike) -> Solutions:
+    """Poses of a camera with known vertical direction in which the errors of three points equal their
+    bounds and are stationary: 48 solutions.
+
+    Svärm, Enqvist, Kahl, Oskarsson, "City-scale localization for cameras with known vertical
+    direction", PAMI 2017. Published as `optpose3pt_v2`. A pose with the largest number of points
+    within the bound can be moved until four errors equal it, or three where it can be moved no
+    further.
+
+    The camera is turned about its first axis by the angle of the cosine y and the sine z, and
+    shifted by (u, v, w). A point of `points`, one a row, in the camera's coordinates (X, Y, Z),
+    lies on the cone a X^2 + a Y^2 + 2 b X Z + 2 c Y Z + d Z^2 = 0 with (a, b, c, d) a row of
+    `cones`: for an image point (p, q) and a bound e that is (1, -p, -q, p^2 + q^2 - e^2). The
+    derivatives of the three left sides by w, y and z are linearly dependent.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `points`: (3, 3)
+    - `cones`: (3, 4)
+
+    Solutions, of which there are at most 48:
+
+    - `u`: ()
+    - `v`: ()
+    - `w`: ()
+    - `y`: ()
+    - `z`: ()
+    """
+    return _solve("pose_3pt_upright_error_bound", points, cones)
+
+
+def pose_4pt_focal_radial(
+    row1: npt.ArrayLike,
+    row2: npt.ArrayLike,
+    row3: npt.ArrayLike,
+) -> Solutions:
+    r"""Pose, focal length and radial distortion of a camera from four points: 16 solutions.
+
+    Josephson, Byröd, "Pose estimation with radial distortion and unknown focal length", CVPR 2009,
+    in the form of Bujnak, Kukelova, Pajdla, "New efficient solution to the absolute pose problem
+    for camera with unknown focal length and radial distortion", ACCV 2010. Published as `p4p_fr`.
+
+    An image point (u, v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with
+    P = diag(1, 1, 1/f) \[R t\]. That v times the first row of P minus u times the second vanishes
+    at X leaves a null space of dimension four: the first two rows of P, without their last entries,
+    are row1 w and row2 w with the weights w. The third, from the four points, is row3 (w, radial
+    w).
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `row1`: (3, 4)
+    - `row2`: (3, 4)
+    - `row3`: (3, 8)
+
+    Solutions, of which there are at most 16:
+
+    - `weights`: (4,)
+    - `radial`: ()
+    """
+    return _solve("pose_4pt_focal_radial", row1, row2, row3)
+
+
+def pose_4pt_focal_radial_cut(upper: npt.ArrayLike, lower: npt.ArrayLike) -> Solutions:
+    r"""Pose, focal length and radial distortion of a camera from four points, without the degenerate
+    solutions: 12 solutions.
+
+    Larsson, Kukelova, Zheng, "Making minimal solvers for absolute pose estimation compact and
+    robust", ICCV 2017. Published as `p4p_fr_iccv17`; `pose_4pt_focal_radial` is the older
+    formulation of the same problem, with 16.
+
+    An image point (u, v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with
+    P = diag(1, 1, 1/f) \[R t\]. The first two rows of R, column by column, are `upper` w
+    with the weights w, the null space of four equations; the third row of P is, from the four
+    points, `lower` (w, radial w), of which R takes the first three entries.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `upper`: (6, 4)
+    - `lower`: (3, 8)
+
+    Solutions, of which there are at most 12:
+
+    - `radial`: ()
+    - `weights`: (4,)
+    """
+    return _solve("pose_4pt_focal_radial_cut", upper, lower)
+
+
+def pose_4pt_generalized_scale(basis: npt.ArrayLike) -> Solutions:
+    """Pose and scale of a generalised camera from four points: 8 solutions.
+
+    Ventura, Arth, Reitmayr, Schmalstieg, "A minimal solution to the generalized pose-and-scale
+    problem", CVPR 2014. Published as `gp4p_scale`.
+
+    A point X, and the ray from c along d by which the camera sees it, satisfy d x (R X + t - s c) =
+    0: two equations, linear in the entries of R, t and s up to a common factor. Seven of the eight
+    leave a null space of dimension six; `basis` holds the entries of R, row by row, of vectors that
+    span it; R is their sum, each times its weight, up to scale.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `basis`: (6, 9)
+
+    Solutions, of which there are at most 8:
+
+    - `weights`: (6,)
+    """
+    return _solve("pose_4pt_generalized_scale", basis)
+
+
+def pose_4pt_upright_error_bound(points: npt.ArrayLike, cones: npt.ArrayLike) -> Solutions:
+    """Poses of a camera with known vertical direction in which the errors of four points equal their
+    bounds: 28 solutions.
+
+    Svärm, Enqvist, Kahl, Oskarsson, "City-scale localization for cameras with known vertical
+    direction", PAMI 2017. Published as `optpose4pt_v2`. A pose with the largest number of points
+    within the bound can be moved until four errors equal it.
+
+    The camera is turned about its first axis by the angle of the cosine y and the sine z, and
+    shifted by (u, v, w). A point of `points`, one a row, in the camera's coordinates (X, Y, Z),
+    lies on the cone a X^2 + a Y^2 + 2 b X Z + 2 c Y Z + d Z^2 = 0 with (a, b, c, d) a row of
+    `cones`: for an image point (p, q) and a bound e that is (1, -p, -q, p^2 + q^2 - e^2).
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `points`: (4, 3)
+    - `cones`: (4, 4)
+
+    Solutions, of which there are at most 28:
+
+    - `u`: ()
+    - `v`: ()
+    - `w`: ()
+    - `y`: ()
+    - `z`: ()
+    """
+    return _solve("pose_4pt_upright_error_bound", points, cones)
+
+
+def pose_5pt_refraction(affine: npt.ArrayLike) -> Solutions:
+    r"""Pose of a calibrated camera that looks at five points through a known refracting plane: 16
+    solutions.
+
+    Haner, Åström, "Absolute pose for cameras under flat refractive interfaces", CVPR 2015.
+    Published as `refract5p`.
+
+    The plane is Z = 0. Refraction keeps a ray in its plane with the normal, so that R ray and the
+    point X minus the camera centre (v, w, ..) are parallel in their first two coordinates: (r1 ray)
+    (X2 - w) - (r2 ray) (X1 - v) = 0 with the rows r1, r2, r3 of R, that of the quaternion (1, x, y,
+    z) times 1 + x^2 + y^2 + z^2. Linear combinations of five such equations have the leading terms
+    r2\[i\] v - r1\[i\] w with i = 0, 1, 2, then x y, and x^2 - y^2, and otherwise the terms 1 -
+    z^2, z, x z + y and x - y z, with the coefficients `affine`. These are large where the image's
+    frame is unfortunate: turn the rays so that another axis is the third.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `affine`: (5, 4)
+
+    Solutions, of which there are at most 16:
+
+    - `x`: ()
+    - `y`: ()
+    - `z`: ()
+    """
+    return _solve("pose_5pt_refraction", affine)
+
+
+def pose_5tdoa_two_receivers(quadric: npt.ArrayLike, linear: npt.ArrayLike) -> Solutions:
+    """Pose of two receivers close to each other from the time differences with which they hear five
+    senders: 24 solutions.
+
+    Burgess, Kuang, Åström, "Pose estimation from minimal dual-receiver configurations", ICPR 2012.
+    Published as `tdoa_pose_5pt`.
+
+    The receivers are at C, one from the other in the direction n = (u, v, w). Divided by their
+    distance, the difference of the ranges of a sender U is the cosine c of an angle: (n U - t)^2 =
+    c^2 |n|^2 |U - C|^2 with t = n C. Five such equations are linear in |n|^2 |C|^2 and |n|^2 C, and
+    otherwise have the terms u u, u v, u w, v v, v w, w w, t u, t v, t w and t t. Solved for the
+    former, they have the coefficients `linear`; a fifth linear combination, `quadric`, has none of
+    the former. C follows from n and t, which are `plane`: n X = t passes through the receivers,
+    across their line.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `quadric`: (10,)
+    - `linear`: (4, 10)
+
+    Solutions, of which there are at most 24:
+
+    - `plane`: (4,)
+    """
+    return _solve("pose_5tdoa_two_receivers", quadric, linear)
+
+
+def pose_6pt_rolling_shutter(
+    image: npt.ArrayLike,
+    points: npt.ArrayLike,
+    position: npt.ArrayLike,
+    velocity: npt.ArrayLike,
+) -> Solutions:
+    r"""Pose and motion of a camera with rolling shutter from six points: 20 solutions.
+
+    Albl, Kukelova, Pajdla, "R6P - rolling shutter absolute camera pose", CVPR 2015. Published as
+    `r6p`.
+
+    A point X is seen at q, in the row q\[0\], where (q, 1) and (I + q\[0\] \[(x, y, z)\]x) (I +
+    \[(u, v, w)\]x) X + C + q\[0\] t are parallel: both rotations linearised, the first for an
+    angular velocity. Three of the points, linear in the position C and the velocity t, give them as
+    position m and velocity m, m being the products of x, y, z (slower) with u, v, w, and then u, v,
+    w, x, y, z, 1. `image` and `points` are the other three, one a row.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `image`: (3, 2)
+    - `points`: (3, 3)
+    - `position`: (3, 16)
+    - `velocity`: (3, 16)
+
+    Solutions, of which there are at most 20:
+
+    - `u`: ()
+    - `v`: ()
+    - `w`: ()
+    - `x`: ()
+    - `y`: ()
+    - `z`: ()
+    """
+    return _solve("pose_6pt_rolling_shutter", image, points, position, velocity)
+
+
+def pose_npt_direct_least_squares(
+    linear: npt.ArrayLike,
+    quadratic: npt.ArrayLike,
+    cubic: npt.ArrayLike,
+    quartic: npt.ArrayLike,
+) -> Solutions:
+    """Pose of a calibrated camera from n points, all stationary points of a least-squares cost in
+    Cayley parameters: 27 solutions.
+
+    Hesch, Roumeliotis, "A direct least-squares (DLS) method for PnP", ICCV 2011. Published as
+    `opt_pnp_hesch`.
+
+    For a given rotation the best translation is linear in the rotation. Without the common
+    denominator 1 + x^2 + y^2 + z^2 of the rotation of the quaternion (1, x, y, z), the sum of
+    squares that remains is a polynomial of degree four; its coefficients are data, those of one
+    degree in lexicographic order. Of the constant nothing depends.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `linear`: (3,)
+    - `quadratic`: (6,)
+    - `cubic`: (10,)
+    - `quartic`: (15,)
+
+    Solutions, of which there are at most 27:
+
+    - `x`: ()
+    - `y`: ()
+    - `z`: ()
+    """
+    return _solve("pose_npt_direct_least_squares", linear, quadratic, cubic, quartic)
+
+
+def pose_npt_least_squares_cayley(cost: npt.ArrayLike) -> Solutions:
+    """Pose of a calibrated camera from n points, all stationary points of a least-squares cost over
+    the rotations, by Cayley parameters: 40 solutions.
+
+    Nakano, "Globally optimal DLS method for PnP problem with Cayley parameterization", BMVC 2015.
+    Published as `opt_pnp_nakanoC`.
+
+    With the best translation and the best depths the cost is r^T `cost` r, r being the entries of
+    the rotation of the quaternion q, row by row. With r times |q|^2 in its place the
+    cost grows with the fourth power of the length of q, so q is stationary up to its length where
+    the gradient d is parallel to it.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `cost`: (9, 9)
+
+    Solutions, of which there are at most 40:
+
+    - `q`: (4,)
+    """
+    return _solve("pose_npt_least_squares_cayley", cost)
+
+
+def pose_npt_least_squares_quaternion(rows: npt.ArrayLike) -> Solutions:
+    """Pose of a calibrated camera from n points, all stationary points of a least-squares cost in a
+    quaternion that is not normalised: 40 solutions.
+
+    Zheng, Kuang, Sugimoto, Åström, Okutomi, "Revisiting the PnP problem: a fast, general and
+    optimal solution", ICCV 2013. Published as `opt_pnp_zheng`.
+
+    The quaternion q has the square of its length, the inverse of the mean depth, free. The rest of
+    the pose is linear in the products of two of its entries, and the cost is |`rows` p|^2 with p =
+    (1, w w, w x, w y, w z, x x, x y, x z, y y, y z, z z): `rows` are the equations of ten points,
+    or, of another number of points, their triangular factor and zeros, since only the Gram matrix
+    matters. Since q and -q are the same rotation, q is an unknown scale s times the unknown
+    direction below. The derivatives, divided by s, are linear in the square of s, with the
+    coefficients `cubic` and `linear`: it follows from any of them, and is eliminated here.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `rows`: (20, 11)
+
+    Solutions, of which there are at most 40:
+
+    - `q`: (4,)
+    """
+    return _solve("pose_npt_least_squares_quaternion", rows)
+
+
+def pose_npt_weak_perspective(spread: npt.ArrayLike, image: npt.ArrayLike) -> Solutions:
+    """Pose of a weak-perspective camera from n points, all stationary points of the least-squares
+    cost: 16 solutions.
+
+    Larsson, Åström, "Uncovering symmetries in polynomial systems", ECCV 2016. Published as `wpnp`.
+
+    In the principal axes of the points, whose standard deviations are `spread`, the cost is |P
+    diag(spread) - `image`|^2, with P the first two rows of a rotation times a scale, that is, of
+    the rotation of a quaternion q that is not normalised. Since q and -q are the same rotation, the
+    unknowns are the ratios in q = root (w, 1, y, z), and `square`, that of the root.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `spread`: (3,)
+    - `image`: (2, 3)
+
+    Solutions, of which there are at most 16:
+
+    - `w`: ()
+    - `square`: ()
+    - `y`: ()
+    - `z`: ()
+    """
+    return _solve("pose_npt_weak_perspective", spread, image)
+
+
+def relpose_3pt_angle_zero_screw(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    half_angle: npt.ArrayLike,
+) -> Solutions:
+    """Relative pose of two calibrated cameras from three point correspondences where the motion turns
+    by a known angle about an axis without moving along it: 12 solutions.
+
+    Martyushev, Li, "Efficient relative pose estimation for cameras and generalized cameras in case
+    of known relative rotation angle", JMIV 62, 2020. Published as `3pra_st0`.
+
+    `first` and `second` hold the rays of the points in either camera, one a row, and `half_angle`
+    the cosine and the sine of half the angle: the rotation from the first camera to the second is
+    that of the unit quaternion cosine + u i + v j + w k. The ratio of the two depths of a point
+    follows from any other point, and from the translation being orthogonal to (u, v, w). All
+    polynomials are written p + w q, with p and q in u and v only, and stated with their multiple by
+    w.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `first`: (3, 3), or image points, one coordinate less
+    - `second`: (3, 3), or image points, one coordinate less
+    - `half_angle`: (2,)
+
+    Solutions, of which there are at most 12:
+
+    - `u`: ()
+    - `v`: ()
+    - `w`: ()
+    """
+    return _solve("relpose_3pt_angle_zero_screw", first, second, half_angle)
+
+
+def relpose_4pt_angle(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    half_angle: npt.ArrayLike,
+) -> Solutions:
+    """Relative pose of two calibrated cameras with a known angle of rotation from four point
+    correspondences: 20 solutions.
+
+    Li, Heng, Lee, Pollefeys, "A 4-point algorithm for relative pose estimation of a calibrated
+    camera with a known relative rotation angle", IROS 2013. Published as `relpose_4pt`, with the
+    translation among the unknowns; it is eliminated here as in Martyushev, Li, "Efficient relative
+    pose estimation for cameras and generalized cameras in case of known relative rotation angle",
+    JMIV 62, 2020.
+
+    `first` and `second` hold the rays of the points in either camera, one a row, and `half_angle`
+    the cosine and the sine of half the angle: the rotation from the first camera to the second is
+    that of the unit quaternion cosine + u i + v j + w k. The ratio of the two depths of a point
+    follows from any other point. All polynomials are written p + w q, with p and q in u and v only,
+    and stated with their multiple by w.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `first`: (4, 3), or image points, one coordinate less
+    - `second`: (4, 3), or image points, one coordinate less
+    - `half_angle`: (2,)
+
+    Solutions, of which there are at most 20:
+
+    - `u`: ()
+    - `v`: ()
+    - `w`: ()
+    """
+    return _solve("relpose_4pt_angle", first, second, half_angle)
+
+
+def relpose_5pt(basis: npt.ArrayLike) -> Solutions:
+    """Relative pose of two calibrated cameras from five point correspondences: 10 essential matrices.
+
+    Nistér, "An efficient solution to the five-point relative pose problem", PAMI 2004; in this form
+    Stewénius, Engels, Nistér, "Recent developments on direct relative orientation", ISPRS 2006.
+    Published as `5p`.
+
+    `basis` spans the null space of the five epipolar equations; the essential matrix is the sum
+    of its matrices, each times its weight.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `basis`: (4, 3, 3)
+
+    Solutions, of which there are at most 10:
+
+    - `weights`: (4,)
+    """
+    return _solve("relpose_5pt", basis)
+
+
+def relpose_5pt_generalized_angle(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    half_angle: npt.ArrayLike,
+) -> Solutions:
+    """Relative pose of two generalized cameras with a known angle of rotation from five point
+    correspondences: 44 solutions.
+
+    Martyushev, Li, "Efficient relative pose estimation for cameras and generalized cameras in case
+    of known relative rotation angle", JMIV 62, 2020. Published as `gen5pra`.
+
+    `first` and `second` hold the rays of the points in either system of cameras: a point of the
+    ray, and its direction. `half_angle` holds the cosine and the sine of half the angle: the
+    rotation from the first system to the second is that of the unit quaternion cosine + u i + v j +
+    w k. That the rays of one point meet gives the translation up to the depths of that point along
+    either ray; that the rays of any three others meet, too, are linear equations for these depths.
+    All polynomials are written p + w q, with p and q in u and v only, and stated with their
+    multiple by w.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `first`: (5, 2, 3)
+    - `second`: (5, 2, 3)
+    - `half_angle`: (2,)
+
+    Solutions, of which there are at most 44:
+
+    - `u`: ()
+    - `v`: ()
+    - `w`: ()
+    """
+    return _solve("relpose_5pt_generalized_angle", first, second, half_angle)
+
+
+def relpose_5pt_rays(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+    """Relative pose of two calibrated cameras from five points: 10 essential matrices.
+
+    The problem `relpose_5pt` from measurements. `first[k]` and `second[k]` are the rays of point k
+    in both cameras, of any length. An essential matrix E satisfies `second[k] . E first[k] = 0`; it
+    is the sum of the matrices that span the null space of these equations, each times its weight.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `first`: (5, 3), or image points, one coordinate less
+    - `second`: (5, 3), or image points, one coordinate less
+
+    Solutions, of which there are at most 10:
+
+    - `weights`: (4,)
+
+    Results of each solution:
+
+    - `essential`: (3, 3)
+    """
+    return _solve("relpose_5pt_rays", first, second)
+
+
+def relpose_5pt_semi_generalized_focal(
+    images: npt.ArrayLike,
+    directions: npt.ArrayLike,
+    centres: npt.ArrayLike,
+) -> Solutions:
+    """Pose and focal length of a camera from five points that calibrated cameras of known poses see,
+    too, and one point of known position: 56 solutions.
+
+    Bhayani, Sattler, Larsson, Heikkilä, Kukelova, "Partially calibrated semi-generalized pose from
+    hybrid point correspondences", WACV 2023. Published as `hyb51f`.
+
+    The known point is the origin; `centres` and `directions` are a point and the direction of the
+    ray that a calibrated camera sees each of the others along. `images` are those of the other
+    points, turned and scaled so that the image of the known point is (1, 0). Its depth is the
+    unknown `depth`. The camera's rotation is that of the quaternion 1 + x i + y j, and a turn about
+    its axis after it, by the angle of which c and s are cosine and sine, times the focal length. An
+    image lies on that of the ray: det(M) M^-T, the cofactors of M, maps moments of rays to lines of
+    the image where M maps directions to points of it. The squared norm of the quaternion, which
+    divides all cofactors, is left out.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `images`: (5, 2)
+    - `directions`: (5, 3)
+    - `centres`: (5, 3)
+
+    Solutions, of which there are at most 56:
+
+    - `x`: ()
+    - `y`: ()
+    - `c`: ()
+    - `s`: ()
+    - `depth`: ()
+    """
+    return _solve("relpose_5pt_semi_generalized_focal", images, directions, centres)
+
+
+def relpose_6pt_focal(basis: npt.ArrayLike) -> Solutions:
+    """Relative pose of two cameras with one unknown shared focal length from six point
+    correspondences: 15 solutions.
+
+    Stewénius, Nistér, Kahl, Schaffalitzky, "A minimal solution for relative pose with unknown focal
+    length", CVPR 2005; the form with w = 1/f^2 as in Kukelova, Bujnak, Pajdla, "Polynomial
+    eigenvalue solutions to the 5-pt and 6-pt relative pose problems", BMVC 2008. Published as
+    `focal6p`.
+
+    `basis` spans the null space of the six epipolar equations; the fundamental matrix is the
+    sum of its matrices, each times its weight.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `basis`: (3, 3, 3)
+
+    Solutions, of which there are at most 15:
+
+    - `weights`: (3,)
+    - `w`: ()
+    """
+    return _solve("relpose_6pt_focal", basis)
+
+
+def relpose_6pt_focal_one_side(basis: npt.ArrayLike) -> Solutions:
+    """Relative pose of a calibrated camera and one with unknown focal length from six point
+    correspondences: 9 solutions.
+
+    Bujnak, Kukelova, Pajdla, "3D reconstruction from image collections with a single known focal
+    length", ICCV 2009. Published as `focal6p_1s`.
+
+    `basis` spans the null space of the six epipolar equations x2^T F x1 = 0, the first camera
+    having the unknown focal length f and the second none; the fundamental matrix is the sum
+    of its matrices, each times its weight, and w = 1/f^2.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `basis`: (3, 3, 3)
+
+    Solutions, of which there are at most 9:
+
+    - `weights`: (3,)
+    - `w`: ()
+    """
+    return _solve("relpose_6pt_focal_one_side", basis)
+
+
+def relpose_6pt_focal_points(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+    """Relative pose of two cameras with one unknown shared focal length from six points: 15 solutions,
+    of which those with a real focal length are returned.
+
+    The problem `relpose_6pt_focal` from measurements. `first[k]` and `second[k]` are the images of
+    point k, relative to the principal points. The fundamental matrix is the sum of the matrices
+    that span the null space of the epipolar equations, each times its weight. w is 1 / focal^2 in
+    units of the length of all images.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `first`: (6, 2)
+    - `second`: (6, 2)
+
+    Solutions, of which there are at most 15:
+
+    - `weights`: (3,)
+    - `w`: ()
+
+    Results of each solution:
+
+    - `fundamental`: (3, 3)
+    - `focal`: ()
+    """
+    return _solve("relpose_6pt_focal_points", first, second)
+
+
+def relpose_6pt_generalized(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+    """Relative pose of two generalized cameras from six point correspondences: 64 solutions.
+
+    Stewénius, Nistér, Oskarsson, Åström, "Solutions to minimal generalized relative pose problems",
+    OMNIVIS 2005. Published as `gen6p`.
+
+    `first` and `second` hold the rays of the points in either system of cameras: a point of the
+    ray, and its direction. The rotation from the first system to the second is that of the
+    quaternion q. That the rays of one point meet gives the translation up to the
+    depths of that point along either ray; that the rays of any three others meet, too, are linear
+    equations for these depths.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `first`: (6, 2, 3)
+    - `second`: (6, 2, 3)
+
+    Solutions, of which there are at most 64:
+
+    - `q`: (4,)
+    """
+    return _solve("relpose_6pt_generalized", first, second)
+
+
+def relpose_6pt_radial(affine: npt.ArrayLike, affine_e31: npt.ArrayLike) -> Solutions:
+    """Relative pose and the radial distortion common to two otherwise calibrated cameras from six
+    point correspondences: 52 solutions.
+
+    Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
+    problems for cameras with radial distortion", CVIU 114, 2010. Published as `relpose_6p_rad`.
+
+    A point x lies along (x, 1 + radial |x|^2), the division model. Then x1^T E x2 = 0 is, with e33
+    = 1, linear in e11, e21, e12, e22, radial e31, e31 and the monomials e32, radial e32, e13,
+    radial e13, e23, radial e23, radial^2, radial, 1: six points give the former as combinations of
+    these. The first image may be turned about its centre, which turns (e13, e23), and `radial` may
+    have any unit: they are such that in e31 radial e23 has the coefficient 0 and radial e13 the
+    coefficient 1, which is a divisor of all that follows. `affine` holds the coefficients of e11,
+    e21, e12, e22, radial e31, and `affine_e31` the other seven of e31.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `affine`: (5, 9)
+    - `affine_e31`: (7,)
+
+    Solutions, of which there are at most 52:
+
+    - `e_13`: ()
+    - `e_32`: ()
+    - `e_23`: ()
+    - `radial`: ()
+    """
+    return _solve("relpose_6pt_radial", affine, affine_e31)
+
+
+def relpose_7pt_angle_focal_centre(
+    left: npt.ArrayLike,
+    right: npt.ArrayLike,
+    half_angle: npt.ArrayLike,
+) -> Solutions:
+    r"""Focal length and principal point common to two cameras from their fundamental matrix and the
+    angle of rotation between them: 6 solutions.
+
+    Martyushev, "Self-calibration of cameras with Euclidean image plane in case of two views and
+    known relative rotation angle", ECCV 2018. Published as `relpose_7p_fuv_angle`.
+
+    The fundamental matrix, from seven points or more, is given as `left`\[0\] `right`\[0\]^T +
+    `left`\[1\] `right`\[1\]^T, for example by its singular value decomposition; `half_angle` holds
+    the cosine and the sine of half the angle. The principal point is (x, y), `z` the square of the
+    focal length. With the matrix K of these K^T F K is an essential matrix: with the products A of
+    the left vectors in the quadratic form K K^T, and B of the right ones, B A is a multiple of the
+    identity. With z = 0 all points of a conic are solutions; four combinations of the equations
+    that are divisible by z are stated divided.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `left`: (2, 3)
+    - `right`: (2, 3)
+    - `half_angle`: (2,)
+
+    Solutions, of which there are at most 6:
+
+    - `x`: ()
+    - `y`: ()
+    - `z`: ()
+    """
+    return _solve("relpose_7pt_angle_focal_centre", left, right, half_angle)
+
+
+def relpose_7pt_focal_radial(affine: npt.ArrayLike, affine_f31: npt.ArrayLike) -> Solutions:
+    """Relative pose, focal length and radial distortion common to two cameras from seven point
+    correspondences: 68 solutions.
+
+    Jiang, Kuang, Solem, Åström, "A minimal solution to relative pose with unknown focal length and
+    radial distortion", ACCV 2014. Published as `relpose_7p_fr`.
+
+    A point x lies along (x, 1 + radial |x|^2), the division model. Then x1^T F x2 = 0 is, with f33
+    = 1, linear in f11, f21, f12, f22, radial f31, radial^2, f31 and the monomials f32, radial f32,
+    f13, radial f13, f23, radial f23, radial, 1: seven points give the former as combinations of
+    these. The first image may be turned about its centre, which turns (f13, f23), and `radial` may
+    have any unit: they are such that in f31 radial f23 has the coefficient 0 and radial f13 the
+    coefficient 1. `affine` holds the coefficients of the first six, and `affine_f31` the other six
+    of f31. With the focal length, diag(focal, focal, 1) F diag(focal, focal, 1) is an essential
+    matrix; `w` is 1 / focal^2.
+
+    Everything is p + radial q, two polynomials without `radial`, modulo the equation that gives
+    radial^2, and most equations are stated times `radial`, too. There are points at infinity, near
+    which residuals are small; there the factors that are stated not to vanish are small beside
+    their terms.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `affine`: (6, 8)
+    - `affine_f31`: (6,)
+
+    Solutions, of which there are at most 68:
+
+    - `w`: ()
+    - `f_32`: ()
+    - `f_13`: ()
+    - `f_23`: ()
+    - `radial`: ()
+    """
+    return _solve("relpose_7pt_focal_radial", affine, affine_f31)
+
+
+def relpose_7pt_focal_radial_one_side(affine: npt.ArrayLike) -> Solutions:
+    """Relative pose, focal length and radial distortion of the first camera, the second calibrated,
+    from seven point correspondences: 19 solutions.
+
+    Kuang, Solem, Kahl, Åström, "Minimal solvers for relative pose with a single unknown radial
+    distortion", CVPR 2014. Published as `relpose_7p_fr_1s`;
+    `relpose_7pt_focal_radial_one_side_eliminated` is a formulation without the focal length.
+
+    A point x1 of the first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T
+    F x2 = 0 is, with f33 = 1, linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial
+    f31, f32, radial f32, radial, 1: seven points give the former as combinations of these, the rows
+    of `affine`. With the focal length, diag(focal, focal, 1) F is an essential matrix; `w` is 1 /
+    focal^2.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `affine`: (7, 5)
+
+    Solutions, of which there are at most 19:
+
+    - `w`: ()
+    - `f_31`: ()
+    - `f_32`: ()
+    - `radial`: ()
+    """
+    return _solve("relpose_7pt_focal_radial_one_side", affine)
+
+
+def relpose_7pt_focal_radial_one_side_eliminated(affine: npt.ArrayLike) -> Solutions:
+    """Relative pose and radial distortion of the first camera, whose focal length is unknown, too, and
+    eliminated, the second calibrated, from seven point correspondences: 19 solutions.
+
+    Kukelova, Kileel, Sturmfels, Pajdla, "A clever elimination strategy for efficient minimal
+    solvers", CVPR 2017. Published as `relpose_7p_fr_1s_elr`.
+
+    A point x1 of the first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T
+    F x1 = 0 is, with f33 = 1, linear in radial f13, f11, f21, f31, f12, f22, f32 and the monomials
+    radial f23, f13, f23, radial, 1: seven points give the former as combinations of these, the rows
+    of `affine`. F diag(focal, focal, 1) is an essential matrix for some focal length: with A the
+    first two columns of F, the third is an eigenvector of A A^T, and where mu is its eigenvalue,
+    |third column|^2 / focal^2 = trace(A A^T) - 2 mu.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `affine`: (7, 5)
+
+    Solutions, of which there are at most 19:
+
+    - `f_13`: ()
+    - `f_23`: ()
+    - `radial`: ()
+    """
+    return _solve("relpose_7pt_focal_radial_one_side_eliminated", affine)
+
+
+def relpose_7pt_generalized_scale(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+    """Relative pose and relative scale of two generalized cameras from seven point correspondences:
+    140 solutions.
+
+    Kneip, Sweeney, Hartley, "The generalized relative pose and scale problem: View-graph fusion via
+    2D-2D registration", WACV 2016. Published as `gen_relpose_scale`.
+
+    `first` and `second` hold the rays of the points in either system of cameras: a point of the
+    ray, and its direction. The rotation from the first system to the second is that of the
+    quaternion q, and points of the second system are multiplied by its scale.
+    That the rays of one point meet gives the translation up to the depths of that point along
+    either ray and the scale; that the rays of any four others meet, too, are linear equations for
+    these three. What is stated depends on these five points, not on which is the first.
+
+    Call it in a thread with a stack of more than 2 MiB: a second attempt, at twice the precision,
+    takes 2.3.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `first`: (7, 2, 3)
+    - `second`: (7, 2, 3)
+
+    Solutions, of which there are at most 140:
+
+    - `q`: (4,)
+    """
+    return _solve("relpose_7pt_generalized_scale", first, second)
+
+
+def stitching_3pt_radial_focal(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+    """Rotation between two photographs with common unknown focal length and radial distortion, a
+    panorama, from three points: 18 solutions.
+
+    Naroditsky, Daniilidis, "Optimizing polynomial solvers for minimal geometry problems", ICCV
+    2011, after Byröd, Brown, Åström, "Minimal solutions for panoramic stitching with radial
+    distortion", BMVC 2009. Published as `stitching`.
+
+    A point p lies along (p, focal (1 + radial |p|^2)), the division model. Two points with the
+    inner product xy of their rays, in the first image, and x'y' in the second, satisfy xy^2 x'x'
+    y'y' = x'y'^2 xx yy. With w = 1/focal^2, and divided by focal^6, this is a polynomial whose
+    sixteen coefficients, in the order below, are `first` for the first and second point, and
+    `second` for the first and third.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `first`: (16,)
+    - `second`: (16,)
+
+    Solutions, of which there are at most 18:
+
+    - `radial`: ()
+    - `w`: ()
+    """
+    return _solve("stitching_3pt_radial_focal", first, second)
+
+
+def tensor_eigenvectors(a: npt.ArrayLike) -> Solutions:
+    """Eigenvectors of a 3 x 3 x 3 tensor, scaled to eigenvalue 1: x_i = sum over j and k of a_ijk x_j
+    x_k, 8 solutions with x = 0.
+
+    Cartwright and Sturmfels, "The number of eigenvalues of a tensor", Linear Algebra and its
+    Applications 2013: 7 of them for general data. The method of moments reads the parts of a
+    mixture from them (Anandkumar, Ge, Hsu, Kakade, Telgarsky, "Tensor decompositions for learning
+    latent variable models", JMLR 2014, section 4).
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `a`: (3, 3, 3)
+
+    Solutions, of which there are at most 8:
+
+    - `x`: ()
+    - `y`: ()
+    - `z`: ()
+    """
+    return _solve("tensor_eigenvectors", a)
+
+
+def three_quadrics(quadrics: npt.ArrayLike) -> Solutions:
+    """The intersection of three general quadrics: 8 solutions by Bézout's theorem.
+
+    Kukelova, Heller, Fitzgibbon, "Efficient intersection of three quadrics and applications in
+    computer vision", CVPR 2016.
+
+    `quadrics` holds the coefficients of x^2, x y, x z, y^2, y z, z^2, x, y, z, 1, a quadric in each
+    row.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `quadrics`: (3, 10)
+
+    Solutions, of which there are at most 8:
+
+    - `x`: ()
+    - `y`: ()
+    - `z`: ()
+    """
+    return _solve("three_quadrics", quadrics)
+
+
+def triangulation_3view(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    third: npt.ArrayLike,
+) -> Solutions:
+    r"""Triangulation from three views, all stationary points of the sum of squared reprojection errors:
+    47 solutions.
+
+    Stewénius, Schaffalitzky, Nistér, "How hard is 3-view triangulation really?", ICCV 2005.
+    Published as `3v_triang_laurent`.
+
+    The unknowns are projective coordinates (x, y, z, 1) of the point: x and y its depths in the
+    first and second view over that in the third, each times a constant, and z its first error in
+    the third view. Every image is turned so that its second error does not depend on z, and scales
+    are chosen so that the first errors of the first two views are (`first`\[0\] + z) / x and
+    (`second`\[0\] + z) / y, rows standing for linear forms in x, y and 1. The other errors are
+    `first`\[1\] / x, `second`\[1\] / y and `third`.
+
+    Stated are derivatives towards seven points. Where the depth of a view vanishes, so does a power
+    of it in the denominators; where the errors of a view vanish, too, at its centre, they do not
+    change at all.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `first`: (2, 3)
+    - `second`: (2, 3)
+    - `third`: (3,)
+
+    Solutions, of which there are at most 47:
+
+    - `x`: ()
+    - `y`: ()
+    - `z`: ()
+    """
+    return _solve("triangulation_3view", first, second, third)
+
+
+def triangulation_3view_relaxed(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    image: npt.ArrayLike,
+) -> Solutions:
+    """Triangulation from three views with two of the three epipolar constraints, all stationary points
+    of the least-squares cost: 27 solutions.
+
+    Kukelova, Pajdla, Bujnak, "Fast and stable algebraic solution to L2 three-view triangulation",
+    3DV 2013. Published as `l2_3view_triang`, for matrices of full rank, which give 31 solutions.
+    Fundamental and essential matrices have rank 2, and with them four of the 31 are at infinity.
+
+    `image` holds the measured image points, one a row. The corrected ones (x1, x2), (x3, x4) and
+    (x5, x6) are the closest to these that satisfy p1^T `first` p2 = 0 and p2^T `second` p3 = 0,
+    with the multipliers x7 and x8.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `first`: (3, 3)
+    - `second`: (3, 3)
+    - `image`: (3, 2)
+
+    Solutions, of which there are at most 27:
+
+    - `x1`: ()
+    - `x2`: ()
+    - `x3`: ()
+    - `x4`: ()
+    - `x5`: ()
+    - `x6`: ()
+    - `x7`: ()
+    - `x8`: ()
+    """
+    return _solve("triangulation_3view_relaxed", first, second, image)
+
+
+def trilateration(centres: npt.ArrayLike, distances: npt.ArrayLike) -> Solutions:
+    """A point at given distances from three known points: 2 solutions, mirror images in the plane of
+    the three.
+
+    Thomas & Ros, "Revisiting trilateration for robot localization", IEEE Transactions on Robotics
+    21(1), 2005.
+
+    `centres` holds the known points, one a row; `distances` the distances from them, in the same
+    unit.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `centres`: (3, 3)
+    - `distances`: (3,)
+
+    Solutions, of which there are at most 2:
+
+    - `x`: ()
+    - `y`: ()
+    - `z`: ()
+    """
+    return _solve("trilateration", centres, distances)
+
+
+def two_conics(p: npt.ArrayLike, q: npt.ArrayLike) -> Solutions:
+    """The intersection of two general conics: 4 solutions by Bézout's theorem.
+
+    Kukelova, Bujnak, Pajdla, "Automatic Generator of Minimal Problem Solvers", ECCV 2008, use two
+    such quadrics as their running example.
+
+    `p` and `q` hold the coefficients of x^2, x y, y^2, x, y, 1.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `p`: (6,)
+    - `q`: (6,)
+
+    Solutions, of which there are at most 4:
+
+    - `x`: ()
+    - `y`: ()
+    """
+    return _solve("two_conics", p, q)

@@ -1,0 +1,103 @@
+//! What a solver finds on random instances, judged by true solutions in numbers of 237 bits.
+
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use eliminant::Complex;
+use eliminant_generator::oracle::Truths;
+use eliminant_generator::plan::Plan;
+use eliminant_generator::search::measuring::interpreted::InterpretedSolver;
+use eliminant_generator::search::measuring::random_instance;
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use rayon::prelude::*;
+
+use crate::status;
+use crate::threads::interruptible;
+
+/// The figures of each instance, in the order of [`COUNTS`], those of [`ERRORS`], and the status.
+pub(crate) type Figures<'py> =
+    (Vec<Bound<'py, PyArray1<i64>>>, Vec<Bound<'py, PyArray1<f64>>>, Bound<'py, PyArray1<u16>>);
+
+/// The names of the counts: what there is, was missed and does not belong there, of real and of
+/// complex solutions; attempts of `solve_complex`; whether all true solutions are known.
+pub(crate) const COUNTS: [&str; 8] =
+    ["real", "real_missed", "real_spurious", "complex", "complex_missed", "complex_spurious", "attempts", "is_certain"];
+
+/// The names of the errors: the largest relative residual, and the largest relative distance from
+/// a true solution.
+pub(crate) const ERRORS: [&str; 2] = ["residual", "forward_error"];
+
+/// What a solver did on one instance.
+#[derive(Clone, Default)]
+struct Outcome {
+    counts: [i64; COUNTS.len()],
+    errors: [f64; ERRORS.len()],
+    status: u16,
+}
+
+/// Solves these instances and judges what is found. Instance k depends on (seed, k) only.
+pub(crate) fn figures<'py>(
+    py: Python<'py>,
+    plan: &Plan,
+    solver: &InterpretedSolver,
+    instances: Range<usize>,
+    seed: u64,
+) -> PyResult<Figures<'py>> {
+    let work = |is_over: &AtomicBool| -> Vec<Outcome> {
+        let outcome = |k: usize| match is_over.load(Ordering::Relaxed) {
+            true => Outcome::default(),
+            false => Outcome::of(plan, solver, &random_instance(plan, seed, k)),
+        };
+        instances.into_par_iter().map(outcome).collect()
+    };
+    let outcomes = interruptible(py, work, |_| Ok(()))?;
+    let counts = (0..COUNTS.len()).map(|at| outcomes.iter().map(|outcome| outcome.counts[at]).collect());
+    let errors = (0..ERRORS.len()).map(|at| outcomes.iter().map(|outcome| outcome.errors[at]).collect());
+    Ok((
+        counts.map(|list| PyArray1::from_vec(py, list)).collect(),
+        errors.map(|list| PyArray1::from_vec(py, list)).collect(),
+        PyArray1::from_vec(py, outcomes.iter().map(|outcome| outcome.status).collect()),
+    ))
+}
+
+impl Outcome {
+    fn of(plan: &Plan, solver: &InterpretedSolver, data: &[f64]) -> Self {
+        let real = solver.solve(data);
+        let (complex, attempts) = match solver.instance(data) {
+            Ok(mut instance) => (instance.solve_complex(), instance.attempts()),
+            Err(error) => (Err(error), 0),
+        };
+        let error = real.as_ref().err().or(complex.as_ref().err());
+        let status = error.map_or(status::SOLVED, status::of);
+        let real: Vec<Vec<Complex<f64>>> =
+            real.unwrap_or_default().into_iter().map(|point| point.into_iter().map(Complex::from).collect()).collect();
+        let complex = complex.unwrap_or_default();
+        let near: Vec<Vec<Complex<f64>>> = complex.iter().chain(&real).cloned().collect();
+        // Data that a coefficient divides by zero with have no solutions to judge by.
+        let Some(truths) = Truths::of(plan, data, &near) else {
+            return Self { status, errors: [f64::NAN; ERRORS.len()], ..Self::default() };
+        };
+        let (of_real, of_complex) = (truths.judge(&real, true), truths.judge(&complex, false));
+        let largest = |lists: [&[f64]; 2]| lists.concat().into_iter().reduce(f64::max).unwrap_or(f64::NAN);
+        let missed = |expected: usize, found: usize| expected.saturating_sub(found);
+        let counts = [
+            truths.real(),
+            missed(truths.real(), of_real.found),
+            of_real.spurious,
+            truths.complex(),
+            missed(truths.complex(), of_complex.found),
+            of_complex.spurious,
+            attempts,
+            usize::from(truths.is_complete()),
+        ];
+        Self {
+            counts: counts.map(|count| count as i64),
+            errors: [
+                largest([&of_real.residuals, &of_complex.residuals]),
+                largest([&of_real.errors, &of_complex.errors]),
+            ],
+            status,
+        }
+    }
+}

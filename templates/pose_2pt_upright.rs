@@ -1,0 +1,25 @@
+/// Pose of a camera whose vertical is known, as by an inertial sensor, from two points: 2
+/// solutions.
+///
+/// Kukelova, Bujnak, Pajdla, "Closed-form solutions to minimal absolute pose problems with known
+/// vertical direction", ACCV 2010; here by the depths, as Haralick, Lee, Ottenberg, Nölle, IJCV
+/// 1994, state the pose from three points.
+///
+/// `rays` are two viewing rays in a frame of the camera whose y axis is vertical, of any length,
+/// `points` the points that they see, in a world with the same vertical. The unknowns are the
+/// depths along the rays. A pose X -> rotation X + translation takes the world to the camera; the
+/// rotation is about the y axis, and both points are in front. The points must not be above each
+/// other, nor both rays level.
+fn pose_2pt_upright(rays: [[f64; 3]; 2], points: [[f64; 3]; 2]) -> (a, b) {
+    let seen = a * rays[0] - b * rays[1];
+    let given = points[0] - points[1];
+    let square = given[0].pow(2) + given[2].pow(2);
+    seen[1] == given[1];
+    seen[0].pow(2) + seen[2].pow(2) == square;
+    a > 0;
+    b > 0;
+    let c = (seen[0] * given[0] + seen[2] * given[2]) / square;
+    let s = (seen[0] * given[2] - seen[2] * given[0]) / square;
+    let rotation = [[c, 0, s], [0, 1, 0], [-s, 0, c]];
+    Pose { rotation: rotation, translation: a * rays[0] - rotation * points[0] }
+}
