@@ -1,8 +1,8 @@
 //! The estimator.
 
-use eliminant_solvers::relpose_5pt_rays;
-use inlier::core::{Estimator, NoopInlierSelector, SuperRansac, TerminationCriterion};
-use inlier::samplers::UniformRandomSampler;
+use std::cell::RefCell;
+
+use inlier::core::{NoopInlierSelector, SuperRansac, TerminationCriterion};
 use inlier::settings::RansacSettings;
 use inlier::types::DataMatrix;
 use nalgebra::Matrix3;
@@ -13,10 +13,8 @@ use thiserror::Error;
 use crate::input::Pair;
 use crate::pose::{Pose, in_front, rays};
 use crate::refine::{LocalFit, last_fit};
+use crate::samples::{FivePoint, Queue, SAMPLE, Samples};
 use crate::score::{Msac, Score, within};
-
-/// Correspondences of a sample.
-const SAMPLE: usize = 5;
 
 /// What the loop does, and when it ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,10 +91,10 @@ pub fn estimate(pair: &Pair, options: &Options) -> Result<Estimate, EstimateErro
     let threshold = threshold * pair.pixel();
     let msac = Msac::new(threshold);
     let settings = RansacSettings { min_iterations, max_iterations, ..RansacSettings::default() };
-    let sampler = UniformRandomSampler::from_seed(options.seed);
+    let queue = RefCell::new(Queue::default());
+    let (sampler, solver) = (Samples::new(options.seed, &queue), FivePoint(&queue));
     let (local, end) = (Some(LocalFit(&msac)), Confidence(*options));
-    let mut ransac =
-        SuperRansac::new(settings, FivePoint, sampler, &msac, local, None, end, None::<NoopInlierSelector>);
+    let mut ransac = SuperRansac::new(settings, solver, sampler, &msac, local, None, end, None::<NoopInlierSelector>);
     ransac.run(&data);
     let essential = ransac.best_model.ok_or(EstimateError::NoPose)?;
     let pose = Pose::from_essential(&essential, &data, &ransac.best_inliers).ok_or(EstimateError::NoPose)?;
@@ -106,34 +104,6 @@ pub fn estimate(pair: &Pair, options: &Options) -> Result<Estimate, EstimateErro
     match inliers.len() > SAMPLE {
         true => Ok(Estimate { pose, essential, inliers, samples: ransac.iteration }),
         false => Err(EstimateError::NoPose),
-    }
-}
-
-/// Five correspondences to essential matrices, by Eliminant's solver.
-struct FivePoint;
-
-impl Estimator for FivePoint {
-    type Model = Matrix3<f64>;
-
-    fn sample_size(&self) -> usize {
-        SAMPLE
-    }
-
-    fn is_valid_sample(&self, _: &DataMatrix, _: &[usize]) -> bool {
-        true
-    }
-
-    fn estimate_model(&self, data: &DataMatrix, sample: &[usize]) -> Vec<Matrix3<f64>> {
-        let [mut first, mut second] = [[[0.0; 3]; SAMPLE]; 2];
-        for (k, &row) in sample.iter().enumerate() {
-            [first[k], second[k]] = rays(data, row).map(Into::into);
-        }
-        let Ok(poses) = relpose_5pt_rays::solve_for_relative_pose(&first, &second) else { return Vec::new() };
-        poses.iter().map(|pose| Matrix3::from_fn(|row, column| pose.essential[row][column])).collect()
-    }
-
-    fn is_valid_model(&self, _: &Matrix3<f64>, _: &DataMatrix, _: &[usize], _: f64) -> bool {
-        true
     }
 }
 

@@ -12,8 +12,10 @@
 
 pub mod estimate;
 pub mod input;
+pub mod noise;
 pub mod pose;
 pub mod refine;
+pub mod samples;
 pub mod scene;
 pub mod score;
 

@@ -10,6 +10,7 @@ use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use nalgebra::storage::Owned;
 use nalgebra::{DVector, Dyn, Matrix3, Matrix3x2, OMatrix, Rotation3, U5, Unit, Vector3, Vector5};
 
+use crate::noise::Noise;
 use crate::pose::{Pose, in_front};
 use crate::score::{Msac, Score, within};
 
@@ -19,58 +20,24 @@ const REACH: f64 = 2.2;
 const LAST_REACH: f64 = 3.0;
 /// Fits at the end, each for the noise at the pose before.
 const LAST_FITS: usize = 2;
-/// Repetitions that find the noise from errors.
-const NOISE_STEPS: usize = 20;
-/// The least standard deviation of the noise, in thresholds.
-const LEAST_NOISE: f64 = 1e-4;
 
-/// What an error counts. Errors are in units of the threshold.
-#[derive(Clone, Copy, Debug)]
+/// What an error, in thresholds, counts.
+#[derive(Clone, Debug)]
 enum Loss {
     /// Its square, and at most one: the cost of the loop.
     Truncated,
-    /// The negative logarithm of its density: a normal one of this deviation, and a constant one of
-    /// outliers, relative to the peak of the normal one.
-    Noise { deviation: f64, outliers: f64 },
+    /// The negative logarithm of its density.
+    Noise(Noise),
 }
 
 impl Loss {
     /// The number whose square is the loss, and its derivative.
-    fn root(self, error: f64) -> (f64, f64) {
+    fn root(&self, index: usize, error: f64) -> (f64, f64) {
         match self {
             Self::Truncated if error.abs() < 1.0 => (error, 1.0),
             Self::Truncated => (error.signum(), 0.0),
-            Self::Noise { deviation, outliers } => {
-                let e = error / deviation;
-                let less = (-0.5 * e * e).exp_m1();
-                let root = (-2.0 * (less / (1.0 + outliers)).ln_1p()).sqrt().copysign(e);
-                if root.abs() < 1e-6 {
-                    let slope = (1.0 + outliers).sqrt().recip();
-                    return (slope * e, slope / deviation);
-                }
-                let weight = (1.0 + less) / (1.0 + less + outliers);
-                (root, weight * e / (root * deviation))
-            }
+            Self::Noise(noise) => noise.root(index, error),
         }
-    }
-
-    /// The noise that these errors, all below the reach, show: expectation and maximisation.
-    fn of_noise(errors: &[f64], reach: f64) -> Self {
-        let peak = |deviation: f64| 1.0 / (deviation * std::f64::consts::TAU.sqrt());
-        let (mut deviation, mut outliers) = (0.5_f64, 0.5 * 0.5 / reach / peak(0.5));
-        for _ in 0..NOISE_STEPS {
-            let (mut weights, mut squares) = (0.0, 0.0);
-            for error in errors {
-                let density = (-0.5 * (error / deviation).powi(2)).exp();
-                let weight = density / (density + outliers);
-                weights += weight;
-                squares += weight * error * error;
-            }
-            deviation = (squares / weights).sqrt().max(LEAST_NOISE);
-            let share = weights / errors.len() as f64;
-            outliers = (1.0 - share) / share / (2.0 * reach) / peak(deviation);
-        }
-        Self::Noise { deviation, outliers }
     }
 }
 
@@ -99,11 +66,19 @@ impl LocalOptimizer<Matrix3<f64>, Score> for LocalFit<'_> {
 /// The pose that fits the noise best, near a pose that is good already.
 pub fn last_fit(mut pose: Pose, data: &DataMatrix, threshold: f64) -> Pose {
     for _ in 0..LAST_FITS {
-        let points = points(data, &pose, LAST_REACH * threshold);
-        let loss = Loss::of_noise(&Fit::new(pose, &points, threshold, Loss::Truncated).errors(), LAST_REACH);
-        pose = fit(pose, &points, threshold, loss);
+        let mut points = points(data, &pose, LAST_REACH * threshold);
+        // Wrong correspondences have any parallax, right ones those of the scene.
+        points.sort_by(|a, b| parallax(&pose, a).total_cmp(&parallax(&pose, b)));
+        let errors = Fit::new(pose, &points, threshold, Loss::Truncated).errors();
+        pose = fit(pose, &points, threshold, Loss::Noise(Noise::of(&errors, LAST_REACH)));
     }
     pose
+}
+
+/// The square of the sine of the angle between the rays to a point.
+fn parallax(pose: &Pose, &[a, b, c, d]: &[f64; 4]) -> f64 {
+    let (first, second) = (pose.rotation * Vector3::new(a, b, 1.0), Vector3::new(c, d, 1.0));
+    first.cross(&second).norm_squared() / (first.norm_squared() * second.norm_squared())
 }
 
 /// The correspondences with Sampson errors below the reach that are in front of both cameras.
@@ -181,7 +156,7 @@ impl LeastSquaresProblem<f64, Dyn, U5> for Fit<'_> {
     }
 
     fn residuals(&self) -> Option<DVector<f64>> {
-        let errors = self.errors().into_iter().map(|error| self.loss.root(error).0);
+        let errors = self.errors().into_iter().enumerate().map(|(row, error)| self.loss.root(row, error).0);
         Some(DVector::from_iterator(self.points.len(), errors))
     }
 
@@ -192,7 +167,7 @@ impl LeastSquaresProblem<f64, Dyn, U5> for Fit<'_> {
         for (row, point) in self.points.iter().enumerate() {
             let sampson = Sampson::new(&essential, point);
             let gradient = sampson.gradient(point);
-            let slope = self.loss.root(sampson.error / self.threshold).1 / self.threshold;
+            let slope = self.loss.root(row, sampson.error / self.threshold).1 / self.threshold;
             for (column, derivative) in derivatives.iter().enumerate() {
                 jacobian[(row, column)] = slope * gradient.dot(derivative);
             }
@@ -252,26 +227,16 @@ mod tests {
             rotation: Rotation3::new(Vector3::new(0.1, -0.2, 0.05)),
             translation: Unit::new_normalize(Vector3::new(0.8, 0.1, -0.3)),
         };
-        for loss in [Loss::Truncated, Loss::Noise { deviation: 0.4, outliers: 0.2 }] {
+        let noise = Noise { deviation: 0.4, outliers: vec![0.0, 0.01, 0.2, 3.0] };
+        for loss in [Loss::Truncated, Loss::Noise(noise)] {
+            let name = format!("{loss:?}");
             let mut problem = Fit::new(start, &points, 0.2, loss);
             for parameters in [Vector5::zeros(), Vector5::new(0.02, -0.1, 0.05, 0.1, -0.2)] {
                 problem.set_params(&parameters);
                 let expected = differentiate_numerically(&mut problem).unwrap();
                 let error = (problem.jacobian().unwrap() - &expected).amax() / expected.amax();
-                assert!(error < 1e-6, "{loss:?}: {error}");
+                assert!(error < 1e-6, "{name}: {error}");
             }
         }
-    }
-
-    #[test]
-    fn noise_is_found_among_outliers() {
-        // Quantiles of a normal density by its inverse would need a series; sums of uniform numbers
-        // are near enough.
-        let uniform = |k: u64| (k.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 11) as f64 / (1_u64 << 53) as f64;
-        let normal = |k: u64| 0.3 * ((0..12).map(|j| uniform(12 * k + j + 1)).sum::<f64>() - 6.0);
-        let outlier = |k: u64| 6.0 * uniform(7 * k + 3) - 3.0;
-        let errors: Vec<f64> = (0..3000).map(normal).chain((0..1000).map(outlier)).collect();
-        let Loss::Noise { deviation, .. } = Loss::of_noise(&errors, 3.0) else { unreachable!() };
-        assert!((deviation - 0.3).abs() < 0.02, "{deviation}");
     }
 }
