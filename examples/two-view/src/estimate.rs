@@ -100,7 +100,9 @@ pub fn estimate(pair: &Pair, options: &Options) -> Result<Estimate, EstimateErro
     let pose = Pose::from_essential(&essential, &data, &ransac.best_inliers).ok_or(EstimateError::NoPose)?;
     let pose = last_fit(pose, &data, threshold);
     let essential = pose.essential();
-    let inliers: Vec<usize> = within(&data, &essential, threshold).filter(|&row| in_front(&pose, &data, row)).collect();
+    let inliers = within(&data, &essential, threshold).filter(|&row| in_front(&pose, &data, row));
+    let mut inliers: Vec<usize> = inliers.map(|row| order[row]).collect();
+    inliers.sort_unstable();
     match inliers.len() > SAMPLE {
         true => Ok(Estimate { pose, essential, inliers, samples: ransac.iteration }),
         false => Err(EstimateError::NoPose),

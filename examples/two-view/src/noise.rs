@@ -68,15 +68,18 @@ impl Noise {
 
 #[cfg(test)]
 mod tests {
+    use rand_xoshiro::Xoshiro256PlusPlus;
+    use rand_xoshiro::rand_core::{RngCore, SeedableRng};
+
     use super::*;
 
     #[test]
     fn noise_is_found_among_outliers() {
+        let mut random = Xoshiro256PlusPlus::seed_from_u64(1);
+        let mut uniform = || (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
         // Twelve uniform numbers have nearly a normal sum, of variance one.
-        let uniform = |k: u64| (k.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 11) as f64 / (1_u64 << 53) as f64;
-        let normal = |k: u64| 0.3 * ((0..12).map(|j| uniform(12 * k + j + 1)).sum::<f64>() - 6.0);
-        let outlier = |k: u64| 6.0 * uniform(7 * k + 3) - 3.0;
-        let errors: Vec<f64> = (0..3000).map(normal).chain((0..1000).map(outlier)).collect();
+        let mut errors: Vec<f64> = (0..3000).map(|_| 0.3 * ((0..12).map(|_| uniform()).sum::<f64>() - 6.0)).collect();
+        errors.extend((0..1000).map(|_| 6.0 * uniform() - 3.0));
         let noise = Noise::of(&errors, 3.0);
         assert!((noise.deviation - 0.3).abs() < 0.02, "{}", noise.deviation);
         assert!(noise.outliers[3900] > 100.0 * noise.outliers[0]);

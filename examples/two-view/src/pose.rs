@@ -30,9 +30,12 @@ impl Pose {
 
     /// Angles between two poses, in degrees: of the rotations, and of the translations.
     pub fn degrees_to(&self, other: &Self) -> [f64; 2] {
-        let translations = self.translation.cross(&other.translation).norm();
+        // The length of the difference of two rotations is `sqrt(8) sin(angle / 2)`. Cosines would
+        // lose half of the digits of small angles.
+        let chord = (self.rotation.matrix() - other.rotation.matrix()).norm() / 8_f64.sqrt();
+        let sine = self.translation.cross(&other.translation).norm();
         let cosine = self.translation.dot(&other.translation);
-        [self.rotation.angle_to(&other.rotation), translations.atan2(cosine)].map(f64::to_degrees)
+        [2.0 * chord.min(1.0).asin(), sine.atan2(cosine)].map(f64::to_degrees)
     }
 
     /// Of the four poses of an essential matrix the one with most of these points in front of both

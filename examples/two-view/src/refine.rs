@@ -75,6 +75,16 @@ pub fn last_fit(mut pose: Pose, data: &DataMatrix, threshold: f64) -> Pose {
     pose
 }
 
+/// The standard deviations of the angles of rotation and translation, in degrees, that least
+/// squares has on these correspondences at a focal length of one, with noise of this standard
+/// deviation: roots of traces of the covariance.
+pub fn deviations(pose: &Pose, points: &[[f64; 4]], noise: f64) -> Option<[f64; 2]> {
+    let jacobian = Fit::new(*pose, points, 1.0, Loss::Truncated).jacobian()?;
+    let covariance = (jacobian.tr_mul(&jacobian)).try_inverse()? * noise.powi(2);
+    let traces = [covariance.fixed_view::<3, 3>(0, 0).trace(), covariance.fixed_view::<2, 2>(3, 3).trace()];
+    Some(traces.map(|trace| trace.sqrt().to_degrees()))
+}
+
 /// The square of the sine of the angle between the rays to a point.
 fn parallax(pose: &Pose, &[a, b, c, d]: &[f64; 4]) -> f64 {
     let (first, second) = (pose.rotation * Vector3::new(a, b, 1.0), Vector3::new(c, d, 1.0));
