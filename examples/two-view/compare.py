@@ -64,9 +64,9 @@ def read(path):
 
 
 def estimate_ours(path, threshold):
-    """Times, samples and poses of our side."""
-    rows = [line.split(",")[1:] for line in ours("--file", path, "--threshold", threshold).splitlines()]
-    rows = np.array(rows, dtype=float)
+    """Times, samples and poses of our side, which stops at a pair without a pose."""
+    lines = ours("--file", path, "--threshold", threshold).splitlines()
+    rows = np.array([line.split(",")[1:] for line in lines], dtype=float)
     return rows[:, 0] * 1e-6, rows[:, 1], rows[:, 3:]
 
 

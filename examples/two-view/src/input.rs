@@ -1,9 +1,9 @@
 //! Correspondences and cameras, and their files.
 //!
 //! A file is text with commas. `pair,NAME` begins a pair of images; two lines `camera,fx,fy,cx,cy`
-//! in pixels follow, as COLMAP's model `PINHOLE` has them; then, where it is known, `truth` with the
-//! rotation, row by row, and the translation; then a line `x1,y1,x2,y2` for each correspondence.
-//! Lines that begin with `#` are comments.
+//! in pixels follow, as COLMAP's model `PINHOLE` has them; then, where it is known, `truth` with
+//! the rotation, row by row, and the translation; then a line `x1,y1,x2,y2` for each
+//! correspondence. Lines that begin with `#` are comments.
 
 use std::fmt::Write as _;
 

@@ -4,8 +4,8 @@
 //! is that of the crate `inlier`; the solver in it is Eliminant's `relpose_5pt_rays`. Its parts:
 //!
 //! ```text
-//!   five pairs of rays ──► solver ──► score, with points in front ──► local optimisation ──► end?
-//!                       (minimal)    (Sampson error, truncated)        (least squares)
+//!   five pairs ──► solver ──► score, points in front ──► local optimisation ──► end?
+//!     of rays       (minimal)    (Sampson, truncated)       (least squares)
 //! ```
 //!
 //! The pose of the loop is then refined for the noise that its inliers show.

@@ -78,13 +78,9 @@ fn estimate_file(file: &str, options: &Options) -> Result<(), Box<dyn Error>> {
         let start = Instant::now();
         let found = estimate(&pair, options);
         let nanoseconds = start.elapsed().as_nanos();
-        match found {
-            Ok(found) => {
-                let pose = join(&pose_to_array(&found.pose));
-                println!("{},{nanoseconds},{},{},{pose}", pair.name, found.samples, found.inliers.len());
-            }
-            Err(error) => eprintln!("pair {}: {error}", pair.name),
-        }
+        let found = found.map_err(|error| format!("pair {}: {error}", pair.name))?;
+        let pose = join(&pose_to_array(&found.pose));
+        println!("{},{nanoseconds},{},{},{pose}", pair.name, found.samples, found.inliers.len());
     }
     Ok(())
 }
