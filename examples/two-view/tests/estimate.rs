@@ -52,8 +52,8 @@ fn exact_correspondences_give_the_truth() {
 
 /// The threshold is three deviations: 99.7 % of the right correspondences are within. A wrong one
 /// is within by chance: then its distance from the epipolar line in one of the images is at most
-/// `sqrt(2)` thresholds, and 8.5 of the 900 pixels of a column are so near. Of both images these are
-/// 1.9 %. Some half of them have their point behind a camera.
+/// `sqrt(2)` thresholds, and 8.5 of the 900 pixels of a column are so near. Of both images these
+/// are 1.9 %. Some half of them have their point behind a camera.
 #[test]
 fn outliers_are_identified() {
     for outliers in [0.3, 0.6] {
