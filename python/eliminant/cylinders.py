@@ -20,7 +20,12 @@ CylinderError = _eliminant.CylinderError
 
 Scene = Union[Mapping[str, Any], str, "os.PathLike[str]"]
 
-__all__ = ["Cylinder", "CylinderError", "Matching", "from_pycolmap", "match", "scene", "triangulate"]
+__all__ = ["Cylinder", "CylinderError", "Matching", "from_pycolmap", "match", "photos", "scene", "triangulate"]
+
+Images = Union[Mapping[str, Any], str, "os.PathLike[str]"]
+
+BRIGHTNESS = np.array([0.299, 0.587, 0.114], dtype=np.float32)
+"""Weights of red, green and blue in brightness (ITU-R BT.601, that of JPEG files)."""
 
 
 class Cylinder(NamedTuple):
@@ -40,12 +45,13 @@ class Cylinder(NamedTuple):
 
 
 class Matching(NamedTuple):
-    """Parallel cylinders that were found among lines without labels."""
+    """Cylinders that were found among lines without labels."""
 
-    direction: Array
-    """The unit direction of all axes."""
+    directions: Array
+    """The unit directions of the axes, of shape (k, 3). Cylinders of one direction are parallel
+    before they are refined."""
     cylinders: List[Cylinder]
-    """The cylinders, the best supported first, refined where they could be."""
+    """The cylinders, direction by direction, the best supported first, refined where they could be."""
     warnings: List[str]
     report: Dict[str, Any]
     """All that is known of them: the object that the program `cylinders` writes as JSON."""
@@ -153,6 +159,9 @@ def triangulate(
     *,
     method: str = "least_squares",
     parallel: bool = False,
+    shared_radius: bool = False,
+    radius: Optional[float] = None,
+    side: Optional[str] = None,
     threshold: Optional[float] = None,
     seed: int = 0,
     confidence: float = 0.999,
@@ -161,12 +170,17 @@ def triangulate(
 
     `method` is `"least_squares"`, `"refined"` on the distances in the images, with standard
     deviations in the report, or `"robust"`, by RANSAC with `threshold` in pixels, `seed` and
-    `confidence`. `parallel` estimates one direction for all cylinders. Raises `CylinderError` where
-    the lines determine no cylinder.
+    `confidence`. `parallel` estimates one direction for all cylinders, `shared_radius` one radius,
+    and `radius` is that of all cylinders, if it is known; the last two refine. `side`, `"left"` or
+    `"right"` of the axis, whose direction with the largest entry positive points up, is that of all
+    lines, for one line in each image. Raises `CylinderError` where the lines determine no cylinder.
     """
     estimator = {
         "method": method,
         "is_parallel": parallel,
+        "is_radius_shared": shared_radius,
+        "radius": radius,
+        "side": side,
         "threshold": threshold,
         "seed": whole("seed", seed),
         "confidence": confidence,
@@ -182,29 +196,81 @@ def match(
     count: Optional[int] = None,
     least_support: Optional[int] = None,
     first_image: bool = False,
+    directions: Optional[int] = None,
     direction: Any = None,
 ) -> Matching:
-    """Parallel cylinders and their silhouettes among lines without labels.
+    """Cylinders and their silhouettes among lines without labels.
 
     `threshold` is the largest distance of a match: pixels where all cameras have a calibration,
-    radians otherwise. `count` is the largest number of cylinders, `least_support` the least number
-    of matches of one. `first_image` takes pairs of silhouettes in the first image only. `direction`
-    is that of all axes, if it is known.
+    radians otherwise. `count` is the largest number of cylinders, all of one direction,
+    `least_support` the least number of matches of one. `first_image` takes pairs of silhouettes in
+    the first image only. `directions` is the largest number of directions; without it all that have
+    cylinders are taken. `direction` is that of all axes, if it is known.
     """
+    if directions is not None and (count is not None or direction is not None):
+        raise ValueError("`directions` goes with neither `count` nor `direction`")
     matcher = {
         "threshold": threshold,
         "count": None if count is None else whole("count", count),
         "least_support": None if least_support is None else whole("least_support", least_support),
         "is_first_image": first_image,
-        "direction": None if direction is None else _shaped("direction", direction, (3,)).tolist(),
+        "directions": None if directions is None else whole("directions", directions),
+        "direction": _direction(direction),
     }
-    report = json.loads(_eliminant.match_cylinder_lines(_text(scene), matcher))
-    along = np.array(report["direction"])
-    found = [
-        _cylinder(cylinder.get("refined") or {"direction": along, **cylinder}, None)
-        for cylinder in report["cylinders"]
-    ]
-    return Matching(along, found, report["warnings"], report)
+    return _matching(_eliminant.match_cylinder_lines(_text(scene), matcher))
+
+
+def photos(
+    cameras: Scene,
+    images: Images,
+    *,
+    threshold: float = 2.0,
+    directions: Optional[int] = None,
+    direction: Any = None,
+) -> Matching:
+    """Cylinders in photographs whose cameras are known, without lines.
+
+    `cameras` is the folder of a COLMAP model, or a scene whose views have the names of their images
+    and a calibration; its lines are not looked at. `images` is the folder of the photographs, JPEG
+    or PNG, or maps their names to arrays of brightness, of shape (height, width), or of red, green
+    and blue, of shape (height, width, 3), from 0 to 255. `threshold` is the largest distance of a
+    line from its silhouette, in pixels, `directions` the largest number of directions, and
+    `direction` that of all axes, if it is known.
+    """
+    if directions is not None and direction is not None:
+        raise ValueError("`directions` does not go with `direction`")
+    is_model = not isinstance(cameras, Mapping) and not _is_json(cameras) and os.path.isdir(cameras)
+    is_folder = isinstance(images, (str, os.PathLike))
+    given = {
+        "scene": None if is_model else _text(cameras),
+        "model": os.fspath(cameras) if is_model else None,  # type: ignore[arg-type]
+        "folder": os.fspath(images) if is_folder else None,  # type: ignore[arg-type]
+        "arrays": [] if is_folder else [(name, _brightness(name, array)) for name, array in images.items()],  # type: ignore[union-attr]
+        "threshold": threshold,
+        "directions": None if directions is None else whole("directions", directions),
+        "direction": _direction(direction),
+    }
+    return _matching(_eliminant.cylinders_of_photographs(given))
+
+
+def _brightness(name: str, value: Any) -> Any:
+    """An image as float32 of shape (height, width)."""
+    array = numbers(f"image {name}", value)
+    if array.ndim == 3 and array.shape[2] in (3, 4):
+        array = array[:, :, :3] @ BRIGHTNESS
+    if array.ndim != 2:
+        raise ValueError(f"image {name!r} has the shape {array.shape}: expected (height, width) or (height, width, 3)")
+    return np.ascontiguousarray(array, dtype=np.float32)
+
+
+def _direction(value: Any) -> Any:
+    return None if value is None else _shaped("direction", value, (3,)).tolist()
+
+
+def _matching(text: str) -> Matching:
+    report = json.loads(text)
+    found = [_cylinder(cylinder.get("refined") or cylinder, None) for cylinder in report["cylinders"]]
+    return Matching(np.array(report["directions"]), found, report["warnings"], report)
 
 
 def _cylinder(report: Dict[str, Any], label: Optional[str]) -> Cylinder:
@@ -228,11 +294,15 @@ def _text(scene: Scene) -> str:
             return json.dumps(scene, allow_nan=False, default=_plain)
         except ValueError as error:
             raise CylinderError(f"scene: {error}") from None
-    if isinstance(scene, str) and scene.lstrip().startswith("{"):
+    if isinstance(scene, str) and _is_json(scene):
         return scene
     if isinstance(scene, (str, os.PathLike)):
         return Path(scene).read_text(encoding="utf-8")
     raise TypeError(f"expected a scene as a dict, JSON text or a path, got {type(scene).__name__}")
+
+
+def _is_json(scene: Any) -> bool:
+    return isinstance(scene, str) and scene.lstrip().startswith("{")
 
 
 def _plain(value: Any) -> Any:

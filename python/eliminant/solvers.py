@@ -25,6 +25,7 @@ __all__ = [
     "katsura_5",
     "orbit_5_lines_of_sight",
     "platform_forward_kinematics",
+    "pose_2pt_upright",
     "pose_35pt_focal",
     "pose_3pt",
     "pose_3pt_depths",
@@ -41,6 +42,7 @@ __all__ = [
     "pose_npt_least_squares_quaternion",
     "pose_npt_weak_perspective",
     "relpose_3pt_angle_zero_screw",
+    "relpose_3pt_upright",
     "relpose_4pt_angle",
     "relpose_5pt",
     "relpose_5pt_generalized_angle",
@@ -372,6 +374,38 @@ def platform_forward_kinematics(
     - `c`: ()
     """
     return _solve("platform_forward_kinematics", sums, differences, shift, excess, square)
+
+
+def pose_2pt_upright(rays: npt.ArrayLike, points: npt.ArrayLike) -> Solutions:
+    """Pose of a camera whose vertical is known, as by an inertial sensor, from two points: 2
+    solutions.
+
+    Kukelova, Bujnak, Pajdla, "Closed-form solutions to minimal absolute pose problems with known
+    vertical direction", ACCV 2010; here by the depths, as Haralick, Lee, Ottenberg, Nölle, IJCV
+    1994, state the pose from three points.
+
+    `rays` are two viewing rays in a frame of the camera whose y axis is vertical, of any length,
+    `points` the points that they see, in a world with the same vertical. The unknowns are the
+    depths along the rays. A pose X -> rotation X + translation takes the world to the camera; the
+    rotation is about the y axis, and both points are in front. The points must not be above each
+    other, nor both rays level.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `rays`: (2, 3), or image points, one coordinate less
+    - `points`: (2, 3)
+
+    Solutions, of which there are at most 2:
+
+    - `a`: ()
+    - `b`: ()
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
+    """
+    return _solve("pose_2pt_upright", rays, points)
 
 
 def pose_35pt_focal(
@@ -825,6 +859,36 @@ def relpose_3pt_angle_zero_screw(
     - `w`: ()
     """
     return _solve("relpose_3pt_angle_zero_screw", first, second, half_angle)
+
+
+def relpose_3pt_upright(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+    """Relative pose of two cameras whose vertical is known, as by an inertial sensor, from three
+    points: 4 solutions.
+
+    Fraundorfer, Tanskanen, Pollefeys, "A minimal case solution to the calibrated relative pose
+    problem for the case of two known orientation angles", ECCV 2010.
+
+    `first` and `second` are corresponding viewing rays in frames of the cameras whose y axes are
+    vertical, of any length. The unknowns are cosine and sine of the turn about the vertical. A pose
+    X -> rotation X + translation takes the frame of the first camera to that of the second. The
+    length of the translation is open, and so is its sign: with one of them the points are in front.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `first`: (3, 3), or image points, one coordinate less
+    - `second`: (3, 3), or image points, one coordinate less
+
+    Solutions, of which there are at most 4:
+
+    - `c`: ()
+    - `s`: ()
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
+    """
+    return _solve("relpose_3pt_upright", first, second)
 
 
 def relpose_4pt_angle(

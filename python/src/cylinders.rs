@@ -1,12 +1,11 @@
 //! Cylinder triangulation: a scene as JSON to a report as JSON.
 
-use eliminant_cylinders::direction::estimate_direction;
 use eliminant_cylinders::matching_report::MatchingReport;
 use eliminant_cylinders::report::Report;
 use eliminant_cylinders::{
-    CylinderLines, Estimate, MatchError, MatchOptions, Matching, Method, ParallelError, RansacOptions, References,
-    RobustOptions, Scene, View, default_direction_options, estimate, estimate_direction_robustly, estimate_from,
-    match_cylinders, parallel_estimates, parse_scene, triangulate_parallel,
+    CylinderLines, Estimate, JointError, JointMethod, Loss, MatchError, MatchOptions, Matching, Method, Radii,
+    RansacOptions, References, RobustOptions, Scene, Side, View, estimate, estimate_from, estimate_on_side,
+    estimate_together, match_cylinders, match_directions_with, parse_scene,
 };
 use nalgebra::{Unit, Vector3};
 use pyo3::exceptions::PyValueError;
@@ -17,7 +16,7 @@ use crate::errors::CylinderError;
 use crate::threads::on_all_cores;
 
 /// What messages about a scene begin with.
-const SCENE: &str = "scene";
+pub(crate) const SCENE: &str = "scene";
 
 /// How cylinders are estimated.
 #[derive(FromPyObject)]
@@ -25,6 +24,9 @@ const SCENE: &str = "scene";
 pub(crate) struct Estimator {
     method: String,
     is_parallel: bool,
+    is_radius_shared: bool,
+    radius: Option<f64>,
+    side: Option<String>,
     threshold: Option<f64>,
     seed: u64,
     confidence: f64,
@@ -43,7 +45,7 @@ pub(crate) fn triangulate_cylinders(py: Python<'_>, scene: &str, estimator: Esti
     json(&reports.map_err(CylinderError::new_err)?)
 }
 
-fn json(value: &impl Serialize) -> PyResult<String> {
+pub(crate) fn json(value: &impl Serialize) -> PyResult<String> {
     serde_json::to_string(value).map_err(|error| CylinderError::new_err(error.to_string()))
 }
 
@@ -53,8 +55,20 @@ impl Estimator {
         if !["least_squares", "refined", "robust"].contains(&self.method.as_str()) {
             return wrong("expected the method least_squares, refined or robust");
         }
-        if self.is_parallel && self.method != "least_squares" {
-            return wrong("parallel cylinders are estimated by least_squares");
+        let is_joint = self.is_parallel || self.radii() != Radii::Own;
+        if is_joint && self.method == "robust" {
+            return wrong("cylinders that share a direction or a radius are estimated by least_squares or refined");
+        }
+        match self.radius {
+            Some(_) if self.is_radius_shared => return wrong("expected either a shared radius or a known one"),
+            Some(radius) if !(radius > 0.0 && radius.is_finite()) => return wrong("expected a radius above 0"),
+            _ => {}
+        }
+        match self.side.as_deref() {
+            None => {}
+            Some("left" | "right") if !is_joint && self.method != "robust" => {}
+            Some("left" | "right") => return wrong("a side is for single cylinders by least_squares or refined"),
+            Some(_) => return wrong("expected the side left or right"),
         }
         if !(self.confidence > 0.0 && self.confidence < 1.0) {
             return wrong("expected a confidence between 0 and 1");
@@ -62,19 +76,43 @@ impl Estimator {
         check_threshold(self.threshold)
     }
 
+    fn radii(&self) -> Radii {
+        match self.radius {
+            Some(radius) => Radii::Known(radius),
+            None if self.is_radius_shared => Radii::Shared,
+            None => Radii::Own,
+        }
+    }
+
     fn estimates(&self, cylinders: &[CylinderLines]) -> Result<Vec<Estimate>, String> {
-        if self.is_parallel {
-            let views: Vec<Vec<View>> = cylinders.iter().map(|lines| lines.views.clone()).collect();
-            let result = triangulate_parallel(&views).map_err(|error| match error {
-                ParallelError::Cylinder { cylinder, error } => of_label(cylinders.get(cylinder), &error),
-                ParallelError::Direction(_) => of_label(None, &error),
-            })?;
-            return Ok(parallel_estimates(result, &views));
+        if self.is_parallel || self.radii() != Radii::Own {
+            return self.together(cylinders);
         }
         let of_lines = |lines: &CylinderLines| {
-            estimate(&lines.views, &self.method(&lines.views)).map_err(|error| of_label(Some(lines), &error))
+            let views = &lines.views;
+            let estimate = match self.side.as_deref() {
+                Some("left") => estimate_on_side(views, Side::Left),
+                Some(_) => estimate_on_side(views, Side::Right),
+                None => estimate(views, &self.method(views)),
+            };
+            estimate.map_err(|error| of_label(Some(lines), &error))
         };
         cylinders.iter().map(of_lines).collect()
+    }
+
+    /// Cylinders that share a direction or a radius.
+    fn together(&self, cylinders: &[CylinderLines]) -> Result<Vec<Estimate>, String> {
+        let views: Vec<Vec<View>> = cylinders.iter().map(|lines| lines.views.clone()).collect();
+        let radii = self.radii();
+        let refines = self.method == "refined" || radii != Radii::Own;
+        let refinement = refines.then_some((radii, Loss::Quadratic));
+        let method = JointMethod { parallel: self.is_parallel, refinement };
+        let joint = estimate_together(&views, &method).map_err(|error| match error {
+            JointError::Cylinder { cylinder, error } => of_label(cylinders.get(cylinder), &error),
+            // An error of all cylinders together has no label.
+            error => of_label(None, &error),
+        })?;
+        Ok(joint.cylinders)
     }
 
     fn method(&self, views: &[View]) -> Method {
@@ -93,14 +131,21 @@ impl Estimator {
 }
 
 /// An error with the label of the cylinder that it is about.
-fn of_label(lines: Option<&CylinderLines>, error: &dyn std::fmt::Display) -> String {
+pub(crate) fn of_label(lines: Option<&CylinderLines>, error: &dyn std::fmt::Display) -> String {
     match lines.and_then(|lines| lines.label.as_ref()) {
         Some(label) => format!("{SCENE}: cylinder `{label}`: {error}"),
         None => format!("{SCENE}: {error}"),
     }
 }
 
-fn check_threshold(threshold: Option<f64>) -> PyResult<()> {
+pub(crate) fn check_directions(directions: Option<usize>) -> PyResult<()> {
+    match directions {
+        Some(0) => Err(PyValueError::new_err("expected 1 direction or more")),
+        _ => Ok(()),
+    }
+}
+
+pub(crate) fn check_threshold(threshold: Option<f64>) -> PyResult<()> {
     match threshold {
         Some(threshold) if !(threshold > 0.0 && threshold.is_finite()) => {
             Err(PyValueError::new_err("expected a threshold above 0"))
@@ -117,44 +162,43 @@ pub(crate) struct Matcher {
     count: Option<usize>,
     least_support: Option<usize>,
     is_first_image: bool,
+    directions: Option<usize>,
     direction: Option<[f64; 3]>,
 }
 
-/// What a search found: direction, threshold, cylinders.
-type Found = (Unit<Vector3<f64>>, f64, Matching);
-
-/// The parallel cylinders of a scene without labels: a JSON report.
+/// The cylinders of a scene without labels: a JSON report.
 #[pyfunction]
 pub(crate) fn match_cylinder_lines(py: Python<'_>, scene: &str, matcher: Matcher) -> PyResult<String> {
     check_threshold(matcher.threshold)?;
     if matcher.count == Some(0) || matcher.least_support.is_some_and(|least| least < 4) {
         return Err(PyValueError::new_err("expected a count of 1 or more, and a least support of 4 or more"));
     }
+    check_directions(matcher.directions)?;
     let report = on_all_cores(py, || -> Result<MatchingReport, String> {
         let scene = parse_scene(scene, SCENE).map_err(|error| error.to_string())?;
-        let found = matcher.find(&scene.views)?;
-        Ok(refined(&scene, &found))
+        let (threshold, matching) = matcher.find(&scene.views)?;
+        Ok(refined(&scene, threshold, &matching))
     });
     json(&report.map_err(CylinderError::new_err)?)
 }
 
 /// The report of what was found, with each cylinder refined on its matches.
-fn refined(scene: &Scene, (direction, threshold, matching): &Found) -> MatchingReport {
+pub(crate) fn refined(scene: &Scene, threshold: f64, matching: &Matching) -> MatchingReport {
     let views = &scene.views;
     let reports = matching.cylinders.iter().enumerate().map(|(at, found)| {
         let lines = found.lines(views, &(at + 1).to_string());
         estimate_from(&lines.views, &found.cylinder).map(|estimate| Report::new(&lines, &estimate, &scene.points))
     });
-    MatchingReport::new(views, (direction, *threshold), matching).with_refined(reports.collect())
+    MatchingReport::new(views, threshold, matching).with_refined(reports.collect())
 }
 
 impl Matcher {
-    /// The cylinders along the first direction that has some. Without a threshold the default is
-    /// doubled once, because lines drawn by hand may need more.
-    fn find(&self, views: &[View]) -> Result<Found, String> {
+    /// The threshold and the cylinders. Without a threshold the default is doubled once, because
+    /// lines drawn by hand may need more.
+    fn find(&self, views: &[View]) -> Result<(f64, Matching), String> {
         let defaults = MatchOptions::of(views);
         let factors: &[f64] = if self.threshold.is_some() { &[1.0] } else { &[1.0, 2.0] };
-        let directions = self.directions(views)?;
+        let direction = self.direction.map(unit).transpose()?;
         let mut last = MatchError::NoPair;
         for factor in factors {
             let options = MatchOptions {
@@ -164,29 +208,28 @@ impl Matcher {
                 least_support: self.least_support,
                 ..defaults
             };
-            for direction in &directions {
-                match match_cylinders(views, direction, &options) {
-                    Ok(matching) => return Ok((*direction, options.threshold, matching)),
-                    Err(error @ MatchError::NoCylinder { .. }) => last = error,
-                    Err(error) => return Err(of_label(None, &error)),
-                }
+            let along = |views: &[View], direction: &Direction| match_cylinders(views, direction, &options);
+            // A number of cylinders would be found in any direction.
+            let most = if self.count.is_some() { 1 } else { self.directions.unwrap_or(usize::MAX) };
+            let matching = match &direction {
+                Some(direction) => along(views, direction),
+                None => match_directions_with(views, most, along),
+            };
+            match matching {
+                Ok(matching) => return Ok((options.threshold, matching)),
+                Err(error @ MatchError::NoCylinder { .. }) => last = error,
+                Err(error) => return Err(of_label(None, &error)),
             }
         }
         Err(of_label(None, &last))
     }
+}
 
-    /// The given direction; otherwise that on which most lines agree, and that of all lines.
-    fn directions(&self, views: &[View]) -> Result<Vec<Unit<Vector3<f64>>>, String> {
-        if let Some(direction) = self.direction {
-            let vector = Vector3::from(direction);
-            let scaled = vector / vector.amax();
-            let wrong = || "expected a direction of three finite numbers, not all 0".to_owned();
-            return Unit::try_new(scaled, 0.5).map(|direction| vec![direction]).ok_or_else(wrong);
-        }
-        let planes: Vec<_> = views.iter().flat_map(View::planes).collect();
-        let found = estimate_direction_robustly(&planes, &default_direction_options());
-        let found = found.map_err(|error| of_label(None, &error))?;
-        let of_all = estimate_direction(&planes).ok().map(|direction| direction.direction);
-        Ok([found.direction.direction].into_iter().chain(of_all).collect())
-    }
+type Direction = Unit<Vector3<f64>>;
+
+/// A direction from three numbers.
+pub(crate) fn unit(numbers: [f64; 3]) -> Result<Direction, String> {
+    let vector = Vector3::from(numbers);
+    let wrong = || "expected a direction of three finite numbers, not all 0".to_owned();
+    Unit::try_new(vector / vector.amax(), 0.5).ok_or_else(wrong)
 }

@@ -39,6 +39,9 @@ mod command;
 /// Cylinder triangulation.
 mod cylinders;
 
+/// Cylinders in photographs.
+mod photos;
+
 /// Name and shape of each array.
 fn named(arrays: &[catalogue::Named]) -> Vec<(&'static str, Vec<usize>)> {
     arrays.iter().map(|&(name, shape)| (name, shape.to_vec())).collect()
@@ -78,6 +81,7 @@ fn _eliminant(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("CylinderError", module.py().get_type::<errors::CylinderError>())?;
     module.add_function(wrap_pyfunction!(cylinders::triangulate_cylinders, module)?)?;
     module.add_function(wrap_pyfunction!(cylinders::match_cylinder_lines, module)?)?;
+    module.add_function(wrap_pyfunction!(photos::cylinders_of_photographs, module)?)?;
     module.add("COUNTS", stability::COUNTS.to_vec())?;
     module.add("ERRORS", stability::ERRORS.to_vec())?;
     module.add_class::<problem::NativeProblem>()?;

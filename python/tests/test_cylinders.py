@@ -93,10 +93,98 @@ def test_match(rng, truth):
     others = [(point, radius), (point + 2 * np.cross(direction, [0, 0, 1]), 0.3)]
     poses, lines = views_of(rng, 8, others, direction)
     matching = cylinders.match(cylinders.scene(poses, lines), count=2)
-    assert abs(abs(matching.direction @ direction) - 1) < 1e-9
+    assert matching.directions.shape == (1, 3) and abs(abs(matching.directions[0] @ direction) - 1) < 1e-9
     assert sorted(round(cylinder.radius, 6) for cylinder in matching.cylinders) == [0.3, 0.4]
     along = cylinders.match(cylinders.scene(poses, lines), count=1, direction=direction)
     assert len(along.cylinders) == 1
+
+
+def test_shared_radius_known_radius_and_side(rng, truth):
+    point, direction, radius = truth
+    others = [(point, radius), (point + 2 * np.cross(direction, [0, 0, 1]), radius)]
+    poses, lines = views_of(rng, 5, others, direction)
+    labels = [["a", "a", "b", "b"]] * 5
+    scene = cylinders.scene(poses, lines, labels=labels)
+    for options in ({"shared_radius": True}, {"radius": radius}, {"method": "refined", "parallel": True}):
+        both = cylinders.triangulate(scene, **options)
+        for cylinder, (through, _) in zip(both, others):
+            foot = through - direction * (direction @ through)
+            check(cylinder, foot, direction, radius)
+    assert "refinement" in both[0].report
+
+
+def test_one_line_in_each_image(rng, truth):
+    point, direction, radius = truth
+    poses, lines = views_of(rng, 6, [(point, radius)], direction)
+    # All on the same side of the axis.
+    scene = cylinders.scene(poses, [of_view[:1] for of_view in lines])
+    found = []
+    for side in ("left", "right"):
+        try:
+            [cylinder] = cylinders.triangulate(scene, side=side)
+            found += [side] if abs(cylinder.radius - radius) < 1e-6 else []
+        except cylinders.CylinderError as error:
+            assert f"on its {side} side" in str(error)
+    assert len(found) == 1
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"method": "robust", "parallel": True}, "least_squares or refined"),
+        ({"shared_radius": True, "radius": 1.0}, "either a shared radius or a known one"),
+        ({"radius": -1.0}, "a radius above 0"),
+        ({"side": "above"}, "left or right"),
+        ({"side": "left", "parallel": True}, "single cylinders"),
+    ],
+)
+def test_options_that_do_not_go_together(options, message):
+    with pytest.raises(ValueError, match=message):
+        cylinders.triangulate({"views": []}, **options)
+
+
+def photographs(poses: np.ndarray, of: list[tuple[np.ndarray, float]], direction: np.ndarray):
+    """Dark cylinders before a light background, 640x480, with soft edges."""
+    calibration = np.array([[600.0, 0, 320], [0, 600, 240], [0, 0, 1]])
+    x, y = np.meshgrid(np.arange(640) + 0.5, np.arange(480) + 0.5)
+    rays = np.stack([(x - 320) / 600, (y - 240) / 600, np.ones_like(x)], axis=-1)
+    images = []
+    for pose in poses:
+        shade = np.full(x.shape, 200.0)
+        for point, radius in of:
+            normals = silhouettes(pose, point, direction, radius)
+            axis = pose[:, :3] @ point + pose[:, 3]
+            # Distance in pixels to the silhouettes; the inside is where the axis is.
+            signed = [(rays @ n) * np.sign(axis @ n) / np.linalg.norm(n[:2]) * 600 for n in normals]
+            shade -= 140 * np.clip(np.minimum(*signed) + 0.5, 0, 1)
+        images.append(shade)
+    return calibration, images
+
+
+def test_photos(rng, truth, tmp_path):
+    direction = np.array([0.05, 1.0, -0.04]) / np.linalg.norm([0.05, 1.0, -0.04])
+    across = np.cross(direction, [0, 0, 1])
+    across /= np.linalg.norm(across)
+    of = [(1.4 * at * across, 0.25 + 0.05 * at) for at in (-1, 0, 1)]
+    poses = []
+    for angle in np.linspace(-0.7, 0.7, 8):
+        turn = np.array([[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]])
+        poses.append(np.concatenate([turn, [[0], [0], [8]]], axis=1))
+    poses = np.array(poses)
+    calibration, images = photographs(poses, of, direction)
+    names = [f"{at}.png" for at in range(len(poses))]
+    scene = cylinders.scene(poses, segments=[np.zeros((0, 4))] * 8, calibration=calibration, images=names)
+    colour = [np.repeat(image[:, :, None], 3, axis=2).astype(np.uint8) for image in images]
+    for given in (images, colour):
+        found = cylinders.photos(scene, dict(zip(names, given)))
+        assert sorted(round(cylinder.radius, 2) for cylinder in found.cylinders) == [0.2, 0.25, 0.3]
+        assert found.directions.shape == (1, 3) and abs(found.directions[0] @ direction) > 0.99999
+    with pytest.raises(cylinders.CylinderError, match="there is no image `7.png`"):
+        cylinders.photos(scene, dict(zip(names[:7], images)))
+    with pytest.raises(ValueError, match="expected .height, width."):
+        cylinders.photos(scene, {"0.png": np.zeros(5)})
+    with pytest.raises(cylinders.CylinderError, match="0.png"):
+        cylinders.photos(scene, tmp_path)
 
 
 @pytest.mark.skipif(not SODA_CAN.exists(), reason="the package is tested outside of its repository")

@@ -7,7 +7,7 @@
 //! ```
 
 /// Files of photographs to grey images.
-#[cfg(feature = "command")]
+#[cfg(feature = "photographs")]
 pub mod decode;
 /// Edges in space, which are no silhouettes.
 mod edges;

@@ -1,0 +1,113 @@
+//! Cylinders in photographs: cameras and images to a report as JSON.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use eliminant_cylinders::detection::GreyImage;
+use eliminant_cylinders::distortion::Distortion;
+use eliminant_cylinders::photograph::Photograph;
+use eliminant_cylinders::photos::decode::decode_photograph;
+use eliminant_cylinders::photos::{LineOptions, PhotoOptions, candidate_lines, find_cylinders, undistorted_segments};
+use eliminant_cylinders::{Scene, View, parse_scene, read_colmap};
+use nalgebra::Point3;
+use numpy::PyReadonlyArray2;
+use pyo3::prelude::*;
+use rayon::prelude::*;
+
+use crate::cylinders::{SCENE, check_directions, check_threshold, json, of_label, refined, unit};
+use crate::errors::CylinderError;
+use crate::threads::on_all_cores;
+
+/// Where cameras and images are, and how cylinders are found.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Photographs<'py> {
+    /// A scene as JSON, or the folder of a COLMAP model.
+    scene: Option<String>,
+    model: Option<PathBuf>,
+    /// The folder of the photographs, or their names and brightness, 0 to 255.
+    folder: Option<PathBuf>,
+    arrays: Vec<(String, PyReadonlyArray2<'py, f32>)>,
+    threshold: f64,
+    directions: Option<usize>,
+    direction: Option<[f64; 3]>,
+}
+
+/// The cylinders in photographs whose cameras are known: a JSON report.
+#[pyfunction]
+pub(crate) fn cylinders_of_photographs(py: Python<'_>, given: Photographs<'_>) -> PyResult<String> {
+    check_threshold(Some(given.threshold))?;
+    check_directions(given.directions)?;
+    let Photographs { scene, model, folder, arrays, threshold, directions, direction } = given;
+    let images = match folder {
+        Some(folder) => Images::Files(folder),
+        None => Images::Arrays(arrays.iter().map(|(name, array)| grey(name, array)).collect::<Result<_, _>>()?),
+    };
+    let report = on_all_cores(py, move || -> Result<_, String> {
+        let (photographs, points) = cameras(scene, model)?;
+        let views = photographs.par_iter().map(|photograph| look(photograph, &images));
+        let views = views.collect::<Result<Vec<_>, _>>()?;
+        let mut options = PhotoOptions::of(&views);
+        options.matching.threshold = threshold;
+        options.directions = directions.unwrap_or(options.directions);
+        let direction = direction.map(unit).transpose()?;
+        let found = find_cylinders(&views, direction, &options).map_err(|error| of_label(None, &error))?;
+        Ok(refined(&Scene { views: found.views, points }, threshold, &found.matching))
+    });
+    json(&report.map_err(CylinderError::new_err)?)
+}
+
+/// Where the photographs are.
+enum Images {
+    Files(PathBuf),
+    Arrays(Vec<(String, GreyImage)>),
+}
+
+fn grey(name: &str, array: &PyReadonlyArray2<'_, f32>) -> PyResult<(String, GreyImage)> {
+    let array = array.as_array();
+    let (height, width) = array.dim();
+    let image = GreyImage::new(width, height, array.iter().copied().collect());
+    image
+        .map(|image| (name.to_owned(), image))
+        .map_err(|error| CylinderError::new_err(format!("image `{name}`: {error}")))
+}
+
+/// The photographs with their cameras, and the points of the scene or the model.
+fn cameras(scene: Option<String>, model: Option<PathBuf>) -> Result<(Vec<Photograph>, Vec<Point3<f64>>), String> {
+    if let Some(model) = model {
+        let model = read_colmap(&model).map_err(|error| error.to_string())?;
+        return Ok((model.photographs, model.points));
+    }
+    let scene = parse_scene(&scene.unwrap_or_default(), SCENE).map_err(|error| error.to_string())?;
+    let photograph = |(index, view): (usize, &View)| {
+        let name = view.image().ok_or_else(|| format!("{SCENE}: view {index} has no name of its image"))?.to_owned();
+        Ok(Photograph { name, camera: *view.camera(), distortion: Distortion::default() })
+    };
+    let photographs = scene.views.iter().enumerate().map(photograph).collect::<Result<_, String>>()?;
+    Ok((photographs, scene.points))
+}
+
+/// Detects the candidates for silhouettes in a photograph.
+fn look(photograph: &Photograph, images: &Images) -> Result<View, String> {
+    let name = &photograph.name;
+    let read;
+    let image = match images {
+        Images::Files(folder) => {
+            read = decoded(&folder.join(name))?;
+            &read
+        }
+        Images::Arrays(arrays) => match arrays.iter().find(|(of, _)| of == name) {
+            Some((_, image)) => image,
+            None => return Err(format!("there is no image `{name}`")),
+        },
+    };
+    let failure = |error: &dyn std::fmt::Display| format!("image `{name}`: {error}");
+    let diagonal = (image.width() as f64).hypot(image.height() as f64);
+    let segments = undistorted_segments(photograph, image).map_err(|error| failure(&error))?;
+    candidate_lines(photograph, &segments, diagonal, &LineOptions::default()).map_err(|error| failure(&error))
+}
+
+fn decoded(path: &Path) -> Result<GreyImage, String> {
+    let file = fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
+    decode_photograph(&file).map_err(|error| format!("{}: {error}", path.display()))
+}
