@@ -4,7 +4,7 @@
 /// Fraundorfer, Tanskanen, Pollefeys, "A minimal case solution to the calibrated relative pose
 /// problem for the case of two known orientation angles", ECCV 2010.
 ///
-/// `first` and `second` are corresponding viewing rays in frames of the cameras whose y axes are
+/// `first[k]` and `second[k]` are the rays of point k in frames of the cameras whose y axes are
 /// vertical, of any length. The unknowns are cosine and sine of the turn about the vertical. A pose
 /// X -> rotation X + translation takes the frame of the first camera to that of the second. The
 /// length of the translation is open, and so is its sign: with one of them the points are in front.
