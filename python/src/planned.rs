@@ -82,7 +82,7 @@ impl Planned {
         found: &mut Found<'_>,
     ) {
         let Some(output) = &self.plan.output else { return };
-        let Some(coefficients) = interpret::coefficients(&self.plan, Float64, data) else { return };
+        let Some(coefficients) = interpret::coefficients_of_results(&self.plan, output, Float64, data) else { return };
         for (number, (point, solution)) in points.iter().zip(solutions).enumerate() {
             let x = self.variables(point, solution);
             let elements = output.fields.iter().flat_map(|(_, _, elements)| elements);

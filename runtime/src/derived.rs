@@ -115,7 +115,29 @@ fn scale_of<R: Real>(row: &[R]) -> Result<f64, SolveError> {
 /// singular up to rounding, or the lengths do not belong together. The contents of both lists are
 /// undefined after an error, and those of `matrix` also without one.
 pub fn solve_linear<R: Real>(matrix: &mut [R], size: usize, least: f64, solution: &mut [R]) -> Result<(), SolveError> {
-    let right = solution.len().checked_div(size).unwrap_or(0);
+    solve_sized(matrix, (size, solution.len().checked_div(size).unwrap_or(0)), least, solution)
+}
+
+/// As [`solve_linear`], for a small size and number of right sides that the compiler knows. The
+/// results have the same bits.
+///
+/// # Errors
+/// As [`solve_linear`].
+pub fn solve_small<R: Real, const SIZE: usize, const RIGHT: usize>(
+    matrix: &mut [R],
+    least: f64,
+    solution: &mut [R],
+) -> Result<(), SolveError> {
+    solve_sized(matrix, (SIZE, RIGHT), least, solution)
+}
+
+#[inline(always)]
+fn solve_sized<R: Real>(
+    matrix: &mut [R],
+    (size, right): (usize, usize),
+    least: f64,
+    solution: &mut [R],
+) -> Result<(), SolveError> {
     if right == 0 || solution.len() != size * right || matrix.len() != size * (size + right) {
         return Err(SolveError::LostRank);
     }

@@ -84,6 +84,15 @@ impl Scalings<'_> {
         if self.count == 0 || self.count > MOST_SCALINGS || !data.iter().all(|x| x.is_finite()) {
             return;
         }
+        let largest_change = |scales: &Scales| {
+            let change = |weights: &[i8]| weights.iter().zip(scales).map(|(&w, s)| f64::from(w) * s).sum::<f64>();
+            self.unknowns.chunks_exact(self.count).map(change).map(f64::abs).fold(0.0, f64::max)
+        };
+        // Most data with an entry out of range have no other unit: an entry is small by chance.
+        // Where a unit explains the data, the first step finds it, whatever the parts are.
+        if largest_change(&self.step(data, &[0.0; MOST_SCALINGS], LOW).0) < f64::from(LEAST) - 1.0 {
+            return;
+        }
         let (scales, rest) = self.scales(data);
         if rest > EXPLAINED * EXPLAINED {
             return;
@@ -113,35 +122,45 @@ impl Scalings<'_> {
     fn scales(&self, data: &[f64]) -> (Scales, f64) {
         let (mut scales, mut rest) = ([0.0; MOST_SCALINGS], 0.0);
         for round in 0..=ROUNDS {
-            let (mut normal, mut right) = ([[0.0; MOST_SCALINGS]; MOST_SCALINGS], [0.0; MOST_SCALINGS]);
-            let [mut squares, mut parts] = [0.0; 2];
-            for (&x, weights) in data.iter().zip(self.data.chunks_exact(self.count)) {
-                if x == 0.0 {
-                    continue;
-                }
-                let size = f64::from(exponent(x)) + 0.5;
-                let scaled = weights.iter().zip(&scales).fold(size, |sum, (&w, s)| sum + f64::from(w) * s);
-                // All count alike at first.
-                let low = if round == 0 { 0.0 } else { scaled.min(0.0) / LOW };
-                let part = 1.0 / (1.0 + low * low);
-                squares += part * scaled * scaled;
-                parts += part;
-                for (i, &w) in weights.iter().enumerate() {
-                    let w = f64::from(w) * part;
-                    right[i] -= w * size;
-                    for (entry, &v) in normal[i].iter_mut().zip(weights) {
-                        *entry += w * f64::from(v);
-                    }
-                }
-            }
-            rest = if parts > 0.0 { squares / parts } else { 0.0 };
-            let new = solved(&mut normal, &mut right, self.count);
+            // All count alike at first.
+            let (new, rest_now) = self.step(data, &scales, if round == 0 { f64::INFINITY } else { LOW });
+            rest = rest_now;
             if round == ROUNDS || new.iter().zip(&scales).all(|(a, b)| (a - b).abs() < 0.25) {
                 break;
             }
             scales = new;
         }
         (scales, rest)
+    }
+
+    /// The scalings that make data about 1 with the parts that follow from these scales, and the
+    /// mean square of the logarithms of what these make of the data. An entry `low` powers of two
+    /// below 1 has half a part.
+    fn step(&self, data: &[f64], scales: &Scales, low: f64) -> (Scales, f64) {
+        let (mut normal, mut right) = ([[0.0; MOST_SCALINGS]; MOST_SCALINGS], [0.0; MOST_SCALINGS]);
+        let [mut squares, mut parts] = [0.0; 2];
+        for (&x, weights) in data.iter().zip(self.data.chunks_exact(self.count)) {
+            if x == 0.0 {
+                continue;
+            }
+            let size = f64::from(exponent(x)) + 0.5;
+            let scaled = weights.iter().zip(scales).fold(size, |sum, (&w, s)| sum + f64::from(w) * s);
+            let below = scaled.min(0.0) / low;
+            let part = 1.0 / (1.0 + below * below);
+            squares += part * scaled * scaled;
+            parts += part;
+            for (i, &w) in weights.iter().enumerate() {
+                if w == 0 {
+                    continue;
+                }
+                let w = f64::from(w) * part;
+                right[i] -= w * size;
+                for (entry, &v) in normal[i].iter_mut().zip(weights) {
+                    *entry += w * f64::from(v);
+                }
+            }
+        }
+        (solved(&mut normal, &mut right, self.count), if parts > 0.0 { squares / parts } else { 0.0 })
     }
 }
 

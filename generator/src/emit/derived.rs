@@ -7,29 +7,67 @@ use super::code;
 use crate::expression::derivation::DerivationKind;
 use crate::plan::{LEAST_PIVOT_OF_PRESOLVE, Plan, PlannedDerivation};
 
-/// Whether the problem derives data.
+/// Who reads derived data.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Reader {
+    /// A solve.
+    Solve,
+    /// What is returned beside the unknowns, which may read what a solve reads, too.
+    Results,
+    /// The template alone: presolve derives them.
+    Template,
+}
+
+/// The derivations for this reader, with their numbers.
+fn derivations(plan: &Plan, reader: Reader) -> impl Iterator<Item = (usize, &PlannedDerivation)> {
+    let has_results = reader == Reader::Results && plan.output.is_some();
+    let is_wanted = move |planned: &PlannedDerivation| has_results || !planned.is_for_results;
+    plan.derived_by(reader == Reader::Template).filter(move |(_, planned)| is_wanted(planned))
+}
+
+/// Whether the problem derives data for a solve.
 pub(super) fn is_derived(plan: &Plan) -> bool {
-    plan.derived_by(false).next().is_some()
+    derivations(plan, Reader::Solve).next().is_some()
 }
 
 /// The data of the problem as one array, from a list of those that are `given`. There is room for
-/// those that presolve derives.
-pub(super) fn joined(plan: &Plan, given: &Ident) -> TokenStream {
-    if is_derived(plan) { quote!(self::derived(&#given)?) } else { quote!(emitted::joined(&#given)) }
+/// those that presolve derives, and for those that this reader does not read.
+pub(super) fn joined(plan: &Plan, reader: Reader, given: &Ident) -> TokenStream {
+    if derivations(plan, reader).next().is_none() {
+        return quote!(emitted::joined(&#given));
+    }
+    let function = format_ident!("{}", function_name(plan, reader));
+    quote!(self::#function(&#given)?)
+}
+
+/// The name of the function that derives data: results have their own if they read more.
+fn function_name(plan: &Plan, reader: Reader) -> &'static str {
+    let reads_more = plan.derived.iter().any(|planned| planned.is_for_results);
+    if reader == Reader::Results && reads_more { "derived_for_results" } else { "derived" }
 }
 
 /// The functions that derive data, and the functions that compute what they are derived from.
 pub(super) fn functions(plan: &Plan) -> TokenStream {
     let inputs = Literal::usize_unsuffixed(plan.inputs());
-    let operands = plan.derived.iter().enumerate().map(|(number, PlannedDerivation { derivation, program })| {
+    let is_read = |(_, planned): &(usize, &PlannedDerivation)| plan.output.is_some() || !planned.is_for_results;
+    let operands = plan.derived.iter().enumerate().filter(is_read).map(|(number, planned)| {
+        let PlannedDerivation { derivation, program, .. } = planned;
         code::function(plan, (&name(number), " What data are derived from."), program, &derivation.operands)
     });
-    let derived = is_derived(plan).then(|| {
-        let steps = steps(plan, false);
+    let readers = [Reader::Solve, Reader::Results].into_iter().filter(|&reader| {
+        let is_shared = reader == Reader::Results && function_name(plan, reader) == function_name(plan, Reader::Solve);
+        !is_shared && derivations(plan, reader).next().is_some()
+    });
+    let derived = readers.map(|reader| {
+        let (name, steps) = (format_ident!("{}", function_name(plan, reader)), steps(plan, reader));
+        let doc = match reader {
+            Reader::Results => " those that are derived from them, also for what is returned beside the unknowns.",
+            _ => " those that are derived from them, if a solve reads them. Others are 0.",
+        };
         quote! {
             /// All data of the problem: those that are given, one parameter after another, and
-            /// those that are derived from them.
-            fn derived(given: &[&[f64]]) -> Result<[f64; #inputs], ::eliminant::SolveError> {
+            #[doc = #doc]
+            fn #name(given: &[&[f64]]) -> Result<[f64; #inputs], ::eliminant::SolveError> {
                 let mut data = emitted::joined(given);
                 emitted::check_coefficients(&[], given)?;
                 #steps
@@ -38,7 +76,7 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
         }
     });
     let presolved = plan.is_presolved_at_run_time().then(|| {
-        let (steps, first) = (steps(plan, true), Literal::usize_unsuffixed(plan.stated));
+        let (steps, first) = (steps(plan, Reader::Template), Literal::usize_unsuffixed(plan.stated));
         quote! {
             /// Adds what presolve derives: equations that are solved for some of their monomials.
             /// Where that fails it is NaN, so that the template is singular.
@@ -53,7 +91,7 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
             }
         }
     });
-    quote!(#(#operands)* #derived #presolved)
+    quote!(#(#operands)* #(#derived)* #presolved)
 }
 
 /// The function that computes the operands of a derivation.
@@ -61,9 +99,18 @@ fn name(number: usize) -> Ident {
     format_ident!("operands_of_derived_{number}")
 }
 
-/// The derivations of the problem, or those of presolve.
-fn steps(plan: &Plan, presolve: bool) -> TokenStream {
-    let steps = plan.derived_by(presolve).map(|(number, PlannedDerivation { derivation, .. })| {
+/// Systems of so many entries are solved by code that is compiled for their size.
+const MOST_OF_SMALL: usize = 32;
+
+/// 1 and the data. Those of presolve are added to data that are borrowed, in any precision.
+fn arguments(presolve: bool) -> (TokenStream, TokenStream) {
+    if presolve { (quote!(R::ONE), quote!(data)) } else { (quote!(1.0), quote!(&data)) }
+}
+
+/// The derivations for this reader.
+fn steps(plan: &Plan, reader: Reader) -> TokenStream {
+    let presolve = reader == Reader::Template;
+    let steps = derivations(plan, reader).map(|(number, PlannedDerivation { derivation, .. })| {
         let (operands, range) = (name(number), derivation.inputs());
         let [first, end] = [range.start, range.end].map(Literal::usize_unsuffixed);
         let least = Literal::f64_unsuffixed(if presolve { LEAST_PIVOT_OF_PRESOLVE } else { 0.0 });
@@ -71,12 +118,22 @@ fn steps(plan: &Plan, presolve: bool) -> TokenStream {
             DerivationKind::SquareRoot => {
                 return quote!(emitted::square_root(&self::#operands(1.0, &data), &mut data[#first..#end])?;);
             }
+            DerivationKind::Solve { size, right } if size * (size + right) <= MOST_OF_SMALL => {
+                let [size, right] = [size, right].map(Literal::usize_unsuffixed);
+                let (one, data) = arguments(presolve);
+                return quote! {
+                    emitted::solve_small::<_, #size, #right>(
+                        &mut self::#operands(#one, #data),
+                        #least,
+                        &mut data[#first..#end],
+                    )?;
+                };
+            }
             DerivationKind::Solve { size, .. } => (quote!(solve_linear), size, quote!(#least,)),
             DerivationKind::NullSpace { rows, .. } => (quote!(null_space), rows, quote!()),
         };
         let size = Literal::usize_unsuffixed(size);
-        // Those of presolve are added to data that are borrowed, in any precision.
-        let (one, data) = if presolve { (quote!(R::ONE), quote!(data)) } else { (quote!(1.0), quote!(&data)) };
+        let (one, data) = arguments(presolve);
         quote!(emitted::#function(&mut self::#operands(#one, #data), #size, #least &mut data[#first..#end])?;)
     });
     quote!(#(#steps)*)

@@ -3,10 +3,10 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
+use super::derived::{self, Reader};
 use super::names::Names;
 use super::shapes::{array_type, as_slice, chart_name, indices, parameter};
-use super::{derived, storage};
-use crate::plan::program::ProgramForm;
+use super::{code, storage};
 use crate::plan::{Plan, PlannedElement, PlannedOutput, Term};
 use crate::problem::SolutionField;
 
@@ -25,14 +25,14 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
     let parameters: Vec<_> = plan.data.iter().map(parameter).collect();
     let arguments: Vec<_> = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name)).collect();
     let mut names = Names::of(&plan.data);
-    let [instance, solution, solutions, workspace] =
-        ["instance", "solution", "solutions", "workspace"].map(|name| names.take(name));
-    let (make, made) = storage::default(plan, &workspace);
-    let coefficients = coefficients_of(plan, &instance);
-    let (values, variables) = (values(plan, output), variables(plan));
-    let (each, of_data) = coefficients_of_results(plan, &mut names).unwrap_or_else(|| {
-        (quote!(#make let #instance = Instance::new(#made, #(#arguments),*)?;), coefficients.clone())
-    });
+    let [solution, solutions, coefficients] = ["solution", "solutions", "coefficients"].map(|name| names.take(name));
+    let compute = coefficients_of_results(plan, &mut names);
+    let (values, variables) = (values(output), variables(plan));
+    let program = {
+        let doc = " The coefficients of what is returned beside the unknowns, from all data.";
+        let name = format_ident!("{COEFFICIENTS}");
+        code::function(plan, (&name, doc), &output.program, &output.coefficients)
+    };
     quote! {
         #[doc = #doc]
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,9 +48,8 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
             #(#parameters,)*
             #solution: &Solution<S>,
         ) -> Result<#name<S>, ::eliminant::SolveError> {
-            #make
-            let #instance = Instance::new(#made, #(#arguments),*)?;
-            Ok(self::output(#coefficients, #solution))
+            let #coefficients = #compute;
+            Ok(self::output(&#coefficients, #solution))
         }
 
         /// What the problem returns for each of these solutions, such as those of [`solve_batch`].
@@ -61,8 +60,8 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
             #(#parameters,)*
             #solutions: &::eliminant::Solutions<Solution, MAX_SOLUTIONS>,
         ) -> Result<::eliminant::Solutions<#name, MAX_SOLUTIONS>, ::eliminant::SolveError> {
-            #each
-            Ok(#solutions.map(|#solution| self::output(#of_data, &#solution)))
+            let #coefficients = #compute;
+            Ok(#solutions.map(|#solution| self::output(&#coefficients, &#solution)))
         }
 
         /// Like [`solve`], with what the problem returns for each solution.
@@ -76,10 +75,14 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
             self::#of_each(#(#arguments,)* &#solutions)
         }
 
+        #program
         #values
         #variables
     }
 }
+
+/// The function from all data to the coefficients of results.
+const COEFFICIENTS: &str = "coefficients_of_results";
 
 /// A reference to the coefficients of an instance.
 fn coefficients_of(plan: &Plan, instance: &Ident) -> TokenStream {
@@ -89,37 +92,31 @@ fn coefficients_of(plan: &Plan, instance: &Ident) -> TokenStream {
     }
 }
 
-/// The statements that compute the coefficients from the arguments without an instance, and a
-/// reference to them. Of coefficients that are statements the compiler leaves out those that no
-/// result reads. `None` for others.
-fn coefficients_of_results(plan: &Plan, names: &mut Names) -> Option<(TokenStream, TokenStream)> {
-    if plan.program.form != ProgramForm::Statements || plan.is_presolved_at_run_time() {
-        return None;
-    }
-    let [given, data, coefficients] = ["given", "data", "coefficients"].map(|name| names.take(name));
+/// The coefficients of results, from the arguments.
+fn coefficients_of_results(plan: &Plan, names: &mut Names) -> TokenStream {
+    let [given, data] = ["given", "data"].map(|name| names.take(name));
     let (slices, count) = (plan.data.iter().map(as_slice), Literal::usize_unsuffixed(plan.data.len()));
-    let joined = derived::joined(plan, &given);
-    let statements = quote! {
+    let (joined, function) = (derived::joined(plan, Reader::Results, &given), format_ident!("{COEFFICIENTS}"));
+    quote! {{
         let #given: [&[f64]; #count] = [#(#slices),*];
         emitted::check_coefficients(&[], &#given)?;
         let #data = #joined;
-        let #coefficients = self::coefficients(1.0, &#data);
-    };
-    Some((statements, quote!(&#coefficients)))
+        self::#function(1.0, &#data)
+    }}
 }
 
 /// The function from the coefficients and a solution to the output.
-fn values(plan: &Plan, output: &PlannedOutput) -> TokenStream {
+fn values(output: &PlannedOutput) -> TokenStream {
     let name = format_ident!("{}", output.name);
     let fields = output.fields.iter().map(|(field, shape, elements)| {
         let (field, elements) = (format_ident!("{field}"), elements.iter().map(element).collect::<Vec<_>>());
         let array = array(shape, &elements);
         quote!(#field: #array)
     });
-    let (_, list) = storage::coefficients(plan, &quote!(f64));
+    let count = Literal::usize_unsuffixed(output.coefficients.len());
     quote! {
         #[allow(unused_variables)]
-        fn output<S: ::eliminant::Scalar>(c: #list, solution: &Solution<S>) -> #name<S> {
+        fn output<S: ::eliminant::Scalar>(c: &[f64; #count], solution: &Solution<S>) -> #name<S> {
             let x = self::variables(solution);
             #name { #(#fields),* }
         }

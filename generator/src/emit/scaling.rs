@@ -3,9 +3,10 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
+use super::derived::{self, Reader};
 use super::names::Names;
 use super::shapes::{as_slice, parameter};
-use super::{derived, storage};
+use super::storage;
 use crate::plan::Plan;
 
 /// Whether data and unknowns have units.
@@ -56,7 +57,7 @@ pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
     };
     let [count, inputs, unknowns] =
         [plan.data.len(), plan.inputs(), plan.unknowns.len()].map(Literal::usize_unsuffixed);
-    let joined = derived::joined(plan, &given);
+    let joined = derived::joined(plan, Reader::Solve, &given);
     let (mut exponents, mut scaled) = (quote!(), quote!());
     let mut no_exponents = quote!();
     if has_units(plan) {

@@ -309,6 +309,11 @@ impl ExpressionGraph {
         self.needed(&used)
     }
 
+    /// Whether an input is among the nodes that are needed.
+    pub(crate) fn is_input_among(&self, needed: &[bool], input: usize) -> bool {
+        needed[self.inputs[input].index()]
+    }
+
     /// Which nodes these depend on, themselves included. Derived data depend on nothing here.
     pub(crate) fn needed(&self, used: &[ExpressionId]) -> Vec<bool> {
         let mut needed = vec![false; self.nodes.len()];

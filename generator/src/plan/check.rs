@@ -4,7 +4,8 @@
 use super::program::{Operation, ValueId};
 use super::system_table::SystemTable;
 use super::{
-    ActionRow, BasisId, Block, CoefficientId, Elimination, Entry, KnownMonomial, Plan, PlannedDerivation, Term,
+    ActionRow, BasisId, Block, CoefficientId, Elimination, Entry, KnownMonomial, Plan, PlannedDerivation,
+    PlannedOutput, Term,
 };
 
 /// A plan that contradicts itself.
@@ -32,12 +33,16 @@ impl Plan {
         let has_value = self.coefficients.iter().all(|id| (id.0 as usize) < self.program.operations.len());
         require(has_value, "a coefficient has no value")?;
         let mut known = self.given();
-        for PlannedDerivation { derivation, program } in &self.derived {
+        for PlannedDerivation { derivation, program, .. } in &self.derived {
             let has_operands = derivation.operands.len() == derivation.kind.operands()
                 && derivation.operands.iter().all(|id| (id.0 as usize) < program.operations.len());
             let is_ordered = derivation.first_input == known && program.is_ordered(known);
             require(has_operands && is_ordered, "data are derived from others that are not known")?;
             known = derivation.inputs().end;
+        }
+        if let Some(PlannedOutput { program, coefficients, .. }) = &self.output {
+            let has_values = coefficients.iter().all(|id| (id.0 as usize) < program.operations.len());
+            require(has_values && program.is_ordered(self.stated), "a result reads a value that is not known")?;
         }
         Ok(())
     }

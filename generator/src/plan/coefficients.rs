@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::straight_line::statements_in_order;
 use super::system_table::SystemTable;
 use super::{CoefficientId, PlannedElement, PlannedOutput, Term};
 use crate::algebra::Monomial;
@@ -54,7 +55,8 @@ impl Coefficients {
 }
 
 /// What a solver returns beside the unknowns.
-pub(super) fn planned_output(problem: &Problem, output: &Output, coefficients: &mut Coefficients) -> PlannedOutput {
+pub(super) fn planned_output(problem: &Problem, output: &Output) -> PlannedOutput {
+    let mut coefficients = Coefficients::default();
     let width = problem.unknowns.len() + problem.fields.iter().filter(|field| field.is_projective).count();
     let fields = output.fields.iter().map(|field| {
         let elements = field.elements.iter().map(|element| PlannedElement {
@@ -64,5 +66,9 @@ pub(super) fn planned_output(problem: &Problem, output: &Output, coefficients: &
         });
         (field.name.clone(), field.shape.clone(), elements.collect())
     });
-    PlannedOutput { name: output.name.clone(), function: output.function.clone(), fields: fields.collect() }
+    let fields = fields.collect();
+    // All are used: a matrix with zeros holds the equations only.
+    let used: Vec<ExpressionId> = coefficients.used.into_iter().flatten().collect();
+    let (program, coefficients) = statements_in_order(&problem.graph, &used);
+    PlannedOutput { name: output.name.clone(), function: output.function.clone(), fields, program, coefficients }
 }

@@ -1,7 +1,7 @@
 //! Executes a [`crate::plan::Plan`] in any field, step by step as the emitted code does: exactly
 //! over Z_p, or in `f64`.
 
-use super::{ActionRow, Block, CoefficientId, Elimination, PivotId, Plan, PlannedDerivation, Term};
+use super::{ActionRow, Block, CoefficientId, Elimination, PivotId, Plan, PlannedDerivation, PlannedOutput, Term};
 use crate::expression::arithmetic::{Arithmetic, Float64};
 
 /// The values of all coefficients; `None` if a divisor is zero, or an input or a coefficient is not
@@ -15,12 +15,37 @@ pub fn coefficients<A: Arithmetic>(plan: &Plan, f: A, inputs: &[A::Value]) -> Op
     all_finite(f, &coefficients).then_some(coefficients)
 }
 
-/// The values of all data, from those that are given: the others are derived. Derived data that are
-/// there already stay as they are. `None` if a matrix has lost rank.
+/// The values of the coefficients of what is returned beside the unknowns, from the data that are
+/// given; `None` as for [`coefficients`].
+pub fn coefficients_of_results<A: Arithmetic>(
+    plan: &Plan,
+    output: &PlannedOutput,
+    f: A,
+    given: &[A::Value],
+) -> Option<Vec<A::Value>> {
+    let values = output.program.evaluate(f, &derived_inputs(plan, f, given, &|_| true)?)?;
+    Some(output.coefficients.iter().map(|id| values[id.0 as usize]).collect())
+}
+
+/// The values of all data, from those that are given: the others are derived, or 0 where a solve
+/// does not depend on them. Derived data that are there already stay as they are. `None` if a matrix
+/// has lost rank.
 pub fn all_inputs<A: Arithmetic>(plan: &Plan, f: A, given: &[A::Value]) -> Option<Vec<A::Value>> {
+    derived_inputs(plan, f, given, &|planned| !planned.is_for_results)
+}
+
+fn derived_inputs<A: Arithmetic>(
+    plan: &Plan,
+    f: A,
+    given: &[A::Value],
+    is_wanted: &dyn Fn(&PlannedDerivation) -> bool,
+) -> Option<Vec<A::Value>> {
     let mut inputs = given.to_vec();
-    for PlannedDerivation { derivation, program } in &plan.derived {
-        if inputs.len() == derivation.first_input {
+    for planned in &plan.derived {
+        let PlannedDerivation { derivation, program, .. } = planned;
+        if !is_wanted(planned) {
+            inputs.resize(derivation.inputs().end.max(inputs.len()), f.zero());
+        } else if inputs.len() == derivation.first_input {
             let values = program.evaluate(f, &inputs)?;
             let operands: Vec<A::Value> = derivation.operands.iter().map(|id| values[id.0 as usize]).collect();
             inputs.extend(f.derive(derivation.kind, &operands)?);

@@ -195,6 +195,8 @@ pub struct PlannedDerivation {
     pub derivation: Derivation<ValueId>,
     /// From the inputs to the operands.
     pub program: Program,
+    /// Whether only what is returned beside the unknowns depends on them: a solve leaves them 0.
+    pub is_for_results: bool,
 }
 
 /// What a solver returns beside the unknowns. Its terms have an exponent for each unknown, and for
@@ -207,6 +209,10 @@ pub struct PlannedOutput {
     pub function: String,
     /// The names of its fields, with their shapes and scalars, row by row.
     pub fields: Vec<(String, Vec<usize>, Vec<PlannedElement>)>,
+    /// From the data to the coefficients of its terms, which are its own.
+    pub program: Program,
+    /// The value of each coefficient.
+    pub coefficients: Vec<ValueId>,
 }
 
 /// A scalar of an output.
@@ -388,9 +394,10 @@ impl Plan {
         if self.chains.is_some() { RootMethod::Determinant } else { RootMethod::Eigenvalues }
     }
 
-    /// Operations that derive data.
+    /// Operations of a solve that derive data.
     pub fn operations_of_derived(&self) -> usize {
-        self.derived.iter().map(|d| d.program.steps() + d.derivation.kind.operations()).sum()
+        let derived = self.derived.iter().filter(|derived| !derived.is_for_results);
+        derived.map(|d| d.program.steps() + d.derivation.kind.operations()).sum()
     }
 
     /// Operations of one solve.

@@ -118,7 +118,7 @@ impl Scheduler<'_> {
         let equations = problem.polynomials().map(|p| coefficients.terms(p, width)).collect();
         let nonzero = problem.nonzero.iter().map(|s| coefficients.terms(&s.polynomial, width)).collect();
         let positive = problem.positive.iter().map(|s| coefficients.terms(&s.polynomial, width)).collect();
-        let output = problem.output.as_ref().map(|output| planned_output(problem, output, &mut coefficients));
+        let output = problem.output.as_ref().map(|output| planned_output(problem, output));
         if coefficients.used.len() > usize::from(u16::MAX) {
             return Err(ScheduleError::TooLarge("coefficients"));
         }
@@ -131,7 +131,7 @@ impl Scheduler<'_> {
             name: problem.name.clone(),
             docs: problem.docs.clone(),
             data: problem.data.clone(),
-            derived: planned_derivations(graph),
+            derived: planned_derivations(graph, &used),
             stated: problem.graph.input_count(),
             unknowns: problem.unknowns.clone(),
             fields: problem.fields.clone(),

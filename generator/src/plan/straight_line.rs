@@ -29,15 +29,24 @@ pub(crate) fn straight_line_program(
     in_runs(&program, &values)
 }
 
-/// The data that are derived from data, in order.
-pub(crate) fn planned_derivations(graph: &ExpressionGraph) -> Vec<PlannedDerivation> {
+/// The data that are derived from data, in order. A solve computes what `used` depends on.
+pub(crate) fn planned_derivations(graph: &ExpressionGraph, used: &[ExpressionId]) -> Vec<PlannedDerivation> {
+    let needed = graph.needed_by_way_of_derivations(used);
     let planned = |derivation: &Derivation<ExpressionId>| {
-        let (mut program, operands) = in_order_of_the_graph(graph, &derivation.operands);
-        program.form = ProgramForm::Statements;
+        let (program, operands) = statements_in_order(graph, &derivation.operands);
         let Derivation { kind, first_input, .. } = *derivation;
-        PlannedDerivation { derivation: Derivation { kind, operands, first_input }, program }
+        let derivation = Derivation { kind, operands, first_input };
+        let is_for_results = !derivation.inputs().any(|input| graph.is_input_among(&needed, input));
+        PlannedDerivation { derivation, program, is_for_results }
     };
     graph.derivations().iter().map(planned).collect()
+}
+
+/// The statements that compute `used`, and the value of each.
+pub(crate) fn statements_in_order(graph: &ExpressionGraph, used: &[ExpressionId]) -> (Program, Vec<ValueId>) {
+    let (mut program, values) = in_order_of_the_graph(graph, used);
+    program.form = ProgramForm::Statements;
+    (program, values)
 }
 
 /// The nodes that `used` depends on, in the order of the graph, and the position of each used one.

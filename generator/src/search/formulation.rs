@@ -106,8 +106,9 @@ pub(crate) fn formulations(problem: &Problem, options: &SearchOptions) -> Result
 fn operations(reduced: &ReducedProblem) -> f64 {
     let equations = reduced.problem.polynomials().chain(reduced.recoveries.iter().map(|recovery| &recovery.value));
     let used: Vec<ExpressionId> = equations.flat_map(|p| p.terms()).map(|&(_, coefficient)| coefficient).collect();
-    let derived = planned_derivations(&reduced.problem.graph);
-    let of_derived = derived.iter().map(|d| d.program.steps() + d.derivation.kind.operations()).sum::<usize>();
+    let derived = planned_derivations(&reduced.problem.graph, &used);
+    let derived = derived.iter().filter(|derived| !derived.is_for_results);
+    let of_derived = derived.map(|d| d.program.steps() + d.derivation.kind.operations()).sum::<usize>();
     (straight_line_program(&reduced.problem.graph, &used, 0).0.steps() + of_derived) as f64
 }
 

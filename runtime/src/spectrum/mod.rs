@@ -6,8 +6,9 @@
 //! 4. `precise_spectrum` does 1 and 2 at twice the precision, for any size up to 256.
 //! 5. [`hidden_variable`] does without the iteration: the real eigenvalues are the [`real_roots`]
 //!    of the determinant of a small matrix of polynomials, whose null vectors give the
-//!    eigenvectors.
+//!    eigenvectors. `closed_form` has those of degree 2 to 4.
 
+pub(crate) mod closed_form;
 pub(crate) mod eigenvalues;
 pub(crate) mod hessenberg;
 pub(crate) mod hidden_variable;

@@ -9,12 +9,13 @@
 //! whose coefficients change their sign as often as q has roots in (0, 1), or an even number of
 //! times more often (Descartes' rule). Intervals with two and more changes are halved by de
 //! Casteljau's algorithm until each has one change, which is one root, or none (Lane and Riesenfeld
-//! 1981). An interval that still has two changes when it is short holds two roots that are close to
+//! 1981). Degrees 2 to 4 have closed forms, which are tried first. An interval that still has two changes when it is short holds two roots that are close to
 //! each other, or a pair close to the real axis: nobody can tell from rounded coefficients, and the
 //! result says so.
 
 use crate::number::float;
 use crate::size::{List, Size};
+use crate::spectrum::closed_form::few_roots;
 
 /// An interval is halved at most this often. Roots of one interval are then at most 2^-12 = 2e-4
 /// apart, relative to the scaled variable, and coefficients that are wrong by 2e-4 squared may make
@@ -120,6 +121,15 @@ impl<Z: Size, const FULL: bool> Isolation<Z, FULL> {
             1 => {
                 self.result.roots.push(-power[0] / power[1]);
             }
+            2..=4 => match few_roots(&power.as_ref()[..self.degree() + 1]) {
+                Some(mut found) => {
+                    self.result.clearance = if found.count == 0 { found.clearance } else { f64::INFINITY };
+                    for &root in found.in_order() {
+                        self.result.is_certain &= self.result.roots.push(root);
+                    }
+                }
+                None => self.isolate(&self.pieces(&power)),
+            },
             _ => self.isolate(&self.pieces(&power)),
         }
         let mut result = self.result;

@@ -139,7 +139,10 @@ impl InterpretedSolver {
         let mut data = given.to_vec();
         for planned in self.derived.iter().take_while(|planned| planned.derivation.first_input < self.stated) {
             emitted::check_coefficients(&[], &[given])?;
-            data.extend(derived(planned, &data)?);
+            match planned.is_for_results {
+                true => data.resize(planned.derivation.inputs().end, 0.0),
+                false => data.extend(derived(planned, &data)?),
+            }
         }
         Ok(data)
     }
@@ -190,7 +193,7 @@ fn sum<S: Scalar>(terms: &[crate::plan::Term], coefficients: &[f64], x: &[S]) ->
 
 /// The results of a derivation of the problem.
 fn derived(planned: &PlannedDerivation, data: &[f64]) -> Result<Vec<f64>, SolveError> {
-    let PlannedDerivation { derivation, program } = planned;
+    let PlannedDerivation { derivation, program, .. } = planned;
     // A division by zero gives an operand that is not finite in the emitted solver.
     let values = program.evaluate(Float64, data).ok_or(SolveError::Overflow)?;
     let operands: Vec<f64> = derivation.operands.iter().map(|id| values[id.0 as usize]).collect();
@@ -199,7 +202,7 @@ fn derived(planned: &PlannedDerivation, data: &[f64]) -> Result<Vec<f64>, SolveE
 
 /// The results of a derivation of presolve.
 fn presolved<R: emitted::Real>(planned: &PlannedDerivation, inputs: &[R]) -> Result<Vec<R>, SolveError> {
-    let PlannedDerivation { derivation, program } = planned;
+    let PlannedDerivation { derivation, program, .. } = planned;
     let values = values(program, inputs);
     let operands: Vec<R> = derivation.operands.iter().map(|id| values[id.0 as usize]).collect();
     derivation.kind.solved(operands, LEAST_PIVOT_OF_PRESOLVE)
