@@ -223,7 +223,7 @@ pub(crate) fn cases() -> Vec<Case> {
         },
         Case {
             title: "P3P, points to poses",
-            name: "pose_3pt_depths",
+            name: "pose_3pt",
             driver: "poselib",
             parts: POSE,
             draw: scenes::three_points,

@@ -185,7 +185,7 @@ static std::unique_ptr<Solver> solver(const std::string &name) {
     if (name == "relpose_6pt_generalized") return std::make_unique<GeneralizedSixPoint>();
     if (name == "pose_4pt_generalized_scale") return std::make_unique<GeneralizedPoseScale>();
     if (name == "three_quadrics") return std::make_unique<ThreeQuadrics>();
-    if (name == "pose_3pt_depths") return std::make_unique<ThreePoint>();
+    if (name == "pose_3pt") return std::make_unique<ThreePoint>();
     return nullptr;
 }
 

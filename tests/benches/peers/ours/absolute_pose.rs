@@ -1,6 +1,6 @@
 //! Pose of a camera from points of known position.
 
-use eliminant_solvers::{pose_3pt_depths, pose_35pt_focal};
+use eliminant_solvers::{pose_3pt, pose_35pt_focal};
 
 use super::linear::{Matrix, Vector, cross, dot, minus, times};
 use super::{Instance, vectors};
@@ -15,32 +15,10 @@ impl Instance for ThreePoint {
 
     fn solve(&self, found: &mut Vec<f64>) {
         let Self(rays, points) = self;
-        let pairs = [(1, 2), (0, 2), (0, 1)];
-        let cosines = pairs.map(|(i, j)| dot(&rays[i], &rays[j]));
-        let squares = pairs.map(|(i, j)| {
-            let side = minus(&points[i], &points[j]);
-            dot(&side, &side)
-        });
-        let Ok(solutions) = pose_3pt_depths::solve(&cosines, &squares) else { return };
-        // Two sides of the triangle and their cross product: columns of a matrix, whose inverse has
-        // the rows `inverse`.
-        let frame = |p: &[Vector; 3]| {
-            let sides = [minus(&p[1], &p[0]), minus(&p[2], &p[0])];
-            [sides[0], sides[1], cross(&sides[0], &sides[1])]
-        };
-        let [u, v, n] = frame(points);
-        let scale = dot(&n, &n).recip();
-        let inverse = [cross(&v, &n), cross(&n, &u), n].map(|row| row.map(|x| scale * x));
-        for s in solutions.iter().filter(|s| s.a > 0.0 && s.b > 0.0 && s.c > 0.0) {
-            let depths = [s.a, s.b, s.c];
-            let seen: [Vector; 3] = std::array::from_fn(|k| rays[k].map(|x| depths[k] * x));
-            let columns = frame(&seen);
-            let rotation: Matrix = std::array::from_fn(|i| {
-                std::array::from_fn(|j| (0..3).map(|k| columns[k][i] * inverse[k][j]).sum::<f64>())
-            });
-            let translation = minus(&seen[0], &times(&rotation, &points[0]));
-            found.extend(rotation.as_flattened());
-            found.extend(translation);
+        let Ok(poses) = pose_3pt::solve_for_pose(rays, points) else { return };
+        for pose in poses.iter() {
+            found.extend(pose.rotation.as_flattened());
+            found.extend(pose.translation);
         }
     }
 }
