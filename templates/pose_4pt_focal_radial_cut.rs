@@ -5,17 +5,54 @@
 /// robust", ICCV 2017. Published as `p4p_fr_iccv17`; `pose_4pt_focal_radial` is the older
 /// formulation of the same problem, with 16.
 ///
-/// An image point (u, v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with
-/// P = diag(1, 1, 1/f) \[R t\]. The first two rows of R, column by column, are `upper` w
-/// with the weights w, the null space of four equations; the third row of P is, from the four
-/// points, `lower` (w, radial w), of which R takes the first three entries.
-fn pose_4pt_focal_radial_cut(upper: [[f64; 4]; 6], lower: [[f64; 8]; 3]) -> (
+/// `points[k]` is the position of point k, `images[k]` its distorted image, relative to the
+/// principal point. The points must not lie in a plane. An image (u, v) lies along (u, v, 1 +
+/// radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1, 1/f) \[R t\]. That v times
+/// the first row of P minus u times the second vanishes at X leaves a null space of dimension four:
+/// these rows are the sum of its vectors, each times its weight. The third row follows from the
+/// four points. `projection` is P up to scale.
+fn pose_4pt_focal_radial_cut(points: [[f64; 3]; 4], images: [[f64; 2]; 4]) -> (
     radial,
     #[projective] weights: [f64; 4],
 ) {
+    // Positions relative to the first point, in units in which they are about 1.
+    let offsets = [points[1] - points[0], points[2] - points[0], points[3] - points[0]];
+    let unit = norm(offsets);
+    let mut positions = [[0, 0, 0, 1]; 4];
+    for k in 0..3 {
+        for i in 0..3 {
+            positions[k + 1][i] = offsets[k][i] / unit;
+        }
+    }
+    let mut rows = [[0; 8]; 4];
+    for k in 0..4 {
+        let [u, v] = images[k];
+        for i in 0..4 {
+            rows[k][i] = v * positions[k][i];
+            rows[k][4 + i] = -u * positions[k][i];
+        }
+    }
+    let basis = null_space(rows);
+    // The third row at the points, in the weights, then in these times `radial`.
+    let mut depths = [[0; 8]; 4];
+    for k in 0..4 {
+        let [u, v] = images[k];
+        for c in 0..4 {
+            let mut along = 0;
+            for i in 0..4 {
+                along += (u * basis[c][i] + v * basis[c][4 + i]) * positions[k][i];
+            }
+            depths[k][c] = along / (u * u + v * v);
+            depths[k][4 + c] = along;
+        }
+    }
+    let lower = solve(positions, depths);
     let [a, b, c, d] = weights;
-    let [p11, p21, p12, p22, p13, p23] = upper * weights;
-    let [p31, p32, p33] = lower * [a, b, c, d, radial * a, radial * b, radial * c, radial * d];
+    let upper = weights * basis;
+    let third = lower * [a, b, c, d, radial * a, radial * b, radial * c, radial * d];
+    let [p11, p12, p13] = [upper[0], upper[1], upper[2]];
+    let [p21, p22, p23] = [upper[4], upper[5], upper[6]];
+    let [p31, p32, p33] = [third[0], third[1], third[2]];
     let [p1, p2, p3] = [[p11, p12, p13], [p21, p22, p23], [p31, p32, p33]];
     dot(p2, p3) == 0;
     dot(p1, p3) == 0;
@@ -27,4 +64,12 @@ fn pose_4pt_focal_radial_cut(upper: [[f64; 4]; 6], lower: [[f64; 8]; 3]) -> (
     p11 * p13 * p32 + p21 * p23 * p32 - p11 * p12 * p33 - p21 * p22 * p33 == 0;
     p13 * p13 * p31 - p22 * p22 * p31 + p21 * p22 * p32 - p11 * p13 * p33 == 0;
     p12 * p13 * p31 + p22 * p23 * p31 - p11 * p12 * p33 - p21 * p22 * p33 == 0;
+    // Of positions as they are given.
+    let mut projection = [[0; 4]; 3];
+    for i in 0..3 {
+        let row = [p1, p2, p3][i];
+        let moved = unit * [upper[3], upper[7], third[3]][i] - dot(row, points[0]);
+        projection[i] = [row[0], row[1], row[2], moved];
+    }
+    RadialPose { projection: projection, focal: sqrt(dot(p1, p1) / dot(p3, p3)), radial: radial }
 }

@@ -4,20 +4,37 @@
 /// Stewénius, Schaffalitzky, Nistér, "How hard is 3-view triangulation really?", ICCV 2005.
 /// Published as `3v_triang_laurent`.
 ///
-/// The unknowns are projective coordinates (x, y, z, 1) of the point: x and y its depths in the
-/// first and second view over that in the third, each times a constant, and z its first error in
-/// the third view. Every image is turned so that its second error does not depend on z, and scales
-/// are chosen so that the first errors of the first two views are (`first`\[0\] + z) / x and
-/// (`second`\[0\] + z) / y, rows standing for linear forms in x, y and 1. The other errors are
-/// `first`\[1\] / x, `second`\[1\] / y and `third`.
+/// `cameras` are the projection matrices of the views and `images` where they see the point. The
+/// unknowns are projective coordinates (x, y, z, 1) of the point: x and y its depths in the first
+/// and second view over that in the third, each times a constant, and z its first error in the
+/// third view. Every image is turned so that its second error does not depend on z, and scales are
+/// such that in the errors of the first two views over their depths, x and y, z has the
+/// coefficient 1.
 ///
 /// Stated are derivatives towards seven points. Where the depth of a view vanishes, so does a power
 /// of it in the denominators; where the errors of a view vanish, too, at its centre, they do not
 /// change at all.
-fn triangulation_3view(first: [[f64; 3]; 2], second: [[f64; 3]; 2], third: [f64; 3]) -> (x, y, z) {
-    let a = [[first[0][0], first[0][1], 1, first[0][2]], [first[1][0], first[1][1], 0, first[1][2]]];
-    let b = [[second[0][0], second[0][1], 1, second[0][2]], [second[1][0], second[1][1], 0, second[1][2]]];
-    let c = [[0, 0, 1, 0], [third[0], third[1], 0, third[2]]];
+fn triangulation_3view(cameras: [[[f64; 4]; 3]; 3], images: [[f64; 2]; 3]) -> (x, y, z) {
+    // The point at depth zero in all views: what it changes in an image is the first direction.
+    let axis = null_space([cameras[0][2], cameras[1][2], cameras[2][2]])[0];
+    let mut turned = [[[0; 4]; 2]; 3];
+    let mut scales = [0; 3];
+    for k in 0..3 {
+        let [across, down, depth] = cameras[k];
+        let errors = [across - images[k][0] * depth, down - images[k][1] * depth];
+        let along = errors * axis;
+        let [cos, sin] = normalise(along);
+        turned[k] = [[cos, sin], [-sin, cos]] * errors;
+        scales[k] = norm(along);
+    }
+    let units = [scales[2] / scales[0], scales[2] / scales[1]];
+    let to_world = inverse([units[0] * cameras[0][2], units[1] * cameras[1][2], turned[2][0], cameras[2][2]]);
+    let first = units[0] * turned[0] * to_world;
+    let second = units[1] * turned[1] * to_world;
+    let third = turned[2][1] * to_world;
+    let a = [[first[0][0], first[0][1], 1, first[0][3]], [first[1][0], first[1][1], 0, first[1][3]]];
+    let b = [[second[0][0], second[0][1], 1, second[0][3]], [second[1][0], second[1][1], 0, second[1][3]]];
+    let c = [[0, 0, 1, 0], [third[0], third[1], 0, third[3]]];
     let [by_x, by_y, by_z, by_1] = identity(4);
     slope(a, by_z, x, y, z) * y * y + slope(b, by_z, x, y, z) * x * x + slope(c, by_z, x, y, z) * x * x * y * y == 0;
 
@@ -46,6 +63,8 @@ fn triangulation_3view(first: [[f64; 3]; 2], second: [[f64; 3]; 2], third: [f64;
         == 0;
     x != 0;
     y != 0;
+    let point = to_world * [x, y, z, 1];
+    Point { position: [point[0], point[1], point[2]] / point[3] }
 }
 
 /// Half the derivative of the squared errors of a view towards a point at which its depth vanishes,

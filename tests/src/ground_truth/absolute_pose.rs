@@ -8,8 +8,8 @@ use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
 
 use super::cameras::{camera, distorted, image, in_ball, quaternion};
 use super::{
-    KnownInstance, Make, Maker, combination, coordinates, null_space, projective_error, relative_error, solved,
-    uniform, vector, weights,
+    KnownInstance, Make, Maker, combination, coordinates, derived_null_space, null_space, projective_error,
+    relative_error, solved, uniform, vector, weights,
 };
 
 pub(super) fn makers() -> Vec<Maker> {
@@ -32,10 +32,8 @@ pub(super) fn makers() -> Vec<Maker> {
         Maker {
             name: "pose_4pt_focal_radial",
             make: Make::Scene(|random| {
-                let RadialPose { null_vectors, lower, weights, radial } = RadialPose::draw(random);
-                let upper = (0..8).filter(|i| i % 4 < 3).flat_map(|i| from_fn::<f64, 4, _>(|c| null_vectors[c][i]));
-                let data = upper.chain(lower.into_iter().flatten()).collect();
-                KnownInstance { data, truths: vec![[coordinates(&weights), vec![radial]].concat()] }
+                let (data, weights, radial) = distorted_points(random);
+                KnownInstance { data, truths: vec![[weights, vec![radial]].concat()] }
             }),
             error: |_, s, truth| {
                 let matrix = projective_error(&vector(&s[..3]), &vector(&truth[..3]));
@@ -45,10 +43,8 @@ pub(super) fn makers() -> Vec<Maker> {
         Maker {
             name: "pose_4pt_focal_radial_cut",
             make: Make::Scene(|random| {
-                let RadialPose { null_vectors, lower, weights, radial } = RadialPose::draw(random);
-                let upper = [0, 4, 1, 5, 2, 6].into_iter().flat_map(|i| from_fn::<f64, 4, _>(|c| null_vectors[c][i]));
-                let data = upper.chain(lower.into_iter().flatten()).collect();
-                KnownInstance { data, truths: vec![[vec![radial], coordinates(&weights)].concat()] }
+                let (data, weights, radial) = distorted_points(random);
+                KnownInstance { data, truths: vec![[vec![radial], weights].concat()] }
             }),
             error: |_, s, truth| {
                 let matrix = projective_error(&vector(&s[1..]), &vector(&truth[1..]));
@@ -108,53 +104,28 @@ fn three_and_a_half_points(random: &mut Random) -> KnownInstance {
     KnownInstance { data, truths: vec![truth] }
 }
 
-/// The camera P = diag(1, 1, 1/f) [R t], up to scale, by four distorted image points.
-struct RadialPose {
-    /// The first two rows of P, one after the other, are a combination of these.
-    null_vectors: Vec<Vec<f64>>,
-    /// The first three entries of the third row, in the coefficients of the null vectors, then
-    /// radial times these.
-    lower: Vec<Vec<f64>>,
-    /// The coefficients of the null vectors.
-    weights: [f64; 4],
-    /// Of the division model.
-    radial: f64,
-}
-
-impl RadialPose {
-    fn draw(random: &mut Random) -> Self {
-        let (rotation, translation) = camera(random);
-        let (focal, radial) = (uniform(random, 0.5, 3.0), -uniform(random, 0.05, 0.5) / 9.0);
-        let points: Vec<Vector3<f64>> = (0..4).map(|_| in_ball(random)).collect();
-        let images: Vec<Vector2<f64>> =
-            points.iter().map(|x| distorted(image(&(rotation * x + translation), focal), radial)).collect();
-        let homogeneous = |x: &Vector3<f64>| [x[0], x[1], x[2], 1.0];
-        let rows: Vec<Vec<f64>> = points
-            .iter()
-            .zip(&images)
-            .map(|(x, q)| [homogeneous(x).map(|x| q[1] * x), homogeneous(x).map(|x| -q[0] * x)].concat())
-            .collect();
-        let null_vectors = null_space(&rows);
-        // (third row) . X = (1 + radial |q|^2) (row of the larger image coordinate) . X / that
-        // coordinate.
-        let right = |(x, q): (&Vector3<f64>, &Vector2<f64>)| {
-            let larger = q.iamax();
-            let terms: Vec<f64> = null_vectors
-                .iter()
-                .map(|n| (0..4).map(|i| n[4 * larger + i] * homogeneous(x)[i]).sum::<f64>() / q[larger])
-                .collect();
-            let distortion: Vec<f64> = terms.iter().map(|term| term * q.norm_squared()).collect();
-            [terms, distortion].concat()
-        };
-        let right: Vec<Vec<f64>> = points.iter().zip(&images).map(right).collect();
-        let left: Vec<Vec<f64>> = points.iter().map(|x| homogeneous(x).to_vec()).collect();
-        let lower = solved(&left, &right)[..3].to_vec();
-        let upper: Vec<f64> =
-            (0..2).flat_map(|i| [rotation[(i, 0)], rotation[(i, 1)], rotation[(i, 2)], translation[i]]).collect();
-        let along = |n: &Vec<f64>| n.iter().zip(&upper).map(|(n, p)| n * p).sum::<f64>();
-        let weights = from_fn(|c| along(&null_vectors[c]));
-        Self { null_vectors, lower, weights, radial }
-    }
+/// Positions and distorted images of four points; the weights of the null vectors in the first two
+/// rows of the camera diag(1, 1, 1/f) [R t], and the distortion.
+fn distorted_points(random: &mut Random) -> (Vec<f64>, Vec<f64>, f64) {
+    let (rotation, translation) = camera(random);
+    let (focal, radial) = (uniform(random, 0.5, 3.0), -uniform(random, 0.05, 0.5) / 9.0);
+    let points: [Vector3<f64>; 4] = from_fn(|_| in_ball(random));
+    let images = points.map(|x| distorted(image(&(rotation * x + translation), focal), radial));
+    // Positions relative to the first, in units of their length.
+    let offsets = points.map(|x| x - points[0]);
+    let unit = offsets.iter().map(Vector3::norm_squared).sum::<f64>().sqrt();
+    let row = |(x, q): (&Vector3<f64>, &Vector2<f64>)| {
+        let x = (x / unit).push(1.0).data.0[0];
+        // Zeros are without a sign, as the solver has them: the first null vector depends on it.
+        [x.map(|x| q[1] * x + 0.0), x.map(|x| -q[0] * x + 0.0)].concat()
+    };
+    let rows: Vec<Vec<f64>> = offsets.iter().zip(&images).map(row).collect();
+    let first = (rotation * points[0] + translation) / unit;
+    let upper: Vec<f64> =
+        (0..2).flat_map(|i| [rotation[(i, 0)], rotation[(i, 1)], rotation[(i, 2)], first[i]]).collect();
+    let weights = coordinates(&weights(&derived_null_space(&rows), &upper));
+    let data = points.iter().flat_map(|x| x.data.0[0]).chain(images.iter().flat_map(|q| q.data.0[0])).collect();
+    (data, weights, radial)
 }
 
 /// Rays from different centres in the unit ball: seven equations in the rotation, the translation
@@ -306,18 +277,6 @@ fn exposed(a: &Vector3<f64>, b: &Vector3<f64>) -> Vector2<f64> {
     Vector2::new(row, (a.y + row * b.y) / (a.z + row * b.z))
 }
 
-/// Coefficients of (I + row [(x, y, z)]x) (I + [(u, v, w)]x) X: of the products of x, y, z with u,
-/// v, w, of u, v, w, of x, y, z, and of 1.
-fn turned(point: &Vector3<f64>, row: f64) -> [Vector3<f64>; 16] {
-    let turn = |i: usize, x: &Vector3<f64>| Vector3::ith(i, 1.0).cross(x);
-    from_fn(|at| match at {
-        0..9 => row * turn(at / 3, &turn(at % 3, point)),
-        9..12 => turn(at - 9, point),
-        12..15 => row * turn(at - 12, point),
-        _ => *point,
-    })
-}
-
 /// Rotations of up to 0.3 from a frame in which the points are 3 to 5 units ahead, angular velocity
 /// and velocity of up to 0.3.
 fn rolling_shutter(random: &mut Random) -> KnownInstance {
@@ -329,17 +288,7 @@ fn rolling_shutter(random: &mut Random) -> KnownInstance {
         (point, exposed(&(rotated + position), &(spin.cross(&rotated) + velocity)))
     };
     let seen: [(Vector3<f64>, Vector2<f64>); 6] = from_fn(|_| draw());
-    // Two equations of each of the last three points in the position and the velocity: the others
-    // have the 16 coefficients.
-    let (mut leading, mut others) = (Vec::new(), Vec::new());
-    for (point, q) in &seen[3..] {
-        for normal in [Vector3::new(0.0, -1.0, q.y), Vector3::new(1.0, 0.0, -q.x)] {
-            leading.push([normal.data.0[0], (q.x * normal).data.0[0]].concat());
-            others.push(turned(point, q.x).iter().map(|coefficient| -normal.dot(coefficient)).collect::<Vec<f64>>());
-        }
-    }
-    let images = seen[..3].iter().flat_map(|(_, q)| q.data.0[0]);
-    let points = seen[..3].iter().flat_map(|(x, _)| x.data.0[0]);
-    let data = images.chain(points).chain(solved(&leading, &others).concat()).collect();
+    let points = seen.iter().flat_map(|(x, _)| x.data.0[0]);
+    let data = points.chain(seen.iter().flat_map(|(_, q)| q.data.0[0])).collect();
     KnownInstance { data, truths: vec![turn.iter().chain(&spin).copied().collect()] }
 }

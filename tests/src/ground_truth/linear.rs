@@ -1,6 +1,6 @@
 //! Random numbers, null spaces and linear equations: what the makers of all families need.
 
-use eliminant::emitted::{to_chart, vector_of};
+use eliminant::emitted::{self, to_chart, vector_of};
 use eliminant_generator::algebra::Random;
 use eliminant_generator::problem::chart::chart;
 use nalgebra::{DMatrix, DVector};
@@ -10,9 +10,10 @@ pub fn combination(matrices: &[f64], weights: &[f64]) -> Vec<f64> {
     (0..9).map(|i| weights.iter().zip(matrices.chunks(9)).map(|(w, m)| w * m[i]).sum()).collect()
 }
 
-/// The weights with which [`combination`] gives the matrix, by least squares.
+/// The weights with which vectors of the same length, one after another, give this one, by least
+/// squares.
 pub(super) fn weights(matrices: &[f64], matrix: &[f64]) -> Vec<f64> {
-    let columns = DMatrix::from_column_slice(9, matrices.len() / 9, matrices);
+    let columns = DMatrix::from_column_slice(matrix.len(), matrices.len() / matrix.len(), matrices);
     let right = DVector::from_column_slice(matrix);
     let solution = columns.svd(true, true).solve(&right, 0.0).expect("asked for");
     solution.as_slice().to_vec()
@@ -44,6 +45,14 @@ pub fn null_space(rows: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let matrix = DMatrix::from_fn(columns, columns, |i, j| rows.get(i).map_or(0.0, |row| row[j]));
     let right = matrix.svd(false, true).v_t.expect("asked for");
     (rows.len()..columns).map(|i| right.row(i).iter().copied().collect()).collect()
+}
+
+/// The null space that a solver derives from such rows, to the last bit.
+pub(super) fn derived_null_space(rows: &[Vec<f64>]) -> Vec<f64> {
+    let columns = rows.first().map_or(0, Vec::len);
+    let mut vectors = vec![0.0; (columns - rows.len()) * columns];
+    emitted::null_space(&mut rows.concat(), rows.len(), &mut vectors).expect("random instances are not degenerate");
+    vectors
 }
 
 /// The rows X with leading X = right for as many rows of each: the leading unknowns of linear

@@ -2,14 +2,14 @@
 
 use std::array::from_fn;
 
-use eliminant::emitted;
 use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, Vector3};
 
 use super::cameras::{Motion, camera, image, in_ball, two_cameras, upright, upright_cameras};
 use super::relative_pose::epipolar_row;
 use super::{
-    KnownInstance, Make, Maker, combination, coordinates, projective_error, relative_error, uniform, vector, weights,
+    KnownInstance, Make, Maker, combination, coordinates, derived_null_space, projective_error, relative_error,
+    uniform, vector, weights,
 };
 
 pub(super) fn makers() -> Vec<Maker> {
@@ -36,6 +36,14 @@ pub(super) fn makers() -> Vec<Maker> {
             },
         },
         Maker {
+            name: "relpose_6pt_focal_one_side",
+            make: Make::TwoCameras(six_points_and_rays),
+            error: |data, s, truth| {
+                let basis = null_space_of_points_and_rays(data);
+                epipolar_error(&basis, &s[..2], &truth[..2]).max(relative_error(&s[2..], &truth[2..]))
+            },
+        },
+        Maker {
             name: "pose_3pt",
             make: Make::Scene(three_points),
             error: |_, solution, truth| relative_error(solution, truth),
@@ -51,13 +59,6 @@ pub(super) fn makers() -> Vec<Maker> {
             error: |_, solution, truth| relative_error(solution, truth),
         },
     ]
-}
-
-/// The null space that a solver derives from such rows, to the last bit.
-fn derived_null_space(rows: &[Vec<f64>]) -> Vec<f64> {
-    let mut vectors = vec![0.0; (9 - rows.len()) * 9];
-    emitted::null_space(&mut rows.concat(), rows.len(), &mut vectors).expect("random instances are not degenerate");
-    vectors
 }
 
 /// The rays of points in two cameras, those in the first before those in the second.
@@ -123,6 +124,29 @@ fn six_measured_points(random: &mut Random, motion: Motion) -> KnownInstance {
     let (data, mut truth) = image_points((random, motion), 6, focal);
     let unit = unit_of(&data);
     truth.push(unit * unit / (focal * focal));
+    KnownInstance { data, truths: vec![truth] }
+}
+
+/// The null space of six images in the first camera and rays in the second.
+fn null_space_of_points_and_rays(data: &[f64]) -> Vec<f64> {
+    let (images, rays) = data.split_at(12);
+    let unit = unit_of(images);
+    let row = |(x, y): (&[f64], &[f64])| epipolar_row(&Vector3::new(x[0], x[1], unit), &Vector3::from_column_slice(y));
+    derived_null_space(&images.chunks(2).zip(rays.chunks(3)).map(row).collect::<Vec<_>>())
+}
+
+/// Images in a camera of unknown focal length, and rays of any length in a calibrated one.
+fn six_points_and_rays(random: &mut Random, motion: Motion) -> KnownInstance {
+    let focal = uniform(random, 0.5, 3.0);
+    let (rotation, translation, points) = two_cameras((random, motion), 6);
+    let images: Vec<f64> = points.iter().flat_map(|x| image(x, focal).data.0[0]).collect();
+    let unit = unit_of(&images);
+    let rays = points.iter().flat_map(|x| (rotation * x + translation).data.0[0]);
+    let data: Vec<f64> = images.iter().copied().chain(rays).collect();
+    let inverse = Matrix3::from_diagonal(&Vector3::new(1.0 / focal, 1.0 / focal, 1.0 / unit));
+    let fundamental = translation.cross_matrix() * rotation * inverse;
+    let weights = weights(&null_space_of_points_and_rays(&data), fundamental.transpose().as_slice());
+    let truth = [coordinates(&weights), vec![unit * unit / (focal * focal)]].concat();
     KnownInstance { data, truths: vec![truth] }
 }
 

@@ -19,7 +19,7 @@ mod triangulation;
 pub use cameras::{Motion, camera, distorted, image, in_ball, two_cameras, upright, upright_cameras};
 pub use circles::{Circle, Line, gram, minimal_conic, minimal_data, normalised};
 pub use linear::{combination, coordinates, null_space, uniform, vector};
-use linear::{solved, weights};
+use linear::{derived_null_space, solved, weights};
 pub use maker::{FOUND, KnownInstance, Make, Maker, largest_relative_error, projective_error, relative_error};
 
 /// One maker for every problem, by name.

@@ -77,6 +77,12 @@ impl Views {
         Self { fundamental: self.fundamental * turn.transpose(), points: self.points.iter().map(turn_point).collect() }
     }
 
+    /// The points of the first image, then those of the second.
+    fn images(&self) -> Vec<f64> {
+        let first = self.points.iter().flat_map(|point| [point.a, point.b]);
+        first.chain(self.points.iter().flat_map(|point| [point.c, point.d])).collect()
+    }
+
     /// leading unknowns = X others, row by row, where every point gives one equation (leading,
     /// others) . unknowns = 0.
     fn affine(&self, equation: impl Fn(&Correspondence) -> (Vec<f64>, Vec<f64>)) -> Vec<f64> {
@@ -100,46 +106,28 @@ fn focal(random: &mut Random) -> f64 {
 fn fundamental_eight_points(random: &mut Random) -> KnownInstance {
     let (focal, radial) = ([focal(random), focal(random)], radial(random));
     let views = Views::draw(random, 8, focal, [radial; 2]);
-    let data = views.affine(|&Correspondence { a, b, first, c, d, second }| {
-        (
-            vec![a * c, a * d, a, b * c, b * d, b, a * second, b * second],
-            vec![c * first, d * first, first * second, c, d, first + second, 1.0],
-        )
-    });
     let f = views.fundamental;
-    KnownInstance { data, truths: vec![vec![radial, f[(0, 2)], f[(1, 2)]]] }
+    KnownInstance { data: views.images(), truths: vec![vec![radial, f[(0, 2)], f[(1, 2)]]] }
 }
 
 fn fundamental_eight_points_one_side(random: &mut Random) -> KnownInstance {
     let (focal, radial) = ([focal(random), focal(random)], radial(random));
     let views = Views::draw(random, 8, focal, [0.0, radial]);
-    let data = views.affine(|&Correspondence { a, b, c, d, second, .. }| {
-        (vec![a * c, a * d, a, b * c, b * d, c, d, a * second], vec![b * second, second, b, 1.0])
-    });
-    KnownInstance { data, truths: vec![vec![views.fundamental[(2, 1)], radial]] }
+    KnownInstance { data: views.images(), truths: vec![vec![views.fundamental[(2, 1)], radial]] }
 }
 
 fn seven_points_one_side_eliminated(random: &mut Random) -> KnownInstance {
     let (focal, radial) = (focal(random), radial(random));
     let views = Views::draw(random, 7, [focal, 1.0], [radial, 0.0]);
-    let data = views.affine(|&Correspondence { a, b, first, c, d, .. }| {
-        (vec![c * first, a * c, a * d, a, b * c, b * d, b], vec![d * first, c, d, first, 1.0])
-    });
     let f = views.fundamental;
-    KnownInstance { data, truths: vec![vec![f[(0, 2)], f[(1, 2)], radial]] }
+    KnownInstance { data: views.images(), truths: vec![vec![f[(0, 2)], f[(1, 2)], radial]] }
 }
 
 fn fundamental_nine_points(random: &mut Random) -> KnownInstance {
     let (focal, s, t) = ([focal(random), focal(random)], radial(random), radial(random));
     let views = Views::draw(random, 9, focal, [t, s]);
-    let data = views.affine(|&Correspondence { a, b, first, c, d, second }| {
-        (
-            vec![c * a, c * b, d * a, d * b, first, c, c * first, d * first, first * second],
-            vec![a * second, b * second, second, a, b, d, 1.0],
-        )
-    });
     let f = views.fundamental;
-    KnownInstance { data, truths: vec![vec![s, f[(2, 0)], f[(2, 1)], f[(1, 2)]]] }
+    KnownInstance { data: views.images(), truths: vec![vec![s, f[(2, 0)], f[(2, 1)], f[(1, 2)]]] }
 }
 
 /// Which camera is the first, and how its partner's image is turned, is free, but not every choice
@@ -221,9 +209,6 @@ fn seven_points(random: &mut Random) -> KnownInstance {
 fn seven_points_one_side(random: &mut Random) -> KnownInstance {
     let (focal, radial) = (focal(random), radial(random));
     let views = Views::draw(random, 7, [focal, 1.0], [radial, 0.0]);
-    let data = views.affine(|&Correspondence { a, b, first, c, d, .. }| {
-        (vec![a * c, b * c, a * d, b * d, a, b, c], vec![c * first, d, d * first, first, 1.0])
-    });
     let f = views.fundamental.transpose();
-    KnownInstance { data, truths: vec![vec![1.0 / (focal * focal), f[(2, 0)], f[(2, 1)], radial]] }
+    KnownInstance { data: views.images(), truths: vec![vec![1.0 / (focal * focal), f[(2, 0)], f[(2, 1)], radial]] }
 }

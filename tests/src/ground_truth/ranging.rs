@@ -6,7 +6,7 @@ use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, RowSVector, SMatrix, Vector3};
 
 use super::cameras::in_ball;
-use super::{KnownInstance, Make, Maker, coordinates, null_space, projective_error, relative_error, vector};
+use super::{KnownInstance, Make, Maker, coordinates, projective_error, relative_error, vector};
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![
@@ -60,28 +60,15 @@ fn ranges(senders: &[Vector3<f64>; 4], receivers: &[Vector3<f64>; 6]) -> KnownIn
     KnownInstance { data: linear.transpose().iter().copied().collect(), truths: vec![truth] }
 }
 
-/// Senders and receivers in the unit ball: the cosines c of the angles at the receivers, and from
-/// them, with t = n C, the coefficients of c^2 |n|^2 |C|^2 - 2 c^2 |n|^2 U C = (n U)^2 - 2 t n U +
-/// t^2 - c^2 |n|^2 |U|^2 for five senders U: solved for what stands on the left, and without it.
+/// Senders and receivers in the unit ball, and the differences of ranges that the cosines of the
+/// angles at the receivers stand for.
 fn two_receivers(random: &mut Random) -> KnownInstance {
     let (centre, direction) = (in_ball(random), in_ball(random));
-    let (mut left, mut right) = (SMatrix::<f64, 5, 4>::zeros(), SMatrix::<f64, 5, 10>::zeros());
-    for k in 0..5 {
-        let sender = in_ball(random);
-        let sight: Vector3<f64> = sender - centre;
-        let square = (direction.dot(&sight) / (direction.norm() * sight.norm())).powi(2);
-        let along = -2.0 * square * sender;
-        left.set_row(k, &RowSVector::from_row_slice(&[square, along.x, along.y, along.z]));
-        let (x, y, z) = (sender.x, sender.y, sender.z);
-        let far = square * sender.norm_squared();
-        let products = [x * x - far, 2.0 * x * y, 2.0 * x * z, y * y - far, 2.0 * y * z, z * z - far];
-        right.set_row(k, &RowSVector::from_row_slice(&[&products[..], &[-2.0 * x, -2.0 * y, -2.0 * z, 1.0]].concat()));
-    }
-    let columns: Vec<Vec<f64>> = left.column_iter().map(|column| column.iter().copied().collect()).collect();
-    let without = &null_space(&columns)[0];
-    let quadric = (SMatrix::<f64, 1, 5>::from_row_slice(without) * right).normalize();
-    let linear = left.pseudo_inverse(0.0).expect("the tolerance is not negative") * right;
-    let data = quadric.iter().chain(linear.transpose().iter()).copied().collect();
-    let truth = coordinates(&[direction.x, direction.y, direction.z, direction.dot(&centre)]);
+    let senders: [Vector3<f64>; 5] = from_fn(|_| in_ball(random));
+    let distance = direction.norm();
+    let differences = senders.map(|sender| direction.dot(&(sender - centre).normalize()));
+    let data: Vec<f64> = senders.iter().flat_map(|x| x.data.0[0]).chain(differences).chain([distance]).collect();
+    let unit = senders.iter().map(Vector3::norm_squared).sum::<f64>().sqrt();
+    let truth = coordinates(&[direction.x, direction.y, direction.z, direction.dot(&centre) / unit]);
     KnownInstance { data, truths: vec![truth] }
 }

@@ -6,7 +6,7 @@ use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix2, Matrix3, Matrix4, RowVector4, SMatrix, SVector, Vector2, Vector3, Vector4};
 
 use super::cameras::{camera, image, in_ball};
-use super::{KnownInstance, Make, Maker, null_space, relative_error};
+use super::{KnownInstance, Make, Maker, derived_null_space, relative_error};
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![
@@ -52,7 +52,7 @@ fn three_depths(random: &mut Random) -> KnownInstance {
     // The point at depth zero in all views, and images turned so that their second axis does not
     // see it.
     let rows: Vec<Vec<f64>> = depths.iter().map(|row| row.iter().copied().collect()).collect();
-    let axis = Vector4::from_row_slice(&null_space(&rows)[0]);
+    let axis = Vector4::from_row_slice(&derived_null_space(&rows));
     let scales = offsets.map(|offset| (offset * axis).norm());
     let turned: [SMatrix<f64, 2, 4>; 3] = from_fn(|k| {
         let along = (offsets[k] * axis).normalize();
@@ -64,12 +64,10 @@ fn three_depths(random: &mut Random) -> KnownInstance {
         turned[2].row(0).into_owned(),
         depths[2],
     ]);
-    let inverse = frame.try_inverse().expect("the cameras are not aligned");
-    let form = |k: usize, i: usize| {
-        let row = turned[k].row(i) * inverse * (scales[2] / scales[k]);
-        [row[0], row[1], row[3]]
-    };
-    let data = [(0, 0), (0, 1), (1, 0), (1, 1), (2, 1)].into_iter().flat_map(|(k, i)| form(k, i)).collect();
+    let cameras = cameras.iter().flat_map(|(rotation, translation)| {
+        (0..3).flat_map(|i| [rotation[(i, 0)], rotation[(i, 1)], rotation[(i, 2)], translation[i]])
+    });
+    let data = cameras.chain(seen.iter().flat_map(|q| q.data.0[0])).collect();
     let best = frame * nearest(&depths, &offsets, start).push(1.0);
     KnownInstance { data, truths: vec![(best.xyz() / best.w).as_slice().to_vec()] }
 }

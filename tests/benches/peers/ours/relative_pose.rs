@@ -2,7 +2,7 @@
 
 use eliminant_solvers::{fundamental_8pt_radial, relpose_5pt, relpose_6pt_focal};
 
-use super::linear::{Matrix, Vector, null_space, solve};
+use super::linear::{Matrix, Vector, null_space};
 use super::{Instance, essential, vectors};
 
 /// The nine coefficients of x2^T E x1 = 0, row by row.
@@ -78,18 +78,10 @@ impl Instance for RadialEightPoint {
     }
 
     fn solve(&self, found: &mut Vec<f64>) {
-        let (mut leading, mut others) = ([[0.0; 8]; 8], [[0.0; 7]; 8]);
-        for (k, (&[a, b], &[c, d])) in self.0.iter().zip(&self.1).enumerate() {
-            let (first, second) = (a * a + b * b, c * c + d * d);
-            leading[k] = [a * c, a * d, a, b * c, b * d, b, a * second, b * second];
-            others[k] = [c * first, d * first, first * second, c, d, first + second, 1.0].map(|x: f64| -x);
-        }
-        let affine = solve(leading, others);
-        let Ok(solutions) = fundamental_8pt_radial::solve(&affine) else { return };
+        let Ok(solutions) = fundamental_8pt_radial::solve_for_radial_epipolar(&self.0, &self.1) else { return };
         for s in solutions.iter() {
-            let monomials = [s.radial * s.f_13, s.radial * s.f_23, s.radial * s.radial, s.f_13, s.f_23, s.radial, 1.0];
-            let entry = |row: usize| (0..7).map(|j| affine[row][j] * monomials[j]).sum::<f64>();
-            found.extend([entry(0), entry(3), s.f_13, entry(1), entry(4), s.f_23, entry(2), entry(5), 1.0, s.radial]);
+            found.extend(s.fundamental.as_flattened());
+            found.push(s.radial);
         }
     }
 }
