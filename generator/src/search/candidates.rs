@@ -14,7 +14,7 @@ use super::options::SearchOptions;
 use super::preference::Preference;
 use super::reduce_strategy::{StrategyContext, StrategyTemplates, reduce_strategy};
 use super::seed_sets::obstacle;
-use super::strategy::{Strategy, strategies};
+use super::strategy::{Strategy, strategies, traced_strategies};
 use crate::check::SolutionCount;
 use crate::generate::{determinant_chains, gives_its_solutions};
 use crate::plan::schedule::{ScheduleError, schedule};
@@ -52,16 +52,52 @@ pub fn candidates(
     options: &SearchOptions,
     monitor: &dyn Monitor,
 ) -> Result<Found, SearchError> {
-    // The origin is a solution that takes no row: the solver knows it without an eigenvalue.
-    let solutions = count.solutions - count.at_origin;
     let formulations = formulations(problem, options)?;
     let all = strategies(&formulations).into_iter().enumerate();
     let strategies: Vec<Numbered<'_>> =
         all.filter(|(at, _)| options.shard.holds(*at)).map(|(at, strategy)| Numbered { at, strategy }).collect();
     monitor.say(&format!("{} solutions; growing shifts by {} strategies", count.solutions, strategies.len()));
+    candidates_of(problem, count, &strategies, options, monitor)
+}
+
+/// The templates by the trace of a Gröbner basis, for a problem for which [`candidates`] finds
+/// none. `max_columns` and `shard` of the options do not matter.
+///
+/// A template exists if the equations have finitely many solutions even where factors that must not
+/// vanish do. The formulations are tried one after another until one gives candidates, even if the
+/// monitor says that the search is over; it then only cuts short how templates are reduced.
+pub fn traced_candidates(
+    problem: &Problem,
+    count: &SolutionCount,
+    options: &SearchOptions,
+    monitor: &dyn Monitor,
+) -> Result<Found, SearchError> {
+    let formulations = formulations(problem, options)?;
+    let mut failed = Vec::new();
+    for (at, strategy) in traced_strategies(&formulations).into_iter().enumerate() {
+        monitor.say(&format!("{} solutions; the trace of a Gröbner basis", count.solutions));
+        match candidates_of(problem, count, &[Numbered { at, strategy }], options, monitor) {
+            Err(SearchError::NotFound { failed: more, .. }) => failed.extend(more),
+            other => return other,
+        }
+    }
+    let is_over = monitor.is_over(Stage::Searching);
+    Err(SearchError::NotFound { max_columns: options.max_columns, failed, untried: 0, is_over })
+}
+
+/// All templates of some strategies.
+fn candidates_of(
+    problem: &Problem,
+    count: &SolutionCount,
+    strategies: &[Numbered<'_>],
+    options: &SearchOptions,
+    monitor: &dyn Monitor,
+) -> Result<Found, SearchError> {
+    // The origin is a solution that takes no row: the solver knows it without an eigenvalue.
+    let solutions = count.solutions - count.at_origin;
     let is_over = || monitor.is_over(Stage::Searching);
     let context = StrategyContext { solutions, options, cache: &Cache::default(), monitor };
-    let reduced = map(&strategies, |numbered| reduce_strategy(&numbered.strategy, &context), &is_over);
+    let reduced = map(strategies, |numbered| reduce_strategy(&numbered.strategy, &context), &is_over);
     let untried = reduced.iter().filter(|reduced| reduced.is_none()).count();
     let mut work: Vec<(&Numbered<'_>, &EliminationTemplate)> = Vec::new();
     for (numbered, reduced) in strategies.iter().zip(&reduced) {
@@ -77,7 +113,7 @@ pub fn candidates(
     let unplanned = planned.iter().filter(|planned| planned.is_none()).count();
     let candidates = in_order(planned.into_iter().flatten().flatten().collect(), options.prefer);
     if candidates.is_empty() {
-        let failed = failed_strategies(&strategies, reduced, solutions, &problem.unknowns);
+        let failed = failed_strategies(strategies, reduced, solutions, &problem.unknowns);
         return Err(SearchError::NotFound { max_columns: options.max_columns, failed, untried, is_over: is_over() });
     }
     monitor.say(&format!("{} different templates", candidates.len()));
