@@ -52,11 +52,16 @@ pub fn candidates(
     options: &SearchOptions,
     monitor: &dyn Monitor,
 ) -> Result<Found, SearchError> {
+    let least = count.least_columns(problem);
+    if least > options.max_columns {
+        return Err(SearchError::TooFewColumns { max_columns: options.max_columns, least });
+    }
     let formulations = formulations(problem, options)?;
     let all = strategies(&formulations).into_iter().enumerate();
     let strategies: Vec<Numbered<'_>> =
         all.filter(|(at, _)| options.shard.holds(*at)).map(|(at, strategy)| Numbered { at, strategy }).collect();
-    monitor.say(&format!("{} solutions; growing shifts by {} strategies", count.solutions, strategies.len()));
+    let (solutions, ways) = (count.solutions, strategies.len());
+    monitor.say(&format!("{solutions} solutions, at least {least} columns; growing shifts by {ways} strategies"));
     candidates_of(problem, count, &strategies, options, monitor)
 }
 
@@ -160,8 +165,11 @@ fn failed_strategies(
     unknowns: &[String],
 ) -> Vec<FailedStrategy> {
     let failed = |(numbered, reduced): (&Numbered<'_>, Option<StrategyTemplates>)| {
-        let StrategyTemplates { tried, largest, unsolved, .. } = reduced?;
+        let StrategyTemplates { tried, largest, unsolved, is_too_large, .. } = reduced?;
         let strategy = &numbered.strategy;
+        if is_too_large {
+            return Some(FailedStrategy::too_large(strategy.describe(), tried, largest));
+        }
         let obstacle = unsolved.map(|matrix| obstacle(strategy.formulation, &matrix, solutions));
         Some(FailedStrategy::new(strategy.describe(), tried, largest, obstacle.as_ref(), unknowns))
     };

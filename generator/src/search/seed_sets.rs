@@ -23,6 +23,7 @@ pub(crate) struct SolvingShifts {
 }
 
 /// What growing by one strategy gave.
+#[derive(Default)]
 pub(crate) struct SeedSets {
     /// For each level that solves, each action monomial and each bound on |B|.
     pub(crate) solving: Vec<SolvingShifts>,
@@ -32,6 +33,8 @@ pub(crate) struct SeedSets {
     pub(crate) largest: (usize, usize),
     /// The largest set if none solves.
     pub(crate) unsolved: Option<ShiftMatrix>,
+    /// Whether a set by the trace of a Gröbner basis was left out for its size.
+    pub(crate) is_too_large: bool,
 }
 
 /// Levels to go on growing after the first that solves: larger sets sometimes reduce to smaller
@@ -52,7 +55,7 @@ pub(crate) fn seed_sets(
         return traced_seed_sets(formulation, solutions, monitor);
     }
     let equations = &formulation.instance.equations;
-    let mut sets = SeedSets { solving: Vec::new(), tried: 0, largest: (0, 0), unsolved: None };
+    let mut sets = SeedSets::default();
     let mut levels_left = LEVELS_BEYOND_FIRST;
     let mut last_look: usize = 0;
     for shifts in Shifts::new(equations, &formulation.reduced.kept, growth.clone(), options.max_columns) {
@@ -86,14 +89,23 @@ pub(crate) fn seed_sets(
 /// Number of traced sets from which templates are made, the smallest that solve.
 const TRACED_SETS: usize = 2;
 
+/// Most rows of a traced set that is reduced: its elimination takes minutes.
+pub(crate) const MOST_TRACED_ROWS: usize = 12_000;
+
 /// The seed sets by the trace of a Gröbner basis, the smallest ones, each for its action monomial.
 /// There are none if the basis is too large.
 fn traced_seed_sets(formulation: &Formulation, solutions: usize, monitor: &dyn Monitor) -> SeedSets {
-    let mut sets = SeedSets { solving: Vec::new(), tried: 0, largest: (0, 0), unsolved: None };
+    let mut sets = SeedSets::default();
     let mut found = 0;
-    for traced in traced_shifts(formulation, solutions).unwrap_or_default() {
+    let of_trace = traced_shifts(formulation, solutions);
+    sets.is_too_large = of_trace.is_err();
+    for traced in of_trace.unwrap_or_default() {
         // The first set is looked at in any case.
         if found == TRACED_SETS || (sets.tried > 0 && monitor.is_over(Stage::Searching)) {
+            break;
+        }
+        if traced.shifts.len() > MOST_TRACED_ROWS {
+            sets.is_too_large = true;
             break;
         }
         let matrix = ShiftMatrix::new(formulation.instance.field, &formulation.instance.equations, &traced.shifts);

@@ -9,11 +9,15 @@
 //! Where signs can be changed, B falls into classes of equal parity, and a maps each class to
 //! itself. One class then suffices.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::formulation::Formulation;
-use crate::algebra::{GroebnerError, Limits, Monomial, TracedBasis};
+use crate::algebra::{GeneratorMultiple, GroebnerError, Limits, Monomial, TracedBasis};
 use crate::template::Shift;
+
+/// Multiples of elements of a trace that are looked at for one set of shifts; there are at most as
+/// many rows.
+const MOST_MULTIPLES: usize = 200_000;
 
 /// Shifts from which an action monomial solves.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -36,29 +40,32 @@ pub(crate) fn traced_shifts(formulation: &Formulation, solutions: usize) -> Resu
     let width = formulation.reduced.problem.unknowns.len();
     let standard = on_kept(formulation, &traced, width, limits.max_quotient_dimension);
     let Some(standard) = standard else { return Ok(Vec::new()) };
-    let mut sets = Vec::new();
+    let (mut sets, mut too_large) = (Vec::new(), None);
     for class in classes(formulation, standard) {
         if class.len() < formulation.requirements(solutions, usize::MAX).solutions {
             continue;
         }
         for &action in formulation.actions.iter().filter(|action| action.is_polynomial()) {
             let image = class.iter().map(|m| m.times(&action)).chain(to_read(formulation, &class));
-            let Some(multiples) = traced.multiples_for(image) else { continue };
-            let shifts = multiples.into_iter().map(|(equation, multiplier)| Shift { equation, multiplier });
-            sets.push(TracedShifts { action, shifts: shifts.collect() });
+            match traced.multiples_for(image, MOST_MULTIPLES) {
+                Ok(multiples) => sets.push(TracedShifts { action, shifts: shifts_of(multiples) }),
+                Err(error) => too_large = Some(error),
+            }
         }
     }
     sets.sort_by_key(|set| set.shifts.len());
-    Ok(sets)
+    match too_large {
+        Some(error) if sets.is_empty() => Err(error),
+        _ => Ok(sets),
+    }
+}
+
+fn shifts_of(multiples: BTreeSet<GeneratorMultiple>) -> Vec<Shift> {
+    multiples.into_iter().map(|(equation, multiplier)| Shift { equation, multiplier }).collect()
 }
 
 /// The standard monomials in the unknowns that presolve kept; `None` if they are not finitely many.
-fn on_kept(
-    formulation: &Formulation,
-    traced: &TracedBasis,
-    width: usize,
-    limit: usize,
-) -> Option<Vec<Monomial>> {
+fn on_kept(formulation: &Formulation, traced: &TracedBasis, width: usize, limit: usize) -> Option<Vec<Monomial>> {
     let mut basis = traced.basis().leading_monomials();
     // Unknowns that were eliminated do not occur, so no leading monomial would bound them.
     basis.extend((0..width).filter(|at| !formulation.reduced.kept.contains(at)).map(Monomial::unknown));
@@ -98,8 +105,12 @@ fn classes(formulation: &Formulation, standard: Vec<Monomial>) -> Vec<Vec<Monomi
 fn to_read(formulation: &Formulation, class: &[Monomial]) -> Vec<Monomial> {
     let mut monomials = Vec::new();
     for reading in formulation.readings.first().into_iter().flatten() {
-        let products =
-            || class.iter().flat_map(|m| reading.steps.iter().map(move |step| m.times(step))).filter(Monomial::is_polynomial);
+        let products = || {
+            class
+                .iter()
+                .flat_map(|m| reading.steps.iter().map(move |step| m.times(step)))
+                .filter(Monomial::is_polynomial)
+        };
         if !products().any(|product| class.contains(&product)) {
             monomials.extend(products().min());
         }

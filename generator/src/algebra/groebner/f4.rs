@@ -17,7 +17,7 @@ use super::basis::BasisElement;
 use super::monomial_table::{MonomialId, MonomialTable};
 use super::pairs::{Lead, PairQueue};
 use super::symbolic::{Multiple, Symbolic};
-use super::trace::{GeneratorMultiple, Trace};
+use super::trace::Trace;
 use super::{GroebnerError, Limits, MonomialOrder};
 use crate::algebra::{Echelon, Monomial, Polynomial, PrimeField};
 
@@ -33,19 +33,17 @@ pub(super) fn reduced_basis(
     state.interreduce()
 }
 
-/// The elements of the reduced grevlex basis, by increasing leading monomial, and for each of them
-/// the multiples of the polynomials whose combination it is.
+/// The elements of the reduced grevlex basis, by increasing leading monomial, with the trace, which
+/// ends with these elements.
 pub(super) fn traced_basis(
     field: PrimeField,
     polynomials: &[Polynomial<u32>],
     limits: &Limits,
-) -> Result<(Vec<BasisElement>, Vec<Vec<GeneratorMultiple>>), GroebnerError> {
+) -> Result<(Vec<BasisElement>, Trace), GroebnerError> {
     let mut state = F4::new(field, &MonomialOrder::GrevLex, limits, Some(Trace::default()));
     state.complete(polynomials)?;
-    let before = state.supports.len();
     let elements = state.interreduce()?;
-    let multiples = state.trace.map_or_else(Vec::new, |trace| trace.from(before));
-    Ok((elements, multiples))
+    Ok((elements, state.trace.unwrap_or_default()))
 }
 
 /// A polynomial with interned monomials, largest first, and leading coefficient 1.
@@ -202,7 +200,7 @@ impl<'a> F4<'a> {
         }
         let (rows, parts): (Vec<_>, Vec<_>) = interreduced(&mut echelon, leading, &columns).into_iter().unzip();
         if let Some(trace) = &mut self.trace {
-            parts.into_iter().for_each(|parts| trace.add_combination_of_generators(parts.into_iter()));
+            parts.into_iter().for_each(|parts| trace.add_combination_of_generators(parts));
         }
         self.add_elements(rows, |polynomial| polynomial.iter().map(Monomial::degree).max().unwrap_or(0))
     }
@@ -229,19 +227,19 @@ impl<'a> F4<'a> {
             leading.extend(echelon.insert_sparse_reduced(&entries));
         }
         let (rows, parts): (Vec<_>, Vec<_>) = interreduced(&mut echelon, leading, &columns).into_iter().unzip();
-        self.trace_rows(&[pivots, to_reduce].concat(), parts)?;
+        self.trace_rows(&[pivots, to_reduce].concat(), parts);
         self.add_elements(rows, |_| sugar)
     }
 
     /// Notes that new elements are combinations of some of the rows of a matrix.
-    fn trace_rows(&mut self, rows: &[Multiple], parts: Vec<Vec<usize>>) -> Result<(), GroebnerError> {
-        let Some(mut trace) = self.trace.take() else { return Ok(()) };
-        let factors: Vec<(usize, Monomial)> = rows.iter().map(|row| self.factors(row)).collect();
-        for parts in parts {
-            trace.add_combination(parts.into_iter().map(|at| factors[at]))?;
+    fn trace_rows(&mut self, rows: &[Multiple], parts: Vec<Vec<usize>>) {
+        if self.trace.is_some() {
+            let factors: Vec<(usize, Monomial)> = rows.iter().map(|row| self.factors(row)).collect();
+            let combinations = parts.into_iter().map(|parts| parts.into_iter().map(|at| factors[at]).collect());
+            if let Some(trace) = &mut self.trace {
+                combinations.for_each(|parts| trace.add_combination(parts));
+            }
         }
-        self.trace = Some(trace);
-        Ok(())
     }
 
     /// Adds polynomials, by increasing leading monomial. `sugar` gives their sugar if the order is
@@ -271,6 +269,10 @@ impl<'a> F4<'a> {
     /// one.
     fn interreduce(&mut self) -> Result<Vec<BasisElement>, GroebnerError> {
         if self.is_unit() {
+            if let Some(trace) = &mut self.trace {
+                // Nothing is read from the trace of a problem without solutions.
+                trace.add_combination(Vec::new());
+            }
             return Ok(vec![BasisElement::one()]);
         }
         let mut symbolic = Symbolic::new(&mut self.table, &self.supports, &self.leads, self.limits.max_matrix_entries);
@@ -289,7 +291,7 @@ impl<'a> F4<'a> {
             self.push_multiple(&mut echelon, &columns, row, i);
         }
         let (rows, parts): (Vec<_>, Vec<_>) = interreduced(&mut echelon, leading, &columns).into_iter().unzip();
-        self.trace_rows(&pivots, parts)?;
+        self.trace_rows(&pivots, parts);
         let elements = rows.into_iter().map(|(support, values): InternedPolynomial| {
             BasisElement::new(support.into_iter().map(|id| *self.table.monomial(id)).zip(values).collect())
         });

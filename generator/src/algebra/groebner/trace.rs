@@ -5,11 +5,11 @@
 //! generators. Their coefficients are not kept: a later elimination finds them, and may find that
 //! fewer multiples suffice (Traverso, "Gröbner trace algorithms", ISSAC 1988).
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
 use super::f4;
 use super::{GroebnerBasis, GroebnerError, Limits, MonomialOrder};
-use crate::algebra::{Monomial, Polynomial, PrimeField};
+use crate::algebra::{Monomial, MonomialSet, Polynomial, PrimeField};
 
 /// A multiple of a generator: its position and the multiplier.
 pub type GeneratorMultiple = (usize, Monomial);
@@ -18,8 +18,7 @@ pub type GeneratorMultiple = (usize, Monomial);
 #[derive(Clone, Debug)]
 pub struct TracedBasis {
     basis: GroebnerBasis,
-    /// For each element of the basis; distinct.
-    multiples: Vec<Vec<GeneratorMultiple>>,
+    trace: Trace,
 }
 
 impl TracedBasis {
@@ -28,9 +27,9 @@ impl TracedBasis {
     /// # Errors
     /// As [`super::groebner_basis`].
     pub fn new(field: PrimeField, generators: &[Polynomial<u32>], limits: &Limits) -> Result<Self, GroebnerError> {
-        let (elements, multiples) = f4::traced_basis(field, generators, limits)?;
+        let (elements, trace) = f4::traced_basis(field, generators, limits)?;
         let basis = GroebnerBasis::from_elements(field, MonomialOrder::GrevLex, elements);
-        Ok(Self { basis, multiples })
+        Ok(Self { basis, trace })
     }
 
     /// The basis.
@@ -39,100 +38,106 @@ impl TracedBasis {
     }
 
     /// Multiples of the generators in whose span every one of the monomials minus its normal form
-    /// is. Returns `None` if a monomial has a negative exponent, or an exponent grows beyond 127.
+    /// is.
     ///
     /// Reducible monomials that the reduction of others leaves are reduced in turn.
-    pub fn multiples_for(&self, monomials: impl IntoIterator<Item = Monomial>) -> Option<BTreeSet<GeneratorMultiple>> {
+    ///
+    /// # Errors
+    /// [`GroebnerError::ExponentOutOfRange`] if a monomial has a negative exponent, or an exponent
+    /// grows beyond 127; [`GroebnerError::LimitReached`] if more than `limit` multiples of elements
+    /// of the trace take part.
+    pub fn multiples_for(
+        &self,
+        monomials: impl IntoIterator<Item = Monomial>,
+        limit: usize,
+    ) -> Result<BTreeSet<GeneratorMultiple>, GroebnerError> {
         let mut waiting: Vec<Monomial> = monomials.into_iter().collect();
-        let mut seen: BTreeSet<Monomial> = waiting.iter().copied().collect();
-        let mut multiples = BTreeSet::new();
+        let mut seen: MonomialSet = waiting.iter().copied().collect();
+        let mut wanted = Vec::new();
+        // Elements of the basis are the last ones of the trace.
+        let first = self.trace.elements.len() - self.basis.elements().len();
         while let Some(monomial) = waiting.pop() {
             if !monomial.is_polynomial() {
-                return None;
+                return Err(GroebnerError::ExponentOutOfRange);
             }
-            let mut elements = self.basis.elements().iter().zip(&self.multiples);
-            let divisor = elements.find(|(element, _)| element.leading_monomial().divides(&monomial));
-            let Some((element, of_element)) = divisor else { continue };
+            let mut elements = self.basis.elements().iter().enumerate();
+            let divisor = elements.find(|(_, element)| element.leading_monomial().divides(&monomial));
+            let Some((at, element)) = divisor else { continue };
             let multiplier = monomial.over(&element.leading_monomial());
-            for (generator, m) in of_element {
-                multiples.insert((*generator, m.checked_mul(&multiplier)?));
-            }
+            wanted.push((first + at, multiplier));
             for (term, _) in element.terms().iter().skip(1) {
-                let next = term.checked_mul(&multiplier)?;
+                let next = term.checked_mul(&multiplier).ok_or(GroebnerError::ExponentOutOfRange)?;
                 if seen.insert(next) {
                     waiting.push(next);
                 }
             }
         }
-        Some(multiples)
+        self.trace.expanded(wanted, limit)
     }
 }
 
-/// The trace of a basis under construction: for each element the multiples of generators whose
-/// combination it is.
-#[derive(Debug, Default)]
+/// How the elements of a basis were found, those that became redundant among them.
+#[derive(Clone, Debug, Default)]
 pub(super) struct Trace {
-    /// The number of each multiple that occurs.
-    numbers: HashMap<GeneratorMultiple, u32>,
-    multiples: Vec<GeneratorMultiple>,
-    /// Increasing numbers, for each element.
-    of_elements: Vec<Vec<u32>>,
+    elements: Vec<Combination>,
+}
+
+/// What an element is a combination of.
+#[derive(Clone, Debug)]
+enum Combination {
+    /// These generators.
+    Generators(Vec<usize>),
+    /// Multiples (element, multiplier) of earlier elements.
+    Multiples(Vec<(usize, Monomial)>),
 }
 
 impl Trace {
     /// Adds an element that is a combination of generators.
-    pub(super) fn add_combination_of_generators(&mut self, generators: impl Iterator<Item = usize>) {
-        let mut numbers: Vec<u32> = generators.filter_map(|at| self.number((at, Monomial::ONE))).collect();
-        numbers.sort_unstable();
-        self.of_elements.push(numbers);
+    pub(super) fn add_combination_of_generators(&mut self, generators: Vec<usize>) {
+        self.elements.push(Combination::Generators(generators));
     }
 
     /// Adds an element that is a combination of multiples (element, multiplier) of earlier ones.
-    ///
-    /// # Errors
-    /// [`GroebnerError::LimitReached`] if there are more multiples than can be numbered, or
-    /// [`GroebnerError::ExponentOutOfRange`].
-    pub(super) fn add_combination(
-        &mut self,
-        parts: impl Iterator<Item = (usize, Monomial)>,
-    ) -> Result<(), GroebnerError> {
-        let mut is_used: Vec<bool> = vec![false; self.multiples.len()];
-        for (element, multiplier) in parts {
-            for at in 0..self.of_elements[element].len() {
-                let (generator, m) = self.multiples[self.of_elements[element][at] as usize];
-                let product = m.checked_mul(&multiplier).ok_or(GroebnerError::ExponentOutOfRange)?;
-                let limit = u32::MAX as usize;
-                let too_many = GroebnerError::LimitReached { what: "multiples of generators", limit };
-                let number = self.number((generator, product)).ok_or(too_many)? as usize;
-                if number >= is_used.len() {
-                    is_used.resize(number + 1, false);
+    pub(super) fn add_combination(&mut self, parts: Vec<(usize, Monomial)>) {
+        self.elements.push(Combination::Multiples(parts));
+    }
+
+    /// The multiples of generators that multiples of elements are combinations of. Each multiple of
+    /// an element is looked at once, however many others it is a part of.
+    fn expanded(
+        &self,
+        mut waiting: Vec<(usize, Monomial)>,
+        limit: usize,
+    ) -> Result<BTreeSet<GeneratorMultiple>, GroebnerError> {
+        let mut seen = vec![MonomialSet::default(); self.elements.len()];
+        waiting.retain(|&(element, multiplier)| seen[element].insert(multiplier));
+        let mut count = waiting.len();
+        let mut multiples = BTreeSet::new();
+        while let Some((element, multiplier)) = waiting.pop() {
+            match &self.elements[element] {
+                Combination::Generators(generators) => multiples.extend(generators.iter().map(|&at| (at, multiplier))),
+                Combination::Multiples(parts) => {
+                    for (part, m) in parts {
+                        let product = m.checked_mul(&multiplier).ok_or(GroebnerError::ExponentOutOfRange)?;
+                        if seen[*part].insert(product) {
+                            waiting.push((*part, product));
+                            count += 1;
+                        }
+                    }
                 }
-                is_used[number] = true;
+            }
+            if count > limit {
+                return Err(GroebnerError::LimitReached { what: "multiples of elements", limit });
             }
         }
-        self.of_elements.push((0..is_used.len()).filter(|&at| is_used[at]).map(|at| at as u32).collect());
-        Ok(())
-    }
-
-    fn number(&mut self, multiple: GeneratorMultiple) -> Option<u32> {
-        if let Some(&number) = self.numbers.get(&multiple) {
-            return Some(number);
-        }
-        let number = u32::try_from(self.multiples.len()).ok()?;
-        self.numbers.insert(multiple, number);
-        self.multiples.push(multiple);
-        Some(number)
-    }
-
-    /// The multiples of the generators that give the elements from the one at `first` on.
-    pub(super) fn from(&self, first: usize) -> Vec<Vec<GeneratorMultiple>> {
-        let multiples = |numbers: &Vec<u32>| numbers.iter().map(|&at| self.multiples[at as usize]).collect();
-        self.of_elements.iter().skip(first).map(multiples).collect()
+        Ok(multiples)
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::collections::HashMap;
+
     use super::*;
     use crate::algebra::{Echelon, PRIMES, Random};
     use crate::problem::instance::Draw;
@@ -141,8 +146,7 @@ mod tests {
     fn spans(field: PrimeField, rows: &[Polynomial<u32>], wanted: &[Polynomial<u32>]) -> bool {
         let monomials: BTreeSet<Monomial> = rows.iter().chain(wanted).flat_map(Polynomial::monomials).collect();
         let column: HashMap<Monomial, u32> = monomials.iter().zip(0..).map(|(&m, at)| (m, at)).collect();
-        let entries =
-            |f: &Polynomial<u32>| f.terms().iter().map(|&(m, value)| (column[&m], value)).collect::<Vec<_>>();
+        let entries = |f: &Polynomial<u32>| f.terms().iter().map(|&(m, value)| (column[&m], value)).collect::<Vec<_>>();
         let mut echelon = Echelon::new(field, monomials.len());
         rows.iter().for_each(|row| {
             echelon.insert_sparse(&entries(row));
@@ -175,7 +179,7 @@ mod tests {
             );
             let wanted: Vec<Monomial> =
                 basis.leading_monomials().iter().map(|m| m.times(&Monomial::unknown(system % unknowns))).collect();
-            let multiples = traced.multiples_for(wanted.iter().copied()).unwrap();
+            let multiples = traced.multiples_for(wanted.iter().copied(), 10_000).unwrap();
             let times = |&(at, m): &GeneratorMultiple| generators[at].times_term(field, &m, 1).unwrap();
             let rows: Vec<Polynomial<u32>> = multiples.iter().map(times).collect();
             let relation = |m: &Monomial| {
@@ -188,6 +192,7 @@ mod tests {
             };
             let relations: Vec<Polynomial<u32>> = wanted.iter().map(relation).collect();
             assert!(spans(field, &rows, &relations), "system {system}");
+            assert!(traced.multiples_for(wanted.iter().copied(), 1).is_err() || multiples.len() <= unknowns);
             // A test that cannot fail would be of no use: the generators alone do not span them.
             assert!(basis.elements().len() <= unknowns || !spans(field, &generators, &relations));
         }

@@ -6,7 +6,7 @@ use super::provenance;
 use super::settings::{Settings, Tracing};
 use crate::check::check;
 use crate::command::error::CommandError;
-use crate::command::watch::{End, Watch};
+use crate::command::watch::{End, OfTrace, Watch};
 use crate::generate::plan;
 use crate::problem::Problem;
 use crate::search::choose::{Choice, Verdict, choose};
@@ -71,7 +71,7 @@ pub(super) fn search(task: Task<'_>, settings: Settings) -> Result<Outcome, Comm
         Ok(found) => conclude(task, settings, Candidates::of(found)).map(Ok),
         Err(error) => Ok(Err(error)),
     };
-    let traced = |settings: Settings| match traced_candidates(problem, &count, &settings.options, watch) {
+    let traced = |settings: Settings| match traced_candidates(problem, &count, &settings.options, &OfTrace(watch)) {
         Ok(found) => conclude(task, settings, Candidates::of(found)),
         Err(error) => Err(CommandError::of_search(path, problem, error)),
     };
@@ -80,7 +80,11 @@ pub(super) fn search(task: Task<'_>, settings: Settings) -> Result<Outcome, Comm
     }
     let tracing = settings.tracing;
     let or_traced = |attempt: Attempt, settings: Settings| match attempt {
-        Err(SearchError::NotFound { .. }) if tracing == Tracing::WhereNothingIsFound => traced(settings),
+        Err(SearchError::NotFound { .. } | SearchError::TooFewColumns { .. })
+            if tracing == Tracing::WhereNothingIsFound =>
+        {
+            traced(settings)
+        }
         attempt => attempt.map_err(|error| CommandError::of_search(path, problem, error)),
     };
     let (narrow, widened, limit) = (settings.clone(), settings.widened(), settings.options.max_columns);
@@ -105,7 +109,7 @@ type Attempt = Result<Outcome, SearchError>;
 fn needs_more_columns(attempt: &Attempt) -> bool {
     match attempt {
         Ok(outcome) => !outcome.solves_well() && outcome.end.is_none(),
-        Err(error) => matches!(error, SearchError::NotFound { is_over: false, .. }),
+        Err(error) => matches!(error, SearchError::NotFound { is_over: false, .. } | SearchError::TooFewColumns { .. }),
     }
 }
 
