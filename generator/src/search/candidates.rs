@@ -65,12 +65,16 @@ pub fn candidates(
     candidates_of(problem, count, &strategies, options, monitor)
 }
 
+/// Number of formulations whose trace is taken even if the search is over.
+const TRACED_IN_ANY_CASE: usize = 2;
+
 /// The templates by the trace of a Gröbner basis, for a problem for which [`candidates`] finds
 /// none. `max_columns` and `shard` of the options do not matter.
 ///
 /// A template exists if the equations have finitely many solutions even where factors that must not
-/// vanish do. The formulations are tried one after another until one gives candidates, even if the
-/// monitor says that the search is over; it then only cuts short how templates are reduced.
+/// vanish do. The formulations are tried one after another until one gives candidates. If the
+/// monitor says that the search is over it cuts short how templates are reduced, and no more than
+/// [`TRACED_IN_ANY_CASE`] formulations are tried.
 pub fn traced_candidates(
     problem: &Problem,
     count: &SolutionCount,
@@ -80,6 +84,9 @@ pub fn traced_candidates(
     let formulations = formulations(problem, options)?;
     let mut failed = Vec::new();
     for (at, strategy) in traced_strategies(&formulations).into_iter().enumerate() {
+        if at >= TRACED_IN_ANY_CASE && monitor.is_over(Stage::Searching) {
+            break;
+        }
         monitor.say(&format!("{} solutions; the trace of a Gröbner basis", count.solutions));
         match candidates_of(problem, count, &[Numbered { at, strategy }], options, monitor) {
             Err(SearchError::NotFound { failed: more, .. }) => failed.extend(more),

@@ -90,7 +90,7 @@ pub(crate) fn seed_sets(
 const TRACED_SETS: usize = 2;
 
 /// Most rows of a traced set that is reduced: its elimination takes minutes.
-pub(crate) const MOST_TRACED_ROWS: usize = 12_000;
+pub(crate) const MOST_TRACED_ROWS: usize = 50_000;
 
 /// The seed sets by the trace of a Gröbner basis, the smallest ones, each for its action monomial.
 /// There are none if the basis is too large.

@@ -17,7 +17,10 @@ use crate::template::Shift;
 
 /// Multiples of elements of a trace that are looked at for one set of shifts; there are at most as
 /// many rows.
-const MOST_MULTIPLES: usize = 200_000;
+const MOST_MULTIPLES: usize = 1_000_000;
+
+/// No further set is looked at after this many were too large.
+const MOST_TOO_LARGE: usize = 3;
 
 /// Shifts from which an action monomial solves.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -40,21 +43,25 @@ pub(crate) fn traced_shifts(formulation: &Formulation, solutions: usize) -> Resu
     let width = formulation.reduced.problem.unknowns.len();
     let standard = on_kept(formulation, &traced, width, limits.max_quotient_dimension);
     let Some(standard) = standard else { return Ok(Vec::new()) };
-    let (mut sets, mut too_large) = (Vec::new(), None);
+    let (mut sets, mut too_large) = (Vec::new(), Vec::new());
     for class in classes(formulation, standard) {
-        if class.len() < formulation.requirements(solutions, usize::MAX).solutions {
+        if too_large.len() >= MOST_TOO_LARGE || class.len() < formulation.requirements(solutions, usize::MAX).solutions
+        {
             continue;
         }
         for &action in formulation.actions.iter().filter(|action| action.is_polynomial()) {
             let image = class.iter().map(|m| m.times(&action)).chain(to_read(formulation, &class));
             match traced.multiples_for(image, MOST_MULTIPLES) {
                 Ok(multiples) => sets.push(TracedShifts { action, shifts: shifts_of(multiples) }),
-                Err(error) => too_large = Some(error),
+                Err(error) => too_large.push(error),
+            }
+            if too_large.len() >= MOST_TOO_LARGE {
+                break;
             }
         }
     }
     sets.sort_by_key(|set| set.shifts.len());
-    match too_large {
+    match too_large.pop() {
         Some(error) if sets.is_empty() => Err(error),
         _ => Ok(sets),
     }
