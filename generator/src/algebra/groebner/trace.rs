@@ -159,7 +159,7 @@ mod tests {
         let field = PrimeField::new(PRIMES[0]);
         let mut random = Random::new(5);
         for system in 0..12 {
-            let unknowns = 2 + system % 3;
+            let unknowns = 2 + system % 2;
             let mut polynomial = || {
                 let monomial = |random: &mut Random| {
                     let exponents: Vec<i8> = (0..unknowns).map(|_| random.below(3) as i8).collect();
@@ -179,7 +179,7 @@ mod tests {
             );
             let wanted: Vec<Monomial> =
                 basis.leading_monomials().iter().map(|m| m.times(&Monomial::unknown(system % unknowns))).collect();
-            let multiples = traced.multiples_for(wanted.iter().copied(), 10_000).unwrap();
+            let multiples = traced.multiples_for(wanted.iter().copied(), 1_000_000).unwrap();
             let times = |&(at, m): &GeneratorMultiple| generators[at].times_term(field, &m, 1).unwrap();
             let rows: Vec<Polynomial<u32>> = multiples.iter().map(times).collect();
             let relation = |m: &Monomial| {
