@@ -5,6 +5,7 @@ use crate::algebra::{
     GroebnerBasis, GroebnerError, Limits, Monomial, MonomialOrder, PRIMES, Polynomial, PrimeField, QuotientRing,
     count_points, saturate,
 };
+use crate::presolve::symmetry::Symmetry;
 use crate::problem::Problem;
 use crate::problem::diagnostic::{Diagnostic, Diagnostics};
 use crate::problem::instance::{Draw, Instance};
@@ -22,6 +23,17 @@ pub struct SolutionCount {
     pub at_origin: usize,
     /// Size of the reduced grevlex Gröbner basis.
     pub basis_elements: usize,
+}
+
+impl SolutionCount {
+    /// A lower bound on the columns of an elimination template of the problem.
+    ///
+    /// The basis B holds a monomial for each solution that is to be computed, up to the changes of
+    /// sign that the problem allows. And no finite set of monomials holds all its products aB with
+    /// an action monomial a: there is a column outside of B.
+    pub fn least_columns(&self, problem: &Problem) -> usize {
+        (self.solutions - self.at_origin).div_ceil(Symmetry::of_problem(problem).order()) + 1
+    }
 }
 
 /// The instances at which solutions are counted: (prime, seed).

@@ -160,12 +160,15 @@ fn a_budget_that_does_not_bind_changes_nothing() {
     let report = json(&folder, &["search", "two_conics.rs", "--trials", "50", "--confirm", "1000", "--budget", "3600"]);
     assert!(report["cut"].is_null(), "{report}");
     assert_eq!(fs::read_to_string(folder.join(TEMPLATE)).unwrap(), free);
-    // No time at all: nothing can be found, and nothing is touched.
-    let output = search(&folder, &["--budget", "1e-9"]);
+    // No time at all, and a limit on columns: nothing can be found, and nothing is touched.
+    let output = search(&folder, &["--budget", "1e-9", "--max-columns", "600"]);
     assert_eq!(status(&output), 1);
     assert!(stderr(&output).contains("the search ended early"), "{}", stderr(&output));
     assert_eq!(fs::read_to_string(folder.join(TEMPLATE)).unwrap(), free);
     assert_eq!(names(&folder), ["two_conics.rs", TEMPLATE]);
+    // Without a limit there is a template by the trace of a Gröbner basis.
+    let traced = json(&folder, &["search", "two_conics.rs", "--budget", "1e-9"]);
+    assert_eq!((&traced["rows"], &traced["basis"]), (&6.into(), &4.into()), "{traced}");
 }
 
 /// A monitor that ends the search after this number of questions.

@@ -18,8 +18,8 @@ pub use eigenpair::Eigenpair;
 pub use field::{PRIMES, PrimeField};
 #[cfg(feature = "search")]
 pub use groebner::{
-    BasisElement, GroebnerBasis, GroebnerError, Limits, MonomialOrder, OrderKey, QuotientRing, change_order,
-    count_points, groebner_basis, saturate,
+    BasisElement, GeneratorMultiple, GroebnerBasis, GroebnerError, Limits, MonomialOrder, OrderKey, QuotientRing,
+    TracedBasis, change_order, count_points, groebner_basis, saturate,
 };
 pub use matrix::DenseMatrix;
 pub use monomial::{MAX_UNKNOWNS, Monomial, MonomialMap, MonomialSet};

@@ -42,6 +42,8 @@ struct ProblemReport {
     solutions: usize,
     /// Number of different solutions.
     different: usize,
+    /// Every elimination template has at least this many columns.
+    least_columns: usize,
     /// Groups of unknowns: changing the signs of a group turns a solution into another.
     sign_changes: Vec<Vec<String>>,
     /// Whether all unknowns 0 is a solution that no factor excludes.
@@ -79,6 +81,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         data: problem.input_count(),
         solutions: count.solutions,
         different: count.different,
+        least_columns: count.least_columns(&problem),
         sign_changes: sign_changes(&problem),
         origin: problem.has_origin(),
         presolve: forms(&problem),
@@ -167,6 +170,7 @@ impl fmt::Display for ProblemReport {
             different if different == self.solutions => writeln!(f, "solutions  {different}")?,
             different => writeln!(f, "solutions  {different} different ones, {} with multiplicity", self.solutions)?,
         }
+        writeln!(f, "columns    at least {} in every elimination template", self.least_columns)?;
         if self.origin {
             let name = self.unknown_names.first().map_or("x", String::as_str);
             writeln!(f, "origin     all unknowns 0 is a solution, and is counted. Exclude it with `{name} != 0;`")?;

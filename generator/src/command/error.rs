@@ -93,6 +93,9 @@ impl CommandError {
             let more = (3 * limit).min(MOST_COLUMNS);
             hint += &format!("\nhelp: `--max-columns {more}` looks further, and takes longer");
         }
+        if let SearchError::TooFewColumns { least, .. } = error {
+            hint += &format!("\nhelp: `--max-columns` must be more than {least}, or left out");
+        }
         let is_sum = |factor: &Statement| factor.polynomial.terms().len() > 1;
         if problem.nonzero.iter().any(is_sum) {
             hint += "\nhelp: rows can be divided by a factor that must not vanish if it is an unknown of its own: `w == FACTOR; w != 0;`";

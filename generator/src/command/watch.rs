@@ -15,6 +15,8 @@ static INTERRUPTS: AtomicUsize = AtomicUsize::new(0);
 const INTERRUPTED: i32 = 130;
 /// The part of a budget that is for searching. The rest is for measuring.
 const SEARCHING: f64 = 0.7;
+/// The same where a template is made by the trace of a Gröbner basis, after growing found nothing.
+const TRACING: f64 = 0.9;
 /// After Ctrl-C the best candidates so far are still measured, for this time at most.
 const LAST_MEASUREMENTS: Duration = Duration::from_secs(10);
 
@@ -99,8 +101,29 @@ impl Monitor for Watch {
     }
 
     fn is_over(&self, stage: Stage) -> bool {
+        self.is_over_at(stage, SEARCHING)
+    }
+}
+
+/// The monitor of a template by the trace of a Gröbner basis. What is left of the budget is for
+/// making it smaller.
+pub(super) struct OfTrace<'a>(pub(super) &'a Watch);
+
+impl Monitor for OfTrace<'_> {
+    fn say(&self, message: &str) {
+        self.0.say(message);
+    }
+
+    fn is_over(&self, stage: Stage) -> bool {
+        self.0.is_over_at(stage, TRACING)
+    }
+}
+
+impl Watch {
+    /// Whether a stage is over if the search ends after a part of the budget.
+    fn is_over_at(&self, stage: Stage, searching: f64) -> bool {
         let part = match stage {
-            Stage::Searching => SEARCHING,
+            Stage::Searching => searching,
             Stage::Measuring => 1.0,
         };
         let interrupted = self.interrupted_at().is_some_and(|at| match stage {

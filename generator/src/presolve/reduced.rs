@@ -65,7 +65,7 @@ impl Presolve {
     }
 
     /// Whether equations are solved at run time.
-    pub(super) fn solves_at_run_time(self) -> bool {
+    pub(crate) fn solves_at_run_time(self) -> bool {
         matches!(self, Self::Eliminated | Self::Solved | Self::Hiding(_))
     }
 

@@ -14,7 +14,7 @@ use super::options::SearchOptions;
 use super::preference::Preference;
 use super::reduce_strategy::{StrategyContext, StrategyTemplates, reduce_strategy};
 use super::seed_sets::obstacle;
-use super::strategy::{Strategy, strategies};
+use super::strategy::{Strategy, strategies, traced_strategies};
 use crate::check::SolutionCount;
 use crate::generate::{determinant_chains, gives_its_solutions};
 use crate::plan::schedule::{ScheduleError, schedule};
@@ -52,16 +52,64 @@ pub fn candidates(
     options: &SearchOptions,
     monitor: &dyn Monitor,
 ) -> Result<Found, SearchError> {
-    // The origin is a solution that takes no row: the solver knows it without an eigenvalue.
-    let solutions = count.solutions - count.at_origin;
+    let least = count.least_columns(problem);
+    if least > options.max_columns {
+        return Err(SearchError::TooFewColumns { max_columns: options.max_columns, least });
+    }
     let formulations = formulations(problem, options)?;
     let all = strategies(&formulations).into_iter().enumerate();
     let strategies: Vec<Numbered<'_>> =
         all.filter(|(at, _)| options.shard.holds(*at)).map(|(at, strategy)| Numbered { at, strategy }).collect();
-    monitor.say(&format!("{} solutions; growing shifts by {} strategies", count.solutions, strategies.len()));
+    let (solutions, ways) = (count.solutions, strategies.len());
+    monitor.say(&format!("{solutions} solutions, at least {least} columns; growing shifts by {ways} strategies"));
+    candidates_of(problem, count, &strategies, options, monitor)
+}
+
+/// Number of formulations whose trace is taken even if the search is over.
+const TRACED_IN_ANY_CASE: usize = 2;
+
+/// The templates by the trace of a Gröbner basis, for a problem for which [`candidates`] finds
+/// none. `max_columns` and `shard` of the options do not matter.
+///
+/// A template exists if the equations have finitely many solutions even where factors that must not
+/// vanish do. The formulations are tried one after another until one gives candidates. If the
+/// monitor says that the search is over it cuts short how templates are reduced, and no more than
+/// [`TRACED_IN_ANY_CASE`] formulations are tried.
+pub fn traced_candidates(
+    problem: &Problem,
+    count: &SolutionCount,
+    options: &SearchOptions,
+    monitor: &dyn Monitor,
+) -> Result<Found, SearchError> {
+    let formulations = formulations(problem, options)?;
+    let mut failed = Vec::new();
+    for (at, strategy) in traced_strategies(&formulations).into_iter().enumerate() {
+        if at >= TRACED_IN_ANY_CASE && monitor.is_over(Stage::Searching) {
+            break;
+        }
+        monitor.say(&format!("{} solutions; the trace of a Gröbner basis", count.solutions));
+        match candidates_of(problem, count, &[Numbered { at, strategy }], options, monitor) {
+            Err(SearchError::NotFound { failed: more, .. }) => failed.extend(more),
+            other => return other,
+        }
+    }
+    let is_over = monitor.is_over(Stage::Searching);
+    Err(SearchError::NotFound { max_columns: options.max_columns, failed, untried: 0, is_over })
+}
+
+/// All templates of some strategies.
+fn candidates_of(
+    problem: &Problem,
+    count: &SolutionCount,
+    strategies: &[Numbered<'_>],
+    options: &SearchOptions,
+    monitor: &dyn Monitor,
+) -> Result<Found, SearchError> {
+    // The origin is a solution that takes no row: the solver knows it without an eigenvalue.
+    let solutions = count.solutions - count.at_origin;
     let is_over = || monitor.is_over(Stage::Searching);
     let context = StrategyContext { solutions, options, cache: &Cache::default(), monitor };
-    let reduced = map(&strategies, |numbered| reduce_strategy(&numbered.strategy, &context), &is_over);
+    let reduced = map(strategies, |numbered| reduce_strategy(&numbered.strategy, &context), &is_over);
     let untried = reduced.iter().filter(|reduced| reduced.is_none()).count();
     let mut work: Vec<(&Numbered<'_>, &EliminationTemplate)> = Vec::new();
     for (numbered, reduced) in strategies.iter().zip(&reduced) {
@@ -77,7 +125,7 @@ pub fn candidates(
     let unplanned = planned.iter().filter(|planned| planned.is_none()).count();
     let candidates = in_order(planned.into_iter().flatten().flatten().collect(), options.prefer);
     if candidates.is_empty() {
-        let failed = failed_strategies(&strategies, reduced, solutions, &problem.unknowns);
+        let failed = failed_strategies(strategies, reduced, solutions, &problem.unknowns);
         return Err(SearchError::NotFound { max_columns: options.max_columns, failed, untried, is_over: is_over() });
     }
     monitor.say(&format!("{} different templates", candidates.len()));
@@ -124,8 +172,11 @@ fn failed_strategies(
     unknowns: &[String],
 ) -> Vec<FailedStrategy> {
     let failed = |(numbered, reduced): (&Numbered<'_>, Option<StrategyTemplates>)| {
-        let StrategyTemplates { tried, largest, unsolved, .. } = reduced?;
+        let StrategyTemplates { tried, largest, unsolved, is_too_large, .. } = reduced?;
         let strategy = &numbered.strategy;
+        if is_too_large {
+            return Some(FailedStrategy::too_large(strategy.describe(), tried, largest));
+        }
         let obstacle = unsolved.map(|matrix| obstacle(strategy.formulation, &matrix, solutions));
         Some(FailedStrategy::new(strategy.describe(), tried, largest, obstacle.as_ref(), unknowns))
     };

@@ -8,6 +8,17 @@ pub enum SearchError {
     /// Random data over Z_p could not be drawn with the support of the problem.
     #[error("no random instance has the support of the problem: a coefficient vanishes for most data")]
     NoInstance,
+    /// Every template has more columns than the limit.
+    #[error(
+        "every elimination template has at least {least} columns, one for each solution up to sign and one more; \
+         the limit is {max_columns}"
+    )]
+    TooFewColumns {
+        /// The limit on the number of columns.
+        max_columns: usize,
+        /// [`crate::check::SolutionCount::least_columns`].
+        least: usize,
+    },
     /// No set of shifts within the limits solves.
     #[error(
         "no elimination template within {max_columns} columns{}: {}",

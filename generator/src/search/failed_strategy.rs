@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::seed_sets::MOST_TRACED_ROWS;
 use super::solving_set::Obstacle;
 
 /// A strategy none of whose sets of shifts solves.
@@ -38,6 +39,14 @@ impl FailedStrategy {
             None => ("no template that was found holds for other data".to_owned(), (0, 0)),
         };
         Self { strategy, sets, rows, columns, obstacle, distance }
+    }
+}
+
+impl FailedStrategy {
+    /// A strategy by the trace of a Gröbner basis that needs too many rows.
+    pub(crate) fn too_large(strategy: String, sets: usize, (columns, rows): (usize, usize)) -> Self {
+        let obstacle = format!("the first template has more than {MOST_TRACED_ROWS} rows");
+        Self { strategy, sets, rows, columns, obstacle, distance: (usize::MAX, 0) }
     }
 }
 

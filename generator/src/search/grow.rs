@@ -41,6 +41,8 @@ pub enum Growth {
     /// Every equation is first multiplied by the unknowns that it lacks, which is up to a common
     /// monomial the same as division by those that it has.
     Laurent(i32),
+    /// The shifts from which F4 computes a Gröbner basis: `traced_shifts`. Nothing is grown.
+    Trace,
 }
 
 impl std::fmt::Display for Growth {
@@ -51,6 +53,7 @@ impl std::fmt::Display for Growth {
                 write!(f, "degree, {extra_degree} more in the unknowns {group:?}")
             }
             Self::Neighbours => write!(f, "neighbours"),
+            Self::Trace => write!(f, "trace of the Gröbner basis"),
             Self::BestShift(0) => write!(f, "best shift"),
             Self::BestShift(levels) => write!(f, "best shift after {levels} levels of neighbours"),
             Self::Laurent(0) => write!(f, "best Laurent shift"),
@@ -79,7 +82,7 @@ impl<'a> Shifts<'a> {
         let level = match &growth {
             Growth::Degree(weights) => highest(equations, weights) - 1,
             Growth::Bigraded { group, .. } => highest(equations, &outside(unknowns, group)) - 1,
-            Growth::Neighbours | Growth::BestShift(_) | Growth::Laurent(_) => -1,
+            Growth::Neighbours | Growth::BestShift(_) | Growth::Laurent(_) | Growth::Trace => -1,
         };
         let is_laurent = matches!(growth, Growth::Laurent(_));
         let lacks = |f: &Polynomial<u32>, unknown: usize| f.monomials().all(|m| m.exponent(unknown) == 0);
@@ -150,6 +153,7 @@ impl Iterator for Shifts<'_> {
             Growth::Degree(weights) => self.grow_by_degree(&weights),
             Growth::Bigraded { group, extra_degree } => self.grow_by_two_degrees(&group, extra_degree),
             // The equations themselves, with all other shifts that fit into their monomials.
+            Growth::Trace => return None,
             _ if self.level == 0 => {
                 let within = shifts_within(self.accepted.equations, &self.accepted.support);
                 self.accepted.shifts.extend(within);

@@ -39,6 +39,9 @@ mod index_set;
 
 pub mod tableau;
 
+// A Gröbner basis to sets of shifts that solve.
+mod traced_shifts;
+
 // A strategy to the sets of shifts that solve.
 mod seed_sets;
 
@@ -68,6 +71,6 @@ pub mod measuring;
 pub mod choose;
 
 pub use candidate::TemplateCandidate;
-pub use candidates::{Found, candidates, in_order};
+pub use candidates::{Found, candidates, in_order, traced_candidates};
 pub use error::SearchError;
 pub use options::{MOST_COLUMNS, SearchOptions};

@@ -11,7 +11,7 @@ pub enum Preference {
     Speed,
     /// Fewest missed solutions, then smallest residuals, at a bounded cost
     Stability,
-    /// Fewest rows, at a bounded cost
+    /// Fewest rows, whatever they cost
     Size,
 }
 
@@ -26,8 +26,7 @@ pub struct Cost {
     pub nanoseconds: usize,
     /// Predicted nanoseconds of a second attempt.
     pub second_attempt: usize,
-    /// Operations of one solve, by which the work of measuring it is bounded, and the cost of few
-    /// rows.
+    /// Operations of one solve, by which the work of measuring it is bounded.
     pub operations: usize,
     /// Rows of the template.
     pub rows: usize,

@@ -6,7 +6,7 @@ use super::improve::Improvement;
 use super::monitor::Monitor;
 use super::options::SearchOptions;
 use super::reduce::{DeletionOrder, reduce};
-use super::seed_sets::{SolvingShifts, seed_sets};
+use super::seed_sets::{SeedSets, SolvingShifts, seed_sets};
 use super::strategy::Strategy;
 use crate::algebra::Monomial;
 use crate::template::EliminationTemplate;
@@ -31,6 +31,8 @@ pub(crate) struct StrategyTemplates {
     pub(crate) largest: (usize, usize),
     /// The largest set if none solves.
     pub(crate) unsolved: Option<ShiftMatrix>,
+    /// Whether a set by the trace of a Gröbner basis was left out for its size.
+    pub(crate) is_too_large: bool,
 }
 
 /// Seed sets with more rows than this percentage of the smallest one for the same bound on |B| are
@@ -83,7 +85,8 @@ pub(crate) fn reduce_strategy(strategy: &Strategy<'_>, context: &StrategyContext
             }
         }
     }
-    StrategyTemplates { templates, tried: seeds.tried, largest: seeds.largest, unsolved: seeds.unsolved }
+    let SeedSets { tried, largest, unsolved, is_too_large, .. } = seeds;
+    StrategyTemplates { templates, tried, largest, unsolved, is_too_large }
 }
 
 /// The seed sets to reduce, smallest first.

@@ -10,6 +10,7 @@ use super::options::SearchOptions;
 use super::reduce::{DeletionOrder, independent_rows};
 use super::solving_set::{Dependencies, Obstacle};
 use super::strategy::Strategy;
+use super::traced_shifts::traced_shifts;
 use crate::algebra::Monomial;
 use crate::template::shift_matrix::ShiftMatrix;
 
@@ -22,6 +23,7 @@ pub(crate) struct SolvingShifts {
 }
 
 /// What growing by one strategy gave.
+#[derive(Default)]
 pub(crate) struct SeedSets {
     /// For each level that solves, each action monomial and each bound on |B|.
     pub(crate) solving: Vec<SolvingShifts>,
@@ -31,6 +33,8 @@ pub(crate) struct SeedSets {
     pub(crate) largest: (usize, usize),
     /// The largest set if none solves.
     pub(crate) unsolved: Option<ShiftMatrix>,
+    /// Whether a set by the trace of a Gröbner basis was left out for its size.
+    pub(crate) is_too_large: bool,
 }
 
 /// Levels to go on growing after the first that solves: larger sets sometimes reduce to smaller
@@ -47,8 +51,11 @@ pub(crate) fn seed_sets(
     monitor: &dyn Monitor,
 ) -> SeedSets {
     let Strategy { formulation, growth } = strategy;
+    if *growth == Growth::Trace {
+        return traced_seed_sets(formulation, solutions, monitor);
+    }
     let equations = &formulation.instance.equations;
-    let mut sets = SeedSets { solving: Vec::new(), tried: 0, largest: (0, 0), unsolved: None };
+    let mut sets = SeedSets::default();
     let mut levels_left = LEVELS_BEYOND_FIRST;
     let mut last_look: usize = 0;
     for shifts in Shifts::new(equations, &formulation.reduced.kept, growth.clone(), options.max_columns) {
@@ -65,7 +72,7 @@ pub(crate) fn seed_sets(
         let matrix = ShiftMatrix::new(formulation.instance.field, equations, &shifts);
         sets.tried += 1;
         sets.largest = sets.largest.max((matrix.monomials.len(), matrix.rows.len()));
-        sets.solving.extend(solving_shifts(formulation, &matrix, solutions));
+        sets.solving.extend(solving_shifts(formulation, &formulation.actions, &matrix, solutions));
         if !sets.solving.is_empty() {
             sets.unsolved = None;
             if levels_left == 0 {
@@ -79,13 +86,53 @@ pub(crate) fn seed_sets(
     sets
 }
 
+/// Number of traced sets from which templates are made, the smallest that solve.
+const TRACED_SETS: usize = 2;
+
+/// Most rows of a traced set that is reduced: its elimination takes minutes.
+pub(crate) const MOST_TRACED_ROWS: usize = 50_000;
+
+/// The seed sets by the trace of a Gröbner basis, the smallest ones, each for its action monomial.
+/// There are none if the basis is too large.
+fn traced_seed_sets(formulation: &Formulation, solutions: usize, monitor: &dyn Monitor) -> SeedSets {
+    let mut sets = SeedSets::default();
+    let mut found = 0;
+    let of_trace = traced_shifts(formulation, solutions);
+    sets.is_too_large = of_trace.is_err();
+    for traced in of_trace.unwrap_or_default() {
+        // The first set is looked at in any case.
+        if found == TRACED_SETS || (sets.tried > 0 && monitor.is_over(Stage::Searching)) {
+            break;
+        }
+        if traced.shifts.len() > MOST_TRACED_ROWS {
+            sets.is_too_large = true;
+            break;
+        }
+        let matrix = ShiftMatrix::new(formulation.instance.field, &formulation.instance.equations, &traced.shifts);
+        let (rows, columns) = (matrix.rows.len(), matrix.monomials.len());
+        monitor.say(&format!("{rows} x {columns} by the trace of a Gröbner basis"));
+        sets.tried += 1;
+        sets.largest = sets.largest.max((columns, rows));
+        let solving = solving_shifts(formulation, &[traced.action], &matrix, solutions);
+        found += usize::from(!solving.is_empty());
+        sets.solving.extend(solving);
+        sets.unsolved = sets.solving.is_empty().then_some(matrix);
+    }
+    sets
+}
+
 /// For each action monomial and each bound on |B| the rows that the best solving set needs.
-fn solving_shifts(formulation: &Formulation, matrix: &ShiftMatrix, solutions: usize) -> Vec<SolvingShifts> {
+fn solving_shifts(
+    formulation: &Formulation,
+    actions: &[Monomial],
+    matrix: &ShiftMatrix,
+    solutions: usize,
+) -> Vec<SolvingShifts> {
     let mut solving = Vec::new();
     let limits = formulation.basis_limits(solutions);
     // Which rows are independent depends on no action monomial.
     let independent = independent_rows(matrix, DeletionOrder::HighestFirst);
-    for &action in &formulation.actions {
+    for &action in actions {
         let Some(dependencies) = Dependencies::new(matrix, &action, &independent, &formulation.readings) else {
             continue;
         };

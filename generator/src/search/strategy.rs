@@ -47,6 +47,18 @@ pub(crate) fn strategies(formulations: &[Formulation]) -> Vec<Strategy<'_>> {
     strategies
 }
 
+/// The strategies by the trace of a Gröbner basis, one for each formulation: those with the fewest
+/// unknowns first, of these those that use sign changes, and those that solve for monomials at run
+/// time last.
+pub(crate) fn traced_strategies(formulations: &[Formulation]) -> Vec<Strategy<'_>> {
+    let mut formulations: Vec<&Formulation> = formulations.iter().collect();
+    formulations.sort_by_key(|formulation| {
+        let reduced = &formulation.reduced;
+        (formulation.presolve.solves_at_run_time(), reduced.kept.len(), formulation.symmetry.is_none())
+    });
+    formulations.into_iter().map(|formulation| Strategy { formulation, growth: Growth::Trace }).collect()
+}
+
 /// Weights 1 and 2 in all ways for up to four unknowns, weight 2 for one unknown at a time for
 /// more; bigraded by each group of unknowns in which the equations are linear; neighbours; best
 /// shift, of polynomials and of Laurent polynomials.

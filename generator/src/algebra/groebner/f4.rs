@@ -17,6 +17,7 @@ use super::basis::BasisElement;
 use super::monomial_table::{MonomialId, MonomialTable};
 use super::pairs::{Lead, PairQueue};
 use super::symbolic::{Multiple, Symbolic};
+use super::trace::Trace;
 use super::{GroebnerError, Limits, MonomialOrder};
 use crate::algebra::{Echelon, Monomial, Polynomial, PrimeField};
 
@@ -27,44 +28,30 @@ pub(super) fn reduced_basis(
     order: &MonomialOrder,
     limits: &Limits,
 ) -> Result<Vec<BasisElement>, GroebnerError> {
-    let mut state = F4 {
-        field,
-        order,
-        limits,
-        table: MonomialTable::new(order.clone()),
-        supports: Vec::new(),
-        values: Vec::new(),
-        leads: Vec::new(),
-        pairs: PairQueue::default(),
-    };
-    state.add_input(polynomials)?;
-    for _ in 0..limits.max_rounds {
-        if state.is_unit() {
-            return Ok(vec![BasisElement::one()]);
-        }
-        let pairs = state.pairs.take_least_degree();
-        if pairs.is_empty() {
-            return state.interreduce();
-        }
-        if pairs.iter().any(|pair| pair.lcm.degree() > limits.max_degree) {
-            return Err(GroebnerError::LimitReached {
-                what: "degree",
-                limit: limits.max_degree.unsigned_abs() as usize,
-            });
-        }
-        let mut symbolic = Symbolic::new(&mut state.table, &state.supports, &state.leads, limits.max_matrix_entries);
-        symbolic.add_pairs(&pairs)?;
-        symbolic.close()?;
-        let Symbolic { pivots, to_reduce, columns, .. } = symbolic;
-        let sugar = pairs.first().map_or(0, |pair| pair.degree);
-        let rows = state.eliminate(pivots, to_reduce, columns);
-        state.add_elements(rows, |_| sugar)?;
-    }
-    Err(GroebnerError::LimitReached { what: "rounds", limit: limits.max_rounds })
+    let mut state = F4::new(field, order, limits, None);
+    state.complete(polynomials)?;
+    state.interreduce()
+}
+
+/// The elements of the reduced grevlex basis, by increasing leading monomial, with the trace, which
+/// ends with these elements.
+pub(super) fn traced_basis(
+    field: PrimeField,
+    polynomials: &[Polynomial<u32>],
+    limits: &Limits,
+) -> Result<(Vec<BasisElement>, Trace), GroebnerError> {
+    let mut state = F4::new(field, &MonomialOrder::GrevLex, limits, Some(Trace::default()));
+    state.complete(polynomials)?;
+    let elements = state.interreduce()?;
+    Ok((elements, state.trace.unwrap_or_default()))
 }
 
 /// A polynomial with interned monomials, largest first, and leading coefficient 1.
 type InternedPolynomial = (Vec<MonomialId>, Vec<u32>);
+
+/// A row that elimination gives: the polynomial, and the positions of the rows of the matrix whose
+/// combination it is. They are known only if the basis is traced.
+type Combination = (InternedPolynomial, Vec<usize>);
 
 /// The basis under construction.
 struct F4<'a> {
@@ -79,6 +66,8 @@ struct F4<'a> {
     /// Per element: its leading monomial.
     leads: Vec<Lead>,
     pairs: PairQueue,
+    /// How elements follow from the input, if that is asked for.
+    trace: Option<Trace>,
 }
 
 /// The sorted columns of a matrix.
@@ -103,14 +92,88 @@ impl Columns {
         row.iter().map(|id| self.positions[id.index()]).collect()
     }
 
-    fn polynomial(&self, row: &[(u32, u32)]) -> InternedPolynomial {
-        row.iter().map(|&(column, value)| (self.monomials[column as usize], value)).unzip()
+    fn count(&self) -> usize {
+        self.monomials.len()
+    }
+
+    /// A row of the matrix. Entries behind the columns belong to the rows that it is a combination
+    /// of.
+    fn combination(&self, row: &[(u32, u32)]) -> Combination {
+        let (entries, marks) = row.split_at(row.partition_point(|&(column, _)| (column as usize) < self.count()));
+        let polynomial = entries.iter().map(|&(column, value)| (self.monomials[column as usize], value)).unzip();
+        (polynomial, marks.iter().map(|&(mark, _)| mark as usize - self.count()).collect())
     }
 }
 
-impl F4<'_> {
+impl<'a> F4<'a> {
+    fn new(field: PrimeField, order: &'a MonomialOrder, limits: &'a Limits, trace: Option<Trace>) -> Self {
+        Self {
+            field,
+            order,
+            limits,
+            table: MonomialTable::new(order.clone()),
+            supports: Vec::new(),
+            values: Vec::new(),
+            leads: Vec::new(),
+            pairs: PairQueue::default(),
+            trace,
+        }
+    }
+
+    /// Adds elements until no critical pair is left, or 1 is an element.
+    fn complete(&mut self, polynomials: &[Polynomial<u32>]) -> Result<(), GroebnerError> {
+        let limits = self.limits;
+        self.add_input(polynomials)?;
+        for _ in 0..limits.max_rounds {
+            let pairs = self.pairs.take_least_degree();
+            if self.is_unit() || pairs.is_empty() {
+                return Ok(());
+            }
+            if pairs.iter().any(|pair| pair.lcm.degree() > limits.max_degree) {
+                return Err(GroebnerError::LimitReached {
+                    what: "degree",
+                    limit: limits.max_degree.unsigned_abs() as usize,
+                });
+            }
+            let mut symbolic = Symbolic::new(&mut self.table, &self.supports, &self.leads, limits.max_matrix_entries);
+            symbolic.add_pairs(&pairs)?;
+            symbolic.close()?;
+            let Symbolic { pivots, to_reduce, columns, .. } = symbolic;
+            let sugar = pairs.first().map_or(0, |pair| pair.degree);
+            self.eliminate(pivots, to_reduce, columns, sugar)?;
+        }
+        Err(GroebnerError::LimitReached { what: "rounds", limit: limits.max_rounds })
+    }
+
     fn is_unit(&self) -> bool {
         self.leads.iter().any(|lead| lead.monomial == Monomial::ONE)
+    }
+
+    /// The echelon form of a matrix with this many rows. If the basis is traced there is a further
+    /// column for each row, which is 1 in that row: it marks the rows that a row is made of.
+    fn echelon(&self, columns: &Columns, rows: usize) -> Echelon {
+        Echelon::new(self.field, columns.count() + if self.trace.is_some() { rows } else { 0 })
+    }
+
+    /// The mark of a row, its position among the rows, if there are marks.
+    fn mark(&self, columns: &Columns, row: usize) -> Option<(u32, u32)> {
+        self.trace.is_some().then(|| ((columns.count() + row) as u32, 1))
+    }
+
+    /// Adds a multiple of an element as a row that is not reduced.
+    fn push_multiple(&self, echelon: &mut Echelon, columns: &Columns, row: &Multiple, at: usize) {
+        let mark = self.mark(columns, at);
+        let mut positions = columns.of(&row.monomials);
+        let mut values = self.values[row.element].clone();
+        positions.extend(mark.map(|(column, _)| column));
+        values.extend(mark.map(|(_, value)| value));
+        echelon.push_pivot(positions, values);
+    }
+
+    /// A multiple of an element, by the element and the multiplier.
+    fn factors(&self, row: &Multiple) -> (usize, Monomial) {
+        let leading = row.monomials.first().map_or(Monomial::ONE, |&id| *self.table.monomial(id));
+        (row.element, leading.over(&self.leads[row.element].monomial))
     }
 
     /// Starts with the echelon form of the input.
@@ -127,37 +190,56 @@ impl F4<'_> {
         monomials.sort_unstable_by_key(|id| id.index());
         monomials.dedup();
         let columns = Columns::new(&self.table, monomials);
-        let mut echelon = Echelon::new(self.field, columns.monomials.len());
+        let mut echelon = self.echelon(&columns, rows.len());
         let mut leading = Vec::new();
-        for row in rows {
-            let row: Vec<(u32, u32)> =
+        for (at, row) in rows.into_iter().enumerate() {
+            let mut row: Vec<(u32, u32)> =
                 row.into_iter().map(|(id, value)| (columns.positions[id.index()], value)).collect();
+            row.extend(self.mark(&columns, at));
             leading.extend(echelon.insert_sparse_reduced(&row));
         }
-        let rows = interreduced(&mut echelon, leading, &columns);
+        let (rows, parts): (Vec<_>, Vec<_>) = interreduced(&mut echelon, leading, &columns).into_iter().unzip();
+        if let Some(trace) = &mut self.trace {
+            parts.into_iter().for_each(|parts| trace.add_combination_of_generators(parts));
+        }
         self.add_elements(rows, |polynomial| polynomial.iter().map(Monomial::degree).max().unwrap_or(0))
     }
 
-    /// The rows that elimination adds to the pivots, reduced, by increasing leading monomial.
+    /// Adds the rows that elimination adds to the pivots, reduced, by increasing leading monomial.
     fn eliminate(
-        &self,
+        &mut self,
         pivots: Vec<Multiple>,
         to_reduce: Vec<Multiple>,
         columns: Vec<MonomialId>,
-    ) -> Vec<InternedPolynomial> {
+        sugar: i32,
+    ) -> Result<(), GroebnerError> {
         let columns = Columns::new(&self.table, columns);
-        let mut echelon = Echelon::new(self.field, columns.monomials.len());
+        let mut echelon = self.echelon(&columns, pivots.len() + to_reduce.len());
         // Pivot rows need no reduction: they lead in different columns, and only reduce the others.
-        for row in pivots {
-            echelon.push_pivot(columns.of(&row.monomials), self.values[row.element].clone());
+        for (at, row) in pivots.iter().enumerate() {
+            self.push_multiple(&mut echelon, &columns, row, at);
         }
         let mut leading = Vec::new();
-        for row in to_reduce {
-            let row: Vec<(u32, u32)> =
-                columns.of(&row.monomials).into_iter().zip(self.values[row.element].iter().copied()).collect();
-            leading.extend(echelon.insert_sparse_reduced(&row));
+        for (at, row) in to_reduce.iter().enumerate() {
+            let values = self.values[row.element].iter().copied();
+            let mut entries: Vec<(u32, u32)> = columns.of(&row.monomials).into_iter().zip(values).collect();
+            entries.extend(self.mark(&columns, pivots.len() + at));
+            leading.extend(echelon.insert_sparse_reduced(&entries));
         }
-        interreduced(&mut echelon, leading, &columns)
+        let (rows, parts): (Vec<_>, Vec<_>) = interreduced(&mut echelon, leading, &columns).into_iter().unzip();
+        self.trace_rows(&[pivots, to_reduce].concat(), parts);
+        self.add_elements(rows, |_| sugar)
+    }
+
+    /// Notes that new elements are combinations of some of the rows of a matrix.
+    fn trace_rows(&mut self, rows: &[Multiple], parts: Vec<Vec<usize>>) {
+        if self.trace.is_some() {
+            let factors: Vec<(usize, Monomial)> = rows.iter().map(|row| self.factors(row)).collect();
+            let combinations = parts.into_iter().map(|parts| parts.into_iter().map(|at| factors[at]).collect());
+            if let Some(trace) = &mut self.trace {
+                combinations.for_each(|parts| trace.add_combination(parts));
+            }
+        }
     }
 
     /// Adds polynomials, by increasing leading monomial. `sugar` gives their sugar if the order is
@@ -183,25 +265,34 @@ impl F4<'_> {
         Ok(())
     }
 
-    /// Reduces the tails of the elements that are not redundant.
+    /// The elements that are not redundant, their tails reduced. If 1 is an element it is the only
+    /// one.
     fn interreduce(&mut self) -> Result<Vec<BasisElement>, GroebnerError> {
+        if self.is_unit() {
+            if let Some(trace) = &mut self.trace {
+                // Nothing is read from the trace of a problem without solutions.
+                trace.add_combination(Vec::new());
+            }
+            return Ok(vec![BasisElement::one()]);
+        }
         let mut symbolic = Symbolic::new(&mut self.table, &self.supports, &self.leads, self.limits.max_matrix_entries);
         symbolic.add_active_elements()?;
         symbolic.close()?;
         let Symbolic { pivots, columns, .. } = symbolic;
         let columns = Columns::new(&self.table, columns);
-        let mut echelon = Echelon::new(self.field, columns.monomials.len());
+        let mut echelon = self.echelon(&columns, pivots.len());
         let active = self.leads.iter().filter(|lead| !lead.redundant).count();
         let mut leading = Vec::with_capacity(active);
         // The elements come first; the multiples behind them only reduce their tails.
-        for (i, row) in pivots.into_iter().enumerate() {
-            let row_columns = columns.of(&row.monomials);
+        for (i, row) in pivots.iter().enumerate() {
             if i < active {
-                leading.extend(row_columns.first().map(|&column| column as usize));
+                leading.extend(row.monomials.first().map(|id| columns.positions[id.index()] as usize));
             }
-            echelon.push_pivot(row_columns, self.values[row.element].clone());
+            self.push_multiple(&mut echelon, &columns, row, i);
         }
-        let elements = interreduced(&mut echelon, leading, &columns).into_iter().map(|(support, values)| {
+        let (rows, parts): (Vec<_>, Vec<_>) = interreduced(&mut echelon, leading, &columns).into_iter().unzip();
+        self.trace_rows(&pivots, parts);
+        let elements = rows.into_iter().map(|(support, values): InternedPolynomial| {
             BasisElement::new(support.into_iter().map(|id| *self.table.monomial(id)).zip(values).collect())
         });
         Ok(elements.collect())
@@ -209,14 +300,16 @@ impl F4<'_> {
 }
 
 /// The rows that lead in the given columns, reduced by all rows, by increasing leading monomial.
-fn interreduced(echelon: &mut Echelon, mut leading: Vec<usize>, columns: &Columns) -> Vec<InternedPolynomial> {
+/// Rows of which only marks are left are combinations that vanish: they are left out.
+fn interreduced(echelon: &mut Echelon, mut leading: Vec<usize>, columns: &Columns) -> Vec<Combination> {
+    leading.retain(|&column| column < columns.count());
     leading.sort_unstable_by(|a, b| b.cmp(a));
     // From right to left, so that each row is reduced by rows that are reduced themselves.
     leading
         .into_iter()
         .map(|column| {
             echelon.back_reduce_row(column);
-            columns.polynomial(&echelon.row(column))
+            columns.combination(&echelon.row(column))
         })
         .collect()
 }

@@ -13,6 +13,7 @@ mod quotient;
 mod reduced_basis;
 mod saturation;
 mod symbolic;
+mod trace;
 
 pub use basis::{BasisElement, GroebnerBasis};
 pub use fglm::change_order;
@@ -22,3 +23,4 @@ pub use points::count_points;
 pub use quotient::QuotientRing;
 pub use reduced_basis::groebner_basis;
 pub use saturation::saturate;
+pub use trace::{GeneratorMultiple, TracedBasis};

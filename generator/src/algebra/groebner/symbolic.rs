@@ -6,7 +6,7 @@ use super::pairs::{Lead, Pair};
 use crate::algebra::Monomial;
 
 /// A monomial multiple of a basis element, as a matrix row; its values are those of the element.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Multiple {
     /// The basis element.
     pub(super) element: usize,

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use super::settings::Settings;
+use super::settings::{Settings, Tracing};
 use crate::search::preference::Preference;
 use crate::search::shard::Shard;
 use crate::search::{MOST_COLUMNS, SearchOptions};
@@ -41,6 +41,10 @@ pub(crate) struct Arguments {
     /// sharded]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(2..=MOST_COLUMNS as u64))]
     max_columns: Option<u64>,
+    /// Makes a template by the trace of a Gröbner basis at once, whatever its size. Otherwise this is
+    /// done where nothing is found, unless `--max-columns` or `--shard` is given
+    #[arg(long, conflicts_with_all = ["max_columns", "shard", "merge"])]
+    trace: bool,
     /// Largest basis, which is the size of the eigenvalue problem; never below the number of
     /// solutions
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=20_000))]
@@ -96,7 +100,7 @@ pub(crate) struct Arguments {
         num_args = 1..,
         conflicts_with_all = [
             "file", "prefer", "seed", "max_columns", "max_basis", "shuffles", "trials", "confirm", "budget", "shard",
-            "merge", "out",
+            "merge", "out", "trace",
         ]
     )]
     pub(super) check: Vec<PathBuf>,
@@ -122,6 +126,11 @@ impl Arguments {
         // A shard does not know whether the others find something within the first limit.
         let may_widen = self.max_columns.is_none() && self.shard.is_none();
         let settings = Settings::new(options, self.trials as usize, self.confirm as usize);
-        Settings { wider: may_widen.then_some(MORE_COLUMNS), ..settings }
+        let tracing = match may_widen {
+            _ if self.trace => Tracing::AtOnce,
+            true => Tracing::WhereNothingIsFound,
+            false => Tracing::Never,
+        };
+        Settings { wider: may_widen.then_some(MORE_COLUMNS), tracing, ..settings }
     }
 }

@@ -3,16 +3,16 @@
 use std::path::Path;
 
 use super::provenance;
-use super::settings::Settings;
+use super::settings::{Settings, Tracing};
 use crate::check::check;
 use crate::command::error::CommandError;
-use crate::command::watch::{End, Watch};
+use crate::command::watch::{End, OfTrace, Watch};
 use crate::generate::plan;
 use crate::problem::Problem;
 use crate::search::choose::{Choice, Verdict, choose};
 use crate::search::measuring::Stability;
 use crate::search::monitor::Monitor;
-use crate::search::{Found, SearchError, TemplateCandidate, candidates};
+use crate::search::{Found, SearchError, TemplateCandidate, candidates, traced_candidates};
 use crate::template::file::TemplateFile;
 
 /// A problem whose template is searched.
@@ -61,7 +61,8 @@ pub(super) struct Outcome {
 
 /// Searches, measures and chooses. If nothing that solves well is found within the first limit on
 /// columns and the time is not over, the wider limit is tried. What it gives is taken if it solves
-/// well, or if the first limit gave nothing.
+/// well, or if the first limit gave nothing. Where both give nothing, even for lack of time, the
+/// trace of a Gröbner basis gives a template of any size.
 pub(super) fn search(task: Task<'_>, settings: Settings) -> Result<Outcome, CommandError> {
     let Task { path, problem, watch } = task;
     watch.say("counting solutions");
@@ -70,20 +71,35 @@ pub(super) fn search(task: Task<'_>, settings: Settings) -> Result<Outcome, Comm
         Ok(found) => conclude(task, settings, Candidates::of(found)).map(Ok),
         Err(error) => Ok(Err(error)),
     };
-    let or_error = |attempt: Attempt| attempt.map_err(|error| CommandError::of_search(path, problem, error));
-    let (widened, limit) = (settings.widened(), settings.options.max_columns);
+    let traced = |settings: Settings| match traced_candidates(problem, &count, &settings.options, &OfTrace(watch)) {
+        Ok(found) => conclude(task, settings, Candidates::of(found)),
+        Err(error) => Err(CommandError::of_search(path, problem, error)),
+    };
+    if settings.tracing == Tracing::AtOnce {
+        return traced(settings);
+    }
+    let tracing = settings.tracing;
+    let or_traced = |attempt: Attempt, settings: Settings| match attempt {
+        Err(SearchError::NotFound { .. } | SearchError::TooFewColumns { .. })
+            if tracing == Tracing::WhereNothingIsFound =>
+        {
+            traced(settings)
+        }
+        attempt => attempt.map_err(|error| CommandError::of_search(path, problem, error)),
+    };
+    let (narrow, widened, limit) = (settings.clone(), settings.widened(), settings.options.max_columns);
     let mut first = within(settings)?;
-    let Some(widened) = widened.filter(|_| needs_more_columns(&first)) else { return or_error(first) };
+    let Some(widened) = widened.filter(|_| needs_more_columns(&first)) else { return or_traced(first, narrow) };
     watch.say(&format!("nothing good within {limit} columns; trying {}", widened.options.max_columns));
     let second = within(widened)?;
     if first.is_err() || second.as_ref().is_ok_and(Outcome::solves_well) {
-        return or_error(second);
+        return or_traced(second, narrow);
     }
     if let (Ok(outcome), Some(end)) = (&mut first, watch.end()) {
         outcome.end = Some(end);
         provenance::add_end(&mut outcome.file.provenance, end);
     }
-    or_error(first)
+    or_traced(first, narrow)
 }
 
 /// What the search within one limit on columns came to.
@@ -93,7 +109,7 @@ type Attempt = Result<Outcome, SearchError>;
 fn needs_more_columns(attempt: &Attempt) -> bool {
     match attempt {
         Ok(outcome) => !outcome.solves_well() && outcome.end.is_none(),
-        Err(error) => matches!(error, SearchError::NotFound { is_over: false, .. }),
+        Err(error) => matches!(error, SearchError::NotFound { is_over: false, .. } | SearchError::TooFewColumns { .. }),
     }
 }
 

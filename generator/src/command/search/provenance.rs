@@ -5,11 +5,12 @@
 use clap::Parser;
 
 use super::arguments::Arguments;
-use super::settings::Settings;
+use super::settings::{Settings, Tracing};
 use crate::command::report::one_decimal;
 use crate::command::watch::End;
 use crate::search::MOST_COLUMNS;
 use crate::search::choose::Measured;
+use crate::search::grow::Growth;
 use crate::search::measuring::Stability;
 
 /// The version of the generator that searched. A later one may well write the same template.
@@ -125,6 +126,9 @@ pub(super) fn recorded_settings(provenance: &[(String, String)]) -> Result<Setti
         let expected = || format!("key {NOTHING_WITHIN} holds `{narrower}`: expected 2 to {MOST_COLUMNS}");
         settings.wider = Some(settings.options.max_columns);
         settings.options.max_columns = limit.ok_or_else(expected)?;
+    }
+    if value_of(provenance, "growth") == Some(&Growth::Trace.to_string()) {
+        settings.tracing = Tracing::AtOnce;
     }
     Ok(settings)
 }

@@ -25,6 +25,8 @@ pub(super) struct SearchReport {
     found_templates: usize,
     /// Index of the chosen template among the candidates.
     chosen: usize,
+    /// Indices of the candidates on the Pareto front, those of least predicted time first.
+    front: Vec<usize>,
     /// The candidates that were measured, in the order of the preference.
     candidates: Vec<Row>,
     /// What ended the search early and what was left out; `null` if nothing did.
@@ -139,12 +141,16 @@ impl SearchReport {
         let cut = end.map(|end| Cut::new(end, &all.found, choice));
         let chosen = &choice.measured[choice.chosen];
         let on_front = front(&choice.measured.iter().map(point).collect::<Vec<_>>());
-        let candidates = choice.measured.iter().zip(on_front).map(|(m, pareto)| Row::new(m, problem, pareto)).collect();
+        let candidates: Vec<Row> =
+            choice.measured.iter().zip(on_front).map(|(m, pareto)| Row::new(m, problem, pareto)).collect();
+        let mut front: Vec<usize> = (0..candidates.len()).filter(|&at| candidates[at].pareto).collect();
+        front.sort_by(|&a, &b| candidates[a].nanoseconds.total_cmp(&candidates[b].nanoseconds));
         Self {
             summary: Summary::new(problem, &chosen.candidate.template, &chosen.candidate.plan),
             prefer: settings.options.prefer,
             found_templates: all.templates,
             chosen: choice.chosen,
+            front,
             candidates,
             warnings: warnings(problem, choice, cut.as_ref()),
             cut,
@@ -207,6 +213,21 @@ impl Row {
         }
     }
 
+    fn cells_of_front(&self, is_chosen: bool) -> Vec<String> {
+        vec![
+            if is_chosen { "*" } else { " " }.to_owned(),
+            format!("{} x {}", self.rows, self.columns),
+            self.action.clone(),
+            self.verdict.to_owned(),
+            self.basis.to_string(),
+            format!("{:.0}", self.nanoseconds),
+            one_decimal(self.median),
+            one_decimal(self.p99),
+            self.trials.to_string(),
+            (self.incomplete + self.failures).to_string(),
+        ]
+    }
+
     fn cells(&self, is_chosen: bool) -> Vec<String> {
         vec![
             format!("{}{}", if is_chosen { "*" } else { " " }, if self.pareto { "+" } else { "" }),
@@ -228,6 +249,8 @@ impl Row {
     }
 }
 
+const HEAD_OF_FRONT: [&str; 10] = ["", "size", "action", "verdict", "|B|", "ns", "median", "p99", "trials", "unsolved"];
+
 const HEAD: [&str; 15] = [
     "",
     "size",
@@ -248,6 +271,10 @@ const HEAD: [&str; 15] = [
 
 impl fmt::Display for SearchReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let front: Vec<Vec<String>> =
+            self.front.iter().map(|&at| self.candidates[at].cells_of_front(at == self.chosen)).collect();
+        writeln!(f, "no measured template is better in predicted time, rows, p99 and unsolved instances than:")?;
+        writeln!(f, "{}(* chosen)\n", table(&HEAD_OF_FRONT, &front, 4))?;
         write!(f, "{}", self.summary)?;
         let rows: Vec<Vec<String>> =
             self.candidates.iter().enumerate().map(|(at, row)| row.cells(at == self.chosen)).collect();

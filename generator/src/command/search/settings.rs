@@ -3,6 +3,16 @@
 use crate::search::SearchOptions;
 use crate::search::choose::Measuring;
 
+/// When a template is made by the trace of a Gröbner basis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Tracing {
+    Never,
+    /// If growing finds nothing within all limits on columns, or until the time is over.
+    WhereNothingIsFound,
+    /// Nothing is grown.
+    AtOnce,
+}
+
 /// What a search is asked for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Settings {
@@ -14,13 +24,15 @@ pub(super) struct Settings {
     pub(super) wider: Option<usize>,
     /// A limit that was tried before, and within which nothing that solves well was found.
     pub(super) nothing_within: Option<usize>,
+    pub(super) tracing: Tracing,
 }
 
 impl Settings {
     /// Settings with one limit on columns.
     pub(super) fn new(options: SearchOptions, trials: usize, confirm: usize) -> Self {
         let seed = options.seed;
-        Self { options, measuring: Measuring { trials, confirm, seed }, wider: None, nothing_within: None }
+        let measuring = Measuring { trials, confirm, seed };
+        Self { options, measuring, wider: None, nothing_within: None, tracing: Tracing::Never }
     }
 
     /// The settings of the second try, if there is one.
@@ -28,6 +40,6 @@ impl Settings {
         let max_columns = self.wider?;
         let options = SearchOptions { max_columns, ..self.options.clone() };
         let nothing_within = Some(self.options.max_columns);
-        Some(Self { options, measuring: self.measuring, wider: None, nothing_within })
+        Some(Self { options, wider: None, nothing_within, ..*self })
     }
 }

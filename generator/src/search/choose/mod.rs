@@ -4,8 +4,7 @@
 //! # The rule
 //! Candidates are considered in the order of the preference ([`Preference::key`]):
 //! - *speed*: the least predicted time of a solve first ([`crate::plan::time`]);
-//! - *size*: fewest rows first, among candidates with at most [`SIZE_COST`] times the operations of
-//!   the cheapest;
+//! - *size*: fewest rows first, whatever they cost;
 //! - *stability*: the least predicted time first, up to [`STABILITY_COST`] times that of the first
 //!   one that is not rejected.
 //!
@@ -34,7 +33,8 @@
 //!    included, for *size* as many rows, for *stability* any.
 //!
 //! Large templates are measured on fewer instances: as many as [`SCREENING_WORK`] and
-//! [`CONFIRMING_WORK`] allow, but at least [`INCOMPLETE_ONE_IN`] for a confirmation. A problem
+//! [`CONFIRMING_WORK`] allow, but at least [`INCOMPLETE_ONE_IN`] for a confirmation, unless that
+//! takes more than [`MOST_CONFIRMING_WORK`]. A problem
 //! without data has one instance.
 //!
 //! If no candidate is accepted, the one with the smallest portion of unsolved instances is chosen,
@@ -91,7 +91,7 @@ pub fn choose(
     known: &dyn Fn(&TemplateCandidate) -> Option<Stability>,
     monitor: &dyn Monitor,
 ) -> Option<Choice> {
-    let different = affordable(different(candidates), preference);
+    let different = different(candidates);
     let known = |at: usize| known(different[at]);
     let rule = Rule { preference, measuring };
     let (chosen, entries) = in_tournament(&different, rule, &known, monitor, |tournament| {
@@ -119,11 +119,8 @@ pub fn screen<'a>(
     measuring: Measuring,
     monitor: &dyn Monitor,
 ) -> Vec<(&'a TemplateCandidate, Option<Stability>)> {
-    let mut different = affordable(different(candidates), preference);
-    // The limit on the cost of few rows depends on the cheapest candidate of all shards.
-    let cheapest = different.iter().copied().min_by_key(|candidate| candidate.plan.operations().total());
-    let dropped = different.split_off(different.len().min(HANDED_OVER));
-    different.extend(cheapest.filter(|cheapest| dropped.iter().any(|candidate| std::ptr::eq(*candidate, *cheapest))));
+    let mut different = different(candidates);
+    different.truncate(HANDED_OVER);
     let rule = Rule { preference, measuring };
     let ((), entries) = in_tournament(&different, rule, &|_| None, monitor, |tournament| {
         tournament.screen();
@@ -179,13 +176,4 @@ fn different(candidates: &[TemplateCandidate]) -> Vec<&TemplateCandidate> {
         }
     }
     different
-}
-
-/// For *size* the candidates within the limit on its cost; for other preferences all.
-fn affordable(candidates: Vec<&TemplateCandidate>, preference: Preference) -> Vec<&TemplateCandidate> {
-    let operations = |candidate: &&TemplateCandidate| candidate.plan.operations().total() as f64;
-    let least = candidates.iter().map(operations).fold(f64::INFINITY, f64::min);
-    let is_affordable =
-        |candidate: &&TemplateCandidate| preference != Preference::Size || operations(candidate) <= SIZE_COST * least;
-    candidates.into_iter().filter(is_affordable).collect()
 }

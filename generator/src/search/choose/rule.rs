@@ -16,9 +16,6 @@ pub const SIGNIFICANCE: f64 = 0.01;
 pub const GOOD_RESIDUAL: f64 = -12.0;
 /// Limit on the cost of stability, as a factor of the predicted time.
 pub const STABILITY_COST: f64 = 2.0;
-/// Limit on the cost of few rows, as a factor of operations: a larger basis nearly always saves
-/// rows, and its eigenvalue problem costs the cube of its size.
-pub const SIZE_COST: f64 = 2.5;
 /// Candidates whose predicted times differ by no more than this factor cost the same for the
 /// choice.
 pub const SIMILAR_COST: f64 = 1.1;
@@ -35,6 +32,14 @@ pub const OTHERS_CONFIRMED: usize = 2;
 pub const SCREENING_WORK: usize = 300_000_000;
 /// Operations that confirming one candidate may take, without the polish.
 pub const CONFIRMING_WORK: usize = 10_000_000_000;
+/// Operations that screening one candidate may take even if that is fewer than [`BLOCK`] instances:
+/// a template by the trace of a Gröbner basis may have thousands of rows.
+pub const MOST_SCREENING_WORK: usize = 100_000_000_000;
+/// Operations that confirming one candidate may take even if that is fewer than
+/// [`INCOMPLETE_ONE_IN`] instances.
+pub const MOST_CONFIRMING_WORK: usize = 1_000_000_000_000;
+/// Operations after which the search asks whether the time is over.
+pub(super) const BLOCK_WORK: usize = 10_000_000_000;
 /// Operations, second attempts included, after which no further candidate is confirmed and no more
 /// than [`SCREENED`] are screened. A few candidates that are rejected late take that many.
 pub const MEASURING_WORK: f64 = 1e11;

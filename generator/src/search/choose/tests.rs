@@ -69,6 +69,12 @@ fn of_those_as_fast_the_one_with_fewest_rows_wins() {
 }
 
 #[test]
+fn fewest_rows_win_whatever_they_cost() {
+    let made = [(100_000, 7, -15.0, 0), (100, 8, -15.0, 0)];
+    assert_eq!(chosen(Size, &made), Some((0, Accepted)));
+}
+
+#[test]
 fn what_screening_cannot_see_confirmation_does() {
     // One in 400 lacks a solution: none of the first 300.
     let (decision, trials) = decide(Speed, &Unmonitored, &[(100, 9, -15.0, 400), (200, 9, -15.0, 0)]);
@@ -82,7 +88,9 @@ fn large_candidates_are_measured_on_fewer_instances() {
     let trials = |operations| decide(Speed, &Unmonitored, &[(operations, 9, -15.0, 0), (operations, 9, -15.0, 1)]).1;
     assert_eq!(trials(1_000_000), [10_000, BLOCK]);
     assert_eq!(trials(4_000_000), [2500, BLOCK]);
-    assert_eq!(trials(1_000_000_000), [INCOMPLETE_ONE_IN, BLOCK]);
+    assert_eq!(trials(100_000_000), [INCOMPLETE_ONE_IN, BLOCK]);
+    assert_eq!(trials(1_000_000_000), [INCOMPLETE_ONE_IN, 10]);
+    assert_eq!(trials(10_000_000_000), [100, 1]);
 }
 
 #[test]

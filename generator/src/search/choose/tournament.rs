@@ -4,9 +4,9 @@
 use std::ops::Range;
 
 use super::rule::{
-    BLOCK, CONFIRMING_WORK, EQUAL_COST, GOOD_RESIDUAL, INCOMPLETE_ONE_IN, MEASURING_WORK, Measuring, OTHERS_CONFIRMED,
-    SCREENED, SCREENED_AT_MOST, SCREENING_WORK, SIMILAR_COST, STABILITY_COST, Verdict, expected_nanoseconds,
-    is_rejected,
+    BLOCK, BLOCK_WORK, CONFIRMING_WORK, EQUAL_COST, GOOD_RESIDUAL, INCOMPLETE_ONE_IN, MEASURING_WORK,
+    MOST_CONFIRMING_WORK, MOST_SCREENING_WORK, Measuring, OTHERS_CONFIRMED, SCREENED, SCREENED_AT_MOST, SCREENING_WORK,
+    SIMILAR_COST, STABILITY_COST, Verdict, expected_nanoseconds, is_rejected,
 };
 use crate::search::measuring::Stability;
 use crate::search::monitor::{Monitor, Stage};
@@ -170,13 +170,16 @@ impl Tournament<'_> {
 
     /// Number of instances on which a candidate is screened.
     fn trials(&self, at: usize) -> usize {
-        self.measuring.trials.min((SCREENING_WORK / self.costs[at].operations.max(1)).max(BLOCK))
+        let within = |work: usize| work / self.costs[at].operations.max(1);
+        let least = within(MOST_SCREENING_WORK).clamp(1, BLOCK);
+        self.measuring.trials.min(within(SCREENING_WORK).max(least))
     }
 
     /// Number of instances on which a candidate is confirmed.
     fn confirm_trials(&self, at: usize) -> usize {
-        let affordable = (CONFIRMING_WORK / self.costs[at].operations.max(1)).max(INCOMPLETE_ONE_IN);
-        self.measuring.confirm.min(affordable).max(self.trials(at))
+        let within = |work: usize| work / self.costs[at].operations.max(1);
+        let least = within(MOST_CONFIRMING_WORK).clamp(1, INCOMPLETE_ONE_IN);
+        self.measuring.confirm.min(within(CONFIRMING_WORK).max(least)).max(self.trials(at))
     }
 
     /// Measures a candidate until it has seen the first `trials` instances, is rejected, or the
@@ -193,7 +196,8 @@ impl Tournament<'_> {
             if from > 0 && self.is_over() {
                 return false;
             }
-            let block = (self.measure)(at, from..(from + BLOCK).min(trials));
+            let most = (BLOCK_WORK / self.costs[at].operations.max(1)).clamp(1, BLOCK);
+            let block = (self.measure)(at, from..(from + most).min(trials));
             self.entries[at].stability.join(block);
             self.entries[at].verdict = self.verdict(at, &self.entries[at].stability);
         }
