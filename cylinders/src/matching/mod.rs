@@ -21,6 +21,8 @@ mod directions;
 mod error;
 /// The cylinders that were found.
 mod found;
+/// How much a circle stands out from chance.
+mod judge;
 /// A circle with its matches, and its cylinder.
 mod model;
 /// Which silhouettes of a circle others hide.
