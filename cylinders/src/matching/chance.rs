@@ -56,6 +56,10 @@ pub(super) const SCALES: [f64; 8] = [
 /// Parts of the silhouettes that are detected. All are equally likely beforehand.
 const DETECTIONS: [f64; 4] = [0.3, 0.5, 0.7, 0.9];
 
+/// Lines are sparse if a silhouette has one of them within the threshold with less than this
+/// probability.
+const SPARSE: f64 = 0.35;
+
 /// Number of matches that a hypothesis has by construction.
 const SAMPLE: usize = 3;
 
@@ -84,11 +88,11 @@ impl Chance {
     }
 
     /// The least number of matches within a part of the threshold that the hypotheses do not reach
-    /// by chance; `None` if chance can reach any number.
+    /// by chance; `None` if lines are not sparse, or chance can reach any number.
     pub(super) fn least_support(&self, part: f64) -> Option<usize> {
         let probability = part * self.probability;
-        let sparse = probability > 0.0 && probability < 1.0;
-        let trials = self.silhouettes - SAMPLE;
+        let sparse = probability > 0.0 && probability < SPARSE;
+        let trials = self.silhouettes.saturating_sub(SAMPLE);
         let is_more =
             |successes: &usize| self.hypotheses as f64 * tail(trials, *successes, probability) <= FALSE_ALARMS;
         (0..=trials).find(is_more).filter(|_| sparse).map(|successes| successes + SAMPLE)

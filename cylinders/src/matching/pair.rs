@@ -49,7 +49,12 @@ const NEXT_VIEWS: usize = 2;
 
 /// Limit on the number of pairs of lines of different views. If there were more, there are so many
 /// lines that a cylinder without both silhouettes in any view would not stand out from chance.
-const CROSS_PAIRS: usize = 100_000;
+const CROSS_PAIRS: usize = 20_000;
+
+/// Limit on the number of pairs of lines of one view each. If there were more, only those of some
+/// views are taken, which are spread evenly over all: a sample of the hypotheses. A cylinder that
+/// stands out from so many lines shows both silhouettes in many views.
+const PAIRS: usize = 60_000;
 
 /// Two lines of different views that are as parallel as this sine have no apex.
 const PARALLEL: f64 = 0.01;
@@ -85,13 +90,18 @@ pub(super) struct Hypothesis {
 /// each of them could be either silhouette.
 pub(super) fn pairs(plan: &Plan, references: References) -> Vec<Pair> {
     let mut pairs = Vec::new();
-    for index in 0..plan.views().len() {
+    let count = plan.views().len();
+    let of_one_view = |view: &PlanView| view.lines.len() * view.lines.len().saturating_sub(1) / 2;
+    let step = match references {
+        References::First => 1,
+        References::Every => plan.views().iter().map(of_one_view).sum::<usize>().div_ceil(PAIRS).clamp(1, count.max(1)),
+    };
+    for index in (0..count).step_by(step) {
         if references == References::First && !pairs.is_empty() {
             return pairs;
         }
         push_pairs_of_view(plan, index, &mut pairs);
     }
-    let count = plan.views().len();
     let next = |index: usize| (1..=NEXT_VIEWS).map(move |step| (index, index + step)).filter(|pair| pair.1 < count);
     let lines = |index: usize| plan.views()[index].lines.len();
     let view_pairs: Vec<_> = (0..count).flat_map(next).collect();
@@ -268,14 +278,7 @@ impl Pair {
 
     /// Marks the parts of every line of another view as one of its silhouettes, with the sine
     /// `sin(beta)` for the right and `-sin(beta)` for the left one.
-    fn mark(
-        &self,
-        plan: &Plan,
-        view: usize,
-        sine: f64,
-        (set, bit): (&mut [u64], u64),
-        touches: &mut Vec<Touch>,
-    ) {
+    fn mark(&self, plan: &Plan, view: usize, sine: f64, (set, bit): (&mut [u64], u64), touches: &mut Vec<Touch>) {
         let (centre, extent, parts) = (self.apex, plan.extent(), set.len());
         let PlanView { centre: other, cosine: cos_t, sine: sin_t, ref lines, .. } = plan.views()[view];
         let (start, bisector) = (centre - other, self.bisector);

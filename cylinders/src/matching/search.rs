@@ -4,7 +4,7 @@ use nalgebra::{Unit, Vector3};
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
-use super::chance::{Chance, FALSE_ALARMS};
+use super::chance::Chance;
 use super::error::MatchError;
 use super::found::Matching;
 use super::judge::Judge;
@@ -20,6 +20,15 @@ const LEAST_SUPPORT: usize = 4;
 
 /// Parts of the threshold at which hypotheses are compared, the widest first.
 const LEVELS: [f64; 5] = [1.0, 0.5, 0.25, 0.125, 0.0625];
+
+/// Hypotheses are compared at so many of these levels, the widest at which lines are sparse.
+const SPARSE_LEVELS: usize = 2;
+
+/// Largest expected number of circles that are accepted by chance.
+const MOST_FALSE_ALARMS: f64 = 0.1;
+
+/// The search is repeated with less required support if there are at most so many pairs.
+const REPEATED_PAIRS: usize = 20_000;
 
 /// Largest number of hypotheses of a level that are fitted, those with the most matches.
 const CANDIDATES: usize = 1000;
@@ -107,14 +116,16 @@ fn search(
     let count = options.count.unwrap_or(usize::MAX);
     // If the number of cylinders or of matches is given, chance does not stop the search.
     let floor = options.least_support.or(options.count.map(|_| LEAST_SUPPORT));
-    let false_alarms = if floor.is_some() { f64::INFINITY } else { FALSE_ALARMS.ln() };
+    let false_alarms = if floor.is_some() { f64::INFINITY } else { MOST_FALSE_ALARMS.ln() };
     let mut found: Vec<Model> = Vec::new();
     let mut least: Vec<usize> = vec![usize::MAX; plans.len()];
     while found.len() < count {
         let chance = Chance::of(&plans[0], pairs);
         let (mut next, mut lowered) = (least.clone(), false);
-        for (level, next) in next.iter_mut().enumerate() {
-            let Some(of_chance) = chance.least_support(LEVELS[level]) else { continue };
+        let of_levels = LEVELS.iter().enumerate();
+        let sparse = of_levels.filter_map(|(level, &part)| Some((level, chance.least_support(part)?)));
+        for (level, of_chance) in sparse.take(SPARSE_LEVELS) {
+            let next = &mut next[level];
             let lower = match floor {
                 Some(floor) => of_chance.min(next.saturating_sub(SUPPORT_STEP)).max(floor),
                 None => of_chance.saturating_sub(SUPPORT_STEP).max(LEAST_SUPPORT),
@@ -129,6 +140,9 @@ fn search(
         let least_matches = options.least_support.unwrap_or(LEAST_SUPPORT);
         let demand = Demand { least: &least, least_matches, false_alarms, count };
         extract(plans, pairs, &demand, progress, &mut found);
+        if floor.is_none() && pairs.len() > REPEATED_PAIRS {
+            break;
+        }
     }
     let least = least.into_iter().min().unwrap_or(usize::MAX);
     (found, least)
@@ -195,7 +209,8 @@ fn extract(
         judge = Judge::new(&plans[0], pairs, found);
         candidates = with_workspaces(candidates.len(), |workspace, index| {
             let Candidate { pair, level, ref model } = candidates[index];
-            let is_free = model.matches.iter().all(|line| plans[0].is_free(line.line)) && pairs[pair].is_free(&plans[0]);
+            let is_free =
+                model.matches.iter().all(|line| plans[0].is_free(line.line)) && pairs[pair].is_free(&plans[0]);
             let model = if is_free {
                 judge.judged(&plans[0], &model.fit)
             } else {
