@@ -1,4 +1,4 @@
-//! The search: pairs of silhouettes to circles, the best supported first.
+//! The search: pairs of silhouettes to circles, those that are the least likely by chance first.
 
 use nalgebra::{Unit, Vector3};
 #[cfg(feature = "parallel")]
@@ -52,9 +52,8 @@ pub enum Progress {
 /// Finds all cylinders of a direction among lines without labels, and the lines that are their
 /// silhouettes.
 ///
-/// Lines that are not along the direction are ignored. The best supported cylinder is taken first
-/// (most matches, then the least sum of their squared angles), and its lines match no other
-/// cylinder.
+/// Lines that are not along the direction are ignored. The cylinder that is the least likely by
+/// chance is taken first, and its lines match no other cylinder.
 ///
 /// # Errors
 /// [`MatchError`].
@@ -81,7 +80,7 @@ pub fn match_cylinders_with(
     }
     let plan = Plan::new(views, direction, options)?;
     let pairs = pairs(&plan, options.references);
-    if pairs.is_empty() {
+    if !pairs.iter().any(Pair::is_of_one_view) {
         return Err(MatchError::NoPair);
     }
     let mut plans: Vec<_> = LEVELS.map(|part| plan.narrowed(part)).into();
@@ -144,8 +143,9 @@ fn search(
             break;
         }
     }
-    let least = least.into_iter().min().unwrap_or(usize::MAX);
-    (found, least)
+    // If lines are sparse at no level, more matches than there are silhouettes would be needed.
+    let all = 2 * plans[0].views().len() + 1;
+    (found, least.into_iter().min().unwrap_or(all).min(all))
 }
 
 /// What the search requires of models.
