@@ -36,7 +36,7 @@ mod options;
 mod pair;
 /// Cameras and lines in the cross-section; the lines near the silhouettes of a circle.
 mod plan;
-/// Extraction of cylinders one after the other, the best supported first.
+/// Extraction of cylinders one after the other, the least likely by chance first.
 mod search;
 /// A part of the lines of some views.
 pub(crate) mod selection;
