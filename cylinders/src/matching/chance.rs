@@ -8,8 +8,8 @@
 //!   p = (sum of 2 t over all rays) / (sum of the images' angles between their outermost rays)
 //! ```
 //!
-//! Each line is near a given silhouette by chance with the density `lambda = p / 2`, in units of the
-//! threshold. If a silhouette is detected with the probability `pi`, and its line is off by normal
+//! Each line is near a given silhouette by chance with the density `lambda = p / 2`, in units of
+//! the threshold. If a silhouette is detected with the probability `pi`, and its line is off by normal
 //! noise of the scale `s`, then the likelihood ratio of a silhouette whose nearest line is at the
 //! distance `d`, and of one without a line, is at most
 //!
@@ -28,8 +28,8 @@
 //!   false alarms = hypotheses / (hypotheses that make the same circle) / R
 //! ```
 //!
-//! A silhouette that another cylinder hides does not count: a cylinder behind others has few visible
-//! silhouettes, but nearly all of them match.
+//! A silhouette that another cylinder hides does not count: a cylinder behind others has few
+//! visible silhouettes, but nearly all of them match.
 
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 

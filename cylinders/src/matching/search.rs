@@ -145,7 +145,7 @@ fn search(
     }
     // If lines are sparse at no level, more matches than there are silhouettes would be needed.
     let all = 2 * plans[0].views().len() + 1;
-    (found, least.into_iter().min().unwrap_or(all).min(all))
+    (found, least.into_iter().filter(|&least| least < usize::MAX).min().unwrap_or(floor.unwrap_or(all)))
 }
 
 /// What the search requires of models.
