@@ -23,7 +23,7 @@ use crate::{
   cylinders match scene.json
   cylinders match --colmap model --segments lines.csv --count 7 --json
 
-Every pair of lines in an image is tried with every line of the other images. Labels are not looked at.")]
+Pairs of lines of an image or of near ones are tried with every line of the others. Labels are not looked at.")]
 pub(super) struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,

@@ -40,7 +40,7 @@ impl MatchedCylinder {
 pub struct Matching {
     /// The directions of the cylinders.
     pub directions: Vec<Unit<Vector3<f64>>>,
-    /// The cylinders, direction by direction, the best supported first.
+    /// The cylinders, direction by direction, the least likely by chance first.
     pub cylinders: Vec<MatchedCylinder>,
     /// Lines that belong to no cylinder, in the order of views and lines.
     pub unmatched: Vec<LineId>,

@@ -3,15 +3,17 @@
 //! Cylinder Triangulation", the experiment on unknown matches).
 //!
 //! ```text
-//!   left and right silhouette in one image + one line of another image
-//!     --> circle in front of the cameras --> support: lines of all images near its silhouettes
-//!     --> best circle --> least squares on its matches --> cylinder; its lines are taken away
-//!     --> next cylinder
+//!   two lines, of one image or of near ones, + one line of another image
+//!     --> circle in front of the cameras --> support: lines of all images near its silhouettes,
+//!         at two thresholds at which lines are sparse
+//!     --> best circles, fitted at growing thresholds --> false alarms, over all scales of noise
+//!     --> the circle that is the least likely by chance; its lines are taken away --> next one
 //! ```
 //!
-//! The search is exhaustive and draws no random numbers. One model is scored in time linear in the
-//! number of lines `N`. All models of one pair are bounded together in `O(N log N)` (`pair`), so
-//! that only few of them need to be scored.
+//! The search draws no random numbers. It tries all pairs of lines of each image, or those of every
+//! second, third, ... image if there are many. One model is scored in time linear in the number of
+//! lines `N`. All models of one pair are bounded together in `O(N)` (`pair`), so that only few of
+//! them need to be scored.
 
 /// Support by chance, and the support that chance does not reach.
 mod chance;
@@ -21,6 +23,8 @@ mod directions;
 mod error;
 /// The cylinders that were found.
 mod found;
+/// How much a circle stands out from chance.
+mod judge;
 /// A circle with its matches, and its cylinder.
 mod model;
 /// Which silhouettes of a circle others hide.
@@ -32,7 +36,7 @@ mod options;
 mod pair;
 /// Cameras and lines in the cross-section; the lines near the silhouettes of a circle.
 mod plan;
-/// Extraction of cylinders one after the other, the best supported first.
+/// Extraction of cylinders one after the other, the least likely by chance first.
 mod search;
 /// A part of the lines of some views.
 pub(crate) mod selection;

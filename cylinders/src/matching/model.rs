@@ -13,9 +13,11 @@ use crate::space::cylinder::{Cylinder, LineResidual};
 const REPETITIONS: usize = 10;
 
 /// A circle of the cross-section with its matches.
+#[derive(Clone)]
 pub(super) struct Model {
     pub(super) fit: CircleFit,
     pub(super) matches: Vec<PlanMatch>,
+    /// Natural logarithm of the number of false alarms.
     pub(super) false_alarms: f64,
 }
 
@@ -39,27 +41,25 @@ impl Model {
             rms: self.fit.rms,
             matches: self.matches.iter().filter_map(residual).collect(),
             outlier_rate: 1.0 - self.matches.len() as f64 / lines as f64,
-            false_alarms: self.false_alarms,
+            false_alarms: self.false_alarms.exp(),
         }
     }
 }
 
 /// The circle that fits its matches best, fitted and matched in turn while the support increases.
 /// `None` if no circle can be fitted to the matches.
-pub(super) fn fitted(plan: &Plan, circle: Circle) -> Option<Model> {
+pub(super) fn fitted(plan: &Plan, circle: Circle) -> Option<CircleFit> {
     let fit = |circle: &Circle| {
-        let matches = plan.matches(circle);
+        let matches = plan.matches(circle, 1.0);
         let lines: Vec<_> = matches.iter().map(|line| plan.tangent_line(line.line)).collect();
-        Some(Model { fit: fit_circle(&lines, plan.extent()).ok()?, matches, false_alarms: f64::INFINITY })
+        Some((fit_circle(&lines, plan.extent()).ok()?, matches))
     };
-    let mut model = fit(&circle)?;
+    let (mut best, mut matches) = fit(&circle)?;
     for _ in 0..REPETITIONS {
-        match fit(&model.fit.circle) {
-            Some(next) if next.matches.len() >= model.matches.len() && next.matches != model.matches => model = next,
+        match fit(&best.circle) {
+            Some((next, more)) if more.len() >= matches.len() && more != matches => (best, matches) = (next, more),
             _ => break,
         }
     }
-    // The last fit may have moved the circle away from some matches.
-    model.matches = plan.matches(&model.fit.circle);
-    Some(model)
+    Some(best)
 }

@@ -16,7 +16,8 @@ pub enum References {
     /// The first image with two lines or more, as in the paper. A cylinder is found only if both
     /// its silhouettes were seen there.
     First,
-    /// Every image: both silhouettes of a cylinder must be seen in at least one of them.
+    /// Every image, and near images together if there are few lines: a cylinder need not show both
+    /// silhouettes in any image. If there are many lines, only images that are spread evenly.
     Every,
 }
 
@@ -24,7 +25,9 @@ pub enum References {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MatchOptions {
     /// Largest distance between a line and its silhouette in the cross-section: an angle at the
-    /// camera centre, in radians or as the pixels that it covers in the middle of the image.
+    /// camera centre, in radians or as the pixels that it covers in the middle of the image. It is
+    /// a bound: the noise of each cylinder is estimated, and its matches are within three standard
+    /// deviations.
     pub threshold: f64,
     /// Unit of the threshold.
     pub unit: DistanceUnit,

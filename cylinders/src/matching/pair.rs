@@ -30,26 +30,49 @@
 //! in the part, in time linear in the number of lines `N`. Only hypotheses whose bound is large are
 //! scored.
 
-use nalgebra::Vector2;
+use nalgebra::{Point2, Vector2};
 
 use super::options::References;
 use super::plan::{Plan, PlanView, Support, ray};
 use crate::cross_section::circle::Circle;
 
-/// Number of parts of the family of a pair. Where the circles are as far away as the cameras from
-/// each other, the width of a part is a few thousandths of the distance: about that of an interval.
-const PARTS: usize = 1024;
+/// Number of parts of the family of a pair, if there are few and if there are many lines. Where the
+/// circles are as far away as the cameras from each other, the width of a part is a few thousandths
+/// of the distance or less: about that of an interval.
+const PARTS: [usize; 2] = [1024, 4096];
+
+/// Number of lines from which on there are many.
+const MANY_LINES: usize = 600;
+
+/// Lines of a view are paired with those of so many views after it.
+const NEXT_VIEWS: usize = 2;
+
+/// Limit on the number of pairs of lines of different views. If there were more, there are so many
+/// lines that a cylinder without both silhouettes in any view would not stand out from chance.
+const CROSS_PAIRS: usize = 20_000;
+
+/// Limit on the number of pairs of lines of one view each. If there were more, only those of some
+/// views are taken, which are spread evenly over all: a sample of the hypotheses. A cylinder that
+/// stands out from so many lines shows both silhouettes in many views.
+const PAIRS: usize = 60_000;
+
+/// Two lines of different views that are as parallel as this sine have no apex.
+const PARALLEL: f64 = 0.01;
 
 /// Number of silhouettes in one word of a set.
 const WORD: usize = u64::BITS as usize;
 
-/// A pair of rays of one view that may be the two silhouettes of a cylinder.
+/// A pair of rays that may be two silhouettes of a cylinder, in one view or in two.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pair {
-    /// Index of the view.
-    view: usize,
+    /// The views of the two lines.
+    views: [usize; 2],
+    /// Their sides: whether each is the right silhouette.
+    rights: [bool; 2],
     /// Indices of the two lines.
     lines: [usize; 2],
+    /// Where the rays meet: the camera centre, if they are those of one view.
+    apex: Point2<f64>,
     bisector: Vector2<f64>,
     /// `sin(beta)`.
     sine: f64,
@@ -62,34 +85,93 @@ pub(super) struct Hypothesis {
     pub(super) support: Support,
 }
 
-/// All pairs of the reference views, in the order of views and lines. Two rays within the threshold
-/// of their bisector do not form a pair: each of them could be either silhouette.
+/// All pairs of the reference views, in the order of views and lines, and then pairs of lines of
+/// near views if there are few. Two rays within the threshold of their bisector do not form a pair:
+/// each of them could be either silhouette.
 pub(super) fn pairs(plan: &Plan, references: References) -> Vec<Pair> {
     let mut pairs = Vec::new();
-    for (index, view) in plan.views().iter().enumerate() {
+    let count = plan.views().len();
+    let of_one_view = |view: &PlanView| view.lines.len() * view.lines.len().saturating_sub(1) / 2;
+    let step = match references {
+        References::First => 1,
+        References::Every => plan.views().iter().map(of_one_view).sum::<usize>().div_ceil(PAIRS).clamp(1, count.max(1)),
+    };
+    for index in (0..count).step_by(step) {
         if references == References::First && !pairs.is_empty() {
-            break;
+            return pairs;
         }
-        for first in view.lines.clone() {
-            for second in first + 1..view.lines.end {
-                let normals = [first, second].map(|line| plan.normal(line));
-                let bisector = ray(&(normals[0] + normals[1])).normalize();
-                let sine = normals[0].dot(&bisector).abs();
-                // False for opposite rays, which have no bisector.
-                if sine > view.sine {
-                    pairs.push(Pair { view: index, lines: [first, second], bisector, sine });
-                }
-            }
+        push_pairs_of_view(plan, index, &mut pairs);
+    }
+    let next = |index: usize| (1..=NEXT_VIEWS).map(move |step| (index, index + step)).filter(|pair| pair.1 < count);
+    let lines = |index: usize| plan.views()[index].lines.len();
+    let view_pairs: Vec<_> = (0..count).flat_map(next).collect();
+    let cross: usize = view_pairs.iter().map(|&(first, second)| 4 * lines(first) * lines(second)).sum();
+    if references == References::Every && cross <= CROSS_PAIRS {
+        for (first, second) in view_pairs {
+            push_cross_pairs(plan, [first, second], &mut pairs);
         }
     }
     pairs
+}
+
+/// The pairs of lines of a view, as its left and its right silhouette.
+fn push_pairs_of_view(plan: &Plan, index: usize, pairs: &mut Vec<Pair>) {
+    let view = &plan.views()[index];
+    for first in view.lines.clone() {
+        for second in first + 1..view.lines.end {
+            let normals = [first, second].map(|line| plan.normal(line));
+            let bisector = ray(&(normals[0] + normals[1])).normalize();
+            let across = normals[0].dot(&bisector);
+            // False for opposite rays, which have no bisector.
+            if across.abs() > view.sine {
+                let rights = [across > 0.0, across < 0.0];
+                let lines = [first, second];
+                pairs.push(Pair { views: [index; 2], rights, lines, apex: view.centre, bisector, sine: across.abs() });
+            }
+        }
+    }
+}
+
+/// The pairs of a line of one view and a line of another, each as either silhouette.
+fn push_cross_pairs(plan: &Plan, views: [usize; 2], pairs: &mut Vec<Pair>) {
+    let [own, other] = views.map(|view| &plan.views()[view]);
+    let start = other.centre - own.centre;
+    for first in own.lines.clone() {
+        for second in other.lines.clone() {
+            let normals = [first, second].map(|line| plan.normal(line));
+            let sine = normals[0].perp(&normals[1]);
+            if sine.abs() < PARALLEL {
+                continue;
+            }
+            // The point of the first ray that is on the second.
+            let apex = own.centre + ray(&normals[0]) * (normals[1].dot(&start) / normals[1].dot(&ray(&normals[0])));
+            for rights in [[false, false], [false, true], [true, false], [true, true]] {
+                // Both distances, positive towards the circle, are equal.
+                let toward = [0, 1].map(|line| if rights[line] { normals[line] } else { -normals[line] });
+                let bisector = ray(&(toward[0] - toward[1])).normalize();
+                let sine = toward[0].dot(&bisector);
+                if sine.abs() < PARALLEL {
+                    continue;
+                }
+                let bisector = bisector * sine.signum();
+                pairs.push(Pair { views, rights, lines: [first, second], apex, bisector, sine: sine.abs() });
+            }
+        }
+    }
+}
+
+/// Whether pairs of lines of these two views are tried.
+pub(super) fn is_near(views: [usize; 2]) -> bool {
+    views[0].abs_diff(views[1]) <= NEXT_VIEWS
 }
 
 /// Memory of the search in a family, kept from pair to pair.
 #[derive(Default)]
 pub(super) struct Workspace {
     /// The set of silhouettes of each part, one array for each word.
-    sets: Vec<[u64; PARTS]>,
+    sets: Vec<Vec<u64>>,
+    /// Bound on the number of matches of each part.
+    bounds: Vec<usize>,
     /// Parts and place of every line as a silhouette.
     touches: Vec<Touch>,
     /// Bound and place of every hypothesis.
@@ -104,9 +186,14 @@ struct Touch {
 }
 
 impl Pair {
-    /// Index of the view.
+    /// Whether both lines are of one view.
+    pub(super) fn is_of_one_view(&self) -> bool {
+        self.views[0] == self.views[1]
+    }
+
+    /// Index of the view of the first line.
     pub(super) fn view(&self) -> usize {
-        self.view
+        self.views[0]
     }
 
     /// Whether both lines are free: no cylinder found has taken them.
@@ -130,7 +217,7 @@ impl Pair {
             if bound < least {
                 break;
             }
-            let circle = self.circle(plan, place);
+            let circle = self.circle(place);
             let Some(support) = plan.support(&circle, least) else { continue };
             let better = best.is_none_or(|best| support.cmp(&best.support).is_gt());
             if support.matches >= least_support && better {
@@ -140,46 +227,59 @@ impl Pair {
         best
     }
 
-    fn circle(&self, plan: &Plan, place: f64) -> Circle {
-        Circle { centre: plan.views()[self.view].centre + self.bisector * place, radius: place * self.sine }
+    fn circle(&self, place: f64) -> Circle {
+        Circle { centre: self.apex + self.bisector * place, radius: place * self.sine }
     }
 
     /// Writes every hypothesis whose bound on the number of matches is at least the least support.
     /// Whether there are any.
     fn bound(&self, plan: &Plan, least_support: usize, workspace: &mut Workspace) -> bool {
-        let Workspace { sets, touches, hypotheses } = workspace;
-        sets.clear();
-        sets.resize((2 * plan.views().len()).div_ceil(WORD), [0; PARTS]);
+        let Workspace { sets, bounds, touches, hypotheses } = workspace;
+        let parts = PARTS[usize::from(plan.line_count() >= MANY_LINES)];
+        sets.resize((2 * plan.views().len()).div_ceil(WORD), Vec::new());
+        for set in sets.iter_mut() {
+            set.clear();
+            set.resize(parts, 0);
+        }
         touches.clear();
         hypotheses.clear();
         // Silhouettes are numbered `2 view + side`. The lines of the pair touch every circle.
-        for index in (0..plan.views().len()).filter(|&index| index != self.view) {
-            for (side, sine) in [self.sine, -self.sine].into_iter().enumerate() {
-                let silhouette = 2 * index + side;
-                self.mark(plan, index, sine, (&mut sets[silhouette / WORD], 1 << (silhouette % WORD)), touches);
+        for index in 0..plan.views().len() {
+            for (side, sine) in [-self.sine, self.sine].into_iter().enumerate() {
+                let is_own = |line: usize| self.views[line] == index && usize::from(self.rights[line]) == side;
+                if !is_own(0) && !is_own(1) {
+                    let silhouette = 2 * index + side;
+                    let bit = 1 << (silhouette % WORD);
+                    self.mark(plan, index, sine, (&mut sets[silhouette / WORD], bit), touches);
+                }
             }
         }
-        let matches = |part: usize| 2 + sets.iter().map(|set| set[part].count_ones() as usize).sum::<usize>();
-        let bounds: [usize; PARTS] = std::array::from_fn(matches);
+        bounds.clear();
+        bounds.resize(parts, 2);
+        for set in sets.iter() {
+            bounds.iter_mut().zip(set).for_each(|(bound, set)| *bound += set.count_ones() as usize);
+        }
         if bounds.iter().all(|&bound| bound < least_support) {
             return false;
         }
         let bounded = touches.iter().map(|touch| (bounds[touch.part], touch.place));
-        hypotheses.extend(bounded.filter(|(bound, _)| *bound >= least_support));
+        hypotheses.extend(bounded.filter(|(bound, place)| *bound >= least_support && self.is_ahead(plan, *place)));
         !hypotheses.is_empty()
+    }
+
+    /// Whether a circle of the family is in front of the cameras of the pair.
+    fn is_ahead(&self, plan: &Plan, place: f64) -> bool {
+        let centre = self.apex + self.bisector * place;
+        let is_ahead = |line: usize| {
+            ray(&plan.normal(self.lines[line])).dot(&(centre - plan.views()[self.views[line]].centre)) > 0.0
+        };
+        is_ahead(0) && is_ahead(1)
     }
 
     /// Marks the parts of every line of another view as one of its silhouettes, with the sine
     /// `sin(beta)` for the right and `-sin(beta)` for the left one.
-    fn mark(
-        &self,
-        plan: &Plan,
-        view: usize,
-        sine: f64,
-        (set, bit): (&mut [u64; PARTS], u64),
-        touches: &mut Vec<Touch>,
-    ) {
-        let (centre, extent) = (plan.views()[self.view].centre, plan.extent());
+    fn mark(&self, plan: &Plan, view: usize, sine: f64, (set, bit): (&mut [u64], u64), touches: &mut Vec<Touch>) {
+        let (centre, extent, parts) = (self.apex, plan.extent(), set.len());
         let PlanView { centre: other, cosine: cos_t, sine: sin_t, ref lines, .. } = plan.views()[view];
         let (start, bisector) = (centre - other, self.bisector);
         let [x, y] = plan.normals(lines);
@@ -208,7 +308,7 @@ impl Pair {
                 false => [0.0, 1.0],
             };
             // Conversion of numbers saturates.
-            let part = |u: f64| ((u * PARTS as f64) as usize).min(PARTS - 1);
+            let part = |u: f64| ((u * parts as f64) as usize).min(parts - 1);
             let part_of_place = part(place / (place + extent));
             let (from, to) = (part(low).min(part_of_place), part(high).max(part_of_place));
             set[from..=to].iter_mut().for_each(|set| *set |= bit);
@@ -227,7 +327,7 @@ mod tests {
     /// Every circle that touches the lines of the pair and a line of another view, scored one by
     /// one.
     fn best_of_all(plan: &Plan, pair: &Pair) -> Option<Support> {
-        let own = &plan.views()[pair.view];
+        let own = &plan.views()[pair.view()];
         let mut best: Option<Support> = None;
         for view in plan.views().iter().filter(|view| view.lines != own.lines) {
             for line in view.lines.clone() {
@@ -254,7 +354,7 @@ mod tests {
             let scene = setup.scene(seed).expect("a scene");
             let options = MatchOptions::of(&scene.views);
             let plan = Plan::new(&scene.views, &scene.direction, &options).expect("a plan");
-            for pair in pairs(&plan, References::Every) {
+            for pair in pairs(&plan, References::Every).into_iter().filter(Pair::is_of_one_view) {
                 let expected = best_of_all(&plan, &pair).filter(|support| support.matches >= 4);
                 let found = pair.best(&plan, 4, &mut Workspace::default()).map(|best| best.support);
                 assert_eq!(found.map(|best| best.matches), expected.map(|best| best.matches), "seed {seed}, {pair:?}");

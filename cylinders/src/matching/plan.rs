@@ -85,6 +85,7 @@ pub(super) struct PlanView {
 }
 
 /// Cameras and rays seen along the axis. It contains only the lines along the axis.
+#[derive(Clone)]
 pub(super) struct Plan {
     rectification: Rectification,
     views: Vec<PlanView>,
@@ -99,6 +100,7 @@ pub(super) struct Plan {
 
 /// What decides whether a line near a silhouette in the cross-section is near it in the image, too:
 /// it may be tilted.
+#[derive(Clone)]
 struct Tilt {
     direction: Unit<Vector3<f64>>,
     /// The lines of the plan, empty if distances cannot be measured.
@@ -173,6 +175,22 @@ impl Plan {
         self.views.push(PlanView { centre, threshold, cosine, sine, lines, span });
     }
 
+    /// The same with thresholds that are smaller by this factor. Lines may be as tilted as before:
+    /// the tilt of a short line is less certain than its position.
+    pub(super) fn narrowed(&self, factor: f64) -> Self {
+        let mut narrowed = self.clone();
+        for view in &mut narrowed.views {
+            view.threshold *= factor;
+            (view.sine, view.cosine) = view.threshold.sin_cos();
+        }
+        narrowed
+    }
+
+    /// Number of lines, with those that were taken away.
+    pub(super) fn line_count(&self) -> usize {
+        self.lines.len()
+    }
+
     pub(super) fn rectification(&self) -> &Rectification {
         &self.rectification
     }
@@ -237,12 +255,14 @@ impl Plan {
         Some(support)
     }
 
-    /// The matches of a circle, in the order of the lines.
-    pub(super) fn matches(&self, circle: &Circle) -> Vec<PlanMatch> {
+    /// The matches of a circle within a part of the threshold, in the order of the lines.
+    pub(super) fn matches(&self, circle: &Circle, part: f64) -> Vec<PlanMatch> {
         let sides = [Side::Left, Side::Right];
         let of_view = |view| {
             let found = self.matched_silhouettes(view, circle).unwrap_or_default();
-            sides.into_iter().zip(found).filter_map(|(side, found)| Some(PlanMatch { line: found?.0, side }))
+            let near = move |(line, cost): (usize, f64)| (cost <= part * part).then_some(line);
+            let found = sides.into_iter().zip(found);
+            found.filter_map(move |(side, found)| Some(PlanMatch { line: near(found?)?, side }))
         };
         let mut matches: Vec<_> = self.views.iter().flat_map(of_view).collect();
         matches.sort_by_key(|line| line.line);

@@ -1,25 +1,37 @@
-//! The search: pairs of silhouettes to circles, the best supported first.
-
-use std::collections::BinaryHeap;
+//! The search: pairs of silhouettes to circles, those that are the least likely by chance first.
 
 use nalgebra::{Unit, Vector3};
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
-use super::chance::{Chance, FALSE_ALARMS};
+use super::chance::Chance;
 use super::error::MatchError;
 use super::found::Matching;
-use super::model::{Model, fitted};
-use super::occlusion::hidden;
+use super::judge::Judge;
+use super::model::Model;
 use super::options::MatchOptions;
 use super::pair::{Hypothesis, Pair, Workspace, pairs};
 use super::plan::Plan;
-use crate::cross_section::circle::Circle;
 use crate::observations::scene::LineId;
 use crate::observations::view::View;
 
 /// Least number of matches: four circles touch three lines, and a fourth line decides.
 const LEAST_SUPPORT: usize = 4;
+
+/// Parts of the threshold at which hypotheses are compared, the widest first.
+const LEVELS: [f64; 5] = [1.0, 0.5, 0.25, 0.125, 0.0625];
+
+/// Hypotheses are compared at so many of these levels, the widest at which lines are sparse.
+const SPARSE_LEVELS: usize = 2;
+
+/// Largest expected number of circles that are accepted by chance.
+const MOST_FALSE_ALARMS: f64 = 0.1;
+
+/// The search is repeated with less required support if there are at most so many pairs.
+const REPEATED_PAIRS: usize = 20_000;
+
+/// Largest number of hypotheses of a level that are fitted, those with the most matches.
+const CANDIDATES: usize = 1000;
 
 /// The step by which the required support is lowered if too few models were found. It also lowers
 /// the support that chance gives if no silhouette is hidden.
@@ -40,9 +52,8 @@ pub enum Progress {
 /// Finds all cylinders of a direction among lines without labels, and the lines that are their
 /// silhouettes.
 ///
-/// Lines that are not along the direction are ignored. The best supported cylinder is taken first
-/// (most matches, then the least sum of their squared angles), and its lines match no other
-/// cylinder.
+/// Lines that are not along the direction are ignored. The cylinder that is the least likely by
+/// chance is taken first, and its lines match no other cylinder.
 ///
 /// # Errors
 /// [`MatchError`].
@@ -67,12 +78,13 @@ pub fn match_cylinders_with(
     if let Some(least_support) = options.least_support.filter(|&least| least < LEAST_SUPPORT) {
         return Err(MatchError::LeastSupport { least_support });
     }
-    let mut plan = Plan::new(views, direction, options)?;
+    let plan = Plan::new(views, direction, options)?;
     let pairs = pairs(&plan, options.references);
-    if pairs.is_empty() {
+    if !pairs.iter().any(Pair::is_of_one_view) {
         return Err(MatchError::NoPair);
     }
-    let (found, least_support) = search(&mut plan, &pairs, options, progress);
+    let mut plans: Vec<_> = LEVELS.map(|part| plan.narrowed(part)).into();
+    let (found, least_support) = search(&mut plans, &pairs, options, progress);
 
     let lines = views.iter().map(|view| view.lines().len()).sum();
     if found.is_empty() {
@@ -95,7 +107,7 @@ pub fn match_cylinders_with(
 /// required at the end. Less required support takes longer. The more models are taken, the fewer
 /// matches chance gives.
 fn search(
-    plan: &mut Plan,
+    plans: &mut [Plan],
     pairs: &[Pair],
     options: &MatchOptions,
     progress: &(dyn Fn(Progress) + Sync),
@@ -103,143 +115,124 @@ fn search(
     let count = options.count.unwrap_or(usize::MAX);
     // If the number of cylinders or of matches is given, chance does not stop the search.
     let floor = options.least_support.or(options.count.map(|_| LEAST_SUPPORT));
-    let least_matches = options.least_support.unwrap_or(LEAST_SUPPORT);
-    let false_alarms = if floor.is_some() { f64::INFINITY } else { FALSE_ALARMS };
+    let false_alarms = if floor.is_some() { f64::INFINITY } else { MOST_FALSE_ALARMS.ln() };
     let mut found: Vec<Model> = Vec::new();
-    let mut least = usize::MAX;
+    let mut least: Vec<usize> = vec![usize::MAX; plans.len()];
     while found.len() < count {
-        let chance = Chance::of(plan, pairs).least_support();
-        let next = match floor {
-            Some(floor) => chance.min(least - SUPPORT_STEP).max(floor),
-            None => (chance - SUPPORT_STEP).max(LEAST_SUPPORT),
-        };
-        if next >= least {
+        let chance = Chance::of(&plans[0], pairs);
+        let (mut next, mut lowered) = (least.clone(), false);
+        let of_levels = LEVELS.iter().enumerate();
+        let sparse = of_levels.filter_map(|(level, &part)| Some((level, chance.least_support(part)?)));
+        for (level, of_chance) in sparse.take(SPARSE_LEVELS) {
+            let next = &mut next[level];
+            let lower = match floor {
+                Some(floor) => of_chance.min(next.saturating_sub(SUPPORT_STEP)).max(floor),
+                None => of_chance.saturating_sub(SUPPORT_STEP).max(LEAST_SUPPORT),
+            };
+            lowered |= lower < *next;
+            *next = lower.min(*next);
+        }
+        if !lowered {
             break;
         }
         least = next;
-        let demand = Demand { least_support: least, least_matches, false_alarms, count };
-        extract(plan, pairs, &demand, progress, &mut found);
+        let least_matches = options.least_support.unwrap_or(LEAST_SUPPORT);
+        let demand = Demand { least: &least, least_matches, false_alarms, count };
+        extract(plans, pairs, &demand, progress, &mut found);
+        if floor.is_none() && pairs.len() > REPEATED_PAIRS {
+            break;
+        }
     }
-    (found, least)
+    // If lines are sparse at no level, more matches than there are silhouettes would be needed.
+    let all = 2 * plans[0].views().len() + 1;
+    (found, least.into_iter().filter(|&least| least < usize::MAX).min().unwrap_or(floor.unwrap_or(all)))
 }
 
 /// What the search requires of models.
 #[derive(Clone, Copy, Debug)]
-struct Demand {
-    least_support: usize,
-    /// Least number of lines that are near the silhouettes in the image, too.
+struct Demand<'a> {
+    /// Least number of matches of a hypothesis at each level.
+    least: &'a [usize],
+    /// Least number of matches of a model.
     least_matches: usize,
-    /// Largest number of false alarms.
+    /// Natural logarithm of the largest number of false alarms.
     false_alarms: f64,
     /// Number of models at which the search ends.
     count: usize,
 }
 
-/// Takes the best supported models one after the other. When lines are taken away, the best
-/// hypothesis of a pair can only lose support, so its previous support is a bound. A pair is
-/// searched again only when its bound is the largest.
+/// The model of the best hypothesis of a pair at a level.
+struct Candidate {
+    pair: usize,
+    level: usize,
+    model: Model,
+}
+
+/// Takes the models that are the least likely by chance one after the other. When the lines of a
+/// model are taken away, the pairs of the models that had them are searched again.
 fn extract(
-    plan: &mut Plan,
+    plans: &mut [Plan],
     pairs: &[Pair],
     demand: &Demand,
     progress: &(dyn Fn(Progress) + Sync),
     found: &mut Vec<Model>,
 ) {
-    progress(Progress::Pairs(pairs.len()));
-    let search = |workspace: &mut Workspace, (index, pair): (usize, &Pair)| {
-        let best = pair.best(plan, demand.least_support, workspace);
-        progress(Progress::Pair);
-        best.map(|best| (best, index))
-    };
-    #[cfg(feature = "parallel")]
-    let best: Vec<_> = pairs.par_iter().enumerate().map_init(Workspace::default, search).collect();
-    #[cfg(not(feature = "parallel"))]
-    let best: Vec<_> = {
-        let mut workspace = Workspace::default();
-        pairs.iter().enumerate().map(|pair| search(&mut workspace, pair)).collect()
-    };
-
-    let mut round = found.len();
-    let mut chance = Chance::of(plan, pairs);
-    let mut queue: BinaryHeap<_> =
-        best.into_iter().flatten().map(|(best, pair)| Candidate { best, pair, round }).collect();
-    // Candidates that might be chance. They are tried again when another model is found: then there
-    // are fewer lines, and some of their silhouettes may be hidden.
-    let mut doubtful = Vec::new();
-    let mut workspace = Workspace::default();
+    let mut judge = Judge::new(&plans[0], pairs, found);
+    let mut candidates = Vec::new();
+    for (level, &least) in demand.least.iter().enumerate().filter(|(_, least)| **least < usize::MAX) {
+        progress(Progress::Pairs(pairs.len()));
+        let plans = &*plans;
+        let mut of_level = with_workspaces(pairs.len(), |workspace, pair| {
+            let best = pairs[pair].best(&plans[level], least, workspace);
+            progress(Progress::Pair);
+            best.map(|best| (best, pair))
+        });
+        of_level.sort_by(|one, other| other.0.support.cmp(&one.0.support));
+        of_level.truncate(CANDIDATES);
+        candidates.extend(with_workspaces(of_level.len(), |_, index| {
+            let (Hypothesis { circle, .. }, pair) = of_level[index];
+            Some(Candidate { pair, level, model: judge.fitted(plans, level, &circle)? })
+        }));
+    }
     while found.len() < demand.count {
-        let Some(candidate) = queue.pop() else { break };
-        if candidate.round < round {
-            let again = pairs[candidate.pair].best(plan, demand.least_support, &mut workspace);
-            queue.extend(again.map(|best| Candidate { best, round, ..candidate }));
-            continue;
+        candidates.retain(|candidate| candidate.model.matches.len() >= demand.least_matches);
+        let least = |one: &&Candidate, other: &&Candidate| one.model.false_alarms.total_cmp(&other.model.false_alarms);
+        let Some(best) = candidates.iter().min_by(least) else { break };
+        if best.model.false_alarms > demand.false_alarms {
+            break;
         }
-        let enough = |model: &Model| model.matches.len() >= demand.least_matches;
-        let Some(model) = fitted(plan, candidate.best.circle).filter(enough) else { continue };
-        let false_alarms = false_alarms(plan, &chance, &model.fit.circle, found);
-        if false_alarms > demand.false_alarms {
-            doubtful.push(candidate);
-            continue;
-        }
-        plan.take(model.matches.iter().map(|line| line.line));
-        found.push(Model { false_alarms, ..model });
+        let model = best.model.clone();
+        plans.iter_mut().for_each(|plan| plan.take(model.matches.iter().map(|line| line.line)));
+        found.push(model);
         progress(Progress::Cylinder);
-        (round, chance) = (found.len(), Chance::of(plan, pairs));
-        queue.extend(doubtful.drain(..));
+        let plans = &*plans;
+        judge = Judge::new(&plans[0], pairs, found);
+        candidates = with_workspaces(candidates.len(), |workspace, index| {
+            let Candidate { pair, level, ref model } = candidates[index];
+            let is_free =
+                model.matches.iter().all(|line| plans[0].is_free(line.line)) && pairs[pair].is_free(&plans[0]);
+            let model = if is_free {
+                judge.judged(&plans[0], &model.fit)
+            } else {
+                let best = pairs[pair].best(&plans[level], demand.least[level], workspace)?;
+                judge.fitted(plans, level, &best.circle)?
+            };
+            Some(Candidate { pair, level, model })
+        });
     }
 }
 
-/// Expected number of circles like this one by chance. It is counted on all silhouettes and on
-/// those that the models found do not hide, because cylinders of finite length do not hide
-/// everything behind them. The smaller number counts, doubled for the choice between the two.
-fn false_alarms(plan: &Plan, chance: &Chance, circle: &Circle, found: &[Model]) -> f64 {
-    let circles: Vec<_> = found.iter().map(|model| model.fit.circle).collect();
-    let (mut all, mut visible) = ((Vec::new(), 0), (Vec::new(), 0));
-    for view in plan.views().iter().filter(|view| !view.lines.is_empty()) {
-        let Some((silhouettes, hidden)) =
-            plan.matched_silhouettes(view, circle).zip(hidden(&view.centre, circle, &circles))
-        else {
-            continue;
-        };
-        for (silhouette, hidden) in silhouettes.into_iter().zip(hidden) {
-            let distance = silhouette.map(|(_, cost)| cost.sqrt());
-            for (distances, count) in [Some(&mut all), Some(&mut visible).filter(|_| !hidden)].into_iter().flatten() {
-                distances.extend(distance);
-                *count += 1;
-            }
-        }
-    }
-    2.0 * [all, visible]
-        .map(|(distances, count)| chance.false_alarms(distances, count))
-        .into_iter()
-        .fold(f64::INFINITY, f64::min)
+/// What a function finds for each index below `count`, in order.
+fn with_workspaces<T: Send>(
+    count: usize,
+    of_index: impl Fn(&mut Workspace, usize) -> Option<T> + Sync + Send,
+) -> Vec<T> {
+    #[cfg(feature = "parallel")]
+    let found: Vec<_> = (0..count).into_par_iter().map_init(Workspace::default, of_index).collect();
+    #[cfg(not(feature = "parallel"))]
+    let found: Vec<_> = {
+        let mut workspace = Workspace::default();
+        (0..count).map(|index| of_index(&mut workspace, index)).collect()
+    };
+    found.into_iter().flatten().collect()
 }
-
-/// The best hypothesis of a pair, and the number of models that had been taken when it was found.
-#[derive(Clone, Copy, Debug)]
-struct Candidate {
-    best: Hypothesis,
-    pair: usize,
-    round: usize,
-}
-
-impl Ord for Candidate {
-    /// Compares by support. If the support is equal, the earlier pair is the greater.
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.best.support.cmp(&other.best.support).then(other.pair.cmp(&self.pair))
-    }
-}
-
-impl PartialOrd for Candidate {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Candidate {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Candidate {}

@@ -27,7 +27,7 @@ pub struct MatchingReport {
     pub least_support: usize,
     /// The part of all lines that are not silhouettes of a cylinder, averaged over the cylinders.
     pub outlier_rate: f64,
-    /// The cylinders, direction by direction, the best supported first.
+    /// The cylinders, direction by direction, the least likely by chance first.
     pub cylinders: Vec<MatchedCylinderReport>,
     /// Lines of no cylinder.
     pub unmatched: Vec<LineReport>,
