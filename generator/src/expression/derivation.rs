@@ -160,11 +160,17 @@ fn reduced(f: PrimeField, mut rows: Vec<Vec<u32>>, columns: usize) -> Option<Red
 const MIXING_SEED: u64 = 0x6e75_6c6c;
 
 /// A basis of the null space without the zeros and ones of the one that an echelon form gives:
-/// those would be taken for structure of the problem. The mixing matrix is the same for all data,
-/// so that equal operands have equal results.
+/// those would be taken for structure of the problem. The mixing matrix depends on the space alone:
+/// equal operands have equal results, and no entry is the same for two different spaces, which would
+/// be taken for one value.
 fn mixed_null_space(f: PrimeField, reduced: &Reduced, columns: usize) -> Vec<u32> {
     let free: Vec<usize> = (0..columns).filter(|column| !reduced.pivots.contains(column)).collect();
-    let mut random = Random::new(MIXING_SEED);
+    let entries = reduced.rows.iter().flatten();
+    // The multiplier of a linear congruential generator by Knuth, MMIX.
+    let seed = entries.fold(MIXING_SEED, |seed, &entry| {
+        seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(u64::from(entry) + 1)
+    });
+    let mut random = Random::new(seed);
     let mut results = Vec::with_capacity(free.len() * columns);
     for _ in &free {
         let weights: Vec<u32> = free.iter().map(|_| random.below(u64::from(f.modulus())) as u32).collect();
@@ -193,6 +199,18 @@ mod tests {
 
     fn dot(a: &[u32], b: impl Iterator<Item = u32>) -> u32 {
         a.iter().zip(b).fold(0, |sum, (&a, b)| F.add(sum, F.mul(a, b)))
+    }
+
+    #[test]
+    fn entries_of_different_null_spaces_are_different() {
+        let mut random = Random::new(3);
+        let kind = DerivationKind::NullSpace { rows: 1, columns: 3 };
+        let [first, second] = [0; 2].map(|_| drawn(&mut random, 3));
+        let [a, b] = [&first, &second].map(|row| kind.over_prime_field(F, row).unwrap());
+        assert!(a.iter().all(|entry| !b.contains(entry)), "{a:?} {b:?}");
+        // That of a multiple is the same space.
+        let doubled: Vec<u32> = first.iter().map(|&x| F.add(x, x)).collect();
+        assert_eq!(kind.over_prime_field(F, &doubled).unwrap(), a);
     }
 
     #[test]
