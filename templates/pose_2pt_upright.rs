@@ -5,9 +5,9 @@
 /// vertical direction", ACCV 2010; here by the depths, as Haralick, Lee, Ottenberg, Nölle, IJCV
 /// 1994, state the pose from three points.
 ///
-/// `rays[k]` is the ray of point k in a frame of the camera whose y axis is vertical, of any length,
-/// and `points[k]` its position in a world with the same vertical. The unknowns are the depths along
-/// the rays. A pose X -> rotation X + translation takes the world to the camera; the
+/// `rays[k]` is the ray of point k in a frame of the camera whose y axis is vertical, of any
+/// length, and `points[k]` its position in a world with the same vertical. The unknowns are the
+/// depths along the rays. A pose X -> rotation X + translation takes the world to the camera; the
 /// rotation is about the y axis, and both points are in front. The points must not be above each
 /// other, nor both rays level.
 fn pose_2pt_upright(rays: [[f64; 3]; 2], points: [[f64; 3]; 2]) -> (a, b) {

@@ -39,8 +39,8 @@ fn pose_6pt_rolling_shutter(points: [[f64; 3]; 6], images: [[f64; 2]; 6]) -> (u,
     }
 }
 
-/// The coefficients of the monomials in (I + row \[(x, y, z)\]x) (I + \[(u, v, w)\]x) X, one row for
-/// each coordinate.
+/// The coefficients of the monomials in (I + row \[(x, y, z)\]x) (I + \[(u, v, w)\]x) X, one row
+/// for each coordinate.
 fn turned(point: [f64; 3], row: f64) -> [[f64; 16]; 3] {
     let axes = identity(3);
     let mut columns = [[0; 3]; 16];

@@ -30,8 +30,8 @@ fn stretched(point: [f64; 2], radial: _) -> [f64; 2] {
     [square, 1 + radial * square]
 }
 
-/// The coefficients of w, w^2, w^3 and w^4 in (z + along w)^2 (r_z^2 + r_s w) (s_z^2 + s_s w), where
-/// z is the product of the third coordinates of p and q.
+/// The coefficients of w, w^2, w^3 and w^4 in (z + along w)^2 (r_z^2 + r_s w) (s_z^2 + s_s w),
+/// where z is the product of the third coordinates of p and q.
 fn side(along: f64, p: [f64; 2], q: [f64; 2], r: [f64; 2], s: [f64; 2]) -> [f64; 4] {
     let z = p[1] * q[1];
     let [f, g] = [r[1] * r[1], s[1] * s[1]];

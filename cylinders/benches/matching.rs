@@ -1,6 +1,6 @@
 //! The time of matching: twelve images with 24, 50, 100 and 200 lines each, among them the
-//! silhouettes of seven cylinders, whose end points are off by noise of a quarter and of a tenth of a
-//! pixel. Prints the median over scenes, the cylinders found and the false ones.
+//! silhouettes of seven cylinders, whose end points are off by noise of a quarter and of a tenth of
+//! a pixel. Prints the median over scenes, the cylinders found and the false ones.
 //!
 //! `cargo bench -p eliminant-cylinders --bench matching [LINES...]`
 

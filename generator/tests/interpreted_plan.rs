@@ -41,7 +41,7 @@ fn draw(plan: &Plan, family: u64, random: &mut Random) -> Vec<f64> {
         2 => random.symmetric_unit() * 10f64.powf(150.0 * random.symmetric_unit()),
         _ => (2.0 * random.symmetric_unit()).round(),
     };
-    let mut data: Vec<f64> = (0..plan.inputs()).map(|_| number()).collect();
+    let mut data: Vec<f64> = (0..plan.given()).map(|_| number()).collect();
     if family == 4 {
         let at = random.below(data.len() as u64) as usize;
         data[at] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY][random.below(3) as usize];

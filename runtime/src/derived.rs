@@ -106,8 +106,8 @@ fn scale_of<R: Real>(row: &[R]) -> Result<f64, SolveError> {
 ///   matrix:  A, size x size, row by row, then B, size x right      solution:  size x right
 /// ```
 ///
-/// Gaussian elimination with partial pivoting of rows that are equilibrated by powers of two. A
-/// pivot must be more than `least`, which is for `f64` and is less at twice the precision, and more
+/// Gaussian elimination with partial pivoting of rows and columns that are equilibrated by powers
+/// of two: the units of equations and of unknowns do not matter. A pivot must be more than `least`, which is for `f64` and is less at twice the precision, and more
 /// than rounding.
 ///
 /// # Errors
@@ -151,6 +151,16 @@ fn solve_sized<R: Real>(
         let factor = scale_of(row)?;
         row.iter_mut().chain(of_right).for_each(|x| *x = x.scale(factor));
     }
+    // The right sides are copied, so that their place can hold the factors of the columns.
+    let factors = &mut b[..size];
+    for (column, factor) in factors.iter_mut().enumerate() {
+        let largest = (0..size).fold(0.0, |largest, row| f64::max(largest, a[row * size + column].magnitude()));
+        let of_column = if largest > 0.0 { power_of_two(-exponent(largest)) } else { 1.0 };
+        for row in 0..size {
+            a[row * size + column] = a[row * size + column].scale(of_column);
+        }
+        *factor = R::from_f64(of_column);
+    }
     for step in 0..size {
         let (mut best, mut largest) = (step, 0.0);
         for row in step..size {
@@ -186,6 +196,9 @@ fn solve_sized<R: Real>(
             let value = known.fold(solution[step * right + column], |rest, known| rest - known);
             solution[step * right + column] = value / a[step * size + step];
         }
+    }
+    for (of_unknown, &factor) in solution.chunks_exact_mut(right).zip(factors.iter()) {
+        of_unknown.iter_mut().for_each(|x| *x = *x * factor);
     }
     if solution.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(SolveError::Overflow) }
 }
@@ -262,5 +275,32 @@ mod tests {
         assert_eq!((square_root(&[2.25, 0.0], &mut roots), roots), (Ok(()), [1.5, 0.0]));
         assert_eq!(square_root(&[-1e-300], &mut roots), Err(SolveError::Overflow));
         assert_eq!(solve_linear(&mut [1e-300, 1e300], 1, 0.0, &mut [0.0]), Err(SolveError::Overflow));
+    }
+
+    #[test]
+    fn units_of_unknowns_do_not_matter() {
+        let size = 5;
+        let given: [f64; 30] = {
+            let mut matrix = [0.0; 30];
+            matrix.iter_mut().zip(drawn(30)).for_each(|(x, value)| *x = value);
+            matrix
+        };
+        let solved = |scale: i32| {
+            let (mut matrix, mut solution) = (given, [0.0; 5]);
+            for row in 0..size {
+                for column in 0..size {
+                    matrix[row * size + column] *= power_of_two(scale * column as i32);
+                }
+            }
+            solve_linear(&mut matrix, size, 0.0, &mut solution).unwrap();
+            core::array::from_fn::<f64, 5, _>(|k| solution[k] * power_of_two(scale * k as i32))
+        };
+        let wanted = solved(0);
+        for scale in [-100, -30, 30, 100] {
+            // Rows are equilibrated first, so that another pivot may be taken.
+            for (x, wanted) in solved(scale).iter().zip(wanted) {
+                assert!((x - wanted).abs() < 1e-13 * wanted.abs(), "{x} for {wanted} at {scale}");
+            }
+        }
     }
 }

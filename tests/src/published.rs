@@ -59,7 +59,8 @@ pub fn published_name(case: &Case) -> Option<String> {
 }
 
 /// The template with the fewest rows that `eliminant search --prefer size` found for a problem when
-/// it looked at no template of more than 2.5 times the operations of the cheapest, rows x columns, from `fewest_rows.csv`; `None` where it was not searched.
+/// it looked at no template of more than 2.5 times the operations of the cheapest, rows x columns,
+/// from `fewest_rows.csv`; `None` where it was not searched.
 ///
 /// # Errors
 /// If the table is malformed.

@@ -78,7 +78,9 @@ fn on_scenes() {
 #[test]
 fn on_badly_scaled_data() {
     for (range, each, mean) in [
-        (1.0, 1.0..=1.0, 1.0..=1.0),
+        // The coefficients of `pose_5tdoa_two_receivers` are squares of its data. On 1 of 1000
+        // instances its template is singular to `f64`.
+        (1.0, 0.99..=1.0, 0.9999..=1.0),
         // The least share, 0.33, is that of `calibration_6_receivers_4_senders`.
         (4.0, 0.3..=1.0, 0.9..=1.0),
         (20.0, 0.0..=1.0, 0.3..=0.6),

@@ -63,6 +63,11 @@ const ON_RANDOM_DATA: Demands = Demands {
                     reason: "2e-14 measured: its coefficients are computed with cancellation",
                 },
                 Exception {
+                    problem: "pose_6pt_rolling_shutter",
+                    bound: 1e-12,
+                    reason: "2.9e-14 measured: three of its six points are eliminated from measurements in f64",
+                },
+                Exception {
                     problem: "relpose_7pt_angle_focal_centre",
                     bound: 1e-11,
                     reason: "3e-13 measured: 1 of 100 instances has a solution of size 1e7 and more, far out on a line",
@@ -73,11 +78,20 @@ const ON_RANDOM_DATA: Demands = Demands {
     error: Bounds {
         what: "quantile 0.99 of the errors",
         usual: 1e-11,
-        exceptions: &[Exception {
-            problem: "relpose_7pt_angle_focal_centre",
-            bound: 1e-7,
-            reason: "3e-9 measured: as for the residuals",
-        }],
+        exceptions: &[
+            Exception {
+                problem: "relpose_7pt_angle_focal_centre",
+                bound: 1e-7,
+                reason: "3e-9 measured: as for the residuals",
+            },
+            // Those that follow derive their coefficients from measurements, which are random here:
+            // the linear equations for them are worse conditioned than those of scenes.
+            Exception { problem: "fundamental_8pt_radial", bound: 1e-9, reason: "1.2e-11 measured" },
+            Exception { problem: "fundamental_8pt_radial_one_side", bound: 1e-9, reason: "1.2e-11 measured" },
+            Exception { problem: "pose_5tdoa_two_receivers", bound: 1e-9, reason: "2.7e-11 measured" },
+            Exception { problem: "relpose_7pt_focal_radial_one_side", bound: 1e-9, reason: "3.1e-11 measured" },
+            Exception { problem: "stitching_3pt_radial_focal", bound: 1e-9, reason: "6.4e-11 measured" },
+        ],
     },
 };
 

@@ -25,7 +25,7 @@ const LEVELS: [f64; 5] = [1.0, 0.5, 0.25, 0.125, 0.0625];
 const SPARSE_LEVELS: usize = 2;
 
 /// Largest expected number of circles that are accepted by chance.
-const MOST_FALSE_ALARMS: f64 = 0.1;
+const MOST_FALSE_ALARMS: f64 = 1.0;
 
 /// The search is repeated with less required support if there are at most so many pairs.
 const REPEATED_PAIRS: usize = 20_000;

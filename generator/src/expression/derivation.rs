@@ -161,8 +161,8 @@ const MIXING_SEED: u64 = 0x6e75_6c6c;
 
 /// A basis of the null space without the zeros and ones of the one that an echelon form gives:
 /// those would be taken for structure of the problem. The mixing matrix depends on the space alone:
-/// equal operands have equal results, and no entry is the same for two different spaces, which would
-/// be taken for one value.
+/// equal operands have equal results, and no entry is the same for two different spaces, which
+/// would be taken for one value.
 fn mixed_null_space(f: PrimeField, reduced: &Reduced, columns: usize) -> Vec<u32> {
     let free: Vec<usize> = (0..columns).filter(|column| !reduced.pivots.contains(column)).collect();
     let entries = reduced.rows.iter().flatten();

@@ -28,8 +28,8 @@ pub fn coefficients_of_results<A: Arithmetic>(
 }
 
 /// The values of all data, from those that are given: the others are derived, or 0 where a solve
-/// does not depend on them. Derived data that are there already stay as they are. `None` if a matrix
-/// has lost rank.
+/// does not depend on them. Derived data that are there already stay as they are. `None` if a
+/// matrix has lost rank.
 pub fn all_inputs<A: Arithmetic>(plan: &Plan, f: A, given: &[A::Value]) -> Option<Vec<A::Value>> {
     derived_inputs(plan, f, given, &|planned| !planned.is_for_results)
 }

@@ -10,8 +10,8 @@
 //!
 //! Closed forms lose digits to cancellation where roots differ much in size. They are therefore
 //! starts of Newton's method on the polynomial itself, and they are used only if the product of the
-//! factors is the polynomial, up to rounding, and if no factor is close to a double root. Everything
-//! else is left to the isolation of roots.
+//! factors is the polynomial, up to rounding, and if no factor is close to a double root.
+//! Everything else is left to the isolation of roots.
 
 use crate::number::float::sqrt;
 use crate::spectrum::real_roots::{LANES, LAST_STEP, Lanes};

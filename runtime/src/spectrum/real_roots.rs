@@ -9,9 +9,9 @@
 //! whose coefficients change their sign as often as q has roots in (0, 1), or an even number of
 //! times more often (Descartes' rule). Intervals with two and more changes are halved by de
 //! Casteljau's algorithm until each has one change, which is one root, or none (Lane and Riesenfeld
-//! 1981). Degrees 2 to 4 have closed forms, which are tried first. An interval that still has two changes when it is short holds two roots that are close to
+//! 1981). An interval that still has two changes when it is short holds two roots that are close to
 //! each other, or a pair close to the real axis: nobody can tell from rounded coefficients, and the
-//! result says so.
+//! result says so. Degrees 2 to 4 have closed forms, which are tried first.
 
 use crate::number::float;
 use crate::size::{List, Size};

@@ -41,8 +41,8 @@ pub(crate) struct Arguments {
     /// sharded]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(2..=MOST_COLUMNS as u64))]
     max_columns: Option<u64>,
-    /// Makes a template by the trace of a Gröbner basis at once, whatever its size. Otherwise this is
-    /// done where nothing is found, unless `--max-columns` or `--shard` is given
+    /// Makes a template by the trace of a Gröbner basis at once, whatever its size. Otherwise this
+    /// is done where nothing is found, unless `--max-columns` or `--shard` is given
     #[arg(long, conflicts_with_all = ["max_columns", "shard", "merge"])]
     trace: bool,
     /// Largest basis, which is the size of the eigenvalue problem; never below the number of
