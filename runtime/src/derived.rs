@@ -198,7 +198,7 @@ fn solve_sized<R: Real>(
         }
     }
     for (of_unknown, &factor) in solution.chunks_exact_mut(right).zip(factors.iter()) {
-        of_unknown.iter_mut().for_each(|x| *x = *x * factor);
+        of_unknown.iter_mut().for_each(|x| *x *= factor);
     }
     if solution.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(SolveError::Overflow) }
 }

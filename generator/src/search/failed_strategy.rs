@@ -2,8 +2,10 @@
 
 use std::fmt;
 
-use super::seed_sets::MOST_TRACED_ROWS;
 use super::solving_set::Obstacle;
+
+/// Most rows of a traced set that is reduced: its elimination takes minutes.
+pub(crate) const MOST_TRACED_ROWS: usize = 50_000;
 
 /// A strategy none of whose sets of shifts solves.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -3,6 +3,7 @@
 //! A set that solves is a template already, but mostly a large one. [`super::reduce`] deletes its
 //! rows.
 
+use super::failed_strategy::MOST_TRACED_ROWS;
 use super::formulation::Formulation;
 use super::grow::{Growth, Shifts};
 use super::monitor::{Monitor, Stage};
@@ -88,9 +89,6 @@ pub(crate) fn seed_sets(
 
 /// Number of traced sets from which templates are made, the smallest that solve.
 const TRACED_SETS: usize = 2;
-
-/// Most rows of a traced set that is reduced: its elimination takes minutes.
-pub(crate) const MOST_TRACED_ROWS: usize = 50_000;
 
 /// The seed sets by the trace of a Gröbner basis, the smallest ones, each for its action monomial.
 /// There are none if the basis is too large.

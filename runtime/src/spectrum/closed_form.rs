@@ -14,7 +14,9 @@
 //! Everything else is left to the isolation of roots.
 
 use crate::number::float::sqrt;
-use crate::spectrum::real_roots::{LANES, LAST_STEP, Lanes};
+
+/// The most roots, which are computed side by side.
+const LANES: usize = 4;
 
 /// The product of the factors may differ from the polynomial by this, relative to the sum of the
 /// moduli of its terms.
@@ -26,6 +28,8 @@ const CLEAR_DISCRIMINANT: f64 = 1e-5;
 const CLEAR_DISTANCE: f64 = 1e-2;
 /// A step of this size, relative to the root, is the last but one.
 const SMALL_STEP: f64 = 1e-7;
+/// A step of this size, relative to the root, is the last one.
+const LAST_STEP: f64 = 1e-9;
 /// The largest number of steps to a root of the resolvent: 4 or 5 are usual.
 const MOST_STEPS: usize = 10;
 /// Steps from a start that satisfies [`FACTORED`].
@@ -34,7 +38,7 @@ const POLISH_STEPS: usize = 3;
 /// The real roots of a polynomial, all of them and simple.
 pub(crate) struct FewRoots {
     /// The roots, then anything.
-    pub(crate) roots: Lanes,
+    pub(crate) roots: [f64; LANES],
     /// How many there are.
     pub(crate) count: usize,
     /// If there are none: relative errors of the coefficients below this make none.

@@ -14,6 +14,7 @@ mod reduced_basis;
 mod saturation;
 mod symbolic;
 mod trace;
+mod traced_basis;
 
 pub use basis::{BasisElement, GroebnerBasis};
 pub use fglm::change_order;
@@ -23,4 +24,5 @@ pub use points::count_points;
 pub use quotient::QuotientRing;
 pub use reduced_basis::groebner_basis;
 pub use saturation::saturate;
-pub use trace::{GeneratorMultiple, TracedBasis};
+pub use trace::GeneratorMultiple;
+pub use traced_basis::TracedBasis;
