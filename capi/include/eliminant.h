@@ -210,81 +210,119 @@ int32_t eliminant_fundamental_7pt_solve_batch_for_epipolar(
 /*
  * fundamental_8pt_radial
  *
- * Fundamental matrix and the radial distortion common to both cameras from eight point
- * correspondences: 16 solutions.
+ * Fundamental matrix and the radial distortion common to both cameras from eight points: 16
+ * solutions.
  *
  * Kukelova, Pajdla, "A minimal solution to the autocalibration of radial distortion", CVPR 2007.
  * Published as `8ptF_radial`.
  *
- * A point x lies along (x, 1 + radial |x|^2), the division model. Then x2^T F x1 = 0 is, with f33
- * = 1, linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the monomials radial
- * f13, radial f23, radial^2, f13, f23, radial, 1: eight points give the former as combinations of
- * these, the rows of `affine`.
+ * `first[k]` and `second[k]` are the distorted images of point k, relative to the centre of
+ * distortion. An image x lies along (x, 1 + radial |x|^2), the division model. Then x2^T F x1 = 0
+ * is, with f33 = 1, linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the
+ * monomials radial f13, radial f23, radial^2, f13, f23, radial, 1: eight points give the former as
+ * combinations of these.
  *
- * Data: affine[8][7].
+ * Data: first[8][2], second[8][2].
  * A row of 3 numbers, the unknowns: radial, f_13, f_23.
+ * A row of 10 numbers, the result radial_epipolar: fundamental[3][3], radial.
  */
-#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_AFFINE_LENGTH 56
+#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_FIRST_LENGTH 16
+#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_SECOND_LENGTH 16
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_UNKNOWNS 3
+#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_LENGTH_OF_RADIAL_EPIPOLAR 10
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_MAX_SOLUTIONS 16
 int32_t eliminant_fundamental_8pt_radial_solve(
-    const double *affine, size_t affine_length, double *solutions, size_t capacity, size_t *count);
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_fundamental_8pt_radial_solve_batch(
-    size_t instances, const double *affine, size_t affine_length, double *solutions,
-    size_t solutions_length, size_t *counts, int32_t *codes);
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_fundamental_8pt_radial_solve_for_radial_epipolar(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_fundamental_8pt_radial_solve_batch_for_radial_epipolar(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
 
 /*
  * fundamental_8pt_radial_one_side
  *
- * Fundamental matrix and radial distortion of the second camera from eight point correspondences:
- * 8 solutions.
+ * Fundamental matrix and radial distortion of the second camera from eight points: 8 solutions.
  *
  * Kuang, Solem, Kahl, Åström, "Minimal solvers for relative pose with a single unknown radial
  * distortion", CVPR 2014. Published as `8ptF_radial_1s`.
  *
- * A point x2 of the second image lies along (x2, 1 + radial |x2|^2), the division model. Then x2^T
- * F x1 = 0 is linear in the nine entries of F, the third row also multiplied by `radial`. Eight
- * points, and f33 = 1, give (f11, f21, f31, f12, f22, f13, f23, radial f31) = affine (radial f32,
- * radial, f32, 1).
+ * `first[k]` is the image of point k in a camera without distortion, `second[k]` the distorted one
+ * in the other, relative to the centre of distortion. There an image x lies along (x, 1 + radial
+ * |x|^2), the division model. Then x2^T F x1 = 0 is linear in the nine entries of F, the third row
+ * also multiplied by `radial`. Eight points, and f33 = 1, give f11, f21, f31, f12, f22, f13, f23
+ * and radial f31 as combinations of radial f32, radial, f32 and 1.
  *
- * Data: affine[8][4].
+ * Data: first[8][2], second[8][2].
  * A row of 2 numbers, the unknowns: f_32, radial.
+ * A row of 10 numbers, the result radial_epipolar: fundamental[3][3], radial.
  */
-#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_AFFINE_LENGTH 32
+#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_FIRST_LENGTH 16
+#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_SECOND_LENGTH 16
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_UNKNOWNS 2
+#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_LENGTH_OF_RADIAL_EPIPOLAR 10
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_MAX_SOLUTIONS 8
 int32_t eliminant_fundamental_8pt_radial_one_side_solve(
-    const double *affine, size_t affine_length, double *solutions, size_t capacity, size_t *count);
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_fundamental_8pt_radial_one_side_solve_batch(
-    size_t instances, const double *affine, size_t affine_length, double *solutions,
-    size_t solutions_length, size_t *counts, int32_t *codes);
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_fundamental_8pt_radial_one_side_solve_for_radial_epipolar(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_fundamental_8pt_radial_one_side_solve_batch_for_radial_epipolar(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
 
 /*
  * fundamental_9pt_two_radials
  *
- * Fundamental matrix and the two different radial distortions of two cameras from nine point
- * correspondences: 24 solutions.
+ * Fundamental matrix and the two different radial distortions of two cameras from nine points: 24
+ * solutions.
  *
  * Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
  * problems for cameras with radial distortion", CVIU 114, 2010. Published as `rdist9p`, with f13
  * and f23 eliminated in place of t and f13.
  *
- * A point x lies along (x, 1 + radial |x|^2), the division model: with s in the second image and t
- * in the first. Then x2^T F x1 = 0 is, with f33 = 1, linear in f11, f12, f21, f22, t, f13, t f13,
- * t f23, s t and in s f31, s f32, s, f31, f32, f23, 1: nine points give the former as combinations
- * of these, the rows of `affine`.
+ * `first[k]` and `second[k]` are the distorted images of point k, relative to the centres of
+ * distortion. An image x lies along (x, 1 + radial |x|^2), the division model: with s for `radial`
+ * in the second image and t in the first. Then x2^T F x1 = 0 is, with f33 = 1, linear in f11, f12,
+ * f21, f22, t, f13, t f13, t f23, s t and in s f31, s f32, s, f31, f32, f23, 1: nine points give
+ * the former as combinations of these.
  *
- * Data: affine[9][7].
+ * Data: first[9][2], second[9][2].
  * A row of 4 numbers, the unknowns: s, f_31, f_32, f_23.
+ * A row of 11 numbers, the result radial_epipolar: fundamental[3][3], radials[2].
  */
-#define ELIMINANT_FUNDAMENTAL_9PT_TWO_RADIALS_AFFINE_LENGTH 63
+#define ELIMINANT_FUNDAMENTAL_9PT_TWO_RADIALS_FIRST_LENGTH 18
+#define ELIMINANT_FUNDAMENTAL_9PT_TWO_RADIALS_SECOND_LENGTH 18
 #define ELIMINANT_FUNDAMENTAL_9PT_TWO_RADIALS_UNKNOWNS 4
+#define ELIMINANT_FUNDAMENTAL_9PT_TWO_RADIALS_LENGTH_OF_RADIAL_EPIPOLAR 11
 #define ELIMINANT_FUNDAMENTAL_9PT_TWO_RADIALS_MAX_SOLUTIONS 24
 int32_t eliminant_fundamental_9pt_two_radials_solve(
-    const double *affine, size_t affine_length, double *solutions, size_t capacity, size_t *count);
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_fundamental_9pt_two_radials_solve_batch(
-    size_t instances, const double *affine, size_t affine_length, double *solutions,
-    size_t solutions_length, size_t *counts, int32_t *codes);
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_fundamental_9pt_two_radials_solve_for_radial_epipolar(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_fundamental_9pt_two_radials_solve_batch_for_radial_epipolar(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
 
 /*
  * katsura_5
@@ -389,8 +427,8 @@ int32_t eliminant_platform_forward_kinematics_solve_batch(
  * vertical direction", ACCV 2010; here by the depths, as Haralick, Lee, Ottenberg, Nölle, IJCV
  * 1994, state the pose from three points.
  *
- * `rays` are two viewing rays in a frame of the camera whose y axis is vertical, of any length,
- * `points` the points that they see, in a world with the same vertical. The unknowns are the
+ * `rays[k]` is the ray of point k in a frame of the camera whose y axis is vertical, of any
+ * length, and `points[k]` its position in a world with the same vertical. The unknowns are the
  * depths along the rays. A pose X -> rotation X + translation takes the world to the camera; the
  * rotation is about the y axis, and both points are in front. The points must not be above each
  * other, nor both rays level.
@@ -555,27 +593,36 @@ int32_t eliminant_pose_3pt_upright_error_bound_solve_batch(
  * in the form of Bujnak, Kukelova, Pajdla, "New efficient solution to the absolute pose problem
  * for camera with unknown focal length and radial distortion", ACCV 2010. Published as `p4p_fr`.
  *
- * An image point (u, v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with
- * P = diag(1, 1, 1/f) \[R t\]. That v times the first row of P minus u times the second vanishes
- * at X leaves a null space of dimension four: the first two rows of P, without their last entries,
- * are row1 w and row2 w with the weights w. The third, from the four points, is row3 (w, radial
- * w).
+ * `points[k]` is the position of point k, `images[k]` its distorted image, relative to the
+ * principal point. The points must not lie in a plane. An image (u, v) lies along (u, v, 1 +
+ * radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1, 1/f) \[R t\]. That v times
+ * the first row of P minus u times the second vanishes at X leaves a null space of dimension four:
+ * these rows are the sum of its vectors, each times its weight. The third row follows from the
+ * four points. `projection` is P up to scale.
  *
- * Data: row1[3][4], row2[3][4], row3[3][8].
+ * Data: points[4][3], images[4][2].
  * A row of 5 numbers, the unknowns: weights[4] (given up to scale: of length 1), radial.
+ * A row of 14 numbers, the result radial_pose: projection[3][4], focal, radial.
  */
-#define ELIMINANT_POSE_4PT_FOCAL_RADIAL_ROW1_LENGTH 12
-#define ELIMINANT_POSE_4PT_FOCAL_RADIAL_ROW2_LENGTH 12
-#define ELIMINANT_POSE_4PT_FOCAL_RADIAL_ROW3_LENGTH 24
+#define ELIMINANT_POSE_4PT_FOCAL_RADIAL_POINTS_LENGTH 12
+#define ELIMINANT_POSE_4PT_FOCAL_RADIAL_IMAGES_LENGTH 8
 #define ELIMINANT_POSE_4PT_FOCAL_RADIAL_UNKNOWNS 5
+#define ELIMINANT_POSE_4PT_FOCAL_RADIAL_LENGTH_OF_RADIAL_POSE 14
 #define ELIMINANT_POSE_4PT_FOCAL_RADIAL_MAX_SOLUTIONS 16
 int32_t eliminant_pose_4pt_focal_radial_solve(
-    const double *row1, size_t row1_length, const double *row2, size_t row2_length,
-    const double *row3, size_t row3_length, double *solutions, size_t capacity, size_t *count);
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_4pt_focal_radial_solve_batch(
-    size_t instances, const double *row1, size_t row1_length, const double *row2,
-    size_t row2_length, const double *row3, size_t row3_length, double *solutions,
-    size_t solutions_length, size_t *counts, int32_t *codes);
+    size_t instances, const double *points, size_t points_length, const double *images,
+    size_t images_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_pose_4pt_focal_radial_solve_for_radial_pose(
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_4pt_focal_radial_solve_batch_for_radial_pose(
+    size_t instances, const double *points, size_t points_length, const double *images,
+    size_t images_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
 
 /*
  * pose_4pt_focal_radial_cut
@@ -587,24 +634,35 @@ int32_t eliminant_pose_4pt_focal_radial_solve_batch(
  * robust", ICCV 2017. Published as `p4p_fr_iccv17`; `pose_4pt_focal_radial` is the older
  * formulation of the same problem, with 16.
  *
- * An image point (u, v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with
- * P = diag(1, 1, 1/f) \[R t\]. The first two rows of R, column by column, are `upper` w
- * with the weights w, the null space of four equations; the third row of P is, from the four
- * points, `lower` (w, radial w), of which R takes the first three entries.
+ * `points[k]` is the position of point k, `images[k]` its distorted image, relative to the
+ * principal point. The points must not lie in a plane. An image (u, v) lies along (u, v, 1 +
+ * radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1, 1/f) \[R t\]. That v times
+ * the first row of P minus u times the second vanishes at X leaves a null space of dimension four:
+ * these rows are the sum of its vectors, each times its weight. The third row follows from the
+ * four points. `projection` is P up to scale.
  *
- * Data: upper[6][4], lower[3][8].
+ * Data: points[4][3], images[4][2].
  * A row of 5 numbers, the unknowns: radial, weights[4] (given up to scale: of length 1).
+ * A row of 14 numbers, the result radial_pose: projection[3][4], focal, radial.
  */
-#define ELIMINANT_POSE_4PT_FOCAL_RADIAL_CUT_UPPER_LENGTH 24
-#define ELIMINANT_POSE_4PT_FOCAL_RADIAL_CUT_LOWER_LENGTH 24
+#define ELIMINANT_POSE_4PT_FOCAL_RADIAL_CUT_POINTS_LENGTH 12
+#define ELIMINANT_POSE_4PT_FOCAL_RADIAL_CUT_IMAGES_LENGTH 8
 #define ELIMINANT_POSE_4PT_FOCAL_RADIAL_CUT_UNKNOWNS 5
+#define ELIMINANT_POSE_4PT_FOCAL_RADIAL_CUT_LENGTH_OF_RADIAL_POSE 14
 #define ELIMINANT_POSE_4PT_FOCAL_RADIAL_CUT_MAX_SOLUTIONS 12
 int32_t eliminant_pose_4pt_focal_radial_cut_solve(
-    const double *upper, size_t upper_length, const double *lower, size_t lower_length,
+    const double *points, size_t points_length, const double *images, size_t images_length,
     double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_4pt_focal_radial_cut_solve_batch(
-    size_t instances, const double *upper, size_t upper_length, const double *lower,
-    size_t lower_length, double *solutions, size_t solutions_length, size_t *counts,
+    size_t instances, const double *points, size_t points_length, const double *images,
+    size_t images_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_pose_4pt_focal_radial_cut_solve_for_radial_pose(
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_4pt_focal_radial_cut_solve_batch_for_radial_pose(
+    size_t instances, const double *points, size_t points_length, const double *images,
+    size_t images_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
 
 /*
@@ -700,28 +758,38 @@ int32_t eliminant_pose_5pt_refraction_solve_batch(
  * Burgess, Kuang, Åström, "Pose estimation from minimal dual-receiver configurations", ICPR 2012.
  * Published as `tdoa_pose_5pt`.
  *
- * The receivers are at C, one from the other in the direction n = (u, v, w). Divided by their
- * distance, the difference of the ranges of a sender U is the cosine c of an angle: (n U - t)^2 =
- * c^2 |n|^2 |U - C|^2 with t = n C. Five such equations are linear in |n|^2 |C|^2 and |n|^2 C, and
- * otherwise have the terms u u, u v, u w, v v, v w, w w, t u, t v, t w and t t. Solved for the
- * former, they have the coefficients `linear`; a fifth linear combination, `quadric`, has none of
- * the former. C follows from n and t, which are `plane`: n X = t passes through the receivers,
- * across their line.
+ * `senders` are positions, `differences` the differences of the ranges of each to the two
+ * receivers, and `distance` is that of the receivers. They are at C, one from the other in the
+ * direction n = (u, v, w). Divided by `distance`, the difference of the ranges of a sender U is
+ * the cosine c of an angle: (n U - t)^2 = c^2 |n|^2 |U - C|^2 with t = n C. Five such equations
+ * are linear in |n|^2 |C|^2 and |n|^2 C, and otherwise have the terms u u, u v, u w, v v, v w, w
+ * w, t u, t v, t w and t t. They are solved for the former, and a fifth linear combination has
+ * none of them. C follows from n and t, which are `plane`: n X = t passes through the receivers,
+ * across their line. t is in units of the length of all positions.
  *
- * Data: quadric[10], linear[4][10].
+ * Data: senders[5][3], differences[5], distance.
  * A row of 4 numbers, the unknowns: plane[4] (given up to scale: of length 1).
+ * A row of 6 numbers, the result receiver_pair: direction[3], centre[3].
  */
-#define ELIMINANT_POSE_5TDOA_TWO_RECEIVERS_QUADRIC_LENGTH 10
-#define ELIMINANT_POSE_5TDOA_TWO_RECEIVERS_LINEAR_LENGTH 40
+#define ELIMINANT_POSE_5TDOA_TWO_RECEIVERS_SENDERS_LENGTH 15
+#define ELIMINANT_POSE_5TDOA_TWO_RECEIVERS_DIFFERENCES_LENGTH 5
 #define ELIMINANT_POSE_5TDOA_TWO_RECEIVERS_UNKNOWNS 4
+#define ELIMINANT_POSE_5TDOA_TWO_RECEIVERS_LENGTH_OF_RECEIVER_PAIR 6
 #define ELIMINANT_POSE_5TDOA_TWO_RECEIVERS_MAX_SOLUTIONS 24
 int32_t eliminant_pose_5tdoa_two_receivers_solve(
-    const double *quadric, size_t quadric_length, const double *linear, size_t linear_length,
-    double *solutions, size_t capacity, size_t *count);
+    const double *senders, size_t senders_length, const double *differences,
+    size_t differences_length, double distance, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_5tdoa_two_receivers_solve_batch(
-    size_t instances, const double *quadric, size_t quadric_length, const double *linear,
-    size_t linear_length, double *solutions, size_t solutions_length, size_t *counts,
-    int32_t *codes);
+    size_t instances, const double *senders, size_t senders_length, const double *differences,
+    size_t differences_length, const double *distance, size_t distance_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_pose_5tdoa_two_receivers_solve_for_receiver_pair(
+    const double *senders, size_t senders_length, const double *differences,
+    size_t differences_length, double distance, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_5tdoa_two_receivers_solve_batch_for_receiver_pair(
+    size_t instances, const double *senders, size_t senders_length, const double *differences,
+    size_t differences_length, const double *distance, size_t distance_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
 
 /*
  * pose_6pt_rolling_shutter
@@ -731,29 +799,36 @@ int32_t eliminant_pose_5tdoa_two_receivers_solve_batch(
  * Albl, Kukelova, Pajdla, "R6P - rolling shutter absolute camera pose", CVPR 2015. Published as
  * `r6p`.
  *
+ * `points[k]` is the position of a point and `images[k]` its image, in units of the focal length.
  * A point X is seen at q, in the row q\[0\], where (q, 1) and (I + q\[0\] \[(x, y, z)\]x) (I +
  * \[(u, v, w)\]x) X + C + q\[0\] t are parallel: both rotations linearised, the first for an
  * angular velocity. Three of the points, linear in the position C and the velocity t, give them as
  * position m and velocity m, m being the products of x, y, z (slower) with u, v, w, and then u, v,
- * w, x, y, z, 1. `image` and `points` are the other three, one a row.
+ * w, x, y, z, 1.
  *
- * Data: image[3][2], points[3][3], position[3][16], velocity[3][16].
+ * Data: points[6][3], images[6][2].
  * A row of 6 numbers, the unknowns: u, v, w, x, y, z.
+ * A row of 18 numbers, the result rolling_pose: rotation[3][3], position[3], angular_velocity[3],
+ *   velocity[3].
  */
-#define ELIMINANT_POSE_6PT_ROLLING_SHUTTER_IMAGE_LENGTH 6
-#define ELIMINANT_POSE_6PT_ROLLING_SHUTTER_POINTS_LENGTH 9
-#define ELIMINANT_POSE_6PT_ROLLING_SHUTTER_POSITION_LENGTH 48
-#define ELIMINANT_POSE_6PT_ROLLING_SHUTTER_VELOCITY_LENGTH 48
+#define ELIMINANT_POSE_6PT_ROLLING_SHUTTER_POINTS_LENGTH 18
+#define ELIMINANT_POSE_6PT_ROLLING_SHUTTER_IMAGES_LENGTH 12
 #define ELIMINANT_POSE_6PT_ROLLING_SHUTTER_UNKNOWNS 6
+#define ELIMINANT_POSE_6PT_ROLLING_SHUTTER_LENGTH_OF_ROLLING_POSE 18
 #define ELIMINANT_POSE_6PT_ROLLING_SHUTTER_MAX_SOLUTIONS 20
 int32_t eliminant_pose_6pt_rolling_shutter_solve(
-    const double *image, size_t image_length, const double *points, size_t points_length,
-    const double *position, size_t position_length, const double *velocity, size_t velocity_length,
+    const double *points, size_t points_length, const double *images, size_t images_length,
     double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_6pt_rolling_shutter_solve_batch(
-    size_t instances, const double *image, size_t image_length, const double *points,
-    size_t points_length, const double *position, size_t position_length, const double *velocity,
-    size_t velocity_length, double *solutions, size_t solutions_length, size_t *counts,
+    size_t instances, const double *points, size_t points_length, const double *images,
+    size_t images_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_pose_6pt_rolling_shutter_solve_for_rolling_pose(
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_6pt_rolling_shutter_solve_batch_for_rolling_pose(
+    size_t instances, const double *points, size_t points_length, const double *images,
+    size_t images_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
 
 /*
@@ -914,7 +989,7 @@ int32_t eliminant_relpose_3pt_angle_zero_screw_solve_batch(
  * Fraundorfer, Tanskanen, Pollefeys, "A minimal case solution to the calibrated relative pose
  * problem for the case of two known orientation angles", ECCV 2010.
  *
- * `first` and `second` are corresponding viewing rays in frames of the cameras whose y axes are
+ * `first[k]` and `second[k]` are the rays of point k in frames of the cameras whose y axes are
  * vertical, of any length. The unknowns are cosine and sine of the turn about the vertical. A pose
  * X -> rotation X + translation takes the frame of the first camera to that of the second. The
  * length of the translation is open, and so is its sign: with one of them the points are in front.
@@ -1133,27 +1208,41 @@ int32_t eliminant_relpose_6pt_focal_solve_batch(
 /*
  * relpose_6pt_focal_one_side
  *
- * Relative pose of a calibrated camera and one with unknown focal length from six point
- * correspondences: 9 solutions.
+ * Relative pose of a camera with unknown focal length and a calibrated one from six points: 9
+ * solutions, of which those with a real focal length are returned.
  *
  * Bujnak, Kukelova, Pajdla, "3D reconstruction from image collections with a single known focal
  * length", ICCV 2009. Published as `focal6p_1s`.
  *
- * `basis` spans the null space of the six epipolar equations x2^T F x1 = 0, the first camera
- * having the unknown focal length f and the second none; the fundamental matrix is the sum
- * of its matrices, each times its weight, and w = 1/f^2.
+ * `first[k]` is the image of point k in the camera with unknown focal length, relative to the
+ * principal point, `second[k]` its ray in the calibrated one, of any length. A fundamental matrix
+ * F satisfies `second[k] . F (first[k], 1) = 0`; it is the sum of the matrices that span the null
+ * space of these equations, each times its weight. w is 1 / focal^2 in units of the length of all
+ * images.
  *
- * Data: basis[3][3][3].
+ * Data: first[6][2], second[6][3].
  * A row of 4 numbers, the unknowns: weights[3] (given up to scale: of length 1), w.
+ * A row of 10 numbers, the result focal_pose: fundamental[3][3], focal.
  */
-#define ELIMINANT_RELPOSE_6PT_FOCAL_ONE_SIDE_BASIS_LENGTH 27
+#define ELIMINANT_RELPOSE_6PT_FOCAL_ONE_SIDE_FIRST_LENGTH 12
+#define ELIMINANT_RELPOSE_6PT_FOCAL_ONE_SIDE_SECOND_LENGTH 18
 #define ELIMINANT_RELPOSE_6PT_FOCAL_ONE_SIDE_UNKNOWNS 4
+#define ELIMINANT_RELPOSE_6PT_FOCAL_ONE_SIDE_LENGTH_OF_FOCAL_POSE 10
 #define ELIMINANT_RELPOSE_6PT_FOCAL_ONE_SIDE_MAX_SOLUTIONS 9
 int32_t eliminant_relpose_6pt_focal_one_side_solve(
-    const double *basis, size_t basis_length, double *solutions, size_t capacity, size_t *count);
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_6pt_focal_one_side_solve_batch(
-    size_t instances, const double *basis, size_t basis_length, double *solutions,
-    size_t solutions_length, size_t *counts, int32_t *codes);
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_relpose_6pt_focal_one_side_solve_for_focal_pose(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_6pt_focal_one_side_solve_batch_for_focal_pose(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
 
 /*
  * relpose_6pt_focal_points
@@ -1327,57 +1416,84 @@ int32_t eliminant_relpose_7pt_focal_radial_solve_batch(
  * relpose_7pt_focal_radial_one_side
  *
  * Relative pose, focal length and radial distortion of the first camera, the second calibrated,
- * from seven point correspondences: 19 solutions.
+ * from seven points: 19 solutions, of which those with a real focal length are returned.
  *
  * Kuang, Solem, Kahl, Åström, "Minimal solvers for relative pose with a single unknown radial
  * distortion", CVPR 2014. Published as `relpose_7p_fr_1s`;
  * `relpose_7pt_focal_radial_one_side_eliminated` is a formulation without the focal length.
  *
- * A point x1 of the first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T
- * F x2 = 0 is, with f33 = 1, linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial
- * f31, f32, radial f32, radial, 1: seven points give the former as combinations of these, the rows
- * of `affine`. With the focal length, diag(focal, focal, 1) F is an essential matrix; `w` is 1 /
- * focal^2.
+ * `first[k]` is the distorted image of point k in the first camera, relative to the principal
+ * point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
+ * first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T F x2 = 0 is, with
+ * f33 = 1, linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial f31, f32, radial
+ * f32, radial, 1: seven points give the former as combinations of these. With the focal length,
+ * diag(focal, focal, 1) F is an essential matrix; `w` is 1 / focal^2.
  *
- * Data: affine[7][5].
+ * Data: first[7][2], second[7][2].
  * A row of 4 numbers, the unknowns: w, f_31, f_32, radial.
+ * A row of 11 numbers, the result radial_focal_pose: fundamental[3][3], focal, radial.
  */
-#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_AFFINE_LENGTH 35
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_FIRST_LENGTH 14
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_SECOND_LENGTH 14
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_UNKNOWNS 4
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_LENGTH_OF_RADIAL_FOCAL_POSE 11
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_MAX_SOLUTIONS 19
 int32_t eliminant_relpose_7pt_focal_radial_one_side_solve(
-    const double *affine, size_t affine_length, double *solutions, size_t capacity, size_t *count);
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_7pt_focal_radial_one_side_solve_batch(
-    size_t instances, const double *affine, size_t affine_length, double *solutions,
-    size_t solutions_length, size_t *counts, int32_t *codes);
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_relpose_7pt_focal_radial_one_side_solve_for_radial_focal_pose(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_7pt_focal_radial_one_side_solve_batch_for_radial_focal_pose(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
 
 /*
  * relpose_7pt_focal_radial_one_side_eliminated
  *
  * Relative pose and radial distortion of the first camera, whose focal length is unknown, too, and
- * eliminated, the second calibrated, from seven point correspondences: 19 solutions.
+ * eliminated, the second calibrated, from seven points: 19 solutions.
  *
  * Kukelova, Kileel, Sturmfels, Pajdla, "A clever elimination strategy for efficient minimal
  * solvers", CVPR 2017. Published as `relpose_7p_fr_1s_elr`.
  *
- * A point x1 of the first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T
- * F x1 = 0 is, with f33 = 1, linear in radial f13, f11, f21, f31, f12, f22, f32 and the monomials
- * radial f23, f13, f23, radial, 1: seven points give the former as combinations of these, the rows
- * of `affine`. F diag(focal, focal, 1) is an essential matrix for some focal length: with A the
- * first two columns of F, the third is an eigenvector of A A^T, and where mu is its eigenvalue,
- * |third column|^2 / focal^2 = trace(A A^T) - 2 mu.
+ * `first[k]` is the distorted image of point k in the first camera, relative to the principal
+ * point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
+ * first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T F x1 = 0 is, with
+ * f33 = 1, linear in radial f13, f11, f21, f31, f12, f22, f32 and the monomials radial f23, f13,
+ * f23, radial, 1: seven points give the former as combinations of these. F diag(focal, focal, 1)
+ * is an essential matrix for some focal length: with A the first two columns of F, the third is an
+ * eigenvector of A A^T, and where mu is its eigenvalue, |third column|^2 / focal^2 = trace(A A^T)
+ * - 2 mu.
  *
- * Data: affine[7][5].
+ * Data: first[7][2], second[7][2].
  * A row of 3 numbers, the unknowns: f_13, f_23, radial.
+ * A row of 10 numbers, the result radial_epipolar: fundamental[3][3], radial.
  */
-#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_AFFINE_LENGTH 35
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_FIRST_LENGTH 14
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_SECOND_LENGTH 14
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_UNKNOWNS 3
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_LENGTH_OF_RADIAL_EPIPOLAR 10
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_MAX_SOLUTIONS 19
 int32_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve(
-    const double *affine, size_t affine_length, double *solutions, size_t capacity, size_t *count);
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve_batch(
-    size_t instances, const double *affine, size_t affine_length, double *solutions,
-    size_t solutions_length, size_t *counts, int32_t *codes);
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve_for_radial_epipolar(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve_batch_for_radial_epipolar(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
 
 /*
  * relpose_7pt_generalized_scale
@@ -1417,29 +1533,38 @@ int32_t eliminant_relpose_7pt_generalized_scale_solve_batch(
  * stitching_3pt_radial_focal
  *
  * Rotation between two photographs with common unknown focal length and radial distortion, a
- * panorama, from three points: 18 solutions.
+ * panorama, from three points: 18 solutions, of which those with a real focal length are returned.
  *
  * Naroditsky, Daniilidis, "Optimizing polynomial solvers for minimal geometry problems", ICCV
  * 2011, after Byröd, Brown, Åström, "Minimal solutions for panoramic stitching with radial
  * distortion", BMVC 2009. Published as `stitching`.
  *
+ * `first[k]` and `second[k]` are the distorted images of point k, relative to the principal point.
  * A point p lies along (p, focal (1 + radial |p|^2)), the division model. Two points with the
  * inner product xy of their rays, in the first image, and x'y' in the second, satisfy xy^2 x'x'
- * y'y' = x'y'^2 xx yy. With w = 1/focal^2, and divided by focal^6, this is a polynomial whose
- * sixteen coefficients, in the order below, are `first` for the first and second point, and
- * `second` for the first and third.
+ * y'y' = x'y'^2 xx yy. With w = 1/focal^2 both sides divided by focal^8 are polynomials in w whose
+ * difference has no term without w; it is divided by w.
  *
- * Data: first[16], second[16].
+ * Data: first[3][2], second[3][2].
  * A row of 2 numbers, the unknowns: radial, w.
+ * A row of 2 numbers, the result panorama: focal, radial.
  */
-#define ELIMINANT_STITCHING_3PT_RADIAL_FOCAL_FIRST_LENGTH 16
-#define ELIMINANT_STITCHING_3PT_RADIAL_FOCAL_SECOND_LENGTH 16
+#define ELIMINANT_STITCHING_3PT_RADIAL_FOCAL_FIRST_LENGTH 6
+#define ELIMINANT_STITCHING_3PT_RADIAL_FOCAL_SECOND_LENGTH 6
 #define ELIMINANT_STITCHING_3PT_RADIAL_FOCAL_UNKNOWNS 2
+#define ELIMINANT_STITCHING_3PT_RADIAL_FOCAL_LENGTH_OF_PANORAMA 2
 #define ELIMINANT_STITCHING_3PT_RADIAL_FOCAL_MAX_SOLUTIONS 18
 int32_t eliminant_stitching_3pt_radial_focal_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_stitching_3pt_radial_focal_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_stitching_3pt_radial_focal_solve_for_panorama(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_stitching_3pt_radial_focal_solve_batch_for_panorama(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
@@ -1500,32 +1625,40 @@ int32_t eliminant_three_quadrics_solve_batch(
  * Stewénius, Schaffalitzky, Nistér, "How hard is 3-view triangulation really?", ICCV 2005.
  * Published as `3v_triang_laurent`.
  *
- * The unknowns are projective coordinates (x, y, z, 1) of the point: x and y its depths in the
- * first and second view over that in the third, each times a constant, and z its first error in
- * the third view. Every image is turned so that its second error does not depend on z, and scales
- * are chosen so that the first errors of the first two views are (`first`\[0\] + z) / x and
- * (`second`\[0\] + z) / y, rows standing for linear forms in x, y and 1. The other errors are
- * `first`\[1\] / x, `second`\[1\] / y and `third`.
+ * `cameras` are the projection matrices of the views and `images` where they see the point. The
+ * unknowns are projective coordinates (x, y, z, 1) of the point: x and y its depths in the first
+ * and second view over that in the third, each times a constant, and z its first error in the
+ * third view. Every image is turned so that its second error does not depend on z, and scales are
+ * such that in the errors of the first two views over their depths, x and y, z has the
+ * coefficient 1.
  *
  * Stated are derivatives towards seven points. Where the depth of a view vanishes, so does a power
  * of it in the denominators; where the errors of a view vanish, too, at its centre, they do not
  * change at all.
  *
- * Data: first[2][3], second[2][3], third[3].
+ * Data: cameras[3][3][4], images[3][2].
  * A row of 3 numbers, the unknowns: x, y, z.
+ * A row of 3 numbers, the result point: position[3].
  */
-#define ELIMINANT_TRIANGULATION_3VIEW_FIRST_LENGTH 6
-#define ELIMINANT_TRIANGULATION_3VIEW_SECOND_LENGTH 6
-#define ELIMINANT_TRIANGULATION_3VIEW_THIRD_LENGTH 3
+#define ELIMINANT_TRIANGULATION_3VIEW_CAMERAS_LENGTH 36
+#define ELIMINANT_TRIANGULATION_3VIEW_IMAGES_LENGTH 6
 #define ELIMINANT_TRIANGULATION_3VIEW_UNKNOWNS 3
+#define ELIMINANT_TRIANGULATION_3VIEW_LENGTH_OF_POINT 3
 #define ELIMINANT_TRIANGULATION_3VIEW_MAX_SOLUTIONS 47
 int32_t eliminant_triangulation_3view_solve(
-    const double *first, size_t first_length, const double *second, size_t second_length,
-    const double *third, size_t third_length, double *solutions, size_t capacity, size_t *count);
+    const double *cameras, size_t cameras_length, const double *images, size_t images_length,
+    double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_triangulation_3view_solve_batch(
-    size_t instances, const double *first, size_t first_length, const double *second,
-    size_t second_length, const double *third, size_t third_length, double *solutions,
-    size_t solutions_length, size_t *counts, int32_t *codes);
+    size_t instances, const double *cameras, size_t cameras_length, const double *images,
+    size_t images_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_triangulation_3view_solve_for_point(
+    const double *cameras, size_t cameras_length, const double *images, size_t images_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_triangulation_3view_solve_batch_for_point(
+    size_t instances, const double *cameras, size_t cameras_length, const double *images,
+    size_t images_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
 
 /*
  * triangulation_3view_relaxed

@@ -481,16 +481,17 @@ inline void solve_batch_for_epipolar(
 
 } // namespace fundamental_7pt
 
-/// Fundamental matrix and the radial distortion common to both cameras from eight point
-/// correspondences: 16 solutions.
+/// Fundamental matrix and the radial distortion common to both cameras from eight points: 16
+/// solutions.
 ///
 /// Kukelova, Pajdla, "A minimal solution to the autocalibration of radial distortion", CVPR 2007.
 /// Published as `8ptF_radial`.
 ///
-/// A point x lies along (x, 1 + radial |x|^2), the division model. Then x2^T F x1 = 0 is, with f33
-/// = 1, linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the monomials radial
-/// f13, radial f23, radial^2, f13, f23, radial, 1: eight points give the former as combinations of
-/// these, the rows of `affine`.
+/// `first[k]` and `second[k]` are the distorted images of point k, relative to the centre of
+/// distortion. An image x lies along (x, 1 + radial |x|^2), the division model. Then x2^T F x1 = 0
+/// is, with f33 = 1, linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the
+/// monomials radial f13, radial f23, radial^2, f13, f23, radial, 1: eight points give the former as
+/// combinations of these.
 namespace fundamental_8pt_radial {
 
 /// No call returns more solutions.
@@ -505,39 +506,68 @@ struct Solution {
 static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<56> affine) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<16> first, Values<16> second) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_fundamental_8pt_radial_solve(affine.data(), affine.size(), to_solutions, max_solutions, to_count);
+        return eliminant_fundamental_8pt_radial_solve(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<56> affine) {
-    return try_solve(affine).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<16> first, Values<16> second) {
+    return try_solve(first, second).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many affine, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_fundamental_8pt_radial_solve_batch(
-            instances, affine.data(), affine.size(), to_solutions, solutions_length, counts, codes);
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `fundamental_8pt_radial` returns beside its unknowns.
+struct RadialEpipolar {
+    std::array<std::array<double, 3>, 3> fundamental;
+    double radial;
+};
+static_assert(sizeof(RadialEpipolar) == 10 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each radial_epipolar, or the code of an error.
+[[nodiscard]] inline Result<Solutions<RadialEpipolar, max_solutions>> try_solve_for_radial_epipolar(Values<16> first, Values<16> second) noexcept {
+    return Result<Solutions<RadialEpipolar, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_fundamental_8pt_radial_solve_for_radial_epipolar(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each radial_epipolar. Throws `Error`.
+[[nodiscard]] inline Solutions<RadialEpipolar, max_solutions> solve_for_radial_epipolar(Values<16> first, Values<16> second) {
+    return try_solve_for_radial_epipolar(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_radial_epipolar(
+    std::size_t instances, Many first, Many second, Batch<RadialEpipolar, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_fundamental_8pt_radial_solve_batch_for_radial_epipolar(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
 } // namespace fundamental_8pt_radial
 
-/// Fundamental matrix and radial distortion of the second camera from eight point correspondences:
-/// 8 solutions.
+/// Fundamental matrix and radial distortion of the second camera from eight points: 8 solutions.
 ///
 /// Kuang, Solem, Kahl, Åström, "Minimal solvers for relative pose with a single unknown radial
 /// distortion", CVPR 2014. Published as `8ptF_radial_1s`.
 ///
-/// A point x2 of the second image lies along (x2, 1 + radial |x2|^2), the division model. Then x2^T
-/// F x1 = 0 is linear in the nine entries of F, the third row also multiplied by `radial`. Eight
-/// points, and f33 = 1, give (f11, f21, f31, f12, f22, f13, f23, radial f31) = affine (radial f32,
-/// radial, f32, 1).
+/// `first[k]` is the image of point k in a camera without distortion, `second[k]` the distorted one
+/// in the other, relative to the centre of distortion. There an image x lies along (x, 1 + radial
+/// |x|^2), the division model. Then x2^T F x1 = 0 is linear in the nine entries of F, the third row
+/// also multiplied by `radial`. Eight points, and f33 = 1, give f11, f21, f31, f12, f22, f13, f23
+/// and radial f31 as combinations of radial f32, radial, f32 and 1.
 namespace fundamental_8pt_radial_one_side {
 
 /// No call returns more solutions.
@@ -551,40 +581,70 @@ struct Solution {
 static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<32> affine) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<16> first, Values<16> second) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_fundamental_8pt_radial_one_side_solve(affine.data(), affine.size(), to_solutions, max_solutions, to_count);
+        return eliminant_fundamental_8pt_radial_one_side_solve(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<32> affine) {
-    return try_solve(affine).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<16> first, Values<16> second) {
+    return try_solve(first, second).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many affine, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_fundamental_8pt_radial_one_side_solve_batch(
-            instances, affine.data(), affine.size(), to_solutions, solutions_length, counts, codes);
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `fundamental_8pt_radial_one_side` returns beside its unknowns.
+struct RadialEpipolar {
+    std::array<std::array<double, 3>, 3> fundamental;
+    double radial;
+};
+static_assert(sizeof(RadialEpipolar) == 10 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each radial_epipolar, or the code of an error.
+[[nodiscard]] inline Result<Solutions<RadialEpipolar, max_solutions>> try_solve_for_radial_epipolar(Values<16> first, Values<16> second) noexcept {
+    return Result<Solutions<RadialEpipolar, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_fundamental_8pt_radial_one_side_solve_for_radial_epipolar(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each radial_epipolar. Throws `Error`.
+[[nodiscard]] inline Solutions<RadialEpipolar, max_solutions> solve_for_radial_epipolar(Values<16> first, Values<16> second) {
+    return try_solve_for_radial_epipolar(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_radial_epipolar(
+    std::size_t instances, Many first, Many second, Batch<RadialEpipolar, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_fundamental_8pt_radial_one_side_solve_batch_for_radial_epipolar(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
 } // namespace fundamental_8pt_radial_one_side
 
-/// Fundamental matrix and the two different radial distortions of two cameras from nine point
-/// correspondences: 24 solutions.
+/// Fundamental matrix and the two different radial distortions of two cameras from nine points: 24
+/// solutions.
 ///
 /// Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
 /// problems for cameras with radial distortion", CVIU 114, 2010. Published as `rdist9p`, with f13
 /// and f23 eliminated in place of t and f13.
 ///
-/// A point x lies along (x, 1 + radial |x|^2), the division model: with s in the second image and t
-/// in the first. Then x2^T F x1 = 0 is, with f33 = 1, linear in f11, f12, f21, f22, t, f13, t f13,
-/// t f23, s t and in s f31, s f32, s, f31, f32, f23, 1: nine points give the former as combinations
-/// of these, the rows of `affine`.
+/// `first[k]` and `second[k]` are the distorted images of point k, relative to the centres of
+/// distortion. An image x lies along (x, 1 + radial |x|^2), the division model: with s for `radial`
+/// in the second image and t in the first. Then x2^T F x1 = 0 is, with f33 = 1, linear in f11, f12,
+/// f21, f22, t, f13, t f13, t f23, s t and in s f31, s f32, s, f31, f32, f23, 1: nine points give
+/// the former as combinations of these.
 namespace fundamental_9pt_two_radials {
 
 /// No call returns more solutions.
@@ -600,24 +660,53 @@ struct Solution {
 static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<63> affine) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<18> first, Values<18> second) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_fundamental_9pt_two_radials_solve(affine.data(), affine.size(), to_solutions, max_solutions, to_count);
+        return eliminant_fundamental_9pt_two_radials_solve(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<63> affine) {
-    return try_solve(affine).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<18> first, Values<18> second) {
+    return try_solve(first, second).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many affine, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_fundamental_9pt_two_radials_solve_batch(
-            instances, affine.data(), affine.size(), to_solutions, solutions_length, counts, codes);
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `fundamental_9pt_two_radials` returns beside its unknowns.
+struct RadialEpipolar {
+    std::array<std::array<double, 3>, 3> fundamental;
+    std::array<double, 2> radials;
+};
+static_assert(sizeof(RadialEpipolar) == 11 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each radial_epipolar, or the code of an error.
+[[nodiscard]] inline Result<Solutions<RadialEpipolar, max_solutions>> try_solve_for_radial_epipolar(Values<18> first, Values<18> second) noexcept {
+    return Result<Solutions<RadialEpipolar, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_fundamental_9pt_two_radials_solve_for_radial_epipolar(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each radial_epipolar. Throws `Error`.
+[[nodiscard]] inline Solutions<RadialEpipolar, max_solutions> solve_for_radial_epipolar(Values<18> first, Values<18> second) {
+    return try_solve_for_radial_epipolar(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_radial_epipolar(
+    std::size_t instances, Many first, Many second, Batch<RadialEpipolar, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_fundamental_9pt_two_radials_solve_batch_for_radial_epipolar(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
@@ -788,8 +877,8 @@ inline void solve_batch(
 /// vertical direction", ACCV 2010; here by the depths, as Haralick, Lee, Ottenberg, Nölle, IJCV
 /// 1994, state the pose from three points.
 ///
-/// `rays` are two viewing rays in a frame of the camera whose y axis is vertical, of any length,
-/// `points` the points that they see, in a world with the same vertical. The unknowns are the
+/// `rays[k]` is the ray of point k in a frame of the camera whose y axis is vertical, of any
+/// length, and `points[k]` its position in a world with the same vertical. The unknowns are the
 /// depths along the rays. A pose X -> rotation X + translation takes the world to the camera; the
 /// rotation is about the y axis, and both points are in front. The points must not be above each
 /// other, nor both rays level.
@@ -1080,11 +1169,12 @@ inline void solve_batch(
 /// in the form of Bujnak, Kukelova, Pajdla, "New efficient solution to the absolute pose problem
 /// for camera with unknown focal length and radial distortion", ACCV 2010. Published as `p4p_fr`.
 ///
-/// An image point (u, v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with
-/// P = diag(1, 1, 1/f) \[R t\]. That v times the first row of P minus u times the second vanishes
-/// at X leaves a null space of dimension four: the first two rows of P, without their last entries,
-/// are row1 w and row2 w with the weights w. The third, from the four points, is row3 (w, radial
-/// w).
+/// `points[k]` is the position of point k, `images[k]` its distorted image, relative to the
+/// principal point. The points must not lie in a plane. An image (u, v) lies along (u, v, 1 +
+/// radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1, 1/f) \[R t\]. That v times
+/// the first row of P minus u times the second vanishes at X leaves a null space of dimension four:
+/// these rows are the sum of its vectors, each times its weight. The third row follows from the
+/// four points. `projection` is P up to scale.
 namespace pose_4pt_focal_radial {
 
 /// No call returns more solutions.
@@ -1098,24 +1188,54 @@ struct Solution {
 static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<12> row1, Values<12> row2, Values<24> row3) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<12> points, Values<8> images) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_pose_4pt_focal_radial_solve(row1.data(), row1.size(), row2.data(), row2.size(), row3.data(), row3.size(), to_solutions, max_solutions, to_count);
+        return eliminant_pose_4pt_focal_radial_solve(points.data(), points.size(), images.data(), images.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<12> row1, Values<12> row2, Values<24> row3) {
-    return try_solve(row1, row2, row3).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<12> points, Values<8> images) {
+    return try_solve(points, images).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many row1, Many row2, Many row3, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many points, Many images, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_pose_4pt_focal_radial_solve_batch(
-            instances, row1.data(), row1.size(), row2.data(), row2.size(), row3.data(), row3.size(), to_solutions, solutions_length, counts, codes);
+            instances, points.data(), points.size(), images.data(), images.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `pose_4pt_focal_radial` returns beside its unknowns.
+struct RadialPose {
+    std::array<std::array<double, 4>, 3> projection;
+    double focal;
+    double radial;
+};
+static_assert(sizeof(RadialPose) == 14 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each radial_pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<RadialPose, max_solutions>> try_solve_for_radial_pose(Values<12> points, Values<8> images) noexcept {
+    return Result<Solutions<RadialPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_4pt_focal_radial_solve_for_radial_pose(points.data(), points.size(), images.data(), images.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each radial_pose. Throws `Error`.
+[[nodiscard]] inline Solutions<RadialPose, max_solutions> solve_for_radial_pose(Values<12> points, Values<8> images) {
+    return try_solve_for_radial_pose(points, images).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_radial_pose(
+    std::size_t instances, Many points, Many images, Batch<RadialPose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_4pt_focal_radial_solve_batch_for_radial_pose(
+            instances, points.data(), points.size(), images.data(), images.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
@@ -1128,10 +1248,12 @@ inline void solve_batch(
 /// robust", ICCV 2017. Published as `p4p_fr_iccv17`; `pose_4pt_focal_radial` is the older
 /// formulation of the same problem, with 16.
 ///
-/// An image point (u, v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with
-/// P = diag(1, 1, 1/f) \[R t\]. The first two rows of R, column by column, are `upper` w
-/// with the weights w, the null space of four equations; the third row of P is, from the four
-/// points, `lower` (w, radial w), of which R takes the first three entries.
+/// `points[k]` is the position of point k, `images[k]` its distorted image, relative to the
+/// principal point. The points must not lie in a plane. An image (u, v) lies along (u, v, 1 +
+/// radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1, 1/f) \[R t\]. That v times
+/// the first row of P minus u times the second vanishes at X leaves a null space of dimension four:
+/// these rows are the sum of its vectors, each times its weight. The third row follows from the
+/// four points. `projection` is P up to scale.
 namespace pose_4pt_focal_radial_cut {
 
 /// No call returns more solutions.
@@ -1145,24 +1267,54 @@ struct Solution {
 static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<24> upper, Values<24> lower) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<12> points, Values<8> images) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_pose_4pt_focal_radial_cut_solve(upper.data(), upper.size(), lower.data(), lower.size(), to_solutions, max_solutions, to_count);
+        return eliminant_pose_4pt_focal_radial_cut_solve(points.data(), points.size(), images.data(), images.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<24> upper, Values<24> lower) {
-    return try_solve(upper, lower).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<12> points, Values<8> images) {
+    return try_solve(points, images).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many upper, Many lower, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many points, Many images, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_pose_4pt_focal_radial_cut_solve_batch(
-            instances, upper.data(), upper.size(), lower.data(), lower.size(), to_solutions, solutions_length, counts, codes);
+            instances, points.data(), points.size(), images.data(), images.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `pose_4pt_focal_radial_cut` returns beside its unknowns.
+struct RadialPose {
+    std::array<std::array<double, 4>, 3> projection;
+    double focal;
+    double radial;
+};
+static_assert(sizeof(RadialPose) == 14 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each radial_pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<RadialPose, max_solutions>> try_solve_for_radial_pose(Values<12> points, Values<8> images) noexcept {
+    return Result<Solutions<RadialPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_4pt_focal_radial_cut_solve_for_radial_pose(points.data(), points.size(), images.data(), images.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each radial_pose. Throws `Error`.
+[[nodiscard]] inline Solutions<RadialPose, max_solutions> solve_for_radial_pose(Values<12> points, Values<8> images) {
+    return try_solve_for_radial_pose(points, images).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_radial_pose(
+    std::size_t instances, Many points, Many images, Batch<RadialPose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_4pt_focal_radial_cut_solve_batch_for_radial_pose(
+            instances, points.data(), points.size(), images.data(), images.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
@@ -1318,13 +1470,14 @@ inline void solve_batch(
 /// Burgess, Kuang, Åström, "Pose estimation from minimal dual-receiver configurations", ICPR 2012.
 /// Published as `tdoa_pose_5pt`.
 ///
-/// The receivers are at C, one from the other in the direction n = (u, v, w). Divided by their
-/// distance, the difference of the ranges of a sender U is the cosine c of an angle: (n U - t)^2 =
-/// c^2 |n|^2 |U - C|^2 with t = n C. Five such equations are linear in |n|^2 |C|^2 and |n|^2 C, and
-/// otherwise have the terms u u, u v, u w, v v, v w, w w, t u, t v, t w and t t. Solved for the
-/// former, they have the coefficients `linear`; a fifth linear combination, `quadric`, has none of
-/// the former. C follows from n and t, which are `plane`: n X = t passes through the receivers,
-/// across their line.
+/// `senders` are positions, `differences` the differences of the ranges of each to the two
+/// receivers, and `distance` is that of the receivers. They are at C, one from the other in the
+/// direction n = (u, v, w). Divided by `distance`, the difference of the ranges of a sender U is
+/// the cosine c of an angle: (n U - t)^2 = c^2 |n|^2 |U - C|^2 with t = n C. Five such equations
+/// are linear in |n|^2 |C|^2 and |n|^2 C, and otherwise have the terms u u, u v, u w, v v, v w, w
+/// w, t u, t v, t w and t t. They are solved for the former, and a fifth linear combination has
+/// none of them. C follows from n and t, which are `plane`: n X = t passes through the receivers,
+/// across their line. t is in units of the length of all positions.
 namespace pose_5tdoa_two_receivers {
 
 /// No call returns more solutions.
@@ -1337,24 +1490,53 @@ struct Solution {
 static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<10> quadric, Values<40> linear) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<15> senders, Values<5> differences, double distance) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_pose_5tdoa_two_receivers_solve(quadric.data(), quadric.size(), linear.data(), linear.size(), to_solutions, max_solutions, to_count);
+        return eliminant_pose_5tdoa_two_receivers_solve(senders.data(), senders.size(), differences.data(), differences.size(), distance, to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<10> quadric, Values<40> linear) {
-    return try_solve(quadric, linear).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<15> senders, Values<5> differences, double distance) {
+    return try_solve(senders, differences, distance).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many quadric, Many linear, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many senders, Many differences, Many distance, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_pose_5tdoa_two_receivers_solve_batch(
-            instances, quadric.data(), quadric.size(), linear.data(), linear.size(), to_solutions, solutions_length, counts, codes);
+            instances, senders.data(), senders.size(), differences.data(), differences.size(), distance.data(), distance.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `pose_5tdoa_two_receivers` returns beside its unknowns.
+struct ReceiverPair {
+    std::array<double, 3> direction;
+    std::array<double, 3> centre;
+};
+static_assert(sizeof(ReceiverPair) == 6 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each receiver_pair, or the code of an error.
+[[nodiscard]] inline Result<Solutions<ReceiverPair, max_solutions>> try_solve_for_receiver_pair(Values<15> senders, Values<5> differences, double distance) noexcept {
+    return Result<Solutions<ReceiverPair, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_5tdoa_two_receivers_solve_for_receiver_pair(senders.data(), senders.size(), differences.data(), differences.size(), distance, to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each receiver_pair. Throws `Error`.
+[[nodiscard]] inline Solutions<ReceiverPair, max_solutions> solve_for_receiver_pair(Values<15> senders, Values<5> differences, double distance) {
+    return try_solve_for_receiver_pair(senders, differences, distance).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_receiver_pair(
+    std::size_t instances, Many senders, Many differences, Many distance, Batch<ReceiverPair, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_5tdoa_two_receivers_solve_batch_for_receiver_pair(
+            instances, senders.data(), senders.size(), differences.data(), differences.size(), distance.data(), distance.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
@@ -1365,11 +1547,12 @@ inline void solve_batch(
 /// Albl, Kukelova, Pajdla, "R6P - rolling shutter absolute camera pose", CVPR 2015. Published as
 /// `r6p`.
 ///
+/// `points[k]` is the position of a point and `images[k]` its image, in units of the focal length.
 /// A point X is seen at q, in the row q\[0\], where (q, 1) and (I + q\[0\] \[(x, y, z)\]x) (I +
 /// \[(u, v, w)\]x) X + C + q\[0\] t are parallel: both rotations linearised, the first for an
 /// angular velocity. Three of the points, linear in the position C and the velocity t, give them as
 /// position m and velocity m, m being the products of x, y, z (slower) with u, v, w, and then u, v,
-/// w, x, y, z, 1. `image` and `points` are the other three, one a row.
+/// w, x, y, z, 1.
 namespace pose_6pt_rolling_shutter {
 
 /// No call returns more solutions.
@@ -1387,24 +1570,55 @@ struct Solution {
 static_assert(sizeof(Solution) == 6 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<6> image, Values<9> points, Values<48> position, Values<48> velocity) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<18> points, Values<12> images) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_pose_6pt_rolling_shutter_solve(image.data(), image.size(), points.data(), points.size(), position.data(), position.size(), velocity.data(), velocity.size(), to_solutions, max_solutions, to_count);
+        return eliminant_pose_6pt_rolling_shutter_solve(points.data(), points.size(), images.data(), images.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<6> image, Values<9> points, Values<48> position, Values<48> velocity) {
-    return try_solve(image, points, position, velocity).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<18> points, Values<12> images) {
+    return try_solve(points, images).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many image, Many points, Many position, Many velocity, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many points, Many images, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_pose_6pt_rolling_shutter_solve_batch(
-            instances, image.data(), image.size(), points.data(), points.size(), position.data(), position.size(), velocity.data(), velocity.size(), to_solutions, solutions_length, counts, codes);
+            instances, points.data(), points.size(), images.data(), images.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `pose_6pt_rolling_shutter` returns beside its unknowns.
+struct RollingPose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> position;
+    std::array<double, 3> angular_velocity;
+    std::array<double, 3> velocity;
+};
+static_assert(sizeof(RollingPose) == 18 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each rolling_pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<RollingPose, max_solutions>> try_solve_for_rolling_pose(Values<18> points, Values<12> images) noexcept {
+    return Result<Solutions<RollingPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_6pt_rolling_shutter_solve_for_rolling_pose(points.data(), points.size(), images.data(), images.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each rolling_pose. Throws `Error`.
+[[nodiscard]] inline Solutions<RollingPose, max_solutions> solve_for_rolling_pose(Values<18> points, Values<12> images) {
+    return try_solve_for_rolling_pose(points, images).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_rolling_pose(
+    std::size_t instances, Many points, Many images, Batch<RollingPose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_6pt_rolling_shutter_solve_batch_for_rolling_pose(
+            instances, points.data(), points.size(), images.data(), images.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
@@ -1652,7 +1866,7 @@ inline void solve_batch(
 /// Fraundorfer, Tanskanen, Pollefeys, "A minimal case solution to the calibrated relative pose
 /// problem for the case of two known orientation angles", ECCV 2010.
 ///
-/// `first` and `second` are corresponding viewing rays in frames of the cameras whose y axes are
+/// `first[k]` and `second[k]` are the rays of point k in frames of the cameras whose y axes are
 /// vertical, of any length. The unknowns are cosine and sine of the turn about the vertical. A pose
 /// X -> rotation X + translation takes the frame of the first camera to that of the second. The
 /// length of the translation is open, and so is its sign: with one of them the points are in front.
@@ -2032,15 +2246,17 @@ inline void solve_batch(
 
 } // namespace relpose_6pt_focal
 
-/// Relative pose of a calibrated camera and one with unknown focal length from six point
-/// correspondences: 9 solutions.
+/// Relative pose of a camera with unknown focal length and a calibrated one from six points: 9
+/// solutions, of which those with a real focal length are returned.
 ///
 /// Bujnak, Kukelova, Pajdla, "3D reconstruction from image collections with a single known focal
 /// length", ICCV 2009. Published as `focal6p_1s`.
 ///
-/// `basis` spans the null space of the six epipolar equations x2^T F x1 = 0, the first camera
-/// having the unknown focal length f and the second none; the fundamental matrix is the sum
-/// of its matrices, each times its weight, and w = 1/f^2.
+/// `first[k]` is the image of point k in the camera with unknown focal length, relative to the
+/// principal point, `second[k]` its ray in the calibrated one, of any length. A fundamental matrix
+/// F satisfies `second[k] . F (first[k], 1) = 0`; it is the sum of the matrices that span the null
+/// space of these equations, each times its weight. w is 1 / focal^2 in units of the length of all
+/// images.
 namespace relpose_6pt_focal_one_side {
 
 /// No call returns more solutions.
@@ -2054,24 +2270,53 @@ struct Solution {
 static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<27> basis) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<12> first, Values<18> second) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_relpose_6pt_focal_one_side_solve(basis.data(), basis.size(), to_solutions, max_solutions, to_count);
+        return eliminant_relpose_6pt_focal_one_side_solve(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<27> basis) {
-    return try_solve(basis).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<12> first, Values<18> second) {
+    return try_solve(first, second).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many basis, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_relpose_6pt_focal_one_side_solve_batch(
-            instances, basis.data(), basis.size(), to_solutions, solutions_length, counts, codes);
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `relpose_6pt_focal_one_side` returns beside its unknowns.
+struct FocalPose {
+    std::array<std::array<double, 3>, 3> fundamental;
+    double focal;
+};
+static_assert(sizeof(FocalPose) == 10 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each focal_pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<FocalPose, max_solutions>> try_solve_for_focal_pose(Values<12> first, Values<18> second) noexcept {
+    return Result<Solutions<FocalPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_6pt_focal_one_side_solve_for_focal_pose(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each focal_pose. Throws `Error`.
+[[nodiscard]] inline Solutions<FocalPose, max_solutions> solve_for_focal_pose(Values<12> first, Values<18> second) {
+    return try_solve_for_focal_pose(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_focal_pose(
+    std::size_t instances, Many first, Many second, Batch<FocalPose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_6pt_focal_one_side_solve_batch_for_focal_pose(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
@@ -2354,17 +2599,18 @@ inline void solve_batch(
 } // namespace relpose_7pt_focal_radial
 
 /// Relative pose, focal length and radial distortion of the first camera, the second calibrated,
-/// from seven point correspondences: 19 solutions.
+/// from seven points: 19 solutions, of which those with a real focal length are returned.
 ///
 /// Kuang, Solem, Kahl, Åström, "Minimal solvers for relative pose with a single unknown radial
 /// distortion", CVPR 2014. Published as `relpose_7p_fr_1s`;
 /// `relpose_7pt_focal_radial_one_side_eliminated` is a formulation without the focal length.
 ///
-/// A point x1 of the first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T
-/// F x2 = 0 is, with f33 = 1, linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial
-/// f31, f32, radial f32, radial, 1: seven points give the former as combinations of these, the rows
-/// of `affine`. With the focal length, diag(focal, focal, 1) F is an essential matrix; `w` is 1 /
-/// focal^2.
+/// `first[k]` is the distorted image of point k in the first camera, relative to the principal
+/// point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
+/// first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T F x2 = 0 is, with
+/// f33 = 1, linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial f31, f32, radial
+/// f32, radial, 1: seven points give the former as combinations of these. With the focal length,
+/// diag(focal, focal, 1) F is an essential matrix; `w` is 1 / focal^2.
 namespace relpose_7pt_focal_radial_one_side {
 
 /// No call returns more solutions.
@@ -2380,41 +2626,73 @@ struct Solution {
 static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<35> affine) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<14> first, Values<14> second) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_relpose_7pt_focal_radial_one_side_solve(affine.data(), affine.size(), to_solutions, max_solutions, to_count);
+        return eliminant_relpose_7pt_focal_radial_one_side_solve(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<35> affine) {
-    return try_solve(affine).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<14> first, Values<14> second) {
+    return try_solve(first, second).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many affine, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_relpose_7pt_focal_radial_one_side_solve_batch(
-            instances, affine.data(), affine.size(), to_solutions, solutions_length, counts, codes);
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `relpose_7pt_focal_radial_one_side` returns beside its unknowns.
+struct RadialFocalPose {
+    std::array<std::array<double, 3>, 3> fundamental;
+    double focal;
+    double radial;
+};
+static_assert(sizeof(RadialFocalPose) == 11 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each radial_focal_pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<RadialFocalPose, max_solutions>> try_solve_for_radial_focal_pose(Values<14> first, Values<14> second) noexcept {
+    return Result<Solutions<RadialFocalPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_7pt_focal_radial_one_side_solve_for_radial_focal_pose(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each radial_focal_pose. Throws `Error`.
+[[nodiscard]] inline Solutions<RadialFocalPose, max_solutions> solve_for_radial_focal_pose(Values<14> first, Values<14> second) {
+    return try_solve_for_radial_focal_pose(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_radial_focal_pose(
+    std::size_t instances, Many first, Many second, Batch<RadialFocalPose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_7pt_focal_radial_one_side_solve_batch_for_radial_focal_pose(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
 } // namespace relpose_7pt_focal_radial_one_side
 
 /// Relative pose and radial distortion of the first camera, whose focal length is unknown, too, and
-/// eliminated, the second calibrated, from seven point correspondences: 19 solutions.
+/// eliminated, the second calibrated, from seven points: 19 solutions.
 ///
 /// Kukelova, Kileel, Sturmfels, Pajdla, "A clever elimination strategy for efficient minimal
 /// solvers", CVPR 2017. Published as `relpose_7p_fr_1s_elr`.
 ///
-/// A point x1 of the first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T
-/// F x1 = 0 is, with f33 = 1, linear in radial f13, f11, f21, f31, f12, f22, f32 and the monomials
-/// radial f23, f13, f23, radial, 1: seven points give the former as combinations of these, the rows
-/// of `affine`. F diag(focal, focal, 1) is an essential matrix for some focal length: with A the
-/// first two columns of F, the third is an eigenvector of A A^T, and where mu is its eigenvalue,
-/// |third column|^2 / focal^2 = trace(A A^T) - 2 mu.
+/// `first[k]` is the distorted image of point k in the first camera, relative to the principal
+/// point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
+/// first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T F x1 = 0 is, with
+/// f33 = 1, linear in radial f13, f11, f21, f31, f12, f22, f32 and the monomials radial f23, f13,
+/// f23, radial, 1: seven points give the former as combinations of these. F diag(focal, focal, 1)
+/// is an essential matrix for some focal length: with A the first two columns of F, the third is an
+/// eigenvector of A A^T, and where mu is its eigenvalue, |third column|^2 / focal^2 = trace(A A^T)
+/// - 2 mu.
 namespace relpose_7pt_focal_radial_one_side_eliminated {
 
 /// No call returns more solutions.
@@ -2429,24 +2707,53 @@ struct Solution {
 static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<35> affine) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<14> first, Values<14> second) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve(affine.data(), affine.size(), to_solutions, max_solutions, to_count);
+        return eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<35> affine) {
-    return try_solve(affine).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<14> first, Values<14> second) {
+    return try_solve(first, second).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many affine, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve_batch(
-            instances, affine.data(), affine.size(), to_solutions, solutions_length, counts, codes);
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `relpose_7pt_focal_radial_one_side_eliminated` returns beside its unknowns.
+struct RadialEpipolar {
+    std::array<std::array<double, 3>, 3> fundamental;
+    double radial;
+};
+static_assert(sizeof(RadialEpipolar) == 10 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each radial_epipolar, or the code of an error.
+[[nodiscard]] inline Result<Solutions<RadialEpipolar, max_solutions>> try_solve_for_radial_epipolar(Values<14> first, Values<14> second) noexcept {
+    return Result<Solutions<RadialEpipolar, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve_for_radial_epipolar(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each radial_epipolar. Throws `Error`.
+[[nodiscard]] inline Solutions<RadialEpipolar, max_solutions> solve_for_radial_epipolar(Values<14> first, Values<14> second) {
+    return try_solve_for_radial_epipolar(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_radial_epipolar(
+    std::size_t instances, Many first, Many second, Batch<RadialEpipolar, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve_batch_for_radial_epipolar(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
@@ -2503,17 +2810,17 @@ inline void solve_batch(
 } // namespace relpose_7pt_generalized_scale
 
 /// Rotation between two photographs with common unknown focal length and radial distortion, a
-/// panorama, from three points: 18 solutions.
+/// panorama, from three points: 18 solutions, of which those with a real focal length are returned.
 ///
 /// Naroditsky, Daniilidis, "Optimizing polynomial solvers for minimal geometry problems", ICCV
 /// 2011, after Byröd, Brown, Åström, "Minimal solutions for panoramic stitching with radial
 /// distortion", BMVC 2009. Published as `stitching`.
 ///
+/// `first[k]` and `second[k]` are the distorted images of point k, relative to the principal point.
 /// A point p lies along (p, focal (1 + radial |p|^2)), the division model. Two points with the
 /// inner product xy of their rays, in the first image, and x'y' in the second, satisfy xy^2 x'x'
-/// y'y' = x'y'^2 xx yy. With w = 1/focal^2, and divided by focal^6, this is a polynomial whose
-/// sixteen coefficients, in the order below, are `first` for the first and second point, and
-/// `second` for the first and third.
+/// y'y' = x'y'^2 xx yy. With w = 1/focal^2 both sides divided by focal^8 are polynomials in w whose
+/// difference has no term without w; it is divided by w.
 namespace stitching_3pt_radial_focal {
 
 /// No call returns more solutions.
@@ -2527,14 +2834,14 @@ struct Solution {
 static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<16> first, Values<16> second) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<6> first, Values<6> second) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
         return eliminant_stitching_3pt_radial_focal_solve(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<16> first, Values<16> second) {
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<6> first, Values<6> second) {
     return try_solve(first, second).value();
 }
 
@@ -2544,6 +2851,35 @@ inline void solve_batch(
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_stitching_3pt_radial_focal_solve_batch(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `stitching_3pt_radial_focal` returns beside its unknowns.
+struct Panorama {
+    double focal;
+    double radial;
+};
+static_assert(sizeof(Panorama) == 2 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each panorama, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Panorama, max_solutions>> try_solve_for_panorama(Values<6> first, Values<6> second) noexcept {
+    return Result<Solutions<Panorama, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_stitching_3pt_radial_focal_solve_for_panorama(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each panorama. Throws `Error`.
+[[nodiscard]] inline Solutions<Panorama, max_solutions> solve_for_panorama(Values<6> first, Values<6> second) {
+    return try_solve_for_panorama(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_panorama(
+    std::size_t instances, Many first, Many second, Batch<Panorama, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_stitching_3pt_radial_focal_solve_batch_for_panorama(
             instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
 }
@@ -2644,12 +2980,12 @@ inline void solve_batch(
 /// Stewénius, Schaffalitzky, Nistér, "How hard is 3-view triangulation really?", ICCV 2005.
 /// Published as `3v_triang_laurent`.
 ///
-/// The unknowns are projective coordinates (x, y, z, 1) of the point: x and y its depths in the
-/// first and second view over that in the third, each times a constant, and z its first error in
-/// the third view. Every image is turned so that its second error does not depend on z, and scales
-/// are chosen so that the first errors of the first two views are (`first`\[0\] + z) / x and
-/// (`second`\[0\] + z) / y, rows standing for linear forms in x, y and 1. The other errors are
-/// `first`\[1\] / x, `second`\[1\] / y and `third`.
+/// `cameras` are the projection matrices of the views and `images` where they see the point. The
+/// unknowns are projective coordinates (x, y, z, 1) of the point: x and y its depths in the first
+/// and second view over that in the third, each times a constant, and z its first error in the
+/// third view. Every image is turned so that its second error does not depend on z, and scales are
+/// such that in the errors of the first two views over their depths, x and y, z has the
+/// coefficient 1.
 ///
 /// Stated are derivatives towards seven points. Where the depth of a view vanishes, so does a power
 /// of it in the denominators; where the errors of a view vanish, too, at its centre, they do not
@@ -2668,24 +3004,52 @@ struct Solution {
 static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<6> first, Values<6> second, Values<3> third) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<36> cameras, Values<6> images) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_triangulation_3view_solve(first.data(), first.size(), second.data(), second.size(), third.data(), third.size(), to_solutions, max_solutions, to_count);
+        return eliminant_triangulation_3view_solve(cameras.data(), cameras.size(), images.data(), images.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<6> first, Values<6> second, Values<3> third) {
-    return try_solve(first, second, third).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<36> cameras, Values<6> images) {
+    return try_solve(cameras, images).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many first, Many second, Many third, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many cameras, Many images, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_triangulation_3view_solve_batch(
-            instances, first.data(), first.size(), second.data(), second.size(), third.data(), third.size(), to_solutions, solutions_length, counts, codes);
+            instances, cameras.data(), cameras.size(), images.data(), images.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `triangulation_3view` returns beside its unknowns.
+struct Point {
+    std::array<double, 3> position;
+};
+static_assert(sizeof(Point) == 3 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each point, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Point, max_solutions>> try_solve_for_point(Values<36> cameras, Values<6> images) noexcept {
+    return Result<Solutions<Point, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_triangulation_3view_solve_for_point(cameras.data(), cameras.size(), images.data(), images.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each point. Throws `Error`.
+[[nodiscard]] inline Solutions<Point, max_solutions> solve_for_point(Values<36> cameras, Values<6> images) {
+    return try_solve_for_point(cameras, images).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_point(
+    std::size_t instances, Many cameras, Many images, Batch<Point, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_triangulation_3view_solve_batch_for_point(
+            instances, cameras.data(), cameras.size(), images.data(), images.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 

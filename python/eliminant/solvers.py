@@ -200,71 +200,86 @@ def fundamental_7pt(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
     return _solve("fundamental_7pt", first, second)
 
 
-def fundamental_8pt_radial(affine: npt.ArrayLike) -> Solutions:
-    """Fundamental matrix and the radial distortion common to both cameras from eight point
-    correspondences: 16 solutions.
+def fundamental_8pt_radial(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+    """Fundamental matrix and the radial distortion common to both cameras from eight points: 16
+    solutions.
 
     Kukelova, Pajdla, "A minimal solution to the autocalibration of radial distortion", CVPR 2007.
     Published as `8ptF_radial`.
 
-    A point x lies along (x, 1 + radial |x|^2), the division model. Then x2^T F x1 = 0 is, with f33
-    = 1, linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the monomials radial
-    f13, radial f23, radial^2, f13, f23, radial, 1: eight points give the former as combinations of
-    these, the rows of `affine`.
+    `first[k]` and `second[k]` are the distorted images of point k, relative to the centre of
+    distortion. An image x lies along (x, 1 + radial |x|^2), the division model. Then x2^T F x1 = 0
+    is, with f33 = 1, linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the
+    monomials radial f13, radial f23, radial^2, f13, f23, radial, 1: eight points give the former as
+    combinations of these.
 
     Data, for one instance, or with n in front for a batch:
 
-    - `affine`: (8, 7)
+    - `first`: (8, 2)
+    - `second`: (8, 2)
 
     Solutions, of which there are at most 16:
 
     - `radial`: ()
     - `f_13`: ()
     - `f_23`: ()
+
+    Results of each solution:
+
+    - `fundamental`: (3, 3)
+    - `radial`: ()
     """
-    return _solve("fundamental_8pt_radial", affine)
+    return _solve("fundamental_8pt_radial", first, second)
 
 
-def fundamental_8pt_radial_one_side(affine: npt.ArrayLike) -> Solutions:
-    """Fundamental matrix and radial distortion of the second camera from eight point correspondences:
-    8 solutions.
+def fundamental_8pt_radial_one_side(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+    """Fundamental matrix and radial distortion of the second camera from eight points: 8 solutions.
 
     Kuang, Solem, Kahl, Åström, "Minimal solvers for relative pose with a single unknown radial
     distortion", CVPR 2014. Published as `8ptF_radial_1s`.
 
-    A point x2 of the second image lies along (x2, 1 + radial |x2|^2), the division model. Then x2^T
-    F x1 = 0 is linear in the nine entries of F, the third row also multiplied by `radial`. Eight
-    points, and f33 = 1, give (f11, f21, f31, f12, f22, f13, f23, radial f31) = affine (radial f32,
-    radial, f32, 1).
+    `first[k]` is the image of point k in a camera without distortion, `second[k]` the distorted one
+    in the other, relative to the centre of distortion. There an image x lies along (x, 1 + radial
+    |x|^2), the division model. Then x2^T F x1 = 0 is linear in the nine entries of F, the third row
+    also multiplied by `radial`. Eight points, and f33 = 1, give f11, f21, f31, f12, f22, f13, f23
+    and radial f31 as combinations of radial f32, radial, f32 and 1.
 
     Data, for one instance, or with n in front for a batch:
 
-    - `affine`: (8, 4)
+    - `first`: (8, 2)
+    - `second`: (8, 2)
 
     Solutions, of which there are at most 8:
 
     - `f_32`: ()
     - `radial`: ()
+
+    Results of each solution:
+
+    - `fundamental`: (3, 3)
+    - `radial`: ()
     """
-    return _solve("fundamental_8pt_radial_one_side", affine)
+    return _solve("fundamental_8pt_radial_one_side", first, second)
 
 
-def fundamental_9pt_two_radials(affine: npt.ArrayLike) -> Solutions:
-    """Fundamental matrix and the two different radial distortions of two cameras from nine point
-    correspondences: 24 solutions.
+def fundamental_9pt_two_radials(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+    """Fundamental matrix and the two different radial distortions of two cameras from nine points: 24
+    solutions.
 
     Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
     problems for cameras with radial distortion", CVIU 114, 2010. Published as `rdist9p`, with f13
     and f23 eliminated in place of t and f13.
 
-    A point x lies along (x, 1 + radial |x|^2), the division model: with s in the second image and t
-    in the first. Then x2^T F x1 = 0 is, with f33 = 1, linear in f11, f12, f21, f22, t, f13, t f13,
-    t f23, s t and in s f31, s f32, s, f31, f32, f23, 1: nine points give the former as combinations
-    of these, the rows of `affine`.
+    `first[k]` and `second[k]` are the distorted images of point k, relative to the centres of
+    distortion. An image x lies along (x, 1 + radial |x|^2), the division model: with s for `radial`
+    in the second image and t in the first. Then x2^T F x1 = 0 is, with f33 = 1, linear in f11, f12,
+    f21, f22, t, f13, t f13, t f23, s t and in s f31, s f32, s, f31, f32, f23, 1: nine points give
+    the former as combinations of these.
 
     Data, for one instance, or with n in front for a batch:
 
-    - `affine`: (9, 7)
+    - `first`: (9, 2)
+    - `second`: (9, 2)
 
     Solutions, of which there are at most 24:
 
@@ -272,8 +287,13 @@ def fundamental_9pt_two_radials(affine: npt.ArrayLike) -> Solutions:
     - `f_31`: ()
     - `f_32`: ()
     - `f_23`: ()
+
+    Results of each solution:
+
+    - `fundamental`: (3, 3)
+    - `radials`: (2,)
     """
-    return _solve("fundamental_9pt_two_radials", affine)
+    return _solve("fundamental_9pt_two_radials", first, second)
 
 
 def katsura_5() -> Solutions:
@@ -384,8 +404,8 @@ def pose_2pt_upright(rays: npt.ArrayLike, points: npt.ArrayLike) -> Solutions:
     vertical direction", ACCV 2010; here by the depths, as Haralick, Lee, Ottenberg, Nölle, IJCV
     1994, state the pose from three points.
 
-    `rays` are two viewing rays in a frame of the camera whose y axis is vertical, of any length,
-    `points` the points that they see, in a world with the same vertical. The unknowns are the
+    `rays[k]` is the ray of point k in a frame of the camera whose y axis is vertical, of any
+    length, and `points[k]` its position in a world with the same vertical. The unknowns are the
     depths along the rays. A pose X -> rotation X + translation takes the world to the camera; the
     rotation is about the y axis, and both points are in front. The points must not be above each
     other, nor both rays level.
@@ -521,38 +541,40 @@ def pose_3pt_upright_error_bound(points: npt.ArrayLike, cones: npt.ArrayLike) ->
     return _solve("pose_3pt_upright_error_bound", points, cones)
 
 
-def pose_4pt_focal_radial(
-    row1: npt.ArrayLike,
-    row2: npt.ArrayLike,
-    row3: npt.ArrayLike,
-) -> Solutions:
+def pose_4pt_focal_radial(points: npt.ArrayLike, images: npt.ArrayLike) -> Solutions:
     r"""Pose, focal length and radial distortion of a camera from four points: 16 solutions.
 
     Josephson, Byröd, "Pose estimation with radial distortion and unknown focal length", CVPR 2009,
     in the form of Bujnak, Kukelova, Pajdla, "New efficient solution to the absolute pose problem
     for camera with unknown focal length and radial distortion", ACCV 2010. Published as `p4p_fr`.
 
-    An image point (u, v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with
-    P = diag(1, 1, 1/f) \[R t\]. That v times the first row of P minus u times the second vanishes
-    at X leaves a null space of dimension four: the first two rows of P, without their last entries,
-    are row1 w and row2 w with the weights w. The third, from the four points, is row3 (w, radial
-    w).
+    `points[k]` is the position of point k, `images[k]` its distorted image, relative to the
+    principal point. The points must not lie in a plane. An image (u, v) lies along (u, v, 1 +
+    radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1, 1/f) \[R t\]. That v times
+    the first row of P minus u times the second vanishes at X leaves a null space of dimension four:
+    these rows are the sum of its vectors, each times its weight. The third row follows from the
+    four points. `projection` is P up to scale.
 
     Data, for one instance, or with n in front for a batch:
 
-    - `row1`: (3, 4)
-    - `row2`: (3, 4)
-    - `row3`: (3, 8)
+    - `points`: (4, 3)
+    - `images`: (4, 2)
 
     Solutions, of which there are at most 16:
 
     - `weights`: (4,)
     - `radial`: ()
+
+    Results of each solution:
+
+    - `projection`: (3, 4)
+    - `focal`: ()
+    - `radial`: ()
     """
-    return _solve("pose_4pt_focal_radial", row1, row2, row3)
+    return _solve("pose_4pt_focal_radial", points, images)
 
 
-def pose_4pt_focal_radial_cut(upper: npt.ArrayLike, lower: npt.ArrayLike) -> Solutions:
+def pose_4pt_focal_radial_cut(points: npt.ArrayLike, images: npt.ArrayLike) -> Solutions:
     r"""Pose, focal length and radial distortion of a camera from four points, without the degenerate
     solutions: 12 solutions.
 
@@ -560,22 +582,30 @@ def pose_4pt_focal_radial_cut(upper: npt.ArrayLike, lower: npt.ArrayLike) -> Sol
     robust", ICCV 2017. Published as `p4p_fr_iccv17`; `pose_4pt_focal_radial` is the older
     formulation of the same problem, with 16.
 
-    An image point (u, v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with
-    P = diag(1, 1, 1/f) \[R t\]. The first two rows of R, column by column, are `upper` w
-    with the weights w, the null space of four equations; the third row of P is, from the four
-    points, `lower` (w, radial w), of which R takes the first three entries.
+    `points[k]` is the position of point k, `images[k]` its distorted image, relative to the
+    principal point. The points must not lie in a plane. An image (u, v) lies along (u, v, 1 +
+    radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1, 1/f) \[R t\]. That v times
+    the first row of P minus u times the second vanishes at X leaves a null space of dimension four:
+    these rows are the sum of its vectors, each times its weight. The third row follows from the
+    four points. `projection` is P up to scale.
 
     Data, for one instance, or with n in front for a batch:
 
-    - `upper`: (6, 4)
-    - `lower`: (3, 8)
+    - `points`: (4, 3)
+    - `images`: (4, 2)
 
     Solutions, of which there are at most 12:
 
     - `radial`: ()
     - `weights`: (4,)
+
+    Results of each solution:
+
+    - `projection`: (3, 4)
+    - `focal`: ()
+    - `radial`: ()
     """
-    return _solve("pose_4pt_focal_radial_cut", upper, lower)
+    return _solve("pose_4pt_focal_radial_cut", points, images)
 
 
 def pose_4pt_generalized_scale(basis: npt.ArrayLike) -> Solutions:
@@ -657,56 +687,61 @@ def pose_5pt_refraction(affine: npt.ArrayLike) -> Solutions:
     return _solve("pose_5pt_refraction", affine)
 
 
-def pose_5tdoa_two_receivers(quadric: npt.ArrayLike, linear: npt.ArrayLike) -> Solutions:
+def pose_5tdoa_two_receivers(
+    senders: npt.ArrayLike,
+    differences: npt.ArrayLike,
+    distance: npt.ArrayLike,
+) -> Solutions:
     """Pose of two receivers close to each other from the time differences with which they hear five
     senders: 24 solutions.
 
     Burgess, Kuang, Åström, "Pose estimation from minimal dual-receiver configurations", ICPR 2012.
     Published as `tdoa_pose_5pt`.
 
-    The receivers are at C, one from the other in the direction n = (u, v, w). Divided by their
-    distance, the difference of the ranges of a sender U is the cosine c of an angle: (n U - t)^2 =
-    c^2 |n|^2 |U - C|^2 with t = n C. Five such equations are linear in |n|^2 |C|^2 and |n|^2 C, and
-    otherwise have the terms u u, u v, u w, v v, v w, w w, t u, t v, t w and t t. Solved for the
-    former, they have the coefficients `linear`; a fifth linear combination, `quadric`, has none of
-    the former. C follows from n and t, which are `plane`: n X = t passes through the receivers,
-    across their line.
+    `senders` are positions, `differences` the differences of the ranges of each to the two
+    receivers, and `distance` is that of the receivers. They are at C, one from the other in the
+    direction n = (u, v, w). Divided by `distance`, the difference of the ranges of a sender U is
+    the cosine c of an angle: (n U - t)^2 = c^2 |n|^2 |U - C|^2 with t = n C. Five such equations
+    are linear in |n|^2 |C|^2 and |n|^2 C, and otherwise have the terms u u, u v, u w, v v, v w, w
+    w, t u, t v, t w and t t. They are solved for the former, and a fifth linear combination has
+    none of them. C follows from n and t, which are `plane`: n X = t passes through the receivers,
+    across their line. t is in units of the length of all positions.
 
     Data, for one instance, or with n in front for a batch:
 
-    - `quadric`: (10,)
-    - `linear`: (4, 10)
+    - `senders`: (5, 3)
+    - `differences`: (5,)
+    - `distance`: ()
 
     Solutions, of which there are at most 24:
 
     - `plane`: (4,)
+
+    Results of each solution:
+
+    - `direction`: (3,)
+    - `centre`: (3,)
     """
-    return _solve("pose_5tdoa_two_receivers", quadric, linear)
+    return _solve("pose_5tdoa_two_receivers", senders, differences, distance)
 
 
-def pose_6pt_rolling_shutter(
-    image: npt.ArrayLike,
-    points: npt.ArrayLike,
-    position: npt.ArrayLike,
-    velocity: npt.ArrayLike,
-) -> Solutions:
+def pose_6pt_rolling_shutter(points: npt.ArrayLike, images: npt.ArrayLike) -> Solutions:
     r"""Pose and motion of a camera with rolling shutter from six points: 20 solutions.
 
     Albl, Kukelova, Pajdla, "R6P - rolling shutter absolute camera pose", CVPR 2015. Published as
     `r6p`.
 
+    `points[k]` is the position of a point and `images[k]` its image, in units of the focal length.
     A point X is seen at q, in the row q\[0\], where (q, 1) and (I + q\[0\] \[(x, y, z)\]x) (I +
     \[(u, v, w)\]x) X + C + q\[0\] t are parallel: both rotations linearised, the first for an
     angular velocity. Three of the points, linear in the position C and the velocity t, give them as
     position m and velocity m, m being the products of x, y, z (slower) with u, v, w, and then u, v,
-    w, x, y, z, 1. `image` and `points` are the other three, one a row.
+    w, x, y, z, 1.
 
     Data, for one instance, or with n in front for a batch:
 
-    - `image`: (3, 2)
-    - `points`: (3, 3)
-    - `position`: (3, 16)
-    - `velocity`: (3, 16)
+    - `points`: (6, 3)
+    - `images`: (6, 2)
 
     Solutions, of which there are at most 20:
 
@@ -716,8 +751,15 @@ def pose_6pt_rolling_shutter(
     - `x`: ()
     - `y`: ()
     - `z`: ()
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `position`: (3,)
+    - `angular_velocity`: (3,)
+    - `velocity`: (3,)
     """
-    return _solve("pose_6pt_rolling_shutter", image, points, position, velocity)
+    return _solve("pose_6pt_rolling_shutter", points, images)
 
 
 def pose_npt_direct_least_squares(
@@ -868,7 +910,7 @@ def relpose_3pt_upright(first: npt.ArrayLike, second: npt.ArrayLike) -> Solution
     Fraundorfer, Tanskanen, Pollefeys, "A minimal case solution to the calibrated relative pose
     problem for the case of two known orientation angles", ECCV 2010.
 
-    `first` and `second` are corresponding viewing rays in frames of the cameras whose y axes are
+    `first[k]` and `second[k]` are the rays of point k in frames of the cameras whose y axes are
     vertical, of any length. The unknowns are cosine and sine of the turn about the vertical. A pose
     X -> rotation X + translation takes the frame of the first camera to that of the second. The
     length of the translation is open, and so is its sign: with one of them the points are in front.
@@ -1065,27 +1107,35 @@ def relpose_6pt_focal(basis: npt.ArrayLike) -> Solutions:
     return _solve("relpose_6pt_focal", basis)
 
 
-def relpose_6pt_focal_one_side(basis: npt.ArrayLike) -> Solutions:
-    """Relative pose of a calibrated camera and one with unknown focal length from six point
-    correspondences: 9 solutions.
+def relpose_6pt_focal_one_side(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+    """Relative pose of a camera with unknown focal length and a calibrated one from six points: 9
+    solutions, of which those with a real focal length are returned.
 
     Bujnak, Kukelova, Pajdla, "3D reconstruction from image collections with a single known focal
     length", ICCV 2009. Published as `focal6p_1s`.
 
-    `basis` spans the null space of the six epipolar equations x2^T F x1 = 0, the first camera
-    having the unknown focal length f and the second none; the fundamental matrix is the sum
-    of its matrices, each times its weight, and w = 1/f^2.
+    `first[k]` is the image of point k in the camera with unknown focal length, relative to the
+    principal point, `second[k]` its ray in the calibrated one, of any length. A fundamental matrix
+    F satisfies `second[k] . F (first[k], 1) = 0`; it is the sum of the matrices that span the null
+    space of these equations, each times its weight. w is 1 / focal^2 in units of the length of all
+    images.
 
     Data, for one instance, or with n in front for a batch:
 
-    - `basis`: (3, 3, 3)
+    - `first`: (6, 2)
+    - `second`: (6, 3)
 
     Solutions, of which there are at most 9:
 
     - `weights`: (3,)
     - `w`: ()
+
+    Results of each solution:
+
+    - `fundamental`: (3, 3)
+    - `focal`: ()
     """
-    return _solve("relpose_6pt_focal_one_side", basis)
+    return _solve("relpose_6pt_focal_one_side", first, second)
 
 
 def relpose_6pt_focal_points(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
@@ -1240,23 +1290,25 @@ def relpose_7pt_focal_radial(affine: npt.ArrayLike, affine_f31: npt.ArrayLike) -
     return _solve("relpose_7pt_focal_radial", affine, affine_f31)
 
 
-def relpose_7pt_focal_radial_one_side(affine: npt.ArrayLike) -> Solutions:
+def relpose_7pt_focal_radial_one_side(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
     """Relative pose, focal length and radial distortion of the first camera, the second calibrated,
-    from seven point correspondences: 19 solutions.
+    from seven points: 19 solutions, of which those with a real focal length are returned.
 
     Kuang, Solem, Kahl, Åström, "Minimal solvers for relative pose with a single unknown radial
     distortion", CVPR 2014. Published as `relpose_7p_fr_1s`;
     `relpose_7pt_focal_radial_one_side_eliminated` is a formulation without the focal length.
 
-    A point x1 of the first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T
-    F x2 = 0 is, with f33 = 1, linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial
-    f31, f32, radial f32, radial, 1: seven points give the former as combinations of these, the rows
-    of `affine`. With the focal length, diag(focal, focal, 1) F is an essential matrix; `w` is 1 /
-    focal^2.
+    `first[k]` is the distorted image of point k in the first camera, relative to the principal
+    point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
+    first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T F x2 = 0 is, with
+    f33 = 1, linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial f31, f32, radial
+    f32, radial, 1: seven points give the former as combinations of these. With the focal length,
+    diag(focal, focal, 1) F is an essential matrix; `w` is 1 / focal^2.
 
     Data, for one instance, or with n in front for a batch:
 
-    - `affine`: (7, 5)
+    - `first`: (7, 2)
+    - `second`: (7, 2)
 
     Solutions, of which there are at most 19:
 
@@ -1264,35 +1316,52 @@ def relpose_7pt_focal_radial_one_side(affine: npt.ArrayLike) -> Solutions:
     - `f_31`: ()
     - `f_32`: ()
     - `radial`: ()
+
+    Results of each solution:
+
+    - `fundamental`: (3, 3)
+    - `focal`: ()
+    - `radial`: ()
     """
-    return _solve("relpose_7pt_focal_radial_one_side", affine)
+    return _solve("relpose_7pt_focal_radial_one_side", first, second)
 
 
-def relpose_7pt_focal_radial_one_side_eliminated(affine: npt.ArrayLike) -> Solutions:
+def relpose_7pt_focal_radial_one_side_eliminated(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+) -> Solutions:
     """Relative pose and radial distortion of the first camera, whose focal length is unknown, too, and
-    eliminated, the second calibrated, from seven point correspondences: 19 solutions.
+    eliminated, the second calibrated, from seven points: 19 solutions.
 
     Kukelova, Kileel, Sturmfels, Pajdla, "A clever elimination strategy for efficient minimal
     solvers", CVPR 2017. Published as `relpose_7p_fr_1s_elr`.
 
-    A point x1 of the first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T
-    F x1 = 0 is, with f33 = 1, linear in radial f13, f11, f21, f31, f12, f22, f32 and the monomials
-    radial f23, f13, f23, radial, 1: seven points give the former as combinations of these, the rows
-    of `affine`. F diag(focal, focal, 1) is an essential matrix for some focal length: with A the
-    first two columns of F, the third is an eigenvector of A A^T, and where mu is its eigenvalue,
-    |third column|^2 / focal^2 = trace(A A^T) - 2 mu.
+    `first[k]` is the distorted image of point k in the first camera, relative to the principal
+    point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
+    first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T F x1 = 0 is, with
+    f33 = 1, linear in radial f13, f11, f21, f31, f12, f22, f32 and the monomials radial f23, f13,
+    f23, radial, 1: seven points give the former as combinations of these. F diag(focal, focal, 1)
+    is an essential matrix for some focal length: with A the first two columns of F, the third is an
+    eigenvector of A A^T, and where mu is its eigenvalue, |third column|^2 / focal^2 = trace(A A^T)
+    - 2 mu.
 
     Data, for one instance, or with n in front for a batch:
 
-    - `affine`: (7, 5)
+    - `first`: (7, 2)
+    - `second`: (7, 2)
 
     Solutions, of which there are at most 19:
 
     - `f_13`: ()
     - `f_23`: ()
     - `radial`: ()
+
+    Results of each solution:
+
+    - `fundamental`: (3, 3)
+    - `radial`: ()
     """
-    return _solve("relpose_7pt_focal_radial_one_side_eliminated", affine)
+    return _solve("relpose_7pt_focal_radial_one_side_eliminated", first, second)
 
 
 def relpose_7pt_generalized_scale(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
@@ -1326,27 +1395,32 @@ def relpose_7pt_generalized_scale(first: npt.ArrayLike, second: npt.ArrayLike) -
 
 def stitching_3pt_radial_focal(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
     """Rotation between two photographs with common unknown focal length and radial distortion, a
-    panorama, from three points: 18 solutions.
+    panorama, from three points: 18 solutions, of which those with a real focal length are returned.
 
     Naroditsky, Daniilidis, "Optimizing polynomial solvers for minimal geometry problems", ICCV
     2011, after Byröd, Brown, Åström, "Minimal solutions for panoramic stitching with radial
     distortion", BMVC 2009. Published as `stitching`.
 
+    `first[k]` and `second[k]` are the distorted images of point k, relative to the principal point.
     A point p lies along (p, focal (1 + radial |p|^2)), the division model. Two points with the
     inner product xy of their rays, in the first image, and x'y' in the second, satisfy xy^2 x'x'
-    y'y' = x'y'^2 xx yy. With w = 1/focal^2, and divided by focal^6, this is a polynomial whose
-    sixteen coefficients, in the order below, are `first` for the first and second point, and
-    `second` for the first and third.
+    y'y' = x'y'^2 xx yy. With w = 1/focal^2 both sides divided by focal^8 are polynomials in w whose
+    difference has no term without w; it is divided by w.
 
     Data, for one instance, or with n in front for a batch:
 
-    - `first`: (16,)
-    - `second`: (16,)
+    - `first`: (3, 2)
+    - `second`: (3, 2)
 
     Solutions, of which there are at most 18:
 
     - `radial`: ()
     - `w`: ()
+
+    Results of each solution:
+
+    - `focal`: ()
+    - `radial`: ()
     """
     return _solve("stitching_3pt_radial_focal", first, second)
 
@@ -1395,23 +1469,19 @@ def three_quadrics(quadrics: npt.ArrayLike) -> Solutions:
     return _solve("three_quadrics", quadrics)
 
 
-def triangulation_3view(
-    first: npt.ArrayLike,
-    second: npt.ArrayLike,
-    third: npt.ArrayLike,
-) -> Solutions:
-    r"""Triangulation from three views, all stationary points of the sum of squared reprojection errors:
+def triangulation_3view(cameras: npt.ArrayLike, images: npt.ArrayLike) -> Solutions:
+    """Triangulation from three views, all stationary points of the sum of squared reprojection errors:
     47 solutions.
 
     Stewénius, Schaffalitzky, Nistér, "How hard is 3-view triangulation really?", ICCV 2005.
     Published as `3v_triang_laurent`.
 
-    The unknowns are projective coordinates (x, y, z, 1) of the point: x and y its depths in the
-    first and second view over that in the third, each times a constant, and z its first error in
-    the third view. Every image is turned so that its second error does not depend on z, and scales
-    are chosen so that the first errors of the first two views are (`first`\[0\] + z) / x and
-    (`second`\[0\] + z) / y, rows standing for linear forms in x, y and 1. The other errors are
-    `first`\[1\] / x, `second`\[1\] / y and `third`.
+    `cameras` are the projection matrices of the views and `images` where they see the point. The
+    unknowns are projective coordinates (x, y, z, 1) of the point: x and y its depths in the first
+    and second view over that in the third, each times a constant, and z its first error in the
+    third view. Every image is turned so that its second error does not depend on z, and scales are
+    such that in the errors of the first two views over their depths, x and y, z has the
+    coefficient 1.
 
     Stated are derivatives towards seven points. Where the depth of a view vanishes, so does a power
     of it in the denominators; where the errors of a view vanish, too, at its centre, they do not
@@ -1419,17 +1489,20 @@ def triangulation_3view(
 
     Data, for one instance, or with n in front for a batch:
 
-    - `first`: (2, 3)
-    - `second`: (2, 3)
-    - `third`: (3,)
+    - `cameras`: (3, 3, 4)
+    - `images`: (3, 2)
 
     Solutions, of which there are at most 47:
 
     - `x`: ()
     - `y`: ()
     - `z`: ()
+
+    Results of each solution:
+
+    - `position`: (3,)
     """
-    return _solve("triangulation_3view", first, second, third)
+    return _solve("triangulation_3view", cameras, images)
 
 
 def triangulation_3view_relaxed(
