@@ -74,7 +74,7 @@ const TRACED_IN_ANY_CASE: usize = 2;
 /// A template exists if the equations have finitely many solutions even where factors that must not
 /// vanish do. The formulations are tried one after another until one gives candidates. If the
 /// monitor says that the search is over it cuts short how templates are reduced, and no more than
-/// [`TRACED_IN_ANY_CASE`] formulations are tried.
+/// `TRACED_IN_ANY_CASE` formulations are tried.
 pub fn traced_candidates(
     problem: &Problem,
     count: &SolutionCount,

@@ -32,7 +32,7 @@ pub const OTHERS_CONFIRMED: usize = 2;
 pub const SCREENING_WORK: usize = 300_000_000;
 /// Operations that confirming one candidate may take, without the polish.
 pub const CONFIRMING_WORK: usize = 10_000_000_000;
-/// Operations that screening one candidate may take even if that is fewer than [`BLOCK`] instances:
+/// Operations that screening one candidate may take even if that is fewer than `BLOCK` instances:
 /// a template by the trace of a Gröbner basis may have thousands of rows.
 pub const MOST_SCREENING_WORK: usize = 100_000_000_000;
 /// Operations that confirming one candidate may take even if that is fewer than
