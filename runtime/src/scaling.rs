@@ -140,7 +140,9 @@ impl Scalings<'_> {
         let (mut normal, mut right) = ([[0.0; MOST_SCALINGS]; MOST_SCALINGS], [0.0; MOST_SCALINGS]);
         let [mut squares, mut parts] = [0.0; 2];
         for (&x, weights) in data.iter().zip(self.data.chunks_exact(self.count)) {
-            if x == 0.0 {
+            // A datum without weights says nothing: measurements from which others are derived have
+            // none, as no equation reads them.
+            if x == 0.0 || weights.iter().all(|&w| w == 0) {
                 continue;
             }
             let size = f64::from(exponent(x)) + 0.5;
