@@ -107,8 +107,8 @@ fn scale_of<R: Real>(row: &[R]) -> Result<f64, SolveError> {
 /// ```
 ///
 /// Gaussian elimination with partial pivoting of rows and columns that are equilibrated by powers
-/// of two: the units of equations and of unknowns do not matter. A pivot must be more than `least`, which is for `f64` and is less at twice the precision, and more
-/// than rounding.
+/// of two: the units of equations and of unknowns do not matter. A pivot must be more than `least`,
+/// which is for `f64` and is less at twice the precision, and more than rounding.
 ///
 /// # Errors
 /// [`SolveError::Overflow`] if a number or X is not finite, [`SolveError::LostRank`] if A is
