@@ -10,8 +10,8 @@
 //!
 //! Each line is near a given silhouette by chance with the density `lambda = p / 2`, in units of
 //! the threshold. If a silhouette is detected with the probability `pi`, and its line is off by
-//! normal noise of the scale `s`, then the likelihood ratio of a silhouette whose nearest line is at
-//! the distance `d`, and of one without a line, is at most
+//! normal noise of the scale `s`, then the likelihood ratio of a silhouette whose nearest line is
+//! at the distance `d`, and of one without a line, is at most
 //!
 //! ```text
 //!   1 - pi + pi N(d; s) / lambda,     1 - pi
