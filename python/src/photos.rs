@@ -4,10 +4,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use eliminant_cylinders::detection::GreyImage;
-use eliminant_cylinders::distortion::Distortion;
 use eliminant_cylinders::photograph::Photograph;
 use eliminant_cylinders::photos::decode::decode_photograph;
-use eliminant_cylinders::photos::{LineOptions, PhotoOptions, candidate_lines, find_cylinders, undistorted_segments};
+use eliminant_cylinders::photos::{LineOptions, PhotoOptions, detected_lines, find_cylinders};
 use eliminant_cylinders::{Scene, View, parse_scene, read_colmap};
 use nalgebra::Point3;
 use numpy::PyReadonlyArray2;
@@ -79,11 +78,7 @@ fn cameras(scene: Option<String>, model: Option<PathBuf>) -> Result<(Vec<Photogr
         return Ok((model.photographs, model.points));
     }
     let scene = parse_scene(&scene.unwrap_or_default(), SCENE).map_err(|error| error.to_string())?;
-    let photograph = |(index, view): (usize, &View)| {
-        let name = view.image().ok_or_else(|| format!("{SCENE}: view {index} has no name of its image"))?.to_owned();
-        Ok(Photograph { name, camera: *view.camera(), distortion: Distortion::default() })
-    };
-    let photographs = scene.views.iter().enumerate().map(photograph).collect::<Result<_, String>>()?;
+    let photographs = scene.photographs().map_err(|view| format!("{SCENE}: view {view} has no name of its image"))?;
     Ok((photographs, scene.points))
 }
 
@@ -101,10 +96,7 @@ fn look(photograph: &Photograph, images: &Images) -> Result<View, String> {
             None => return Err(format!("there is no image `{name}`")),
         },
     };
-    let failure = |error: &dyn std::fmt::Display| format!("image `{name}`: {error}");
-    let diagonal = (image.width() as f64).hypot(image.height() as f64);
-    let segments = undistorted_segments(photograph, image).map_err(|error| failure(&error))?;
-    candidate_lines(photograph, &segments, diagonal, &LineOptions::default()).map_err(|error| failure(&error))
+    detected_lines(photograph, image, &LineOptions::default()).map_err(|error| error.to_string())
 }
 
 fn decoded(path: &Path) -> Result<GreyImage, String> {

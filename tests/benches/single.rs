@@ -73,23 +73,15 @@ impl Arithmetic for Float32 {
     }
 }
 
-/// An instance whose template is eliminated in `f32`, once.
-struct Single<'a> {
+/// One attempt on an instance.
+struct Once<'a> {
     instance: InterpretedInstance<'a>,
-    plan: &'a Plan,
-    layout: ValueLayout,
-    coefficients: Vec<f32>,
+    /// The plan and its layout, if the template is eliminated in `f32`.
+    single: Option<(&'a Plan, ValueLayout)>,
     read: Vec<Vec<f64>>,
 }
 
-impl<'a> Single<'a> {
-    fn new(instance: InterpretedInstance<'a>, plan: &'a Plan) -> Self {
-        let coefficients = instance.coefficients().iter().map(|&c| c as f32).collect();
-        Self { instance, plan, layout: ValueLayout::of(plan), coefficients, read: Vec::new() }
-    }
-}
-
-impl SolverInstance for Single<'_> {
+impl SolverInstance for Once<'_> {
     type Basis = Dynamic;
     type Unknowns = Dynamic;
     type Values = Dynamic;
@@ -111,12 +103,19 @@ impl SolverInstance for Single<'_> {
         false
     }
     fn action_matrix<R: emitted::Real>(&mut self) -> Result<Vec<Vec<R>>, SolveError> {
-        let eliminated = eliminate(self.plan, Float32, &self.coefficients).ok_or(SolveError::Overflow)?;
+        let Some((plan, _)) = &self.single else { return self.instance.action_matrix() };
+        let coefficients: Vec<f32> = self.instance.coefficients().iter().map(|&c| c as f32).collect();
+        let eliminated = eliminate(plan, Float32, &coefficients).ok_or(SolveError::Overflow)?;
         self.read = wide(eliminated.read, |x| x);
         Ok(wide(eliminated.action, R::from_f64))
     }
     fn monomial_values<S: Scalar>(&self, value: S, vector: &Vec<S>) -> Vec<S> {
-        emitted::monomial_values(Dynamic(self.layout.len()), (value, vector), self.layout.has_image, &self.read)
+        match &self.single {
+            None => self.instance.monomial_values(value, vector),
+            Some((_, layout)) => {
+                emitted::monomial_values(Dynamic(layout.len()), (value, vector), layout.has_image, &self.read)
+            }
+        }
     }
     fn recover<S: Scalar>(&self, unknowns: &mut Vec<S>) {
         self.instance.recover(unknowns);
@@ -132,47 +131,6 @@ impl SolverInstance for Single<'_> {
 /// The same rows with other numbers.
 fn wide<R>(rows: Vec<Vec<f32>>, number: impl Fn(f64) -> R + Copy) -> Vec<Vec<R>> {
     rows.into_iter().map(|row| row.into_iter().map(|x| number(x.into())).collect()).collect()
-}
-
-/// One attempt in `f64`.
-struct Once<'a>(InterpretedInstance<'a>);
-
-impl SolverInstance for Once<'_> {
-    type Basis = Dynamic;
-    type Unknowns = Dynamic;
-    type Values = Dynamic;
-    type Solutions = Dynamic;
-
-    fn sizes(&self) -> SizesOf<Self> {
-        self.0.sizes()
-    }
-    fn ratios(&self, unknown: usize) -> &[(u16, u16)] {
-        self.0.ratios(unknown)
-    }
-    fn has_origin(&self) -> bool {
-        self.0.has_origin()
-    }
-    fn sign_changes(&self) -> Option<emitted::SignChanges<'_>> {
-        self.0.sign_changes()
-    }
-    fn allows_second_attempt(&self) -> bool {
-        false
-    }
-    fn action_matrix<R: emitted::Real>(&mut self) -> Result<Vec<Vec<R>>, SolveError> {
-        self.0.action_matrix()
-    }
-    fn monomial_values<S: Scalar>(&self, value: S, vector: &Vec<S>) -> Vec<S> {
-        self.0.monomial_values(value, vector)
-    }
-    fn recover<S: Scalar>(&self, unknowns: &mut Vec<S>) {
-        self.0.recover(unknowns);
-    }
-    fn polish<S: Scalar>(&self, unknowns: &mut Vec<S>, steps: usize) -> f64 {
-        self.0.polish(unknowns, steps)
-    }
-    fn is_admissible<S: Scalar>(&self, unknowns: &Vec<S>) -> bool {
-        self.0.is_admissible(unknowns)
-    }
 }
 
 type Found = Vec<Vec<Complex<f64>>>;
@@ -192,10 +150,7 @@ struct Share {
 }
 
 impl Share {
-    fn add<I>(&mut self, make: impl Fn() -> Result<I, SolveError>, truths: &Found)
-    where
-        I: SolverInstance<Basis = Dynamic, Unknowns = Dynamic, Values = Dynamic, Solutions = Dynamic>,
-    {
+    fn add<'a>(&mut self, make: impl Fn() -> Result<Once<'a>, SolveError>, truths: &Found) {
         let solved = make().and_then(|mut instance| emitted::complex_solutions(&mut instance));
         let found: Found = solved.map_or_else(|_| Vec::new(), |found| found.to_vec());
         let mut unpolished = Vec::new();
@@ -224,8 +179,9 @@ fn cells(case: &Case, arguments: &Arguments) -> Vec<String> {
         let Ok(mut instance) = solver.instance(&data) else { continue };
         let Ok(truths) = emitted::complex_solutions(&mut instance) else { continue };
         let truths = truths.to_vec();
-        double.add(|| solver.instance(&data).map(Once), &truths);
-        single.add(|| solver.instance(&data).map(|instance| Single::new(instance, &plan)), &truths);
+        let once = |single| Ok(Once { instance: solver.instance(&data)?, single, read: Vec::new() });
+        double.add(|| once(None), &truths);
+        single.add(|| once(Some((&plan, ValueLayout::of(&plan)))), &truths);
     }
     let [of_double, of_single] = [double.cells(), single.cells()];
     [vec![case.name.to_owned(), arguments.instances.to_string()], of_double.to_vec(), of_single.to_vec()].concat()

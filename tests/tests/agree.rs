@@ -55,6 +55,10 @@ fn solved_shares(family: Family, first_seed: u64) -> Vec<(&'static str, f64)> {
 /// up to scale, in a chart that is special to no pattern of data. All others meet degenerate data.
 const NEVER_DEGENERATE: [&str; 2] = ["pose_npt_least_squares_cayley", "pose_npt_least_squares_quaternion"];
 
+/// The coefficients of this problem are squares of its data: data over two orders of magnitude make
+/// coefficients over four, and the template singular to `f64` on 1 of 1000 instances.
+const SQUARED: (&str, f64) = ("pose_5tdoa_two_receivers", 0.999);
+
 /// Asserts that the share of solved instances of every problem is in a range.
 fn assert_shares(shares: &[(&str, f64)], range: std::ops::RangeInclusive<f64>) {
     let outside: Vec<&(&str, f64)> = shares.iter().filter(|(_, share)| !range.contains(share)).collect();
@@ -78,9 +82,7 @@ fn on_scenes() {
 #[test]
 fn on_badly_scaled_data() {
     for (range, each, mean) in [
-        // The coefficients of `pose_5tdoa_two_receivers` are squares of its data. On 1 of 1000
-        // instances its template is singular to `f64`.
-        (1.0, 0.99..=1.0, 0.9999..=1.0),
+        (1.0, 1.0..=1.0, 0.99998..=1.0),
         // The least share, 0.33, is that of `calibration_6_receivers_4_senders`.
         (4.0, 0.3..=1.0, 0.9..=1.0),
         (20.0, 0.0..=1.0, 0.3..=0.6),
@@ -89,7 +91,9 @@ fn on_badly_scaled_data() {
         let shares = solved_shares(Family::Scaled(range), 2_000_000);
         let average = shares.iter().map(|(_, share)| share).sum::<f64>() / shares.len() as f64;
         println!("scaled by up to 1e{range}: {average:.3} solved on average");
-        assert_shares(&shares, each);
+        let is_squared = |share: &&(&str, f64)| range == 1.0 && share.0 == SQUARED.0;
+        assert!(shares.iter().filter(is_squared).all(|&(_, share)| share >= SQUARED.1), "{shares:?}");
+        assert_shares(&shares.iter().filter(|share| !is_squared(share)).copied().collect::<Vec<_>>(), each);
         assert!(mean.contains(&average), "scaled by up to 1e{range}: {average} solved on average, not {mean:?}");
     }
 }

@@ -64,7 +64,7 @@ const ON_RANDOM_DATA: Demands = Demands {
                 },
                 Exception {
                     problem: "pose_6pt_rolling_shutter",
-                    bound: 1e-12,
+                    bound: 1e-13,
                     reason: "2.9e-14 measured: three of its six points are eliminated from measurements in f64",
                 },
                 Exception {
@@ -86,11 +86,11 @@ const ON_RANDOM_DATA: Demands = Demands {
             },
             // Those that follow derive their coefficients from measurements, which are random here:
             // the linear equations for them are worse conditioned than those of scenes.
-            Exception { problem: "fundamental_8pt_radial", bound: 1e-9, reason: "1.2e-11 measured" },
-            Exception { problem: "fundamental_8pt_radial_one_side", bound: 1e-9, reason: "1.2e-11 measured" },
-            Exception { problem: "pose_5tdoa_two_receivers", bound: 1e-9, reason: "2.7e-11 measured" },
-            Exception { problem: "relpose_7pt_focal_radial_one_side", bound: 1e-9, reason: "3.1e-11 measured" },
-            Exception { problem: "stitching_3pt_radial_focal", bound: 1e-9, reason: "6.4e-11 measured" },
+            Exception { problem: "fundamental_8pt_radial", bound: 1e-10, reason: "1.2e-11 measured" },
+            Exception { problem: "fundamental_8pt_radial_one_side", bound: 1e-10, reason: "1.2e-11 measured" },
+            Exception { problem: "pose_5tdoa_two_receivers", bound: 1e-10, reason: "2.7e-11 measured" },
+            Exception { problem: "relpose_7pt_focal_radial_one_side", bound: 1e-10, reason: "3.1e-11 measured" },
+            Exception { problem: "stitching_3pt_radial_focal", bound: 1e-10, reason: "6.4e-11 measured" },
         ],
     },
 };

@@ -12,10 +12,9 @@ use super::found::Found;
 use super::matching::{at_least, parse_direction, positive};
 use super::output::Output;
 use super::triangulate::reports;
-use crate::distortion::Distortion;
 use crate::photograph::Photograph;
 use crate::photos::decode::decode_photograph;
-use crate::photos::{LineOptions, PhotoOptions, candidate_lines, find_cylinders, snapped, undistorted_segments};
+use crate::photos::{LineOptions, PhotoOptions, detected_lines, find_cylinders, snapped};
 use crate::{CylinderLines, JointEstimate, Method, Scene, View, estimate, read_colmap, read_scene};
 
 /// Find cylinders in photographs whose cameras are known
@@ -85,11 +84,7 @@ fn photographs(arguments: &Arguments, scene: &Scene) -> Result<Vec<Photograph>, 
     if let Some(model) = &arguments.colmap {
         return Ok(read_colmap(model)?.photographs);
     }
-    let photograph = |(index, view): (usize, &View)| {
-        let name = view.image().ok_or(CommandError::NoImageName { view: index })?.to_owned();
-        Ok(Photograph { name, camera: *view.camera(), distortion: Distortion::default() })
-    };
-    scene.views.iter().enumerate().map(photograph).collect()
+    scene.photographs().map_err(|view| CommandError::NoImageName { view })
 }
 
 /// Reads a photograph and detects its candidates for silhouettes.
@@ -97,9 +92,7 @@ fn look(arguments: &Arguments, photograph: &Photograph) -> Result<View, CommandE
     let path = arguments.images.join(&photograph.name);
     let file = fs::read(&path).map_err(|source| CommandError::Read { path: path.clone(), source })?;
     let image = decode_photograph(&file).map_err(|source| CommandError::Photograph { path: path.clone(), source })?;
-    let diagonal = (image.width() as f64).hypot(image.height() as f64);
-    let segments = undistorted_segments(photograph, &image)?;
-    Ok(candidate_lines(photograph, &segments, diagonal, &LineOptions::default())?)
+    Ok(detected_lines(photograph, &image, &LineOptions::default())?)
 }
 
 /// Cylinders without labels.

@@ -57,6 +57,18 @@ impl CylinderLines {
 }
 
 impl Scene {
+    /// The photographs of the views, without distortion.
+    ///
+    /// # Errors
+    /// The index of a view without the name of an image.
+    pub fn photographs(&self) -> Result<Vec<Photograph>, usize> {
+        let photograph = |(index, view): (usize, &View)| {
+            let name = view.image().ok_or(index)?.to_owned();
+            Ok(Photograph { name, camera: *view.camera(), distortion: Distortion::default() })
+        };
+        self.views.iter().enumerate().map(photograph).collect()
+    }
+
     /// A scene with the photographs of a COLMAP model in which segments are marked, and with its
     /// points.
     ///

@@ -83,6 +83,15 @@ pub fn undistorted_segments(photograph: &Photograph, image: &GreyImage) -> Resul
     Ok(detect_segments(undistorted_image(photograph, image)?.as_ref()))
 }
 
+/// The view of a photograph with the candidates for silhouettes that are detected in its image.
+///
+/// # Errors
+/// [`PhotoError`].
+pub fn detected_lines(photograph: &Photograph, image: &GreyImage, options: &LineOptions) -> Result<View, PhotoError> {
+    let diagonal = (image.width() as f64).hypot(image.height() as f64);
+    candidate_lines(photograph, &undistorted_segments(photograph, image)?, diagonal, options)
+}
+
 /// The view of a photograph with the candidates for silhouettes among its segments (pixels without
 /// distortion), the longest first. Pieces of a line, and both edges of a thin one, are one line.
 ///

@@ -18,6 +18,6 @@ mod search;
 /// Marked lines to the edges near them.
 mod snap;
 
-pub use lines::{LineOptions, PhotoError, candidate_lines, undistorted_image, undistorted_segments};
+pub use lines::{LineOptions, PhotoError, candidate_lines, detected_lines, undistorted_image, undistorted_segments};
 pub use search::{PhotoMatching, PhotoOptions, find_cylinders};
 pub use snap::snapped;

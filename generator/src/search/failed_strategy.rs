@@ -47,7 +47,9 @@ impl FailedStrategy {
 impl FailedStrategy {
     /// A strategy by the trace of a Gröbner basis that needs too many rows.
     pub(crate) fn too_large(strategy: String, sets: usize, (columns, rows): (usize, usize)) -> Self {
-        let obstacle = format!("the first template has more than {MOST_TRACED_ROWS} rows");
+        let obstacle = format!(
+            "the trace of the Gröbner basis has more rows than are reduced ({MOST_TRACED_ROWS}), or is too long to be looked at"
+        );
         Self { strategy, sets, rows, columns, obstacle, distance: (usize::MAX, 0) }
     }
 }
