@@ -37,7 +37,7 @@ const INCOMPLETE: f64 = 0.05;
 /// instances that are solved at the next exponents outside. A factor of the data is no factor of
 /// the equations: it moves the solutions, the monomials of the basis differ by powers of it, and an
 /// eigenvector in `f64` does not hold both.
-const UNITS: [(&str, i32, i32); 11] = [
+const UNITS: [(&str, i32, i32); 12] = [
     // 0.88 at -4 and 0.04 at 4.
     ("calibration_6_receivers_4_senders", -2, 2),
     // 0.60 at -10 and 0.05 at 8.
@@ -48,6 +48,8 @@ const UNITS: [(&str, i32, i32); 11] = [
     ("pose_5pt_refraction", -10, 6),
     // 0.91 at 8.
     ("pose_6pt_rolling_shutter", -8, 6),
+    // 0.50 at -10.
+    ("relpose_5pt_semi_generalized_focal", -8, 10),
     // 0.00 at -6 and 0.75 at 4.
     ("relpose_6pt_radial", -4, 2),
     // 0.00 at -4 and at 4.
