@@ -172,10 +172,22 @@ pub(super) struct Workspace {
     sets: Vec<Vec<u64>>,
     /// Bound on the number of matches of each part.
     bounds: Vec<usize>,
-    /// Parts and place of every line as a silhouette.
-    touches: Vec<Touch>,
+    marks: Marks,
     /// Bound and place of every hypothesis.
     hypotheses: Vec<(usize, f64)>,
+}
+
+/// Two numbers of every line of a view.
+type Places = Vec<[f64; 2]>;
+
+/// What the lines touch.
+#[derive(Default)]
+struct Marks {
+    /// Part and place of every line as a silhouette.
+    touches: Vec<Touch>,
+    /// Of the lines of one view: see [`Pair::sweep`].
+    places: Places,
+    intervals: Places,
 }
 
 /// The circle of the family that a line touches.
@@ -234,14 +246,14 @@ impl Pair {
     /// Writes every hypothesis whose bound on the number of matches is at least the least support.
     /// Whether there are any.
     fn bound(&self, plan: &Plan, least_support: usize, workspace: &mut Workspace) -> bool {
-        let Workspace { sets, bounds, touches, hypotheses } = workspace;
+        let Workspace { sets, bounds, marks, hypotheses } = workspace;
         let parts = PARTS[usize::from(plan.line_count() >= MANY_LINES)];
         sets.resize((2 * plan.views().len()).div_ceil(WORD), Vec::new());
         for set in sets.iter_mut() {
             set.clear();
             set.resize(parts, 0);
         }
-        touches.clear();
+        marks.touches.clear();
         hypotheses.clear();
         // Silhouettes are numbered `2 view + side`. The lines of the pair touch every circle.
         for index in 0..plan.views().len() {
@@ -250,7 +262,7 @@ impl Pair {
                 if !is_own(0) && !is_own(1) {
                     let silhouette = 2 * index + side;
                     let bit = 1 << (silhouette % WORD);
-                    self.mark(plan, index, sine, (&mut sets[silhouette / WORD], bit), touches);
+                    self.mark(plan, index, sine, (&mut sets[silhouette / WORD], bit), marks);
                 }
             }
         }
@@ -262,7 +274,7 @@ impl Pair {
         if bounds.iter().all(|&bound| bound < least_support) {
             return false;
         }
-        let bounded = touches.iter().map(|touch| (bounds[touch.part], touch.place));
+        let bounded = marks.touches.iter().map(|touch| (bounds[touch.part], touch.place));
         hypotheses.extend(bounded.filter(|(bound, place)| *bound >= least_support && self.is_ahead(plan, *place)));
         !hypotheses.is_empty()
     }
@@ -278,12 +290,33 @@ impl Pair {
 
     /// Marks the parts of every line of another view as one of its silhouettes, with the sine
     /// `sin(beta)` for the right and `-sin(beta)` for the left one.
-    fn mark(&self, plan: &Plan, view: usize, sine: f64, (set, bit): (&mut [u64], u64), touches: &mut Vec<Touch>) {
-        let (centre, extent, parts) = (self.apex, plan.extent(), set.len());
+    fn mark(&self, plan: &Plan, view: usize, sine: f64, (set, bit): (&mut [u64], u64), marks: &mut Marks) {
+        let Marks { touches, places, intervals } = marks;
+        self.sweep(plan, view, sine, set.len() as f64, (places, intervals));
+        for (&[place, middle], &[low, high]) in places.iter().zip(&*intervals) {
+            if place.is_nan() {
+                continue;
+            }
+            // Conversion of numbers saturates.
+            let [part, low, high] = [middle, low, high].map(|part| (part as u32 as usize).min(set.len() - 1));
+            set[low.min(part)..=high.max(part)].iter_mut().for_each(|set| *set |= bit);
+            touches.push(Touch { part, place });
+        }
+    }
+
+    /// For every line of another view the place of the circle that it touches and its part, and the
+    /// first and the last part of its interval, all not yet whole; NaN for lines that touch none. It
+    /// has no branches, so that several lines are computed at a time.
+    fn sweep(&self, plan: &Plan, view: usize, sine: f64, parts: f64, (places, intervals): (&mut Places, &mut Places)) {
+        let (extent, bisector) = (plan.extent(), self.bisector);
         let PlanView { centre: other, cosine: cos_t, sine: sin_t, ref lines, .. } = plan.views()[view];
-        let (start, bisector) = (centre - other, self.bisector);
+        let start = self.apex - other;
         let [x, y] = plan.normals(lines);
-        for (&x, &y) in x.iter().zip(y) {
+        places.clear();
+        intervals.clear();
+        places.resize(x.len(), [0.0; 2]);
+        intervals.resize(x.len(), [0.0; 2]);
+        for ((&x, &y), (of_place, interval)) in x.iter().zip(y).zip(places.iter_mut().zip(intervals)) {
             // Of the ray: s = a / d. A turned normal is n cos(t) +- ray(n) sin(t), so that its a
             // and d follow from those of the ray and from its products with `start` and `bisector`.
             let (a, along) = (-(x * start.x + y * start.y), x * start.y - y * start.x);
@@ -291,28 +324,18 @@ impl Pair {
             let d = across - sine;
             let place = a / d;
             // In front of both cameras. It is false for a line that was taken.
-            if !(a * d > 0.0 && along + forward * place > 0.0 && place.is_finite()) {
-                continue;
-            }
+            let touches = (a * d > 0.0) & (along + forward * place > 0.0) & (place < f64::INFINITY);
             let turned = |sin_t: f64| {
                 let a = a * cos_t - along * sin_t;
                 (a, a + extent * (across * cos_t + forward * sin_t - sine))
             };
             let [(first, below_first), (second, below_second)] = [turned(-sin_t), turned(sin_t)];
+            let [first, second] = [first / below_first, second / below_second];
+            let (least, most) = if first < second { (first, second) } else { (second, first) };
             // Otherwise the other camera is near the surface of some of the circles.
-            let [low, high] = match below_first * below_second > 0.0 {
-                true => {
-                    let [first, second] = [first / below_first, second / below_second];
-                    [first.min(second), first.max(second)]
-                }
-                false => [0.0, 1.0],
-            };
-            // Conversion of numbers saturates.
-            let part = |u: f64| ((u * parts as f64) as usize).min(parts - 1);
-            let part_of_place = part(place / (place + extent));
-            let (from, to) = (part(low).min(part_of_place), part(high).max(part_of_place));
-            set[from..=to].iter_mut().for_each(|set| *set |= bit);
-            touches.push(Touch { part: part_of_place, place });
+            let is_interval = below_first * below_second > 0.0;
+            *interval = [if is_interval { least } else { 0.0 } * parts, if is_interval { most } else { 1.0 } * parts];
+            *of_place = [if touches { place } else { f64::NAN }, place / (place + extent) * parts];
         }
     }
 }
