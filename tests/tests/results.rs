@@ -4,10 +4,10 @@ use eliminant::SolveError;
 use eliminant_generator::algebra::Random;
 use eliminant_solvers::{
     fundamental_7pt, fundamental_8pt_radial, fundamental_8pt_radial_one_side, fundamental_9pt_two_radials,
-    pose_2pt_upright, pose_3pt, pose_4pt_focal_radial, pose_4pt_focal_radial_cut, pose_5tdoa_two_receivers,
-    pose_6pt_rolling_shutter, relpose_3pt_upright, relpose_5pt_rays, relpose_6pt_focal_one_side,
-    relpose_6pt_focal_points, relpose_7pt_focal_radial_one_side, relpose_7pt_focal_radial_one_side_eliminated,
-    stitching_3pt_radial_focal, triangulation_3view,
+    pose_2pt_upright, pose_3pt, pose_4pt_focal_radial, pose_4pt_focal_radial_cut, pose_4pt_generalized_scale,
+    pose_5tdoa_two_receivers, pose_6pt_rolling_shutter, relpose_3pt_upright, relpose_5pt_rays,
+    relpose_6pt_focal_one_side, relpose_6pt_focal_points, relpose_7pt_focal_radial_one_side,
+    relpose_7pt_focal_radial_one_side_eliminated, stitching_3pt_radial_focal, triangulation_3view,
 };
 use eliminant_tests::ground_truth::{
     Motion, camera, distorted, image, in_ball, projective_error, uniform, upright, upright_cameras,
@@ -98,6 +98,23 @@ fn fundamental_matrices_come_from_points() {
         let [first, second] = pair.images(1.0);
         let found = fundamental_7pt::solve_for_epipolar(&first, &second);
         found.is_ok_and(|found| found.iter().any(|x| distance(&x.fundamental, &pair.essential()) < FOUND))
+    });
+    assert!(lost <= LOST, "{lost}");
+}
+
+#[test]
+fn scaled_poses_come_from_rays_and_points() {
+    let lost = lost(|random| {
+        let ((rotation, translation), scale) = (camera(random), uniform(random, 0.5, 2.0));
+        let [points, centres] = [(); 2].map(|()| <[Vector3<f64>; 4]>::from(std::array::from_fn(|_| in_ball(random))));
+        let seen = std::array::from_fn(|k| rotation * points[k] + translation - scale * centres[k]);
+        let data = [&centres, &seen, &points].map(rays);
+        let found = pose_4pt_generalized_scale::solve_for_scaled_pose(&data[0], &data[1], &data[2]);
+        let is_near = |x: &pose_4pt_generalized_scale::ScaledPose| {
+            let near = Vector3::from(x.translation).metric_distance(&translation) < FOUND;
+            near && distance(&x.rotation, &rotation) < FOUND && (x.scale / scale - 1.0).abs() < FOUND
+        };
+        found.is_ok_and(|found| found.iter().any(is_near))
     });
     assert!(lost <= LOST, "{lost}");
 }

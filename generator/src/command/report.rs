@@ -54,8 +54,8 @@ pub(super) struct Summary {
     reducible: usize,
     /// |B|.
     basis: usize,
-    /// Rows and columns at run time, without the constant rows and their pivots, which are
-    /// eliminated beforehand.
+    /// Rows and columns at run time, without the rows and pivots that are eliminated
+    /// beforehand.
     online_rows: usize,
     online_columns: usize,
     basis_monomials: Vec<String>,

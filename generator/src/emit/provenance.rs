@@ -95,7 +95,7 @@ fn sizes(template: &EliminationTemplate, plan: &Plan) -> [String; 3] {
             template.basis.len(),
         ),
         format!(
-            "- at run time: {} x {} ({} constant rows are eliminated beforehand), {} diagonal blocks, the largest of size {largest}",
+            "- at run time: {} x {} ({} rows are eliminated beforehand), {} diagonal blocks, the largest of size {largest}",
             e.rows,
             e.columns(),
             template.rows() - e.rows,

@@ -25,9 +25,10 @@ pub trait Arithmetic: Copy {
     fn rounding(self) -> f64;
 
     /// The results of a derivation; `None` where a matrix has lost rank, and in arithmetics that do
-    /// not derive data: they take them among the inputs.
-    fn derive(self, kind: DerivationKind, operands: &[Self::Value]) -> Option<Vec<Self::Value>> {
-        let _ = (kind, operands);
+    /// not derive data: they take them among the inputs. In arithmetics that round, a matrix of a
+    /// linear system has lost rank if an equilibrated pivot is not more than `least`.
+    fn derive(self, kind: DerivationKind, operands: &[Self::Value], least: f64) -> Option<Vec<Self::Value>> {
+        let _ = (kind, operands, least);
         None
     }
 
@@ -66,7 +67,7 @@ impl Arithmetic for PrimeField {
     fn rounding(self) -> f64 {
         0.0
     }
-    fn derive(self, kind: DerivationKind, operands: &[u32]) -> Option<Vec<u32>> {
+    fn derive(self, kind: DerivationKind, operands: &[u32], _: f64) -> Option<Vec<u32>> {
         kind.over_prime_field(self, operands)
     }
     fn zero(self) -> u32 {
@@ -107,8 +108,8 @@ impl Arithmetic for Float64 {
     }
     /// The results of the kernels that ship, bit by bit.
     #[cfg(feature = "search")]
-    fn derive(self, kind: DerivationKind, operands: &[f64]) -> Option<Vec<f64>> {
-        kind.over_reals(operands.to_vec()).ok()
+    fn derive(self, kind: DerivationKind, operands: &[f64], least: f64) -> Option<Vec<f64>> {
+        kind.over_reals(operands.to_vec(), least).ok()
     }
     fn zero(self) -> f64 {
         0.0

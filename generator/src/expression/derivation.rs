@@ -72,13 +72,14 @@ impl DerivationKind {
         }
     }
 
-    /// The results in `f64`, by the kernels that ship.
+    /// The results in `f64`, by the kernels that ship. Pivots of a linear system must be more than
+    /// `least`.
     #[cfg(feature = "search")]
-    pub(crate) fn over_reals(self, mut operands: Vec<f64>) -> Result<Vec<f64>, SolveError> {
+    pub(crate) fn over_reals(self, mut operands: Vec<f64>, least: f64) -> Result<Vec<f64>, SolveError> {
         let mut results = vec![0.0; self.results()];
         match self {
             Self::SquareRoot => emitted::square_root(&operands, &mut results)?,
-            Self::Solve { size, .. } => emitted::solve_linear(&mut operands, size, 0.0, &mut results)?,
+            Self::Solve { size, .. } => emitted::solve_linear(&mut operands, size, least, &mut results)?,
             Self::NullSpace { rows, .. } => emitted::null_space(&mut operands, rows, &mut results)?,
         }
         Ok(results)

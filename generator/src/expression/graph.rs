@@ -140,7 +140,7 @@ impl ExpressionGraph {
         }
         let [first, second] = [0, 1].map(|k| {
             let operands: Vec<u32> = operands.iter().map(|id| self.fingerprints[id.index()][k]).collect();
-            FINGERPRINT_FIELDS[k].derive(kind, &operands)
+            FINGERPRINT_FIELDS[k].derive(kind, &operands, 0.0)
         });
         let (first, second) = (first?, second?);
         self.derivations.push(Derivation { kind, operands: operands.to_vec(), first_input: self.inputs.len() });
@@ -389,7 +389,7 @@ impl ExpressionGraph {
         let found = self.derivations.iter().position(|derivation| derivation.first_input == input);
         let (number, derivation) = found.map(|at| (at, &self.derivations[at])).ok_or(NoValue::Input)?;
         let operands: Vec<A::Value> = derivation.operands.iter().map(at).collect();
-        f.derive(derivation.kind, &operands).ok_or(NoValue::Derivation(number))
+        f.derive(derivation.kind, &operands, 0.0).ok_or(NoValue::Derivation(number))
     }
 
     /// The values of all inputs, from those that are given; `None` as for

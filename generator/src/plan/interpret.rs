@@ -1,7 +1,10 @@
 //! Executes a [`crate::plan::Plan`] in any field, step by step as the emitted code does: exactly
 //! over Z_p, or in `f64`.
 
-use super::{ActionRow, Block, CoefficientId, Elimination, PivotId, Plan, PlannedDerivation, PlannedOutput, Term};
+use super::{
+    ActionRow, Block, CoefficientId, Elimination, LEAST_PIVOT_OF_PRESOLVE, PivotId, Plan, PlannedDerivation,
+    PlannedOutput, Term,
+};
 use crate::expression::arithmetic::{Arithmetic, Float64};
 
 /// The values of all coefficients; `None` if a divisor is zero, or an input or a coefficient is not
@@ -48,7 +51,9 @@ fn derived_inputs<A: Arithmetic>(
         } else if inputs.len() == derivation.first_input {
             let values = program.evaluate(f, &inputs)?;
             let operands: Vec<A::Value> = derivation.operands.iter().map(|id| values[id.0 as usize]).collect();
-            inputs.extend(f.derive(derivation.kind, &operands)?);
+            let of_presolve = derivation.first_input >= plan.stated;
+            let least = if of_presolve { LEAST_PIVOT_OF_PRESOLVE } else { 0.0 };
+            inputs.extend(f.derive(derivation.kind, &operands, least)?);
         }
     }
     Some(inputs)

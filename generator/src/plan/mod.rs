@@ -15,7 +15,7 @@ mod block_triangular;
 pub mod chains;
 mod check;
 mod coefficients;
-mod constant_rows;
+mod constant_pivots;
 pub mod interpret;
 mod memory;
 pub mod program;
@@ -90,8 +90,8 @@ pub struct Block {
 ///   block 2  [ c   c   D2                  |    ..   ]
 /// ```
 ///
-/// The blocks are solved from the top. Constant rows may have been eliminated beforehand; then they
-/// and their pivot columns are not among these.
+/// The blocks are solved from the top. Rows with constant pivots may have been eliminated
+/// beforehand; then they and their pivot columns are not among these.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Elimination {
     /// Number of rows, which is the number of pivots.

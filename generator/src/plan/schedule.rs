@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::block_triangular::{DiagonalBlock, block_triangular_form};
 use super::coefficients::{Coefficients, planned_output};
-use super::constant_rows::{Row, eliminate_constant_rows};
+use super::constant_pivots::{ConstantPivots, Row, eliminate_constant_pivots};
 use super::straight_line::{planned_derivations, straight_line_program};
 use super::{
     ActionRow, BasisId, Block, Elimination, Entry, Extraction, KnownMonomial, PivotId, Plan, PlanError, PlannedRecovery,
@@ -13,8 +13,8 @@ use crate::algebra::Monomial;
 use crate::expression::{ExpressionGraph, ExpressionId};
 use crate::presolve::ReducedProblem;
 use crate::presolve::symmetry::{Reading, Symmetry};
+use crate::problem::Problem;
 use crate::problem::scaling::scalings;
-use crate::problem::{Problem, Statement};
 use crate::template::{EliminationTemplate, Shift};
 
 /// Why a template cannot be turned into a plan.
@@ -41,7 +41,7 @@ pub enum ScheduleError {
 /// Plans the solver of `problem` by eigenvalues, from a template for its presolved form.
 /// `solutions` is the number of different complex solutions.
 ///
-/// Constant rows are eliminated here if the plan then has fewer operations.
+/// Constant pivots are eliminated here if the plan then has fewer operations.
 pub fn schedule(
     problem: &Problem,
     reduced: &ReducedProblem,
@@ -52,12 +52,9 @@ pub fn schedule(
     let scheduler = Scheduler { problem, reduced, template, solutions };
     let mut rows = template_rows(reduced, template);
     let plan = scheduler.plan(&rows, &reduced.problem.graph);
-    let is_constant = |equation: &Statement| equation.polynomial.terms().iter().all(|&(_, c)| is_constant(reduced, c));
-    if !reduced.problem.equations.iter().any(is_constant) {
-        return plan;
-    }
+    let Some(pivots) = pivots_before_run_time(reduced) else { return plan };
     let mut graph = reduced.problem.graph.clone();
-    eliminate_constant_rows(&mut rows, template.excess.len(), &mut graph);
+    eliminate_constant_pivots(&mut rows, template.excess.len(), &mut graph, pivots);
     match (plan, scheduler.plan(&rows, &graph)) {
         (Ok(plan), Ok(shorter)) if shorter.operations().total() < plan.operations().total() => Ok(shorter),
         (Err(ScheduleError::TooLarge(_)), Ok(shorter)) => Ok(shorter),
@@ -65,8 +62,16 @@ pub fn schedule(
     }
 }
 
-fn is_constant(reduced: &ReducedProblem, coefficient: ExpressionId) -> bool {
-    reduced.problem.graph.as_constant(coefficient).is_some()
+/// The pivots with which a template for this problem can be eliminated before run time.
+fn pivots_before_run_time(reduced: &ReducedProblem) -> Option<ConstantPivots> {
+    let is_constant = |&(_, c): &(Monomial, ExpressionId)| reduced.problem.graph.as_constant(c).is_some();
+    match reduced.is_solved_for_leads {
+        true => Some(ConstantPivots::OfAllRows),
+        false if reduced.problem.polynomials().any(|p| p.terms().iter().all(is_constant)) => {
+            Some(ConstantPivots::OfConstantRows)
+        }
+        false => None,
+    }
 }
 
 /// The rows of the template. Monomials that are no column cancel in every combination that is read,
@@ -183,7 +188,7 @@ fn plan_elimination(
     coefficients: &mut Coefficients,
 ) -> Result<(Elimination, HashMap<Monomial, PivotId>), ScheduleError> {
     let (excess, left) = (template.excess.len(), template.excess.len() + template.reducible.len());
-    // The pivot columns of constant rows have no entry any more.
+    // Columns of constant pivots have no entry any more.
     let mut used: Vec<bool> = (0..left).map(|column| column >= excess).collect();
     rows.iter().flat_map(|row| row.entries.range(..left)).for_each(|(&column, _)| used[column] = true);
     let columns: Vec<usize> = (0..left).filter(|&column| used[column]).collect();

@@ -4,7 +4,8 @@
 //! ```text
 //!   stage          what is counted                                       n: |B|
 //!   coefficients   solves, operations in statements, steps of tables,    d: degree of the
-//!                  terms of the equations                                   determinant
+//!                  of roots, systems and null spaces of data, terms of      determinant
+//!                  the equations
 //!   elimination    entries of the template, operations in small and in   c: its chains
 //!                  large blocks                                          r: real solutions,
 //!   solutions      n^2 and n^3 for eigenvalues, or d^2 for the roots of     about the square
@@ -15,7 +16,7 @@
 //! The model is deterministic, so that a search chooses the same template on every machine. The
 //! command `eliminant bench templates/*.rs --fit` fits it anew and says by how much it is wrong.
 
-use super::program::ProgramForm;
+use super::program::{Program, ProgramForm};
 use super::{Plan, Term};
 
 /// A stage of a solve, as `eliminant bench` times them.
@@ -57,7 +58,7 @@ pub const MODEL: [Weight; WEIGHTS] = [
     weight(Coefficients, "solve", 29.116),
     weight(Coefficients, "operation in a statement", 0.058),
     weight(Coefficients, "step of a table", 0.352),
-    weight(Coefficients, "operation of derived data", 0.900),
+    weight(Coefficients, "operation that derives data", 0.900),
     weight(Coefficients, "term of an equation", 0.448),
     weight(Elimination, "entry of the template", 0.946),
     weight(Elimination, "operation in a small block", 0.089),
@@ -76,8 +77,11 @@ pub const MODEL: [Weight; WEIGHTS] = [
 /// second attempt.
 pub fn counts(plan: &Plan, repeated: f64) -> [f64; WEIGHTS] {
     let operations = plan.operations();
-    let derived = plan.operations_of_derived();
-    let of_form = |form| if plan.program.form == form { (operations.coefficients - derived) as f64 } else { 0.0 };
+    let derived = plan.derived.iter().filter(|derived| !derived.is_for_results);
+    let programs = std::iter::once(&plan.program).chain(derived.clone().map(|derived| &derived.program));
+    let of_form =
+        |form| programs.clone().filter(|program| program.form == form).map(Program::steps).sum::<usize>() as f64;
+    let derived: usize = derived.map(|derived| derived.derivation.kind.operations()).sum();
     let terms: usize = plan.equations.iter().flatten().map(Term::factors).sum();
     let e = &plan.elimination;
     let entries =

@@ -33,6 +33,7 @@ pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
         problem: problem.clone(),
         kept: (0..problem.unknowns.len()).collect(),
         recoveries: Vec::new(),
+        is_solved_for_leads: false,
     };
     if presolve.combines() {
         combine(&mut reduced.problem);
@@ -45,6 +46,7 @@ pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
         && hidden.is_none_or(|unknown| reduced.kept.contains(&unknown))
         && solve_for_leads(&mut reduced.problem, hidden)
     {
+        reduced.is_solved_for_leads = true;
         eliminate_all(&mut reduced, presolve);
     }
     // Recovery runs backwards: the unknown that was eliminated last depends on kept unknowns only.

@@ -113,6 +113,8 @@ pub struct ReducedProblem {
     pub kept: Vec<usize>,
     /// The values of the eliminated unknowns, each in terms of kept ones and of those before it.
     pub recoveries: Vec<Recovery>,
+    /// Whether equations were solved for monomials at run time: their coefficients there are 1.
+    pub is_solved_for_leads: bool,
 }
 
 /// No substitution may make an equation longer than this.

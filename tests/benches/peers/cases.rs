@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use eliminant_generator::algebra::Random;
 
-use crate::ours::{Instance, absolute_pose, circles, generalized, pose_scale_quadrics, quadrics, relative_pose};
+use crate::ours::{Instance, absolute_pose, circles, generalized, quadrics, relative_pose};
 use crate::scenes::{self, Scene};
 
 /// How many numbers of a solution are compared together.
@@ -202,15 +202,6 @@ pub(crate) fn cases() -> Vec<Case> {
             draw: scenes::four_points_scale,
             ours: ours::<generalized::PoseScale>,
             note: "both return the solution that fits the eighth equation best",
-        },
-        Case {
-            title: "generalised pose and scale, by three quadrics",
-            name: "pose_4pt_generalized_scale",
-            driver: "poselib",
-            parts: POSE_AND_SCALAR,
-            draw: scenes::four_points_scale,
-            ours: ours::<pose_scale_quadrics::PoseScaleQuadrics>,
-            note: "the same by our solver `three_quadrics`, as PoseLib does",
         },
         Case {
             title: "three quadrics (re3q3)",

@@ -197,7 +197,7 @@ fn derived(planned: &PlannedDerivation, data: &[f64]) -> Result<Vec<f64>, SolveE
     // A division by zero gives an operand that is not finite in the emitted solver.
     let values = program.evaluate(Float64, data).ok_or(SolveError::Overflow)?;
     let operands: Vec<f64> = derivation.operands.iter().map(|id| values[id.0 as usize]).collect();
-    derivation.kind.over_reals(operands)
+    derivation.kind.over_reals(operands, 0.0)
 }
 
 /// The results of a derivation of presolve.

@@ -1,8 +1,9 @@
 //! Poses of cameras whose rays do not meet in one centre.
 
-use eliminant_solvers::{pose_4pt_generalized_scale, relpose_6pt_generalized};
+use eliminant_solvers::pose_4pt_generalized_scale::{self, ScaledPose};
+use eliminant_solvers::relpose_6pt_generalized;
 
-use super::linear::{Matrix, Vector, cross, dot, minus, null_space, solve, times};
+use super::linear::{Matrix, Vector, cross, dot, minus, solve, times};
 use super::{Instance, vectors};
 
 /// Rays of six points in two systems, centres and directions, to poses.
@@ -72,52 +73,21 @@ impl Instance for PoseScale {
 
     /// Of the eight equations the solver takes seven; the last tells which solution is returned.
     fn solve(&self, found: &mut Vec<f64>) {
-        let [used @ .., last] = self.equations();
-        let basis: [[f64; 13]; 6] = null_space::<7, 13, 6>(used);
-        let rotations: [[f64; 9]; 6] = std::array::from_fn(|k| std::array::from_fn(|i| basis[k][i]));
-        let Ok(solutions) = pose_4pt_generalized_scale::solve(&rotations) else { return };
-        let mut best = (f64::INFINITY, [0.0; 13]);
-        for s in solutions.iter() {
-            let all: [f64; 13] = std::array::from_fn(|i| (0..6).map(|k| s.weights[k] * basis[k][i]).sum());
-            let [a, b, c, ..] = *all.as_chunks::<3>().0 else { continue };
-            let scale = dot(&a, &a).sqrt().recip().copysign(dot(&a, &cross(&b, &c)));
-            let pose = all.map(|x| scale * x);
-            let residual = dot(&last, &pose).abs();
-            if residual < best.0 {
-                best = (residual, pose);
-            }
-        }
-        if best.0.is_finite() {
-            found.extend(best.1);
+        let Self { centres, rays, points } = self;
+        let Ok(poses) = pose_4pt_generalized_scale::solve_for_scaled_pose(centres, rays, points) else { return };
+        // The length of the last ray's residual.
+        let residual = |pose: &ScaledPose| {
+            let moved: Vector = std::array::from_fn(|i| {
+                dot(&pose.rotation[i], &points[3]) + pose.translation[i] - pose.scale * centres[3][i]
+            });
+            let off = cross(&rays[3], &moved);
+            dot(&off, &off)
+        };
+        let best = poses.iter().min_by(|one, other| residual(one).total_cmp(&residual(other)));
+        if let Some(pose) = best {
+            found.extend(pose.rotation.as_flattened());
+            found.extend(pose.translation);
+            found.push(pose.scale);
         }
     }
-}
-
-impl PoseScale {
-    /// Two equations for each point in R, row by row, t and s.
-    pub(crate) fn equations(&self) -> [[f64; 13]; 8] {
-        let mut rows = [[0.0; 13]; 8];
-        for k in 0..4 {
-            for (side, normal) in across(&self.rays[k]).into_iter().enumerate() {
-                let row = &mut rows[2 * k + side];
-                for at in 0..9 {
-                    row[at] = normal[at / 3] * self.points[k][at % 3];
-                }
-                row[9..12].copy_from_slice(&normal);
-                row[12] = -dot(&normal, &self.centres[k]);
-            }
-        }
-        rows
-    }
-}
-
-/// Two vectors across a ray of length 1, and across each other.
-fn across(ray: &Vector) -> [Vector; 2] {
-    let smallest = (0..3).fold(0, |best, i| if ray[i].abs() < ray[best].abs() { i } else { best });
-    let mut axis = [0.0; 3];
-    axis[smallest] = 1.0;
-    let first = cross(ray, &axis);
-    let scale = dot(&first, &first).sqrt().recip();
-    let first = first.map(|x| scale * x);
-    [first, cross(ray, &first)]
 }

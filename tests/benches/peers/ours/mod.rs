@@ -6,7 +6,6 @@ pub(crate) mod circles;
 pub(crate) mod essential;
 pub(crate) mod generalized;
 pub(crate) mod linear;
-pub(crate) mod pose_scale_quadrics;
 pub(crate) mod quadrics;
 pub(crate) mod relative_pose;
 
