@@ -8,8 +8,8 @@ use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
 
 use super::cameras::{camera, distorted, image, in_ball, quaternion};
 use super::{
-    KnownInstance, Make, Maker, combination, coordinates, derived_null_space, null_space, projective_error,
-    relative_error, solved, uniform, vector, weights,
+    KnownInstance, Make, Maker, coordinates, derived_null_space, projective_error, relative_error, solved, uniform,
+    vector, weights,
 };
 
 pub(super) fn makers() -> Vec<Maker> {
@@ -54,10 +54,7 @@ pub(super) fn makers() -> Vec<Maker> {
         Maker {
             name: "pose_4pt_generalized_scale",
             make: Make::Scene(generalized_camera),
-            error: |data, s, truth| {
-                let [s, truth] = [s, truth].map(|x| combination(data, &vector(x)));
-                projective_error(&s, &truth)
-            },
+            error: |_, solution, truth| projective_error(&vector(solution), &vector(truth)),
         },
         Maker {
             name: "pose_4pt_upright_error_bound",
@@ -128,25 +125,17 @@ fn distorted_points(random: &mut Random) -> (Vec<f64>, Vec<f64>, f64) {
     (data, weights, radial)
 }
 
-/// Rays from different centres in the unit ball: seven equations in the rotation, the translation
-/// and the scale.
+/// Rays of any length from different centres in the unit ball, whose unit is 0.5 to 2 times that of
+/// the points.
 fn generalized_camera(random: &mut Random) -> KnownInstance {
     let (rotation, translation) = camera(random);
     let scale = uniform(random, 0.5, 2.0);
-    let mut rows = Vec::new();
-    for _ in 0..4 {
-        let (x, centre) = (in_ball(random), in_ball(random));
-        let direction = rotation * x + translation - scale * centre;
-        let across = direction.cross(&in_ball(random)).normalize();
-        for normal in [across, direction.cross(&across).normalize()] {
-            let row = (0..9).map(|at| normal[at / 3] * x[at % 3]).chain(normal.data.0[0]);
-            rows.push(row.chain([-normal.dot(&centre)]).collect::<Vec<f64>>());
-        }
-    }
-    rows.pop();
-    let data: Vec<f64> = null_space(&rows).iter().flat_map(|vector| vector[..9].to_vec()).collect();
-    let truth = coordinates(&weights(&data, rotation.transpose().as_slice()));
-    KnownInstance { data, truths: vec![truth] }
+    let points: [Vector3<f64>; 4] = from_fn(|_| in_ball(random));
+    let centres: [Vector3<f64>; 4] = from_fn(|_| in_ball(random));
+    let ray = |k: usize| rotation * points[k] + translation - scale * centres[k];
+    let rays: [Vector3<f64>; 4] = from_fn(|k| ray(k) * uniform(random, 0.5, 2.0));
+    let data = centres.iter().chain(&rays).chain(&points).flat_map(|x| x.data.0[0]).collect();
+    KnownInstance { data, truths: vec![coordinates(&quaternion(&rotation))] }
 }
 
 /// A camera 2 to 6 units from the centre of the unit ball, turned about its first axis, and points

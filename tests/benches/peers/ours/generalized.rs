@@ -2,7 +2,7 @@
 
 use eliminant_solvers::{pose_4pt_generalized_scale, relpose_6pt_generalized};
 
-use super::linear::{Matrix, Vector, cross, dot, minus, null_space, solve, times};
+use super::linear::{Matrix, Vector, cross, dot, minus, solve, times};
 use super::{Instance, vectors};
 
 /// Rays of six points in two systems, centres and directions, to poses.
@@ -72,23 +72,12 @@ impl Instance for PoseScale {
 
     /// Of the eight equations the solver takes seven; the last tells which solution is returned.
     fn solve(&self, found: &mut Vec<f64>) {
-        let [used @ .., last] = self.equations();
-        let basis: [[f64; 13]; 6] = null_space::<7, 13, 6>(used);
-        let rotations: [[f64; 9]; 6] = std::array::from_fn(|k| std::array::from_fn(|i| basis[k][i]));
-        let Ok(solutions) = pose_4pt_generalized_scale::solve(&rotations) else { return };
-        let mut best = (f64::INFINITY, [0.0; 13]);
-        for s in solutions.iter() {
-            let all: [f64; 13] = std::array::from_fn(|i| (0..6).map(|k| s.weights[k] * basis[k][i]).sum());
-            let [a, b, c, ..] = *all.as_chunks::<3>().0 else { continue };
-            let scale = dot(&a, &a).sqrt().recip().copysign(dot(&a, &cross(&b, &c)));
-            let pose = all.map(|x| scale * x);
-            let residual = dot(&last, &pose).abs();
-            if residual < best.0 {
-                best = (residual, pose);
-            }
-        }
-        if best.0.is_finite() {
-            found.extend(best.1);
+        let poses = pose_4pt_generalized_scale::solve_for_scaled_pose(&self.centres, &self.rays, &self.points);
+        let Ok(poses) = poses else { return };
+        if let Some(best) = poses.iter().min_by(|a, b| a.residual.abs().total_cmp(&b.residual.abs())) {
+            found.extend(best.rotation.as_flattened());
+            found.extend(best.translation);
+            found.push(best.scale);
         }
     }
 }
