@@ -3,7 +3,7 @@
 ///
 /// Hartley, Zisserman, "Multiple view geometry in computer vision", 2003, section 4.1; here by the
 /// projective bases of the four points, as Heckbert, "Fundamentals of texture mapping and image
-/// warping", 1989, section 2.2.3.
+/// warping", 1989.
 ///
 /// `first[k]` and `second[k]` are the images of point k, in pixels or any other unit; no three of
 /// either may lie on a line. The homography H takes (`first[k]`, 1) to a multiple of (`second[k]`,

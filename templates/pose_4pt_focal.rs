@@ -3,7 +3,7 @@
 ///
 /// Bujnak, Kukelova, Pajdla, "A general solution to the P4P problem for camera with unknown focal
 /// length", CVPR 2008, by three quadrics as Kukelova, Heller, Fitzgibbon, "Efficient intersection
-/// of three quadrics and applications in computer vision", CVPR 2016, section 5.2.
+/// of three quadrics and applications in computer vision", CVPR 2016.
 ///
 /// `points[k]` is the position of point k, in a plane or not, and `images[k]` its image, relative
 /// to the principal point. Eight equations leave a null space of dimension four of the camera

@@ -2,7 +2,7 @@
 /// and shift, as a network estimates them from each image: at most 4 solutions.
 ///
 /// Ding, Kocur, Vávra, Berger Haladová, Yang, Sattler, Kukelova, "RePoseD: Efficient relative pose
-/// estimation with known depth information", ICCV 2025; Yu, Zhang, Li, Larsson, Sattler, Pollefeys,
+/// estimation with known depth information", ICCV 2025; Yu, Liu, Pautrat, Pollefeys, Larsson,
 /// "Relative pose estimation through affine corrections of monocular depth priors", CVPR 2025.
 ///
 /// `first[k]` and `second[k]` are the images of point k, (x, y) of the ray (x, y, 1), and
