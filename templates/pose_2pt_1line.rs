@@ -20,11 +20,12 @@ fn pose_2pt_1line(
     line: [[f64; 3]; 2],
 ) -> (#[projective] weights: [f64; 2]) {
     let known = weights * null_space([line[1] - line[0]]);
-    let seen = normalise(normal);
+    let length = norm(normal);
     let depths = [
-        dot(known, points[0] - line[0]) / dot(seen, rays[0]),
-        dot(known, points[1] - line[0]) / dot(seen, rays[1]),
+        length * dot(known, points[0] - line[0]) / dot(normal, rays[0]),
+        length * dot(known, points[1] - line[0]) / dot(normal, rays[1]),
     ];
+    let seen = normal / length;
     let known_side = points[1] - points[0];
     let side = depths[1] * rays[1] - depths[0] * rays[0];
     dot(side, side) == dot(weights, weights) * dot(known_side, known_side);
