@@ -7,7 +7,7 @@
 /// centred at the principal point. The rotation is, up to scale, that about the optical axis times
 /// that of the quaternion (1, x, y, 0). Each row of the matrix eliminates the rotation about the
 /// optical axis, and what is unknown of the focal length, from three points: it annihilates (cos,
-/// sin, 1/f).
+/// sin, 1/f). A point X has the coordinates `rotation` X + `translation` in the camera.
 fn pose_35pt_focal(points: [[f64; 3]; 4], horizontal: [f64; 4], vertical: [f64; 3]) -> (x, y) {
     let rotation = [
         [1 + x * x - y * y, 2 * x * y, 2 * y],
@@ -23,6 +23,67 @@ fn pose_35pt_focal(points: [[f64; 3]; 4], horizontal: [f64; 4], vertical: [f64; 
     for left_out in 0..4 {
         det([rows[(left_out + 1) % 4], rows[(left_out + 2) % 4], rows[(left_out + 3) % 4]]) == 0;
     }
+    let gram = rows.t() * rows;
+    let images = [horizontal, [vertical[0], vertical[1], vertical[2], 0]];
+    Pose {
+        rotation: turned(turn(gram), rotation / (1 + x * x + y * y)),
+        translation: translation(
+            turned(turn(gram), rotation / (1 + x * x + y * y)), turn(gram)[2], points, images,
+        ),
+        focal: turn(gram)[2],
+    }
+}
+
+/// Cosine, sine and focal length, from the Gram matrix of the rows with rank 2: the third column of
+/// its adjugate is a positive multiple of (cos, sin, 1/f).
+fn turn(gram: [[f64; 3]; 3]) -> [f64; 3] {
+    let [a, b, c] = gram;
+    turn_of(a[0], a[1], b[1], c[0], c[1])
+}
+
+fn turn_of(a: f64, b: f64, c: f64, d: f64, e: f64) -> [f64; 3] {
+    along(b * e - c * d, b * d - a * e, a * c - b * b)
+}
+
+fn along(p: f64, q: f64, r: f64) -> [f64; 3] {
+    let length = sqrt(p * p + q * q);
+    [p / length, q / length, length / r]
+}
+
+/// The rotation about the optical axis times another one.
+fn turned(turn: [f64; 3], rotation: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    about_axis(turn[0], turn[1]) * rotation
+}
+
+fn about_axis(cos: f64, sin: f64) -> [[f64; 3]; 3] {
+    [[cos, -sin, 0], [sin, cos, 0], [0, 0, 1]]
+}
+
+/// Image coordinate h of a point with the rotated coordinates r satisfies r\[axis\] - h r\[2\] /
+/// focal = h t\[2\] / focal - t\[axis\]: points of two lines with the same slope.
+fn translation(rotation: [[f64; 3]; 3], focal: f64, points: _, images: _) -> [f64; 3] {
+    let rotated = points * rotation.t();
+    let mut means = [[0; 2]; 2];
+    let mut sums = [0; 2];
+    for axis in 0..2 {
+        let count = 4 - axis;
+        for k in 0..count {
+            means[axis] += at(rotated[k], focal, images[axis][k], axis) / count;
+        }
+        for k in 0..count {
+            let [h, other] = at(rotated[k], focal, images[axis][k], axis);
+            sums += (h - means[axis][0]) * [h, other];
+        }
+    }
+    slope(means, focal, sums[1] / sums[0])
+}
+
+fn at(rotated: [f64; 3], focal: f64, image: f64, axis: f64) -> [f64; 2] {
+    [image, rotated[axis] - image * rotated[2] / focal]
+}
+
+fn slope(means: [[f64; 2]; 2], focal: f64, slope: f64) -> [f64; 3] {
+    [slope * means[0][0] - means[0][1], slope * means[1][0] - means[1][1], slope * focal]
 }
 
 fn row(rotation: _, points: _, horizontal: _, vertical: _, i: f64, j: f64, k: f64) -> [f64; 3] {

@@ -28,4 +28,10 @@ fn pose_npt_direct_least_squares(
     ];
     let cost = dot(linear, [x, y, z]) + dot(quadratic, squares) + dot(cubic, cubes) + dot(quartic, fourths);
     gradient(cost) == 0;
+    let turned = [
+        [1 + x * x - y * y - z * z, 2 * (x * y - z), 2 * (x * z + y)],
+        [2 * (x * y + z), 1 - x * x + y * y - z * z, 2 * (y * z - x)],
+        [2 * (x * z - y), 2 * (y * z + x), 1 - x * x - y * y + z * z],
+    ];
+    Orientation { rotation: turned / (1 + x * x + y * y + z * z) }
 }

@@ -28,4 +28,5 @@ fn pose_npt_least_squares_cayley(#[symmetric] cost: [[f64; 9]; 9]) -> (#[project
             d[i] * q[j] - d[j] * q[i] == 0;
         }
     }
+    Orientation { rotation: reshape(entries, [3, 3]) }
 }

@@ -21,6 +21,12 @@ fn pose_npt_least_squares_quaternion(rows: [[f64; 11]; 20]) -> (#[projective] q:
             cubic[i] * linear[j] - cubic[j] * linear[i] == 0;
         }
     }
+    let rotation = [
+        [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
+    ];
+    Orientation { rotation: rotation }
 }
 
 /// The matrix of the quadratic form in q with the coefficients `form`, times 2; the first is of no

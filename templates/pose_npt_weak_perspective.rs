@@ -26,6 +26,9 @@ fn pose_npt_weak_perspective(spread: [f64; 3], image: [[f64; 3]; 2]) -> (w, squa
     slope * [w, 1, y, z] == 0;
     // What follows for a turn about the optical axis, in which the scale cancels.
     dot(target[0], rows[1]) - dot(target[1], rows[0]) == 0;
+    let length = w * w + 1 + y * y + z * z;
+    let turned = [rows[0], rows[1], [2 * (z - w * y), 2 * (y * z + w), w * w - 1 - y * y + z * z]];
+    WeakPose { rotation: turned / length, scale: square * length }
 }
 
 fn weighted(weights: _, v: _) -> [f64; 3] {

@@ -52,6 +52,8 @@ fn relpose_7pt_angle_focal_centre(left: [[f64; 3]; 2], right: [[f64; 3]; 2], #[u
         e[1] + z * e[2] == 0;
     }
     z != 0;
+    z > 0;
+    Camera { focal: sqrt(z), centre: [x, y] }
 }
 
 fn product_of(p: [f64; 3], q: [f64; 3], centre: [f64; 3]) -> [f64; 2] {

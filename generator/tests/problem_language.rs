@@ -399,6 +399,33 @@ fn gradients_by_some_unknowns() {
     assert_eq!(sample.residuals(), [a * y, z(3) * x * x * y, x * x * x + a * w - w].map(|value| value.0));
 }
 
+/// What is divided and what is passed to a helper is a value of its own, the same one where it is
+/// repeated.
+#[test]
+fn fields_of_results_divide_in_helpers() {
+    let mut sample = Sample::new(
+        "fn parts(a: f64) -> (x, y) {
+            x * y == a;
+            x + y == 1;
+            Ratio { value: ratio(x + a, y) + ratio(x + a, y) * x }
+        }
+
+        fn ratio(p: f64, q: f64) -> f64 {
+            q / (p + q)
+        }",
+    );
+    let (x, y, a) = (sample.unknown("x"), sample.unknown("y"), sample.input("a", 0));
+    let output = sample.problem.output.clone().unwrap();
+    for part in &output.parts {
+        let numerator = Z(sample.value(&part.numerator));
+        let value = part.denominator.as_ref().map_or(numerator, |divisor| over(numerator, Z(sample.value(divisor))));
+        sample.point.push(value.0);
+    }
+    assert_eq!(sample.point[2..], [x + a, over(z(1), x + a + y)].map(|value| value.0));
+    let value = sample.value(&output.fields[0].elements[0].numerator);
+    assert_eq!(value, over(y * (x + z(1)), x + a + y).0);
+}
+
 #[test]
 fn line_endings_and_byte_order_mark_do_not_matter() {
     let text = "/// Text.\nfn line(a: f64) -> (x, y) {\n    x + y == a;\n    x == 2 * y;\n}\n";

@@ -35,6 +35,8 @@ SOLVERS = _solvers()
 """All solvers by their names."""
 
 HOMOGENEOUS: Dict[str, Tuple[str, ...]] = {
+    "pose_1pt_2line": ("ray",),
+    "pose_2pt_1line": ("rays",),
     "pose_2pt_upright": ("rays",),
     "pose_3pt": ("rays",),
     "relpose_3pt_angle_zero_screw": ("first", "second"),

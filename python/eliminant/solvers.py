@@ -22,14 +22,19 @@ __all__ = [
     "fundamental_8pt_radial",
     "fundamental_8pt_radial_one_side",
     "fundamental_9pt_two_radials",
+    "homography_4pt",
     "katsura_5",
     "orbit_5_lines_of_sight",
     "platform_forward_kinematics",
+    "pose_1pt_2line",
+    "pose_2pt_1line",
     "pose_2pt_upright",
     "pose_35pt_focal",
+    "pose_3line",
     "pose_3pt",
     "pose_3pt_depths",
     "pose_3pt_upright_error_bound",
+    "pose_4pt_focal",
     "pose_4pt_focal_radial",
     "pose_4pt_focal_radial_cut",
     "pose_4pt_generalized_scale",
@@ -42,6 +47,7 @@ __all__ = [
     "pose_npt_least_squares_quaternion",
     "pose_npt_weak_perspective",
     "relpose_3pt_angle_zero_screw",
+    "relpose_3pt_depths",
     "relpose_3pt_upright",
     "relpose_4pt_angle",
     "relpose_5pt",
@@ -296,6 +302,35 @@ def fundamental_9pt_two_radials(first: npt.ArrayLike, second: npt.ArrayLike) -> 
     return _solve("fundamental_9pt_two_radials", first, second)
 
 
+def homography_4pt(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+    """Homography of two images of a plane, or of two cameras with one centre, from four points: 1
+    solution.
+
+    Hartley, Zisserman, "Multiple view geometry in computer vision", 2003, section 4.1; here by the
+    projective bases of the four points, as Heckbert, "Fundamentals of texture mapping and image
+    warping", 1989.
+
+    `first[k]` and `second[k]` are the images of point k, in pixels or any other unit; no three of
+    either may lie on a line. The homography H takes (`first[k]`, 1) to a multiple of (`second[k]`,
+    1): that of point k < 3 is `multiples[k]`. The fourth point is the sum of these three with
+    weights, which are known in both images and proportional when multiplied.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `first`: (4, 2)
+    - `second`: (4, 2)
+
+    Solutions, of which there are at most 1:
+
+    - `multiples`: (3,)
+
+    Results of each solution:
+
+    - `homography`: (3, 3)
+    """
+    return _solve("homography_4pt", first, second)
+
+
 def katsura_5() -> Solutions:
     """Katsura's equations for the magnetic field of a spin glass with six unknowns: 32 solutions.
     There are no data.
@@ -396,6 +431,86 @@ def platform_forward_kinematics(
     return _solve("platform_forward_kinematics", sums, differences, shift, excess, square)
 
 
+def pose_1pt_2line(
+    ray: npt.ArrayLike,
+    point: npt.ArrayLike,
+    normals: npt.ArrayLike,
+    lines: npt.ArrayLike,
+) -> Solutions:
+    """Pose of a calibrated camera from a point and two lines: 8 solutions, of which those with the
+    point in front of the camera are returned.
+
+    Ramalingam, Bouaziz, Sturm, "Pose estimation using both points and lines for geo-localization",
+    ICRA 2011; in this form Zhou, Ye, Kaess, "A stable algebraic camera pose estimation for minimal
+    configurations of 2D/3D point and line correspondences", ACCV 2018.
+
+    `ray` is the ray of the point in the camera, of any length, and `point` its position.
+    `normals[k]` is the image of line k: the plane through it and the centre of the camera is
+    perpendicular to that vector, of any length. It is the cross product of the rays of two points
+    of the image. `lines[k]` are two points of the line in space, other ones than the rays are of,
+    if need be. A point X has the coordinates `rotation` X + `translation` in the camera, and
+    `quaternion` is that of the rotation. The depth of the point along its ray is eliminated.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `ray`: (3,), or image points, one coordinate less
+    - `point`: (3,)
+    - `normals`: (2, 3)
+    - `lines`: (2, 2, 3)
+
+    Solutions, of which there are at most 8:
+
+    - `quaternion`: (4,)
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
+    """
+    return _solve("pose_1pt_2line", ray, point, normals, lines)
+
+
+def pose_2pt_1line(
+    rays: npt.ArrayLike,
+    points: npt.ArrayLike,
+    normal: npt.ArrayLike,
+    line: npt.ArrayLike,
+) -> Solutions:
+    """Pose of a calibrated camera from two points and a line: at most 2 solutions, those with the
+    points in front of the camera.
+
+    Ramalingam, Bouaziz, Sturm, "Pose estimation using both points and lines for geo-localization",
+    ICRA 2011, who have 4 solutions, which are 2 with both signs of the depths.
+
+    `rays[k]` is the ray of point k in the camera, of any length, and `points[k]` its position.
+    `normal` is the image of the line: the plane through it and the centre of the camera is
+    perpendicular to that vector, of any length. It is the cross product of the rays of two points
+    of the image. `line` are two points of the line in space, other ones than the rays are of, if
+    need be. A point X has the coordinates `rotation` X + `translation` in the camera. In the frame
+    of the points the normal is perpendicular to the line: it is the sum of two vectors that are,
+    each times its weight. The depths of the points along their rays are linear in it, since it is
+    perpendicular to the plane, and the distance of the points gives a quadratic equation. The
+    points must not lie on the line, nor their images on its image.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `rays`: (2, 3), or image points, one coordinate less
+    - `points`: (2, 3)
+    - `normal`: (3,)
+    - `line`: (2, 3)
+
+    Solutions, of which there are at most 2:
+
+    - `weights`: (2,)
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
+    """
+    return _solve("pose_2pt_1line", rays, points, normal, line)
+
+
 def pose_2pt_upright(rays: npt.ArrayLike, points: npt.ArrayLike) -> Solutions:
     """Pose of a camera whose vertical is known, as by an inertial sensor, from two points: 2
     solutions.
@@ -442,7 +557,7 @@ def pose_35pt_focal(
     centred at the principal point. The rotation is, up to scale, that about the optical axis times
     that of the quaternion (1, x, y, 0). Each row of the matrix eliminates the rotation about the
     optical axis, and what is unknown of the focal length, from three points: it annihilates (cos,
-    sin, 1/f).
+    sin, 1/f). A point X has the coordinates `rotation` X + `translation` in the camera.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -454,8 +569,46 @@ def pose_35pt_focal(
 
     - `x`: ()
     - `y`: ()
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
+    - `focal`: ()
     """
     return _solve("pose_35pt_focal", points, horizontal, vertical)
+
+
+def pose_3line(normals: npt.ArrayLike, lines: npt.ArrayLike) -> Solutions:
+    """Pose of a calibrated camera from three lines: 8 solutions.
+
+    Dhome, Richetin, Lapresté, Rives, "Determination of the attitude of 3D objects from a single
+    perspective view", PAMI 1989; in this form Zhou, Ye, Kaess, "A stable algebraic camera pose
+    estimation for minimal configurations of 2D/3D point and line correspondences", ACCV 2018.
+
+    `normals[k]` is the image of line k: the plane through it and the centre of the camera is
+    perpendicular to that vector, of any length. It is the cross product of the rays of two points
+    of the image. `lines[k]` are two points of the line in space, other ones than the rays are of,
+    if need be. A point X has the coordinates `rotation` X + `translation` in the camera, and
+    `quaternion` is that of the rotation: `normals[k]` is perpendicular to the turned direction of
+    line k. Three planes give the translation. The lines must not be parallel, nor the planes meet
+    in a line.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `normals`: (3, 3)
+    - `lines`: (3, 2, 3)
+
+    Solutions, of which there are at most 8:
+
+    - `quaternion`: (4,)
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
+    """
+    return _solve("pose_3line", normals, lines)
 
 
 def pose_3pt(rays: npt.ArrayLike, points: npt.ArrayLike) -> Solutions:
@@ -541,6 +694,39 @@ def pose_3pt_upright_error_bound(points: npt.ArrayLike, cones: npt.ArrayLike) ->
     return _solve("pose_3pt_upright_error_bound", points, cones)
 
 
+def pose_4pt_focal(points: npt.ArrayLike, images: npt.ArrayLike) -> Solutions:
+    r"""Pose and focal lengths of a camera from four points: 8 solutions, of which those with the points
+    in front of the camera are returned.
+
+    Bujnak, Kukelova, Pajdla, "A general solution to the P4P problem for camera with unknown focal
+    length", CVPR 2008, by three quadrics as Kukelova, Heller, Fitzgibbon, "Efficient intersection
+    of three quadrics and applications in computer vision", CVPR 2016.
+
+    `points[k]` is the position of point k, in a plane or not, and `images[k]` its image, relative
+    to the principal point. Eight equations leave a null space of dimension four of the camera
+    diag(f_x, f_y, 1) \[R t\], which is the sum of its vectors, each times its weight, up to scale.
+    Its first three columns have perpendicular rows. One focal length would be one equation too
+    many: it is left out, and of the results that one is wanted whose two `focal` lengths differ
+    least. A point X has the coordinates `rotation` X + `translation` in the camera.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `points`: (4, 3)
+    - `images`: (4, 2)
+
+    Solutions, of which there are at most 8:
+
+    - `weights`: (4,)
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
+    - `focal`: (2,)
+    """
+    return _solve("pose_4pt_focal", points, images)
+
+
 def pose_4pt_focal_radial(points: npt.ArrayLike, images: npt.ArrayLike) -> Solutions:
     r"""Pose, focal length and radial distortion of a camera from four points: 16 solutions.
 
@@ -608,26 +794,42 @@ def pose_4pt_focal_radial_cut(points: npt.ArrayLike, images: npt.ArrayLike) -> S
     return _solve("pose_4pt_focal_radial_cut", points, images)
 
 
-def pose_4pt_generalized_scale(basis: npt.ArrayLike) -> Solutions:
-    """Pose and scale of a generalised camera from four points: 8 solutions.
+def pose_4pt_generalized_scale(
+    centres: npt.ArrayLike,
+    rays: npt.ArrayLike,
+    points: npt.ArrayLike,
+) -> Solutions:
+    """Pose and scale of a generalised camera from four points: 8 solutions, of which those with a
+    positive scale are returned.
 
     Ventura, Arth, Reitmayr, Schmalstieg, "A minimal solution to the generalized pose-and-scale
-    problem", CVPR 2014. Published as `gp4p_scale`.
+    problem", CVPR 2014, by three quadrics as Kukelova, Heller, Fitzgibbon, "Efficient intersection
+    of three quadrics and applications in computer vision", CVPR 2016. Published as `gp4p_scale`.
 
-    A point X, and the ray from c along d by which the camera sees it, satisfy d x (R X + t - s c) =
-    0: two equations, linear in the entries of R, t and s up to a common factor. Seven of the eight
-    leave a null space of dimension six; `basis` holds the entries of R, row by row, of vectors that
-    span it; R is their sum, each times its weight, up to scale.
+    The camera sees the point `points[k]` by the ray from `centres[k]` along `rays[k]`, of any
+    length. A point X has the coordinates R X + t in units of the points, those of the centre c are
+    `scale` c: with the ray d, d x (R X + t - `scale` c) = 0 are two equations. Seven of the eight
+    are solved for t and `scale`, which leaves three equations in R, that of a quaternion of length
+    1. `residual` is what the eighth equation leaves over: the solution that fits it best is wanted.
 
     Data, for one instance, or with n in front for a batch:
 
-    - `basis`: (6, 9)
+    - `centres`: (4, 3)
+    - `rays`: (4, 3)
+    - `points`: (4, 3)
 
     Solutions, of which there are at most 8:
 
-    - `weights`: (6,)
+    - `quaternion`: (4,)
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
+    - `scale`: ()
+    - `residual`: ()
     """
-    return _solve("pose_4pt_generalized_scale", basis)
+    return _solve("pose_4pt_generalized_scale", centres, rays, points)
 
 
 def pose_4pt_upright_error_bound(points: npt.ArrayLike, cones: npt.ArrayLike) -> Solutions:
@@ -791,6 +993,10 @@ def pose_npt_direct_least_squares(
     - `x`: ()
     - `y`: ()
     - `z`: ()
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
     """
     return _solve("pose_npt_direct_least_squares", linear, quadratic, cubic, quartic)
 
@@ -814,6 +1020,10 @@ def pose_npt_least_squares_cayley(cost: npt.ArrayLike) -> Solutions:
     Solutions, of which there are at most 40:
 
     - `q`: (4,)
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
     """
     return _solve("pose_npt_least_squares_cayley", cost)
 
@@ -840,6 +1050,10 @@ def pose_npt_least_squares_quaternion(rows: npt.ArrayLike) -> Solutions:
     Solutions, of which there are at most 40:
 
     - `q`: (4,)
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
     """
     return _solve("pose_npt_least_squares_quaternion", rows)
 
@@ -866,6 +1080,11 @@ def pose_npt_weak_perspective(spread: npt.ArrayLike, image: npt.ArrayLike) -> So
     - `square`: ()
     - `y`: ()
     - `z`: ()
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `scale`: ()
     """
     return _solve("pose_npt_weak_perspective", spread, image)
 
@@ -901,6 +1120,49 @@ def relpose_3pt_angle_zero_screw(
     - `w`: ()
     """
     return _solve("relpose_3pt_angle_zero_screw", first, second, half_angle)
+
+
+def relpose_3pt_depths(
+    first: npt.ArrayLike,
+    first_depths: npt.ArrayLike,
+    second: npt.ArrayLike,
+    second_depths: npt.ArrayLike,
+) -> Solutions:
+    """Relative pose of two calibrated cameras from three points with depths that are known up to scale
+    and shift, as a network estimates them from each image: at most 4 solutions.
+
+    Ding, Kocur, Vávra, Berger Haladová, Yang, Sattler, Kukelova, "RePoseD: Efficient relative pose
+    estimation with known depth information", ICCV 2025; Yu, Liu, Pautrat, Pollefeys, Larsson,
+    "Relative pose estimation through affine corrections of monocular depth priors", CVPR 2025.
+
+    `first[k]` and `second[k]` are the images of point k, (x, y) of the ray (x, y, 1), and
+    `first_depths[k]` and `second_depths[k]` its depths, the third coordinates, as estimated. The
+    point is at (`first_depths[k]` + u) (x, y, 1) in the first camera and at `scale`
+    (`second_depths[k]` + v) (x, y, 1) in the second; `shifts` are u and v. Squared distances of the
+    points are quadratic in the shifts, and those in the second camera are 1 / `scale`^2 of those in
+    the first. Three of them, solved for 1, u and u^2, give these times 1 / `scale`^2 as `powers`,
+    which are quadratic in v: the first times the third is the square of the second. A point X in
+    the first camera is at `rotation` X + `translation` in the second.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `first`: (3, 2)
+    - `first_depths`: (3,)
+    - `second`: (3, 2)
+    - `second_depths`: (3,)
+
+    Solutions, of which there are at most 4:
+
+    - `v`: ()
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
+    - `scale`: ()
+    - `shifts`: (2,)
+    """
+    return _solve("relpose_3pt_depths", first, first_depths, second, second_depths)
 
 
 def relpose_3pt_upright(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
@@ -1249,6 +1511,11 @@ def relpose_7pt_angle_focal_centre(
     - `x`: ()
     - `y`: ()
     - `z`: ()
+
+    Results of each solution:
+
+    - `focal`: ()
+    - `centre`: (2,)
     """
     return _solve("relpose_7pt_angle_focal_centre", left, right, half_angle)
 

@@ -84,7 +84,8 @@ impl Planned {
         let Some(output) = &self.plan.output else { return };
         let Some(coefficients) = interpret::coefficients_of_results(&self.plan, output, Float64, data) else { return };
         for (number, (point, solution)) in points.iter().zip(solutions).enumerate() {
-            let x = self.variables(point, solution);
+            let mut x = self.variables(point, solution);
+            output.parts.iter().for_each(|part| x.push(value(part, &coefficients, &x)));
             let elements = output.fields.iter().flat_map(|(_, _, elements)| elements);
             for (place, element) in found.result(at, number).iter_mut().zip(elements) {
                 *place = value(element, &coefficients, &x);

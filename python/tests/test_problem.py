@@ -199,7 +199,8 @@ def test_stability_of_parts_is_that_of_the_whole():
 
 def test_interpreted_and_emitted_solvers_agree(rng):
     """Results of the problem, and vectors that are given up to scale, too."""
-    for name in ("relpose_5pt_rays", "pose_3pt", "fundamental_7pt", "relpose_6pt_focal_points"):
+    names = ("relpose_5pt_rays", "pose_3pt", "fundamental_7pt", "relpose_6pt_focal_points", "pose_4pt_focal")
+    for name in names:
         problem = eliminant.problem(name)
         data = [rng.normal(size=(20, *shape)) for _, shape in problem.data]
         interpreted, emitted = problem.solve(*data), getattr(eliminant, name)(*data)

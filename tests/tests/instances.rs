@@ -58,6 +58,11 @@ const ON_RANDOM_DATA: Demands = Demands {
                     reason: "2.3e-14 measured: its coefficients are determinants, computed with cancellation",
                 },
                 Exception {
+                    problem: "pose_2pt_1line",
+                    bound: 1e-12,
+                    reason: "1.1e-13 measured: vectors across the line are derived from measurements in f64",
+                },
+                Exception {
                     problem: "pose_35pt_focal",
                     bound: 1e-12,
                     reason: "2e-14 measured: its coefficients are computed with cancellation",
@@ -127,7 +132,18 @@ const ON_SCENES: Demands = Demands {
             },
         ],
     },
-    residual: (0.99, Bounds { what: "quantile 0.99 of the residuals", usual: 1e-13, exceptions: &[] }),
+    residual: (
+        0.99,
+        Bounds {
+            what: "quantile 0.99 of the residuals",
+            usual: 1e-13,
+            exceptions: &[Exception {
+                problem: "homography_4pt",
+                bound: 1e-12,
+                reason: "1.4e-13 measured: two matrices of three points are inverted in f64",
+            }],
+        },
+    ),
     error: Bounds { what: "quantile 0.99 of the errors", usual: 1e-8, exceptions: &[] },
 };
 

@@ -27,7 +27,8 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
     let mut names = Names::of(&plan.data);
     let [solution, solutions, coefficients] = ["solution", "solutions", "coefficients"].map(|name| names.take(name));
     let compute = coefficients_of_results(plan, &mut names);
-    let (values, variables) = (values(output), variables(plan));
+    let known = plan.unknowns.len() + plan.fields.iter().filter(|field| field.is_projective).count();
+    let (values, variables) = (values(output, known), variables(plan, known + output.parts.len()));
     let program = {
         let doc = " The coefficients of what is returned beside the unknowns, from all data.";
         let name = format_ident!("{COEFFICIENTS}");
@@ -105,8 +106,9 @@ fn coefficients_of_results(plan: &Plan, names: &mut Names) -> TokenStream {
     }}
 }
 
-/// The function from the coefficients and a solution to the output.
-fn values(output: &PlannedOutput) -> TokenStream {
+/// The function from the coefficients and a solution to the output, of which so many values are
+/// known.
+fn values(output: &PlannedOutput, known: usize) -> TokenStream {
     let name = format_ident!("{}", output.name);
     let fields = output.fields.iter().map(|(field, shape, elements)| {
         let (field, elements) = (format_ident!("{field}"), elements.iter().map(element).collect::<Vec<_>>());
@@ -114,10 +116,16 @@ fn values(output: &PlannedOutput) -> TokenStream {
         quote!(#field: #array)
     });
     let count = Literal::usize_unsuffixed(output.coefficients.len());
+    let parts = output.parts.iter().zip(known..).map(|(part, at)| {
+        let (at, part) = (Literal::usize_unsuffixed(at), element(part));
+        quote!(x[#at] = #part;)
+    });
+    let mutable = (!output.parts.is_empty()).then(|| quote!(mut));
     quote! {
         #[allow(unused_variables)]
         fn output<S: ::eliminant::Scalar>(c: &[f64; #count], solution: &Solution<S>) -> #name<S> {
-            let x = self::variables(solution);
+            let #mutable x = self::variables(solution);
+            #(#parts)*
             #name { #(#fields),* }
         }
     }
@@ -165,11 +173,9 @@ fn sum(terms: &[Term], number: &TokenStream) -> TokenStream {
 }
 
 /// The function from a solution to what the polynomials of an output hold.
-fn variables(plan: &Plan) -> TokenStream {
-    let unknowns = plan.unknowns.len();
-    let projective = plan.fields.iter().filter(|field| field.is_projective).count();
-    let total = Literal::usize_unsuffixed(unknowns + projective);
-    let mut scale = unknowns..;
+fn variables(plan: &Plan, total: usize) -> TokenStream {
+    let total = Literal::usize_unsuffixed(total);
+    let mut scale = plan.unknowns.len()..;
     let fields = plan.fields.iter().map(|field| {
         let name = format_ident!("{}", field.name);
         match (field.is_projective, scale.clone().next()) {

@@ -201,6 +201,19 @@ mod tests {
         }
     }
 
+    /// Four points in front of a camera are inequalities of degree four, the equations quadrics.
+    #[test]
+    fn inequalities_may_be_of_higher_degree_than_equations() {
+        let plan = committed("pose_4pt_focal");
+        let mut wanted = 0;
+        for k in 0..20 {
+            let truths = Truths::of(&plan, &random_instance(&plan, 5, k), &[]).expect("no divisor");
+            assert_eq!(truths.judge(&truths.rounded(), true).found, truths.real());
+            wanted += truths.real();
+        }
+        assert!(wanted > 0, "no real solution is tested");
+    }
+
     /// x^2 = 2 and its neighbours: what is lost, wrong, or twice there is counted.
     #[test]
     fn missed_and_spurious_points_are_told() {

@@ -189,7 +189,7 @@ struct Powers(Vec<Vec<WideComplex>>);
 
 impl Powers {
     fn of(plan: &Plan, x: &[WideComplex]) -> Self {
-        let polynomials = plan.equations.iter().chain(&plan.nonzero);
+        let polynomials = plan.equations.iter().chain(&plan.nonzero).chain(&plan.positive);
         let exponents = || polynomials.clone().flatten().map(|term| &term.exponents);
         let largest = |unknown: usize| exponents().filter_map(|e| e.get(unknown)).max().copied().unwrap_or(0);
         let powers = |(unknown, &x): (usize, &WideComplex)| {

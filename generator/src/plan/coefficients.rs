@@ -8,7 +8,7 @@ use super::{CoefficientId, PlannedElement, PlannedOutput, Term};
 use crate::algebra::Monomial;
 use crate::expression::{ExpressionId, SymbolicPolynomial};
 use crate::problem::Problem;
-use crate::problem::output::Output;
+use crate::problem::output::{Output, OutputElement};
 
 /// The coefficients that the tables refer to. If the equations are stored as a matrix, it comes
 /// first, row by row. The others follow in order of first use.
@@ -57,18 +57,22 @@ impl Coefficients {
 /// What a solver returns beside the unknowns.
 pub(super) fn planned_output(problem: &Problem, output: &Output) -> PlannedOutput {
     let mut coefficients = Coefficients::default();
-    let width = problem.unknowns.len() + problem.fields.iter().filter(|field| field.is_projective).count();
+    let scales = problem.fields.iter().filter(|field| field.is_projective).count();
+    let width = problem.unknowns.len() + scales + output.parts.len();
+    let mut planned = |element: &OutputElement| PlannedElement {
+        numerator: coefficients.terms(&element.numerator, width),
+        denominator: element.denominator.as_ref().map(|divisor| coefficients.terms(divisor, width)),
+        is_root: element.is_root,
+    };
+    let parts = output.parts.iter().map(&mut planned).collect();
     let fields = output.fields.iter().map(|field| {
-        let elements = field.elements.iter().map(|element| PlannedElement {
-            numerator: coefficients.terms(&element.numerator, width),
-            denominator: element.denominator.as_ref().map(|divisor| coefficients.terms(divisor, width)),
-            is_root: element.is_root,
-        });
-        (field.name.clone(), field.shape.clone(), elements.collect())
+        let elements = field.elements.iter().map(&mut planned).collect();
+        (field.name.clone(), field.shape.clone(), elements)
     });
     let fields = fields.collect();
     // All are used: a matrix with zeros holds the equations only.
     let used: Vec<ExpressionId> = coefficients.used.into_iter().flatten().collect();
     let (program, coefficients) = statements_in_order(&problem.graph, &used);
-    PlannedOutput { name: output.name.clone(), function: output.function.clone(), fields, program, coefficients }
+    let (name, function) = (output.name.clone(), output.function.clone());
+    PlannedOutput { name, function, parts, fields, program, coefficients }
 }

@@ -200,13 +200,15 @@ pub struct PlannedDerivation {
 }
 
 /// What a solver returns beside the unknowns. Its terms have an exponent for each unknown, and for
-/// the last coordinate of each vector that is given up to scale.
+/// the last coordinate of each vector that is given up to scale, and for each part.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PlannedOutput {
     /// The name of the struct.
     pub name: String,
     /// The name after which the functions are named that return it.
     pub function: String,
+    /// Values that the terms hold after the unknowns, each computed from those before it.
+    pub parts: Vec<PlannedElement>,
     /// The names of its fields, with their shapes and scalars, row by row.
     pub fields: Vec<(String, Vec<usize>, Vec<PlannedElement>)>,
     /// From the data to the coefficients of its terms, which are its own.

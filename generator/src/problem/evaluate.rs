@@ -6,6 +6,7 @@ use super::Span;
 use super::functions::{BUILT_IN, non_polynomial};
 use super::interpret::Interpreter;
 use super::names::closest;
+use super::results::is_root;
 use super::scope::{Outcome, Reported};
 use super::syntax::place;
 use super::value::{MAX_DEGREE, MAX_ELEMENTS, Value, describe, fault};
@@ -35,6 +36,9 @@ impl Interpreter<'_> {
             Expr::Index(index) => self.index(index),
             Expr::Unary(unary) => self.unary(unary),
             Expr::Binary(binary) => self.binary(binary),
+            Expr::Call(call) if self.parts.is_some() && is_root(&call.func) && call.args.len() == 1 => {
+                self.root_in_field(expression)
+            }
             Expr::Call(call) => self.call(call),
             Expr::MethodCall(call) => self.method(call),
             Expr::Block(block) if block.label.is_none() => self.block_value(&block.block),
@@ -306,6 +310,11 @@ impl Interpreter<'_> {
                 }
                 None => Diagnostic::new("division by zero", at).label("this is 0"),
             },
+            None if divisor.degree() > 0 && self.parts.is_some() => {
+                let reciprocal = self.reciprocal_in_field(divisor, &binary.right)?;
+                let result = self.algebra.multiply(left, &reciprocal);
+                return self.check(result, binary);
+            }
             None if divisor.degree() > 0 => Diagnostic::new("division by an unknown is not polynomial", at)
                 .label("this depends on unknowns")
                 .hint("multiply the equation by it, and state `divisor != 0;`"),

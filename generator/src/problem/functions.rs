@@ -7,7 +7,7 @@ use super::names::closest;
 use super::scope::{Binding, Kind, Outcome, Reported};
 use super::syntax::place;
 use super::value::{Value, describe};
-use crate::algebra::Polynomial;
+use crate::algebra::{MAX_UNKNOWNS, Monomial, Polynomial};
 use crate::expression::rational::Rational;
 use crate::problem::diagnostic::Diagnostic;
 
@@ -88,7 +88,11 @@ impl Interpreter<'_> {
         let values: Vec<Outcome<Value>> = arguments.iter().map(|argument| self.evaluate(argument)).collect();
         let values: Vec<Value> = values.into_iter().collect::<Outcome<_>>()?;
         match (helper, built_in) {
-            (Some(helper), _) => self.call_helper(call, helper, &arguments, values),
+            (Some(helper), _) => {
+                let values = values.into_iter().zip(&arguments).map(|(value, at)| self.passed_in_field(value, at));
+                let values = values.collect::<Outcome<_>>()?;
+                self.call_helper(call, helper, &arguments, values)
+            }
             (None, Some(function)) => self.call_built_in(call, function, &arguments, &values),
             (None, None) => Err(Reported),
         }
@@ -260,6 +264,12 @@ impl Interpreter<'_> {
                 (by.shape().to_vec(), unknowns)
             }
         };
+        let known = self.unknowns.len();
+        let has_parts = |m: Monomial| (known..MAX_UNKNOWNS).any(|at| m.exponent(at) != 0);
+        if polynomial.monomials().any(has_parts) || unknowns.iter().any(|&unknown| unknown >= known) {
+            let diagnostic = Diagnostic::new("derivatives of quotients and square roots are not known", place(call));
+            return Err(self.report(diagnostic));
+        }
         let derivatives: Result<_, _> =
             unknowns.iter().map(|&unknown| self.algebra.derivative(polynomial, unknown)).collect();
         self.check(derivatives.map(|elements| Value::array(shape, elements)), call)

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet, HashSet};
 use syn::{BinOp, Block, Expr, ExprBinary, ExprForLoop, ItemFn, Local, Pat, RangeLimits, Stmt};
 
 use super::names::emitted_name;
-use super::output::Output;
+use super::output::{Output, OutputElement};
 use super::scope::{Binding, Kind, Outcome, Reported, Scopes};
 use super::syntax::place;
 use super::value::{Algebra, Checked, MAX_ELEMENTS, Value, describe, fault};
@@ -45,6 +45,8 @@ pub(super) struct Interpreter<'a> {
     pub(super) nonzero: Vec<Statement>,
     pub(super) positive: Vec<Statement>,
     pub(super) output: Option<Output>,
+    /// The parts of the output, while its fields are evaluated.
+    pub(super) parts: Option<Vec<OutputElement>>,
     /// The polynomials of the equations.
     stated: HashSet<SymbolicPolynomial>,
     /// Place of each equation statement: whether some element of it was not 0 = 0.
@@ -69,6 +71,7 @@ impl<'a> Interpreter<'a> {
             nonzero: Vec::new(),
             positive: Vec::new(),
             output: None,
+            parts: None,
             stated: HashSet::new(),
             says_something: BTreeMap::new(),
             repeated: 0,

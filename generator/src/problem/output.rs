@@ -6,14 +6,17 @@ use crate::expression::SymbolicPolynomial;
 
 /// What a problem returns beside its unknowns: `Pose { rotation: r, depth: d }`.
 ///
-/// The polynomials hold the unknowns, and after them one more for each vector that is given up to
-/// scale: the last coordinate of that vector, of length 1.
+/// The polynomials hold the unknowns, after them one more for each vector that is given up to
+/// scale, the last coordinate of that vector, of length 1, and then the parts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Output {
     /// The name of the struct.
     pub name: String,
     /// The name in snake case, after which the functions are named that return it.
     pub function: String,
+    /// Values inside of the fields that are no polynomials, or are computed once. Each may depend
+    /// on those before it.
+    pub parts: Vec<OutputElement>,
     /// Its fields.
     pub fields: Vec<OutputField>,
     /// Where it stands.
@@ -40,4 +43,12 @@ pub struct OutputElement {
     pub denominator: Option<SymbolicPolynomial>,
     /// Whether the square root of the quotient is meant.
     pub is_root: bool,
+}
+
+impl Output {
+    /// All polynomials that it is computed from.
+    pub fn polynomials(&self) -> impl Iterator<Item = &SymbolicPolynomial> {
+        let elements = self.parts.iter().chain(self.fields.iter().flat_map(|field| &field.elements));
+        elements.flat_map(|element| std::iter::once(&element.numerator).chain(&element.denominator))
+    }
 }

@@ -7,6 +7,7 @@ use syn::{Attribute, Ident, Item, ItemConst, ItemFn, ReturnType, Safety, Visibil
 use super::functions::BUILT_IN;
 use super::interpret::Interpreter;
 use super::names::{refuse, refuse_module};
+use super::output::Output;
 use super::projective::{check_homogeneous, dehomogenised, homogeneous};
 use super::results::check_even;
 use super::scope::{Binding, Kind};
@@ -274,8 +275,7 @@ fn check_data(body: &mut Interpreter<'_>, data: &[DataParameter]) {
         return;
     }
     let statements = body.equations.iter().chain(&body.nonzero).chain(&body.positive);
-    let of_output = body.output.iter().flat_map(|output| &output.fields).flat_map(|field| &field.elements);
-    let of_output = of_output.flat_map(|element| std::iter::once(&element.numerator).chain(&element.denominator));
+    let of_output = body.output.iter().flat_map(Output::polynomials);
     let polynomials = statements.map(|statement| &statement.polynomial).chain(of_output);
     let coefficients = polynomials.flat_map(|p| p.terms()).map(|&(_, coefficient)| coefficient);
     let coefficients: Vec<ExpressionId> = coefficients.collect();

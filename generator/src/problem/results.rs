@@ -11,7 +11,9 @@ use super::output::{Output, OutputElement, OutputField};
 use super::scope::Outcome;
 use super::syntax::place;
 use super::value::{Value, describe};
-use crate::expression::SymbolicPolynomial;
+use crate::algebra::{MAX_UNKNOWNS, Monomial, Polynomial};
+use crate::expression::rational::Rational;
+use crate::expression::{ExpressionGraph, SymbolicPolynomial};
 use crate::problem::diagnostic::Diagnostic;
 
 /// Types, traits and parameters that the emitted module has or names: a struct would hide them.
@@ -51,6 +53,7 @@ impl Interpreter<'_> {
             return;
         }
         let Ok(name) = self.name_of_output(stated) else { return };
+        self.parts = Some(Vec::new());
         let mut fields: Vec<OutputField> = Vec::new();
         for field in &stated.fields {
             let Member::Named(ident) = &field.member else {
@@ -68,8 +71,8 @@ impl Interpreter<'_> {
                 fields.push(OutputField { name: ident.to_string(), shape, elements });
             }
         }
-        let function = snake_case(&name);
-        self.output = Some(Output { name, function, fields, span });
+        let (function, parts) = (snake_case(&name), self.parts.take().unwrap_or_default());
+        self.output = Some(Output { name, function, parts, fields, span });
     }
 
     fn name_of_output(&mut self, stated: &ExprStruct) -> Outcome<String> {
@@ -95,17 +98,12 @@ impl Interpreter<'_> {
         Ok(name)
     }
 
-    /// The shape and the scalars of a field. A quotient or a square root may hold unknowns if it is
-    /// the outermost operation.
+    /// The shape and the scalars of a field. Quotients and square roots that hold unknowns are
+    /// parts, but for the outermost operation.
     fn output_elements(&mut self, expression: &Expr) -> Outcome<(Vec<usize>, Vec<OutputElement>)> {
-        let plain = |numerator: &SymbolicPolynomial| OutputElement {
-            numerator: numerator.clone(),
-            denominator: None,
-            is_root: false,
-        };
         match expression {
             Expr::Paren(inner) => self.output_elements(&inner.expr),
-            Expr::Binary(binary) if matches!(binary.op, BinOp::Div(_)) => self.quotient(binary, plain),
+            Expr::Binary(binary) if matches!(binary.op, BinOp::Div(_)) => self.quotient(binary),
             Expr::Call(call) if is_root(&call.func) && call.args.len() == 1 => {
                 let (shape, mut elements) = self.output_elements(&call.args[0])?;
                 if !shape.is_empty() || elements.iter().any(|element| element.is_root) {
@@ -113,29 +111,72 @@ impl Interpreter<'_> {
                     return Err(self.report(diagnostic));
                 }
                 if elements.iter().all(|e| e.denominator.is_none() && e.numerator.degree() == 0) {
-                    return self.evaluate(expression).map(|value| as_elements(&value, plain));
+                    return self.call(call).map(|value| as_elements(&value));
                 }
                 elements.iter_mut().for_each(|element| element.is_root = true);
                 Ok((shape, elements))
             }
-            _ => self.evaluate(expression).map(|value| as_elements(&value, plain)),
+            _ => self.evaluate(expression).map(|value| as_elements(&value)),
         }
     }
 
-    fn quotient(
-        &mut self,
-        binary: &ExprBinary,
-        plain: impl Fn(&SymbolicPolynomial) -> OutputElement,
-    ) -> Outcome<(Vec<usize>, Vec<OutputElement>)> {
+    fn quotient(&mut self, binary: &ExprBinary) -> Outcome<(Vec<usize>, Vec<OutputElement>)> {
         let (left, right) = (self.evaluate(&binary.left), self.evaluate(&binary.right));
         let (left, right) = (left?, right?);
         let divisor = right.as_scalar().filter(|divisor| divisor.degree() > 0).cloned();
         if divisor.is_none() {
-            return self.combine(binary, &left, &right).map(|value| as_elements(&value, plain));
+            return self.combine(binary, &left, &right).map(|value| as_elements(&value));
         }
-        let (shape, mut elements) = as_elements(&left, plain);
+        let (shape, mut elements) = as_elements(&left);
         elements.iter_mut().for_each(|element| element.denominator.clone_from(&divisor));
         Ok((shape, elements))
+    }
+
+    /// The square root of what depends on unknowns, inside of a field.
+    pub(super) fn root_in_field(&mut self, root: &Expr) -> Outcome<Value> {
+        let (_, elements) = self.output_elements(root)?;
+        match <[OutputElement; 1]>::try_from(elements) {
+            Ok([element]) if element.is_root => self.part(element, root),
+            Ok([element]) => Ok(Value::scalar(element.numerator)),
+            Err(_) => Err(self.report(Diagnostic::new("`sqrt` needs a scalar", place(root)))),
+        }
+    }
+
+    /// The reciprocal of what depends on unknowns, inside of a field.
+    pub(super) fn reciprocal_in_field(&mut self, divisor: &SymbolicPolynomial, at: &Expr) -> Outcome<Value> {
+        let numerator = self.algebra.constant(Rational::ONE);
+        self.part(OutputElement { numerator, denominator: Some(divisor.clone()), is_root: false }, at)
+    }
+
+    /// Inside of a field a sum that is passed to a helper is a part: whatever the helper does with
+    /// it, it is computed once.
+    pub(super) fn passed_in_field(&mut self, value: Value, at: &Expr) -> Outcome<Value> {
+        match value.as_scalar() {
+            Some(sum) if self.parts.is_some() && sum.degree() > 0 && sum.terms().len() > 1 => {
+                let element = plain(sum);
+                self.part(element, at)
+            }
+            _ => Ok(value),
+        }
+    }
+
+    /// A value that stands for a part of the output.
+    fn part(&mut self, element: OutputElement, at: &Expr) -> Outcome<Value> {
+        let (first, parts) = (self.unknowns.len(), self.parts.get_or_insert_default());
+        let number = parts.iter().position(|known| *known == element).unwrap_or(parts.len());
+        if first + number >= MAX_UNKNOWNS {
+            let diagnostic = Diagnostic::new(
+                "the results hold too many quotients, roots and sums that are passed to helpers",
+                place(at),
+            );
+            let most = MAX_UNKNOWNS - first;
+            return Err(self.report(diagnostic.label(format!("at most {most} are allowed beside the unknowns"))));
+        }
+        if number == parts.len() {
+            parts.push(element);
+        }
+        let monomial = Monomial::unknown(first + number);
+        Ok(Value::scalar(Polynomial::from_terms(vec![(monomial, ExpressionGraph::ONE)])))
     }
 
     /// `left > right` or `left < right`: `solve` returns no other solutions.
@@ -174,15 +215,16 @@ impl Interpreter<'_> {
     }
 }
 
-fn as_elements(
-    value: &Value,
-    plain: impl Fn(&SymbolicPolynomial) -> OutputElement,
-) -> (Vec<usize>, Vec<OutputElement>) {
+fn plain(numerator: &SymbolicPolynomial) -> OutputElement {
+    OutputElement { numerator: numerator.clone(), denominator: None, is_root: false }
+}
+
+fn as_elements(value: &Value) -> (Vec<usize>, Vec<OutputElement>) {
     (value.shape().to_vec(), value.elements().iter().map(plain).collect())
 }
 
 /// Whether a call is one of the function `sqrt` of the language.
-fn is_root(function: &Expr) -> bool {
+pub(super) fn is_root(function: &Expr) -> bool {
     let is_built_in = |name: &syn::Ident| name == "sqrt" && BUILT_IN.iter().any(|known| known.name == "sqrt");
     matches!(function, Expr::Path(path) if path.path.get_ident().is_some_and(is_built_in))
 }

@@ -125,19 +125,17 @@ fn distorted_points(random: &mut Random) -> (Vec<f64>, Vec<f64>, f64) {
     (data, weights, radial)
 }
 
-/// Rays of any length from different centres in the unit ball.
+/// Rays of any length from different centres in the unit ball, whose unit is 0.5 to 2 times that of
+/// the points.
 fn generalized_camera(random: &mut Random) -> KnownInstance {
     let (rotation, translation) = camera(random);
     let scale = uniform(random, 0.5, 2.0);
-    let mut data = [const { Vec::new() }; 3];
-    for _ in 0..4 {
-        let (x, centre) = (in_ball(random), in_ball(random));
-        let ray = uniform(random, 0.2, 2.0) * (rotation * x + translation - scale * centre);
-        for (data, vector) in data.iter_mut().zip([centre, ray, x]) {
-            data.extend(vector.data.0[0]);
-        }
-    }
-    KnownInstance { data: data.concat(), truths: vec![coordinates(&quaternion(&rotation))] }
+    let points: [Vector3<f64>; 4] = from_fn(|_| in_ball(random));
+    let centres: [Vector3<f64>; 4] = from_fn(|_| in_ball(random));
+    let ray = |k: usize| rotation * points[k] + translation - scale * centres[k];
+    let rays: [Vector3<f64>; 4] = from_fn(|k| ray(k) * uniform(random, 0.5, 2.0));
+    let data = centres.iter().chain(&rays).chain(&points).flat_map(|x| x.data.0[0]).collect();
+    KnownInstance { data, truths: vec![coordinates(&quaternion(&rotation))] }
 }
 
 /// A camera 2 to 6 units from the centre of the unit ball, turned about its first axis, and points

@@ -3,7 +3,7 @@
 use std::array::from_fn;
 
 use eliminant_generator::algebra::Random;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Vector2, Vector3};
 
 use super::cameras::{Motion, camera, image, in_ball, two_cameras, upright, upright_cameras};
 use super::relative_pose::epipolar_row;
@@ -11,6 +11,7 @@ use super::{
     KnownInstance, Make, Maker, combination, coordinates, derived_null_space, projective_error, relative_error,
     uniform, vector, weights,
 };
+use crate::statistics::worst;
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![
@@ -47,6 +48,25 @@ pub(super) fn makers() -> Vec<Maker> {
             name: "pose_3pt",
             make: Make::Scene(three_points),
             error: |_, solution, truth| relative_error(solution, truth),
+        },
+        Maker {
+            name: "pose_4pt_focal",
+            make: Make::Scene(four_points),
+            error: |_, solution, truth| projective_error(&vector(solution), &vector(truth)),
+        },
+        Maker {
+            name: "homography_4pt",
+            make: Make::TwoCameras(four_points_of_a_plane),
+            error: |_, solution, truth| projective_error(&vector(solution), &vector(truth)),
+        },
+        Maker {
+            name: "relpose_3pt_depths",
+            make: Make::TwoCameras(three_estimated_depths),
+            // Of the depths in the second camera.
+            error: |data, solution, truth| {
+                let errors = data[15..].iter().map(|depth| ((solution[0] - truth[0]) / (depth + truth[0])).abs());
+                worst(errors)
+            },
         },
         Maker {
             name: "pose_2pt_upright",
@@ -157,6 +177,66 @@ fn three_points(random: &mut Random) -> KnownInstance {
     let seen = points.map(|x| rotation * x + translation);
     let data = seen.iter().map(|x| x * uniform(random, 0.5, 2.0)).chain(points).flat_map(|x| x.data.0[0]).collect();
     KnownInstance { data, truths: vec![seen.map(|x| x.norm()).to_vec()] }
+}
+
+/// Points in the unit ball and their images for a focal length of 0.5 to 3; the weights of the null
+/// vectors in the camera diag(f, f, 1) [R t].
+fn four_points(random: &mut Random) -> KnownInstance {
+    let (rotation, translation) = camera(random);
+    let focal = uniform(random, 0.5, 3.0);
+    let points: [Vector3<f64>; 4] = from_fn(|_| in_ball(random));
+    let images = points.map(|x| image(&(rotation * x + translation), focal));
+    let offsets = points.map(|x| x - points[0]);
+    let unit = offsets.iter().map(Vector3::norm_squared).sum::<f64>().sqrt();
+    let image_unit = images.iter().map(Vector2::norm_squared).sum::<f64>().sqrt();
+    let mut rows = Vec::new();
+    for (x, q) in offsets.iter().zip(&images) {
+        let x = (x / unit).push(1.0);
+        for i in 0..2 {
+            let entry = |at: usize| match at / 4 {
+                2 => -q[i] * x[at % 4] + 0.0,
+                row if row == i => image_unit * x[at % 4] + 0.0,
+                _ => 0.0,
+            };
+            rows.push((0..12).map(entry).collect::<Vec<f64>>());
+        }
+    }
+    let first = (rotation * points[0] + translation) / unit;
+    let scales = [focal / image_unit, focal / image_unit, 1.0];
+    let row = |i: usize| [rotation[(i, 0)], rotation[(i, 1)], rotation[(i, 2)], first[i]].map(|x| scales[i] * x);
+    let truth = coordinates(&weights(&derived_null_space(&rows), [row(0), row(1), row(2)].as_flattened()));
+    let data = points.iter().flat_map(|x| x.data.0[0]).chain(images.iter().flat_map(|q| q.data.0[0])).collect();
+    KnownInstance { data, truths: vec![truth] }
+}
+
+/// Images of four points of a triangle whose corners are among the points; the ratios of the depths
+/// of three of them.
+fn four_points_of_a_plane(random: &mut Random, motion: Motion) -> KnownInstance {
+    let (rotation, translation, corners) = two_cameras((random, motion), 3);
+    let mut inside = || {
+        let shares: [f64; 3] = from_fn(|_| uniform(random, 0.0, 1.0));
+        let whole: f64 = shares.iter().sum();
+        corners.iter().zip(shares).map(|(corner, share)| corner * (share / whole)).sum::<Vector3<f64>>()
+    };
+    let first: [Vector3<f64>; 4] = from_fn(|_| inside());
+    let second = first.map(|x| rotation * x + translation);
+    let ratios: [f64; 3] = from_fn(|k| second[k].z / first[k].z);
+    let data = first.iter().chain(&second).flat_map(|x| image(x, 1.0).data.0[0]).collect();
+    KnownInstance { data, truths: vec![coordinates(&ratios)] }
+}
+
+/// Images of three points, and their depths but for shifts of up to half a unit, in units of the
+/// second camera that are 0.5 to 2 times those of the first.
+fn three_estimated_depths(random: &mut Random, motion: Motion) -> KnownInstance {
+    let (rotation, translation, points) = two_cameras((random, motion), 3);
+    let scale = uniform(random, 0.5, 2.0);
+    let [u, v] = from_fn(|_| uniform(random, -0.5, 0.5));
+    let seen: Vec<Vector3<f64>> = points.iter().map(|x| rotation * x + translation).collect();
+    let images = [&points, &seen].map(|points| points.iter().flat_map(|x| image(x, 1.0).data.0[0]).collect::<Vec<_>>());
+    let depths: [Vec<f64>; 2] = [(&points, 1.0, u), (&seen, scale, v)]
+        .map(|(points, scale, shift)| points.iter().map(|x| x.z / scale - shift).collect());
+    let data = images.iter().zip(&depths).flat_map(|(images, depths)| images.iter().chain(depths).copied()).collect();
+    KnownInstance { data, truths: vec![vec![v]] }
 }
 
 /// Rays of any length of an upright camera, and points in the unit ball.

@@ -5,6 +5,7 @@ mod benchmarks;
 mod cameras;
 mod circles;
 mod linear;
+mod lines;
 mod maker;
 mod measurements;
 mod optimal_pose;
@@ -28,6 +29,7 @@ pub fn makers() -> Vec<Maker> {
         absolute_pose::makers(),
         benchmarks::makers(),
         circles::makers(),
+        lines::makers(),
         measurements::makers(),
         optimal_pose::makers(),
         orbits::makers(),

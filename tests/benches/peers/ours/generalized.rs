@@ -1,7 +1,6 @@
 //! Poses of cameras whose rays do not meet in one centre.
 
-use eliminant_solvers::pose_4pt_generalized_scale::{self, ScaledPose};
-use eliminant_solvers::relpose_6pt_generalized;
+use eliminant_solvers::{pose_4pt_generalized_scale, relpose_6pt_generalized};
 
 use super::linear::{Matrix, Vector, cross, dot, minus, solve, times};
 use super::{Instance, vectors};
@@ -73,21 +72,12 @@ impl Instance for PoseScale {
 
     /// Of the eight equations the solver takes seven; the last tells which solution is returned.
     fn solve(&self, found: &mut Vec<f64>) {
-        let Self { centres, rays, points } = self;
-        let Ok(poses) = pose_4pt_generalized_scale::solve_for_scaled_pose(centres, rays, points) else { return };
-        // The length of the last ray's residual.
-        let residual = |pose: &ScaledPose| {
-            let moved: Vector = std::array::from_fn(|i| {
-                dot(&pose.rotation[i], &points[3]) + pose.translation[i] - pose.scale * centres[3][i]
-            });
-            let off = cross(&rays[3], &moved);
-            dot(&off, &off)
-        };
-        let best = poses.iter().min_by(|one, other| residual(one).total_cmp(&residual(other)));
-        if let Some(pose) = best {
-            found.extend(pose.rotation.as_flattened());
-            found.extend(pose.translation);
-            found.push(pose.scale);
+        let poses = pose_4pt_generalized_scale::solve_for_scaled_pose(&self.centres, &self.rays, &self.points);
+        let Ok(poses) = poses else { return };
+        if let Some(best) = poses.iter().min_by(|a, b| a.residual.abs().total_cmp(&b.residual.abs())) {
+            found.extend(best.rotation.as_flattened());
+            found.extend(best.translation);
+            found.push(best.scale);
         }
     }
 }

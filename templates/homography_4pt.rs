@@ -1,0 +1,36 @@
+/// Homography of two images of a plane, or of two cameras with one centre, from four points: 1
+/// solution.
+///
+/// Hartley, Zisserman, "Multiple view geometry in computer vision", 2003, section 4.1; here by the
+/// projective bases of the four points, as Heckbert, "Fundamentals of texture mapping and image
+/// warping", 1989.
+///
+/// `first[k]` and `second[k]` are the images of point k, in pixels or any other unit; no three of
+/// either may lie on a line. The homography H takes (`first[k]`, 1) to a multiple of (`second[k]`,
+/// 1): that of point k < 3 is `multiples[k]`. The fourth point is the sum of these three with
+/// weights, which are known in both images and proportional when multiplied.
+fn homography_4pt(first: [[f64; 2]; 4], second: [[f64; 2]; 4]) -> (
+    #[projective] multiples: [f64; 3],
+) {
+    // In units in which images are about 1, so that all entries of the matrix keep their digits.
+    let unit = norm([first, second]);
+    let [m0, m1, m2] = multiples;
+    let from = inverse(three_of(first, unit));
+    let to = three_of(second, unit);
+    let known = from * in_units(first[3], unit);
+    let fourth = [m0 * known[0], m1 * known[1], m2 * known[2]];
+    cross(fourth, solve(to, in_units(second[3], unit))) == 0;
+    let matrix = to * ([[m0, 0, 0], [0, m1, 0], [0, 0, m2]] * from);
+    let to_unit = [[1, 0, 0], [0, 1, 0], [0, 0, unit]];
+    let from_unit = [[unit, 0, 0], [0, unit, 0], [0, 0, 1]];
+    Homography { homography: from_unit * matrix * to_unit }
+}
+
+/// The first three points, in the columns.
+fn three_of(images: [[f64; 2]; 4], unit: f64) -> [[f64; 3]; 3] {
+    [in_units(images[0], unit), in_units(images[1], unit), in_units(images[2], unit)].t()
+}
+
+fn in_units(image: [f64; 2], unit: f64) -> [f64; 3] {
+    [image[0], image[1], unit]
+}

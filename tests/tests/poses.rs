@@ -1,0 +1,189 @@
+//! Solvers that return rotations and translations: these are those of scenes.
+
+use std::array::from_fn;
+
+use eliminant_generator::algebra::Random;
+use eliminant_solvers::{
+    homography_4pt, pose_1pt_2line, pose_2pt_1line, pose_3line, pose_4pt_focal, pose_35pt_focal, relpose_3pt_depths,
+};
+use eliminant_tests::ground_truth::{Motion, camera, image, in_ball, projective_error, two_cameras, uniform};
+use nalgebra::{Matrix3, Vector3};
+
+const SCENES: u64 = 1_000;
+/// A result is the known one if it is this close.
+const FOUND: f64 = 1e-6;
+/// Scenes of a thousand on which it may be missing: those that are close to degenerate ones.
+const LOST: usize = 1;
+
+/// Checks that a result is near the truth on nearly all scenes.
+fn check(is_found: impl Fn(&mut Random) -> bool) {
+    let lost: Vec<u64> = (0..SCENES).filter(|&k| !is_found(&mut Random::new(65_000_000 + k))).collect();
+    assert!(lost.len() <= LOST, "{lost:?}");
+}
+
+/// A camera, and points of the unit ball in the world and in the camera.
+struct View<const N: usize> {
+    rotation: Matrix3<f64>,
+    translation: Vector3<f64>,
+    points: [Vector3<f64>; N],
+    seen: [Vector3<f64>; N],
+}
+
+impl<const N: usize> View<N> {
+    fn draw(random: &mut Random) -> Self {
+        let (rotation, translation) = camera(random);
+        let points: [Vector3<f64>; N] = from_fn(|_| in_ball(random));
+        Self { rotation, translation, points, seen: points.map(|x| rotation * x + translation) }
+    }
+
+    fn is_pose(&self, rotation: &[[f64; 3]; 3], translation: &[f64; 3]) -> bool {
+        is_pose((&self.rotation, &self.translation), rotation, translation)
+    }
+
+    /// The line through the points from this one on, and the normal of the plane in which it is
+    /// seen.
+    fn line(&self, first: usize) -> ([[f64; 3]; 2], [f64; 3]) {
+        let normal = self.seen[first].cross(&self.seen[first + 1]);
+        ([self.points[first], self.points[first + 1]].map(<[f64; 3]>::from), normal.into())
+    }
+}
+
+/// Whether a pose is the known one; rows are listed, nalgebra lists columns.
+fn is_pose(known: (&Matrix3<f64>, &Vector3<f64>), rotation: &[[f64; 3]; 3], translation: &[f64; 3]) -> bool {
+    (Matrix3::from(*rotation).transpose() - known.0).norm() < FOUND
+        && (Vector3::from(*translation) - known.1).norm() < FOUND * known.1.norm()
+}
+
+fn rays<const N: usize>(points: &[Vector3<f64>; N]) -> [[f64; 3]; N] {
+    points.map(<[f64; 3]>::from)
+}
+
+#[test]
+fn poses_and_focal_lengths_come_from_three_and_a_half_points() {
+    check(|random| {
+        let (view, focal) = (View::<4>::draw(random), uniform(random, 0.5, 3.0));
+        let images = view.seen.map(|x| image(&x, focal));
+        let (horizontal, vertical) = (images.map(|q| q.x), from_fn(|k| images[k].y));
+        let found = pose_35pt_focal::solve_for_pose(&rays(&view.points), &horizontal, &vertical).unwrap_or_default();
+        assert!(found.iter().all(|pose| pose.focal > 0.0 && is_rotation(&pose.rotation)));
+        found
+            .iter()
+            .any(|pose| view.is_pose(&pose.rotation, &pose.translation) && (pose.focal / focal - 1.0).abs() < FOUND)
+    });
+}
+
+/// To rounding errors: they are enlarged where solutions have few digits, since these come from
+/// several equations.
+fn is_rotation(rows: &[[f64; 3]; 3]) -> bool {
+    let matrix = Matrix3::from(*rows);
+    (matrix * matrix.transpose() - Matrix3::identity()).norm() < FOUND && matrix.determinant() > 0.0
+}
+
+#[test]
+fn poses_and_focal_lengths_come_from_four_points() {
+    check(|random| {
+        let (view, focal) = (View::<4>::draw(random), uniform(random, 0.5, 3.0));
+        let images = view.seen.map(|x| <[f64; 2]>::from(image(&x, focal)));
+        let found = pose_4pt_focal::solve_for_focal_pose(&rays(&view.points), &images).unwrap_or_default();
+        // All points are in front, of whatever solution.
+        for pose in &found {
+            let depth = |x: &Vector3<f64>| Vector3::from(pose.rotation[2]).dot(x) + pose.translation[2];
+            assert!(view.points.iter().all(|x| depth(x) > 0.0) && is_rotation(&pose.rotation));
+        }
+        let is_focal = |found: f64| (found / focal - 1.0).abs() < FOUND;
+        found.iter().any(|pose| view.is_pose(&pose.rotation, &pose.translation) && pose.focal.into_iter().all(is_focal))
+    });
+}
+
+/// A square pattern in front of a camera, at which all equations of it have special values.
+#[test]
+fn poses_and_focal_lengths_come_from_a_square() {
+    check(|random| {
+        let mut view = View::<4>::draw(random);
+        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+        view.points = corners.map(|[x, y]| Vector3::new(0.5 * x, 0.5 * y, 0.0));
+        view.seen = view.points.map(|x| view.rotation * x + view.translation);
+        let focal = uniform(random, 0.5, 3.0);
+        let images = view.seen.map(|x| <[f64; 2]>::from(image(&x, focal)));
+        let found = pose_4pt_focal::solve_for_focal_pose(&rays(&view.points), &images).unwrap_or_default();
+        found.iter().any(|pose| view.is_pose(&pose.rotation, &pose.translation))
+    });
+}
+
+#[test]
+fn poses_come_from_three_lines() {
+    check(|random| {
+        let view = View::<6>::draw(random);
+        let seen = [0, 2, 4].map(|first| view.line(first));
+        let (lines, normals) = (seen.map(|(line, _)| line), seen.map(|(_, normal)| normal));
+        let found = pose_3line::solve_for_pose(&normals, &lines).unwrap_or_default();
+        assert!(found.iter().all(|pose| is_rotation(&pose.rotation)));
+        found.iter().any(|pose| view.is_pose(&pose.rotation, &pose.translation))
+    });
+}
+
+#[test]
+fn poses_come_from_a_point_and_two_lines() {
+    check(|random| {
+        let view = View::<5>::draw(random);
+        let seen = [1, 3].map(|first| view.line(first));
+        let (lines, normals) = (seen.map(|(line, _)| line), seen.map(|(_, normal)| normal));
+        let ray = view.seen[0] * uniform(random, 0.5, 2.0);
+        let found = pose_1pt_2line::solve_for_pose(&ray.into(), &view.points[0].into(), &normals, &lines);
+        let found = found.unwrap_or_default();
+        assert!(found.iter().all(|pose| is_rotation(&pose.rotation)));
+        found.iter().any(|pose| view.is_pose(&pose.rotation, &pose.translation))
+    });
+}
+
+#[test]
+fn poses_come_from_two_points_and_a_line() {
+    check(|random| {
+        let view = View::<4>::draw(random);
+        let (line, normal) = view.line(2);
+        let (points, seen): ([_; 2], [_; 2]) = (from_fn(|k| view.points[k]), from_fn(|k| view.seen[k]));
+        let seen = seen.map(|x| x * uniform(random, 0.5, 2.0));
+        let found = pose_2pt_1line::solve_for_pose(&rays(&seen), &rays(&points), &normal, &line).unwrap_or_default();
+        assert!(found.iter().all(|pose| is_rotation(&pose.rotation)));
+        found.iter().any(|pose| view.is_pose(&pose.rotation, &pose.translation))
+    });
+}
+
+/// A point that is not among the four is taken to its image.
+#[test]
+fn homographies_come_from_four_points() {
+    check(|random| {
+        let (rotation, translation, corners) = two_cameras((random, Motion::General), 3);
+        let mut images = || {
+            let shares: [f64; 3] = from_fn(|_| uniform(random, 0.0, 1.0));
+            let point = corners.iter().zip(shares).map(|(x, share)| x * share).sum::<Vector3<f64>>();
+            let point = point / shares.iter().sum::<f64>();
+            [image(&point, 1000.0), image(&(rotation * point + translation), 1000.0)]
+        };
+        let seen: [_; 5] = from_fn(|_| images());
+        let [first, second]: [[[f64; 2]; 4]; 2] = from_fn(|side| from_fn(|k| seen[k][side].into()));
+        let found = homography_4pt::solve_for_homography(&first, &second).unwrap_or_default();
+        found.iter().any(|found| {
+            let taken = Matrix3::from(found.homography).transpose() * seen[4][0].push(1.0);
+            projective_error(taken.as_slice(), seen[4][1].push(1.0).as_slice()) < FOUND
+        })
+    });
+}
+
+#[test]
+fn relative_poses_come_from_depths() {
+    check(|random| {
+        let (rotation, translation, points) = two_cameras((random, Motion::General), 3);
+        let (first, scale): ([_; 3], _) = (from_fn(|k| points[k]), uniform(random, 0.5, 2.0));
+        let second = first.map(|x| rotation * x + translation);
+        let shifts: [f64; 2] = from_fn(|_| uniform(random, -0.5, 0.5));
+        let [images, in_second] = [first, second].map(|x| x.map(|x| <[f64; 2]>::from(image(&x, 1.0))));
+        let depths = [first.map(|x| x.z - shifts[0]), second.map(|x| x.z / scale - shifts[1])];
+        let found = relpose_3pt_depths::solve_for_depth_pose(&images, &depths[0], &in_second, &depths[1]);
+        found.unwrap_or_default().iter().any(|pose| {
+            is_pose((&rotation, &translation), &pose.rotation, &pose.translation)
+                && (pose.scale / scale - 1.0).abs() < FOUND
+                && (0..2).all(|k| (pose.shifts[k] - shifts[k]).abs() < FOUND)
+        })
+    });
+}
