@@ -153,7 +153,7 @@ impl Subject {
             // The last coordinate is 1.
             let sizes = x[field.unknowns()].iter().map(|x| x.re.hypot(x.im)).chain([1.0]);
             let largest = sizes.clone().fold(0.0, f64::max);
-            let smallest = sizes.filter(|&size| size > 0.0).fold(largest, f64::min);
+            let smallest = sizes.fold(largest, f64::min);
             field.scalars() as f64 * f64::EPSILON * largest / smallest
         };
         f64::from(self.degree) * self.up_to_scale.iter().map(of_field).fold(0.0, f64::max)
