@@ -138,8 +138,8 @@ impl Subject {
         })
     }
 
-    /// Whether the last coordinate of a vector of length 1 is rounded to 0: the others have no value
-    /// beside it.
+    /// Whether the last coordinate of a vector of length 1 is rounded to 0: the others have no
+    /// value beside it.
     fn is_beyond_the_chart(&self, x: &[Complex<f64>]) -> bool {
         let is_infinite = |x: &Complex<f64>| x.re.is_infinite() || x.im.is_infinite();
         self.up_to_scale.iter().any(|field| x[field.unknowns()].iter().any(is_infinite))
