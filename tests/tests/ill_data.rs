@@ -138,14 +138,22 @@ impl Subject {
         })
     }
 
+    /// Whether the last coordinate of a vector of length 1 is rounded to 0: the others have no
+    /// value beside it.
+    fn is_beyond_the_chart(&self, x: &[Complex<f64>]) -> bool {
+        let is_infinite = |x: &Complex<f64>| x.re.is_infinite() || x.im.is_infinite();
+        self.up_to_scale.iter().any(|field| x[field.unknowns()].iter().any(is_infinite))
+    }
+
     /// How much the rounding of vectors of length 1 changes a term of an equation, relative to it.
     /// Coordinates in the chart are sums of all entries, wrong by a rounding of the largest, which
     /// may be all that there is of a small one.
     fn rounding(&self, x: &[Complex<f64>]) -> f64 {
         let of_field = |field: &SolutionField| {
-            let sizes = x[field.unknowns()].iter().map(|x| x.re.hypot(x.im));
-            let largest = sizes.clone().fold(1.0, f64::max);
-            let smallest = sizes.filter(|&size| size > 0.0).fold(largest, f64::min);
+            // The last coordinate is 1.
+            let sizes = x[field.unknowns()].iter().map(|x| x.re.hypot(x.im)).chain([1.0]);
+            let largest = sizes.clone().fold(0.0, f64::max);
+            let smallest = sizes.fold(largest, f64::min);
             field.scalars() as f64 * f64::EPSILON * largest / smallest
         };
         f64::from(self.degree) * self.up_to_scale.iter().map(of_field).fold(0.0, f64::max)
@@ -170,6 +178,9 @@ impl Subject {
                 return Err(format!("{} solutions of {}", found.len(), self.solutions));
             }
             for x in found {
+                if self.is_beyond_the_chart(x) {
+                    continue;
+                }
                 if !x.iter().all(|x| x.re.is_finite() && x.im.is_finite()) {
                     return Err(format!("a solution is not finite: {x:?}"));
                 }
