@@ -325,6 +325,45 @@ int32_t eliminant_fundamental_9pt_two_radials_solve_batch_for_radial_epipolar(
     int32_t *codes);
 
 /*
+ * homography_4pt
+ *
+ * Homography of two images of a plane, or of two cameras with one centre, from four points: 1
+ * solution.
+ *
+ * Hartley, Zisserman, "Multiple view geometry in computer vision", 2003, section 4.1; here by the
+ * projective bases of the four points, as Heckbert, "Fundamentals of texture mapping and image
+ * warping", 1989.
+ *
+ * `first[k]` and `second[k]` are the images of point k, in pixels or any other unit; no three of
+ * either may lie on a line. The homography H takes (`first[k]`, 1) to a multiple of (`second[k]`,
+ * 1): that of point k < 3 is `multiples[k]`. The fourth point is the sum of these three with
+ * weights, which are known in both images and proportional when multiplied.
+ *
+ * Data: first[4][2], second[4][2].
+ * A row of 3 numbers, the unknowns: multiples[3] (given up to scale: of length 1).
+ * A row of 9 numbers, the result homography: homography[3][3].
+ */
+#define ELIMINANT_HOMOGRAPHY_4PT_FIRST_LENGTH 8
+#define ELIMINANT_HOMOGRAPHY_4PT_SECOND_LENGTH 8
+#define ELIMINANT_HOMOGRAPHY_4PT_UNKNOWNS 3
+#define ELIMINANT_HOMOGRAPHY_4PT_LENGTH_OF_HOMOGRAPHY 9
+#define ELIMINANT_HOMOGRAPHY_4PT_MAX_SOLUTIONS 1
+int32_t eliminant_homography_4pt_solve(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_homography_4pt_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_homography_4pt_solve_for_homography(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_homography_4pt_solve_batch_for_homography(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
  * katsura_5
  *
  * Katsura's equations for the magnetic field of a spin glass with six unknowns: 32 solutions.
@@ -418,6 +457,100 @@ int32_t eliminant_platform_forward_kinematics_solve_batch(
     size_t solutions_length, size_t *counts, int32_t *codes);
 
 /*
+ * pose_1pt_2line
+ *
+ * Pose of a calibrated camera from a point and two lines: 8 solutions, of which those with the
+ * point in front of the camera are returned.
+ *
+ * Ramalingam, Bouaziz, Sturm, "Pose estimation using both points and lines for geo-localization",
+ * ICRA 2011; in this form Zhou, Ye, Kaess, "A stable algebraic camera pose estimation for minimal
+ * configurations of 2D/3D point and line correspondences", ACCV 2018.
+ *
+ * `ray` is the ray of the point in the camera, of any length, and `point` its position.
+ * `normals[k]` is the image of line k: the plane through it and the centre of the camera is
+ * perpendicular to that vector, of any length. It is the cross product of the rays of two points
+ * of the image. `lines[k]` are two points of the line in space, other ones than the rays are of,
+ * if need be. A point X has the coordinates `rotation` X + `translation` in the camera, and
+ * `quaternion` is that of the rotation. The depth of the point along its ray is eliminated.
+ *
+ * Data: ray[3], point[3], normals[2][3], lines[2][2][3].
+ * A row of 4 numbers, the unknowns: quaternion[4] (given up to scale: of length 1).
+ * A row of 12 numbers, the result pose: rotation[3][3], translation[3].
+ */
+#define ELIMINANT_POSE_1PT_2LINE_RAY_LENGTH 3
+#define ELIMINANT_POSE_1PT_2LINE_POINT_LENGTH 3
+#define ELIMINANT_POSE_1PT_2LINE_NORMALS_LENGTH 6
+#define ELIMINANT_POSE_1PT_2LINE_LINES_LENGTH 12
+#define ELIMINANT_POSE_1PT_2LINE_UNKNOWNS 4
+#define ELIMINANT_POSE_1PT_2LINE_LENGTH_OF_POSE 12
+#define ELIMINANT_POSE_1PT_2LINE_MAX_SOLUTIONS 8
+int32_t eliminant_pose_1pt_2line_solve(
+    const double *ray, size_t ray_length, const double *point, size_t point_length,
+    const double *normals, size_t normals_length, const double *lines, size_t lines_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_1pt_2line_solve_batch(
+    size_t instances, const double *ray, size_t ray_length, const double *point,
+    size_t point_length, const double *normals, size_t normals_length, const double *lines,
+    size_t lines_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_pose_1pt_2line_solve_for_pose(
+    const double *ray, size_t ray_length, const double *point, size_t point_length,
+    const double *normals, size_t normals_length, const double *lines, size_t lines_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_1pt_2line_solve_batch_for_pose(
+    size_t instances, const double *ray, size_t ray_length, const double *point,
+    size_t point_length, const double *normals, size_t normals_length, const double *lines,
+    size_t lines_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
+ * pose_2pt_1line
+ *
+ * Pose of a calibrated camera from two points and a line: at most 2 solutions, those with the
+ * points in front of the camera.
+ *
+ * Ramalingam, Bouaziz, Sturm, "Pose estimation using both points and lines for geo-localization",
+ * ICRA 2011, who have 4 solutions, which are 2 with both signs of the depths.
+ *
+ * `rays[k]` is the ray of point k in the camera, of any length, and `points[k]` its position.
+ * `normal` is the image of the line: the plane through it and the centre of the camera is
+ * perpendicular to that vector, of any length. It is the cross product of the rays of two points
+ * of the image. `line` are two points of the line in space, other ones than the rays are of, if
+ * need be. A point X has the coordinates `rotation` X + `translation` in the camera. In the frame
+ * of the points the normal is perpendicular to the line: it is the sum of two vectors that are,
+ * each times its weight. The depths of the points along their rays are linear in it, since it is
+ * perpendicular to the plane, and the distance of the points gives a quadratic equation. The
+ * points must not lie on the line, nor their images on its image.
+ *
+ * Data: rays[2][3], points[2][3], normal[3], line[2][3].
+ * A row of 2 numbers, the unknowns: weights[2] (given up to scale: of length 1).
+ * A row of 12 numbers, the result pose: rotation[3][3], translation[3].
+ */
+#define ELIMINANT_POSE_2PT_1LINE_RAYS_LENGTH 6
+#define ELIMINANT_POSE_2PT_1LINE_POINTS_LENGTH 6
+#define ELIMINANT_POSE_2PT_1LINE_NORMAL_LENGTH 3
+#define ELIMINANT_POSE_2PT_1LINE_LINE_LENGTH 6
+#define ELIMINANT_POSE_2PT_1LINE_UNKNOWNS 2
+#define ELIMINANT_POSE_2PT_1LINE_LENGTH_OF_POSE 12
+#define ELIMINANT_POSE_2PT_1LINE_MAX_SOLUTIONS 2
+int32_t eliminant_pose_2pt_1line_solve(
+    const double *rays, size_t rays_length, const double *points, size_t points_length,
+    const double *normal, size_t normal_length, const double *line, size_t line_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_2pt_1line_solve_batch(
+    size_t instances, const double *rays, size_t rays_length, const double *points,
+    size_t points_length, const double *normal, size_t normal_length, const double *line,
+    size_t line_length, double *solutions, size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_pose_2pt_1line_solve_for_pose(
+    const double *rays, size_t rays_length, const double *points, size_t points_length,
+    const double *normal, size_t normal_length, const double *line, size_t line_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_2pt_1line_solve_batch_for_pose(
+    size_t instances, const double *rays, size_t rays_length, const double *points,
+    size_t points_length, const double *normal, size_t normal_length, const double *line,
+    size_t line_length, double *solutions, size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
  * pose_2pt_upright
  *
  * Pose of a camera whose vertical is known, as by an inertial sensor, from two points: 2
@@ -469,15 +602,17 @@ int32_t eliminant_pose_2pt_upright_solve_batch_for_pose(
  * centred at the principal point. The rotation is, up to scale, that about the optical axis times
  * that of the quaternion (1, x, y, 0). Each row of the matrix eliminates the rotation about the
  * optical axis, and what is unknown of the focal length, from three points: it annihilates (cos,
- * sin, 1/f).
+ * sin, 1/f). A point X has the coordinates `rotation` X + `translation` in the camera.
  *
  * Data: points[4][3], horizontal[4], vertical[3].
  * A row of 2 numbers, the unknowns: x, y.
+ * A row of 13 numbers, the result pose: rotation[3][3], translation[3], focal.
  */
 #define ELIMINANT_POSE_35PT_FOCAL_POINTS_LENGTH 12
 #define ELIMINANT_POSE_35PT_FOCAL_HORIZONTAL_LENGTH 4
 #define ELIMINANT_POSE_35PT_FOCAL_VERTICAL_LENGTH 3
 #define ELIMINANT_POSE_35PT_FOCAL_UNKNOWNS 2
+#define ELIMINANT_POSE_35PT_FOCAL_LENGTH_OF_POSE 13
 #define ELIMINANT_POSE_35PT_FOCAL_MAX_SOLUTIONS 10
 int32_t eliminant_pose_35pt_focal_solve(
     const double *points, size_t points_length, const double *horizontal, size_t horizontal_length,
@@ -487,6 +622,55 @@ int32_t eliminant_pose_35pt_focal_solve_batch(
     size_t instances, const double *points, size_t points_length, const double *horizontal,
     size_t horizontal_length, const double *vertical, size_t vertical_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_pose_35pt_focal_solve_for_pose(
+    const double *points, size_t points_length, const double *horizontal, size_t horizontal_length,
+    const double *vertical, size_t vertical_length, double *solutions, size_t capacity,
+    size_t *count);
+int32_t eliminant_pose_35pt_focal_solve_batch_for_pose(
+    size_t instances, const double *points, size_t points_length, const double *horizontal,
+    size_t horizontal_length, const double *vertical, size_t vertical_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * pose_3line
+ *
+ * Pose of a calibrated camera from three lines: 8 solutions.
+ *
+ * Dhome, Richetin, Lapresté, Rives, "Determination of the attitude of 3D objects from a single
+ * perspective view", PAMI 1989; in this form Zhou, Ye, Kaess, "A stable algebraic camera pose
+ * estimation for minimal configurations of 2D/3D point and line correspondences", ACCV 2018.
+ *
+ * `normals[k]` is the image of line k: the plane through it and the centre of the camera is
+ * perpendicular to that vector, of any length. It is the cross product of the rays of two points
+ * of the image. `lines[k]` are two points of the line in space, other ones than the rays are of,
+ * if need be. A point X has the coordinates `rotation` X + `translation` in the camera, and
+ * `quaternion` is that of the rotation: `normals[k]` is perpendicular to the turned direction of
+ * line k. Three planes give the translation. The lines must not be parallel, nor the planes meet
+ * in a line.
+ *
+ * Data: normals[3][3], lines[3][2][3].
+ * A row of 4 numbers, the unknowns: quaternion[4] (given up to scale: of length 1).
+ * A row of 12 numbers, the result pose: rotation[3][3], translation[3].
+ */
+#define ELIMINANT_POSE_3LINE_NORMALS_LENGTH 9
+#define ELIMINANT_POSE_3LINE_LINES_LENGTH 18
+#define ELIMINANT_POSE_3LINE_UNKNOWNS 4
+#define ELIMINANT_POSE_3LINE_LENGTH_OF_POSE 12
+#define ELIMINANT_POSE_3LINE_MAX_SOLUTIONS 8
+int32_t eliminant_pose_3line_solve(
+    const double *normals, size_t normals_length, const double *lines, size_t lines_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_3line_solve_batch(
+    size_t instances, const double *normals, size_t normals_length, const double *lines,
+    size_t lines_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_pose_3line_solve_for_pose(
+    const double *normals, size_t normals_length, const double *lines, size_t lines_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_3line_solve_batch_for_pose(
+    size_t instances, const double *normals, size_t normals_length, const double *lines,
+    size_t lines_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
 
 /*
  * pose_3pt
@@ -585,6 +769,47 @@ int32_t eliminant_pose_3pt_upright_error_bound_solve_batch(
     int32_t *codes);
 
 /*
+ * pose_4pt_focal
+ *
+ * Pose and focal lengths of a camera from four points: 8 solutions, of which those with the points
+ * in front of the camera are returned.
+ *
+ * Bujnak, Kukelova, Pajdla, "A general solution to the P4P problem for camera with unknown focal
+ * length", CVPR 2008, by three quadrics as Kukelova, Heller, Fitzgibbon, "Efficient intersection
+ * of three quadrics and applications in computer vision", CVPR 2016.
+ *
+ * `points[k]` is the position of point k, in a plane or not, and `images[k]` its image, relative
+ * to the principal point. Eight equations leave a null space of dimension four of the camera
+ * diag(f_x, f_y, 1) \[R t\], which is the sum of its vectors, each times its weight, up to scale.
+ * Its first three columns have perpendicular rows. One focal length would be one equation too
+ * many: it is left out, and of the results that one is wanted whose two `focal` lengths differ
+ * least. A point X has the coordinates `rotation` X + `translation` in the camera.
+ *
+ * Data: points[4][3], images[4][2].
+ * A row of 4 numbers, the unknowns: weights[4] (given up to scale: of length 1).
+ * A row of 14 numbers, the result focal_pose: rotation[3][3], translation[3], focal[2].
+ */
+#define ELIMINANT_POSE_4PT_FOCAL_POINTS_LENGTH 12
+#define ELIMINANT_POSE_4PT_FOCAL_IMAGES_LENGTH 8
+#define ELIMINANT_POSE_4PT_FOCAL_UNKNOWNS 4
+#define ELIMINANT_POSE_4PT_FOCAL_LENGTH_OF_FOCAL_POSE 14
+#define ELIMINANT_POSE_4PT_FOCAL_MAX_SOLUTIONS 8
+int32_t eliminant_pose_4pt_focal_solve(
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_4pt_focal_solve_batch(
+    size_t instances, const double *points, size_t points_length, const double *images,
+    size_t images_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_pose_4pt_focal_solve_for_focal_pose(
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_4pt_focal_solve_batch_for_focal_pose(
+    size_t instances, const double *points, size_t points_length, const double *images,
+    size_t images_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+
+/*
  * pose_4pt_focal_radial
  *
  * Pose, focal length and radial distortion of a camera from four points: 16 solutions.
@@ -668,26 +893,42 @@ int32_t eliminant_pose_4pt_focal_radial_cut_solve_batch_for_radial_pose(
 /*
  * pose_4pt_generalized_scale
  *
- * Pose and scale of a generalised camera from four points: 8 solutions.
+ * Pose and scale of a generalised camera from four points: 8 solutions, of which those with a
+ * positive scale are returned.
  *
  * Ventura, Arth, Reitmayr, Schmalstieg, "A minimal solution to the generalized pose-and-scale
- * problem", CVPR 2014. Published as `gp4p_scale`.
+ * problem", CVPR 2014, by three quadrics as Kukelova, Heller, Fitzgibbon, "Efficient intersection
+ * of three quadrics and applications in computer vision", CVPR 2016. Published as `gp4p_scale`.
  *
- * A point X, and the ray from c along d by which the camera sees it, satisfy d x (R X + t - s c) =
- * 0: two equations, linear in the entries of R, t and s up to a common factor. Seven of the eight
- * leave a null space of dimension six; `basis` holds the entries of R, row by row, of vectors that
- * span it; R is their sum, each times its weight, up to scale.
+ * The camera sees the point `points[k]` by the ray from `centres[k]` along `rays[k]`, of any
+ * length. A point X has the coordinates R X + t in units of the points, those of the centre c are
+ * `scale` c: with the ray d, d x (R X + t - `scale` c) = 0 are two equations. Seven of the eight
+ * are solved for t and `scale`, which leaves three equations in R, that of a quaternion of length
+ * 1. `residual` is what the eighth equation leaves over: the solution that fits it best is wanted.
  *
- * Data: basis[6][9].
- * A row of 6 numbers, the unknowns: weights[6] (given up to scale: of length 1).
+ * Data: centres[4][3], rays[4][3], points[4][3].
+ * A row of 4 numbers, the unknowns: quaternion[4] (given up to scale: of length 1).
+ * A row of 14 numbers, the result scaled_pose: rotation[3][3], translation[3], scale, residual.
  */
-#define ELIMINANT_POSE_4PT_GENERALIZED_SCALE_BASIS_LENGTH 54
-#define ELIMINANT_POSE_4PT_GENERALIZED_SCALE_UNKNOWNS 6
+#define ELIMINANT_POSE_4PT_GENERALIZED_SCALE_CENTRES_LENGTH 12
+#define ELIMINANT_POSE_4PT_GENERALIZED_SCALE_RAYS_LENGTH 12
+#define ELIMINANT_POSE_4PT_GENERALIZED_SCALE_POINTS_LENGTH 12
+#define ELIMINANT_POSE_4PT_GENERALIZED_SCALE_UNKNOWNS 4
+#define ELIMINANT_POSE_4PT_GENERALIZED_SCALE_LENGTH_OF_SCALED_POSE 14
 #define ELIMINANT_POSE_4PT_GENERALIZED_SCALE_MAX_SOLUTIONS 8
 int32_t eliminant_pose_4pt_generalized_scale_solve(
-    const double *basis, size_t basis_length, double *solutions, size_t capacity, size_t *count);
+    const double *centres, size_t centres_length, const double *rays, size_t rays_length,
+    const double *points, size_t points_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_4pt_generalized_scale_solve_batch(
-    size_t instances, const double *basis, size_t basis_length, double *solutions,
+    size_t instances, const double *centres, size_t centres_length, const double *rays,
+    size_t rays_length, const double *points, size_t points_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_pose_4pt_generalized_scale_solve_for_scaled_pose(
+    const double *centres, size_t centres_length, const double *rays, size_t rays_length,
+    const double *points, size_t points_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_4pt_generalized_scale_solve_batch_for_scaled_pose(
+    size_t instances, const double *centres, size_t centres_length, const double *rays,
+    size_t rays_length, const double *points, size_t points_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
 
 /*
@@ -847,18 +1088,29 @@ int32_t eliminant_pose_6pt_rolling_shutter_solve_batch_for_rolling_pose(
  *
  * Data: linear[3], quadratic[6], cubic[10], quartic[15].
  * A row of 3 numbers, the unknowns: x, y, z.
+ * A row of 9 numbers, the result orientation: rotation[3][3].
  */
 #define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_LINEAR_LENGTH 3
 #define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_QUADRATIC_LENGTH 6
 #define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_CUBIC_LENGTH 10
 #define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_QUARTIC_LENGTH 15
 #define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_UNKNOWNS 3
+#define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_LENGTH_OF_ORIENTATION 9
 #define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_MAX_SOLUTIONS 27
 int32_t eliminant_pose_npt_direct_least_squares_solve(
     const double *linear, size_t linear_length, const double *quadratic, size_t quadratic_length,
     const double *cubic, size_t cubic_length, const double *quartic, size_t quartic_length,
     double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_npt_direct_least_squares_solve_batch(
+    size_t instances, const double *linear, size_t linear_length, const double *quadratic,
+    size_t quadratic_length, const double *cubic, size_t cubic_length, const double *quartic,
+    size_t quartic_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_pose_npt_direct_least_squares_solve_for_orientation(
+    const double *linear, size_t linear_length, const double *quadratic, size_t quadratic_length,
+    const double *cubic, size_t cubic_length, const double *quartic, size_t quartic_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_npt_direct_least_squares_solve_batch_for_orientation(
     size_t instances, const double *linear, size_t linear_length, const double *quadratic,
     size_t quadratic_length, const double *cubic, size_t cubic_length, const double *quartic,
     size_t quartic_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -880,13 +1132,20 @@ int32_t eliminant_pose_npt_direct_least_squares_solve_batch(
  *
  * Data: cost[9][9] (symmetric).
  * A row of 4 numbers, the unknowns: q[4] (given up to scale: of length 1).
+ * A row of 9 numbers, the result orientation: rotation[3][3].
  */
 #define ELIMINANT_POSE_NPT_LEAST_SQUARES_CAYLEY_COST_LENGTH 81
 #define ELIMINANT_POSE_NPT_LEAST_SQUARES_CAYLEY_UNKNOWNS 4
+#define ELIMINANT_POSE_NPT_LEAST_SQUARES_CAYLEY_LENGTH_OF_ORIENTATION 9
 #define ELIMINANT_POSE_NPT_LEAST_SQUARES_CAYLEY_MAX_SOLUTIONS 40
 int32_t eliminant_pose_npt_least_squares_cayley_solve(
     const double *cost, size_t cost_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_npt_least_squares_cayley_solve_batch(
+    size_t instances, const double *cost, size_t cost_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_pose_npt_least_squares_cayley_solve_for_orientation(
+    const double *cost, size_t cost_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_npt_least_squares_cayley_solve_batch_for_orientation(
     size_t instances, const double *cost, size_t cost_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
 
@@ -909,13 +1168,20 @@ int32_t eliminant_pose_npt_least_squares_cayley_solve_batch(
  *
  * Data: rows[20][11].
  * A row of 4 numbers, the unknowns: q[4] (given up to scale: of length 1).
+ * A row of 9 numbers, the result orientation: rotation[3][3].
  */
 #define ELIMINANT_POSE_NPT_LEAST_SQUARES_QUATERNION_ROWS_LENGTH 220
 #define ELIMINANT_POSE_NPT_LEAST_SQUARES_QUATERNION_UNKNOWNS 4
+#define ELIMINANT_POSE_NPT_LEAST_SQUARES_QUATERNION_LENGTH_OF_ORIENTATION 9
 #define ELIMINANT_POSE_NPT_LEAST_SQUARES_QUATERNION_MAX_SOLUTIONS 40
 int32_t eliminant_pose_npt_least_squares_quaternion_solve(
     const double *rows, size_t rows_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_npt_least_squares_quaternion_solve_batch(
+    size_t instances, const double *rows, size_t rows_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_pose_npt_least_squares_quaternion_solve_for_orientation(
+    const double *rows, size_t rows_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_npt_least_squares_quaternion_solve_batch_for_orientation(
     size_t instances, const double *rows, size_t rows_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
 
@@ -934,15 +1200,24 @@ int32_t eliminant_pose_npt_least_squares_quaternion_solve_batch(
  *
  * Data: spread[3], image[2][3].
  * A row of 4 numbers, the unknowns: w, square, y, z.
+ * A row of 10 numbers, the result weak_pose: rotation[3][3], scale.
  */
 #define ELIMINANT_POSE_NPT_WEAK_PERSPECTIVE_SPREAD_LENGTH 3
 #define ELIMINANT_POSE_NPT_WEAK_PERSPECTIVE_IMAGE_LENGTH 6
 #define ELIMINANT_POSE_NPT_WEAK_PERSPECTIVE_UNKNOWNS 4
+#define ELIMINANT_POSE_NPT_WEAK_PERSPECTIVE_LENGTH_OF_WEAK_POSE 10
 #define ELIMINANT_POSE_NPT_WEAK_PERSPECTIVE_MAX_SOLUTIONS 16
 int32_t eliminant_pose_npt_weak_perspective_solve(
     const double *spread, size_t spread_length, const double *image, size_t image_length,
     double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_npt_weak_perspective_solve_batch(
+    size_t instances, const double *spread, size_t spread_length, const double *image,
+    size_t image_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_pose_npt_weak_perspective_solve_for_weak_pose(
+    const double *spread, size_t spread_length, const double *image, size_t image_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_npt_weak_perspective_solve_batch_for_weak_pose(
     size_t instances, const double *spread, size_t spread_length, const double *image,
     size_t image_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
@@ -978,6 +1253,57 @@ int32_t eliminant_relpose_3pt_angle_zero_screw_solve(
 int32_t eliminant_relpose_3pt_angle_zero_screw_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+
+/*
+ * relpose_3pt_depths
+ *
+ * Relative pose of two calibrated cameras from three points with depths that are known up to scale
+ * and shift, as a network estimates them from each image: at most 4 solutions.
+ *
+ * Ding, Kocur, Vávra, Berger Haladová, Yang, Sattler, Kukelova, "RePoseD: Efficient relative pose
+ * estimation with known depth information", ICCV 2025; Yu, Liu, Pautrat, Pollefeys, Larsson,
+ * "Relative pose estimation through affine corrections of monocular depth priors", CVPR 2025.
+ *
+ * `first[k]` and `second[k]` are the images of point k, (x, y) of the ray (x, y, 1), and
+ * `first_depths[k]` and `second_depths[k]` its depths, the third coordinates, as estimated. The
+ * point is at (`first_depths[k]` + u) (x, y, 1) in the first camera and at `scale`
+ * (`second_depths[k]` + v) (x, y, 1) in the second; `shifts` are u and v. Squared distances of the
+ * points are quadratic in the shifts, and those in the second camera are 1 / `scale`^2 of those in
+ * the first. Three of them, solved for 1, u and u^2, give these times 1 / `scale`^2 as `powers`,
+ * which are quadratic in v: the first times the third is the square of the second. A point X in
+ * the first camera is at `rotation` X + `translation` in the second.
+ *
+ * Data: first[3][2], first_depths[3], second[3][2], second_depths[3].
+ * A row of 1 numbers, the unknowns: v.
+ * A row of 15 numbers, the result depth_pose: rotation[3][3], translation[3], scale, shifts[2].
+ */
+#define ELIMINANT_RELPOSE_3PT_DEPTHS_FIRST_LENGTH 6
+#define ELIMINANT_RELPOSE_3PT_DEPTHS_FIRST_DEPTHS_LENGTH 3
+#define ELIMINANT_RELPOSE_3PT_DEPTHS_SECOND_LENGTH 6
+#define ELIMINANT_RELPOSE_3PT_DEPTHS_SECOND_DEPTHS_LENGTH 3
+#define ELIMINANT_RELPOSE_3PT_DEPTHS_UNKNOWNS 1
+#define ELIMINANT_RELPOSE_3PT_DEPTHS_LENGTH_OF_DEPTH_POSE 15
+#define ELIMINANT_RELPOSE_3PT_DEPTHS_MAX_SOLUTIONS 4
+int32_t eliminant_relpose_3pt_depths_solve(
+    const double *first, size_t first_length, const double *first_depths,
+    size_t first_depths_length, const double *second, size_t second_length,
+    const double *second_depths, size_t second_depths_length, double *solutions, size_t capacity,
+    size_t *count);
+int32_t eliminant_relpose_3pt_depths_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *first_depths,
+    size_t first_depths_length, const double *second, size_t second_length,
+    const double *second_depths, size_t second_depths_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_relpose_3pt_depths_solve_for_depth_pose(
+    const double *first, size_t first_length, const double *first_depths,
+    size_t first_depths_length, const double *second, size_t second_length,
+    const double *second_depths, size_t second_depths_length, double *solutions, size_t capacity,
+    size_t *count);
+int32_t eliminant_relpose_3pt_depths_solve_batch_for_depth_pose(
+    size_t instances, const double *first, size_t first_length, const double *first_depths,
+    size_t first_depths_length, const double *second, size_t second_length,
+    const double *second_depths, size_t second_depths_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
 
 /*
@@ -1359,17 +1685,27 @@ int32_t eliminant_relpose_6pt_radial_solve_batch(
  *
  * Data: left[2][3], right[2][3], half_angle[2] (of length 1).
  * A row of 3 numbers, the unknowns: x, y, z.
+ * A row of 3 numbers, the result camera: focal, centre[2].
  */
 #define ELIMINANT_RELPOSE_7PT_ANGLE_FOCAL_CENTRE_LEFT_LENGTH 6
 #define ELIMINANT_RELPOSE_7PT_ANGLE_FOCAL_CENTRE_RIGHT_LENGTH 6
 #define ELIMINANT_RELPOSE_7PT_ANGLE_FOCAL_CENTRE_HALF_ANGLE_LENGTH 2
 #define ELIMINANT_RELPOSE_7PT_ANGLE_FOCAL_CENTRE_UNKNOWNS 3
+#define ELIMINANT_RELPOSE_7PT_ANGLE_FOCAL_CENTRE_LENGTH_OF_CAMERA 3
 #define ELIMINANT_RELPOSE_7PT_ANGLE_FOCAL_CENTRE_MAX_SOLUTIONS 6
 int32_t eliminant_relpose_7pt_angle_focal_centre_solve(
     const double *left, size_t left_length, const double *right, size_t right_length,
     const double *half_angle, size_t half_angle_length, double *solutions, size_t capacity,
     size_t *count);
 int32_t eliminant_relpose_7pt_angle_focal_centre_solve_batch(
+    size_t instances, const double *left, size_t left_length, const double *right,
+    size_t right_length, const double *half_angle, size_t half_angle_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_relpose_7pt_angle_focal_centre_solve_for_camera(
+    const double *left, size_t left_length, const double *right, size_t right_length,
+    const double *half_angle, size_t half_angle_length, double *solutions, size_t capacity,
+    size_t *count);
+int32_t eliminant_relpose_7pt_angle_focal_centre_solve_batch_for_camera(
     size_t instances, const double *left, size_t left_length, const double *right,
     size_t right_length, const double *half_angle, size_t half_angle_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);

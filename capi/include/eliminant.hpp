@@ -712,6 +712,80 @@ inline void solve_batch_for_radial_epipolar(
 
 } // namespace fundamental_9pt_two_radials
 
+/// Homography of two images of a plane, or of two cameras with one centre, from four points: 1
+/// solution.
+///
+/// Hartley, Zisserman, "Multiple view geometry in computer vision", 2003, section 4.1; here by the
+/// projective bases of the four points, as Heckbert, "Fundamentals of texture mapping and image
+/// warping", 1989.
+///
+/// `first[k]` and `second[k]` are the images of point k, in pixels or any other unit; no three of
+/// either may lie on a line. The homography H takes (`first[k]`, 1) to a multiple of (`second[k]`,
+/// 1): that of point k < 3 is `multiples[k]`. The fourth point is the sum of these three with
+/// weights, which are known in both images and proportional when multiplied.
+namespace homography_4pt {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 1;
+
+/// A solution of `homography_4pt`.
+struct Solution {
+    std::array<double, 3> multiples; ///< given up to scale: of length 1
+};
+static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<8> first, Values<8> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_homography_4pt_solve(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<8> first, Values<8> second) {
+    return try_solve(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_homography_4pt_solve_batch(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `homography_4pt` returns beside its unknowns.
+struct Homography {
+    std::array<std::array<double, 3>, 3> homography;
+};
+static_assert(sizeof(Homography) == 9 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each homography, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Homography, max_solutions>> try_solve_for_homography(Values<8> first, Values<8> second) noexcept {
+    return Result<Solutions<Homography, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_homography_4pt_solve_for_homography(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each homography. Throws `Error`.
+[[nodiscard]] inline Solutions<Homography, max_solutions> solve_for_homography(Values<8> first, Values<8> second) {
+    return try_solve_for_homography(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_homography(
+    std::size_t instances, Many first, Many second, Batch<Homography, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_homography_4pt_solve_batch_for_homography(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace homography_4pt
+
 /// Katsura's equations for the magnetic field of a spin glass with six unknowns: 32 solutions.
 /// There are no data.
 ///
@@ -870,6 +944,162 @@ inline void solve_batch(
 
 } // namespace platform_forward_kinematics
 
+/// Pose of a calibrated camera from a point and two lines: 8 solutions, of which those with the
+/// point in front of the camera are returned.
+///
+/// Ramalingam, Bouaziz, Sturm, "Pose estimation using both points and lines for geo-localization",
+/// ICRA 2011; in this form Zhou, Ye, Kaess, "A stable algebraic camera pose estimation for minimal
+/// configurations of 2D/3D point and line correspondences", ACCV 2018.
+///
+/// `ray` is the ray of the point in the camera, of any length, and `point` its position.
+/// `normals[k]` is the image of line k: the plane through it and the centre of the camera is
+/// perpendicular to that vector, of any length. It is the cross product of the rays of two points
+/// of the image. `lines[k]` are two points of the line in space, other ones than the rays are of,
+/// if need be. A point X has the coordinates `rotation` X + `translation` in the camera, and
+/// `quaternion` is that of the rotation. The depth of the point along its ray is eliminated.
+namespace pose_1pt_2line {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 8;
+
+/// A solution of `pose_1pt_2line`.
+struct Solution {
+    std::array<double, 4> quaternion; ///< given up to scale: of length 1
+};
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<3> ray, Values<3> point, Values<6> normals, Values<12> lines) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_1pt_2line_solve(ray.data(), ray.size(), point.data(), point.size(), normals.data(), normals.size(), lines.data(), lines.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<3> ray, Values<3> point, Values<6> normals, Values<12> lines) {
+    return try_solve(ray, point, normals, lines).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many ray, Many point, Many normals, Many lines, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_1pt_2line_solve_batch(
+            instances, ray.data(), ray.size(), point.data(), point.size(), normals.data(), normals.size(), lines.data(), lines.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `pose_1pt_2line` returns beside its unknowns.
+struct Pose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
+};
+static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_for_pose(Values<3> ray, Values<3> point, Values<6> normals, Values<12> lines) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_1pt_2line_solve_for_pose(ray.data(), ray.size(), point.data(), point.size(), normals.data(), normals.size(), lines.data(), lines.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each pose. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_for_pose(Values<3> ray, Values<3> point, Values<6> normals, Values<12> lines) {
+    return try_solve_for_pose(ray, point, normals, lines).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_pose(
+    std::size_t instances, Many ray, Many point, Many normals, Many lines, Batch<Pose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_1pt_2line_solve_batch_for_pose(
+            instances, ray.data(), ray.size(), point.data(), point.size(), normals.data(), normals.size(), lines.data(), lines.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace pose_1pt_2line
+
+/// Pose of a calibrated camera from two points and a line: at most 2 solutions, those with the
+/// points in front of the camera.
+///
+/// Ramalingam, Bouaziz, Sturm, "Pose estimation using both points and lines for geo-localization",
+/// ICRA 2011, who have 4 solutions, which are 2 with both signs of the depths.
+///
+/// `rays[k]` is the ray of point k in the camera, of any length, and `points[k]` its position.
+/// `normal` is the image of the line: the plane through it and the centre of the camera is
+/// perpendicular to that vector, of any length. It is the cross product of the rays of two points
+/// of the image. `line` are two points of the line in space, other ones than the rays are of, if
+/// need be. A point X has the coordinates `rotation` X + `translation` in the camera. In the frame
+/// of the points the normal is perpendicular to the line: it is the sum of two vectors that are,
+/// each times its weight. The depths of the points along their rays are linear in it, since it is
+/// perpendicular to the plane, and the distance of the points gives a quadratic equation. The
+/// points must not lie on the line, nor their images on its image.
+namespace pose_2pt_1line {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 2;
+
+/// A solution of `pose_2pt_1line`.
+struct Solution {
+    std::array<double, 2> weights; ///< given up to scale: of length 1
+};
+static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<6> rays, Values<6> points, Values<3> normal, Values<6> line) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_2pt_1line_solve(rays.data(), rays.size(), points.data(), points.size(), normal.data(), normal.size(), line.data(), line.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<6> rays, Values<6> points, Values<3> normal, Values<6> line) {
+    return try_solve(rays, points, normal, line).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many rays, Many points, Many normal, Many line, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_2pt_1line_solve_batch(
+            instances, rays.data(), rays.size(), points.data(), points.size(), normal.data(), normal.size(), line.data(), line.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `pose_2pt_1line` returns beside its unknowns.
+struct Pose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
+};
+static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_for_pose(Values<6> rays, Values<6> points, Values<3> normal, Values<6> line) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_2pt_1line_solve_for_pose(rays.data(), rays.size(), points.data(), points.size(), normal.data(), normal.size(), line.data(), line.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each pose. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_for_pose(Values<6> rays, Values<6> points, Values<3> normal, Values<6> line) {
+    return try_solve_for_pose(rays, points, normal, line).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_pose(
+    std::size_t instances, Many rays, Many points, Many normal, Many line, Batch<Pose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_2pt_1line_solve_batch_for_pose(
+            instances, rays.data(), rays.size(), points.data(), points.size(), normal.data(), normal.size(), line.data(), line.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace pose_2pt_1line
+
 /// Pose of a camera whose vertical is known, as by an inertial sensor, from two points: 2
 /// solutions.
 ///
@@ -956,7 +1186,7 @@ inline void solve_batch_for_pose(
 /// centred at the principal point. The rotation is, up to scale, that about the optical axis times
 /// that of the quaternion (1, x, y, 0). Each row of the matrix eliminates the rotation about the
 /// optical axis, and what is unknown of the focal length, from three points: it annihilates (cos,
-/// sin, 1/f).
+/// sin, 1/f). A point X has the coordinates `rotation` X + `translation` in the camera.
 namespace pose_35pt_focal {
 
 /// No call returns more solutions.
@@ -991,7 +1221,114 @@ inline void solve_batch(
     });
 }
 
+/// What `pose_35pt_focal` returns beside its unknowns.
+struct Pose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
+    double focal;
+};
+static_assert(sizeof(Pose) == 13 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_for_pose(Values<12> points, Values<4> horizontal, Values<3> vertical) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_35pt_focal_solve_for_pose(points.data(), points.size(), horizontal.data(), horizontal.size(), vertical.data(), vertical.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each pose. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_for_pose(Values<12> points, Values<4> horizontal, Values<3> vertical) {
+    return try_solve_for_pose(points, horizontal, vertical).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_pose(
+    std::size_t instances, Many points, Many horizontal, Many vertical, Batch<Pose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_35pt_focal_solve_batch_for_pose(
+            instances, points.data(), points.size(), horizontal.data(), horizontal.size(), vertical.data(), vertical.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
 } // namespace pose_35pt_focal
+
+/// Pose of a calibrated camera from three lines: 8 solutions.
+///
+/// Dhome, Richetin, Lapresté, Rives, "Determination of the attitude of 3D objects from a single
+/// perspective view", PAMI 1989; in this form Zhou, Ye, Kaess, "A stable algebraic camera pose
+/// estimation for minimal configurations of 2D/3D point and line correspondences", ACCV 2018.
+///
+/// `normals[k]` is the image of line k: the plane through it and the centre of the camera is
+/// perpendicular to that vector, of any length. It is the cross product of the rays of two points
+/// of the image. `lines[k]` are two points of the line in space, other ones than the rays are of,
+/// if need be. A point X has the coordinates `rotation` X + `translation` in the camera, and
+/// `quaternion` is that of the rotation: `normals[k]` is perpendicular to the turned direction of
+/// line k. Three planes give the translation. The lines must not be parallel, nor the planes meet
+/// in a line.
+namespace pose_3line {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 8;
+
+/// A solution of `pose_3line`.
+struct Solution {
+    std::array<double, 4> quaternion; ///< given up to scale: of length 1
+};
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<9> normals, Values<18> lines) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_3line_solve(normals.data(), normals.size(), lines.data(), lines.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<9> normals, Values<18> lines) {
+    return try_solve(normals, lines).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many normals, Many lines, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_3line_solve_batch(
+            instances, normals.data(), normals.size(), lines.data(), lines.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `pose_3line` returns beside its unknowns.
+struct Pose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
+};
+static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_for_pose(Values<9> normals, Values<18> lines) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_3line_solve_for_pose(normals.data(), normals.size(), lines.data(), lines.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each pose. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_for_pose(Values<9> normals, Values<18> lines) {
+    return try_solve_for_pose(normals, lines).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_pose(
+    std::size_t instances, Many normals, Many lines, Batch<Pose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_3line_solve_batch_for_pose(
+            instances, normals.data(), normals.size(), lines.data(), lines.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace pose_3line
 
 /// Pose of a calibrated camera from three points: at most 4 of 8 solutions, in front of the camera.
 ///
@@ -1163,6 +1500,84 @@ inline void solve_batch(
 
 } // namespace pose_3pt_upright_error_bound
 
+/// Pose and focal lengths of a camera from four points: 8 solutions, of which those with the points
+/// in front of the camera are returned.
+///
+/// Bujnak, Kukelova, Pajdla, "A general solution to the P4P problem for camera with unknown focal
+/// length", CVPR 2008, by three quadrics as Kukelova, Heller, Fitzgibbon, "Efficient intersection
+/// of three quadrics and applications in computer vision", CVPR 2016.
+///
+/// `points[k]` is the position of point k, in a plane or not, and `images[k]` its image, relative
+/// to the principal point. Eight equations leave a null space of dimension four of the camera
+/// diag(f_x, f_y, 1) \[R t\], which is the sum of its vectors, each times its weight, up to scale.
+/// Its first three columns have perpendicular rows. One focal length would be one equation too
+/// many: it is left out, and of the results that one is wanted whose two `focal` lengths differ
+/// least. A point X has the coordinates `rotation` X + `translation` in the camera.
+namespace pose_4pt_focal {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 8;
+
+/// A solution of `pose_4pt_focal`.
+struct Solution {
+    std::array<double, 4> weights; ///< given up to scale: of length 1
+};
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<12> points, Values<8> images) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_4pt_focal_solve(points.data(), points.size(), images.data(), images.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<12> points, Values<8> images) {
+    return try_solve(points, images).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many points, Many images, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_4pt_focal_solve_batch(
+            instances, points.data(), points.size(), images.data(), images.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `pose_4pt_focal` returns beside its unknowns.
+struct FocalPose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
+    std::array<double, 2> focal;
+};
+static_assert(sizeof(FocalPose) == 14 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each focal_pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<FocalPose, max_solutions>> try_solve_for_focal_pose(Values<12> points, Values<8> images) noexcept {
+    return Result<Solutions<FocalPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_4pt_focal_solve_for_focal_pose(points.data(), points.size(), images.data(), images.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each focal_pose. Throws `Error`.
+[[nodiscard]] inline Solutions<FocalPose, max_solutions> solve_for_focal_pose(Values<12> points, Values<8> images) {
+    return try_solve_for_focal_pose(points, images).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_focal_pose(
+    std::size_t instances, Many points, Many images, Batch<FocalPose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_4pt_focal_solve_batch_for_focal_pose(
+            instances, points.data(), points.size(), images.data(), images.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace pose_4pt_focal
+
 /// Pose, focal length and radial distortion of a camera from four points: 16 solutions.
 ///
 /// Josephson, Byröd, "Pose estimation with radial distortion and unknown focal length", CVPR 2009,
@@ -1320,15 +1735,18 @@ inline void solve_batch_for_radial_pose(
 
 } // namespace pose_4pt_focal_radial_cut
 
-/// Pose and scale of a generalised camera from four points: 8 solutions.
+/// Pose and scale of a generalised camera from four points: 8 solutions, of which those with a
+/// positive scale are returned.
 ///
 /// Ventura, Arth, Reitmayr, Schmalstieg, "A minimal solution to the generalized pose-and-scale
-/// problem", CVPR 2014. Published as `gp4p_scale`.
+/// problem", CVPR 2014, by three quadrics as Kukelova, Heller, Fitzgibbon, "Efficient intersection
+/// of three quadrics and applications in computer vision", CVPR 2016. Published as `gp4p_scale`.
 ///
-/// A point X, and the ray from c along d by which the camera sees it, satisfy d x (R X + t - s c) =
-/// 0: two equations, linear in the entries of R, t and s up to a common factor. Seven of the eight
-/// leave a null space of dimension six; `basis` holds the entries of R, row by row, of vectors that
-/// span it; R is their sum, each times its weight, up to scale.
+/// The camera sees the point `points[k]` by the ray from `centres[k]` along `rays[k]`, of any
+/// length. A point X has the coordinates R X + t in units of the points, those of the centre c are
+/// `scale` c: with the ray d, d x (R X + t - `scale` c) = 0 are two equations. Seven of the eight
+/// are solved for t and `scale`, which leaves three equations in R, that of a quaternion of length
+/// 1. `residual` is what the eighth equation leaves over: the solution that fits it best is wanted.
 namespace pose_4pt_generalized_scale {
 
 /// No call returns more solutions.
@@ -1336,29 +1754,60 @@ inline constexpr std::size_t max_solutions = 8;
 
 /// A solution of `pose_4pt_generalized_scale`.
 struct Solution {
-    std::array<double, 6> weights; ///< given up to scale: of length 1
+    std::array<double, 4> quaternion; ///< given up to scale: of length 1
 };
-static_assert(sizeof(Solution) == 6 * sizeof(double), "a row");
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<54> basis) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<12> centres, Values<12> rays, Values<12> points) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_pose_4pt_generalized_scale_solve(basis.data(), basis.size(), to_solutions, max_solutions, to_count);
+        return eliminant_pose_4pt_generalized_scale_solve(centres.data(), centres.size(), rays.data(), rays.size(), points.data(), points.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<54> basis) {
-    return try_solve(basis).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<12> centres, Values<12> rays, Values<12> points) {
+    return try_solve(centres, rays, points).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many basis, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many centres, Many rays, Many points, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_pose_4pt_generalized_scale_solve_batch(
-            instances, basis.data(), basis.size(), to_solutions, solutions_length, counts, codes);
+            instances, centres.data(), centres.size(), rays.data(), rays.size(), points.data(), points.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `pose_4pt_generalized_scale` returns beside its unknowns.
+struct ScaledPose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
+    double scale;
+    double residual;
+};
+static_assert(sizeof(ScaledPose) == 14 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each scaled_pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<ScaledPose, max_solutions>> try_solve_for_scaled_pose(Values<12> centres, Values<12> rays, Values<12> points) noexcept {
+    return Result<Solutions<ScaledPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_4pt_generalized_scale_solve_for_scaled_pose(centres.data(), centres.size(), rays.data(), rays.size(), points.data(), points.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each scaled_pose. Throws `Error`.
+[[nodiscard]] inline Solutions<ScaledPose, max_solutions> solve_for_scaled_pose(Values<12> centres, Values<12> rays, Values<12> points) {
+    return try_solve_for_scaled_pose(centres, rays, points).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_scaled_pose(
+    std::size_t instances, Many centres, Many rays, Many points, Batch<ScaledPose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_4pt_generalized_scale_solve_batch_for_scaled_pose(
+            instances, centres.data(), centres.size(), rays.data(), rays.size(), points.data(), points.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
@@ -1669,6 +2118,34 @@ inline void solve_batch(
     });
 }
 
+/// What `pose_npt_direct_least_squares` returns beside its unknowns.
+struct Orientation {
+    std::array<std::array<double, 3>, 3> rotation;
+};
+static_assert(sizeof(Orientation) == 9 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each orientation, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Orientation, max_solutions>> try_solve_for_orientation(Values<3> linear, Values<6> quadratic, Values<10> cubic, Values<15> quartic) noexcept {
+    return Result<Solutions<Orientation, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_npt_direct_least_squares_solve_for_orientation(linear.data(), linear.size(), quadratic.data(), quadratic.size(), cubic.data(), cubic.size(), quartic.data(), quartic.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each orientation. Throws `Error`.
+[[nodiscard]] inline Solutions<Orientation, max_solutions> solve_for_orientation(Values<3> linear, Values<6> quadratic, Values<10> cubic, Values<15> quartic) {
+    return try_solve_for_orientation(linear, quadratic, cubic, quartic).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_orientation(
+    std::size_t instances, Many linear, Many quadratic, Many cubic, Many quartic, Batch<Orientation, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_npt_direct_least_squares_solve_batch_for_orientation(
+            instances, linear.data(), linear.size(), quadratic.data(), quadratic.size(), cubic.data(), cubic.size(), quartic.data(), quartic.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
 } // namespace pose_npt_direct_least_squares
 
 /// Pose of a calibrated camera from n points, all stationary points of a least-squares cost over
@@ -1710,6 +2187,34 @@ inline void solve_batch(
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_pose_npt_least_squares_cayley_solve_batch(
+            instances, cost.data(), cost.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `pose_npt_least_squares_cayley` returns beside its unknowns.
+struct Orientation {
+    std::array<std::array<double, 3>, 3> rotation;
+};
+static_assert(sizeof(Orientation) == 9 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each orientation, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Orientation, max_solutions>> try_solve_for_orientation(Values<81> cost) noexcept {
+    return Result<Solutions<Orientation, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_npt_least_squares_cayley_solve_for_orientation(cost.data(), cost.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each orientation. Throws `Error`.
+[[nodiscard]] inline Solutions<Orientation, max_solutions> solve_for_orientation(Values<81> cost) {
+    return try_solve_for_orientation(cost).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_orientation(
+    std::size_t instances, Many cost, Batch<Orientation, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_npt_least_squares_cayley_solve_batch_for_orientation(
             instances, cost.data(), cost.size(), to_solutions, solutions_length, counts, codes);
     });
 }
@@ -1762,6 +2267,34 @@ inline void solve_batch(
     });
 }
 
+/// What `pose_npt_least_squares_quaternion` returns beside its unknowns.
+struct Orientation {
+    std::array<std::array<double, 3>, 3> rotation;
+};
+static_assert(sizeof(Orientation) == 9 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each orientation, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Orientation, max_solutions>> try_solve_for_orientation(Values<220> rows) noexcept {
+    return Result<Solutions<Orientation, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_npt_least_squares_quaternion_solve_for_orientation(rows.data(), rows.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each orientation. Throws `Error`.
+[[nodiscard]] inline Solutions<Orientation, max_solutions> solve_for_orientation(Values<220> rows) {
+    return try_solve_for_orientation(rows).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_orientation(
+    std::size_t instances, Many rows, Batch<Orientation, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_npt_least_squares_quaternion_solve_batch_for_orientation(
+            instances, rows.data(), rows.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
 } // namespace pose_npt_least_squares_quaternion
 
 /// Pose of a weak-perspective camera from n points, all stationary points of the least-squares
@@ -1805,6 +2338,35 @@ inline void solve_batch(
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_pose_npt_weak_perspective_solve_batch(
+            instances, spread.data(), spread.size(), image.data(), image.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `pose_npt_weak_perspective` returns beside its unknowns.
+struct WeakPose {
+    std::array<std::array<double, 3>, 3> rotation;
+    double scale;
+};
+static_assert(sizeof(WeakPose) == 10 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each weak_pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<WeakPose, max_solutions>> try_solve_for_weak_pose(Values<3> spread, Values<6> image) noexcept {
+    return Result<Solutions<WeakPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_npt_weak_perspective_solve_for_weak_pose(spread.data(), spread.size(), image.data(), image.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each weak_pose. Throws `Error`.
+[[nodiscard]] inline Solutions<WeakPose, max_solutions> solve_for_weak_pose(Values<3> spread, Values<6> image) {
+    return try_solve_for_weak_pose(spread, image).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_weak_pose(
+    std::size_t instances, Many spread, Many image, Batch<WeakPose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_npt_weak_perspective_solve_batch_for_weak_pose(
             instances, spread.data(), spread.size(), image.data(), image.size(), to_solutions, solutions_length, counts, codes);
     });
 }
@@ -1859,6 +2421,87 @@ inline void solve_batch(
 }
 
 } // namespace relpose_3pt_angle_zero_screw
+
+/// Relative pose of two calibrated cameras from three points with depths that are known up to scale
+/// and shift, as a network estimates them from each image: at most 4 solutions.
+///
+/// Ding, Kocur, Vávra, Berger Haladová, Yang, Sattler, Kukelova, "RePoseD: Efficient relative pose
+/// estimation with known depth information", ICCV 2025; Yu, Liu, Pautrat, Pollefeys, Larsson,
+/// "Relative pose estimation through affine corrections of monocular depth priors", CVPR 2025.
+///
+/// `first[k]` and `second[k]` are the images of point k, (x, y) of the ray (x, y, 1), and
+/// `first_depths[k]` and `second_depths[k]` its depths, the third coordinates, as estimated. The
+/// point is at (`first_depths[k]` + u) (x, y, 1) in the first camera and at `scale`
+/// (`second_depths[k]` + v) (x, y, 1) in the second; `shifts` are u and v. Squared distances of the
+/// points are quadratic in the shifts, and those in the second camera are 1 / `scale`^2 of those in
+/// the first. Three of them, solved for 1, u and u^2, give these times 1 / `scale`^2 as `powers`,
+/// which are quadratic in v: the first times the third is the square of the second. A point X in
+/// the first camera is at `rotation` X + `translation` in the second.
+namespace relpose_3pt_depths {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 4;
+
+/// A solution of `relpose_3pt_depths`.
+struct Solution {
+    double v;
+};
+static_assert(sizeof(Solution) == 1 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<6> first, Values<3> first_depths, Values<6> second, Values<3> second_depths) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_3pt_depths_solve(first.data(), first.size(), first_depths.data(), first_depths.size(), second.data(), second.size(), second_depths.data(), second_depths.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<6> first, Values<3> first_depths, Values<6> second, Values<3> second_depths) {
+    return try_solve(first, first_depths, second, second_depths).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many first, Many first_depths, Many second, Many second_depths, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_3pt_depths_solve_batch(
+            instances, first.data(), first.size(), first_depths.data(), first_depths.size(), second.data(), second.size(), second_depths.data(), second_depths.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `relpose_3pt_depths` returns beside its unknowns.
+struct DepthPose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
+    double scale;
+    std::array<double, 2> shifts;
+};
+static_assert(sizeof(DepthPose) == 15 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each depth_pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<DepthPose, max_solutions>> try_solve_for_depth_pose(Values<6> first, Values<3> first_depths, Values<6> second, Values<3> second_depths) noexcept {
+    return Result<Solutions<DepthPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_3pt_depths_solve_for_depth_pose(first.data(), first.size(), first_depths.data(), first_depths.size(), second.data(), second.size(), second_depths.data(), second_depths.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each depth_pose. Throws `Error`.
+[[nodiscard]] inline Solutions<DepthPose, max_solutions> solve_for_depth_pose(Values<6> first, Values<3> first_depths, Values<6> second, Values<3> second_depths) {
+    return try_solve_for_depth_pose(first, first_depths, second, second_depths).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_depth_pose(
+    std::size_t instances, Many first, Many first_depths, Many second, Many second_depths, Batch<DepthPose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_3pt_depths_solve_batch_for_depth_pose(
+            instances, first.data(), first.size(), first_depths.data(), first_depths.size(), second.data(), second.size(), second_depths.data(), second_depths.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+} // namespace relpose_3pt_depths
 
 /// Relative pose of two cameras whose vertical is known, as by an inertial sensor, from three
 /// points: 4 solutions.
@@ -2534,6 +3177,35 @@ inline void solve_batch(
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_relpose_7pt_angle_focal_centre_solve_batch(
+            instances, left.data(), left.size(), right.data(), right.size(), half_angle.data(), half_angle.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `relpose_7pt_angle_focal_centre` returns beside its unknowns.
+struct Camera {
+    double focal;
+    std::array<double, 2> centre;
+};
+static_assert(sizeof(Camera) == 3 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each camera, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Camera, max_solutions>> try_solve_for_camera(Values<6> left, Values<6> right, Values<2> half_angle) noexcept {
+    return Result<Solutions<Camera, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_7pt_angle_focal_centre_solve_for_camera(left.data(), left.size(), right.data(), right.size(), half_angle.data(), half_angle.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each camera. Throws `Error`.
+[[nodiscard]] inline Solutions<Camera, max_solutions> solve_for_camera(Values<6> left, Values<6> right, Values<2> half_angle) {
+    return try_solve_for_camera(left, right, half_angle).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_camera(
+    std::size_t instances, Many left, Many right, Many half_angle, Batch<Camera, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_7pt_angle_focal_centre_solve_batch_for_camera(
             instances, left.data(), left.size(), right.data(), right.size(), half_angle.data(), half_angle.size(), to_solutions, solutions_length, counts, codes);
     });
 }
