@@ -6,10 +6,10 @@
 /// "Efficient intersection of three quadrics and applications in computer vision", CVPR 2016.
 ///
 /// `rays[k]` is the ray of point k, of any length, from `centres[k]`, and `points[k]` its position.
-/// With R = `rotation`, that of the quaternion, t = `translation` and s = `scale`, R `points[k]` + t
-/// - s `centres[k]` is along `rays[k]`: for each point two equations, linear in R, t and s. Seven of
-/// the eight are combined so that t and s vanish. `residual` is what the eighth, of the last point,
-/// leaves over: the solution that fits it best is wanted.
+/// With R = `rotation`, that of the quaternion, t = `translation` and s = `scale`,
+/// R `points[k]` + t - s `centres[k]` is along `rays[k]`: for each point two equations, linear in
+/// R, t and s. Seven of the eight are combined so that t and s vanish. `residual` is what the
+/// eighth, of the last point, leaves over: the solution that fits it best is wanted.
 fn pose_4pt_generalized_scale(
     centres: [[f64; 3]; 4],
     rays: [[f64; 3]; 4],

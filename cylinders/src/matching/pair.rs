@@ -304,9 +304,9 @@ impl Pair {
         }
     }
 
-    /// For every line of another view the place of the circle that it touches and its part, and the
-    /// first and the last part of its interval, all not yet whole; NaN for lines that touch none. It
-    /// has no branches, so that several lines are computed at a time.
+    /// For every line of another view the place of the circle that it touches and its part, and
+    /// the first and the last part of its interval, all not yet whole; NaN for lines that touch
+    /// none. It has no branches, so that several lines are computed at a time.
     fn sweep(&self, plan: &Plan, view: usize, sine: f64, parts: f64, (places, intervals): (&mut Places, &mut Places)) {
         let (extent, bisector) = (plan.extent(), self.bisector);
         let PlanView { centre: other, cosine: cos_t, sine: sin_t, ref lines, .. } = plan.views()[view];

@@ -76,7 +76,14 @@ pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
     let check = match plan.is_presolved_at_run_time() {
         // Coefficients of a template whose equations cannot be solved for monomials are NaN. The
         // elimination finds out, and a second attempt may do better.
-        true => quote!(emitted::check_coefficients(&[], given)?;),
+        true => {
+            let stated = plan.coefficients_of_statements();
+            let stated = stated.iter().map(|id| Literal::usize_unsuffixed(usize::from(id.0)));
+            quote! {
+                let coefficients = #coefficients;
+                emitted::check_coefficients(&[#(coefficients[#stated]),*], given)?;
+            }
+        }
         false => quote!(emitted::check_coefficients(#coefficients, given)?;),
     };
     quote! {

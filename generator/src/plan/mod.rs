@@ -31,6 +31,8 @@ pub mod value_layout;
 
 pub use check::PlanError;
 
+use std::collections::BTreeSet;
+
 use crate::expression::derivation::Derivation;
 use crate::problem::scaling::Scaling;
 use crate::problem::{DataParameter, SolutionField};
@@ -344,6 +346,13 @@ impl Plan {
     /// Whether presolve derives data.
     pub fn is_presolved_at_run_time(&self) -> bool {
         self.inputs() > self.stated
+    }
+
+    /// The coefficients of what the problem states, in increasing order, without those that only
+    /// the template has.
+    pub fn coefficients_of_statements(&self) -> BTreeSet<CoefficientId> {
+        let statements = self.equations.iter().chain(&self.nonzero).chain(&self.positive);
+        statements.flatten().map(|term| term.coefficient).collect()
     }
 
     /// Whether an elimination at twice the precision computes the coefficients anew: tables can be
