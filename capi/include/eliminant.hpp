@@ -1739,14 +1739,14 @@ inline void solve_batch_for_radial_pose(
 /// positive scale are returned.
 ///
 /// Ventura, Arth, Reitmayr, Schmalstieg, "A minimal solution to the generalized pose-and-scale
-/// problem", CVPR 2014, by three quadrics as Kukelova, Heller, Fitzgibbon, "Efficient intersection
-/// of three quadrics and applications in computer vision", CVPR 2016. Published as `gp4p_scale`.
+/// problem", CVPR 2014. Published as `gp4p_scale`. As three quadrics: Kukelova, Heller, Fitzgibbon,
+/// "Efficient intersection of three quadrics and applications in computer vision", CVPR 2016.
 ///
-/// The camera sees the point `points[k]` by the ray from `centres[k]` along `rays[k]`, of any
-/// length. A point X has the coordinates R X + t in units of the points, those of the centre c are
-/// `scale` c: with the ray d, d x (R X + t - `scale` c) = 0 are two equations. Seven of the eight
-/// are solved for t and `scale`, which leaves three equations in R, that of a quaternion of length
-/// 1. `residual` is what the eighth equation leaves over: the solution that fits it best is wanted.
+/// `rays[k]` is the ray of point k, of any length, from `centres[k]`, and `points[k]` its position.
+/// With R = `rotation`, that of the quaternion, t = `translation` and s = `scale`,
+/// R `points[k]` + t - s `centres[k]` is along `rays[k]`: for each point two equations, linear in
+/// R, t and s. Seven of the eight are combined so that t and s vanish. `residual` is what the
+/// eighth, of the last point, leaves over: the solution that fits it best is wanted.
 namespace pose_4pt_generalized_scale {
 
 /// No call returns more solutions.
