@@ -106,7 +106,8 @@ fn fundamental_matrices_come_from_points() {
 fn scaled_poses_come_from_rays_and_points() {
     let lost = lost(|random| {
         let ((rotation, translation), scale) = (camera(random), uniform(random, 0.5, 2.0));
-        let [points, centres] = [(); 2].map(|()| <[Vector3<f64>; 4]>::from(std::array::from_fn(|_| in_ball(random))));
+        let [points, centres]: [[Vector3<f64>; 4]; 2] =
+            std::array::from_fn(|_| std::array::from_fn(|_| in_ball(random)));
         let seen = std::array::from_fn(|k| rotation * points[k] + translation - scale * centres[k]);
         let data = [&centres, &seen, &points].map(rays);
         let found = pose_4pt_generalized_scale::solve_for_scaled_pose(&data[0], &data[1], &data[2]);
