@@ -12,9 +12,6 @@ use eliminant_generator::problem::Problem;
 use eliminant_generator::template::file::TemplateFile;
 use eliminant_generator::template::{EliminationTemplate, RootMethod, Shift};
 
-/// No committed template has as large a basis.
-const MOST_BASIS: usize = 10_000;
-
 const TEMPLATES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../templates");
 
 fn problem_files() -> Vec<PathBuf> {
@@ -36,10 +33,10 @@ fn read(path: &PathBuf) -> (Problem, TemplateFile) {
 /// The bounds that the template gives, by what it says of a number that is out of the question.
 fn bounds(problem: &Problem, file: &TemplateFile) -> [usize; 2] {
     let mut file = file.clone();
-    file.solutions = MOST_BASIS;
+    file.solutions = 0;
     match plan(problem, &file) {
-        Err(GenerateError::Solutions { file: MOST_BASIS, found }) => [found.least, found.most],
-        other => panic!("{}: {MOST_BASIS} solutions: {:?}", problem.name, other.map(|found| found.plan.solutions)),
+        Err(GenerateError::Solutions { file: 0, found }) => [found.least, found.most],
+        other => panic!("{}: no solution: {:?}", problem.name, other.map(|planned| planned.plan.solutions)),
     }
 }
 
