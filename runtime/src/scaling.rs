@@ -67,12 +67,9 @@ impl Scalings<'_> {
     #[inline]
     pub fn apply_into(&self, data: &mut [f64], exponents: &mut [i16]) {
         const LARGE: f64 = (1_u64 << ORDINARY) as f64;
-        // No early end, so that it is done with vector instructions.
-        let is_ordinary = data.iter().fold(true, |all, x| {
-            let size = x.abs();
-            all & ((size == 0.0) | (1.0 / LARGE..=LARGE).contains(&size))
-        });
-        if !is_ordinary {
+        // Counted, with no early end, so that it is done with vector instructions.
+        let is_ordinary = |size: f64| (size <= LARGE) & ((size >= 1.0 / LARGE) | (size == 0.0));
+        if data.iter().map(|x| u64::from(!is_ordinary(x.abs()))).sum::<u64>() > 0 {
             self.fit(data, exponents);
         }
     }
@@ -145,20 +142,20 @@ impl Scalings<'_> {
             if x == 0.0 || weights.iter().all(|&w| w == 0) {
                 continue;
             }
+            // Of one length, so that they are handled with vector instructions.
+            let mut all = [0.0; MOST_SCALINGS];
+            all.iter_mut().zip(weights).for_each(|(all, &w)| *all = f64::from(w));
             let size = f64::from(exponent(x)) + 0.5;
-            let scaled = weights.iter().zip(scales).fold(size, |sum, (&w, s)| sum + f64::from(w) * s);
+            let scaled = (0..MOST_SCALINGS).fold(size, |sum, at| sum + all[at] * scales[at]);
             let below = scaled.min(0.0) / low;
             let part = 1.0 / (1.0 + below * below);
             squares += part * scaled * scaled;
             parts += part;
-            for (i, &w) in weights.iter().enumerate() {
-                if w == 0 {
-                    continue;
-                }
-                let w = f64::from(w) * part;
+            for i in (0..self.count).filter(|&i| all[i] != 0.0) {
+                let w = all[i] * part;
                 right[i] -= w * size;
-                for (entry, &v) in normal[i].iter_mut().zip(weights) {
-                    *entry += w * f64::from(v);
+                for at in 0..MOST_SCALINGS {
+                    normal[i][at] += w * all[at];
                 }
             }
         }

@@ -134,10 +134,10 @@ fn solve_rows<R: Real, V: Vector<R>>(
 }
 
 /// True if no entry is infinite or NaN. There is no early exit, so that the loop vectorises.
-#[inline]
-pub(crate) fn all_finite<R: Real, V: Vector<R>>(rows: &[V]) -> bool {
+#[inline(always)]
+pub(crate) fn all_finite<R: Real, V: AsRef<[R]>>(rows: &[V]) -> bool {
     /// Independent sums: the loop over a single sum could not be vectorised.
-    const LANES: usize = 8;
+    const LANES: usize = 4;
     // x * 0 is 0 for finite x and NaN otherwise.
     let mut sums = [0.0; LANES];
     for row in rows {

@@ -1,6 +1,6 @@
 //! Fills and eliminates a block-triangular elimination template from tables.
 
-use crate::elimination::lu::{BlockError, BlockMemory, Eliminated, solve_large_block};
+use crate::elimination::lu::{BlockError, BlockMemory, Eliminated, all_finite, solve_large_block};
 use crate::error::SolveError;
 #[cfg(feature = "alloc")]
 use crate::memory::Memory;
@@ -268,12 +268,10 @@ fn negate_into<R: Copy, S: core::ops::Neg<Output = S>, V: Vector<R>>(
 /// [`SolveError::NonFiniteInput`] or [`SolveError::Overflow`].
 #[inline]
 pub fn check_coefficients(coefficients: &[f64], data: &[&[f64]]) -> Result<(), SolveError> {
-    if !data.iter().all(|values| values.iter().all(|value| value.is_finite())) {
-        return Err(SolveError::NonFiniteInput);
-    }
-    match coefficients.iter().all(|c| c.is_finite()) {
-        true => Ok(()),
-        false => Err(SolveError::Overflow),
+    match (all_finite(data), all_finite(&[coefficients])) {
+        (true, true) => Ok(()),
+        (true, false) => Err(SolveError::Overflow),
+        (false, _) => Err(SolveError::NonFiniteInput),
     }
 }
 

@@ -352,10 +352,7 @@ pub(crate) fn largest<S: Scalar>(x: &[S]) -> f64 {
 fn largest_weighted<S: Scalar>(values: &[S], weight: &[f64]) -> f64 {
     let count = values.len().min(weight.len());
     let size = |e: usize| values[e].modulus() * weight[e];
-    let mut worst = 0.0;
-    for e in 0..count {
-        worst = if size(e) > worst { size(e) } else { worst };
-    }
+    let worst = folded(count, 0.0, size, |a, b| if b > a { b } else { a });
     // x * 0 is 0 for finite x and NaN otherwise.
     if sum_of(count, 0.0, |e| size(e) * 0.0) == 0.0 { worst } else { f64::INFINITY }
 }
@@ -379,32 +376,39 @@ fn least_squares<S: Scalar, N: Size, E: Size>(
         smallest[k] = rounding * rounding * squared_length(columns[k].as_ref());
     }
     let mut inverse_diagonal = unknowns.filled(S::ZERO);
+    let mut triangle = filled_matrix(unknowns, unknowns, S::ZERO);
     for k in 0..n {
         let (done, rest) = columns.as_mut().split_at_mut(k + 1);
-        let column = &mut done[k].as_mut()[k..];
-        let square = squared_length(column);
+        let column = &mut done[k];
+        // What is above the diagonal belongs to R. Zeros in its place leave those rows alone, and
+        // all loops have the length of a column, which the compiler knows.
+        for i in 0..k {
+            triangle[i][k] = column[i];
+            column[i] = S::ZERO;
+        }
+        let square = squared_length(column.as_ref());
         if !(square > smallest[k]) {
             return None;
         }
         let length = float::sqrt(square);
-        let head = column[0];
+        let head = column[k];
         let size = head.modulus();
         // R[k][k] points opposite to the head, so that head - diagonal does not cancel.
         let diagonal = if size > 0.0 { -head.scale(length / size) } else { S::from_f64(-length) };
         inverse_diagonal[k] = diagonal.reciprocal();
-        column[0] = head - diagonal;
-        // The reflection is I - v v^H / factor, where v is the column from k on as it is now.
+        column[k] = head - diagonal;
+        // The reflection is I - v v^H / factor, where v is the column as it is now.
         let inverse_factor = 1.0 / (square + length * size);
         for other in rest {
-            reflect(column, inverse_factor, &mut other.as_mut()[k..]);
+            reflect(equations, column, inverse_factor, other);
         }
-        reflect(column, inverse_factor, &mut right.as_mut()[k..]);
+        reflect(equations, column, inverse_factor, right);
     }
     let mut solution = unknowns.filled(S::ZERO);
     for k in (0..n).rev() {
         let mut sum = right[k];
         for j in k + 1..n {
-            sum -= columns[j][k] * solution[j];
+            sum -= triangle[k][j] * solution[j];
         }
         solution[k] = sum * inverse_diagonal[k];
     }
@@ -414,11 +418,11 @@ fn least_squares<S: Scalar, N: Size, E: Size>(
 }
 
 /// Subtracts v v^H `other` times the factor.
-#[inline]
-fn reflect<S: Scalar>(v: &[S], inverse_factor: f64, other: &mut [S]) {
-    let product = sum_of(v.len().min(other.len()), S::ZERO, |e| v[e].conj() * other[e]).scale(inverse_factor);
-    for (entry, &of_v) in other.iter_mut().zip(v) {
-        *entry -= of_v * product;
+#[inline(always)]
+fn reflect<S: Scalar, E: Size>(equations: E, v: &E::Vector<S>, inverse_factor: f64, other: &mut E::Vector<S>) {
+    let product = sum_of(equations.get(), S::ZERO, |e| v[e].conj() * other[e]).scale(inverse_factor);
+    for e in 0..equations.get() {
+        other[e] -= v[e] * product;
     }
 }
 
@@ -427,18 +431,24 @@ fn squared_length<S: Scalar>(column: &[S]) -> f64 {
     sum_of(column.len(), 0.0, |e| column[e].modulus_squared())
 }
 
-/// The sum of `count` terms, as four sums side by side: none of them waits for the others.
-#[inline]
+/// The sum of `count` terms.
+#[inline(always)]
 fn sum_of<T: Copy + core::ops::Add<Output = T>>(count: usize, zero: T, term: impl Fn(usize) -> T) -> T {
-    let mut sums = [zero; 4];
+    folded(count, zero, term, |a, b| a + b)
+}
+
+/// `count` terms joined in four parts side by side: none of them waits for the others.
+#[inline(always)]
+fn folded<T: Copy>(count: usize, start: T, term: impl Fn(usize) -> T, join: impl Fn(T, T) -> T) -> T {
+    let mut parts = [start; 4];
     let whole = count / 4 * 4;
-    for start in (0..whole).step_by(4) {
-        for (lane, sum) in sums.iter_mut().enumerate() {
-            *sum = *sum + term(start + lane);
+    for first in (0..whole).step_by(4) {
+        for (lane, part) in parts.iter_mut().enumerate() {
+            *part = join(*part, term(first + lane));
         }
     }
-    for (sum, e) in sums.iter_mut().zip(whole..count) {
-        *sum = *sum + term(e);
+    for (part, at) in parts.iter_mut().zip(whole..count) {
+        *part = join(*part, term(at));
     }
-    (sums[0] + sums[2]) + (sums[1] + sums[3])
+    join(join(parts[0], parts[2]), join(parts[1], parts[3]))
 }
