@@ -132,6 +132,10 @@ def from_pycolmap(
     if unknown:
         raise ValueError(f"the reconstruction has no image {unknown[0]!r}")
     names = [name for name in images if name in segments]
+    # Before version 3.12 every image of a reconstruction had a pose.
+    without = [name for name in names if not getattr(images[name], "has_pose", True)]
+    if without:
+        raise ValueError(f"the image {without[0]!r} has no pose")
     poses, calibrations, undistorted = [], [], []
     for name in names:
         camera = reconstruction.cameras[images[name].camera_id]

@@ -241,6 +241,32 @@ def test_pycolmap(rng, truth, is_method):
         cylinders.from_pycolmap(reconstruction, {"nothing.jpg": np.zeros((1, 4))})
 
 
+def test_a_reconstruction_of_pycolmap(rng, truth):
+    pycolmap = pytest.importorskip("pycolmap")
+    point, direction, radius = truth
+    poses, lines = views_of(rng, 5, [(point, radius)], direction)
+    camera = pycolmap.Camera(
+        model="SIMPLE_RADIAL", width=4000, height=3000, params=[3000, 2000, 1500, 0.1], camera_id=7
+    )
+    reconstruction = pycolmap.Reconstruction()
+    reconstruction.add_camera_with_trivial_rig(camera)
+    segments = {}
+    for at, (pose, of_view) in enumerate(zip(poses, lines)):
+        image = pycolmap.Image(name=f"{at}.jpg", camera_id=7, image_id=at + 1)
+        reconstruction.add_image_with_trivial_frame(image, pycolmap.Rigid3d(pose))
+        ends = (pixels(of_view).reshape(-1, 2) - CALIBRATION[:2, 2]) / np.diag(CALIBRATION)[:2]
+        rays = np.column_stack([ends, np.ones(len(ends))])
+        segments[f"{at}.jpg"] = np.array([camera.img_from_cam(ray) for ray in rays]).reshape(-1, 4)
+    reconstruction.add_point3D(point, pycolmap.Track(), np.zeros(3, dtype=np.uint8))
+    scene = cylinders.from_pycolmap(reconstruction, segments)
+    assert len(scene["views"]) == 5 and len(scene["points"]) == 1
+    [cylinder] = cylinders.triangulate(scene)
+    check(cylinder, point, direction, radius)
+    reconstruction.add_image_with_trivial_frame(pycolmap.Image(name="loose.jpg", camera_id=7, image_id=99))
+    with pytest.raises(ValueError, match="'loose.jpg' has no pose"):
+        cylinders.from_pycolmap(reconstruction, {"loose.jpg": np.ones((1, 4))})
+
+
 POSES = np.repeat(np.eye(3, 4)[None], 2, axis=0)
 
 
