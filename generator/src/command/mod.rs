@@ -36,6 +36,7 @@ use report::Output;
 #[derive(Debug, Parser)]
 #[command(
     name = "eliminant",
+    max_term_width = 100,
     version,
     after_help = "From a new problem to a solver:
   eliminant new my_problem

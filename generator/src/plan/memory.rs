@@ -1,8 +1,8 @@
 //! The working memory of a solve, predicted from the sizes of a plan, and where it is kept.
 //!
 //! ```text
-//!   elimination   basis columns (rows x |B|), the largest block, the action matrix,
-//!                 the steps of a table of coefficients
+//!   elimination   coefficients and the steps of their table, basis columns (rows x |B|),
+//!                 the largest block, the action matrix
 //!   spectrum      action matrix, Hessenberg form and its reflections, eigenpairs,
 //!                 a factorisation for inverse iteration, subspaces of shared values
 //! ```
@@ -40,7 +40,7 @@ impl Plan {
             ProgramForm::Statements => 0,
         };
         let square = e.basis * e.basis;
-        let elimination = (e.rows * e.basis + square + block * block).max(table + self.coefficients.len());
+        let elimination = e.rows * e.basis + square + block * block + table + self.coefficients.len();
         let first = 8 * elimination.max(MATRICES_OF_FIRST_ATTEMPT * square);
         let order = ORDERS_ON_STACK.into_iter().find(|&order| order >= e.basis).unwrap_or(e.basis);
         let second = 16 * elimination.max(MATRICES_OF_SPECTRUM * order * order);

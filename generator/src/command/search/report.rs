@@ -228,18 +228,20 @@ impl Row {
         ]
     }
 
-    fn cells(&self, is_chosen: bool) -> Vec<String> {
+    /// The way by which it was found, in words.
+    fn way(&self) -> String {
+        format!("presolve {}, {}", self.presolve, self.growth)
+    }
+
+    fn cells(&self, is_chosen: bool, way: usize) -> Vec<String> {
         vec![
             format!("{}{}", if is_chosen { "*" } else { " " }, if self.pareto { "+" } else { "" }),
             format!("{} x {}", self.rows, self.columns),
             self.action.clone(),
-            self.presolve.to_owned(),
-            self.growth.clone(),
+            format!("w{way}"),
             self.verdict.to_owned(),
             self.basis.to_string(),
-            self.operations.to_string(),
             format!("{:.0}", self.nanoseconds),
-            one_decimal(self.median),
             one_decimal(self.p99),
             self.trials.to_string(),
             self.repeated.to_string(),
@@ -251,23 +253,8 @@ impl Row {
 
 const HEAD_OF_FRONT: [&str; 10] = ["", "size", "action", "verdict", "|B|", "ns", "median", "p99", "trials", "unsolved"];
 
-const HEAD: [&str; 15] = [
-    "",
-    "size",
-    "action",
-    "presolve",
-    "growth",
-    "verdict",
-    "|B|",
-    "operations",
-    "ns",
-    "median",
-    "p99",
-    "trials",
-    "repeated",
-    "incomplete",
-    "failed",
-];
+const HEAD: [&str; 12] =
+    ["", "size", "action", "way", "verdict", "|B|", "ns", "p99", "trials", "repeated", "incomplete", "failed"];
 
 impl fmt::Display for SearchReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -276,14 +263,24 @@ impl fmt::Display for SearchReport {
         writeln!(f, "no measured template is better in predicted time, rows, p99 and unsolved instances than:")?;
         writeln!(f, "{}(* chosen)\n", table(&HEAD_OF_FRONT, &front, 4))?;
         write!(f, "{}", self.summary)?;
+        let mut ways: Vec<String> = Vec::new();
+        for way in self.candidates.iter().map(Row::way) {
+            if !ways.contains(&way) {
+                ways.push(way);
+            }
+        }
+        let way = |row: &Row| 1 + ways.iter().take_while(|&way| *way != row.way()).count();
         let rows: Vec<Vec<String>> =
-            self.candidates.iter().enumerate().map(|(at, row)| row.cells(at == self.chosen)).collect();
+            self.candidates.iter().enumerate().map(|(at, row)| row.cells(at == self.chosen, way(row))).collect();
         let found = counted(self.found_templates, "template");
         writeln!(f, "\n{found} found, {} measured in the order of {}:", rows.len(), self.prefer)?;
-        write!(f, "{}", table(&HEAD, &rows, 6))?;
+        write!(f, "{}", table(&HEAD, &rows, 5))?;
+        for (at, way) in ways.iter().enumerate() {
+            writeln!(f, "w{}  {way}", at + 1)?;
+        }
         writeln!(
             f,
-            "(* chosen; + on the Pareto front of predicted ns with second attempts, rows, p99 and unsolved instances;\n median and p99 of the log10 relative residual)\n"
+            "(* chosen; + on the Pareto front of predicted ns with second attempts, rows, p99 and unsolved\n instances; p99 of the log10 relative residual)\n"
         )?;
         for warning in &self.warnings {
             writeln!(f, "warning: {warning}")?;

@@ -210,34 +210,27 @@ fn quoted(text: &str) -> String {
     }
 }
 
-const HEAD: [&str; 16] = [
-    "problem",
-    "family",
-    "level",
-    "N",
-    "failed",
-    "real missed",
-    "complex missed",
-    "spurious",
-    "uncertain",
-    "repeated",
-    "residual",
-    "p99",
-    "error",
-    "p99",
-    "max",
-    "growth",
-];
+const HEAD_OF_SOLUTIONS: [&str; 9] =
+    ["family", "level", "N", "failed", "real missed", "complex missed", "spurious", "uncertain", "repeated"];
+const HEAD_OF_ACCURACY: [&str; 8] = ["family", "level", "residual", "p99", "error", "p99", "max", "growth"];
 const TIMES: [&str; 3] = ["ns", "p99", "worst"];
 
-fn cells(row: &Row, is_emitted: bool) -> Vec<String> {
+fn name_of(row: &Row) -> Vec<String> {
+    vec![row.family.clone(), row.level.map_or_else(String::new, |level| level.to_string())]
+}
+
+fn cells_of_solutions(row: &Row) -> Vec<String> {
     let share = |part: usize, whole: usize| format!("{part}/{whole}");
-    let mut cells = vec![row.problem.clone(), row.family.clone()];
-    cells.push(row.level.map_or_else(String::new, |level| level.to_string()));
+    let mut cells = name_of(row);
     cells.extend([row.instances, row.failed].map(|count| count.to_string()));
     cells.extend([&row.real, &row.complex].map(|count| share(count.missed, count.expected)));
     let spurious = row.real.spurious + row.complex.spurious;
     cells.extend([spurious, row.uncertain, row.repeated_complex].map(|count| count.to_string()));
+    cells
+}
+
+fn cells_of_accuracy(row: &Row, is_emitted: bool) -> Vec<String> {
+    let mut cells = name_of(row);
     let (residual, error) = (row.residual, row.forward_error);
     cells.extend([residual.median, residual.p99, error.median, error.p99, error.max, row.growth.max].map(one_decimal));
     if is_emitted {
@@ -247,6 +240,21 @@ fn cells(row: &Row, is_emitted: bool) -> Vec<String> {
     cells
 }
 
+/// A table with the name of each problem above its rows, if there are several problems.
+fn by_problem(head: &[&str], rows: &[Row], cells: impl Fn(&Row) -> Vec<String>) -> String {
+    let table = table(head, &rows.iter().map(cells).collect::<Vec<_>>(), 1);
+    let mut lines = table.split_inclusive('\n');
+    let mut text = lines.next().unwrap_or_default().to_owned();
+    let is_one = rows.iter().all(|row| row.problem == rows[0].problem);
+    for (at, (row, line)) in rows.iter().zip(lines).enumerate() {
+        if !is_one && (at == 0 || rows[at - 1].problem != row.problem) {
+            text += &format!("{}:\n", row.problem);
+        }
+        text += line;
+    }
+    text
+}
+
 impl fmt::Display for StabilityReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let [SolverReport { summary, .. }] = &self.solvers[..] {
@@ -254,16 +262,18 @@ impl fmt::Display for StabilityReport {
         }
         let how = if self.is_emitted { "emitted code" } else { "interpreted plans" };
         writeln!(f, "{how}, seed {}; residuals, errors and growth are log10:\n", self.seed)?;
-        let mut head = HEAD.to_vec();
+        let mut head = HEAD_OF_ACCURACY.to_vec();
         head.extend(TIMES.iter().filter(|_| self.is_emitted));
-        let rows: Vec<Vec<String>> = self.rows.iter().map(|row| cells(row, self.is_emitted)).collect();
-        write!(f, "{}", table(&head, &rows, 2))?;
+        writeln!(f, "{}", by_problem(&HEAD_OF_SOLUTIONS, &self.rows, cells_of_solutions))?;
+        write!(f, "{}", by_problem(&head, &self.rows, |row| cells_of_accuracy(row, self.is_emitted)))?;
         writeln!(
             f,
             "
 missed: true solutions that no returned point approximates, of all that there are;
-spurious: returned points that are no solution; uncertain: instances whose number of solutions is not certain;
-repeated: instances on which all solutions took a second attempt; growth: the largest of the elimination"
+spurious: returned points that are no solution;
+uncertain: instances whose number of solutions is not certain;
+repeated: instances on which all solutions took a second attempt;
+growth: the largest of the elimination"
         )?;
         let (title, seen) = match self.replayed.is_empty() {
             true => ("worst instances", self.worst.iter().filter(|seen| seen.is_faulty).collect::<Vec<_>>()),
@@ -317,6 +327,7 @@ mod tests {
         let line = csv.lines().nth(1).unwrap();
         assert!(line.starts_with("p,\"with, comma\",,1,"), "{line}");
         assert_eq!(line.matches(',').count() - 1, CSV_HEAD.len() - 1);
-        assert_eq!(cells(&report.rows[0], true).len(), HEAD.len() + TIMES.len());
+        assert_eq!(cells_of_solutions(&report.rows[0]).len(), HEAD_OF_SOLUTIONS.len());
+        assert_eq!(cells_of_accuracy(&report.rows[0], true).len(), HEAD_OF_ACCURACY.len() + TIMES.len());
     }
 }
