@@ -41,15 +41,13 @@ const ROUNDED: [&str; 3] = ["pose_1pt_2line", "pose_2pt_1line", "pose_4pt_focal"
 /// instances that are solved at the next exponents outside. A factor of the data is no factor of
 /// the equations: it moves the solutions, the monomials of the basis differ by powers of it, and an
 /// eigenvector in `f64` does not hold both.
-const UNITS: [(&str, i32, i32); 13] = [
+const UNITS: [(&str, i32, i32); 12] = [
     // 0.88 at -4 and 0.04 at 4.
     ("calibration_6_receivers_4_senders", -2, 2),
     // 0.60 at -10 and 0.05 at 8.
     ("platform_forward_kinematics", -8, 6),
     // 0.63 at 8.
     ("pose_3pt_depths", -10, 6),
-    // 0.95 at 8 and 0.00 at 10.
-    ("pose_5pt_refraction", -10, 6),
     // 0.91 at 8.
     ("pose_6pt_rolling_shutter", -8, 6),
     // 0.30 at -6: images in another unit are other images.

@@ -4,9 +4,12 @@ use std::array::from_fn;
 
 use eliminant_generator::algebra::Random;
 use eliminant_solvers::{
-    homography_4pt, pose_1pt_2line, pose_2pt_1line, pose_3line, pose_4pt_focal, pose_35pt_focal, relpose_3pt_depths,
+    homography_4pt, pose_1pt_2line, pose_2pt_1line, pose_3line, pose_4pt_focal, pose_5pt_refraction, pose_35pt_focal,
+    relpose_3pt_depths,
 };
-use eliminant_tests::ground_truth::{Motion, camera, image, in_ball, projective_error, two_cameras, uniform};
+use eliminant_tests::ground_truth::{
+    Motion, Underwater, WATER, camera, image, in_ball, projective_error, two_cameras, uniform,
+};
 use nalgebra::{Matrix3, Vector3};
 
 const SCENES: u64 = 1_000;
@@ -185,5 +188,18 @@ fn relative_poses_come_from_depths() {
                 && (pose.scale / scale - 1.0).abs() < FOUND
                 && (0..2).all(|k| (pose.shifts[k] - shifts[k]).abs() < FOUND)
         })
+    });
+}
+
+#[test]
+fn poses_above_water_come_from_five_points() {
+    check(|random| {
+        let scene = Underwater::draw(random);
+        let known = (&scene.rotation, &scene.centre);
+        let found = pose_5pt_refraction::solve_for_refracted_pose(&rays(&scene.rays), &rays(&scene.points), WATER)
+            .unwrap_or_default();
+        // Turned by a half about the normal, a camera would see the points behind it.
+        assert!(found.iter().all(|pose| is_rotation(&pose.rotation)) && found.len() <= 8);
+        found.iter().any(|pose| is_pose(known, &pose.rotation, &pose.centre))
     });
 }

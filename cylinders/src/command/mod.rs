@@ -38,7 +38,12 @@ use output::{Output, error_json};
 
 /// Triangulates cylinders from their silhouette lines in several images.
 #[derive(Debug, Parser)]
-#[command(name = "cylinders", version, max_term_width = 100, after_help = "Exit status: 0 good; 1 the data or a file is at fault; 2 usage.")]
+#[command(
+    name = "cylinders",
+    version,
+    max_term_width = 100,
+    after_help = "Exit status: 0 good; 1 the data or a file is at fault; 2 usage."
+)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,

@@ -4,12 +4,13 @@ use std::array::from_fn;
 use std::f64::consts::TAU;
 
 use eliminant_generator::algebra::Random;
-use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
+use nalgebra::{Vector2, Vector3};
 
 use super::cameras::{camera, distorted, image, in_ball, quaternion};
+use super::underwater::{Underwater, WATER};
 use super::{
-    KnownInstance, Make, Maker, coordinates, derived_null_space, projective_error, relative_error, solved, uniform,
-    vector, weights,
+    KnownInstance, Make, Maker, coordinates, derived_null_space, projective_error, relative_error, uniform, vector,
+    weights,
 };
 
 pub(super) fn makers() -> Vec<Maker> {
@@ -64,7 +65,7 @@ pub(super) fn makers() -> Vec<Maker> {
         Maker {
             name: "pose_5pt_refraction",
             make: Make::Scene(through_water),
-            error: |_, solution, truth| relative_error(solution, truth),
+            error: |_, solution, truth| projective_error(&vector(solution), &vector(truth)),
         },
         Maker {
             name: "pose_6pt_rolling_shutter",
@@ -218,44 +219,11 @@ fn by_z(point: &Vector3<f64>) -> Vector3<f64> {
     Vector3::new(1.0, point.z, point.y)
 }
 
-/// A camera 1 to 3 units above water, Z = 0, that looks down at points up to 3 units deep, by
-/// Snell's law. Z points down.
+/// A camera turned in any way looks into water.
 fn through_water(random: &mut Random) -> KnownInstance {
-    const INDEX: f64 = 1.33;
-    let rotation = Rotation3::new(in_ball(random)).into_inner();
-    let (foot, height) = (Vector2::from_fn(|_, _| random.symmetric_unit()), uniform(random, 1.0, 3.0));
-    let mut draw = || {
-        let surface = Vector2::from_fn(|_, _| 2.0 * random.symmetric_unit());
-        let direction = (surface - foot).push(height).normalize();
-        let sine = direction.xy() / INDEX;
-        let refracted = sine / (1.0 - sine.norm_squared()).sqrt();
-        (surface + uniform(random, 0.5, 3.0) * refracted, direction)
-    };
-    let seen: [(Vector2<f64>, Vector3<f64>); 5] = from_fn(|_| draw());
-    let affine = |rotation: &Matrix3<f64>| {
-        let row = |(point, direction): &(Vector2<f64>, Vector3<f64>)| {
-            let ray = rotation.transpose() * direction;
-            // r2 p v - r1 p w + r1 q - r2 s = 0.
-            let (p, q, s) = (ray, point.y * ray, point.x * ray);
-            let leading = vec![p.x, p.y, p.z, 2.0 * (q.y - s.x), q.x + s.y];
-            (leading, vec![q.x - s.y, -2.0 * (q.y + s.x), 2.0 * q.z, 2.0 * s.z])
-        };
-        let (leading, others): (Vec<_>, Vec<_>) = seen.iter().map(row).unzip();
-        solved(&leading, &others).concat()
-    };
-    // Every axis of the image as the third, up and down: the frame in which the coefficients are
-    // smallest.
-    let axes = Matrix3::new(0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0);
-    let over = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, -1.0));
-    let frames = [Matrix3::identity(), axes, axes * axes].into_iter().flat_map(|frame| [frame, over * frame]);
-    let size = |data: &Vec<f64>| data.iter().map(|x| x * x).sum::<f64>();
-    let best = frames
-        .map(|frame| rotation * frame.transpose())
-        .map(|rotation| (affine(&rotation), rotation))
-        .min_by(|(a, _), (b, _)| size(a).total_cmp(&size(b)));
-    let (data, rotation) = best.expect("there are six frames");
-    let [w, x, y, z] = quaternion(&rotation);
-    KnownInstance { data, truths: vec![vec![x / w, y / w, z / w]] }
+    let Underwater { rotation, rays, points, .. } = Underwater::draw(random);
+    let data = rays.iter().chain(&points).flat_map(|x| x.data.0[0]).chain([WATER]).collect();
+    KnownInstance { data, truths: vec![coordinates(&quaternion(&rotation))] }
 }
 
 /// The image of a point in the row in which it is exposed, by the linearised model: q[0] (A + q[0]

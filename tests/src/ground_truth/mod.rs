@@ -16,12 +16,14 @@ mod radial_distortion;
 mod ranging;
 mod relative_pose;
 mod triangulation;
+mod underwater;
 
 pub use cameras::{Motion, camera, distorted, image, in_ball, two_cameras, upright, upright_cameras};
 pub use circles::{Circle, Line, gram, minimal_conic, minimal_data, normalised};
 pub use linear::{combination, coordinates, null_space, uniform, vector};
 use linear::{derived_null_space, solved, weights};
 pub use maker::{FOUND, KnownInstance, Make, Maker, largest_relative_error, projective_error, relative_error};
+pub use underwater::{Underwater, WATER};
 
 /// One maker for every problem, by name.
 pub fn makers() -> Vec<Maker> {
