@@ -964,30 +964,47 @@ int32_t eliminant_pose_4pt_upright_error_bound_solve_batch(
 /*
  * pose_5pt_refraction
  *
- * Pose of a calibrated camera that looks at five points through a known refracting plane: 16
- * solutions.
+ * Pose of a calibrated camera that looks at five points through a plane at which light is
+ * refracted: 16 solutions.
  *
  * Haner, Åström, "Absolute pose for cameras under flat refractive interfaces", CVPR 2015.
  * Published as `refract5p`.
  *
- * The plane is Z = 0. Refraction keeps a ray in its plane with the normal, so that R ray and the
- * point X minus the camera centre (v, w, ..) are parallel in their first two coordinates: (r1 ray)
- * (X2 - w) - (r2 ray) (X1 - v) = 0 with the rows r1, r2, r3 of R, that of the quaternion (1, x, y,
- * z) times 1 + x^2 + y^2 + z^2. Linear combinations of five such equations have the leading terms
- * r2\[i\] v - r1\[i\] w with i = 0, 1, 2, then x y, and x^2 - y^2, and otherwise the terms 1 -
- * z^2, z, x z + y and x - y z, with the coefficients `affine`. These are large where the image's
- * frame is unfortunate: turn the rays so that another axis is the third.
+ * The plane is Z = 0, with the camera on one side of it and the points on the other. `rays[k]` is
+ * the ray of point k in the camera, of any length, and `points[k]` its position; `index` is the
+ * index of refraction on the side of the points, relative to that on the side of the camera.
+ * Refraction keeps a ray in its plane with the normal, so that R ray and the point X minus the
+ * centre (v, w, ..) of the camera are parallel in their first two coordinates:
+ * (r1 ray) (X2 - w) - (r2 ray) (X1 - v) = 0 with the rows r1, r2, r3 of R, that of the quaternion.
+ * This is linear in r1, r2 and u = v r2 - w r1. Five such equations are combined so that u
+ * vanishes; otherwise they give u, which is across r3. Of a rotation and the same turned by a half
+ * about the normal one has the points ahead of the camera.
  *
- * Data: affine[5][4].
- * A row of 3 numbers, the unknowns: x, y, z.
+ * `rotation` takes rays to the frame of the points, and `centre` is that of the camera. Its height
+ * follows from how much the rays are bent, by least squares.
+ *
+ * Data: rays[5][3], points[5][3], index.
+ * A row of 4 numbers, the unknowns: quaternion[4] (given up to scale: of length 1).
+ * A row of 12 numbers, the result refracted_pose: rotation[3][3], centre[3].
  */
-#define ELIMINANT_POSE_5PT_REFRACTION_AFFINE_LENGTH 20
-#define ELIMINANT_POSE_5PT_REFRACTION_UNKNOWNS 3
+#define ELIMINANT_POSE_5PT_REFRACTION_RAYS_LENGTH 15
+#define ELIMINANT_POSE_5PT_REFRACTION_POINTS_LENGTH 15
+#define ELIMINANT_POSE_5PT_REFRACTION_UNKNOWNS 4
+#define ELIMINANT_POSE_5PT_REFRACTION_LENGTH_OF_REFRACTED_POSE 12
 #define ELIMINANT_POSE_5PT_REFRACTION_MAX_SOLUTIONS 16
 int32_t eliminant_pose_5pt_refraction_solve(
-    const double *affine, size_t affine_length, double *solutions, size_t capacity, size_t *count);
+    const double *rays, size_t rays_length, const double *points, size_t points_length,
+    double index, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_5pt_refraction_solve_batch(
-    size_t instances, const double *affine, size_t affine_length, double *solutions,
+    size_t instances, const double *rays, size_t rays_length, const double *points,
+    size_t points_length, const double *index, size_t index_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_pose_5pt_refraction_solve_for_refracted_pose(
+    const double *rays, size_t rays_length, const double *points, size_t points_length,
+    double index, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_5pt_refraction_solve_batch_for_refracted_pose(
+    size_t instances, const double *rays, size_t rays_length, const double *points,
+    size_t points_length, const double *index, size_t index_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
 
 /*

@@ -1863,19 +1863,24 @@ inline void solve_batch(
 
 } // namespace pose_4pt_upright_error_bound
 
-/// Pose of a calibrated camera that looks at five points through a known refracting plane: 16
-/// solutions.
+/// Pose of a calibrated camera that looks at five points through a plane at which light is
+/// refracted: 16 solutions.
 ///
 /// Haner, Åström, "Absolute pose for cameras under flat refractive interfaces", CVPR 2015.
 /// Published as `refract5p`.
 ///
-/// The plane is Z = 0. Refraction keeps a ray in its plane with the normal, so that R ray and the
-/// point X minus the camera centre (v, w, ..) are parallel in their first two coordinates: (r1 ray)
-/// (X2 - w) - (r2 ray) (X1 - v) = 0 with the rows r1, r2, r3 of R, that of the quaternion (1, x, y,
-/// z) times 1 + x^2 + y^2 + z^2. Linear combinations of five such equations have the leading terms
-/// r2\[i\] v - r1\[i\] w with i = 0, 1, 2, then x y, and x^2 - y^2, and otherwise the terms 1 -
-/// z^2, z, x z + y and x - y z, with the coefficients `affine`. These are large where the image's
-/// frame is unfortunate: turn the rays so that another axis is the third.
+/// The plane is Z = 0, with the camera on one side of it and the points on the other. `rays[k]` is
+/// the ray of point k in the camera, of any length, and `points[k]` its position; `index` is the
+/// index of refraction on the side of the points, relative to that on the side of the camera.
+/// Refraction keeps a ray in its plane with the normal, so that R ray and the point X minus the
+/// centre (v, w, ..) of the camera are parallel in their first two coordinates:
+/// (r1 ray) (X2 - w) - (r2 ray) (X1 - v) = 0 with the rows r1, r2, r3 of R, that of the quaternion.
+/// This is linear in r1, r2 and u = v r2 - w r1. Five such equations are combined so that u
+/// vanishes; otherwise they give u, which is across r3. Of a rotation and the same turned by a half
+/// about the normal one has the points ahead of the camera.
+///
+/// `rotation` takes rays to the frame of the points, and `centre` is that of the camera. Its height
+/// follows from how much the rays are bent, by least squares.
 namespace pose_5pt_refraction {
 
 /// No call returns more solutions.
@@ -1883,31 +1888,58 @@ inline constexpr std::size_t max_solutions = 16;
 
 /// A solution of `pose_5pt_refraction`.
 struct Solution {
-    double x;
-    double y;
-    double z;
+    std::array<double, 4> quaternion; ///< given up to scale: of length 1
 };
-static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<20> affine) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<15> rays, Values<15> points, double index) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_pose_5pt_refraction_solve(affine.data(), affine.size(), to_solutions, max_solutions, to_count);
+        return eliminant_pose_5pt_refraction_solve(rays.data(), rays.size(), points.data(), points.size(), index, to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<20> affine) {
-    return try_solve(affine).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<15> rays, Values<15> points, double index) {
+    return try_solve(rays, points, index).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many affine, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many rays, Many points, Many index, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_pose_5pt_refraction_solve_batch(
-            instances, affine.data(), affine.size(), to_solutions, solutions_length, counts, codes);
+            instances, rays.data(), rays.size(), points.data(), points.size(), index.data(), index.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `pose_5pt_refraction` returns beside its unknowns.
+struct RefractedPose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> centre;
+};
+static_assert(sizeof(RefractedPose) == 12 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each refracted_pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<RefractedPose, max_solutions>> try_solve_for_refracted_pose(Values<15> rays, Values<15> points, double index) noexcept {
+    return Result<Solutions<RefractedPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_5pt_refraction_solve_for_refracted_pose(rays.data(), rays.size(), points.data(), points.size(), index, to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each refracted_pose. Throws `Error`.
+[[nodiscard]] inline Solutions<RefractedPose, max_solutions> solve_for_refracted_pose(Values<15> rays, Values<15> points, double index) {
+    return try_solve_for_refracted_pose(rays, points, index).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_refracted_pose(
+    std::size_t instances, Many rays, Many points, Many index, Batch<RefractedPose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_5pt_refraction_solve_batch_for_refracted_pose(
+            instances, rays.data(), rays.size(), points.data(), points.size(), index.data(), index.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
