@@ -48,7 +48,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
     if let Some(out) = &arguments.out {
         write(out, &source)?;
     }
-    Ok(Output::of(&EmitReport {
+    Ok(Output::verbatim(&EmitReport {
         summary: Summary::new(&loaded.problem, &loaded.file.template, &loaded.planned.plan),
         source: arguments.out.is_none().then_some(source),
         file: arguments.out.as_ref().map(|out| out.display().to_string()),

@@ -101,7 +101,7 @@ impl fmt::Display for Completions {
 fn completions(shell: Shell) -> Output {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Arguments::command(), "eliminant", &mut script);
-    Output::of(&Completions { script: String::from_utf8_lossy(&script).into_owned() })
+    Output::verbatim(&Completions { script: String::from_utf8_lossy(&script).into_owned() })
 }
 
 /// The exit status if the problem, its template or a file is at fault.

@@ -18,9 +18,14 @@ pub(super) struct Output {
 }
 
 impl Output {
-    /// A report as text and as JSON.
+    /// A report as text and as JSON. Long lines of the text are folded.
     pub(super) fn of(report: &(impl Serialize + fmt::Display)) -> Self {
-        Self { text: folded(&report.to_string()), json: to_json(report), is_at_fault: false }
+        Self { text: folded(&report.to_string()), ..Self::verbatim(report) }
+    }
+
+    /// As [`Output::of`], with the text as it is: code and scripts.
+    pub(super) fn verbatim(report: &(impl Serialize + fmt::Display)) -> Self {
+        Self { text: report.to_string(), json: to_json(report), is_at_fault: false }
     }
 
     /// The same report, with the exit status of a fault if there is one.
@@ -141,8 +146,7 @@ const COLUMNS: usize = 100;
 ///               x*y, 1
 /// ```
 ///
-/// Rows of tables, which have more than one gap, and scripts and code, which are indented or have
-/// no gap, stay as they are.
+/// Rows of tables, which have more than one gap, and lines without a label stay as they are.
 fn folded(text: &str) -> String {
     text.split_inclusive('\n').map(folded_line).collect()
 }
@@ -223,5 +227,8 @@ mod tests {
         for line in [format!("a  {wide}  {wide}\n"), format!("    {wide} {wide}\n"), format!("{wide} {wide}\n")] {
             assert_eq!(folded(&line), line);
         }
+        let code = format!("/// A comment  {wide} {wide}\n");
+        assert_eq!(Output::verbatim(&code).text, code);
+        assert_ne!(Output::of(&code).text, code);
     }
 }
