@@ -39,6 +39,7 @@ HOMOGENEOUS: Dict[str, Tuple[str, ...]] = {
     "pose_2pt_1line": ("rays",),
     "pose_2pt_upright": ("rays",),
     "pose_3pt": ("rays",),
+    "pose_5pt_refraction": ("rays",),
     "relpose_3pt_angle_zero_screw": ("first", "second"),
     "relpose_3pt_upright": ("first", "second"),
     "relpose_4pt_angle": ("first", "second"),

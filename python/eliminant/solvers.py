@@ -887,7 +887,7 @@ def pose_5pt_refraction(
 
     Data, for one instance, or with n in front for a batch:
 
-    - `rays`: (5, 3)
+    - `rays`: (5, 3), or image points, one coordinate less
     - `points`: (5, 3)
     - `index`: ()
 
