@@ -79,7 +79,7 @@ impl Inputs {{
 
 /// The two functions that return rows of a kind.
 fn functions_of_row(prefix: &str, interface: &Interface, row: &Row) -> String {
-    let (batch, to_row) = (format!("BatchOf{}", row.name), to_row(interface, row));
+    let (batch, rows) = (format!("BatchOf{}", row.name), rows(interface, row));
     let (length, solutions) = (row.len(), interface.solutions);
     let result = if row.suffix.is_empty() { "solution" } else { "result" };
     let single = single(prefix, interface, row);
@@ -111,23 +111,36 @@ impl border::Batch<{length}, {solutions}> for {batch} {{
     }}
 
     #[allow(unused_variables)]
-    fn row(&self, data: &solver::Data, solution: solver::Solution) -> Result<[f64; {length}], ::eliminant::SolveError> {{
-        {to_row}
+    fn rows(
+        &self,
+        data: &solver::Data,
+        solutions: &::eliminant::Solutions<solver::Solution, {solutions}>,
+    ) -> Result<::eliminant::Solutions<[f64; {length}], {solutions}>, ::eliminant::SolveError> {{
+        {rows}
     }}
 }}
 {single}{of_batch}"#
     )
 }
 
-/// The expression of type `Result` that makes a row of `solution`.
-fn to_row(interface: &Interface, row: &Row) -> String {
-    if row.suffix.is_empty() {
-        return "Ok(solution.to_array())".to_owned();
+/// The expression of type `Result` that makes rows of `solutions`.
+fn rows(interface: &Interface, row: &Row) -> String {
+    let to_array = to_array(row);
+    match row.suffix.is_empty() {
+        true => format!("Ok(solutions.map({to_array}))"),
+        false => {
+            let arguments = arguments(interface);
+            format!("Ok(solver::{}_of_each({arguments}solutions)?.map({to_array}))", row.what)
+        }
     }
-    let mut arguments = arguments(interface);
-    arguments.push_str("&solution");
-    let put = put(row);
-    format!("solver::{}_of({arguments}).map(|result| border::row(|mut to| {{ {put} }}))", row.what)
+}
+
+/// The function from a solution, or what is returned for it, to a row.
+fn to_array(row: &Row) -> String {
+    match row.suffix.is_empty() {
+        true => "solver::Solution::to_array".to_owned(),
+        false => format!("|result| border::row(|mut to| {{ {} }})", put(row)),
+    }
 }
 
 /// The statements that put the fields of `result` to a row.
@@ -156,11 +169,7 @@ fn single(prefix: &str, interface: &Interface, row: &Row) -> String {
         }
     };
     let reads: String = interface.data.iter().map(read).collect();
-    let to_array = match row.suffix.is_empty() {
-        true => "solver::Solution::to_array".to_owned(),
-        false => format!("|result| border::row(|mut to| {{ {} }})", put(row)),
-    };
-    let arguments = arguments(interface);
+    let (to_array, arguments) = (to_array(row), arguments(interface));
     format!(
         r#"
 {doc}pub unsafe extern "C" fn {prefix}_{name}({parameters}) -> i32 {{

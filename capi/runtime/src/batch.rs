@@ -57,7 +57,7 @@ impl BatchOutput {
 
 type Found<T, const MAX: usize> = Result<Solutions<T, MAX>, Code>;
 
-/// A solver of many instances, and how a solution becomes a row.
+/// A solver of many instances, and how solutions become rows.
 pub trait Batch<const N: usize, const MAX: usize> {
     /// The data of an instance.
     type Data;
@@ -80,11 +80,16 @@ pub trait Batch<const N: usize, const MAX: usize> {
     /// Solves all of the instances.
     fn solve(&self, data: &[Self::Data], results: &mut [Result<Solutions<Self::Solution, MAX>, SolveError>]);
 
-    /// The row of a solution.
+    /// The rows of the solutions of an instance. What data say beside them is computed once, and is
+    /// refused even if there is no solution, as a single solve does.
     ///
     /// # Errors
     /// Those of the solver.
-    fn row(&self, data: &Self::Data, solution: Self::Solution) -> Result<[f64; N], SolveError>;
+    fn rows(
+        &self,
+        data: &Self::Data,
+        solutions: &Solutions<Self::Solution, MAX>,
+    ) -> Result<Solutions<[f64; N], MAX>, SolveError>;
 }
 
 /// Solves `instances` instances, PIECE at a time, which bounds the stack that they take. It returns
@@ -135,25 +140,15 @@ unsafe fn solve_piece<B: Batch<N, MAX>, const N: usize, const MAX: usize, const 
     });
     for (at, of_instance) in data.iter().enumerate() {
         let rows = match &solved {
-            Ok(results) => guarded(|| rows(batch, of_instance, &results[at])),
+            Ok(results) => guarded(|| {
+                let solutions = results[at].as_ref().map_err(|&error| error)?;
+                Ok(batch.rows(of_instance, solutions)?)
+            }),
             Err(code) => Err(*code),
         };
         // SAFETY: the instance is among those that were checked.
         unsafe { output.write(first + at, &rows) };
     }
-}
-
-fn rows<B: Batch<N, MAX>, const N: usize, const MAX: usize>(
-    batch: &B,
-    data: &B::Data,
-    result: &Result<Solutions<B::Solution, MAX>, SolveError>,
-) -> Found<[f64; N], MAX> {
-    let mut rows = Solutions::new();
-    for &solution in result.as_ref().map_err(|&error| error)? {
-        // There is as much room as there are solutions.
-        rows.push(batch.row(data, solution)?);
-    }
-    Ok(rows)
 }
 
 #[cfg(test)]
@@ -163,7 +158,8 @@ mod tests {
     use super::*;
     use crate::buffer::Input;
 
-    /// The square roots of a number, at most two. 13 panics, and 14 does for its rows.
+    /// The square roots of a number, at most two. 13 panics, and 14 does for its rows; -2 is refused
+    /// for its rows, of which there are none.
     struct Roots(Input);
 
     impl Batch<1, 2> for Roots {
@@ -189,9 +185,9 @@ mod tests {
             }
         }
 
-        fn row(&self, data: &f64, solution: f64) -> Result<[f64; 1], SolveError> {
+        fn rows(&self, data: &f64, solutions: &Solutions<f64, 2>) -> Result<Solutions<[f64; 1], 2>, SolveError> {
             assert!(*data != 14.0, "this panic belongs to the test");
-            Ok([solution])
+            if *data == -2.0 { Err(SolveError::LostRank) } else { Ok(solutions.map(|solution| [solution])) }
         }
     }
 
@@ -216,6 +212,12 @@ mod tests {
             assert!(solutions[2..6].iter().all(|number| number.is_nan()));
         }
         assert_eq!(call::<4>(&[]).0, 0);
+    }
+
+    #[test]
+    fn data_are_refused_for_rows_even_if_there_are_none() {
+        let (code, _, counts, codes) = call::<2>(&[-2.0, -1.0, 4.0]);
+        assert_eq!((code, counts, codes), (0, vec![0, 0, 2], vec![Code::LostRank.number(), 0, 0]));
     }
 
     #[test]
