@@ -158,8 +158,8 @@ mod tests {
     use super::*;
     use crate::buffer::Input;
 
-    /// The square roots of a number, at most two. 13 panics, and 14 does for its rows; -2 is refused
-    /// for its rows, of which there are none.
+    /// The square roots of a number, at most two. 13 panics, and 14 does for its rows; -2 is
+    /// refused for its rows, of which there are none.
     struct Roots(Input);
 
     impl Batch<1, 2> for Roots {
