@@ -3,8 +3,9 @@
 use crate::algebra::Random;
 use crate::algebra::{
     GroebnerBasis, GroebnerError, Limits, Monomial, MonomialOrder, PRIMES, Polynomial, PrimeField, QuotientRing,
-    count_points, saturate,
+    count_points, saturate, zero_sets,
 };
+use crate::presolve::Presolve;
 use crate::presolve::symmetry::Symmetry;
 use crate::problem::Problem;
 use crate::problem::diagnostic::{Diagnostic, Diagnostics};
@@ -18,6 +19,9 @@ pub struct SolutionCount {
     /// Number of different complex solutions. If there are more than [`MOST_TOLD_APART`], all are
     /// taken to be different.
     pub different: usize,
+    /// The sets of unknowns that are 0 together at some solution, while the others are not: no more
+    /// than [`MOST_ZERO_SETS`], and none if solutions are not told apart.
+    pub zero_sets: Vec<Vec<usize>>,
     /// The multiplicity of the origin, where all unknowns are 0; 0 if it is no solution. It is
     /// known without computing.
     pub at_origin: usize,
@@ -32,7 +36,14 @@ impl SolutionCount {
     /// sign that the problem allows. And no finite set of monomials holds all its products aB with
     /// an action monomial a: there is a column outside of B.
     pub fn least_columns(&self, problem: &Problem) -> usize {
-        (self.solutions - self.at_origin).div_ceil(Symmetry::of_problem(problem).order()) + 1
+        // Presolve may leave a problem of which the origin is a solution, which is known, too.
+        let is_known = |&presolve: &Presolve| crate::presolve::presolve(problem, presolve).problem.has_origin();
+        let at_a_point = self.solutions - self.different + 1;
+        let known = match Presolve::all(problem.unknowns.len()).iter().any(is_known) {
+            true => self.at_origin.max(at_a_point),
+            false => self.at_origin,
+        };
+        (self.solutions - known).div_ceil(Symmetry::of_problem(problem).order()) + 1
     }
 }
 
@@ -42,6 +53,8 @@ const COUNTS: [(u32, u64); 2] = [(PRIMES[0], 1), (PRIMES[1], 2)];
 const MAX_SOLUTIONS: usize = 5_000;
 /// At most this many solutions are told apart: the time grows with the cube of their number.
 pub const MOST_TOLD_APART: usize = 400;
+/// More sets of unknowns that vanish together than this are not looked at.
+pub const MOST_ZERO_SETS: usize = 64;
 
 /// Counts the solutions over two primes.
 ///
@@ -95,7 +108,7 @@ fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<SolutionCoun
             .hint("no elimination template of use has so many; look for a formulation of lower degree")
     })?;
     let solutions = solutions.len();
-    let different = count_different(&basis, unknowns, seed).unwrap_or(solutions);
+    let (different, zero_sets) = tell_apart(&basis, unknowns, seed).unwrap_or((solutions, Vec::new()));
     let at_origin = match problem.has_origin() {
         true => solutions.saturating_sub(count_elsewhere(&instance, unknowns, seed).map_err(too_large)?),
         false => 0,
@@ -105,7 +118,7 @@ fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<SolutionCoun
             .label("every term of every equation holds an unknown")
             .hint("unknowns that can be scaled together need an equation that fixes the scale, such as `x == 1;`"));
     }
-    Ok(SolutionCount { solutions, different, at_origin, basis_elements: basis.elements().len() })
+    Ok(SolutionCount { solutions, different, zero_sets, at_origin, basis_elements: basis.elements().len() })
 }
 
 fn no_solution(problem: &Problem) -> Diagnostic {
@@ -137,6 +150,25 @@ fn infinitely_many(problem: &Problem, instance: &Instance, dimension: usize) -> 
         .hint("solutions that are not wanted, such as 0, are excluded by a statement `factor != 0;`")
 }
 
+/// The number of solutions of a presolved problem except the origin of the unknowns that were kept,
+/// with their multiplicity. `instance` is one of the presolved problem.
+///
+/// # Errors
+/// As [`ideal`].
+#[cfg(feature = "search")]
+pub(crate) fn count_elsewhere_on(
+    instance: &Instance,
+    kept: &[usize],
+    unknowns: usize,
+    seed: u64,
+) -> Result<usize, GroebnerError> {
+    let mut fixed = instance.clone();
+    // The others do not occur.
+    let others = (0..unknowns).filter(|x| !kept.contains(x));
+    fixed.equations.extend(others.map(|x| Polynomial::from_terms(vec![(Monomial::unknown(x), 1)])));
+    count_elsewhere(&fixed, unknowns, seed)
+}
+
 /// The number of solutions except the origin, with their multiplicity.
 ///
 /// A random linear form vanishes at the origin and, with a probability near 1, at no other
@@ -150,13 +182,14 @@ fn count_elsewhere(instance: &Instance, unknowns: usize, seed: u64) -> Result<us
     Ok(basis.quotient_basis(unknowns, MAX_SOLUTIONS).map_or(0, |basis| basis.len()))
 }
 
-/// The number of different solutions; `None` for more than [`MOST_TOLD_APART`].
-fn count_different(basis: &GroebnerBasis, unknowns: usize, seed: u64) -> Option<usize> {
+/// The number of different solutions, and which unknowns vanish together at them; `None` for more
+/// than [`MOST_TOLD_APART`].
+fn tell_apart(basis: &GroebnerBasis, unknowns: usize, seed: u64) -> Option<(usize, Vec<Vec<usize>>)> {
     let limits = Limits { max_quotient_dimension: MOST_TOLD_APART, ..Limits::default() };
     let ring = QuotientRing::new(basis, unknowns, &limits).ok()?;
     let mut random = Random::new(seed);
     let form: Vec<u32> = (0..unknowns).map(|_| basis.field().draw(&mut random)).collect();
-    Some(count_points(&ring, &form))
+    Some((count_points(&ring, &form), zero_sets(&ring, MOST_ZERO_SETS).into_iter().collect()))
 }
 
 /// The ideal of an instance, saturated by the factors that must not vanish.

@@ -71,8 +71,9 @@ pub trait SolverInstance {
     /// [`SolverInstance::recover`] computes the unknown.
     fn ratios(&self, unknown: usize) -> &[(u16, u16)];
 
-    /// Whether the origin is a solution for all data. It is then known beforehand, and no eigenpair
-    /// needs to belong to it.
+    /// Whether there is a solution for all data at which all unknowns are 0 but those that
+    /// [`SolverInstance::recover`] computes. It is then known beforehand, and no eigenpair needs to
+    /// belong to it.
     fn has_origin(&self) -> bool {
         false
     }

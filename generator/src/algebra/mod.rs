@@ -19,7 +19,7 @@ pub use field::{PRIMES, PrimeField};
 #[cfg(feature = "search")]
 pub use groebner::{
     BasisElement, GeneratorMultiple, GroebnerBasis, GroebnerError, Limits, MonomialOrder, OrderKey, QuotientRing,
-    TracedBasis, change_order, count_points, groebner_basis, saturate,
+    TracedBasis, change_order, count_points, groebner_basis, saturate, zero_sets,
 };
 pub use matrix::DenseMatrix;
 pub use monomial::{MAX_UNKNOWNS, Monomial, MonomialMap, MonomialSet};

@@ -12,7 +12,7 @@ use crate::plan::value_layout::ValueLayout;
 /// The version of the runtime's hidden interface that is emitted for.
 pub const RUNTIME_VERSION: u32 = 9;
 
-/// That all unknowns 0 is a solution, if it is one.
+/// That the origin of the unknowns that presolve kept is a solution, if it is one.
 fn origin(plan: &Plan) -> TokenStream {
     match plan.has_origin {
         true => quote! {

@@ -61,7 +61,9 @@ fn header(problem: &Problem, file: &TemplateFile, reduced: &ReducedProblem, plan
     lines.push(format!("- action monomial: {}", listed(&[file.template.action], &problem.unknowns)));
     lines.push(format!("- basis: {}", listed(&file.template.basis, &problem.unknowns)));
     if plan.has_origin {
-        lines.push("- all unknowns 0 is a solution, whatever the data, and is returned without an eigenvalue".into());
+        let whose =
+            if plan.recoveries.is_empty() { "all unknowns" } else { "all unknowns but those that are recovered" };
+        lines.push(format!("- {whose} 0 is a solution, whatever the data, and is returned without an eigenvalue"));
     }
     if !plan.recoveries.is_empty() {
         let names: Vec<_> = plan.recoveries.iter().map(|r| format!("`{}`", problem.unknowns[r.unknown])).collect();

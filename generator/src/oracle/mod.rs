@@ -86,7 +86,7 @@ impl<'a> Truths<'a> {
             next_to.into_iter().for_each(|start| this.add(start));
         }
         if plan.has_origin {
-            this.add(&vec![widened(Complex::new(0.0, 0.0)); plan.unknowns.len()]);
+            this.add(&template::origin(plan, &this.system));
         }
         if this.points.len() < this.expected && plan.operations().total() <= MOST_OPERATIONS {
             for point in template::points(plan, &this.system) {

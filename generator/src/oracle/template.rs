@@ -23,6 +23,11 @@ pub(super) fn points(plan: &Plan, system: &System<'_>) -> Vec<WidePoint> {
     points
 }
 
+/// The point at which all unknowns are 0 but those that presolve eliminated.
+pub(super) fn origin(plan: &Plan, system: &System<'_>) -> WidePoint {
+    recovered(plan, system, vec![Complex::new(f256::ZERO, f256::ZERO); plan.unknowns.len()])
+}
+
 /// The unknowns of an eigenpair; `None` if they cannot be read.
 fn unknowns(
     plan: &Plan,
@@ -50,15 +55,22 @@ fn unknowns(
             }),
         };
     }
+    let x = recovered(plan, system, x);
+    x.iter().all(|x| x.re.is_finite() && x.im.is_finite()).then_some(x)
+}
+
+/// The point with the unknowns that presolve eliminated, which follow from the others.
+fn recovered(plan: &Plan, system: &System<'_>, mut x: WidePoint) -> WidePoint {
     for recovery in &plan.recoveries {
         let term = |term: &crate::plan::Term| {
             let factors = term.exponents.iter().zip(&x).flat_map(|(&e, &x)| (0..e).map(move |_| x));
             let coefficient = Complex::new(system.coefficients()[usize::from(term.coefficient.0)], f256::ZERO);
             factors.fold(coefficient, |product, x| product * x)
         };
+        let zero = Complex::new(f256::ZERO, f256::ZERO);
         x[recovery.unknown] = recovery.terms.iter().map(term).fold(zero, |sum, term| sum + term);
     }
-    x.iter().all(|x| x.re.is_finite() && x.im.is_finite()).then_some(x)
+    x
 }
 
 /// sum of conj(m_k) (s m_k) / sum of |m_k|^2; `None` if all m_k vanish.

@@ -283,8 +283,8 @@ pub struct Plan {
     pub fields: Vec<SolutionField>,
     /// The number of different complex solutions of a generic instance.
     pub solutions: usize,
-    /// Whether the origin, all unknowns 0, is one of them. It is known, and no template need give
-    /// it.
+    /// Whether the origin, where all unknowns are 0 but those that presolve eliminated, is one of
+    /// them. It is known, and no template need give it.
     pub has_origin: bool,
     /// From the data to the coefficients.
     pub program: Program,

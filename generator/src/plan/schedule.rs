@@ -106,7 +106,7 @@ impl Scheduler<'_> {
         let extra: Vec<Monomial> = template.reducible.iter().filter(|m| !is_image(m)).copied().collect();
         let read = extra.iter().filter_map(|m| pivots.get(m).copied()).collect();
         let symmetry = Symmetry::of_problem(problem).of_template(&template.action, &template.basis).on(&reduced.kept);
-        let has_origin = problem.has_origin();
+        let has_origin = reduced.problem.has_origin();
         let most = template.basis.len() * symmetry.order() + usize::from(has_origin);
         if self.solutions > most {
             let what = format!("{} solutions, but its basis gives {most} at most", self.solutions);

@@ -17,8 +17,8 @@
 //! 4. Where signs can be changed some unknowns are square roots x of residues X(t). Values are then
 //!    sums of residues times products of roots (`super::residues`). A root t stands for a
 //!    solution for each choice of the signs of the x that are not 0.
-//! 5. The origin is a solution that needs no eigenpair. It is counted once, and divided out where
-//!    an eigenpair gives it.
+//! 5. The origin of the unknowns that presolve kept needs no eigenpair if it is a solution. It is
+//!    counted once, and divided out where an eigenpair gives it.
 //!
 //! An eigenvalue with several eigenvectors may belong to as many solutions, which share a value of
 //! a. These are not looked into: they make the number uncertain, as do eigenpairs from which an
@@ -254,7 +254,9 @@ impl Counter<'_> {
             solutions = solutions.over(field, &excluded);
         }
         if self.plan.has_origin {
-            let origin = branch.unknowns.iter().fold(solutions.clone(), |origin, unknown| {
+            let is_recovered = |unknown: usize| self.plan.recoveries.iter().any(|r| r.unknown == unknown);
+            let kept = branch.unknowns.iter().enumerate().filter(|(unknown, _)| !is_recovered(*unknown));
+            let origin = kept.fold(solutions.clone(), |origin, (_, unknown)| {
                 unknown.residues().fold(origin, |origin, residue| origin.gcd(field, residue))
             });
             solutions = solutions.over(field, &origin);

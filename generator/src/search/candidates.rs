@@ -56,7 +56,7 @@ pub fn candidates(
     if least > options.max_columns {
         return Err(SearchError::TooFewColumns { max_columns: options.max_columns, least });
     }
-    let formulations = formulations(problem, options)?;
+    let formulations = formulations(problem, count, options)?;
     let all = strategies(&formulations).into_iter().enumerate();
     let strategies: Vec<Numbered<'_>> =
         all.filter(|(at, _)| options.shard.holds(*at)).map(|(at, strategy)| Numbered { at, strategy }).collect();
@@ -81,7 +81,7 @@ pub fn traced_candidates(
     options: &SearchOptions,
     monitor: &dyn Monitor,
 ) -> Result<Found, SearchError> {
-    let formulations = formulations(problem, options)?;
+    let formulations = formulations(problem, count, options)?;
     let mut failed = Vec::new();
     for (at, strategy) in traced_strategies(&formulations).into_iter().enumerate() {
         if at >= TRACED_IN_ANY_CASE && monitor.is_over(Stage::Searching) {
@@ -105,10 +105,8 @@ fn candidates_of(
     options: &SearchOptions,
     monitor: &dyn Monitor,
 ) -> Result<Found, SearchError> {
-    // The origin is a solution that takes no row: the solver knows it without an eigenvalue.
-    let solutions = count.solutions - count.at_origin;
     let is_over = || monitor.is_over(Stage::Searching);
-    let context = StrategyContext { solutions, options, cache: &Cache::default(), monitor };
+    let context = StrategyContext { options, cache: &Cache::default(), monitor };
     let reduced = map(strategies, |numbered| reduce_strategy(&numbered.strategy, &context), &is_over);
     let untried = reduced.iter().filter(|reduced| reduced.is_none()).count();
     let mut work: Vec<(&Numbered<'_>, &EliminationTemplate)> = Vec::new();
@@ -125,7 +123,7 @@ fn candidates_of(
     let unplanned = planned.iter().filter(|planned| planned.is_none()).count();
     let candidates = in_order(planned.into_iter().flatten().flatten().collect(), options.prefer);
     if candidates.is_empty() {
-        let failed = failed_strategies(strategies, reduced, solutions, &problem.unknowns);
+        let failed = failed_strategies(strategies, reduced, &problem.unknowns);
         return Err(SearchError::NotFound { max_columns: options.max_columns, failed, untried, is_over: is_over() });
     }
     monitor.say(&format!("{} different templates", candidates.len()));
@@ -168,7 +166,6 @@ fn candidate(
 fn failed_strategies(
     strategies: &[Numbered<'_>],
     reduced: Vec<Option<StrategyTemplates>>,
-    solutions: usize,
     unknowns: &[String],
 ) -> Vec<FailedStrategy> {
     let failed = |(numbered, reduced): (&Numbered<'_>, Option<StrategyTemplates>)| {
@@ -177,7 +174,7 @@ fn failed_strategies(
         if is_too_large {
             return Some(FailedStrategy::too_large(strategy.describe(), tried, largest));
         }
-        let obstacle = unsolved.map(|matrix| obstacle(strategy.formulation, &matrix, solutions));
+        let obstacle = unsolved.map(|matrix| obstacle(strategy.formulation, &matrix));
         Some(FailedStrategy::new(strategy.describe(), tried, largest, obstacle.as_ref(), unknowns))
     };
     strategies.iter().zip(reduced).filter_map(failed).collect()

@@ -67,6 +67,11 @@ fn describe(obstacle: &Obstacle, unknowns: &[String]) -> String {
                 "the smallest set of monomials that is closed under an action monomial has {basis}, more than the {limit} allowed"
             )
         }
+        Obstacle::Vanishing { basis } => {
+            format!(
+                "the set of {basis} monomials that is closed under an action monomial vanishes at a solution where unknowns are 0"
+            )
+        }
         Obstacle::Unreadable { unknown, basis } => {
             let name = unknowns.get(unknown).map_or("?", String::as_str);
             format!(

@@ -5,6 +5,7 @@ use super::options::SearchOptions;
 use super::preference::BURDEN_OF_PRESOLVE;
 use super::solving_set::Requirements;
 use crate::algebra::{Monomial, PRIMES, PrimeField};
+use crate::check::{SolutionCount, count_elsewhere_on};
 use crate::expression::ExpressionId;
 use crate::plan::straight_line::{planned_derivations, straight_line_program};
 use crate::presolve::symmetry::{Reading, Symmetry};
@@ -34,6 +35,11 @@ pub(crate) struct Formulation {
     pub(crate) reduced: ReducedProblem,
     pub(crate) instance: Instance,
     pub(crate) check: Instance,
+    /// The number of solutions that are to be computed, with their multiplicity: all but the origin
+    /// of the unknowns that were kept, which is known if it is one.
+    pub(crate) solutions: usize,
+    /// The sets of unknowns that were kept that are 0 together at a solution that is computed.
+    zero_sets: Vec<Vec<usize>>,
     /// Largest |B| that is wanted; the solutions may need more.
     max_basis: Option<usize>,
 }
@@ -46,15 +52,20 @@ impl Formulation {
         (self.presolve, self.symmetry.is_none())
     }
 
-    /// What templates must satisfy. `solutions` is the number of solutions that are to be computed.
-    pub(crate) fn requirements(&self, solutions: usize, max_basis: usize) -> Requirements<'_> {
-        Requirements { readings: &self.readings, solutions: self.orbits(solutions), max_basis }
+    /// What templates must satisfy.
+    pub(crate) fn requirements(&self, max_basis: usize) -> Requirements<'_> {
+        Requirements { readings: &self.readings, solutions: self.orbits(), max_basis, zero_sets: &self.zero_sets }
+    }
+
+    /// Whether the origin of the unknowns that were kept is a solution.
+    fn has_origin(&self) -> bool {
+        self.reduced.problem.has_origin()
     }
 
     /// The different [`BASIS_PERCENT`] of the number of solutions up to sign, increasing, up to the
     /// largest that is wanted.
-    pub(crate) fn basis_limits(&self, solutions: usize) -> Vec<usize> {
-        let orbits = self.orbits(solutions);
+    pub(crate) fn basis_limits(&self) -> Vec<usize> {
+        let orbits = self.orbits();
         let mut limits: Vec<usize> = BASIS_PERCENT.iter().map(|percent| (orbits * percent).div_ceil(100)).collect();
         if let Some(most) = self.max_basis {
             limits.retain(|&limit| limit < most);
@@ -65,16 +76,20 @@ impl Formulation {
     }
 
     /// Number of solutions up to sign: one eigenvalue gives all solutions of an orbit.
-    fn orbits(&self, solutions: usize) -> usize {
-        solutions.div_ceil(self.symmetry.order())
+    fn orbits(&self) -> usize {
+        self.solutions.div_ceil(self.symmetry.order())
     }
 }
 
-/// The different formulations of a problem.
+/// The different formulations of a problem. `count` is what [`crate::check::check`] tells of it.
 ///
 /// If signs can be changed there are two of each presolved form, because a template that uses the
 /// sign changes loses the solutions that no sign change moves.
-pub(crate) fn formulations(problem: &Problem, options: &SearchOptions) -> Result<Vec<Formulation>, SearchError> {
+pub(crate) fn formulations(
+    problem: &Problem,
+    count: &SolutionCount,
+    options: &SearchOptions,
+) -> Result<Vec<Formulation>, SearchError> {
     let mut formulations: Vec<Formulation> = Vec::new();
     let of_problem = Symmetry::of_problem(problem);
     for kind in Presolve::all(problem.unknowns.len()) {
@@ -88,18 +103,48 @@ pub(crate) fn formulations(problem: &Problem, options: &SearchOptions) -> Result
         }
         let draw = |field, seed| Instance::draw(&reduced.problem, field, seed).ok_or(SearchError::NoInstance);
         let (instance, check) = (draw(SEARCH_FIELD, options.seed)?, draw(CHECK_FIELD, options.seed.wrapping_add(1))?);
+        let same_unknowns = formulations.iter().find(|other| other.has_origin() && other.reduced.kept == reduced.kept);
+        let solutions = match (reduced.problem.has_origin(), same_unknowns) {
+            (false, _) => count.solutions,
+            (true, Some(other)) => other.solutions,
+            (true, None) => count_elsewhere_on(&instance, &reduced.kept, problem.unknowns.len(), options.seed)
+                .unwrap_or(count.solutions - count.at_origin),
+        };
+        let zero_sets = zero_sets(count, &reduced);
         let symmetry = of_problem.on(&reduced.kept);
         let symmetries = [Some(symmetry.clone()).filter(|symmetry| !symmetry.is_none()), Some(Symmetry::NONE)];
         for symmetry in symmetries.into_iter().flatten() {
             let (readings, actions) = (symmetry.readings(&reduced.kept), actions(&symmetry, &reduced.kept));
             let (reduced, instance, check) = (reduced.clone(), instance.clone(), check.clone());
-            let max_basis = options.max_basis;
-            let presolve = kind;
-            let next = Formulation { presolve, symmetry, readings, actions, reduced, instance, check, max_basis };
-            formulations.push(next);
+            let zero_sets = zero_sets.clone();
+            formulations.push(Formulation {
+                presolve: kind,
+                symmetry,
+                readings,
+                actions,
+                reduced,
+                instance,
+                check,
+                solutions,
+                zero_sets,
+                max_basis: options.max_basis,
+            });
         }
     }
     Ok(formulations)
+}
+
+/// The sets of unknowns that presolve kept that are 0 together at a solution.
+fn zero_sets(count: &SolutionCount, reduced: &ReducedProblem) -> Vec<Vec<usize>> {
+    let on_kept = |set: &Vec<usize>| -> Vec<usize> {
+        set.iter().copied().filter(|unknown| reduced.kept.contains(unknown)).collect()
+    };
+    let mut sets: Vec<Vec<usize>> = count.zero_sets.iter().map(on_kept).collect();
+    // The origin is known.
+    sets.retain(|set| !set.is_empty() && !(reduced.problem.has_origin() && *set == reduced.kept));
+    sets.sort_unstable();
+    sets.dedup();
+    sets
 }
 
 /// Operations that compute the coefficients of the equations.

@@ -120,7 +120,7 @@ mod tests {
         let shifts = Shifts::new(&equations, &[0, 1], Growth::Degree(vec![1, 1]), 100).nth(1).unwrap();
         let matrix = ShiftMatrix::new(field, &equations, &shifts);
         let readings = Symmetry::NONE.readings(&[0, 1]);
-        let requirements = |max_basis| Requirements { readings: &readings, solutions: 4, max_basis };
+        let requirements = |max_basis| Requirements { readings: &readings, solutions: 4, max_basis, zero_sets: &[] };
         let template =
             reduce(&matrix, &actions[0], &requirements(4), DeletionOrder::HighestFirst, &Unmonitored).unwrap();
         assert_eq!((template.rows(), template.basis.len()), (6, 4));

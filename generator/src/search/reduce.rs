@@ -240,7 +240,8 @@ mod tests {
             Polynomial::from_terms(monomials.into_iter().map(|m| (m, field.draw(&mut random))).collect())
         };
         let equations = [conic(), conic()];
-        let requirements = Requirements { readings: &Symmetry::NONE.readings(&[0, 1]), solutions: 4, max_basis: 4 };
+        let requirements =
+            Requirements { readings: &Symmetry::NONE.readings(&[0, 1]), solutions: 4, max_basis: 4, zero_sets: &[] };
         let action = Monomial::unknown(0);
         let template = Shifts::new(&equations, &[0, 1], Growth::Degree(vec![1, 1]), 100)
             .find_map(|shifts| {
@@ -266,7 +267,8 @@ mod tests {
         let equations = [with([3, 0], &low), with([0, 1], &low)];
         let shifts = [0, 1].map(|equation| Shift { equation, multiplier: Monomial::ONE });
         let matrix = ShiftMatrix::new(field, &equations, &shifts);
-        let requirements = Requirements { readings: &Symmetry::NONE.readings(&[0, 1]), solutions: 3, max_basis: 3 };
+        let requirements =
+            Requirements { readings: &Symmetry::NONE.readings(&[0, 1]), solutions: 3, max_basis: 3, zero_sets: &[] };
         let template =
             reduce(&matrix, &Monomial::unknown(0), &requirements, DeletionOrder::HighestFirst, &Unmonitored).unwrap();
         assert_eq!((template.rows(), template.columns()), (2, 5));
@@ -289,8 +291,12 @@ mod tests {
         let shifts = [0, 1].map(|equation| Shift { equation, multiplier: Monomial::ONE });
         let matrix = ShiftMatrix::new(field, &equations, &shifts);
         let reduced = |unknowns: &[usize]| {
-            let requirements =
-                Requirements { readings: &Symmetry::NONE.readings(unknowns), solutions: 3, max_basis: 3 };
+            let requirements = Requirements {
+                readings: &Symmetry::NONE.readings(unknowns),
+                solutions: 3,
+                max_basis: 3,
+                zero_sets: &[],
+            };
             reduce(&matrix, &Monomial::unknown(0), &requirements, DeletionOrder::HighestFirst, &Unmonitored)
         };
         assert!(reduced(&[0]).is_some());

@@ -14,8 +14,6 @@ use crate::template::shift_matrix::ShiftMatrix;
 
 /// What all strategies of a search have in common.
 pub(crate) struct StrategyContext<'a> {
-    /// The number of solutions that are to be computed.
-    pub(crate) solutions: usize,
     pub(crate) options: &'a SearchOptions,
     pub(crate) cache: &'a Cache,
     pub(crate) monitor: &'a dyn Monitor,
@@ -56,12 +54,12 @@ const ROWS_OF_FULL_IMPROVEMENT: u64 = 50;
 /// Unless the monitor ends it, the result depends on the strategy, the number of solutions and the
 /// options alone. Strategies can therefore be reduced anywhere, and their templates put together.
 pub(crate) fn reduce_strategy(strategy: &Strategy<'_>, context: &StrategyContext<'_>) -> StrategyTemplates {
-    let StrategyContext { solutions, options, cache, monitor } = *context;
+    let StrategyContext { options, cache, monitor } = *context;
     let formulation = strategy.formulation;
-    let seeds = seed_sets(strategy, solutions, options, monitor);
+    let seeds = seed_sets(strategy, options, monitor);
     let mut templates: Vec<EliminationTemplate> = Vec::new();
-    for max_basis in formulation.basis_limits(solutions) {
-        let requirements = formulation.requirements(solutions, max_basis);
+    for max_basis in formulation.basis_limits() {
+        let requirements = formulation.requirements(max_basis);
         let reduced = |shifts: &SolvingShifts| {
             let key = (formulation.key(), shifts.matrix.shifts.clone(), shifts.action, max_basis);
             let order = DeletionOrder::HighestFirst;
@@ -133,6 +131,7 @@ fn improvement<'a>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::check::check;
     use crate::problem::Problem;
     use crate::search::formulation::formulations;
     use crate::search::grow::Growth;
@@ -144,13 +143,14 @@ mod tests {
                     dot(b, [x * x, x * y, y * y, x, y, 1]) == 0;\n}\n";
         let problem = Problem::parse("conics.rs", text).unwrap();
         let options = SearchOptions::default();
-        let formulations = formulations(&problem, &options).unwrap();
+        let count = check(&problem).unwrap();
+        let formulations = formulations(&problem, &count, &options).unwrap();
         let shared = Cache::default();
         for growth in [Growth::Degree(vec![1, 1]), Growth::Neighbours, Growth::BestShift(0), Growth::Degree(vec![1, 1])]
         {
             let strategy = Strategy { formulation: &formulations[0], growth: growth.clone() };
             let [alone, together] = [&Cache::default(), &shared].map(|cache| {
-                let context = StrategyContext { solutions: 4, options: &options, cache, monitor: &Unmonitored };
+                let context = StrategyContext { options: &options, cache, monitor: &Unmonitored };
                 reduce_strategy(&strategy, &context).templates
             });
             assert_eq!(alone, together);

@@ -45,15 +45,10 @@ const LEVELS_BEYOND_FIRST: usize = 1;
 const ROWS_BETWEEN_LOOKS: usize = 20;
 
 /// Grows the shifts of a strategy until an action monomial solves, and a little further.
-pub(crate) fn seed_sets(
-    strategy: &Strategy<'_>,
-    solutions: usize,
-    options: &SearchOptions,
-    monitor: &dyn Monitor,
-) -> SeedSets {
+pub(crate) fn seed_sets(strategy: &Strategy<'_>, options: &SearchOptions, monitor: &dyn Monitor) -> SeedSets {
     let Strategy { formulation, growth } = strategy;
     if *growth == Growth::Trace {
-        return traced_seed_sets(formulation, solutions, monitor);
+        return traced_seed_sets(formulation, monitor);
     }
     let equations = &formulation.instance.equations;
     let mut sets = SeedSets::default();
@@ -73,7 +68,7 @@ pub(crate) fn seed_sets(
         let matrix = ShiftMatrix::new(formulation.instance.field, equations, &shifts);
         sets.tried += 1;
         sets.largest = sets.largest.max((matrix.monomials.len(), matrix.rows.len()));
-        sets.solving.extend(solving_shifts(formulation, &formulation.actions, &matrix, solutions));
+        sets.solving.extend(solving_shifts(formulation, &formulation.actions, &matrix));
         if !sets.solving.is_empty() {
             sets.unsolved = None;
             if levels_left == 0 {
@@ -92,10 +87,10 @@ const TRACED_SETS: usize = 2;
 
 /// The seed sets by the trace of a Gröbner basis, the smallest ones, each for its action monomial.
 /// There are none if the basis is too large.
-fn traced_seed_sets(formulation: &Formulation, solutions: usize, monitor: &dyn Monitor) -> SeedSets {
+fn traced_seed_sets(formulation: &Formulation, monitor: &dyn Monitor) -> SeedSets {
     let mut sets = SeedSets::default();
     let mut found = 0;
-    let of_trace = traced_shifts(formulation, solutions);
+    let of_trace = traced_shifts(formulation);
     sets.is_too_large = of_trace.is_err();
     for traced in of_trace.unwrap_or_default() {
         // The first set is looked at in any case.
@@ -111,7 +106,7 @@ fn traced_seed_sets(formulation: &Formulation, solutions: usize, monitor: &dyn M
         monitor.say(&format!("{rows} x {columns} by the trace of a Gröbner basis"));
         sets.tried += 1;
         sets.largest = sets.largest.max((columns, rows));
-        let solving = solving_shifts(formulation, &[traced.action], &matrix, solutions);
+        let solving = solving_shifts(formulation, &[traced.action], &matrix);
         found += usize::from(!solving.is_empty());
         sets.solving.extend(solving);
         sets.unsolved = sets.solving.is_empty().then_some(matrix);
@@ -120,14 +115,9 @@ fn traced_seed_sets(formulation: &Formulation, solutions: usize, monitor: &dyn M
 }
 
 /// For each action monomial and each bound on |B| the rows that the best solving set needs.
-fn solving_shifts(
-    formulation: &Formulation,
-    actions: &[Monomial],
-    matrix: &ShiftMatrix,
-    solutions: usize,
-) -> Vec<SolvingShifts> {
+fn solving_shifts(formulation: &Formulation, actions: &[Monomial], matrix: &ShiftMatrix) -> Vec<SolvingShifts> {
     let mut solving = Vec::new();
-    let limits = formulation.basis_limits(solutions);
+    let limits = formulation.basis_limits();
     // Which rows are independent depends on no action monomial.
     let independent = independent_rows(matrix, DeletionOrder::HighestFirst);
     for &action in actions {
@@ -135,7 +125,7 @@ fn solving_shifts(
             continue;
         };
         for &max_basis in &limits {
-            let requirements = formulation.requirements(solutions, max_basis);
+            let requirements = formulation.requirements(max_basis);
             let Some(set) = dependencies.best(matrix, &requirements) else { continue };
             let needed = dependencies.rows_of(&set);
             let matrix = matrix.retain_rows(&set.basis, |row| needed.binary_search(&row).is_ok());
@@ -146,9 +136,9 @@ fn solving_shifts(
 }
 
 /// What keeps the rows from solving, for the action monomial that comes closest.
-pub(crate) fn obstacle(formulation: &Formulation, matrix: &ShiftMatrix, solutions: usize) -> Obstacle {
-    let max_basis = formulation.basis_limits(solutions).last().copied().unwrap_or(solutions);
-    let requirements = formulation.requirements(solutions, max_basis);
+pub(crate) fn obstacle(formulation: &Formulation, matrix: &ShiftMatrix) -> Obstacle {
+    let max_basis = formulation.basis_limits().last().copied().unwrap_or(formulation.solutions);
+    let requirements = formulation.requirements(max_basis);
     let rows = independent_rows(matrix, DeletionOrder::HighestFirst);
     let of = |action: &Monomial| Dependencies::new(matrix, action, &rows, &formulation.readings);
     let dependencies = formulation.actions.iter().filter_map(of);

@@ -37,7 +37,7 @@ pub(crate) struct TracedShifts {
 ///
 /// # Errors
 /// The Gröbner basis is too large.
-pub(crate) fn traced_shifts(formulation: &Formulation, solutions: usize) -> Result<Vec<TracedShifts>, GroebnerError> {
+pub(crate) fn traced_shifts(formulation: &Formulation) -> Result<Vec<TracedShifts>, GroebnerError> {
     let limits = Limits::default();
     let traced = TracedBasis::new(formulation.instance.field, &formulation.instance.equations, &limits)?;
     let width = formulation.reduced.problem.unknowns.len();
@@ -45,8 +45,7 @@ pub(crate) fn traced_shifts(formulation: &Formulation, solutions: usize) -> Resu
     let Some(standard) = standard else { return Ok(Vec::new()) };
     let (mut sets, mut too_large) = (Vec::new(), Vec::new());
     for class in classes(formulation, standard) {
-        if too_large.len() >= MOST_TOO_LARGE || class.len() < formulation.requirements(solutions, usize::MAX).solutions
-        {
+        if too_large.len() >= MOST_TOO_LARGE || class.len() < formulation.requirements(usize::MAX).solutions {
             continue;
         }
         for &action in formulation.actions.iter().filter(|action| action.is_polynomial()) {

@@ -332,13 +332,15 @@ fn is_close_to_one<S: Scalar, N: Size>(candidate: &Candidate<S, N>, known: &[Can
     known.iter().any(|known| known.close(candidate))
 }
 
-/// The origin, if it is a solution.
+/// The solution at which all unknowns that were not eliminated beforehand are 0, if it is one.
 #[inline]
 fn known_beforehand<S: Scalar, I: SolverInstance>(solver: &I) -> Found<I, S> {
     let sizes = solver.sizes();
     let mut known = sizes.solutions.list();
     if solver.has_origin() {
-        known.push(Candidate { unknowns: sizes.unknowns.filled(S::ZERO), residual: 0.0 });
+        let mut unknowns = sizes.unknowns.filled(S::ZERO);
+        solver.recover(&mut unknowns);
+        known.push(Candidate { unknowns, residual: 0.0 });
     }
     known
 }

@@ -15,6 +15,7 @@ mod saturation;
 mod symbolic;
 mod trace;
 mod traced_basis;
+mod zero_sets;
 
 pub use basis::{BasisElement, GroebnerBasis};
 pub use fglm::change_order;
@@ -26,3 +27,4 @@ pub use reduced_basis::groebner_basis;
 pub use saturation::saturate;
 pub use trace::GeneratorMultiple;
 pub use traced_basis::TracedBasis;
+pub use zero_sets::zero_sets;

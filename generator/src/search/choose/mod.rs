@@ -27,10 +27,11 @@
 //!    [`SCREENED_AT_MOST`] and until all measurements together take [`MEASURING_WORK`].
 //! 3. *Choice.* If the accepted candidate solves every instance it is chosen. There are two
 //!    exceptions: *stability* always looks at others, and *speed* does if second attempts turn out
-//!    to make the accepted candidate dearer than another. Then up to [`OTHERS_CONFIRMED`] others of
-//!    similar cost are confirmed too, and the accepted candidate with the fewest unsolved instances
-//!    is chosen. Similar cost means for *speed* times within [`SIMILAR_COST`], second attempts
-//!    included, for *size* as many rows, for *stability* any.
+//!    to make the accepted candidate dearer than another; the cheapest of the others then comes
+//!    first. Up to [`OTHERS_CONFIRMED`] others of similar cost are confirmed too, and the accepted
+//!    candidate with the fewest unsolved instances is chosen. Similar cost means for *speed* times
+//!    within [`SIMILAR_COST`], second attempts included, for *size* as many rows, for *stability*
+//!    any.
 //!
 //! Large templates are measured on fewer instances: as many as [`SCREENING_WORK`] and
 //! [`CONFIRMING_WORK`] allow, but at least [`INCOMPLETE_ONE_IN`] for a confirmation, unless that

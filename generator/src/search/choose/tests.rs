@@ -144,6 +144,19 @@ fn second_attempts_take_time() {
 }
 
 #[test]
+fn the_cheapest_is_confirmed_first_where_second_attempts_turn_out_to_be_many() {
+    // Screening sees no second attempt of the first candidate, whose rows are fewest. Of the
+    // others, those with fewer rows have second attempts, too.
+    let made = [(100, 7, -15.0, 0), (108, 7, -15.0, 0), (109, 7, -15.0, 0), (104, 9, -15.0, 0)];
+    let measure = |at: usize, instances: Range<usize>| {
+        let is_late = instances.start >= 300 && at != 3;
+        Stability { repeated: usize::from(is_late) * instances.len() / 20, ..measure_made(&made, at, instances) }
+    };
+    let (chosen, trials) = decide_by(Speed, &Unmonitored, &made, &measure);
+    assert_eq!((chosen, trials), (Some((3, Accepted)), vec![10_000, 10_000, 300, 10_000]));
+}
+
+#[test]
 fn stability_takes_the_most_precise_within_its_cost() {
     let made = [(100, 9, -13.0, 0), (150, 9, -15.0, 0), (190, 9, -14.0, 0), (250, 9, -16.0, 0)];
     assert_eq!(chosen(Stable, &made), Some((1, Accepted)));

@@ -127,9 +127,15 @@ impl Tournament<'_> {
     /// too.
     fn best_confirmed(&mut self, first: usize) -> usize {
         let mut accepted = vec![first];
-        if self.preference == Preference::Stability || self.unsolved(first) > 0 || self.is_dearer_than_screened(first) {
-            let similar = |at: &usize| self.is_similar(first, *at);
-            for other in self.finalists().into_iter().filter(similar).take(OTHERS_CONFIRMED).collect::<Vec<_>>() {
+        let is_dearer = self.is_dearer_than_screened(first);
+        if self.preference == Preference::Stability || self.unsolved(first) > 0 || is_dearer {
+            let mut others = self.finalists();
+            others.retain(|&other| self.is_similar(first, other));
+            if is_dearer {
+                let expected = |&at: &usize| self.expected_nanoseconds(at);
+                others.sort_by(|a, b| expected(a).total_cmp(&expected(b)));
+            }
+            for other in others.into_iter().take(OTHERS_CONFIRMED) {
                 if self.confirm(other) {
                     accepted.push(other);
                 }

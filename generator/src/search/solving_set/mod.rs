@@ -19,6 +19,7 @@
 //!    closures of single columns, too many to look at.
 
 mod obstacle;
+mod vanishing;
 
 use std::collections::BTreeSet;
 
@@ -29,6 +30,7 @@ use crate::search::tableau::Tableau;
 use crate::template::shift_matrix::ShiftMatrix;
 
 pub use obstacle::Obstacle;
+use vanishing::Vanishing;
 
 /// Columns of a [`ShiftMatrix`], increasing.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -52,6 +54,9 @@ pub struct Requirements<'a> {
     pub solutions: usize,
     /// Largest size of B.
     pub max_basis: usize,
+    /// The sets of unknowns that are 0 together at a solution. If all monomials of B hold one of
+    /// such a set, or an unknown is a ratio of such monomials only, the solution is lost.
+    pub zero_sets: &'a [Vec<usize>],
 }
 
 /// Number of columns that are kept for each unknown that may need one, the lowest ones. Each kept
@@ -155,9 +160,9 @@ impl Dependencies {
             return false;
         }
         let is_readable = |basis: Vec<usize>| {
-            requirements.readings.iter().any(|readings| rest.readable(matrix, &basis, readings).is_some())
+            requirements.readings.iter().any(|readings| rest.readable(matrix, &basis, readings, requirements).is_some())
         };
-        rest.closed_sets(requirements).into_iter().any(is_readable)
+        rest.closed_sets(matrix, requirements).into_iter().any(is_readable)
     }
 
     /// Moves columns that are no longer expressible to the excess, and their preimages with them,
@@ -222,7 +227,7 @@ impl Dependencies {
     /// of the matrix are needed and no other.
     pub fn best(&self, matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> Option<SolvingSet> {
         let mut closed: Vec<(usize, usize, Vec<usize>)> = self
-            .closed_sets(requirements)
+            .closed_sets(matrix, requirements)
             .into_iter()
             .map(|basis| (self.shifts_of(&self.image_outside(&basis)).len(), basis.len(), basis))
             .collect();
@@ -234,7 +239,10 @@ impl Dependencies {
             if best.as_ref().is_some_and(|best| (best.rows, best.basis.len()) <= (rows, size)) {
                 break;
             }
-            let ways = requirements.readings.iter().filter_map(|readings| self.readable(matrix, &basis, readings));
+            let ways = requirements
+                .readings
+                .iter()
+                .filter_map(|readings| self.readable(matrix, &basis, readings, requirements));
             let with_rows = ways.map(|reducible| (self.shifts_of(&reducible).len(), reducible));
             let Some((rows, reducible)) = with_rows.min_by_key(|(rows, _)| *rows) else { continue };
             if best.as_ref().is_none_or(|best| (rows, size) < (best.rows, best.basis.len())) {
@@ -256,7 +264,7 @@ impl Dependencies {
     ///
     /// A closed set is a set of vertices that no edge leaves. With k free columns the transitive
     /// closure costs k^3 / 64 word operations.
-    fn closed_sets(&self, requirements: &Requirements<'_>) -> BTreeSet<Vec<usize>> {
+    fn closed_sets(&self, matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> BTreeSet<Vec<usize>> {
         let free: Vec<usize> = (0..self.part.len()).filter(|&column| self.is_free(column)).collect();
         let mut index_of = vec![usize::MAX; self.part.len()];
         free.iter().enumerate().for_each(|(at, &column)| index_of[column] = at);
@@ -290,7 +298,9 @@ impl Dependencies {
         let sets: BTreeSet<IndexSet> = closures.iter().cloned().chain(of_rows).collect();
         let sizes = requirements.solutions..=requirements.max_basis;
         let columns = |set: IndexSet| set.iter().map(|at| free[at]).collect();
-        sets.into_iter().filter(|set| sizes.contains(&set.len())).map(columns).collect()
+        let sets = sets.into_iter().filter(|set| sizes.contains(&set.len())).map(columns);
+        let vanishing = Vanishing::new(matrix, requirements);
+        sets.filter(|basis: &Vec<usize>| !vanishing.somewhere(basis)).collect()
     }
 
     fn is_free(&self, column: usize) -> bool {
@@ -315,13 +325,22 @@ impl Dependencies {
     /// The columns to express in a closed B so that every unknown can be read, increasing: aB \ B,
     /// and further columns for unknowns that B and aB do not give. `None` if an unknown cannot be
     /// read.
-    fn readable(&self, matrix: &ShiftMatrix, basis: &[usize], readings: &[Reading]) -> Option<Vec<usize>> {
+    fn readable(
+        &self,
+        matrix: &ShiftMatrix,
+        basis: &[usize],
+        readings: &[Reading],
+        requirements: &Requirements<'_>,
+    ) -> Option<Vec<usize>> {
+        let vanishing = Vanishing::new(matrix, requirements);
         let mut reducible = self.image_outside(basis);
-        for reading in readings {
+        for (reading, zeros) in readings.iter().flat_map(|reading| vanishing.sets().map(move |zeros| (reading, zeros)))
+        {
             let known =
                 |column: usize| basis.binary_search(&column).is_ok() || reducible.binary_search(&column).is_ok();
-            let ready = basis.iter().chain(&reducible).any(|&m| matrix.steps_from(m, reading).any(known));
-            if ready {
+            let divides = |m: usize| !vanishing.vanishes(m, zeros);
+            let mut from = basis.iter().chain(&reducible).copied().filter(|&m| divides(m));
+            if from.any(|m| matrix.steps_from(m, reading).any(known)) {
                 continue;
             }
             // A ratio with one known monomial takes one column more. Columns decrease, so the last
@@ -334,6 +353,7 @@ impl Dependencies {
             };
             let lowest = (0..matrix.monomials.len())
                 .rev()
+                .filter(|&m| divides(m))
                 .find_map(|m| matrix.steps_from(m, reading).find_map(|sm| one_of(m, sm)))?;
             if let Err(at) = reducible.binary_search(&lowest) {
                 reducible.insert(at, lowest);

@@ -1,5 +1,6 @@
 //! Why a set of shifts does not solve.
 
+use super::vanishing::Vanishing;
 use super::{Dependencies, Requirements};
 use crate::presolve::symmetry::Reading;
 use crate::template::shift_matrix::ShiftMatrix;
@@ -23,6 +24,11 @@ pub enum Obstacle {
         /// The largest |B| allowed.
         limit: usize,
     },
+    /// All monomials of the closed sets of the right size vanish at some solution.
+    Vanishing {
+        /// |B| of the smallest of these closed sets.
+        basis: usize,
+    },
     /// An unknown cannot be read from the closed sets of the right size.
     Unreadable {
         /// Index of the unknown.
@@ -36,7 +42,7 @@ impl Obstacle {
     /// Distance from a solving set: (kind, how much is missing). Smaller is closer.
     pub fn distance(&self) -> (usize, usize) {
         match *self {
-            Self::Unreadable { basis, .. } => (1, basis),
+            Self::Unreadable { basis, .. } | Self::Vanishing { basis } => (1, basis),
             Self::TooMany { basis, limit } => (2, basis.saturating_sub(limit)),
             Self::TooFew { basis, solutions } => (3, solutions.saturating_sub(basis)),
             Self::NoClosedSet => (4, 0),
@@ -49,21 +55,24 @@ impl Dependencies {
     /// if no set meets them.
     pub fn obstacle(&self, matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> Obstacle {
         let Requirements { readings, solutions, max_basis: limit, .. } = *requirements;
-        let any = Requirements { solutions: 1, max_basis: usize::MAX, ..requirements.clone() };
+        let any = Requirements { solutions: 1, max_basis: usize::MAX, zero_sets: &[], ..requirements.clone() };
+        let vanishing = Vanishing::new(matrix, requirements);
         let first = readings.first().map_or(&[][..], Vec::as_slice);
         let obstacle = |set: Vec<usize>| match set.len() {
             basis if basis < solutions => Obstacle::TooFew { basis, solutions },
             basis if basis > limit => Obstacle::TooMany { basis, limit },
+            basis if vanishing.somewhere(&set) => Obstacle::Vanishing { basis },
             basis => {
-                let is_unreadable =
-                    |reading: &&Reading| self.readable(matrix, &set, std::slice::from_ref(*reading)).is_none();
+                let is_unreadable = |reading: &&Reading| {
+                    self.readable(matrix, &set, std::slice::from_ref(*reading), requirements).is_none()
+                };
                 // If each unknown can be read by itself, the last one fails because of columns
                 // added for the others.
                 let unreadable = first.iter().find(is_unreadable).or(first.last());
                 Obstacle::Unreadable { unknown: unreadable.map_or(0, |reading| reading.unknown), basis }
             }
         };
-        let obstacles = self.closed_sets(&any).into_iter().map(obstacle);
+        let obstacles = self.closed_sets(matrix, &any).into_iter().map(obstacle);
         obstacles.min_by_key(Obstacle::distance).unwrap_or(Obstacle::NoClosedSet)
     }
 }
