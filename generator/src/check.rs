@@ -22,6 +22,9 @@ pub struct SolutionCount {
     /// The sets of unknowns that are 0 together at some solution, while the others are not: no more
     /// than [`MOST_ZERO_SETS`], and none if solutions are not told apart.
     pub zero_sets: Vec<Vec<usize>>,
+    /// Whether different solutions share values of every unknown, beyond what changes of sign and
+    /// the origin bring about. If not, the values of some unknown tell all solutions apart.
+    pub shares_values: bool,
     /// The multiplicity of the origin, where all unknowns are 0; 0 if it is no solution. It is
     /// known without computing.
     pub at_origin: usize,
@@ -108,7 +111,8 @@ fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<SolutionCoun
             .hint("no elimination template of use has so many; look for a formulation of lower degree")
     })?;
     let solutions = solutions.len();
-    let (different, zero_sets) = tell_apart(&basis, unknowns, seed).unwrap_or((solutions, Vec::new()));
+    let points = Points::of(&basis, problem, seed);
+    let different = points.as_ref().map_or(solutions, |points| points.different);
     let at_origin = match problem.has_origin() {
         true => solutions.saturating_sub(count_elsewhere(&instance, unknowns, seed).map_err(too_large)?),
         false => 0,
@@ -118,7 +122,14 @@ fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<SolutionCoun
             .label("every term of every equation holds an unknown")
             .hint("unknowns that can be scaled together need an equation that fixes the scale, such as `x == 1;`"));
     }
-    Ok(SolutionCount { solutions, different, zero_sets, at_origin, basis_elements: basis.elements().len() })
+    Ok(SolutionCount {
+        solutions,
+        different,
+        shares_values: points.as_ref().is_some_and(|points| points.share_values),
+        zero_sets: points.map_or(Vec::new(), |points| points.zero_sets),
+        at_origin,
+        basis_elements: basis.elements().len(),
+    })
 }
 
 fn no_solution(problem: &Problem) -> Diagnostic {
@@ -182,14 +193,34 @@ fn count_elsewhere(instance: &Instance, unknowns: usize, seed: u64) -> Result<us
     Ok(basis.quotient_basis(unknowns, MAX_SOLUTIONS).map_or(0, |basis| basis.len()))
 }
 
-/// The number of different solutions, and which unknowns vanish together at them; `None` for more
-/// than [`MOST_TOLD_APART`].
-fn tell_apart(basis: &GroebnerBasis, unknowns: usize, seed: u64) -> Option<(usize, Vec<Vec<usize>>)> {
-    let limits = Limits { max_quotient_dimension: MOST_TOLD_APART, ..Limits::default() };
-    let ring = QuotientRing::new(basis, unknowns, &limits).ok()?;
-    let mut random = Random::new(seed);
-    let form: Vec<u32> = (0..unknowns).map(|_| basis.field().draw(&mut random)).collect();
-    Some((count_points(&ring, &form), zero_sets(&ring, MOST_ZERO_SETS).into_iter().collect()))
+/// What the solutions of an instance have in common.
+struct Points {
+    /// The number of different solutions.
+    different: usize,
+    /// See [`SolutionCount::shares_values`].
+    share_values: bool,
+    /// See [`SolutionCount::zero_sets`].
+    zero_sets: Vec<Vec<usize>>,
+}
+
+impl Points {
+    /// `None` if there are more than [`MOST_TOLD_APART`].
+    fn of(basis: &GroebnerBasis, problem: &Problem, seed: u64) -> Option<Self> {
+        let limits = Limits { max_quotient_dimension: MOST_TOLD_APART, ..Limits::default() };
+        let unknowns = problem.unknowns.len();
+        let ring = QuotientRing::new(basis, unknowns, &limits).ok()?;
+        let mut random = Random::new(seed);
+        let form: Vec<u32> = (0..unknowns).map(|_| basis.field().draw(&mut random)).collect();
+        let different = count_points(&ring, &form);
+        let to_tell_apart = different - usize::from(problem.has_origin());
+        let order = Symmetry::of_problem(problem).order();
+        let is_enough = |unknown: usize| {
+            let form: Vec<u32> = (0..unknowns).map(|at| u32::from(at == unknown)).collect();
+            count_points(&ring, &form) * order >= to_tell_apart
+        };
+        let share_values = !(0..unknowns).any(is_enough);
+        Some(Self { different, share_values, zero_sets: zero_sets(&ring, MOST_ZERO_SETS).into_iter().collect() })
+    }
 }
 
 /// The ideal of an instance, saturated by the factors that must not vanish.

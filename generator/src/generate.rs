@@ -108,7 +108,7 @@ pub fn plan(problem: &Problem, file: &TemplateFile) -> Result<Planned, GenerateE
     let draw = |seed: u64| Instance::draw(&reduced.problem, VERIFY_FIELD, seed);
     let instance = draw(VERIFY_SEEDS[0]).ok_or(GenerateError::NoInstance)?;
     let action = verify(&file.template, VERIFY_FIELD, &instance.equations)?;
-    let mut plan = schedule(problem, &reduced, &file.template, file.solutions)?;
+    let mut plan = schedule(problem, &reduced, &file.template, (file.solutions, &file.zero_sets))?;
     let (coefficients, eliminated) = interpreted(&plan, &instance).ok_or(GenerateError::PlanDiffers)?;
     if !eliminated.action.iter().enumerate().all(|(row, values)| values.as_slice() == action.row(row)) {
         return Err(GenerateError::PlanDiffers);

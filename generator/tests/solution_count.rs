@@ -117,6 +117,7 @@ fn template_file(
             reducible: all(columns[0]),
             basis: all(columns[1]),
         },
+        zero_sets: Vec::new(),
         provenance: Vec::new(),
     }
 }

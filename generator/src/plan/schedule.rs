@@ -39,17 +39,18 @@ pub enum ScheduleError {
 }
 
 /// Plans the solver of `problem` by eigenvalues, from a template for its presolved form.
-/// `solutions` is the number of different complex solutions.
+/// `solutions` is the number of different complex solutions, and `zero_sets` are sets of unknowns
+/// that are 0 together at one of them.
 ///
 /// Constant pivots are eliminated here if the plan then has fewer operations.
 pub fn schedule(
     problem: &Problem,
     reduced: &ReducedProblem,
     template: &EliminationTemplate,
-    solutions: usize,
+    (solutions, zero_sets): (usize, &[Vec<usize>]),
 ) -> Result<Plan, ScheduleError> {
     check_shape(reduced, template)?;
-    let scheduler = Scheduler { problem, reduced, template, solutions };
+    let scheduler = Scheduler { problem, reduced, template, solutions, zero_sets };
     let mut rows = template_rows(reduced, template);
     let plan = scheduler.plan(&rows, &reduced.problem.graph);
     let Some(pivots) = pivots_before_run_time(reduced) else { return plan };
@@ -93,6 +94,7 @@ struct Scheduler<'a> {
     reduced: &'a ReducedProblem,
     template: &'a EliminationTemplate,
     solutions: usize,
+    zero_sets: &'a [Vec<usize>],
 }
 
 impl Scheduler<'_> {
@@ -105,7 +107,10 @@ impl Scheduler<'_> {
         let is_image = |m: &Monomial| template.basis.contains(&m.over(&template.action));
         let extra: Vec<Monomial> = template.reducible.iter().filter(|m| !is_image(m)).copied().collect();
         let read = extra.iter().filter_map(|m| pivots.get(m).copied()).collect();
-        let symmetry = Symmetry::of_problem(problem).of_template(&template.action, &template.basis).on(&reduced.kept);
+        let symmetry = match reduced.separated {
+            Some(_) => Symmetry::NONE,
+            None => Symmetry::of_problem(problem).of_template(&template.action, &template.basis).on(&reduced.kept),
+        };
         let has_origin = reduced.problem.has_origin();
         let most = template.basis.len() * symmetry.order() + usize::from(has_origin);
         if self.solutions > most {
@@ -113,7 +118,7 @@ impl Scheduler<'_> {
             return Err(ScheduleError::Mismatch(what));
         }
         let width = problem.unknowns.len();
-        let extractions = plan_extractions(problem, template, &extra, &symmetry.readings(&reduced.kept))?;
+        let extractions = self.extractions(&extra, &symmetry.readings(&reduced.kept))?;
         let flips = symmetry.all().iter().map(|flip| (0..width).map(|at| flip.contains(&at)).collect()).collect();
         let recoveries: Vec<_> = reduced
             .recoveries
@@ -159,6 +164,58 @@ impl Scheduler<'_> {
         };
         plan.check()?;
         Ok(plan)
+    }
+
+    /// How the unknowns are read: in the first of the `ways` that reads all of them.
+    fn extractions(&self, extra: &[Monomial], ways: &[Vec<Reading>]) -> Result<Vec<Extraction>, ScheduleError> {
+        let mut missing = None;
+        for readings in ways {
+            let extractions: Result<Vec<Extraction>, usize> =
+                readings.iter().map(|reading| self.extraction(extra, reading)).collect();
+            match extractions {
+                Ok(mut extractions) => {
+                    extractions.sort_by_key(|x| !x.is_square());
+                    return Ok(extractions);
+                }
+                Err(unknown) => missing = missing.or(Some(unknown)),
+            }
+        }
+        let unknowns = &self.problem.unknowns;
+        Err(ScheduleError::Unreadable(missing.map_or_else(String::new, |unknown| unknowns[unknown].clone())))
+    }
+
+    /// Reads an unknown from all pairs (m, s m) among the basis monomials. If there are none, or
+    /// all m vanish at a solution where unknowns are 0, they are searched among basis and image,
+    /// and then among the `extra` monomials too. The error is the unknown.
+    fn extraction(&self, extra: &[Monomial], reading: &Reading) -> Result<Extraction, usize> {
+        let (template, width) = (self.template, self.problem.unknowns.len());
+        let ids = || (0u16..).map(BasisId);
+        let basis: Vec<(Monomial, KnownMonomial)> =
+            template.basis.iter().copied().zip(ids().map(KnownMonomial::Basis)).collect();
+        let images = template.basis.iter().map(|b| b.times(&template.action)).zip(ids().map(KnownMonomial::Image));
+        let image: Vec<_> = basis.iter().copied().chain(images).collect();
+        let all: Vec<_> =
+            image.iter().copied().chain(extra.iter().copied().zip((0u16..).map(KnownMonomial::Read))).collect();
+        let pairs = |known: &[(Monomial, KnownMonomial)], step: &Monomial| -> Vec<(Monomial, [KnownMonomial; 2])> {
+            let find = |m: Monomial| known.iter().find(|(n, _)| *n == m).map(|&(_, at)| at);
+            known.iter().filter_map(|&(m, at)| Some((m, [at, find(m.times(step))?]))).collect()
+        };
+        let is_nonzero = |m: &Monomial, zeros: &Vec<usize>| zeros.iter().all(|&unknown| m.exponent(unknown) == 0);
+        let most_pairs = |known: &[(Monomial, KnownMonomial)]| {
+            let all = reading.steps.iter().map(|step| (step, pairs(known, step))).filter(|(_, x)| !x.is_empty());
+            // Of steps with equally many pairs, the first is taken: `max_by_key` returns the last.
+            all.rev().max_by_key(|(_, pairs)| pairs.len())
+        };
+        let ways: Vec<_> = [&basis, &image, &all].into_iter().filter_map(|known| most_pairs(known)).collect();
+        let reads_everywhere = |(_, pairs): &&(&Monomial, Vec<(Monomial, _)>)| {
+            self.zero_sets.iter().all(|zeros| pairs.iter().any(|(m, _)| is_nonzero(m, zeros)))
+        };
+        let (step, pairs) = ways.iter().find(reads_everywhere).or(ways.first()).ok_or(reading.unknown)?;
+        Ok(Extraction {
+            unknown: reading.unknown,
+            step: step.exponents()[..width].to_vec(),
+            pairs: pairs.iter().map(|&(_, [from, to])| (from, to)).collect(),
+        })
     }
 }
 
@@ -290,58 +347,6 @@ fn plan_action(
     template.basis.iter().map(|b| row(b).ok_or_else(missing)).collect()
 }
 
-/// How the unknowns are read: in the first of the `ways` that reads all of them.
-fn plan_extractions(
-    problem: &Problem,
-    template: &EliminationTemplate,
-    extra: &[Monomial],
-    ways: &[Vec<Reading>],
-) -> Result<Vec<Extraction>, ScheduleError> {
-    let width = problem.unknowns.len();
-    let mut missing = None;
-    for readings in ways {
-        let extractions: Result<Vec<Extraction>, usize> =
-            readings.iter().map(|reading| plan_extraction(template, extra, reading, width)).collect();
-        match extractions {
-            Ok(mut extractions) => {
-                extractions.sort_by_key(|x| !x.is_square());
-                return Ok(extractions);
-            }
-            Err(unknown) => missing = missing.or(Some(unknown)),
-        }
-    }
-    Err(ScheduleError::Unreadable(missing.map_or_else(String::new, |unknown| problem.unknowns[unknown].clone())))
-}
-
-/// Reads an unknown from all pairs (m, s m) among the basis monomials. If there are none, they are
-/// searched among basis and image, and then among the `extra` monomials too. The error is the
-/// unknown.
-fn plan_extraction(
-    template: &EliminationTemplate,
-    extra: &[Monomial],
-    reading: &Reading,
-    width: usize,
-) -> Result<Extraction, usize> {
-    let ids = || (0u16..).map(BasisId);
-    let basis: Vec<(Monomial, KnownMonomial)> =
-        template.basis.iter().copied().zip(ids().map(KnownMonomial::Basis)).collect();
-    let images = template.basis.iter().map(|b| b.times(&template.action)).zip(ids().map(KnownMonomial::Image));
-    let image: Vec<_> = basis.iter().copied().chain(images).collect();
-    let all: Vec<_> =
-        image.iter().copied().chain(extra.iter().copied().zip((0u16..).map(KnownMonomial::Read))).collect();
-    let extraction = |known: &[(Monomial, KnownMonomial)], step: &Monomial| {
-        let find = |m: Monomial| known.iter().find(|(n, _)| *n == m).map(|&(_, at)| at);
-        let pairs = known.iter().filter_map(|&(m, at)| Some((at, find(m.times(step))?))).collect();
-        Extraction { unknown: reading.unknown, step: step.exponents()[..width].to_vec(), pairs }
-    };
-    let most_pairs = |known: &[(Monomial, KnownMonomial)]| {
-        let all = reading.steps.iter().map(|step| extraction(known, step)).filter(|x| !x.pairs.is_empty());
-        // Of steps with equally many pairs, the first is taken: `max_by_key` returns the last.
-        all.rev().max_by_key(|x| x.pairs.len())
-    };
-    [&basis, &image, &all].into_iter().find_map(|known| most_pairs(known)).ok_or(reading.unknown)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -370,7 +375,7 @@ mod tests {
     fn planned(template: &EliminationTemplate, solutions: usize) -> Result<Plan, ScheduleError> {
         let problem = problem();
         let reduced = presolve(&problem, Presolve::None);
-        schedule(&problem, &reduced, template, solutions)
+        schedule(&problem, &reduced, template, (solutions, &[]))
     }
 
     /// Why the template is refused after a change.
@@ -461,7 +466,7 @@ mod tests {
             reducible: vec![m(0, 2), m(1, 1), m(2, 0)],
             basis: vec![Monomial::ONE],
         };
-        let plan = schedule(&problem, &reduced, &template, 2).unwrap();
+        let plan = schedule(&problem, &reduced, &template, (2, &[])).unwrap();
         assert_eq!(plan.flips, [[true, true]]);
         let is_square: Vec<bool> = plan.extractions.iter().map(Extraction::is_square).collect();
         assert_eq!(is_square, [true, false]);
@@ -469,7 +474,7 @@ mod tests {
         let mut other = template;
         other.shifts.pop();
         other.reducible.pop();
-        let plan = schedule(&problem, &reduced, &other, 2).unwrap();
+        let plan = schedule(&problem, &reduced, &other, (2, &[])).unwrap();
         assert_eq!(plan.extractions.iter().map(|x| x.unknown).collect::<Vec<_>>(), [1, 0]);
     }
 }

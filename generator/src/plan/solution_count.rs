@@ -140,8 +140,10 @@ impl Counter<'_> {
             branches = read;
         }
         for mut branch in branches {
+            // A linear form may stand in the place of an unknown until that is recovered.
+            let action = self.action_parts(&branch);
             self.recover(&mut branch);
-            let solutions = self.solutions(&branch);
+            let solutions = self.solutions(&branch, action);
             count.least += solutions.least;
             count.most += solutions.most;
         }
@@ -238,8 +240,9 @@ impl Counter<'_> {
         }
     }
 
-    /// The solutions among the eigenpairs of a branch of which all unknowns are known.
-    fn solutions(&self, branch: &Branch) -> SolutionBounds {
+    /// The solutions among the eigenpairs of a branch of which all unknowns are known, with the
+    /// numerator and denominator of the action monomial.
+    fn solutions(&self, branch: &Branch, (mut difference, denominator): (Element, Element)) -> SolutionBounds {
         let field = self.field;
         let residues = &branch.residues;
         let mut random = Random::new(SEED);
@@ -254,16 +257,14 @@ impl Counter<'_> {
             solutions = solutions.over(field, &excluded);
         }
         if self.plan.has_origin {
-            let is_recovered = |unknown: usize| self.plan.recoveries.iter().any(|r| r.unknown == unknown);
-            let kept = branch.unknowns.iter().enumerate().filter(|(unknown, _)| !is_recovered(*unknown));
-            let origin = kept.fold(solutions.clone(), |origin, (_, unknown)| {
+            let kept = self.plan.extractions.iter().map(|extraction| &branch.unknowns[extraction.unknown]);
+            let origin = kept.fold(solutions.clone(), |origin, unknown| {
                 unknown.residues().fold(origin, |origin, residue| origin.gcd(field, residue))
             });
             solutions = solutions.over(field, &origin);
         }
         // An eigenvector of no solution may give a solution all the same: that of another
         // eigenvalue.
-        let (mut difference, denominator) = self.action_parts(branch);
         let product = residues.product(&denominator, &residues.element(&Univariate::t()));
         residues.add_multiple(&mut difference, field.neg(1), &product);
         let own = solutions.gcd(field, &residues.zeros(&difference));

@@ -5,16 +5,20 @@
 //! gives `x = -rest / c`. The unknown is substituted in all other equations, and recovered after
 //! the solve. Substitution can also hurt, because degrees and coefficients grow: a search judges
 //! all of [`crate::presolve::Presolve`] side by side.
+//!
+//! Where solutions share the values of unknowns, a linear form of them takes the place of one.
 
 mod combine;
 mod gauss_jordan;
 mod reduced;
+mod separate;
 mod square;
 pub mod symmetry;
 
 use combine::combine;
 use gauss_jordan::{solve_for_leads, solve_linear_equations};
 use reduced::MAX_TERMS;
+use separate::separate;
 use square::divide_by_squares;
 
 pub use reduced::{Presolve, Recovery, ReducedProblem};
@@ -34,6 +38,7 @@ pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
         kept: (0..problem.unknowns.len()).collect(),
         recoveries: Vec::new(),
         is_solved_for_leads: false,
+        separated: None,
     };
     if presolve.combines() {
         combine(&mut reduced.problem);
@@ -48,6 +53,9 @@ pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
     {
         reduced.is_solved_for_leads = true;
         eliminate_all(&mut reduced, presolve);
+    }
+    if presolve == Presolve::Separated {
+        separate(&mut reduced);
     }
     // Recovery runs backwards: the unknown that was eliminated last depends on kept unknowns only.
     reduced.recoveries.reverse();

@@ -26,6 +26,9 @@ pub enum Presolve {
     /// As [`Presolve::CombinedLinear`], after the linear equations are solved together at run time,
     /// with pivots: unknowns are eliminated by them first.
     Eliminated,
+    /// As [`Presolve::Constant`]. Then a linear form of the unknowns, whose values tell all
+    /// solutions apart, takes the place of one of them.
+    Separated,
     /// As [`Presolve::Eliminated`]. Then the equations are solved for their highest monomials at
     /// run time.
     Solved,
@@ -38,7 +41,7 @@ const HIDING: &str = "hiding_";
 
 impl Presolve {
     /// Those that are the same for all problems, with their names.
-    const FIXED: [(&'static str, Self); 9] = [
+    const FIXED: [(&'static str, Self); 10] = [
         ("none", Self::None),
         ("constant", Self::Constant),
         ("linear", Self::Linear),
@@ -46,6 +49,7 @@ impl Presolve {
         ("combined", Self::Combined),
         ("combined_linear", Self::CombinedLinear),
         ("combined_square", Self::CombinedSquare),
+        ("separated", Self::Separated),
         ("eliminated", Self::Eliminated),
         ("solved", Self::Solved),
     ];
@@ -80,7 +84,7 @@ impl Presolve {
 
     /// Whether equations are combined first.
     pub(crate) fn combines(self) -> bool {
-        !matches!(self, Self::None | Self::Constant | Self::Linear | Self::Square)
+        !matches!(self, Self::None | Self::Constant | Self::Linear | Self::Square | Self::Separated)
     }
 
     /// Whether other equations are divided by those that give squares.
@@ -90,7 +94,7 @@ impl Presolve {
 
     /// Whether an unknown is eliminated only if its coefficient is a constant.
     pub(super) fn is_constant(self) -> bool {
-        matches!(self, Self::Constant | Self::Combined)
+        matches!(self, Self::Constant | Self::Combined | Self::Separated)
     }
 }
 
@@ -113,6 +117,9 @@ pub struct ReducedProblem {
     pub kept: Vec<usize>,
     /// The values of the eliminated unknowns, each in terms of kept ones and of those before it.
     pub recoveries: Vec<Recovery>,
+    /// The unknown whose place a linear form takes, in equations and monomials alike. It is kept,
+    /// and its own value is the first that is recovered.
+    pub separated: Option<usize>,
     /// Whether equations were solved for monomials at run time: their coefficients there are 1.
     pub is_solved_for_leads: bool,
 }

@@ -23,6 +23,8 @@ pub struct TemplateCandidate {
     pub template: EliminationTemplate,
     /// The plan of its solver.
     pub plan: Plan,
+    /// Sets of unknowns that are 0 together at a solution.
+    pub zero_sets: Vec<Vec<usize>>,
 }
 
 impl TemplateCandidate {
@@ -46,6 +48,7 @@ impl TemplateCandidate {
             presolve: self.presolve,
             roots: self.plan.roots(),
             template: self.template.clone(),
+            zero_sets: self.zero_sets.clone(),
             provenance,
         }
     }

@@ -154,12 +154,13 @@ fn candidate(
     let Numbered { at, strategy } = numbered;
     let formulation = strategy.formulation;
     verify(template, formulation.check.field, &formulation.check.equations).ok()?;
-    let plan = schedule(problem, &formulation.reduced, template, solutions);
+    let zero_sets = formulation.zero_sets.clone();
+    let plan = schedule(problem, &formulation.reduced, template, (solutions, &zero_sets));
     debug_assert!(!matches!(plan, Err(ScheduleError::Plan(_))), "{plan:?}");
     let mut plan = plan.ok().filter(|plan| gives_its_solutions(plan, &template.action, &formulation.reduced))?;
     plan.chains = determinant_chains(&plan, &formulation.reduced);
     let (growth, template) = (strategy.growth.to_string(), template.clone());
-    Some(TemplateCandidate { presolve: formulation.presolve, strategy: *at, growth, template, plan })
+    Some(TemplateCandidate { presolve: formulation.presolve, strategy: *at, growth, template, plan, zero_sets })
 }
 
 /// The strategies that began, none of which found a template.

@@ -39,7 +39,7 @@ pub(crate) struct Formulation {
     /// of the unknowns that were kept, which is known if it is one.
     pub(crate) solutions: usize,
     /// The sets of unknowns that were kept that are 0 together at a solution that is computed.
-    zero_sets: Vec<Vec<usize>>,
+    pub(crate) zero_sets: Vec<Vec<usize>>,
     /// Largest |B| that is wanted; the solutions may need more.
     max_basis: Option<usize>,
 }
@@ -92,7 +92,8 @@ pub(crate) fn formulations(
 ) -> Result<Vec<Formulation>, SearchError> {
     let mut formulations: Vec<Formulation> = Vec::new();
     let of_problem = Symmetry::of_problem(problem);
-    for kind in Presolve::all(problem.unknowns.len()) {
+    let kinds = Presolve::all(problem.unknowns.len()).into_iter();
+    for kind in kinds.filter(|&kind| kind != Presolve::Separated || count.shares_values) {
         let reduced = presolve(problem, kind);
         let known = formulations.iter().position(|known| is_same(&known.reduced, &reduced));
         if let Some(known) = known {
@@ -111,10 +112,18 @@ pub(crate) fn formulations(
                 .unwrap_or(count.solutions - count.at_origin),
         };
         let zero_sets = zero_sets(count, &reduced);
-        let symmetry = of_problem.on(&reduced.kept);
+        let symmetry = match reduced.separated {
+            Some(_) => Symmetry::NONE,
+            None => of_problem.on(&reduced.kept),
+        };
         let symmetries = [Some(symmetry.clone()).filter(|symmetry| !symmetry.is_none()), Some(Symmetry::NONE)];
         for symmetry in symmetries.into_iter().flatten() {
-            let (readings, actions) = (symmetry.readings(&reduced.kept), actions(&symmetry, &reduced.kept));
+            let readings = symmetry.readings(&reduced.kept);
+            let actions = match reduced.separated {
+                // The others do not tell the solutions apart.
+                Some(form) => vec![Monomial::unknown(form)],
+                None => actions(&symmetry, &reduced.kept),
+            };
             let (reduced, instance, check) = (reduced.clone(), instance.clone(), check.clone());
             let zero_sets = zero_sets.clone();
             formulations.push(Formulation {
@@ -134,14 +143,17 @@ pub(crate) fn formulations(
     Ok(formulations)
 }
 
-/// The sets of unknowns that presolve kept that are 0 together at a solution.
+/// The sets of unknowns that presolve kept that are 0 together at a solution. A linear form that
+/// takes the place of an unknown is 0 at the origin only.
 fn zero_sets(count: &SolutionCount, reduced: &ReducedProblem) -> Vec<Vec<usize>> {
     let on_kept = |set: &Vec<usize>| -> Vec<usize> {
         set.iter().copied().filter(|unknown| reduced.kept.contains(unknown)).collect()
     };
     let mut sets: Vec<Vec<usize>> = count.zero_sets.iter().map(on_kept).collect();
     // The origin is known.
-    sets.retain(|set| !set.is_empty() && !(reduced.problem.has_origin() && *set == reduced.kept));
+    sets.retain(|set| !(reduced.problem.has_origin() && *set == reduced.kept));
+    sets.iter_mut().filter(|set| **set != reduced.kept).for_each(|set| set.retain(|&x| Some(x) != reduced.separated));
+    sets.retain(|set| !set.is_empty());
     sets.sort_unstable();
     sets.dedup();
     sets
@@ -163,7 +175,7 @@ fn is_same(a: &ReducedProblem, b: &ReducedProblem) -> bool {
     let monomials = |reduced: &ReducedProblem| -> Vec<Vec<Monomial>> {
         reduced.problem.polynomials().map(|polynomial| polynomial.monomials().collect()).collect()
     };
-    a.kept == b.kept && monomials(a) == monomials(b)
+    (&a.kept, a.separated) == (&b.kept, b.separated) && monomials(a) == monomials(b)
 }
 
 /// The action monomials to try: each unknown and its reciprocal. If sign changes are used, an

@@ -24,6 +24,7 @@ impl Strategy<'_> {
                 &format!("solved for the highest monomials beside {hidden}, ")
             }
             Presolve::None => "",
+            Presolve::Separated => "by a linear form, ",
             Presolve::Constant | Presolve::Combined => "after presolve with constant coefficients, ",
             Presolve::Linear | Presolve::CombinedLinear => "after presolve, ",
             Presolve::Square | Presolve::CombinedSquare => "after presolve and division by squares, ",

@@ -23,6 +23,9 @@ pub struct TemplateFile {
     pub roots: RootMethod,
     /// The template.
     pub template: EliminationTemplate,
+    /// Sets of unknowns that are 0 together at a solution: increasing indices. Unknowns are read
+    /// from monomials that do not all vanish there.
+    pub zero_sets: Vec<Vec<usize>>,
     /// How the template was found: keys and values, which nothing interprets.
     pub provenance: Vec<(String, String)>,
 }
@@ -80,6 +83,9 @@ struct Raw {
     basis: Vec<String>,
     reducible: Vec<String>,
     excess: Vec<String>,
+    /// Products of the unknowns of a set.
+    #[serde(default)]
+    zeros: Vec<String>,
     shifts: Vec<RawShifts>,
     #[serde(default)]
     provenance: toml::Table,
@@ -127,6 +133,8 @@ impl TemplateFile {
             basis: all("basis", &raw.basis)?,
         };
         check_counts(&raw, &template)?;
+        let zeros = all("zeros", &raw.zeros)?;
+        let factors = |product: &Monomial| (0..unknowns.len()).filter(|&x| product.exponent(x) != 0).collect();
         Ok(Self {
             problem: raw.problem,
             fingerprint,
@@ -134,6 +142,7 @@ impl TemplateFile {
             presolve: choose("presolve", &raw.presolve, &presolves(unknowns.len()))?,
             roots: choose("roots", &raw.roots, &ROOTS)?,
             template,
+            zero_sets: zeros.iter().map(factors).collect(),
             provenance: raw
                 .provenance
                 .into_iter()
@@ -166,6 +175,10 @@ impl TemplateFile {
         line(format!("basis = [{}]", list(&t.basis)));
         line(format!("reducible = [{}]", list(&t.reducible)));
         line(format!("excess = [{}]", list(&t.excess)));
+        if !self.zero_sets.is_empty() {
+            let product = |set: &Vec<usize>| set.iter().fold(Monomial::ONE, |m, &x| m.times(&Monomial::unknown(x)));
+            line(format!("zeros = [{}]", list(&self.zero_sets.iter().map(product).collect::<Vec<_>>())));
+        }
         for group in t.shifts.chunk_by(|a, b| a.equation == b.equation) {
             let multipliers: Vec<Monomial> = group.iter().map(|shift| shift.multiplier).collect();
             line(format!("\n[[shifts]]\nequation = {}", group[0].equation + 1));
@@ -286,6 +299,7 @@ mod tests {
                 reducible: vec![m(&[1, 1]), m(&[0, 1])],
                 basis: vec![m(&[1]), m(&[0])],
             },
+            zero_sets: vec![vec![0], vec![0, 2]],
             // Keys and values that TOML writes in quotes, and those that it must escape.
             provenance: [("", ""), ("a \"b\"", "\\ \u{7f}\0"), ("generator", "0.1.0"), ("growth", "a \"b\"\t\n\u{e9}")]
                 .map(|(key, value)| (key.into(), value.into()))

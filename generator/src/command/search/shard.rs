@@ -171,12 +171,13 @@ impl ShardCandidate {
     fn read(self, problem: &Problem) -> Result<(TemplateCandidate, Option<Stability>), String> {
         let file = TemplateFile::parse(&self.template, &problem.unknowns).map_err(|error| error.to_string())?;
         let plan = plan(problem, &file).map_err(|error| error.to_string())?.plan;
-        let (strategy, growth, presolve, template) = (self.strategy, self.growth, file.presolve, file.template);
+        let (strategy, growth) = (self.strategy, self.growth);
+        let TemplateFile { presolve, template, zero_sets, .. } = file;
         let stability = |measurement: Measurement| {
             let Measurement { trials, found, expected, incomplete, failures, repeated, residuals_log10 } = measurement;
             Stability { residuals_log10, trials, found, expected, incomplete, failures, repeated }
         };
-        Ok((TemplateCandidate { presolve, strategy, growth, template, plan }, self.measured.map(stability)))
+        Ok((TemplateCandidate { presolve, strategy, growth, template, plan, zero_sets }, self.measured.map(stability)))
     }
 }
 
