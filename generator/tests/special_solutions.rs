@@ -1,0 +1,61 @@
+//! Solutions at which unknowns are 0, or share the values of other solutions, are found with the
+//! others.
+#![cfg(feature = "search")]
+
+use eliminant_generator::check::check;
+use eliminant_generator::presolve::Presolve;
+use eliminant_generator::problem::Problem;
+use eliminant_generator::search::choose::{Choice, Measuring, Verdict, choose};
+use eliminant_generator::search::monitor::Unmonitored;
+use eliminant_generator::search::{Found, SearchOptions, candidates, traced_candidates};
+
+/// Katsura's equations with five unknowns. At one of 16 solutions all but `a` are 0, at one more
+/// all but `a` and `e`, and at two all but `a`, `c` and `e`.
+const KATSURA_4: &str = "fn katsura_4() -> (a, b, c, d, e) {
+    a + 2 * (b + c + d + e) == 1;
+    a * a + 2 * (b * b + c * c + d * d + e * e) == a;
+    2 * (a * b + b * c + c * d + d * e) == b;
+    b * b + 2 * (a * c + b * d + c * e) == c;
+    2 * (a * d + b * c + b * e) == d;
+}";
+
+/// The equilibria of three species. Half of them have any one species 0.
+const SPECIES: &str = include_str!("../../examples/other-fields/species_3.rs");
+
+fn chosen(found: &Found, options: &SearchOptions) -> Choice {
+    let measuring = Measuring { trials: 100, confirm: 1000, seed: 1 };
+    choose(&found.candidates, options.prefer, measuring, &|_| None, &Unmonitored).expect("a candidate")
+}
+
+#[test]
+fn solutions_at_which_unknowns_vanish_are_found() {
+    let problem = Problem::parse("problem.rs", KATSURA_4).unwrap_or_else(|messages| panic!("{}", messages.render()));
+    let count = check(&problem).expect("finitely many solutions");
+    assert_eq!((count.different, count.at_origin, count.shares_values), (16, 0, false));
+    assert_eq!(count.zero_sets, [vec![1, 2, 3], vec![1, 2, 3, 4], vec![1, 3]]);
+    let options = SearchOptions { shuffles: 0, ..SearchOptions::default() };
+    let found = traced_candidates(&problem, &count, &options, &Unmonitored).expect("templates");
+    let choice = chosen(&found, &options);
+    let best = &choice.measured[choice.chosen];
+    assert_eq!((best.verdict, best.stability.incomplete), (Verdict::Accepted, 0));
+    // The solution at which all unknowns that presolve keeps are 0 takes no eigenvalue.
+    assert_eq!((best.candidate.presolve, best.candidate.template.basis.len()), (Presolve::Constant, 15));
+    assert_eq!(best.candidate.zero_sets, [vec![1, 2, 3], vec![1, 3]]);
+}
+
+#[test]
+fn solutions_that_share_all_values_are_found() {
+    let problem = Problem::parse("problem.rs", SPECIES).unwrap_or_else(|messages| panic!("{}", messages.render()));
+    let count = check(&problem).expect("finitely many solutions");
+    assert_eq!((count.different, count.at_origin, count.shares_values), (8, 1, true));
+    assert_eq!(count.zero_sets.len(), 7);
+    let options = SearchOptions { shuffles: 0, max_columns: 40, max_basis: Some(7), ..SearchOptions::default() };
+    let found = candidates(&problem, &count, &options, &Unmonitored).expect("templates");
+    let choice = chosen(&found, &options);
+    let best = &choice.measured[choice.chosen];
+    assert_eq!((best.verdict, best.stability.incomplete), (Verdict::Accepted, 0));
+    assert_eq!((best.candidate.presolve, best.candidate.template.basis.len()), (Presolve::Separated, 7));
+    let others = choice.measured.iter().filter(|measured| measured.candidate.presolve != Presolve::Separated);
+    let rejected: Vec<bool> = others.map(|measured| measured.verdict == Verdict::Rejected).collect();
+    assert!(!rejected.is_empty() && rejected.iter().all(|&is_rejected| is_rejected), "{rejected:?}");
+}
