@@ -49,13 +49,14 @@ pub(crate) fn strategies(formulations: &[Formulation]) -> Vec<Strategy<'_>> {
 }
 
 /// The strategies by the trace of a Gröbner basis, one for each formulation: those with the fewest
-/// unknowns first, of these those that use sign changes, and those that solve for monomials at run
-/// time last.
+/// unknowns first, of these the one that tells all solutions apart by a linear form, then those
+/// that use sign changes, and those that solve for monomials at run time last.
 pub(crate) fn traced_strategies(formulations: &[Formulation]) -> Vec<Strategy<'_>> {
     let mut formulations: Vec<&Formulation> = formulations.iter().collect();
     formulations.sort_by_key(|formulation| {
         let reduced = &formulation.reduced;
-        (formulation.presolve.solves_at_run_time(), reduced.kept.len(), formulation.symmetry.is_none())
+        let is_separated = reduced.separated.is_some();
+        (formulation.presolve.solves_at_run_time(), reduced.kept.len(), !is_separated, formulation.symmetry.is_none())
     });
     formulations.into_iter().map(|formulation| Strategy { formulation, growth: Growth::Trace }).collect()
 }

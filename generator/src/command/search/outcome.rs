@@ -62,7 +62,8 @@ pub(super) struct Outcome {
 /// Searches, measures and chooses. If nothing that solves well is found within the first limit on
 /// columns and the time is not over, the wider limit is tried. What it gives is taken if it solves
 /// well, or if the first limit gave nothing. Where both give nothing, even for lack of time, the
-/// trace of a Gröbner basis gives a template of any size.
+/// trace of a Gröbner basis gives a template of any size. It is tried, too, where there is time and
+/// nothing solves well.
 pub(super) fn search(task: Task<'_>, settings: Settings) -> Result<Outcome, CommandError> {
     let Task { path, problem, watch } = task;
     watch.say("counting solutions");
@@ -80,6 +81,9 @@ pub(super) fn search(task: Task<'_>, settings: Settings) -> Result<Outcome, Comm
     }
     let tracing = settings.tracing;
     let or_traced = |attempt: Attempt, settings: Settings| match attempt {
+        Ok(outcome) if tracing == Tracing::WhereNothingIsFound && !outcome.solves_well() && watch.end().is_none() => {
+            Ok(traced(settings).ok().filter(Outcome::solves_well).unwrap_or(outcome))
+        }
         Err(SearchError::NotFound { .. } | SearchError::TooFewColumns { .. })
             if tracing == Tracing::WhereNothingIsFound =>
         {
