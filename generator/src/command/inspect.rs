@@ -65,12 +65,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         );
         write(path, &svg(&picture, &problem.name, &subtitle))?;
     }
-    let eliminated = planned.plan.recoveries.iter().map(|recovery| problem.unknowns[recovery.unknown].clone());
+    let recovered = planned.plan.recoveries.iter().map(|recovery| recovery.unknown);
+    let eliminated = recovered.filter(|unknown| Some(*unknown) != planned.plan.separated());
     Ok(Output::of(&TemplateReport {
         summary: Summary::new(&problem, template, &planned.plan),
         entries: picture.entries(),
         blocks: picture.blocks.clone(),
-        eliminated: eliminated.collect(),
+        eliminated: eliminated.map(|unknown| problem.unknowns[unknown].clone()).collect(),
         drawing: spy(&picture),
         shifts: picture.rows,
         svg: arguments.svg.as_ref().map(|path| path.display().to_string()),

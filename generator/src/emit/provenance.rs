@@ -3,6 +3,7 @@
 use super::storage;
 use super::wrap::wrapped;
 use crate::algebra::Monomial;
+use crate::expression::ExpressionId;
 use crate::plan::Plan;
 use crate::presolve::{Presolve, ReducedProblem};
 use crate::problem::{Problem, Statement};
@@ -48,6 +49,21 @@ impl Provenance {
     }
 }
 
+/// Which linear form stands in the place of an unknown, if one does.
+fn linear_form(problem: &Problem, reduced: &ReducedProblem) -> Option<String> {
+    let (separated, form) = (reduced.separated?, &reduced.recoveries.first()?.value);
+    let name = &problem.unknowns[separated];
+    let term = |&(m, c): &(Monomial, ExpressionId)| {
+        let factor = reduced.problem.graph.as_constant(c)?;
+        Some(match m == Monomial::unknown(separated) {
+            true => "t".to_owned(),
+            false => format!("({factor}) {}", m.display(&problem.unknowns)),
+        })
+    };
+    let terms: Option<Vec<String>> = form.terms().iter().map(term).collect();
+    Some(format!("- `{name}` stands for t in all monomials, where {name} = {}", terms?.join(" + ")))
+}
+
 /// The header of the emitted module: sizes, counts, and where every row comes from.
 fn header(problem: &Problem, file: &TemplateFile, reduced: &ReducedProblem, plan: &Plan) -> Vec<String> {
     let mut lines = vec![
@@ -65,8 +81,11 @@ fn header(problem: &Problem, file: &TemplateFile, reduced: &ReducedProblem, plan
             if plan.recoveries.is_empty() { "all unknowns" } else { "all unknowns but those that are recovered" };
         lines.push(format!("- {whose} 0 is a solution, whatever the data, and is returned without an eigenvalue"));
     }
-    if !plan.recoveries.is_empty() {
-        let names: Vec<_> = plan.recoveries.iter().map(|r| format!("`{}`", problem.unknowns[r.unknown])).collect();
+    lines.extend(linear_form(problem, reduced));
+    let is_eliminated = |unknown: &usize| Some(*unknown) != reduced.separated;
+    let names = plan.recoveries.iter().map(|r| r.unknown).filter(is_eliminated);
+    let names: Vec<_> = names.map(|unknown| format!("`{}`", problem.unknowns[unknown])).collect();
+    if !names.is_empty() {
         lines.push(format!("- eliminated beforehand and recovered afterwards: {}", names.join(", ")));
     }
     let (equations, from) = match file.presolve {

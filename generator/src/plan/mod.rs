@@ -400,6 +400,13 @@ impl Plan {
         self.elimination.basis * (1 + self.flips.len()) + usize::from(self.has_origin) > self.solutions
     }
 
+    /// The unknown in whose place a linear form stands in the template: it is read, and then
+    /// recovered.
+    pub fn separated(&self) -> Option<usize> {
+        let is_read = |unknown: &usize| self.extractions.iter().any(|x| x.unknown == *unknown);
+        self.recoveries.iter().map(|recovery| recovery.unknown).find(is_read)
+    }
+
     /// How real solutions are found.
     pub fn roots(&self) -> RootMethod {
         if self.chains.is_some() { RootMethod::Determinant } else { RootMethod::Eigenvalues }
