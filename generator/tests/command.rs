@@ -67,6 +67,28 @@ fn the_origin_takes_no_eigenvalue() {
 }
 
 #[test]
+fn solutions_that_share_all_values_are_told_apart() {
+    let folder = folder("solutions_that_share_all_values_are_told_apart");
+    // Replicator dynamics: any of three shares is 0, or none is.
+    let text = "/// Rest points of three shares.\nfn shares(a: [[f64; 3]; 3]) -> (x, y, z) {\n    \
+                let f = a * [x, y, z];\n    let mean = dot([x, y, z], f);\n    x * (f[0] - mean) == 0;\n    \
+                y * (f[1] - mean) == 0;\n    x + y + z == 1;\n}\n";
+    fs::write(folder.join("shares.rs"), text).unwrap();
+    let checked = stdout(&eliminant(&folder, &["check", "shares.rs"]));
+    let said = [
+        "zeros      unknowns that are 0 together at a solution: x; x, y; x, z; y; y, z; z\n",
+        "values     solutions share",
+    ];
+    assert!(said.iter().all(|text| checked.contains(text)), "{checked}");
+    let searched = eliminant(&folder, &["search", "shares.rs", "--trials", "20"]);
+    assert!(stdout(&searched).contains("form        a linear form stands in the place of"), "{}", stdout(&searched));
+    let emitted = stdout(&eliminant(&folder, &["emit", "shares.rs"]));
+    assert!(emitted.contains("stands for t in all monomials, where"), "{emitted}");
+    let inspected = stdout(&eliminant(&folder, &["inspect", "shares.rs"]));
+    assert!(inspected.contains("presolve    eliminates x\n"), "{inspected}");
+}
+
+#[test]
 fn multiple_solutions_count_once() {
     let folder = folder("multiple_solutions_count_once");
     // A triple solution (2, -1) for all data, and a simple one.

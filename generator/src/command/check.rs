@@ -48,6 +48,10 @@ struct ProblemReport {
     sign_changes: Vec<Vec<String>>,
     /// Whether all unknowns 0 is a solution that no factor excludes.
     origin: bool,
+    /// Groups of unknowns that are 0 together at some solution.
+    zero_sets: Vec<Vec<String>>,
+    /// Whether solutions share values of every unknown.
+    shares_values: bool,
     presolve: Vec<PresolvedForm>,
     seconds: f64,
 }
@@ -82,8 +86,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         solutions: count.solutions,
         different: count.different,
         least_columns: count.least_columns(&problem),
-        sign_changes: sign_changes(&problem),
+        sign_changes: names(&problem, &Symmetry::of_problem(&problem).generators()),
         origin: problem.has_origin(),
+        zero_sets: names(&problem, &count.zero_sets),
+        shares_values: count.shares_values,
         presolve: forms(&problem),
         seconds: start.elapsed().as_secs_f64(),
     }))
@@ -93,9 +99,10 @@ fn degrees(problem: &Problem) -> Vec<i32> {
     problem.polynomials().map(|p| p.monomials().map(|m| m.degree()).max().unwrap_or(0)).collect()
 }
 
-fn sign_changes(problem: &Problem) -> Vec<Vec<String>> {
-    let names = |flip: Vec<usize>| flip.into_iter().map(|unknown| problem.unknowns[unknown].clone()).collect();
-    Symmetry::of_problem(problem).generators().into_iter().map(names).collect()
+/// The names of the unknowns of each group.
+fn names(problem: &Problem, groups: &[Vec<usize>]) -> Vec<Vec<String>> {
+    let names = |group: &Vec<usize>| group.iter().map(|&unknown| problem.unknowns[unknown].clone()).collect();
+    groups.iter().map(names).collect()
 }
 
 /// The ways to presolve that eliminate an unknown or lower a degree.
@@ -174,6 +181,15 @@ impl fmt::Display for ProblemReport {
         if self.origin {
             let name = self.unknown_names.first().map_or("x", String::as_str);
             writeln!(f, "origin     all unknowns 0 is a solution, and is counted. Exclude it with `{name} != 0;`")?;
+        }
+        // The origin is told of above.
+        let zeros = self.zero_sets.iter().filter(|set| !self.origin || set.len() < self.unknowns);
+        let zeros: Vec<String> = zeros.map(|set| set.join(", ")).collect();
+        if !zeros.is_empty() {
+            writeln!(f, "zeros      unknowns that are 0 together at a solution: {}", zeros.join("; "))?;
+        }
+        if self.shares_values {
+            writeln!(f, "values     solutions share those of every unknown: a linear form can tell them apart")?;
         }
         for unknowns in &self.sign_changes {
             writeln!(f, "symmetry   changing the sign of {} gives another solution", unknowns.join(", "))?;
