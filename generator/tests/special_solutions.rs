@@ -1,11 +1,14 @@
 //! Solutions at which unknowns are 0, or share the values of other solutions, are found with the
 //! others.
-#![cfg(feature = "search")]
+#![cfg(feature = "oracle")]
 
 use eliminant_generator::check::check;
+use eliminant_generator::oracle::Truths;
 use eliminant_generator::presolve::Presolve;
 use eliminant_generator::problem::Problem;
 use eliminant_generator::search::choose::{Choice, Measuring, Verdict, choose};
+use eliminant_generator::search::measuring::interpreted::InterpretedSolver;
+use eliminant_generator::search::measuring::random_instance;
 use eliminant_generator::search::monitor::Unmonitored;
 use eliminant_generator::search::{Found, SearchOptions, candidates, traced_candidates};
 
@@ -22,8 +25,16 @@ const KATSURA_4: &str = "fn katsura_4() -> (a, b, c, d, e) {
 /// The equilibria of three species. Half of them have any one species 0.
 const SPECIES: &str = include_str!("../../examples/other-fields/species_3.rs");
 
+/// A reaction with a catalyst, three amounts: all three of one kind, all of another, or a mixture.
+/// Where `a` and `c` are 0 all terms of an equation vanish.
+const REACTION: &str = "fn reaction(k: [f64; 5]) -> (a, b, c) {
+    a * (k[0] * b - k[1]) == 0;
+    b * (k[2] * c - k[3] * a) == 0;
+    a + b + c == k[4];
+}";
+
 fn chosen(found: &Found, options: &SearchOptions) -> Choice {
-    let measuring = Measuring { trials: 100, confirm: 1000, seed: 1 };
+    let measuring = Measuring { trials: 300, confirm: 1000, seed: 1 };
     choose(&found.candidates, options.prefer, measuring, &|_| None, &Unmonitored).expect("a candidate")
 }
 
@@ -58,4 +69,22 @@ fn solutions_that_share_all_values_are_found() {
     let others = choice.measured.iter().filter(|measured| measured.candidate.presolve != Presolve::Separated);
     let rejected: Vec<bool> = others.map(|measured| measured.verdict == Verdict::Rejected).collect();
     assert!(!rejected.is_empty() && rejected.iter().all(|&is_rejected| is_rejected), "{rejected:?}");
+}
+
+#[test]
+fn solutions_at_which_all_terms_of_an_equation_vanish_are_found() {
+    let problem = Problem::parse("problem.rs", REACTION).unwrap_or_else(|messages| panic!("{}", messages.render()));
+    let count = check(&problem).expect("finitely many solutions");
+    assert_eq!((count.different, count.shares_values), (3, false));
+    let options = SearchOptions { shuffles: 0, max_columns: 20, ..SearchOptions::default() };
+    let found = candidates(&problem, &count, &options, &Unmonitored).expect("templates");
+    let choice = chosen(&found, &options);
+    let best = &choice.measured[choice.chosen];
+    assert_eq!((best.verdict, best.stability.trials, best.stability.incomplete), (Verdict::Accepted, 1000, 0));
+    // The judge knows these solutions, too.
+    let data = random_instance(&best.candidate.plan, 1, 42);
+    let solver = InterpretedSolver::of(&best.candidate.plan);
+    let returned = solver.solve_complex(&data).expect("no error");
+    let judged = Truths::of(&best.candidate.plan, &data, &returned).expect("finite coefficients");
+    assert!(judged.is_complete() && judged.judge(&returned, false).spurious == 0, "{returned:?}");
 }

@@ -166,7 +166,15 @@ impl<'a> System<'a> {
             }
         }
         let residual = self.residual_of(&point);
-        Refined { point, last_step, residual }
+        // Where an unknown is 0, all terms of an equation may vanish, and what is left of the
+        // unknown is all that its relative residual shows.
+        let smallest = CONVERGED * norm(&point);
+        let without_noise: WidePoint = point.iter().map(|&x| if norm(&[x]) <= smallest { zero() } else { x }).collect();
+        let other = self.residual_of(&without_noise);
+        match residual > EXACT && other < residual {
+            true => Refined { point: without_noise, last_step, residual: other },
+            false => Refined { point, last_step, residual },
+        }
     }
 
     /// How far two points are apart, relative to the second.

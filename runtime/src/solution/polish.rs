@@ -197,7 +197,14 @@ impl<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'a, S, N, E, Y>
             if best == f64::INFINITY {
                 break;
             }
-            let Some(next) = self.newton_step(x, &mut derivatives) else { break };
+            let Some(next) = self.newton_step(x, &mut derivatives) else {
+                // An equation all of whose terms are noise outweighs the others.
+                match self.without_noise(x, best) {
+                    Some(lower) => (best, has_old_scales) = (lower, false),
+                    None => break,
+                }
+                continue;
+            };
             // At a residual that is rounding the step is only asked for the condition.
             if step == 0 && best <= ROUNDING {
                 last.enlargement = next.enlargement;
@@ -262,6 +269,17 @@ impl<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'a, S, N, E, Y>
                 derivatives[j][e] = derivatives[j][e].scale(weight[e]);
             }
         }
+    }
+
+    /// Sets noise to zero if that lowers a high residual, which is returned then.
+    #[inline(never)]
+    fn without_noise(&mut self, x: &mut N::Vector<S>, best: f64) -> Option<f64> {
+        let zeroed = zero_below(self.unknowns, x, NOISE);
+        let residual = if best > STALLED { self.residual_at(&zeroed) } else { best };
+        (residual < best).then(|| {
+            *x = zeroed;
+            residual
+        })
     }
 
     /// The point that a step from x leads to, and its residual. A step that does not lower a high
