@@ -13,13 +13,14 @@ mod gauss_jordan;
 mod reduced;
 mod separate;
 mod square;
+mod substitute;
 pub mod symmetry;
 
 use combine::combine;
 use gauss_jordan::{solve_for_leads, solve_linear_equations};
-use reduced::MAX_TERMS;
 use separate::separate;
 use square::divide_by_squares;
+use substitute::substitute;
 
 pub use reduced::{Presolve, Recovery, ReducedProblem};
 
@@ -130,33 +131,6 @@ fn eliminate(reduced: &mut ReducedProblem, candidate: &Candidate) -> bool {
     reduced.kept.retain(|&unknown| unknown != candidate.unknown);
     reduced.recoveries.push(Recovery { unknown: candidate.unknown, value });
     true
-}
-
-/// p, which has no negative exponents, with x replaced by `value`; `None` if it grows too long or
-/// an exponent overflows.
-fn substitute(
-    graph: &mut ExpressionGraph,
-    p: &SymbolicPolynomial,
-    unknown: usize,
-    value: &SymbolicPolynomial,
-) -> Option<SymbolicPolynomial> {
-    let highest = p.monomials().map(|m| m.exponent(unknown)).max().unwrap_or(0);
-    // With p = p_n x^n + .. + p_0, p_k free of x, by Horner: (..(p_n value + p_(n-1)) value + ..) +
-    // p_0.
-    let mut result = SymbolicPolynomial::ZERO;
-    for power in (0..=highest).rev() {
-        result = graph.polynomial_mul(&result, value)?;
-        if result.terms().len() > MAX_TERMS {
-            return None;
-        }
-        let mut x_power = [0; crate::algebra::MAX_UNKNOWNS];
-        x_power[unknown] = power;
-        let x_power = Monomial::from_exponents(&x_power);
-        let slice = p.terms().iter().filter(|(m, _)| m.exponent(unknown) == power);
-        let slice = SymbolicPolynomial::from_terms(slice.map(|&(m, c)| (m.over(&x_power), c)).collect());
-        result = graph.polynomial_add(&result, &slice);
-    }
-    Some(result)
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@
 //! different values of t. After the solve x_i is recovered by the same substitution.
 
 use super::reduced::{Recovery, ReducedProblem};
-use super::substitute;
+use super::substitute::substitute;
 use crate::algebra::Monomial;
 use crate::expression::SymbolicPolynomial;
 use crate::expression::rational::Rational;

@@ -299,7 +299,7 @@ impl Dependencies {
         let sizes = requirements.solutions..=requirements.max_basis;
         let columns = |set: IndexSet| set.iter().map(|at| free[at]).collect();
         let sets = sets.into_iter().filter(|set| sizes.contains(&set.len())).map(columns);
-        let vanishing = Vanishing::new(matrix, requirements);
+        let vanishing = Vanishing::new(matrix, requirements.zero_sets);
         sets.filter(|basis: &Vec<usize>| !vanishing.somewhere(basis)).collect()
     }
 
@@ -332,7 +332,7 @@ impl Dependencies {
         readings: &[Reading],
         requirements: &Requirements<'_>,
     ) -> Option<Vec<usize>> {
-        let vanishing = Vanishing::new(matrix, requirements);
+        let vanishing = Vanishing::new(matrix, requirements.zero_sets);
         let mut reducible = self.image_outside(basis);
         for (reading, zeros) in readings.iter().flat_map(|reading| vanishing.sets().map(move |zeros| (reading, zeros)))
         {

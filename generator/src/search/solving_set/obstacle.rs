@@ -56,7 +56,7 @@ impl Dependencies {
     pub fn obstacle(&self, matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> Obstacle {
         let Requirements { readings, solutions, max_basis: limit, .. } = *requirements;
         let any = Requirements { solutions: 1, max_basis: usize::MAX, zero_sets: &[], ..requirements.clone() };
-        let vanishing = Vanishing::new(matrix, requirements);
+        let vanishing = Vanishing::new(matrix, requirements.zero_sets);
         let first = readings.first().map_or(&[][..], Vec::as_slice);
         let obstacle = |set: Vec<usize>| match set.len() {
             basis if basis < solutions => Obstacle::TooFew { basis, solutions },

@@ -1,6 +1,5 @@
 //! Which columns vanish at solutions where unknowns are 0.
 
-use super::Requirements;
 use crate::algebra::Monomial;
 use crate::template::shift_matrix::ShiftMatrix;
 
@@ -16,12 +15,13 @@ pub(super) struct Vanishing<'a> {
 }
 
 impl<'a> Vanishing<'a> {
-    pub(super) fn new(matrix: &'a ShiftMatrix, requirements: &Requirements<'a>) -> Self {
-        let least = match requirements.zero_sets {
+    /// `zero_sets` are the sets of unknowns that are 0 together at a solution.
+    pub(super) fn new(matrix: &'a ShiftMatrix, zero_sets: &'a [Vec<usize>]) -> Self {
+        let least = match zero_sets {
             [] => Monomial::ONE,
             _ => matrix.monomials.iter().copied().reduce(|a, b| a.gcd(&b)).unwrap_or(Monomial::ONE),
         };
-        Self { matrix, least, zero_sets: requirements.zero_sets }
+        Self { matrix, least, zero_sets }
     }
 
     /// The sets of unknowns that are 0 at some solution, and the empty set for all other solutions.
