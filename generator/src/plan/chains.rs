@@ -26,7 +26,7 @@ impl Plan {
     /// of an instance over Z_p; `None` if there are too many, or if some eigenvalues belong to no
     /// solution, or to one that is known beforehand.
     pub fn determinant_chains(&self, field: PrimeField, action: &[Vec<u32>]) -> Option<Chains> {
-        if !self.has_spurious_values() { Chains::of(&self.action, field, action) } else { None }
+        if !self.has_spurious_values() && !self.has_origin { Chains::of(&self.action, field, action) } else { None }
     }
 }
 
