@@ -82,9 +82,11 @@ fn solutions_at_which_all_terms_of_an_equation_vanish_are_found() {
     let best = &choice.measured[choice.chosen];
     assert_eq!((best.verdict, best.stability.trials, best.stability.incomplete), (Verdict::Accepted, 1000, 0));
     // The judge knows these solutions, too.
-    let data = random_instance(&best.candidate.plan, 1, 42);
     let solver = InterpretedSolver::of(&best.candidate.plan);
-    let returned = solver.solve_complex(&data).expect("no error");
-    let judged = Truths::of(&best.candidate.plan, &data, &returned).expect("finite coefficients");
-    assert!(judged.is_complete() && judged.judge(&returned, false).spurious == 0, "{returned:?}");
+    for k in 0..300 {
+        let data = random_instance(&best.candidate.plan, 1, k);
+        let returned = solver.solve_complex(&data).expect("no error");
+        let judged = Truths::of(&best.candidate.plan, &data, &returned).expect("finite coefficients");
+        assert!(judged.is_complete() && judged.judge(&returned, false).spurious == 0, "{k}: {returned:?}");
+    }
 }

@@ -19,7 +19,8 @@
 //! another.
 
 use super::reduced::{MAX_TERMS, ReducedProblem};
-use crate::algebra::{MAX_UNKNOWNS, Monomial};
+use super::substitute::coefficient;
+use crate::algebra::Monomial;
 use crate::expression::{ExpressionGraph, SymbolicPolynomial};
 use crate::problem::Problem;
 
@@ -115,12 +116,7 @@ fn half(
     let mut result = SymbolicPolynomial::ZERO;
     for power in (0..=highest).rev().filter(|power| power % 2 == parity) {
         result = graph.polynomial_mul(&result, square)?;
-        let mut x_power = [0; MAX_UNKNOWNS];
-        x_power[unknown] = power;
-        let x_power = Monomial::from_exponents(&x_power);
-        let slice = p.terms().iter().filter(|(m, _)| m.exponent(unknown) == power);
-        let slice = SymbolicPolynomial::from_terms(slice.map(|&(m, c)| (m.over(&x_power), c)).collect());
-        result = graph.polynomial_add(&result, &slice);
+        result = graph.polynomial_add(&result, &coefficient(p, unknown, power));
     }
     Some(result)
 }

@@ -21,12 +21,16 @@ pub(super) fn substitute(
         if result.terms().len() > MAX_TERMS {
             return None;
         }
-        let mut x_power = [0; MAX_UNKNOWNS];
-        x_power[unknown] = power;
-        let x_power = Monomial::from_exponents(&x_power);
-        let slice = p.terms().iter().filter(|(m, _)| m.exponent(unknown) == power);
-        let slice = SymbolicPolynomial::from_terms(slice.map(|&(m, c)| (m.over(&x_power), c)).collect());
-        result = graph.polynomial_add(&result, &slice);
+        result = graph.polynomial_add(&result, &coefficient(p, unknown, power));
     }
     Some(result)
+}
+
+/// The coefficient of a power of the unknown: a polynomial that is free of it.
+pub(super) fn coefficient(p: &SymbolicPolynomial, unknown: usize, power: i8) -> SymbolicPolynomial {
+    let mut x_power = [0; MAX_UNKNOWNS];
+    x_power[unknown] = power;
+    let x_power = Monomial::from_exponents(&x_power);
+    let terms = p.terms().iter().filter(|(m, _)| m.exponent(unknown) == power);
+    SymbolicPolynomial::from_terms(terms.map(|&(m, c)| (m.over(&x_power), c)).collect())
 }

@@ -159,10 +159,11 @@ impl Dependencies {
         if !rest.settle(requirements.solutions) {
             return false;
         }
+        let vanishing = Vanishing::new(matrix, requirements.zero_sets);
         let is_readable = |basis: Vec<usize>| {
-            requirements.readings.iter().any(|readings| rest.readable(matrix, &basis, readings, requirements).is_some())
+            requirements.readings.iter().any(|readings| rest.readable(matrix, &basis, readings, &vanishing).is_some())
         };
-        rest.closed_sets(matrix, requirements).into_iter().any(is_readable)
+        rest.closed_sets(requirements, &vanishing).into_iter().any(is_readable)
     }
 
     /// Moves columns that are no longer expressible to the excess, and their preimages with them,
@@ -226,8 +227,9 @@ impl Dependencies {
     /// The number of rows is that of the shifts in the combinations that express R: this many rows
     /// of the matrix are needed and no other.
     pub fn best(&self, matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> Option<SolvingSet> {
+        let vanishing = Vanishing::new(matrix, requirements.zero_sets);
         let mut closed: Vec<(usize, usize, Vec<usize>)> = self
-            .closed_sets(matrix, requirements)
+            .closed_sets(requirements, &vanishing)
             .into_iter()
             .map(|basis| (self.shifts_of(&self.image_outside(&basis)).len(), basis.len(), basis))
             .collect();
@@ -239,10 +241,8 @@ impl Dependencies {
             if best.as_ref().is_some_and(|best| (best.rows, best.basis.len()) <= (rows, size)) {
                 break;
             }
-            let ways = requirements
-                .readings
-                .iter()
-                .filter_map(|readings| self.readable(matrix, &basis, readings, requirements));
+            let ways =
+                requirements.readings.iter().filter_map(|readings| self.readable(matrix, &basis, readings, &vanishing));
             let with_rows = ways.map(|reducible| (self.shifts_of(&reducible).len(), reducible));
             let Some((rows, reducible)) = with_rows.min_by_key(|(rows, _)| *rows) else { continue };
             if best.as_ref().is_none_or(|best| (rows, size) < (best.rows, best.basis.len())) {
@@ -264,7 +264,7 @@ impl Dependencies {
     ///
     /// A closed set is a set of vertices that no edge leaves. With k free columns the transitive
     /// closure costs k^3 / 64 word operations.
-    fn closed_sets(&self, matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> BTreeSet<Vec<usize>> {
+    fn closed_sets(&self, requirements: &Requirements<'_>, vanishing: &Vanishing<'_>) -> BTreeSet<Vec<usize>> {
         let free: Vec<usize> = (0..self.part.len()).filter(|&column| self.is_free(column)).collect();
         let mut index_of = vec![usize::MAX; self.part.len()];
         free.iter().enumerate().for_each(|(at, &column)| index_of[column] = at);
@@ -299,7 +299,6 @@ impl Dependencies {
         let sizes = requirements.solutions..=requirements.max_basis;
         let columns = |set: IndexSet| set.iter().map(|at| free[at]).collect();
         let sets = sets.into_iter().filter(|set| sizes.contains(&set.len())).map(columns);
-        let vanishing = Vanishing::new(matrix, requirements.zero_sets);
         sets.filter(|basis: &Vec<usize>| !vanishing.somewhere(basis)).collect()
     }
 
@@ -330,9 +329,8 @@ impl Dependencies {
         matrix: &ShiftMatrix,
         basis: &[usize],
         readings: &[Reading],
-        requirements: &Requirements<'_>,
+        vanishing: &Vanishing<'_>,
     ) -> Option<Vec<usize>> {
-        let vanishing = Vanishing::new(matrix, requirements.zero_sets);
         let mut reducible = self.image_outside(basis);
         for (reading, zeros) in readings.iter().flat_map(|reading| vanishing.sets().map(move |zeros| (reading, zeros)))
         {

@@ -55,7 +55,7 @@ impl Dependencies {
     /// if no set meets them.
     pub fn obstacle(&self, matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> Obstacle {
         let Requirements { readings, solutions, max_basis: limit, .. } = *requirements;
-        let any = Requirements { solutions: 1, max_basis: usize::MAX, zero_sets: &[], ..requirements.clone() };
+        let any = Requirements { solutions: 1, max_basis: usize::MAX, ..requirements.clone() };
         let vanishing = Vanishing::new(matrix, requirements.zero_sets);
         let first = readings.first().map_or(&[][..], Vec::as_slice);
         let obstacle = |set: Vec<usize>| match set.len() {
@@ -64,7 +64,7 @@ impl Dependencies {
             basis if vanishing.somewhere(&set) => Obstacle::Vanishing { basis },
             basis => {
                 let is_unreadable = |reading: &&Reading| {
-                    self.readable(matrix, &set, std::slice::from_ref(*reading), requirements).is_none()
+                    self.readable(matrix, &set, std::slice::from_ref(*reading), &vanishing).is_none()
                 };
                 // If each unknown can be read by itself, the last one fails because of columns
                 // added for the others.
@@ -72,7 +72,7 @@ impl Dependencies {
                 Obstacle::Unreadable { unknown: unreadable.map_or(0, |reading| reading.unknown), basis }
             }
         };
-        let obstacles = self.closed_sets(matrix, &any).into_iter().map(obstacle);
+        let obstacles = self.closed_sets(&any, &Vanishing::new(matrix, &[])).into_iter().map(obstacle);
         obstacles.min_by_key(Obstacle::distance).unwrap_or(Obstacle::NoClosedSet)
     }
 }
