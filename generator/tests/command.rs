@@ -1,6 +1,8 @@
 //! The `eliminant` command, as people call it.
 #![cfg(feature = "command")]
 
+#[path = "support/shares.rs"]
+mod shares;
 mod support;
 
 use std::fs;
@@ -9,6 +11,7 @@ use std::path::PathBuf;
 use eliminant_generator::command::{Colour, run_in};
 use eliminant_generator::search::choose::EQUAL_COST;
 use serde_json::Value;
+use shares::SHARES;
 use support::{TWO_CONICS, eliminant, folder, json, names, status, stderr, stdout, two_conics};
 
 /// A folder with `two_conics.rs` and its template.
@@ -69,11 +72,7 @@ fn the_origin_takes_no_eigenvalue() {
 #[test]
 fn solutions_that_share_all_values_are_told_apart() {
     let folder = folder("solutions_that_share_all_values_are_told_apart");
-    // Replicator dynamics: any of three shares is 0, or none is.
-    let text = "/// Rest points of three shares.\nfn shares(a: [[f64; 3]; 3]) -> (x, y, z) {\n    \
-                let f = a * [x, y, z];\n    let mean = dot([x, y, z], f);\n    x * (f[0] - mean) == 0;\n    \
-                y * (f[1] - mean) == 0;\n    x + y + z == 1;\n}\n";
-    fs::write(folder.join("shares.rs"), text).unwrap();
+    fs::write(folder.join("shares.rs"), SHARES).unwrap();
     let checked = stdout(&eliminant(&folder, &["check", "shares.rs"]));
     let said = [
         "zeros      unknowns that are 0 together at a solution: x; x, y; x, z; y; y, z; z\n",

@@ -1,6 +1,8 @@
 //! `eliminant stability`: figures, files, baseline and page.
 #![cfg(feature = "command")]
 
+#[path = "support/shares.rs"]
+mod shares;
 mod support;
 
 use std::fs;
@@ -9,6 +11,7 @@ use std::process::{Command, Stdio};
 use std::time::Duration;
 
 use serde_json::{Value, json};
+use shares::SHARES;
 use support::{TWO_CONICS, eliminant, folder, json, names, status, stderr, stdout, two_conics};
 
 const TEMPLATE: &str = "two_conics.template.toml";
@@ -77,6 +80,12 @@ fn every_instance_is_judged() {
 #[test]
 fn emitted_code_is_judged_as_the_interpreted_plan() {
     let folder = problems("emitted_code_is_judged_as_the_interpreted_plan", &["two_conics", "trilateration"]);
+    // A linear form in the place of an unknown, and a solution known beforehand by what presolve
+    // eliminated.
+    fs::write(folder.join("shares.rs"), SHARES).unwrap();
+    assert_eq!(status(&eliminant(&folder, &["search", "shares.rs", "--trials", "20"])), 0);
+    let template = fs::read_to_string(folder.join("shares.template.toml")).unwrap();
+    assert!(template.contains("presolve = \"separated\""), "{template}");
     let runtime = concat!(env!("CARGO_MANIFEST_DIR"), "/../runtime");
     let arguments = ["stability", ".", "--trials", "24", "--runtime", runtime];
     let emitted = json(&folder, &arguments);
@@ -88,6 +97,9 @@ fn emitted_code_is_judged_as_the_interpreted_plan() {
         rows
     };
     assert_eq!(without_times(&emitted), without_times(&interpreted));
+    let random = rows(&emitted, "random");
+    assert_eq!([sum(&random, "/complex/missed"), sum(&random, "/complex/spurious")], [0, 0], "{emitted}");
+    assert!(random.iter().any(|row| row["complex"]["expected"] == 24 * 7), "{emitted}");
     for row in emitted["rows"].as_array().unwrap() {
         let times = ["median", "p99", "max"].map(|part| row["nanoseconds"][part].as_f64().unwrap());
         assert!(times.is_sorted() && times[0] > 0.0, "{row}");
