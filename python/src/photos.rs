@@ -44,8 +44,7 @@ pub(crate) fn cylinders_of_photographs(py: Python<'_>, given: Photographs<'_>) -
     };
     let report = on_all_cores(py, move || -> Result<_, String> {
         let (photographs, points) = cameras(scene, model)?;
-        let views = photographs.par_iter().map(|photograph| look(photograph, &images));
-        let views = views.collect::<Result<Vec<_>, _>>()?;
+        let views = all_of(photographs.par_iter().map(|photograph| look(photograph, &images)).collect())?;
         let mut options = PhotoOptions::of(&views);
         options.matching.threshold = threshold;
         options.directions = directions.unwrap_or(options.directions);
@@ -80,6 +79,17 @@ fn cameras(scene: Option<String>, model: Option<PathBuf>) -> Result<(Vec<Photogr
     let scene = parse_scene(&scene.unwrap_or_default(), SCENE).map_err(|error| error.to_string())?;
     let photographs = scene.photographs().map_err(|view| format!("{SCENE}: view {view} has no name of its image"))?;
     Ok((photographs, scene.points))
+}
+
+/// The views of all photographs; else the first error in the order of the photographs, whichever
+/// thread failed first, and how many more there are.
+fn all_of(looked: Vec<Result<View, String>>) -> Result<Vec<View>, String> {
+    let failed = looked.iter().filter(|view| view.is_err()).count();
+    let views: Result<Vec<_>, _> = looked.into_iter().collect();
+    views.map_err(|first| match failed {
+        1 => first,
+        _ => format!("{first}; and {} more", failed - 1),
+    })
 }
 
 /// Detects the candidates for silhouettes in a photograph.

@@ -183,7 +183,7 @@ def test_photos(rng, truth, tmp_path):
         cylinders.photos(scene, dict(zip(names[:7], images)))
     with pytest.raises(ValueError, match="expected .height, width."):
         cylinders.photos(scene, {"0.png": np.zeros(5)})
-    with pytest.raises(cylinders.CylinderError, match="0.png"):
+    with pytest.raises(cylinders.CylinderError, match="0.png: .*; and 7 more"):
         cylinders.photos(scene, tmp_path)
 
 
