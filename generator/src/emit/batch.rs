@@ -26,7 +26,6 @@ fn is_side_by_side(plan: &Plan) -> bool {
         && monomials::are_statements(plan)
         && plan.nonzero.is_empty()
         && plan.positive.is_empty()
-        && !plan.has_origin
         && !ValueLayout::of(plan).has_image
 }
 
@@ -105,6 +104,11 @@ fn implementation(plan: &Plan) -> TokenStream {
     .map(Literal::usize_unsuffixed);
     let of_read = if plan.read.is_empty() { quote!(&[]) } else { quote!(&READ) };
     let sign_changes = instance::sign_changes_of(plan);
+    let has_origin = plan.has_origin.then(|| {
+        quote!(
+            const HAS_ORIGIN: bool = true;
+        )
+    });
     let of_data = of_data(plan);
     let constants = quote! {
         type Inputs = emitted::Fixed<#inputs>;
@@ -119,6 +123,7 @@ fn implementation(plan: &Plan) -> TokenStream {
         const READ: &'static [u16] = #of_read;
         const RATIOS: &'static [&'static [(u16, u16)]] = &RATIOS;
         const SIGN_CHANGES: Option<emitted::SignChanges<'static>> = #sign_changes;
+        #has_origin
     };
     let functions = functions(plan, [&inputs, &coefficients, &rows, &equations, &products]);
     quote! {

@@ -24,9 +24,10 @@ const HIGHEST_DEGREE: usize = 18;
 impl Plan {
     /// The chains over which a determinant gives the real solutions, found from the action matrix
     /// of an instance over Z_p; `None` if there are too many, or if some eigenvalues belong to no
-    /// solution, or to one that is known beforehand.
+    /// solution, or to one that is known beforehand. The rest of a quotient ring without the
+    /// origin has an action like any other: its determinant gives all solutions but that one.
     pub fn determinant_chains(&self, field: PrimeField, action: &[Vec<u32>]) -> Option<Chains> {
-        if !self.has_spurious_values() && !self.has_origin { Chains::of(&self.action, field, action) } else { None }
+        if self.has_spurious_values() { None } else { Chains::of(&self.action, field, action) }
     }
 }
 

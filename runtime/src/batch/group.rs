@@ -114,6 +114,16 @@ fn solve_group<S: Simd, I: BatchSolver>(
         #[inline(always)]
         || Isolation::run(simd, degree, determinant),
     );
+    if I::HAS_ORIGIN {
+        let mut origin = sizes.unknowns.filled(zero);
+        simd.vectorize(
+            #[inline(always)]
+            || I::recovered(&coefficients, &mut origin),
+        );
+        for (lane, points) in points.iter_mut().enumerate().take(Lanes::<S>::COUNT) {
+            push::<S, I>(points, &origin, lane);
+        }
+    }
     let mut is_certain = 0;
     for (lane, roots) in roots.iter().enumerate() {
         // Without a root, no polish shows whether the polynomial is precise.

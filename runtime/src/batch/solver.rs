@@ -70,6 +70,8 @@ pub trait BatchSolver: HiddenVariableSolver + Sized {
     const RATIOS: &'static [&'static [(u16, u16)]];
     /// How unknowns follow from their ratios if the template determines them only up to sign.
     const SIGN_CHANGES: Option<SignChanges<'static>>;
+    /// As [`SolverInstance::has_origin`].
+    const HAS_ORIGIN: bool = false;
 
     /// All sizes.
     fn all_sizes() -> (SizesOf<Self>, BatchSizesOf<Self>);
