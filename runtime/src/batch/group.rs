@@ -115,14 +115,7 @@ fn solve_group<S: Simd, I: BatchSolver>(
         || Isolation::run(simd, degree, determinant),
     );
     if I::HAS_ORIGIN {
-        let mut origin = sizes.unknowns.filled(zero);
-        simd.vectorize(
-            #[inline(always)]
-            || I::recovered(&coefficients, &mut origin),
-        );
-        for (lane, points) in points.iter_mut().enumerate().take(Lanes::<S>::COUNT) {
-            push::<S, I>(points, &origin, lane);
-        }
+        push_origin::<S, I>(simd, &coefficients, points);
     }
     let mut is_certain = 0;
     for (lane, roots) in roots.iter().enumerate() {
@@ -271,6 +264,23 @@ fn resolve<S: Simd, I: BatchSolver>(ratios: &mut Point<I, Lanes<S>>) {
                 _ => ratios[at] = ratios[at] * ratios[other],
             }
         }
+    }
+}
+
+/// Adds the solution of each instance at which all unknowns that were not eliminated are 0.
+#[inline(always)]
+fn push_origin<S: Simd, I: BatchSolver>(
+    simd: S,
+    coefficients: &<I::Coefficients as Size>::Vector<Lanes<S>>,
+    points: &mut [Points<I, f64>; MOST],
+) {
+    let mut origin = I::all_sizes().0.unknowns.filled(Lanes::splat(simd, 0.0));
+    simd.vectorize(
+        #[inline(always)]
+        || I::recovered(coefficients, &mut origin),
+    );
+    for (lane, points) in points.iter_mut().enumerate().take(Lanes::<S>::COUNT) {
+        push::<S, I>(points, &origin, lane);
     }
 }
 
