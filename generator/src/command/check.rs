@@ -109,14 +109,14 @@ fn names(problem: &Problem, groups: &[Vec<usize>]) -> Vec<Vec<String>> {
 fn forms(problem: &Problem) -> Vec<PresolvedForm> {
     let mut forms: Vec<PresolvedForm> = Vec::new();
     let symbolic = [Presolve::Constant, Presolve::Linear, Presolve::Combined, Presolve::CombinedLinear];
-    let hiding = (0..problem.unknowns.len().min(MAX_UNKNOWNS) as u8).map(Presolve::Hiding);
-    let at_run_time = [Presolve::Eliminated, Presolve::Solved].into_iter().chain(hiding);
-    for how in symbolic.into_iter().chain(at_run_time) {
+    let each = || 0..problem.unknowns.len().min(MAX_UNKNOWNS) as u8;
+    let at_run_time = [Presolve::Eliminated, Presolve::Solved].into_iter().chain(each().map(Presolve::Hiding));
+    for how in symbolic.into_iter().chain(at_run_time).chain(each().map(Presolve::Determinants)) {
         let reduced = presolve(problem, how);
         let names = |indices: &[usize]| indices.iter().map(|&at| problem.unknowns[at].clone()).collect::<Vec<_>>();
         let form = PresolvedForm {
             kind: how.name(),
-            eliminated: names(&reduced.recoveries.iter().map(|recovery| recovery.unknown).collect::<Vec<_>>()),
+            eliminated: names(&reduced.eliminated().collect::<Vec<_>>()),
             kept: names(&reduced.kept),
             degrees: degrees(&reduced.problem),
             solved_for: solved_for(problem, &reduced.problem),

@@ -65,7 +65,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         );
         write(path, &svg(&picture, &problem.name, &subtitle))?;
     }
-    let recovered = planned.plan.recoveries.iter().map(|recovery| recovery.unknown);
+    let recovered = planned.plan.recovered();
     let eliminated = recovered.filter(|unknown| Some(*unknown) != planned.plan.separated());
     Ok(Output::of(&TemplateReport {
         summary: Summary::new(&problem, template, &planned.plan),

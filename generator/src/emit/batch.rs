@@ -141,9 +141,9 @@ fn implementation(plan: &Plan) -> TokenStream {
 fn functions(plan: &Plan, sizes: [&Literal; 5]) -> TokenStream {
     let [inputs, coefficients, rows, equations, products] = sizes;
     let [basis, unknowns] = [plan.elimination.basis, plan.unknowns.len()].map(Literal::usize_unsuffixed);
-    let recovered = match plan.recoveries.is_empty() {
-        true => quote!(let _ = (coefficients, x);),
-        false => quote!(self::recovered(coefficients, x)),
+    let recovered = match plan.recovered().next() {
+        None => quote!(let _ = (coefficients, x);),
+        Some(_) => quote!(self::recovered(coefficients, x)),
     };
     quote! {
 

@@ -11,7 +11,7 @@ use super::storage;
 use crate::expression::rational::Rational;
 use crate::plan::program::{Operation, Program, ValueId};
 use crate::plan::statements::{Place, Statements};
-use crate::plan::{Plan, PlannedRecovery};
+use crate::plan::{Plan, PlannedBlock, PlannedRecovery, Term};
 use crate::problem::DataParameter;
 
 /// The function from the data to the coefficients.
@@ -214,9 +214,10 @@ pub(super) fn constant(value: Rational) -> TokenStream {
 
 /// The function that computes the unknowns that follow from those that were read.
 pub(super) fn recovered(plan: &Plan) -> TokenStream {
-    if plan.recoveries.is_empty() {
+    if plan.recovered().next().is_none() {
         return quote!();
     }
+    let linear = plan.linear.as_ref().map(linear_block);
     let recoveries = plan.recoveries.iter().map(recovery);
     let unknowns = Literal::usize_unsuffixed(plan.unknowns.len());
     let (_, list) = storage::coefficients(plan, &quote!(C));
@@ -224,15 +225,37 @@ pub(super) fn recovered(plan: &Plan) -> TokenStream {
         /// Computes the unknowns that follow from those that were read.
         #[inline(always)]
         fn recovered<C: Copy, T: emitted::Over<C>>(coefficients: #list, x: &mut [T; #unknowns]) {
+            #linear
             #(#recoveries)*
         }
+    }
+}
+
+/// The unknowns of a linear block, by least squares.
+fn linear_block(block: &PlannedBlock) -> TokenStream {
+    let unknowns: Vec<Literal> = block.unknowns.iter().map(|&unknown| Literal::usize_unsuffixed(unknown)).collect();
+    let rows = block.rows.iter().flatten().map(|entry| sum(entry, &unknowns[0]));
+    quote! {
+        let rows = [#(#rows),*];
+        let mut linear = [#(x[#unknowns]),*];
+        emitted::least_squares(&rows, &mut linear);
+        [#(x[#unknowns]),*] = linear;
     }
 }
 
 /// `x[unknown] = sum of terms`.
 fn recovery(recovery: &PlannedRecovery) -> TokenStream {
     let unknown = Literal::usize_unsuffixed(recovery.unknown);
-    let terms = recovery.terms.iter().map(|term| {
+    let sum = sum(&recovery.terms, &unknown);
+    quote!(x[#unknown] = #sum;)
+}
+
+/// A sum of terms. `any` is an unknown, for a sum without terms.
+fn sum(terms: &[Term], any: &Literal) -> TokenStream {
+    if terms.is_empty() {
+        return quote!(x[#any].constant(0.0));
+    }
+    let terms = terms.iter().map(|term| {
         let slot = Literal::u16_unsuffixed(term.coefficient.0);
         let factors = term.exponents.iter().enumerate().flat_map(|(at, &e)| {
             let at = Literal::usize_unsuffixed(at);
@@ -240,8 +263,5 @@ fn recovery(recovery: &PlannedRecovery) -> TokenStream {
         });
         quote!(T::from_real(coefficients[#slot]) #(#factors)*)
     });
-    if recovery.terms.is_empty() {
-        return quote!(x[#unknown] = x[#unknown].constant(0.0););
-    }
-    quote!(x[#unknown] = #(#terms)+*;)
+    quote!(#(#terms)+*)
 }

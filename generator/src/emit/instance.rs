@@ -186,9 +186,9 @@ fn solver_instance(plan: &Plan, action_matrix: &TokenStream) -> TokenStream {
         false => quote!(&self.read),
     };
     let coefficients = storage::coefficients_of_instance(plan);
-    let recover = match plan.recoveries.is_empty() {
-        true => quote!(let _ = x;),
-        false => quote!(self::recovered(#coefficients, x)),
+    let recover = match plan.recovered().next() {
+        None => quote!(let _ = x;),
+        Some(_) => quote!(self::recovered(#coefficients, x)),
     };
     quote! {
         impl #generics emitted::SolverInstance for Instance #generics {

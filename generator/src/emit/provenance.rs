@@ -77,13 +77,16 @@ fn header(problem: &Problem, file: &TemplateFile, reduced: &ReducedProblem, plan
     lines.push(format!("- action monomial: {}", listed(&[file.template.action], &problem.unknowns)));
     lines.push(format!("- basis: {}", listed(&file.template.basis, &problem.unknowns)));
     if plan.has_origin {
-        let whose =
-            if plan.recoveries.is_empty() { "all unknowns" } else { "all unknowns but those that are recovered" };
+        let whose = if plan.recovered().next().is_none() {
+            "all unknowns"
+        } else {
+            "all unknowns but those that are recovered"
+        };
         lines.push(format!("- {whose} 0 is a solution, whatever the data, and is returned without an eigenvalue"));
     }
     lines.extend(linear_form(problem, reduced));
     let is_eliminated = |unknown: &usize| Some(*unknown) != reduced.separated;
-    let names = plan.recoveries.iter().map(|r| r.unknown).filter(is_eliminated);
+    let names = plan.recovered().filter(is_eliminated);
     let names: Vec<_> = names.map(|unknown| format!("`{}`", problem.unknowns[unknown])).collect();
     if !names.is_empty() {
         lines.push(format!("- eliminated beforehand and recovered afterwards: {}", names.join(", ")));

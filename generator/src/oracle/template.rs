@@ -1,13 +1,14 @@
 //! The template at 237 bits: the same plan as the solver's, and the points of all eigenpairs.
 
 use eliminant::Complex;
+use eliminant::emitted::least_squares;
 use f256::f256;
 
 use super::number::{Wide, WideComplex, square_root};
 use super::spectrum::{WidePair, eigenpairs};
 use super::system::{System, WidePoint};
 use crate::plan::interpret::{self, Eliminated};
-use crate::plan::{Extraction, KnownMonomial, Plan};
+use crate::plan::{Extraction, KnownMonomial, Plan, Term};
 
 /// The points of all eigenpairs, those of eigenpairs that belong to no solution among them. Empty
 /// if the template is singular.
@@ -61,14 +62,23 @@ fn unknowns(
 
 /// The point with the unknowns that presolve eliminated, which follow from the others.
 fn recovered(plan: &Plan, system: &System<'_>, mut x: WidePoint) -> WidePoint {
-    for recovery in &plan.recoveries {
-        let term = |term: &crate::plan::Term| {
-            let factors = term.exponents.iter().zip(&x).flat_map(|(&e, &x)| (0..e).map(move |_| x));
+    let zero = Complex::new(f256::ZERO, f256::ZERO);
+    let sum = |terms: &[Term], x: &WidePoint| {
+        let term = |term: &Term| {
+            let factors = term.exponents.iter().zip(x).flat_map(|(&e, &x)| (0..e).map(move |_| x));
             let coefficient = Complex::new(system.coefficients()[usize::from(term.coefficient.0)], f256::ZERO);
             factors.fold(coefficient, |product, x| product * x)
         };
-        let zero = Complex::new(f256::ZERO, f256::ZERO);
-        x[recovery.unknown] = recovery.terms.iter().map(term).fold(zero, |sum, term| sum + term);
+        terms.iter().map(term).fold(zero, |sum, term| sum + term)
+    };
+    if let Some(block) = &plan.linear {
+        let rows: WidePoint = block.rows.iter().flatten().map(|entry| sum(entry, &x)).collect();
+        let mut linear = vec![zero; block.unknowns.len()];
+        least_squares(&rows, &mut linear);
+        block.unknowns.iter().zip(linear).for_each(|(&unknown, value)| x[unknown] = value);
+    }
+    for recovery in &plan.recoveries {
+        x[recovery.unknown] = sum(&recovery.terms, &x);
     }
     x
 }

@@ -1,6 +1,8 @@
 //! Whether a plan contradicts itself: every table stays in range, and every value, pivot and
 //! unknown is written before it is read.
 
+use eliminant::emitted::MOST_LINEAR;
+
 use super::program::{Operation, ValueId};
 use super::system_table::SystemTable;
 use super::{
@@ -146,9 +148,20 @@ impl Plan {
         let most = self.elimination.basis * (1 + self.flips.len()) + usize::from(self.has_origin);
         require(self.solutions <= most, "the basis is smaller than the number of solutions")?;
         let is_term = |t: &Term| self.has(t.coefficient) && t.exponents.len() == self.unknowns.len();
+        let reads_known =
+            |t: &Term, known: &[bool]| is_term(t) && t.exponents.iter().zip(known).all(|(&e, &known)| e == 0 || known);
+        if let Some(block) = &self.linear {
+            let (count, rows) = (block.unknowns.len(), &block.rows);
+            let has_shape = rows.iter().all(|row| row.len() == count + 1) && rows.len() > count;
+            require(has_shape && (1..=MOST_LINEAR).contains(&count), "a linear block has another shape")?;
+            let terms = rows.iter().flatten().flatten().all(|t| reads_known(t, &known));
+            require(terms, "a term reads something unknown")?;
+            let are_unknowns = block.unknowns.iter().all(|&unknown| unknown < known.len());
+            require(are_unknowns, "a linear block has another unknown")?;
+            block.unknowns.iter().for_each(|&unknown| known[unknown] = true);
+        }
         for recovery in &self.recoveries {
-            let reads_known = |t: &Term| t.exponents.iter().zip(&known).all(|(&e, &known)| e == 0 || known);
-            let terms = recovery.terms.iter().all(|t| is_term(t) && reads_known(t));
+            let terms = recovery.terms.iter().all(|t| reads_known(t, &known));
             require(terms, "a term reads something unknown")?;
             known[recovery.unknown] = true;
         }

@@ -185,6 +185,16 @@ pub struct PlannedRecovery {
     pub terms: Vec<Term>,
 }
 
+/// Unknowns x that follow together, by least squares, from A x + b = 0 with more rows than
+/// unknowns. The entries are sums of terms in the unknowns that are read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PlannedBlock {
+    /// The unknowns that presolve eliminated.
+    pub unknowns: Vec<usize>,
+    /// The rows of A and b.
+    pub rows: Vec<Vec<Vec<Term>>>,
+}
+
 /// Where presolve solves equations for monomials, pivots must be more than this. The coefficients
 /// of the template have then half of the digits, and the polish brings the others. Where they are
 /// not, twice the precision may do, or the solutions are followed from data nearby.
@@ -303,7 +313,9 @@ pub struct Plan {
     /// Changes of signs that map solutions to solutions with the same eigenpair: for each, the
     /// unknowns that it changes.
     pub flips: Vec<Vec<bool>>,
-    /// How the unknowns that presolve eliminated follow, in this order.
+    /// The unknowns that presolve eliminated by determinants: they follow first.
+    pub linear: Option<PlannedBlock>,
+    /// How the other unknowns that presolve eliminated follow, in this order.
     pub recoveries: Vec<PlannedRecovery>,
     /// All equations as stated in the problem, for the polish and the residual.
     pub equations: Vec<Vec<Term>>,
@@ -398,6 +410,12 @@ impl Plan {
     /// Whether some eigenvalues belong to no solution, or to one that is known beforehand.
     pub fn has_spurious_values(&self) -> bool {
         self.elimination.basis * (1 + self.flips.len()) + usize::from(self.has_origin) > self.solutions
+    }
+
+    /// The unknowns that presolve eliminated, in the order in which they are recovered.
+    pub fn recovered(&self) -> impl Iterator<Item = usize> + '_ {
+        let linear = self.linear.iter().flat_map(|block| block.unknowns.iter().copied());
+        linear.chain(self.recoveries.iter().map(|recovery| recovery.unknown))
     }
 
     /// The unknown in whose place a linear form stands in the template: it is read, and then

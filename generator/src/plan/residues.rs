@@ -92,6 +92,20 @@ impl Residues {
         Some(self.with_roots(1 << unknown, &inverse))
     }
 
+    /// The product of an element with its conjugates, which has no roots, and the product of these
+    /// conjugates: the element with other signs of its roots.
+    pub(super) fn norm(&self, element: &Element) -> (Univariate, Element) {
+        let (mut norm, mut conjugates) = (element.clone(), self.element(&Univariate::constant(1)));
+        for (root, _) in &self.squares {
+            let mut conjugate = norm.clone();
+            for (_, residue) in conjugate.parts.iter_mut().filter(|(roots, _)| roots >> root & 1 == 1) {
+                *residue = residue.scaled(self.field, self.field.neg(1));
+            }
+            (norm, conjugates) = (self.product(&norm, &conjugate), self.product(&conjugates, &conjugate));
+        }
+        (norm.residues().next().cloned().unwrap_or(Univariate::ZERO), conjugates)
+    }
+
     fn residue_product(&self, a: &Univariate, b: &Univariate) -> Univariate {
         a.times(self.field, b).modulo(self.field, &self.modulus)
     }
@@ -137,6 +151,19 @@ mod tests {
             let residue = Univariate::new((0..6).map(|_| random.below(1 << 30) as u32).collect());
             sum(r, &total, &r.product(part, &r.element(&residue)))
         })
+    }
+
+    #[test]
+    fn the_norm_is_the_product_with_the_conjugates() {
+        let r = residues();
+        let random = &mut Random::new(3);
+        let constants = [0; 3].map(|_| r.element(&Univariate::constant(random.below(1_000) as u32 + 1)));
+        let [x, y] = ROOTS.map(|unknown| r.root(unknown));
+        let a = sum(&r, &constants[0], &sum(&r, &r.product(&constants[1], &x), &r.product(&constants[2], &y)));
+        let (norm, conjugates) = r.norm(&a);
+        assert_eq!(r.product(&a, &conjugates), r.element(&norm));
+        assert!(norm.inverse_modulo(F, &r.modulus).is_some());
+        assert!(r.norm(&Element::default()).0.is_zero());
     }
 
     #[test]

@@ -7,12 +7,13 @@ use super::coefficients::{Coefficients, planned_output};
 use super::constant_pivots::{ConstantPivots, Row, eliminate_constant_pivots};
 use super::straight_line::{planned_derivations, straight_line_program};
 use super::{
-    ActionRow, BasisId, Block, Elimination, Entry, Extraction, KnownMonomial, PivotId, Plan, PlanError, PlannedRecovery,
+    ActionRow, BasisId, Block, Elimination, Entry, Extraction, KnownMonomial, PivotId, Plan, PlanError, PlannedBlock,
+    PlannedRecovery,
 };
 use crate::algebra::Monomial;
-use crate::expression::{ExpressionGraph, ExpressionId};
-use crate::presolve::ReducedProblem;
+use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
 use crate::presolve::symmetry::{Reading, Symmetry};
+use crate::presolve::{LinearBlock, ReducedProblem};
 use crate::problem::Problem;
 use crate::problem::scaling::scalings;
 use crate::template::{EliminationTemplate, Shift};
@@ -107,10 +108,8 @@ impl Scheduler<'_> {
         let is_image = |m: &Monomial| template.basis.contains(&m.over(&template.action));
         let extra: Vec<Monomial> = template.reducible.iter().filter(|m| !is_image(m)).copied().collect();
         let read = extra.iter().filter_map(|m| pivots.get(m).copied()).collect();
-        let symmetry = match reduced.separated {
-            Some(_) => Symmetry::NONE,
-            None => Symmetry::of_problem(problem).of_template(&template.action, &template.basis).on(&reduced.kept),
-        };
+        let symmetry = Symmetry::of_problem(problem).of_template(&template.action, &template.basis);
+        let symmetry = symmetry.of_reduced(reduced);
         let has_origin = reduced.problem.has_origin();
         let most = template.basis.len() * symmetry.order() + usize::from(has_origin);
         if self.solutions > most {
@@ -120,6 +119,7 @@ impl Scheduler<'_> {
         let width = problem.unknowns.len();
         let extractions = self.extractions(&extra, &symmetry.readings(&reduced.kept))?;
         let flips = symmetry.all().iter().map(|flip| (0..width).map(|at| flip.contains(&at)).collect()).collect();
+        let linear = reduced.linear.as_ref().map(|block| planned_block(block, &mut coefficients, width));
         let recoveries: Vec<_> = reduced
             .recoveries
             .iter()
@@ -155,6 +155,7 @@ impl Scheduler<'_> {
             chains: None,
             extractions,
             flips,
+            linear,
             recoveries,
             equations,
             nonzero,
@@ -217,6 +218,11 @@ impl Scheduler<'_> {
             pairs: pairs.iter().map(|&(_, [from, to])| (from, to)).collect(),
         })
     }
+}
+
+fn planned_block(block: &LinearBlock, coefficients: &mut Coefficients, width: usize) -> PlannedBlock {
+    let mut row = |row: &Vec<SymbolicPolynomial>| row.iter().map(|entry| coefficients.terms(entry, width)).collect();
+    PlannedBlock { unknowns: block.unknowns.clone(), rows: block.rows.iter().map(&mut row).collect() }
 }
 
 fn check_shape(reduced: &ReducedProblem, template: &EliminationTemplate) -> Result<(), ScheduleError> {

@@ -11,7 +11,8 @@
 //!    v_m has a factor in common with s, x is read from another pair at its roots. s is then split,
 //!    and each part is treated by itself (the D5 principle: Della Dora, Dicrescenzo, Duval, "About
 //!    a new method for computing in algebraic number fields", EUROCAL 1985).
-//! 3. Unknowns that presolve eliminated follow. All equations as stated are evaluated modulo s. The
+//! 3. Unknowns that presolve eliminated follow; those of a linear block by least squares, where its
+//!    normal equations have one solution. All equations as stated are evaluated modulo s. The
 //!    greatest common divisor of s and their values has the solutions for roots; those where a
 //!    factor that must not vanish does are divided out.
 //! 4. Where signs can be changed some unknowns are square roots x of residues X(t). Values are then
@@ -29,7 +30,7 @@ use std::fmt;
 use super::interpret::Eliminated;
 use super::residues::{Element, Residues};
 use super::system_table::SystemTable;
-use super::{Extraction, KnownMonomial, Plan, Term};
+use super::{Extraction, KnownMonomial, Plan, PlannedBlock, Term};
 use crate::algebra::{DenseMatrix, Eigenpair, Monomial, PrimeField, Random, Univariate};
 
 /// Bounds on the number of different solutions. They are equal unless an eigenvalue has several
@@ -139,7 +140,8 @@ impl Counter<'_> {
             }
             branches = read;
         }
-        for mut branch in branches {
+        for branch in branches {
+            let mut branch = self.with_block(branch);
             // A linear form may stand in the place of an unknown until that is recovered.
             let action = self.action_parts(&branch);
             self.recover(&mut branch);
@@ -232,7 +234,52 @@ impl Counter<'_> {
         read.extend([other, zero].into_iter().filter(|part| !part.is_empty()));
     }
 
-    /// The unknowns that presolve eliminated.
+    /// The part of a branch where the linear block determines its unknowns, with these. Elsewhere
+    /// are no solutions: none or infinitely many belong to a singular block.
+    fn with_block(&self, mut branch: Branch) -> Branch {
+        let Some(block) = &self.plan.linear else { return branch };
+        let (n, minus_one) = (block.unknowns.len(), self.field.neg(1));
+        let mut rows = self.normal_equations(&branch, block);
+        for pivot in 0..n {
+            let (norm, conjugates) = branch.residues.norm(&rows[pivot][pivot]);
+            let zeros = norm.gcd(self.field, &branch.residues.modulus);
+            branch = branch.restricted_to(branch.residues.modulus.over(self.field, &zeros));
+            let residues = &branch.residues;
+            rows.iter_mut().flatten().for_each(|entry| *entry = residues.reduced(entry));
+            let Some(inverse) = norm.inverse_modulo(self.field, &residues.modulus) else { return branch };
+            let inverse = residues.product(&residues.element(&inverse), &residues.reduced(&conjugates));
+            let mut of_pivot = std::mem::take(&mut rows[pivot]);
+            of_pivot.iter_mut().for_each(|entry| *entry = residues.product(entry, &inverse));
+            for row in rows.iter_mut().filter(|row| !row.is_empty()) {
+                let factor = row[pivot].clone();
+                for (entry, of_pivot) in row.iter_mut().zip(&of_pivot) {
+                    residues.add_multiple(entry, minus_one, &residues.product(&factor, of_pivot));
+                }
+            }
+            rows[pivot] = of_pivot;
+        }
+        for (&unknown, row) in block.unknowns.iter().zip(&rows) {
+            branch.unknowns[unknown] = Element::default();
+            branch.residues.add_multiple(&mut branch.unknowns[unknown], minus_one, &row[n]);
+        }
+        branch
+    }
+
+    /// \[A^T A | A^T b\] of a linear block.
+    fn normal_equations(&self, branch: &Branch, block: &PlannedBlock) -> Vec<Vec<Element>> {
+        let n = block.unknowns.len();
+        let entries: Vec<Vec<Term>> = block.rows.iter().flatten().cloned().collect();
+        let entries = self.evaluate(branch, &entries);
+        let mut normal = vec![vec![Element::default(); n + 1]; n];
+        for row in entries.chunks(n + 1) {
+            for (i, j) in (0..n).flat_map(|i| (0..=n).map(move |j| (i, j))) {
+                branch.residues.add_multiple(&mut normal[i][j], 1, &branch.residues.product(&row[i], &row[j]));
+            }
+        }
+        normal
+    }
+
+    /// The other unknowns that presolve eliminated.
     fn recover(&self, branch: &mut Branch) {
         for recovery in &self.plan.recoveries {
             let values = self.evaluate(branch, std::slice::from_ref(&recovery.terms));

@@ -6,9 +6,12 @@
 //! the solve. Substitution can also hurt, because degrees and coefficients grow: a search judges
 //! all of [`crate::presolve::Presolve`] side by side.
 //!
-//! Where solutions share the values of unknowns, a linear form of them takes the place of one.
+//! Unknowns that occur linearly, with coefficients that depend on others, are eliminated by
+//! determinants. Where solutions share the values of unknowns, a linear form of them takes the
+//! place of one.
 
 mod combine;
+mod determinants;
 mod gauss_jordan;
 mod reduced;
 mod separate;
@@ -17,12 +20,13 @@ mod substitute;
 pub mod symmetry;
 
 use combine::combine;
+use determinants::eliminate_linear;
 use gauss_jordan::{solve_for_leads, solve_linear_equations};
 use separate::separate;
 use square::divide_by_squares;
 use substitute::substitute;
 
-pub use reduced::{Presolve, Recovery, ReducedProblem};
+pub use reduced::{LinearBlock, Presolve, Recovery, ReducedProblem};
 
 use crate::algebra::Monomial;
 use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
@@ -37,6 +41,7 @@ pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
     let mut reduced = ReducedProblem {
         problem: problem.clone(),
         kept: (0..problem.unknowns.len()).collect(),
+        linear: None,
         recoveries: Vec::new(),
         is_solved_for_leads: false,
         separated: None,
@@ -55,8 +60,10 @@ pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
         reduced.is_solved_for_leads = true;
         eliminate_all(&mut reduced, presolve);
     }
-    if presolve == Presolve::Separated {
-        separate(&mut reduced);
+    match presolve {
+        Presolve::Separated => separate(&mut reduced),
+        Presolve::Determinants(unknown) => eliminate_linear(&mut reduced, usize::from(unknown)),
+        _ => {}
     }
     // Recovery runs backwards: the unknown that was eliminated last depends on kept unknowns only.
     reduced.recoveries.reverse();

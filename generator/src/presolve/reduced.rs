@@ -34,10 +34,10 @@ pub enum Presolve {
     Solved,
     /// As [`Presolve::Solved`], for the monomials that are highest beside this unknown.
     Hiding(u8),
+    /// As [`Presolve::Constant`]. Then the unknowns that occur linearly together with this one are
+    /// eliminated by determinants.
+    Determinants(u8),
 }
-
-/// Names of [`Presolve::Hiding`] begin with this, and end with the number of the unknown.
-const HIDING: &str = "hiding_";
 
 impl Presolve {
     /// Those that are the same for all problems, with their names.
@@ -56,14 +56,16 @@ impl Presolve {
 
     /// All for so many unknowns, in the order in which a search tries them.
     pub fn all(unknowns: usize) -> Vec<Self> {
-        let hiding = (0..unknowns.min(MAX_UNKNOWNS) as u8).map(Self::Hiding);
-        Self::FIXED.into_iter().map(|(_, presolve)| presolve).chain(hiding).collect()
+        let each = || 0..unknowns.min(MAX_UNKNOWNS) as u8;
+        let of_unknowns = each().map(Self::Hiding).chain(each().map(Self::Determinants));
+        Self::FIXED.into_iter().map(|(_, presolve)| presolve).chain(of_unknowns).collect()
     }
 
     /// Its name in template files and reports.
     pub fn name(self) -> String {
         match self {
-            Self::Hiding(unknown) => format!("{HIDING}{unknown}"),
+            Self::Hiding(unknown) => format!("hiding_{unknown}"),
+            Self::Determinants(unknown) => format!("determinants_{unknown}"),
             _ => Self::FIXED.into_iter().find(|(_, known)| *known == self).map_or("", |(name, _)| name).to_owned(),
         }
     }
@@ -84,7 +86,13 @@ impl Presolve {
 
     /// Whether equations are combined first.
     pub(crate) fn combines(self) -> bool {
-        !matches!(self, Self::None | Self::Constant | Self::Linear | Self::Square | Self::Separated)
+        match self {
+            Self::None | Self::Constant | Self::Linear | Self::Square | Self::Separated | Self::Determinants(_) => {
+                false
+            }
+            Self::Combined | Self::CombinedLinear | Self::CombinedSquare => true,
+            Self::Eliminated | Self::Solved | Self::Hiding(_) => true,
+        }
     }
 
     /// Whether other equations are divided by those that give squares.
@@ -94,7 +102,7 @@ impl Presolve {
 
     /// Whether an unknown is eliminated only if its coefficient is a constant.
     pub(super) fn is_constant(self) -> bool {
-        matches!(self, Self::Constant | Self::Combined | Self::Separated)
+        matches!(self, Self::Constant | Self::Combined | Self::Separated | Self::Determinants(_))
     }
 }
 
@@ -107,6 +115,22 @@ pub struct Recovery {
     pub value: SymbolicPolynomial,
 }
 
+/// Unknowns x that follow together, by least squares, from A x + b = 0. Entries hold unknowns that
+/// are kept.
+///
+/// ```text
+///           x_1  ..  x_n   1
+///   rows  [                     ]
+///         [      A         b    ]      more than n rows
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LinearBlock {
+    /// Indices of the unknowns, in increasing order.
+    pub unknowns: Vec<usize>,
+    /// The rows of A and b.
+    pub rows: Vec<Vec<SymbolicPolynomial>>,
+}
+
 /// A problem with some unknowns substituted away. Monomials keep the indices of the original
 /// unknowns.
 #[derive(Clone, Debug)]
@@ -115,13 +139,24 @@ pub struct ReducedProblem {
     pub problem: Problem,
     /// Indices of the unknowns that are left, in increasing order.
     pub kept: Vec<usize>,
-    /// The values of the eliminated unknowns, each in terms of kept ones and of those before it.
+    /// Unknowns that were eliminated by determinants. They are recovered first.
+    pub linear: Option<LinearBlock>,
+    /// The values of the other eliminated unknowns, each in terms of kept ones, of those that were
+    /// eliminated by determinants, and of those before it.
     pub recoveries: Vec<Recovery>,
     /// The unknown whose place a linear form takes, in equations and monomials alike. It is kept,
     /// and its own value is the first that is recovered.
     pub separated: Option<usize>,
     /// Whether equations were solved for monomials at run time: their coefficients there are 1.
     pub is_solved_for_leads: bool,
+}
+
+impl ReducedProblem {
+    /// The unknowns that were eliminated, in the order in which they are recovered.
+    pub fn eliminated(&self) -> impl Iterator<Item = usize> + '_ {
+        let linear = self.linear.iter().flat_map(|block| block.unknowns.iter().copied());
+        linear.chain(self.recoveries.iter().map(|recovery| recovery.unknown))
+    }
 }
 
 /// No substitution may make an equation longer than this.

@@ -112,10 +112,7 @@ pub(crate) fn formulations(
                 .unwrap_or(count.solutions - count.at_origin),
         };
         let zero_sets = zero_sets(count, &reduced);
-        let symmetry = match reduced.separated {
-            Some(_) => Symmetry::NONE,
-            None => of_problem.on(&reduced.kept),
-        };
+        let symmetry = of_problem.of_reduced(&reduced);
         let symmetries = [Some(symmetry.clone()).filter(|symmetry| !symmetry.is_none()), Some(Symmetry::NONE)];
         for symmetry in symmetries.into_iter().flatten() {
             let readings = symmetry.readings(&reduced.kept);
@@ -161,7 +158,9 @@ fn zero_sets(count: &SolutionCount, reduced: &ReducedProblem) -> Vec<Vec<usize>>
 
 /// Operations that compute the coefficients of the equations.
 fn operations(reduced: &ReducedProblem) -> f64 {
-    let equations = reduced.problem.polynomials().chain(reduced.recoveries.iter().map(|recovery| &recovery.value));
+    let recoveries = reduced.recoveries.iter().map(|recovery| &recovery.value);
+    let entries = reduced.linear.iter().flat_map(|block| block.rows.iter().flatten());
+    let equations = reduced.problem.polynomials().chain(recoveries).chain(entries);
     let used: Vec<ExpressionId> = equations.flat_map(|p| p.terms()).map(|&(_, coefficient)| coefficient).collect();
     let derived = planned_derivations(&reduced.problem.graph, &used);
     let derived = derived.iter().filter(|derived| !derived.is_for_results);

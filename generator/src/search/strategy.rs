@@ -16,13 +16,12 @@ impl Strategy<'_> {
         let presolve = self.formulation.presolve;
         let combined = if presolve.combines() { "equations combined, " } else { "" };
         let unknowns = &self.formulation.reduced.problem.unknowns;
+        let name = |at: u8| unknowns.get(usize::from(at)).map_or("", String::as_str);
         let eliminated = match presolve {
             Presolve::Eliminated => "linear equations solved, ",
             Presolve::Solved => "solved for their highest monomials, ",
-            Presolve::Hiding(at) => {
-                let hidden = unknowns.get(usize::from(at)).map_or("", String::as_str);
-                &format!("solved for the highest monomials beside {hidden}, ")
-            }
+            Presolve::Hiding(at) => &format!("solved for the highest monomials beside {}, ", name(at)),
+            Presolve::Determinants(at) => &format!("{} and others eliminated by determinants, ", name(at)),
             Presolve::None => "",
             Presolve::Separated => "by a linear form, ",
             Presolve::Constant | Presolve::Combined => "after presolve with constant coefficients, ",

@@ -15,6 +15,7 @@ pub(crate) mod chart;
 pub(crate) mod dense_system;
 pub(crate) mod distinct;
 pub(crate) mod extract;
+pub(crate) mod least_squares;
 pub(crate) mod polish;
 pub(crate) mod refine;
 pub(crate) mod shared_value;

@@ -10,7 +10,7 @@ use eliminant::{Complex, Scalar, SolveError};
 use crate::expression::arithmetic::Float64;
 use crate::plan::system_table::SystemTable;
 use crate::plan::value_layout::ValueLayout;
-use crate::plan::{ActionRow, LEAST_PIVOT_OF_PRESOLVE, Plan, PlannedDerivation, PlannedRecovery};
+use crate::plan::{ActionRow, LEAST_PIVOT_OF_PRESOLVE, Plan, PlannedBlock, PlannedDerivation, PlannedRecovery};
 
 use super::interpreted_chains::{self, InterpretedChains};
 use super::interpreted_program::{Program, condition, values};
@@ -31,6 +31,7 @@ pub struct InterpretedSolver {
     ratios: Vec<Vec<(u16, u16)>>,
     steps: Vec<Vec<i8>>,
     flips: Vec<Vec<bool>>,
+    linear: Option<PlannedBlock>,
     recoveries: Vec<PlannedRecovery>,
     equations: System,
     nonzero: System,
@@ -91,6 +92,7 @@ impl InterpretedSolver {
             layout,
             steps: plan.steps(),
             flips: plan.flips.clone(),
+            linear: plan.linear.clone(),
             recoveries: plan.recoveries.clone(),
             equations: System::of(&plan.equations, unknowns),
             nonzero: System::of(&plan.nonzero, unknowns),
@@ -442,6 +444,12 @@ impl SolverInstance for InterpretedInstance<'_> {
     }
 
     fn recover<S: Scalar>(&self, x: &mut Vec<S>) {
+        if let Some(block) = &self.solver.linear {
+            let rows: Vec<S> = block.rows.iter().flatten().map(|entry| sum(entry, &self.coefficients, x)).collect();
+            let mut linear = vec![S::ZERO; block.unknowns.len()];
+            emitted::least_squares(&rows, &mut linear);
+            block.unknowns.iter().zip(linear).for_each(|(&unknown, value)| x[unknown] = value);
+        }
         for recovery in &self.solver.recoveries {
             x[recovery.unknown] = sum(&recovery.terms, &self.coefficients, x);
         }
