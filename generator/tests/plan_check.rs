@@ -14,12 +14,14 @@ use eliminant_generator::template::file::TemplateFile;
 
 const TEMPLATES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../templates");
 /// With coupled blocks, pivots that are not needed, sums of products, changes of signs, the origin,
-/// eliminated unknowns, and unknowns that are read from an image or from pivots of their own.
-const NAMES: [&str; 9] = [
+/// eliminated unknowns, a linear block, and unknowns that are read from an image or from pivots of
+/// their own.
+const NAMES: [&str; 10] = [
     "circle_least_squares_dual",
     "pose_3pt_depths",
     "pose_5pt_refraction",
     "pose_5tdoa_two_receivers",
+    "pose_6pt_rolling_shutter",
     "relpose_4pt_angle",
     "relpose_7pt_angle_focal_centre",
     "stitching_3pt_radial_focal",
@@ -504,6 +506,26 @@ fn values_that_unknowns_are_read_from_have_positions_of_their_own() {
         *(if has_image { &mut with_image } else { &mut without_image }) += 1;
     }
     assert!(with_image > 0 && without_image > 0, "{with_image} with an image, {without_image} without");
+}
+
+#[test]
+fn linear_blocks_have_more_rows_than_unknowns() {
+    assert_refused(
+        "a linear block has another shape",
+        &[
+            |plan| plan.linear.as_mut().and_then(|block| block.unknowns.pop()).map(drop),
+            |plan| plan.linear.as_mut().and_then(|block| block.rows[1].pop()).map(drop),
+            |plan| plan.linear.as_mut().map(|block| block.rows.truncate(block.unknowns.len())),
+        ],
+    );
+    assert_refused(
+        "a linear block has another unknown",
+        &[|plan| plan.linear.as_mut().map(|block| block.unknowns[0] = plan.unknowns.len())],
+    );
+    assert_refused(
+        "an unknown is never recovered",
+        &[|plan| plan.linear.as_mut().map(|block| block.unknowns[0] = block.unknowns[1])],
+    );
 }
 
 /// An unknown that an extraction reads has its step; one that is recovered has zeros.

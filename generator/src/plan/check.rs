@@ -1,14 +1,13 @@
 //! Whether a plan contradicts itself: every table stays in range, and every value, pivot and
 //! unknown is written before it is read.
 
-use eliminant::emitted::MOST_LINEAR;
-
 use super::program::{Operation, ValueId};
 use super::system_table::SystemTable;
 use super::{
     ActionRow, BasisId, Block, CoefficientId, Elimination, Entry, KnownMonomial, Plan, PlannedDerivation,
     PlannedOutput, Term,
 };
+use crate::presolve::MOST_LINEAR;
 
 /// A plan that contradicts itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]

@@ -21,12 +21,13 @@
 //! that must not vanish at one is divided out: where x is a translation and y a rotation by
 //! Cayley's parameters, that is the denominator of the rotation.
 
-use eliminant::emitted::MOST_LINEAR;
-
 use super::reduced::{LinearBlock, MAX_TERMS, ReducedProblem};
 use crate::algebra::Monomial;
 use crate::expression::{ExpressionGraph, SignedProduct, SymbolicPolynomial};
 use crate::problem::{Problem, Statement};
+
+/// Unknowns that are eliminated together, at most: as many as the runtime solves for.
+pub(crate) const MOST_LINEAR: usize = 4;
 
 /// Equations that they occur in, at most.
 const MOST_ROWS: usize = 8;
@@ -193,4 +194,100 @@ fn quotient(
         quotient = graph.polynomial_add(&quotient, &term);
     }
     (!quotient.is_zero()).then_some(quotient)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::PrimeField;
+    use crate::expression::FINGERPRINT_FIELDS;
+    use crate::presolve::{Presolve, presolve};
+
+    const F: PrimeField = FINGERPRINT_FIELDS[0];
+
+    /// Two views of four rays of rigs with a known vertical direction.
+    const RIGS: &str = "fn rigs(a: [[f64; 6]; 4], b: [[f64; 6]; 4]) -> (s, t: [f64; 3]) {
+        let r = [[1 - s * s, 0, 2 * s], [0, 1 + s * s, 0], [-2 * s, 0, 1 - s * s]];
+        for k in 0..4 {
+            let q = r * [a[k][0], a[k][1], a[k][2]];
+            let [u, v] = [[b[k][0], b[k][1], b[k][2]], [b[k][3], b[k][4], b[k][5]]];
+            dot(u, cross(t, q)) + dot(u, r * [a[k][3], a[k][4], a[k][5]]) + dot(v, q) == 0;
+        }
+        1 + s * s != 0;
+    }";
+
+    fn reduced(text: &str, unknown: u8) -> ReducedProblem {
+        let problem = Problem::parse("sample.rs", text).unwrap_or_else(|messages| panic!("{}", messages.render()));
+        presolve(&problem, Presolve::Determinants(unknown))
+    }
+
+    /// The value at the fingerprint point of the data.
+    fn value(graph: &ExpressionGraph, p: &SymbolicPolynomial, point: &[u32]) -> u32 {
+        p.terms().iter().fold(0, |sum, &(m, c)| {
+            let powers = point.iter().enumerate().map(|(at, &x)| F.pow(x, m.exponent(at) as u32));
+            F.add(sum, F.mul(graph.fingerprint(c)[0], powers.fold(1, |product, power| F.mul(product, power))))
+        })
+    }
+
+    /// Leibniz' formula along the first row.
+    fn determinant(matrix: &[Vec<u32>]) -> u32 {
+        let Some((first, rest)) = matrix.split_first() else { return 1 };
+        first.iter().enumerate().fold(0, |sum, (column, &entry)| {
+            let without = |row: &Vec<u32>| [&row[..column], &row[column + 1..]].concat();
+            let minor = F.mul(entry, determinant(&rest.iter().map(without).collect::<Vec<_>>()));
+            if column % 2 == 0 { F.add(sum, minor) } else { F.sub(sum, minor) }
+        })
+    }
+
+    #[test]
+    fn the_minor_is_the_determinant_without_the_factor() {
+        let reduced = reduced(RIGS, 1);
+        let block = reduced.linear.as_ref().expect("a block");
+        assert_eq!((&reduced.kept[..], &block.unknowns[..]), (&[0][..], &[1, 2, 3][..]));
+        let [equation] = &reduced.problem.equations[..] else { panic!("{}", reduced.problem.equations.len()) };
+        assert_eq!(equation.polynomial.degree(), 6);
+        for s in 2..8 {
+            let at = |p: &SymbolicPolynomial| value(&reduced.problem.graph, p, &[s, 0, 0, 0]);
+            let rows: Vec<Vec<u32>> = block.rows.iter().map(|row| row.iter().map(at).collect()).collect();
+            let product = F.mul(at(&equation.polynomial), F.add(1, F.mul(s, s)));
+            assert!([product, F.neg(product)].contains(&determinant(&rows)), "{s}");
+        }
+    }
+
+    /// With five equations for two unknowns there are ten minors, and the other equation stays.
+    #[test]
+    fn all_minors_take_the_place_of_the_equations() {
+        let text = "fn sample(a: [[f64; 4]; 5], b: [f64; 2]) -> (x, y, u, v) {
+            for k in 0..5 {
+                (a[k][0] + a[k][1] * x) * u + a[k][2] * y * v == a[k][3];
+            }
+            x * y == b[0] * x + b[1];
+        }";
+        let reduced = reduced(text, 2);
+        assert_eq!(reduced.kept, [0, 1]);
+        let block = reduced.linear.as_ref().expect("a block");
+        assert_eq!(reduced.problem.equations.len(), 11);
+        for equation in &reduced.problem.equations[1..] {
+            let of_rows = (0..5).flat_map(|i| (0..i).flat_map(move |j| (0..j).map(move |k| [k, j, i])));
+            let point = [3, 5, 0, 0];
+            let at = |p: &SymbolicPolynomial| value(&reduced.problem.graph, p, &point);
+            let minors: Vec<u32> = of_rows
+                .map(|rows| determinant(&rows.map(|row| block.rows[row].iter().map(at).collect::<Vec<u32>>())))
+                .collect();
+            let minor = at(&equation.polynomial);
+            assert!(minors.contains(&minor) || minors.contains(&F.neg(minor)));
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_eliminated_stays() {
+        let as_many = "fn sample(a: [f64; 6]) -> (x, u) { a[0] * x * u + a[1] * u == a[2]; x * x == a[3]; }";
+        let squares = "fn sample(a: [f64; 4]) -> (x, u) { x * u == a[0]; u * u + x * u == a[1]; u == a[2] * x * x; }";
+        let homogeneous = "fn sample(a: [f64; 4]) -> (x, u) { x * u == a[0] * u; x * x * u == a[1] * u; }";
+        let origin = "fn sample(a: [f64; 4]) -> (x, y, u) { x * u == a[0] * x + a[1] * y; y * u == a[2] * x; }";
+        for (text, unknown) in [(as_many, 1), (squares, 1), (homogeneous, 1), (origin, 2)] {
+            let reduced = reduced(text, unknown);
+            assert!(reduced.linear.is_none() && reduced.kept.contains(&usize::from(unknown)), "{text}");
+        }
+    }
 }

@@ -26,6 +26,7 @@ use separate::separate;
 use square::divide_by_squares;
 use substitute::substitute;
 
+pub(crate) use determinants::MOST_LINEAR;
 pub use reduced::{LinearBlock, Presolve, Recovery, ReducedProblem};
 
 use crate::algebra::Monomial;
