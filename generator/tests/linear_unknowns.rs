@@ -34,13 +34,29 @@ const FOCAL: &str = "fn focal(x: [[f64; 2]; 4], y: [[f64; 2]; 4]) -> (s, w, a, b
     1 + s * s != 0;
 }";
 
+/// Relative pose with a known angle of rotation, cosine and sine of its half given: four points.
+const ANGLE: &str = "fn angle(p: [[f64; 3]; 4], q: [[f64; 3]; 4], #[unit] half: [f64; 2]) -> (
+    x, y, z, #[projective] t: [f64; 3],
+) {
+    let c = half[0];
+    let r = [
+        [c * c + x * x - y * y - z * z, 2 * (x * y - c * z), 2 * (x * z + c * y)],
+        [2 * (x * y + c * z), c * c - x * x + y * y - z * z, 2 * (y * z - c * x)],
+        [2 * (x * z - c * y), 2 * (y * z + c * x), c * c - x * x - y * y + z * z],
+    ];
+    for k in 0..4 {
+        dot(q[k], cross(t, r * p[k])) == 0;
+    }
+    x * x + y * y + z * z == half[1] * half[1];
+}";
+
 /// The chosen template is by determinants, has these rows, columns and basis monomials, and gives
 /// all solutions that the oracle finds.
 fn solves(text: &str, solutions: usize, size: (usize, usize, usize)) {
     let problem = Problem::parse("problem.rs", text).unwrap_or_else(|messages| panic!("{}", messages.render()));
     let count = check(&problem).expect("finitely many solutions");
     assert_eq!(count.different, solutions);
-    let options = SearchOptions { shuffles: 0, ..SearchOptions::default() };
+    let options = SearchOptions { shuffles: 0, max_columns: 60, max_basis: Some(20), ..SearchOptions::default() };
     let found = candidates(&problem, &count, &options, &Unmonitored).expect("templates");
     let measuring = Measuring { trials: 300, confirm: 1000, seed: 1 };
     let choice = choose(&found.candidates, options.prefer, measuring, &|_| None, &Unmonitored).expect("a candidate");
@@ -67,4 +83,11 @@ fn one_minor_leaves_one_unknown() {
 #[test]
 fn several_minors_leave_two_unknowns_that_change_signs() {
     solves(FOCAL, 10, (4, 9, 5));
+}
+
+/// The size of the template for the form that Martyushev and Li reduced by hand, which is that of
+/// `relpose_4pt_angle`.
+#[test]
+fn minors_are_divided_by_an_equation_that_gives_a_square() {
+    solves(ANGLE, 20, (16, 36, 20));
 }

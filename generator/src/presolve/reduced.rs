@@ -35,7 +35,7 @@ pub enum Presolve {
     /// As [`Presolve::Solved`], for the monomials that are highest beside this unknown.
     Hiding(u8),
     /// As [`Presolve::Constant`]. Then the unknowns that occur linearly together with this one are
-    /// eliminated by determinants.
+    /// eliminated by determinants, and the others are divided as by [`Presolve::Square`].
     Determinants(u8),
 }
 
@@ -97,7 +97,7 @@ impl Presolve {
 
     /// Whether other equations are divided by those that give squares.
     pub(super) fn divides(self) -> bool {
-        matches!(self, Self::Square | Self::CombinedSquare)
+        matches!(self, Self::Square | Self::CombinedSquare | Self::Determinants(_))
     }
 
     /// Whether an unknown is eliminated only if its coefficient is a constant.

@@ -55,6 +55,8 @@ where
 mod tests {
     use super::*;
     use crate::Complex;
+    use std::vec;
+    use std::vec::Vec;
 
     #[test]
     fn systems_that_can_be_solved_are() {
