@@ -465,7 +465,7 @@ fn every_unknown_is_recovered() {
         &[
             |p| p.recoveries.pop().map(|_| ()),
             |p| {
-                let is_read_alone = p.recoveries.is_empty() && p.flips.is_empty();
+                let is_read_alone = p.recovered().next().is_none() && p.flips.is_empty();
                 p.extractions.last_mut().filter(|_| is_read_alone)?.pairs.clear();
                 Some(())
             },

@@ -54,7 +54,7 @@ pub(super) fn eliminate_linear(reduced: &mut ReducedProblem, unknown: usize) {
 }
 
 /// The unknowns of a block: this one, and each further one with which all equations are still
-/// linear, and more than the unknowns.
+/// linear, and more than the unknowns. Those after it are tried first: a vector stays together.
 fn linear_with(reduced: &ReducedProblem, unknown: usize) -> Vec<usize> {
     let degree = |m: &Monomial, unknowns: &[usize]| unknowns.iter().map(|&x| i32::from(m.exponent(x))).sum::<i32>();
     let is_linear = |unknowns: &[usize]| {
@@ -63,15 +63,15 @@ fn linear_with(reduced: &ReducedProblem, unknown: usize) -> Vec<usize> {
         let mut monomials = reduced.problem.polynomials().flat_map(|p| p.monomials());
         monomials.all(|m| degree(&m, unknowns) <= 1) && (unknowns.len() + 1..=MOST_ROWS).contains(&rows)
     };
-    let others = reduced.kept.iter().copied().filter(|&other| other != unknown);
+    let (before, after): (Vec<usize>, Vec<usize>) = reduced.kept.iter().partition(|&&kept| kept < unknown);
     let mut block = Vec::new();
-    for candidate in std::iter::once(unknown).filter(|x| reduced.kept.contains(x)).chain(others) {
+    for candidate in after.into_iter().chain(before) {
         block.push(candidate);
         if block.len() > MOST_LINEAR || !is_linear(&block) {
             block.pop();
-            if block.is_empty() {
-                break;
-            }
+        }
+        if block.first() != Some(&unknown) {
+            return Vec::new();
         }
     }
     block.sort_unstable();
@@ -282,9 +282,13 @@ mod tests {
     #[test]
     fn what_cannot_be_eliminated_stays() {
         let as_many = "fn sample(a: [f64; 6]) -> (x, u) { a[0] * x * u + a[1] * u == a[2]; x * x == a[3]; }";
-        let squares = "fn sample(a: [f64; 4]) -> (x, u) { x * u == a[0]; u * u + x * u == a[1]; u == a[2] * x * x; }";
+        let squares = "fn sample(a: [f64; 2]) -> (x, u) { x * u == a[0] + x; u * u + x * u == a[1]; }";
         let homogeneous = "fn sample(a: [f64; 4]) -> (x, u) { x * u == a[0] * u; x * x * u == a[1] * u; }";
-        let origin = "fn sample(a: [f64; 4]) -> (x, y, u) { x * u == a[0] * x + a[1] * y; y * u == a[2] * x; }";
+        let origin = "fn sample(a: [f64; 4]) -> (x, y, u) {
+            x * u == a[0] * x + a[1] * y;
+            y * u == a[2] * x;
+            x * y == a[3] * y;
+        }";
         for (text, unknown) in [(as_many, 1), (squares, 1), (homogeneous, 1), (origin, 2)] {
             let reduced = reduced(text, unknown);
             assert!(reduced.linear.is_none() && reduced.kept.contains(&usize::from(unknown)), "{text}");

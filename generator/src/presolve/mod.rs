@@ -68,7 +68,7 @@ pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
     }
     // Recovery runs backwards: the unknown that was eliminated last depends on kept unknowns only.
     reduced.recoveries.reverse();
-    if presolve.divides() {
+    if presolve.divides() || reduced.linear.is_some() {
         divide_by_squares(&mut reduced);
     }
     reduced

@@ -97,7 +97,7 @@ impl Presolve {
 
     /// Whether other equations are divided by those that give squares.
     pub(super) fn divides(self) -> bool {
-        matches!(self, Self::Square | Self::CombinedSquare | Self::Determinants(_))
+        matches!(self, Self::Square | Self::CombinedSquare)
     }
 
     /// Whether an unknown is eliminated only if its coefficient is a constant.
