@@ -5,6 +5,7 @@ use std::cell::Cell;
 
 use eliminant_generator::algebra::{DenseMatrix, GroebnerBasis, Monomial, PRIMES, Polynomial, PrimeField};
 use eliminant_generator::check::ideal;
+use eliminant_generator::expression::ExpressionId;
 use eliminant_generator::generate::Planned;
 use eliminant_generator::plan::interpret;
 use eliminant_generator::plan::{KnownMonomial, PivotId, Term};
@@ -40,7 +41,7 @@ struct Setting {
 /// The problem with given data.
 fn instance(problem: &Problem, field: PrimeField, inputs: &[u32]) -> Instance {
     let values = problem.graph.evaluate(field, inputs).expect("no divisor vanishes");
-    let image = |p: &Polynomial<_>| p.map(|c: &eliminant_generator::expression::ExpressionId| Some(values[c.index()]));
+    let image = |p: &Polynomial<_>| p.map(|c: &ExpressionId| Some(values[c.index()]));
     Instance {
         field,
         inputs: inputs.to_vec(),
@@ -197,7 +198,7 @@ fn the_number_of_solutions_is_that_of_the_template() {
         assert_eq!(count(&s.ideal), Some(s.solutions), "{}", s.name);
         // The eliminated unknowns are free in the reduced ideal: fixed, they count once.
         let mut fixed = s.reduced.clone();
-        fixed.equations.extend(s.planned.reduced.recoveries.iter().map(|r| monomial(Monomial::unknown(r.unknown))));
+        fixed.equations.extend(s.planned.reduced.eliminated().map(|unknown| monomial(Monomial::unknown(unknown))));
         assert_eq!(count(&ideal(&fixed, unknowns).expect("a Gröbner basis")), Some(s.solutions), "{} reduced", s.name);
     });
 }
@@ -213,7 +214,8 @@ fn eliminated_unknowns_are_recovered() {
         let planned = s.planned.plan.recoveries.iter();
         let planned = planned.map(|r| (r.unknown, polynomial(&r.terms, s.field, &s.coefficients)));
         let recoveries: Vec<(usize, Polynomial<u32>)> = symbolic.chain(planned).collect();
-        let eliminated = s.planned.plan.unknowns.len() - reduced.kept.len();
+        let linear = reduced.linear.as_ref().map_or(0, |block| block.unknowns.len());
+        let eliminated = s.planned.plan.unknowns.len() - reduced.kept.len() - linear;
         assert_eq!(recoveries.len(), 2 * eliminated, "{}", s.name);
         for (unknown, value) in recoveries {
             let minus = Polynomial::collect(s.field, [(Monomial::unknown(unknown), s.field.neg(1))]);
@@ -222,6 +224,37 @@ fn eliminated_unknowns_are_recovered() {
             assert!(remainder.is_zero(), "{}: unknown {unknown} leaves {remainder:?}", s.name);
         }
     });
+}
+
+/// The rows of A x + b = 0, from which unknowns follow together, lie in the ideal of the problem as
+/// stated, those of presolve and those of the plan.
+#[test]
+fn linear_blocks_are_equations_of_the_problem() {
+    let rows = Cell::new(0);
+    for_each_setting(|s| {
+        let (reduced, plan) = (&s.planned.reduced, &s.planned.plan);
+        let values = reduced.problem.graph.evaluate(s.field, &s.inputs).expect("no divisor vanishes");
+        let (Some(block), Some(planned)) = (&reduced.linear, &plan.linear) else {
+            assert!(reduced.linear.is_none() && plan.linear.is_none(), "{}", s.name);
+            return;
+        };
+        assert_eq!((&block.unknowns, block.rows.len()), (&planned.unknowns, planned.rows.len()), "{}", s.name);
+        let factors = block.unknowns.iter().map(|&unknown| Monomial::unknown(unknown)).chain([Monomial::ONE]);
+        let factors: Vec<Monomial> = factors.collect();
+        let symbolic = |entry: &Polynomial<_>| entry.map(|c: &ExpressionId| Some(values[c.index()]));
+        let of_plan = |entry: &Vec<Term>| polynomial(entry, s.field, &s.coefficients);
+        let symbolic = block.rows.iter().map(|row| row.iter().map(symbolic).collect::<Vec<_>>());
+        for row in symbolic.chain(planned.rows.iter().map(|row| row.iter().map(of_plan).collect())) {
+            let products = row
+                .iter()
+                .zip(&factors)
+                .flat_map(|(entry, x)| entry.terms().iter().map(move |&(m, c)| (m.times(x), c)));
+            let remainder = s.ideal.normal_form(&Polynomial::collect(s.field, products)).expect("a normal form");
+            assert!(remainder.is_zero(), "{}: a row leaves {remainder:?}", s.name);
+            rows.set(rows.get() + 1);
+        }
+    });
+    assert!(rows.get() > 0, "some problem has a linear block");
 }
 
 /// The equations and factors that the solver polishes and judges with are those of the problem.
