@@ -86,13 +86,8 @@ impl Presolve {
 
     /// Whether equations are combined first.
     pub(crate) fn combines(self) -> bool {
-        match self {
-            Self::None | Self::Constant | Self::Linear | Self::Square | Self::Separated | Self::Determinants(_) => {
-                false
-            }
-            Self::Combined | Self::CombinedLinear | Self::CombinedSquare => true,
-            Self::Eliminated | Self::Solved | Self::Hiding(_) => true,
-        }
+        let is_symbolic = matches!(self, Self::Combined | Self::CombinedLinear | Self::CombinedSquare);
+        is_symbolic || self.solves_at_run_time()
     }
 
     /// Whether other equations are divided by those that give squares.
