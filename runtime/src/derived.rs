@@ -3,6 +3,7 @@
 use crate::error::SolveError;
 use crate::number::Real;
 use crate::number::float::{exponent, power_of_two, sqrt};
+use crate::number::sums::sum_of;
 
 /// What is left of a row or a pivot, relative to its row as it was given, counts as rounding below
 /// this times the number of columns.
@@ -40,8 +41,27 @@ pub fn square_root(numbers: &[f64], roots: &mut [f64]) -> Result<(), SolveError>
 /// row depends on others up to rounding, or the lengths do not belong together. The contents of
 /// both lists are undefined after an error, and those of `matrix` also without one.
 pub fn null_space(matrix: &mut [f64], rows: usize, vectors: &mut [f64]) -> Result<(), SolveError> {
-    let columns = matrix.len().checked_div(rows).unwrap_or(0);
-    let is_consistent = rows < columns && vectors.len() == (columns - rows) * columns;
+    null_space_sized(matrix, (rows, matrix.len().checked_div(rows).unwrap_or(0)), vectors)
+}
+
+/// As [`null_space`], for a size that the compiler knows. The results have the same bits.
+///
+/// # Errors
+/// As [`null_space`].
+pub fn null_space_small<const ROWS: usize, const COLUMNS: usize>(
+    matrix: &mut [f64],
+    vectors: &mut [f64],
+) -> Result<(), SolveError> {
+    null_space_sized(matrix, (ROWS, COLUMNS), vectors)
+}
+
+#[inline(always)]
+fn null_space_sized(
+    matrix: &mut [f64],
+    (rows, columns): (usize, usize),
+    vectors: &mut [f64],
+) -> Result<(), SolveError> {
+    let is_consistent = 0 < rows && rows < columns && vectors.len() == (columns - rows) * columns;
     if !is_consistent || matrix.len() != rows * columns {
         return Err(SolveError::LostRank);
     }
@@ -50,54 +70,65 @@ pub fn null_space(matrix: &mut [f64], rows: usize, vectors: &mut [f64]) -> Resul
         row.iter_mut().for_each(|x| *x *= factor);
     }
     for step in 0..rows {
-        let rest = |row: &[f64]| row[step..].iter().map(|x| x * x).sum::<f64>();
         let (mut best, mut largest) = (step, 0.0);
         for (at, row) in matrix.chunks_exact(columns).enumerate().skip(step) {
-            let square = rest(row);
+            let square = dot(row, row);
             if square > largest {
                 (best, largest) = (at, square);
             }
         }
-        if !(sqrt(largest) > ROUNDING * columns as f64) {
+        let length = sqrt(largest);
+        if !(length > ROUNDING * columns as f64) {
             return Err(SolveError::LostRank);
         }
         for column in 0..columns {
             matrix.swap(step * columns + column, best * columns + column);
         }
         let (done, others) = matrix.split_at_mut((step + 1) * columns);
-        let mirror = &mut done[step * columns + step..];
-        // The unit vector that reflects the row to a multiple of the first unit vector.
-        mirror[0] += sqrt(largest).copysign(mirror[0]);
-        let length = sqrt(mirror.iter().map(|x| x * x).sum());
-        mirror.iter_mut().for_each(|x| *x /= length);
-        others.chunks_exact_mut(columns).for_each(|row| reflect(mirror, &mut row[step..]));
+        let mirror = &mut done[step * columns..];
+        // Reflects the row to a multiple of a unit vector. The mirror gets the length sqrt(2).
+        let head = mirror[step];
+        mirror[step] = head + length.copysign(head);
+        let factor = 1.0 / sqrt(largest + length * head.abs());
+        mirror.iter_mut().for_each(|x| *x *= factor);
+        for row in others.chunks_exact_mut(columns) {
+            reflect(mirror, row);
+            // What is left of the row is to the right. Later mirrors have zeros here, so that all
+            // loops have the length of a row.
+            row[step] = 0.0;
+        }
     }
     for (at, vector) in vectors.chunks_exact_mut(columns).enumerate() {
         vector.fill(0.0);
         vector[rows + at] = 1.0;
-        for (step, mirror) in matrix.chunks_exact(columns).enumerate().rev() {
-            reflect(&mirror[step..], &mut vector[step..]);
+        for mirror in matrix.chunks_exact(columns).rev() {
+            reflect(mirror, vector);
         }
     }
     Ok(())
 }
 
-/// x - 2 v (v x), for a vector v of length 1.
+/// x - v (v x), for a vector v of length sqrt(2).
+#[inline(always)]
 fn reflect(v: &[f64], x: &mut [f64]) {
-    let product: f64 = v.iter().zip(x.iter()).map(|(v, x)| v * x).sum();
-    x.iter_mut().zip(v).for_each(|(x, v)| *x -= 2.0 * product * v);
+    let product = dot(v, x);
+    x.iter_mut().zip(v).for_each(|(x, v)| *x -= product * v);
+}
+
+#[inline(always)]
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    sum_of(a.len().min(b.len()), 0.0, |k| a[k] * b[k])
 }
 
 /// The power of two that takes the largest entry of a row to about 1, so that no digit changes.
+#[inline(always)]
 fn scale_of<R: Real>(row: &[R]) -> Result<f64, SolveError> {
-    let mut largest = 0.0_f64;
+    let (mut largest, mut is_finite) = (0.0, true);
     for x in row {
-        if !x.is_finite() {
-            return Err(SolveError::Overflow);
-        }
-        largest = largest.max(x.magnitude());
+        is_finite &= x.is_finite();
+        largest = if x.magnitude() > largest { x.magnitude() } else { largest };
     }
-    Ok(power_of_two(-exponent(largest)))
+    if is_finite { Ok(power_of_two(-exponent(largest))) } else { Err(SolveError::Overflow) }
 }
 
 /// Writes the solution X of A X = B.
@@ -149,7 +180,8 @@ fn solve_sized<R: Real>(
     }
     for (row, of_right) in a.chunks_exact_mut(size).zip(solution.chunks_exact_mut(right)) {
         let factor = scale_of(row)?;
-        row.iter_mut().chain(of_right).for_each(|x| *x = x.scale(factor));
+        row.iter_mut().for_each(|x| *x = x.scale(factor));
+        of_right.iter_mut().for_each(|x| *x = x.scale(factor));
     }
     // The right sides are copied, so that their place can hold the factors of the columns.
     let factors = &mut b[..size];
@@ -178,29 +210,37 @@ fn solve_sized<R: Real>(
         for column in 0..right {
             solution.swap(step * right + column, best * right + column);
         }
+        let inverse = a[step * size + step].reciprocal();
+        a[step * size + step] = inverse;
         for row in step + 1..size {
-            let factor = a[row * size + step] / a[step * size + step];
+            let factor = a[row * size + step] * inverse;
             for column in step + 1..size {
                 let of_pivot = a[step * size + column];
                 a[row * size + column] -= factor * of_pivot;
             }
-            for column in 0..right {
-                let of_pivot = solution[step * right + column];
-                solution[row * right + column] -= factor * of_pivot;
-            }
+            subtract_row(solution, right, (row, step), factor);
         }
     }
     for step in (0..size).rev() {
-        for column in 0..right {
-            let known = (step + 1..size).map(|k| a[step * size + k] * solution[k * right + column]);
-            let value = known.fold(solution[step * right + column], |rest, known| rest - known);
-            solution[step * right + column] = value / a[step * size + step];
+        for other in step + 1..size {
+            subtract_row(solution, right, (step, other), a[step * size + other]);
         }
+        let inverse = a[step * size + step];
+        solution[step * right..][..right].iter_mut().for_each(|x| *x *= inverse);
     }
     for (of_unknown, &factor) in solution.chunks_exact_mut(right).zip(factors.iter()) {
         of_unknown.iter_mut().for_each(|x| *x *= factor);
     }
     if solution.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(SolveError::Overflow) }
+}
+
+/// Subtracts a multiple of one row of a matrix with so many columns from another one.
+#[inline(always)]
+fn subtract_row<R: Real>(matrix: &mut [R], columns: usize, (row, other): (usize, usize), factor: R) {
+    for column in 0..columns {
+        let subtrahend = factor * matrix[other * columns + column];
+        matrix[row * columns + column] -= subtrahend;
+    }
 }
 
 #[cfg(test)]

@@ -23,10 +23,15 @@ use crate::number::float::{exponent, power_of_two};
 /// Solvers have no more scalings.
 pub const MOST_SCALINGS: usize = 8;
 
+/// What most solvers have at most.
+const FEW_SCALINGS: usize = 4;
+
 /// Data from 2^-this to 2^this are left as they are.
 const ORDINARY: i32 = 10;
 /// Unknowns that would change by a smaller power of two are left as they are, with the data.
 const LEAST: i32 = 3;
+/// 2^LEAST
+const NEAR: f64 = (1_u64 << LEAST) as f64;
 /// Unknowns and data are not changed by larger powers of two.
 const MOST: i32 = 500;
 /// An entry so many powers of two below the unit has half a part in it.
@@ -81,6 +86,9 @@ impl Scalings<'_> {
         if self.count == 0 || self.count > MOST_SCALINGS || !data.iter().all(|x| x.is_finite()) {
             return;
         }
+        if self.is_near_in_all_units(data) {
+            return;
+        }
         let largest_change = |scales: &Scales| {
             let change = |weights: &[i8]| weights.iter().zip(scales).map(|(&w, s)| f64::from(w) * s).sum::<f64>();
             self.unknowns.chunks_exact(self.count).map(change).map(f64::abs).fold(0.0, f64::max)
@@ -114,6 +122,26 @@ impl Scalings<'_> {
         }
     }
 
+    /// Whether the largest of data with equal weights, one after another, is always near 1. A unit
+    /// changes all of them alike: those that are far from 1 are small by chance.
+    fn is_near_in_all_units(&self, data: &[f64]) -> bool {
+        let is_near = |largest: f64| largest == 0.0 || (1.0 / NEAR..=NEAR).contains(&largest);
+        let (mut weights, mut largest): (&[i8], f64) = (&[], 0.0);
+        for (x, of_datum) in data.iter().zip(self.data.chunks_exact(self.count)) {
+            if of_datum != weights {
+                if !is_near(largest) {
+                    return false;
+                }
+                (weights, largest) = (of_datum, 0.0);
+            }
+            // What no equation reads has no weights, and may have any size.
+            if of_datum.iter().any(|&w| w != 0) {
+                largest = largest.max(x.abs());
+            }
+        }
+        is_near(largest)
+    }
+
     /// The scalings that make data about 1, and the mean square of the logarithms of what these
     /// make of the data.
     fn scales(&self, data: &[f64]) -> (Scales, f64) {
@@ -134,7 +162,17 @@ impl Scalings<'_> {
     /// mean square of the logarithms of what these make of the data. An entry `low` powers of two
     /// below 1 has half a part.
     fn step(&self, data: &[f64], scales: &Scales, low: f64) -> (Scales, f64) {
-        let (mut normal, mut right) = ([[0.0; MOST_SCALINGS]; MOST_SCALINGS], [0.0; MOST_SCALINGS]);
+        // Most problems have few; the compiler knows the lengths of these loops.
+        match self.count <= FEW_SCALINGS {
+            true => self.step_of::<FEW_SCALINGS>(data, scales, low),
+            false => self.step_of::<MOST_SCALINGS>(data, scales, low),
+        }
+    }
+
+    /// As [`Self::step`], for at most P scalings.
+    #[inline(always)]
+    fn step_of<const P: usize>(&self, data: &[f64], scales: &Scales, low: f64) -> (Scales, f64) {
+        let (mut normal, mut right) = ([[0.0; P]; P], [0.0; P]);
         let [mut squares, mut parts] = [0.0; 2];
         for (&x, weights) in data.iter().zip(self.data.chunks_exact(self.count)) {
             // A datum without weights says nothing: measurements from which others are derived have
@@ -142,24 +180,25 @@ impl Scalings<'_> {
             if x == 0.0 || weights.iter().all(|&w| w == 0) {
                 continue;
             }
-            // Of one length, so that they are handled with vector instructions.
-            let mut all = [0.0; MOST_SCALINGS];
+            let mut all = [0.0; P];
             all.iter_mut().zip(weights).for_each(|(all, &w)| *all = f64::from(w));
             let size = f64::from(exponent(x)) + 0.5;
-            let scaled = (0..MOST_SCALINGS).fold(size, |sum, at| sum + all[at] * scales[at]);
+            let scaled = all.iter().zip(scales).fold(size, |sum, (w, scale)| sum + w * scale);
             let below = scaled.min(0.0) / low;
             let part = 1.0 / (1.0 + below * below);
             squares += part * scaled * scaled;
             parts += part;
-            for i in (0..self.count).filter(|&i| all[i] != 0.0) {
+            for i in 0..P {
                 let w = all[i] * part;
                 right[i] -= w * size;
-                for at in 0..MOST_SCALINGS {
+                for at in 0..P {
                     normal[i][at] += w * all[at];
                 }
             }
         }
-        (solved(&mut normal, &mut right, self.count), if parts > 0.0 { squares / parts } else { 0.0 })
+        let mut new = [0.0; MOST_SCALINGS];
+        new[..P].copy_from_slice(&solved(&mut normal, &mut right, self.count));
+        (new, if parts > 0.0 { squares / parts } else { 0.0 })
     }
 }
 
@@ -169,7 +208,7 @@ fn rounded(x: f64) -> i32 {
 }
 
 /// The solution of positive semidefinite equations with a small part of the identity added.
-fn solved(a: &mut [[f64; MOST_SCALINGS]; MOST_SCALINGS], b: &mut Scales, count: usize) -> Scales {
+fn solved<const P: usize>(a: &mut [[f64; P]; P], b: &mut [f64; P], count: usize) -> [f64; P] {
     for (i, row) in a.iter_mut().enumerate() {
         row[i] += RIDGE;
     }
@@ -183,7 +222,7 @@ fn solved(a: &mut [[f64; MOST_SCALINGS]; MOST_SCALINGS], b: &mut Scales, count: 
             b[i] -= factor * of_row;
         }
     }
-    let mut x = [0.0; MOST_SCALINGS];
+    let mut x = [0.0; P];
     for k in (0..count).rev() {
         let known = (k + 1..count).fold(b[k], |sum, j| sum - a[k][j] * x[j]);
         x[k] = known / a[k][k];

@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 
 use super::names::Names;
 use super::shapes::{array_type, chart_name, doc_line, indices, parameter};
-use super::{output, scaling, storage};
+use super::{derived, output, scaling, storage};
 use crate::plan::Plan;
 use crate::problem::SolutionField;
 use crate::template::RootMethod;
@@ -231,10 +231,20 @@ fn collected(plan: &Plan, parameters: &[TokenStream], arguments: &[Ident], names
     let ([real, complex], to_solution) = (results(), scaling::to_solution(plan, &quote!(&#instance.exponents)));
     let filter = output::filter(plan, instance);
     let binding = if plan.positive.is_empty() { quote!(points) } else { quote!(mut points) };
+    let mut names = Names::of(&plan.data);
+    let [given, data] = ["given", "data"].map(|name| names.take(name));
+    let all_data = derived::all_data(plan, derived::Reader::Solve, (&given, &scaling::binding(plan, &data)));
+    let made = scaling::of_data(plan, &data, &quote!(#workspace));
+    let (count, lifetime) = (Literal::usize_unsuffixed(plan.data.len()), storage::elided(plan));
     quote! {
         fn real_solutions(#workspace: #kept, #(#parameters),*) -> #real {
-            let mut #instance = Instance::#constructor(#workspace, #(#arguments),*)?;
-            let #binding = emitted::#roots(&mut #instance)?;
+            #all_data
+            self::real_solutions_of(&mut #made, &#given)
+        }
+
+        fn real_solutions_of(#instance: &mut Instance #lifetime, given: &[&[f64]; #count]) -> #real {
+            #instance.check(given)?;
+            let #binding = emitted::#roots(#instance)?;
             #filter
             Ok(::eliminant::Solutions::from_points(&points, #to_solution))
         }

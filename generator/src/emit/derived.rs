@@ -4,6 +4,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::code;
+use super::shapes::as_slice;
 use crate::expression::derivation::DerivationKind;
 use crate::plan::{LEAST_PIVOT_OF_PRESOLVE, Plan, PlannedDerivation};
 
@@ -32,12 +33,23 @@ pub(super) fn is_derived(plan: &Plan) -> bool {
 
 /// The data of the problem as one array, from a list of those that are `given`. There is room for
 /// those that presolve derives, and for those that this reader does not read.
-pub(super) fn joined(plan: &Plan, reader: Reader, given: &Ident) -> TokenStream {
+fn joined(plan: &Plan, reader: Reader, given: &Ident) -> TokenStream {
     if derivations(plan, reader).next().is_none() {
         return quote!(emitted::joined(&#given));
     }
     let function = format_ident!("{}", function_name(plan, reader));
     quote!(self::#function(&#given)?)
+}
+
+/// The statements that make a list of the data that are `given` and bind an array of all data of
+/// the problem that this reader reads.
+pub(super) fn all_data(plan: &Plan, reader: Reader, (given, binding): (&Ident, &TokenStream)) -> TokenStream {
+    let (slices, count) = (plan.data.iter().map(as_slice), Literal::usize_unsuffixed(plan.data.len()));
+    let joined = joined(plan, reader, given);
+    quote! {
+        let #given: [&[f64]; #count] = [#(#slices),*];
+        let #binding = #joined;
+    }
 }
 
 /// The name of the function that derives data: results have their own if they read more.
@@ -99,8 +111,8 @@ fn name(number: usize) -> Ident {
     format_ident!("operands_of_derived_{number}")
 }
 
-/// Systems of so many entries are solved by code that is compiled for their size.
-const MOST_OF_SMALL: usize = 32;
+/// Matrices of so many entries are taken by code that is compiled for their size.
+const MOST_OF_SMALL: usize = 160;
 
 /// 1 and the data. Those of presolve are added to data that are borrowed, in any precision.
 fn arguments(presolve: bool) -> (TokenStream, TokenStream) {
@@ -110,31 +122,30 @@ fn arguments(presolve: bool) -> (TokenStream, TokenStream) {
 /// The derivations for this reader.
 fn steps(plan: &Plan, reader: Reader) -> TokenStream {
     let presolve = reader == Reader::Template;
+    let (one, data) = arguments(presolve);
+    let least = Literal::f64_unsuffixed(if presolve { LEAST_PIVOT_OF_PRESOLVE } else { 0.0 });
     let steps = derivations(plan, reader).map(|(number, PlannedDerivation { derivation, .. })| {
         let (operands, range) = (name(number), derivation.inputs());
         let [first, end] = [range.start, range.end].map(Literal::usize_unsuffixed);
-        let least = Literal::f64_unsuffixed(if presolve { LEAST_PIVOT_OF_PRESOLVE } else { 0.0 });
-        let (function, size, least) = match derivation.kind {
-            DerivationKind::SquareRoot => {
-                return quote!(emitted::square_root(&self::#operands(1.0, &data), &mut data[#first..#end])?;);
-            }
-            DerivationKind::Solve { size, right } if size * (size + right) <= MOST_OF_SMALL => {
+        let (operands, results) = (quote!(self::#operands(#one, #data)), quote!(&mut data[#first..#end]));
+        let is_small = derivation.kind.operands() <= MOST_OF_SMALL;
+        match derivation.kind {
+            DerivationKind::SquareRoot => quote!(emitted::square_root(&#operands, #results)?;),
+            DerivationKind::Solve { size, right } => {
                 let [size, right] = [size, right].map(Literal::usize_unsuffixed);
-                let (one, data) = arguments(presolve);
-                return quote! {
-                    emitted::solve_small::<_, #size, #right>(
-                        &mut self::#operands(#one, #data),
-                        #least,
-                        &mut data[#first..#end],
-                    )?;
-                };
+                match is_small {
+                    true => quote!(emitted::solve_small::<_, #size, #right>(&mut #operands, #least, #results)?;),
+                    false => quote!(emitted::solve_linear(&mut #operands, #size, #least, #results)?;),
+                }
             }
-            DerivationKind::Solve { size, .. } => (quote!(solve_linear), size, quote!(#least,)),
-            DerivationKind::NullSpace { rows, .. } => (quote!(null_space), rows, quote!()),
-        };
-        let size = Literal::usize_unsuffixed(size);
-        let (one, data) = arguments(presolve);
-        quote!(emitted::#function(&mut self::#operands(#one, #data), #size, #least &mut data[#first..#end])?;)
+            DerivationKind::NullSpace { rows, columns } => {
+                let [rows, columns] = [rows, columns].map(Literal::usize_unsuffixed);
+                match is_small {
+                    true => quote!(emitted::null_space_small::<#rows, #columns>(&mut #operands, #results)?;),
+                    false => quote!(emitted::null_space(&mut #operands, #rows, #results)?;),
+                }
+            }
+        }
     });
     quote!(#(#steps)*)
 }

@@ -5,8 +5,8 @@ use quote::{format_ident, quote};
 
 use super::derived::{self, Reader};
 use super::names::Names;
-use super::shapes::{array_type, as_slice, chart_name, indices, parameter};
-use super::{code, storage};
+use super::shapes::{array_type, chart_name, indices, parameter};
+use super::{code, scaling, storage};
 use crate::plan::{Plan, PlannedElement, PlannedOutput, Term};
 use crate::problem::SolutionField;
 
@@ -23,10 +23,13 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
     let field_docs = output.fields.iter().map(|(field, ..)| format!(" The output `{field}` of the problem."));
     let doc = format!(" What `{}` returns beside its unknowns.", plan.name);
     let parameters: Vec<_> = plan.data.iter().map(parameter).collect();
-    let arguments: Vec<_> = plan.data.iter().map(|parameter| format_ident!("{}", parameter.name)).collect();
     let mut names = Names::of(&plan.data);
     let [solution, solutions, coefficients] = ["solution", "solutions", "coefficients"].map(|name| names.take(name));
-    let compute = coefficients_of_results(plan, &mut names);
+    let [given, data, scaled] = ["given", "data", "scaled"].map(|name| names.take(name));
+    let all_data = derived::all_data(plan, Reader::Results, (&given, &quote!(#data)));
+    let compute = format_ident!("{COEFFICIENTS}");
+    let (make, made) = storage::default(plan, &names.take("workspace"));
+    let (binding, instance) = (scaling::binding(plan, &scaled), scaling::of_data(plan, &scaled, &made));
     let known = plan.unknowns.len() + plan.fields.iter().filter(|field| field.is_projective).count();
     let (values, variables) = (values(output, known), variables(plan, known + output.parts.len()));
     let program = {
@@ -49,8 +52,9 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
             #(#parameters,)*
             #solution: &Solution<S>,
         ) -> Result<#name<S>, ::eliminant::SolveError> {
-            let #coefficients = #compute;
-            Ok(self::output(&#coefficients, #solution))
+            #all_data
+            emitted::check_coefficients(&[], &#given)?;
+            Ok(self::output(&self::#compute(1.0, &#data), #solution))
         }
 
         /// What the problem returns for each of these solutions, such as those of [`solve_batch`].
@@ -61,7 +65,9 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
             #(#parameters,)*
             #solutions: &::eliminant::Solutions<Solution, MAX_SOLUTIONS>,
         ) -> Result<::eliminant::Solutions<#name, MAX_SOLUTIONS>, ::eliminant::SolveError> {
-            let #coefficients = #compute;
+            #all_data
+            emitted::check_coefficients(&[], &#given)?;
+            let #coefficients = self::#compute(1.0, &#data);
             Ok(#solutions.map(|#solution| self::output(&#coefficients, &#solution)))
         }
 
@@ -72,8 +78,12 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
         pub fn #solve_for(
             #(#parameters),*
         ) -> Result<::eliminant::Solutions<#name, MAX_SOLUTIONS>, ::eliminant::SolveError> {
-            let #solutions = self::solve(#(#arguments),*)?;
-            self::#of_each(#(#arguments,)* &#solutions)
+            #make
+            #all_data
+            let #binding = #data;
+            let #solutions = self::real_solutions_of(&mut #instance, &#given)?;
+            let #coefficients = self::#compute(1.0, &#data);
+            Ok(#solutions.map(|#solution| self::output(&#coefficients, &#solution)))
         }
 
         #program
@@ -91,19 +101,6 @@ fn coefficients_of(plan: &Plan, instance: &Ident) -> TokenStream {
         true => quote!(#instance.coefficients.as_ref()),
         false => quote!(&#instance.coefficients),
     }
-}
-
-/// The coefficients of results, from the arguments.
-fn coefficients_of_results(plan: &Plan, names: &mut Names) -> TokenStream {
-    let [given, data] = ["given", "data"].map(|name| names.take(name));
-    let (slices, count) = (plan.data.iter().map(as_slice), Literal::usize_unsuffixed(plan.data.len()));
-    let (joined, function) = (derived::joined(plan, Reader::Results, &given), format_ident!("{COEFFICIENTS}"));
-    quote! {{
-        let #given: [&[f64]; #count] = [#(#slices),*];
-        emitted::check_coefficients(&[], &#given)?;
-        let #data = #joined;
-        self::#function(1.0, &#data)
-    }}
 }
 
 /// The function from the coefficients and a solution to the output, of which so many values are

@@ -1,11 +1,11 @@
 //! Prints the units in which a template is accurate, where the problem has some.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::derived::{self, Reader};
 use super::names::Names;
-use super::shapes::{as_slice, parameter};
+use super::shapes::parameter;
 use super::storage;
 use crate::plan::Plan;
 
@@ -42,75 +42,107 @@ pub(super) fn field(plan: &Plan) -> (TokenStream, TokenStream) {
     if has_units(plan) { (field, quote!(exponents,)) } else { (quote!(), quote!()) }
 }
 
-/// How instances are made: `new` in the units of the data, and `scaled` in those in which data that
-/// are far from 1 are about 1. `value` is the instance with these coefficients of `data`.
+/// How instances are made: `new` in the units of the data, and, where there are units, `scaled` in
+/// those in which data that are far from 1 are about 1. `value` is the instance with these
+/// coefficients of `data`.
 pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
-    let parameters: Vec<_> = plan.data.iter().map(parameter).collect();
-    let slices: Vec<_> = plan.data.iter().map(as_slice).collect();
-    let mut names = Names::of(&plan.data);
-    let [given, data] = ["given", "data"].map(|name| names.take(name));
     let (storage, storage_type) = storage::field(plan);
-    let kept = names.take("kept");
-    let coefficients = match storage::has_coefficients_on_heap(plan) {
-        true => quote!(instance.coefficients.as_ref()),
-        false => quote!(&instance.coefficients),
-    };
     let [count, inputs, unknowns] =
         [plan.data.len(), plan.inputs(), plan.unknowns.len()].map(Literal::usize_unsuffixed);
-    let joined = derived::joined(plan, Reader::Solve, &given);
-    let (mut exponents, mut scaled) = (quote!(), quote!());
-    let mut no_exponents = quote!();
+    let mut exponents = quote!();
+    let mut scaled = quote!();
     if has_units(plan) {
         exponents = quote!(exponents: [i16; #unknowns],);
-        no_exponents = quote!([0; #unknowns],);
+        let constructor =
+            checked(plan, ("scaled", &|data| binding(plan, data)), &|data, kept| of_data(plan, data, kept));
         scaled = quote! {
             /// In units in which data that are far from 1 are about 1.
-            fn scaled(#kept: #storage_type, #(#parameters),*) -> Result<Self, ::eliminant::SolveError> {
-                let #given: [&[f64]; #count] = [#(#slices),*];
-                let mut #data = #joined;
-                let exponents = SCALINGS.apply(&mut #data);
-                Self::of(&#given, &#data, exponents, #kept)
+            #constructor
+
+            /// As `scaled`, from all data, which are scaled.
+            #[inline(always)]
+            fn scaled_of(data: &mut [f64; #inputs], #storage: #storage_type) -> Self {
+                let exponents = SCALINGS.apply(data);
+                Self::of(data, exponents, #storage)
             }
         };
     }
-    let check = match plan.is_presolved_at_run_time() {
-        // Coefficients of a template whose equations cannot be solved for monomials are NaN. The
-        // elimination finds out, and a second attempt may do better.
-        true => {
-            let stated = plan.coefficients_of_statements();
-            let stated = stated.iter().map(|id| Literal::usize_unsuffixed(usize::from(id.0)));
-            quote! {
-                let coefficients = #coefficients;
-                emitted::check_coefficients(&[#(coefficients[#stated]),*], given)?;
-            }
-        }
-        false => quote!(emitted::check_coefficients(#coefficients, given)?;),
-    };
+    let check = check(plan);
+    let new = checked(plan, ("new", &|data| quote!(#data)), &|data, kept| match has_units(plan) {
+        true => quote!(Instance::of(&#data, [0; #unknowns], #kept)),
+        false => quote!(Instance::of(&#data, #kept)),
+    });
     quote! {
-        fn new(#kept: #storage_type, #(#parameters),*) -> Result<Self, ::eliminant::SolveError> {
-            let #given: [&[f64]; #count] = [#(#slices),*];
-            Self::of(&#given, &#joined, #no_exponents #kept)
-        }
-
+        #new
         #scaled
 
-        /// From values of all data, one parameter after another, that were given.
+        /// From values of all data, one parameter after another.
+        #[inline(always)]
+        fn of(data: &[f64; #inputs], #exponents #storage: #storage_type) -> Self {
+            #value
+        }
+
+        /// Whether the data that are `given` and the coefficients are finite.
         #[inline]
-        fn of(
-            given: &[&[f64]; #count],
-            data: &[f64; #inputs],
-            #exponents
-            #storage: #storage_type,
-        ) -> Result<Self, ::eliminant::SolveError> {
-            let instance = #value;
+        fn check(&self, given: &[&[f64]; #count]) -> Result<(), ::eliminant::SolveError> {
             #check
-            Ok(instance)
         }
     }
 }
 
+/// A constructor of this name from the arguments of a solve, which are checked. `make` takes all
+/// data, as they are bound, and the storage.
+fn checked(
+    plan: &Plan,
+    (name, binding): (&str, &dyn Fn(&Ident) -> TokenStream),
+    make: &dyn Fn(&Ident, &TokenStream) -> TokenStream,
+) -> TokenStream {
+    let name = format_ident!("{name}");
+    let (parameters, mut names) = (plan.data.iter().map(parameter), Names::of(&plan.data));
+    let [given, data, kept, instance] = ["given", "data", "kept", "instance"].map(|name| names.take(name));
+    let all_data = derived::all_data(plan, Reader::Solve, (&given, &binding(&data)));
+    let (storage_type, made) = (storage::field(plan).1, make(&data, &quote!(#kept)));
+    quote! {
+        fn #name(#kept: #storage_type, #(#parameters),*) -> Result<Self, ::eliminant::SolveError> {
+            #all_data
+            let #instance = #made;
+            #instance.check(&#given)?;
+            Ok(#instance)
+        }
+    }
+}
+
+/// What tells whether the data that are `given` and the coefficients are finite.
+fn check(plan: &Plan) -> TokenStream {
+    let coefficients = storage::coefficients_of_instance(plan);
+    if !plan.is_presolved_at_run_time() {
+        return quote!(emitted::check_coefficients(#coefficients, given));
+    }
+    // Coefficients of a template whose equations cannot be solved for monomials are NaN. The
+    // elimination finds out, and a second attempt may do better.
+    let stated = plan.coefficients_of_statements();
+    let stated = stated.iter().map(|id| Literal::usize_unsuffixed(usize::from(id.0)));
+    quote! {
+        let coefficients = #coefficients;
+        emitted::check_coefficients(&[#(coefficients[#stated]),*], given)
+    }
+}
+
+/// How an array of all `data` of the problem is bound for [`of_data`].
+pub(super) fn binding(plan: &Plan, data: &Ident) -> TokenStream {
+    if has_units(plan) { quote!(mut #data) } else { quote!(#data) }
+}
+
+/// The instance that is solved, from an array of all `data` of the problem, which are scaled.
+pub(super) fn of_data(plan: &Plan, data: &Ident, storage: &TokenStream) -> TokenStream {
+    match has_units(plan) {
+        true => quote!(Instance::scaled_of(&mut #data, #storage)),
+        false => quote!(Instance::of(&#data, #storage)),
+    }
+}
+
 /// The constructor of instances that are solved.
-pub(super) fn constructor(plan: &Plan) -> proc_macro2::Ident {
+pub(super) fn constructor(plan: &Plan) -> Ident {
     format_ident!("{}", if has_units(plan) { "scaled" } else { "new" })
 }
 

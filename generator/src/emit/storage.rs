@@ -28,6 +28,11 @@ pub(super) fn generics(plan: &Plan) -> TokenStream {
     if plan.is_on_heap() { quote!(<'w>) } else { quote!() }
 }
 
+/// The parameters of the type of instances where it is named: `<'_>` or nothing.
+pub(super) fn elided(plan: &Plan) -> TokenStream {
+    if plan.is_on_heap() { quote!(<'_>) } else { quote!() }
+}
+
 /// The value of the field for a solve without a workspace, as a statement that makes it and an
 /// expression of it.
 pub(super) fn default(plan: &Plan, name: &Ident) -> (TokenStream, TokenStream) {

@@ -4,6 +4,7 @@ pub(crate) mod arithmetic;
 pub(crate) mod double_double;
 pub(crate) mod float;
 pub(crate) mod scalar;
+pub(crate) mod sums;
 
 pub use arithmetic::Arithmetic;
 pub use scalar::{Over, Real, Scalar};
