@@ -104,6 +104,28 @@ fn det(m: &Matrix) -> Z {
 }
 
 #[test]
+fn conditions_on_constants_choose_statements_and_values() {
+    let sample = Sample::new(
+        "const LAST: f64 = 3;
+fn chosen(a: [f64; 4]) -> (x, y) {
+    for k in 0..=LAST {
+        let sign = if k % 2 == 0 { 1 } else { -1 };
+        if k < 1 || (k > 2.5 && !(k != LAST)) {
+            x * x + sign * a[k] * y == k;
+        } else if k == 1 {
+            x * y + sign * a[k] == if true && k >= 1 { 7 } else { 8 };
+        }
+    }
+}
+",
+    );
+    let (x, y) = (sample.unknown("x"), sample.unknown("y"));
+    let a = |k| sample.input("a", k);
+    let wanted = [x * x + a(0) * y, x * y - a(1) - z(7), x * x - a(3) * y - z(3)];
+    assert_eq!(sample.residuals(), wanted.map(|Z(value)| value));
+}
+
+#[test]
 fn circle_least_squares_is_the_lagrangian_of_the_paper() {
     let sample = Sample::new(
         "/// Circle tangent to n lines in the least-squares sense (constrained dual conic).

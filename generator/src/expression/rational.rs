@@ -1,5 +1,6 @@
 //! Exact rational constants of problem files.
 
+use std::cmp::Ordering;
 use std::fmt;
 
 /// A fraction in lowest terms with positive denominator. Operations return `None` on overflow or
@@ -89,6 +90,20 @@ fn gcd(mut a: u128, mut b: u128) -> u128 {
         (a, b) = (b, a % b);
     }
     a.max(1)
+}
+
+impl Ord for Rational {
+    fn cmp(&self, other: &Self) -> Ordering {
+        // Denominators are positive.
+        let wide = |a: i64, b: i64| i128::from(a) * i128::from(b);
+        wide(self.numerator, other.denominator).cmp(&wide(other.numerator, self.denominator))
+    }
+}
+
+impl PartialOrd for Rational {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
 }
 
 impl fmt::Display for Rational {

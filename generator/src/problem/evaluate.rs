@@ -42,6 +42,7 @@ impl Interpreter<'_> {
             Expr::Call(call) => self.call(call),
             Expr::MethodCall(call) => self.method(call),
             Expr::Block(block) if block.label.is_none() => self.block_value(&block.block),
+            Expr::If(stated) => self.if_value(stated),
             _ => Err(self.unsupported(expression)),
         };
         self.depth -= 1;
@@ -403,7 +404,7 @@ impl Interpreter<'_> {
     fn unsupported(&mut self, expression: &Expr) -> Reported {
         let (what, hint) = match expression {
             Expr::Tuple(_) => ("tuples are not values", "group values in an array: `[a, b]`"),
-            Expr::If(_) | Expr::Match(_) => ("there are no conditions", "write two problems, one for each case"),
+            Expr::Match(_) => ("there is no `match`", "write `if k == 0 { .. } else { .. }`"),
             Expr::While(_) | Expr::Loop(_) => ("only `for` loops are supported", "write `for i in 0..3 { .. }`"),
             Expr::Reference(_) => ("references are not needed", "remove the `&`: values are copied"),
             Expr::Cast(_) => ("there is nothing to cast", "remove the `as`: an integer is a value like any other"),

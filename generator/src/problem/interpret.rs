@@ -265,6 +265,7 @@ impl<'a> Interpreter<'a> {
                 self.assign(&assign.left, value);
             }
             Expr::ForLoop(each) => self.run_for(each),
+            Expr::If(stated) => self.run_if(stated),
             Expr::Block(block) => self.run_block(&block.block),
             Expr::Struct(stated) => self.state_output(stated),
             Expr::Paren(inner) => self.run_expression(&inner.expr),

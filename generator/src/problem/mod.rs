@@ -2,6 +2,7 @@
 //! data.
 
 pub mod chart;
+mod condition;
 mod derived;
 pub mod diagnostic;
 mod evaluate;
