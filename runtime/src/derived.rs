@@ -210,10 +210,8 @@ fn solve_sized<R: Real>(
         for column in 0..right {
             solution.swap(step * right + column, best * right + column);
         }
-        let inverse = a[step * size + step].reciprocal();
-        a[step * size + step] = inverse;
         for row in step + 1..size {
-            let factor = a[row * size + step] * inverse;
+            let factor = a[row * size + step] / a[step * size + step];
             for column in step + 1..size {
                 let of_pivot = a[step * size + column];
                 a[row * size + column] -= factor * of_pivot;
@@ -225,8 +223,8 @@ fn solve_sized<R: Real>(
         for other in step + 1..size {
             subtract_row(solution, right, (step, other), a[step * size + other]);
         }
-        let inverse = a[step * size + step];
-        solution[step * right..][..right].iter_mut().for_each(|x| *x *= inverse);
+        let pivot = a[step * size + step];
+        solution[step * right..][..right].iter_mut().for_each(|x| *x = *x / pivot);
     }
     for (of_unknown, &factor) in solution.chunks_exact_mut(right).zip(factors.iter()) {
         of_unknown.iter_mut().for_each(|x| *x *= factor);

@@ -143,16 +143,22 @@ fn solve<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> R
     let mut known = solver.sizes().basis.list();
     let first = first_attempt(solver, found, (&mut known, may_repeat));
     if !(may_repeat && (first.is_err() || found.lacks_some())) {
-        return first;
+        return first.map(|_| ());
     }
     let can_repeat = first.is_ok() || solver.has_precise_coefficients();
     let is_repeated = can_repeat && second_attempt(solver, found, &known).is_ok();
     match first {
         _ if is_repeated && !found.lacks_some() => Ok(()),
-        // It may have stopped early.
-        Ok(()) => first_attempt(solver, found, (&mut known, false)),
+        Ok(may_lose_zeros) => {
+            // It may have stopped early.
+            first_attempt(solver, found, (&mut known, false))?;
+            if may_lose_zeros && found.lacks_some() {
+                continued(solver, found);
+            }
+            Ok(())
+        }
         Err(_) if is_repeated || continued(solver, found) => Ok(()),
-        error => error,
+        Err(error) => Err(error),
     }
 }
 
@@ -223,31 +229,36 @@ fn general_solutions<I: SolverInstance>(solver: &mut I) -> Option<Points<I, Comp
 /// Eigenvalues that led to solutions.
 type Known<I> = <<I as SolverInstance>::Basis as Size>::List<Complex<f64>>;
 
+/// Entries of an action matrix above this belong to a template that is close to singular: an
+/// eigenvalue is far out, and may stand for an infinite one.
+const FAR_OUT: f64 = 1e8;
+
 /// Collects what the usual precision finds, and the eigenvalues that led to it. It is a function of
 /// its own, so that its memory is free for the second attempt. With `may_stop` it ends as soon as
 /// it is known that solutions will be missing: polishes that fail take long, and so do solutions
-/// that share an eigenvalue.
+/// that share an eigenvalue. Returns whether solutions may have no eigenpair.
 #[inline(never)]
 fn first_attempt<I: SolverInstance>(
     solver: &mut I,
     found: &mut impl Collection<I>,
     (known, may_stop): (&mut Known<I>, bool),
-) -> Result<(), SolveError> {
+) -> Result<bool, SolveError> {
     let action = solver.action_matrix::<f64>()?;
     let mut spectrum = Hessenberg::zero(solver.sizes().basis);
     spectrum.matrix = action.clone();
     spectrum.reduce_in_place()?;
     let values = spectrum.eigenvalues()?;
     found.note(solver, values.as_ref());
+    let is_far = action.as_ref().iter().any(|row| row.as_ref().iter().any(|entry| entry.abs() > FAR_OUT));
     let mut is_complete = add_separate(solver, (&spectrum, &values), found, (known, may_stop));
-    if found.starts_to_count(solver) {
+    if found.starts_to_count(solver, is_far && solver.loses_zeros()) {
         *known = solver.sizes().basis.list();
         is_complete = add_separate(solver, (&spectrum, &values), found, (known, may_stop)) || found.has_all();
     }
     if !(is_complete || may_stop && found.lacks_some()) {
         add_shared(solver, &action, (&spectrum, &values), found);
     }
-    Ok(())
+    Ok(is_far && solver.loses_zeros())
 }
 
 /// Adds the solutions of separate eigenpairs, and their eigenvalues to those known. Returns false

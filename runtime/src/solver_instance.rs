@@ -78,6 +78,13 @@ pub trait SolverInstance {
         false
     }
 
+    /// Whether solutions at which some unknown vanishes have no eigenpair: the action monomial is
+    /// divided by it, so that the eigenvalue is infinite, or all basis monomials are multiples of
+    /// it, so that the eigenvector is zero.
+    fn loses_zeros(&self) -> bool {
+        false
+    }
+
     /// How unknowns follow from their ratios if the template determines them only up to sign.
     fn sign_changes(&self) -> Option<SignChanges<'_>> {
         None

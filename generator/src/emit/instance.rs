@@ -10,18 +10,26 @@ use crate::plan::Plan;
 use crate::plan::value_layout::ValueLayout;
 
 /// The version of the runtime's hidden interface that is emitted for.
-pub const RUNTIME_VERSION: u32 = 9;
+pub const RUNTIME_VERSION: u32 = 10;
 
-/// That the origin of the unknowns that presolve kept is a solution, if it is one.
-fn origin(plan: &Plan) -> TokenStream {
-    match plan.has_origin {
-        true => quote! {
+/// That the origin of the unknowns that presolve kept is a solution, if it is one, and that
+/// solutions have no eigenpair if an unknown vanishes, if it is so.
+fn lost_points(plan: &Plan) -> TokenStream {
+    let origin = plan.has_origin.then(|| {
+        quote! {
             fn has_origin(&self) -> bool {
                 true
             }
-        },
-        false => quote!(),
-    }
+        }
+    });
+    let zeros = plan.loses_zeros.then(|| {
+        quote! {
+            fn loses_zeros(&self) -> bool {
+                true
+            }
+        }
+    });
+    quote!(#origin #zeros)
 }
 
 /// How unknowns follow if a template stands for solutions up to sign; nothing if it does not.
@@ -177,7 +185,7 @@ fn solver_instance(plan: &Plan, action_matrix: &TokenStream) -> TokenStream {
     let layout = ValueLayout::of(plan);
     let [basis, unknowns, values, solutions] =
         [plan.elimination.basis, plan.unknowns.len(), layout.len(), plan.solutions].map(Literal::usize_unsuffixed);
-    let (origin, sign_changes, second_attempts) = (origin(plan), sign_changes(plan), storage::second_attempts(plan));
+    let (lost, sign_changes, second_attempts) = (lost_points(plan), sign_changes(plan), storage::second_attempts(plan));
     let (generics, basis_type, all_sizes) = (storage::generics(plan), storage::basis(plan).0, sizes(plan));
     let (precise, judgement, has_image) = (has_precise_coefficients(plan), judgement(plan), layout.has_image);
     let family = family::methods(plan);
@@ -203,7 +211,7 @@ fn solver_instance(plan: &Plan, action_matrix: &TokenStream) -> TokenStream {
             fn ratios(&self, unknown: usize) -> &[(u16, u16)] {
                 RATIOS[unknown]
             }
-            #origin
+            #lost
             #sign_changes
             #precise
             #second_attempts

@@ -296,6 +296,9 @@ pub struct Plan {
     /// Whether the origin, where all unknowns are 0 but those that presolve eliminated, is one of
     /// them. It is known, and no template need give it.
     pub has_origin: bool,
+    /// Whether solutions at which some unknown vanishes have no eigenpair: the action monomial is
+    /// divided by it, or all basis monomials are multiples of it.
+    pub loses_zeros: bool,
     /// From the data to the coefficients.
     pub program: Program,
     /// The value of each coefficient.

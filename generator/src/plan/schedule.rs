@@ -89,6 +89,14 @@ fn template_rows(reduced: &ReducedProblem, template: &EliminationTemplate) -> Ve
     template.shifts.iter().enumerate().map(row).collect()
 }
 
+/// Whether solutions at which some unknown vanishes have no eigenpair.
+fn loses_zeros(template: &EliminationTemplate) -> bool {
+    let is_divided = template.action.exponents().iter().any(|&e| e < 0);
+    let exponent = |m: &Monomial, unknown: usize| m.exponents()[unknown];
+    let unknowns = template.action.exponents().len();
+    is_divided || (0..unknowns).any(|unknown| template.basis.iter().all(|m| exponent(m, unknown) > 0))
+}
+
 /// The input that all plans for one template have in common.
 struct Scheduler<'a> {
     problem: &'a Problem,
@@ -147,6 +155,7 @@ impl Scheduler<'_> {
             fields: problem.fields.clone(),
             solutions: self.solutions,
             has_origin,
+            loses_zeros: loses_zeros(template),
             program,
             coefficients: values,
             elimination,

@@ -49,9 +49,10 @@ pub(crate) trait Collection<I: SolverInstance> {
     #[cfg(feature = "alloc")]
     fn add_point(&mut self, solver: &I, point: Point<I, Complex<f64>>) -> bool;
 
-    /// Starts to count complex solutions, too, if eigenvalues turned out to be imprecise. Returns
-    /// true if it does so from now on: every eigenpair must then be added, known ones again.
-    fn starts_to_count(&mut self, solver: &I) -> bool;
+    /// Starts to count complex solutions, too, if eigenvalues turned out to be imprecise, or may be
+    /// lost as pairs. Returns true if it does so from now on: every eigenpair must then be added,
+    /// known ones again.
+    fn starts_to_count(&mut self, solver: &I, may_lose_pairs: bool) -> bool;
 
     /// The number of solutions so far: complex ones if they are counted.
     fn count(&self) -> usize;
@@ -121,7 +122,7 @@ impl<I: SolverInstance> Collection<I> for AllSolutions<I> {
     }
 
     #[inline]
-    fn starts_to_count(&mut self, _: &I) -> bool {
+    fn starts_to_count(&mut self, _: &I, _: bool) -> bool {
         false
     }
 
@@ -281,16 +282,21 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
 
     #[cfg(feature = "alloc")]
     fn add_point(&mut self, solver: &I, point: Point<I, Complex<f64>>) -> bool {
-        let real = polish_from(solver, point).and_then(|candidate| nearly_real(solver, &candidate));
+        let Some(candidate) = polish_from(solver, point) else { return false };
+        let real = nearly_real(solver, &candidate);
         if let Some(real) = &real {
             push_all_signs(solver, real, &mut self.real);
+        }
+        if let Some(all) = &mut self.all {
+            let complex = real.as_ref().map(|real| as_complex(solver, real));
+            push_all_signs(solver, &complex.unwrap_or(candidate), &mut all.found);
         }
         real.is_some()
     }
 
     #[inline]
-    fn starts_to_count(&mut self, solver: &I) -> bool {
-        let starts = self.is_imprecise && self.all.is_none();
+    fn starts_to_count(&mut self, solver: &I, may_lose_pairs: bool) -> bool {
+        let starts = (self.is_imprecise || may_lose_pairs) && self.all.is_none();
         if starts {
             self.all = Some(AllSolutions::new(solver));
         }

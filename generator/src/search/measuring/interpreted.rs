@@ -21,6 +21,7 @@ pub struct InterpretedSolver {
     unknowns: usize,
     solutions: usize,
     has_origin: bool,
+    loses_zeros: bool,
     chains: Option<InterpretedChains>,
     program: Program,
     /// Whether an elimination at twice the precision computes the coefficients anew.
@@ -84,6 +85,7 @@ impl InterpretedSolver {
             unknowns,
             solutions: plan.solutions,
             has_origin: plan.has_origin,
+            loses_zeros: plan.loses_zeros,
             chains: plan.chains.as_ref().map(InterpretedChains::of),
             program: Program::of(plan),
             has_precise_coefficients: plan.has_precise_coefficients(),
@@ -414,6 +416,10 @@ impl SolverInstance for InterpretedInstance<'_> {
 
     fn has_origin(&self) -> bool {
         self.solver.has_origin
+    }
+
+    fn loses_zeros(&self) -> bool {
+        self.solver.loses_zeros
     }
 
     fn sign_changes(&self) -> Option<emitted::SignChanges<'_>> {
