@@ -155,6 +155,30 @@ fn instances_of_a_file_come_with_known_solutions() {
 }
 
 #[test]
+fn known_vectors_have_any_length() {
+    let folder = folder("known_vectors_have_any_length");
+    let problem = "fn pair(a: [f64; 3]) -> (#[projective] v: [f64; 2], w) {
+        a[0] * v[0] * v[0] + a[1] * v[1] * v[1] == a[2] * v[0] * v[1];
+        w * v[0] == v[1];
+    }";
+    fs::write(folder.join("pair.rs"), problem).unwrap();
+    assert_eq!(status(&eliminant(&folder, &["search", "pair.rs"])), 0);
+    // 2 + w^2 = 3 w: w is 1 or 2. The third one is none.
+    let line = |solution: &str| {
+        format!("{{\"problem\": \"pair\", \"family\": \"f\", \"data\": [2, 1, 3], \"solutions\": [[{solution}]]}}\n")
+    };
+    let lines = line("1, 1, 1") + &line("-0.5, -1, 2") + &line("1, 2, 1");
+    fs::write(folder.join("known.jsonl"), lines).unwrap();
+    let report = json(&folder, &["stability", ".", "--interpreted", "--instances", "known.jsonl"]);
+    assert_eq!((&report["rows"][0]["known"], &report["rows"][0]["known_missed"]), (&3.into(), &1.into()), "{report}");
+    // Of many wrong lines a few are shown.
+    fs::write(folder.join("wrong.jsonl"), line("1, 2, 3, 4").repeat(30)).unwrap();
+    let shown = stderr(&eliminant(&folder, &["stability", ".", "--interpreted", "--instances", "wrong.jsonl"]));
+    assert_eq!(shown.matches("a solution of `pair` has 3 numbers, not 4").count(), 5, "{shown}");
+    assert!(shown.contains("25 more lines are wrong"), "{shown}");
+}
+
+#[test]
 fn a_problem_without_data_is_solved_once() {
     let folder = folder("a_problem_without_data_is_solved_once");
     fs::write(folder.join("plain.rs"), "fn plain() -> (x, y) { x * x + 2 * y == 7; y * y - x * y == 3; }").unwrap();

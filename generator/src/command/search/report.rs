@@ -258,10 +258,16 @@ const HEAD: [&str; 12] =
 
 impl fmt::Display for SearchReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let front: Vec<Vec<String>> =
-            self.front.iter().map(|&at| self.candidates[at].cells_of_front(at == self.chosen)).collect();
+        let is_on_front = self.front.contains(&self.chosen);
+        let chosen = (!is_on_front).then_some(&self.chosen);
+        let front: Vec<Vec<String>> = chosen
+            .into_iter()
+            .chain(&self.front)
+            .map(|&at| self.candidates[at].cells_of_front(at == self.chosen))
+            .collect();
         writeln!(f, "no measured template is better in predicted time, rows, p99 and unsolved instances than:")?;
-        writeln!(f, "{}(* chosen)\n", table(&HEAD_OF_FRONT, &front, 4))?;
+        let chosen = if is_on_front { "(* chosen)" } else { "(* chosen, though one of them is better by a little)" };
+        writeln!(f, "{}{chosen}\n", table(&HEAD_OF_FRONT, &front, 4))?;
         write!(f, "{}", self.summary)?;
         let mut ways: Vec<String> = Vec::new();
         for way in self.candidates.iter().map(Row::way) {

@@ -5,17 +5,19 @@
 //! ```
 //!
 //! `data` are flat, one parameter after another, arrays row by row. `level`, a number that orders
-//! the instances of a family, and `solutions`, known values of all unknowns that are solved for,
-//! may be absent. `note` is for the reader.
+//! the instances of a family, and `solutions`, known values of all unknowns, may be absent; vectors
+//! that are given up to scale have any length. `note` is for the reader.
 
 use std::fmt::Write as _;
 use std::path::Path;
 
+use eliminant::emitted;
 use serde::{Deserialize, Serialize};
 
 use crate::command::error::CommandError;
 use crate::command::files::{read_text, write};
 use crate::plan::Plan;
+use crate::problem::SolutionField;
 
 /// Data of a problem, with what is known of them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -38,6 +40,9 @@ pub(super) struct Instance {
     pub(super) note: Option<String>,
 }
 
+/// So many wrong lines are shown.
+const MOST_ERRORS: usize = 5;
+
 /// Reads a file of instances of these problems.
 pub(super) fn read_instances(path: &Path, plans: &[&Plan]) -> Result<Vec<Instance>, CommandError> {
     let text = read_text(path)?;
@@ -54,12 +59,20 @@ pub(super) fn read_instances(path: &Path, plans: &[&Plan]) -> Result<Vec<Instanc
         }
         0 => Ok(instances),
         1 => Err(errors.remove(0)),
-        _ => Err(CommandError::Several(errors)),
+        count => {
+            errors.truncate(MOST_ERRORS);
+            if let Some(CommandError::Instance { reason, .. }) = errors.last_mut()
+                && count > MOST_ERRORS
+            {
+                let _ = write!(reason, "; {} more lines are wrong", count - MOST_ERRORS);
+            }
+            Err(CommandError::Several(errors))
+        }
     }
 }
 
 fn parse(line: &str, plans: &[&Plan]) -> Result<Instance, String> {
-    let instance: Instance = serde_json::from_str(line).map_err(|error| error.to_string())?;
+    let mut instance: Instance = serde_json::from_str(line).map_err(|error| error.to_string())?;
     let name = &instance.problem;
     let Some(plan) = plans.iter().find(|plan| plan.name == *name) else {
         return Err(format!("it is of the problem `{name}`, which is not among those that are measured"));
@@ -67,10 +80,32 @@ fn parse(line: &str, plans: &[&Plan]) -> Result<Instance, String> {
     if instance.data.len() != plan.given() {
         return Err(format!("`{name}` takes {} numbers as data, not {}", plan.given(), instance.data.len()));
     }
-    match instance.solutions.iter().find(|solution| solution.len() != plan.unknowns.len()) {
-        Some(wrong) => Err(format!("a solution of `{name}` has {} numbers, not {}", plan.unknowns.len(), wrong.len())),
-        None => Ok(instance),
+    for solution in &mut instance.solutions {
+        *solution = in_charts(plan, solution)?;
     }
+    Ok(instance)
+}
+
+/// A solution as a solver returns it, with vectors that are given up to scale in coordinates of
+/// their charts. One that is in coordinates already stays as it is.
+fn in_charts(plan: &Plan, solution: &[f64]) -> Result<Vec<f64>, String> {
+    if solution.len() == plan.unknowns.len() {
+        return Ok(solution.to_vec());
+    }
+    let scalars: usize = plan.fields.iter().map(SolutionField::scalars).sum();
+    if solution.len() != scalars {
+        return Err(format!("a solution of `{}` has {scalars} numbers, not {}", plan.name, solution.len()));
+    }
+    let (mut unknowns, mut rest) = (vec![0.0; plan.unknowns.len()], solution);
+    for field in &plan.fields {
+        let (values, others) = rest.split_at(field.scalars());
+        rest = others;
+        match field.chart() {
+            Some(chart) => emitted::to_chart(&chart, values, &mut unknowns[field.unknowns()]),
+            None => unknowns[field.unknowns()].copy_from_slice(values),
+        }
+    }
+    Ok(unknowns)
 }
 
 /// Writes a file of instances.
