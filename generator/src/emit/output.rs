@@ -13,23 +13,13 @@ use crate::problem::SolutionField;
 /// The struct of an output, and the functions that return it; nothing without one.
 pub(super) fn output(plan: &Plan) -> TokenStream {
     let Some(output) = &plan.output else { return quote!() };
-    let (name, what) = (format_ident!("{}", output.name), &output.function);
-    let [of, of_each, solve_for] =
-        [format_ident!("{what}_of"), format_ident!("{what}_of_each"), format_ident!("solve_for_{what}")];
+    let (name, functions) = (format_ident!("{}", output.name), functions(plan, output));
     let fields = output.fields.iter().map(|(field, shape, _)| {
         let (field, ty) = (format_ident!("{field}"), array_type(quote!(T), shape));
         quote!(pub #field: #ty)
     });
     let field_docs = output.fields.iter().map(|(field, ..)| format!(" The output `{field}` of the problem."));
     let doc = format!(" What `{}` returns beside its unknowns.", plan.name);
-    let parameters: Vec<_> = plan.data.iter().map(parameter).collect();
-    let mut names = Names::of(&plan.data);
-    let [solution, solutions, coefficients] = ["solution", "solutions", "coefficients"].map(|name| names.take(name));
-    let [given, data, scaled] = ["given", "data", "scaled"].map(|name| names.take(name));
-    let all_data = derived::all_data(plan, Reader::Results, (&given, &quote!(#data)));
-    let compute = format_ident!("{COEFFICIENTS}");
-    let (make, made) = storage::default(plan, &names.take("workspace"));
-    let (binding, instance) = (scaling::binding(plan, &scaled), scaling::of_data(plan, &scaled, &made));
     let known = plan.unknowns.len() + plan.fields.iter().filter(|field| field.is_projective).count();
     let (values, variables) = (values(output, known), variables(plan, known + output.parts.len()));
     let program = {
@@ -44,6 +34,27 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
             #(#[doc = #field_docs] #fields,)*
         }
 
+        #functions
+        #program
+        #values
+        #variables
+    }
+}
+
+/// The functions that return an output.
+fn functions(plan: &Plan, output: &PlannedOutput) -> TokenStream {
+    let (name, what) = (format_ident!("{}", output.name), &output.function);
+    let [of, of_each, solve_for] =
+        [format_ident!("{what}_of"), format_ident!("{what}_of_each"), format_ident!("solve_for_{what}")];
+    let parameters: Vec<_> = plan.data.iter().map(parameter).collect();
+    let mut names = Names::of(&plan.data);
+    let [solution, solutions, coefficients] = ["solution", "solutions", "coefficients"].map(|name| names.take(name));
+    let [given, data, scaled] = ["given", "data", "scaled"].map(|name| names.take(name));
+    let all_data = derived::all_data(plan, Reader::Results, (&given, &quote!(#data)));
+    let compute = format_ident!("{COEFFICIENTS}");
+    let (make, made) = storage::default(plan, &names.take("workspace"));
+    let (binding, instance) = (scaling::binding(plan, &scaled), scaling::of_data(plan, &scaled, &made));
+    quote! {
         /// What the problem returns for a solution.
         ///
         /// # Errors
@@ -85,10 +96,6 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
             let #coefficients = self::#compute(1.0, &#data);
             Ok(#solutions.map(|#solution| self::output(&#coefficients, &#solution)))
         }
-
-        #program
-        #values
-        #variables
     }
 }
 

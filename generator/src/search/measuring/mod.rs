@@ -3,6 +3,7 @@
 
 pub mod interpreted;
 mod interpreted_chains;
+mod interpreted_elimination;
 mod interpreted_program;
 
 use std::ops::Range;
