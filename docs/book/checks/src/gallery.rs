@@ -5,8 +5,11 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
+use eliminant_generator::generate::plan;
 use eliminant_generator::problem::Problem;
 use eliminant_generator::template::file::TemplateFile;
+
+use crate::measured::Measured;
 
 /// What begins the page.
 const HEAD: &str = "\
@@ -15,8 +18,12 @@ const HEAD: &str = "\
 All problems that come with Eliminant, by families. A family is a feature of `eliminant-solvers`,
 and so is each problem. A problem of several families stands in the first. Each entry says what is
 given and sought, and leads to the problem file, which cites its source. The template has so many
-rows x columns, and |B| is the size of the eigenvalue problem. How the solvers measure up, beside
-published ones, is in [templates/README.md](../../../templates/README.md).
+rows x columns, beside the published one with the fewest rows, and |B| is the size of the eigenvalue
+problem. The time of `solve` is predicted, for one core of an EPYC processor. Scenes are data as
+users have them, without noise: on so many of them `solve` returns all solutions that are known, and
+the error is log10 of that of the nearest solution, relative to the known one.
+[templates/README.md](../../../templates/README.md) cites the publications, has more figures and the
+commands that give them.
 
 This page is written by
 
@@ -24,7 +31,7 @@ This page is written by
 cargo run --manifest-path docs/book/checks/Cargo.toml --bin gallery
 ```
 
-from the problem files and their templates, and a test tells when it is not fresh.
+from the problem files, their templates and those figures, and a test tells when it is not fresh.
 ";
 
 /// The families in the order of the page, with their titles. Problems of no family are the last.
@@ -51,28 +58,37 @@ struct Entry {
 /// A message, where a problem, a template or the manifest of the solvers cannot be read.
 pub fn gallery(root: &Path) -> Result<String, String> {
     let mut entries = entries(&root.join("templates"))?;
+    let measured = Measured::of(&read(&root.join("templates/README.md"))?);
     let families = families(&root.join("solvers/Cargo.toml"))?;
     let mut page = HEAD.to_owned();
     for (family, title) in FAMILIES {
         let members = families.get(family).ok_or_else(|| format!("there is no family `{family}`"))?;
         let names: Vec<String> = entries.keys().filter(|name| members.contains(*name)).cloned().collect();
         let of_family: Vec<Entry> = names.iter().filter_map(|name| entries.remove(name)).collect();
-        section(&mut page, title, &format!("Feature `{family}`."), &of_family);
+        section(&mut page, (title, &format!("Feature `{family}`.")), &of_family, &measured)?;
     }
     let rest: Vec<Entry> = entries.into_values().collect();
-    section(&mut page, "Others", "Problems of no family.", &rest);
+    section(&mut page, ("Others", "Problems of no family."), &rest, &measured)?;
     Ok(page)
 }
 
-fn section(page: &mut String, title: &str, what: &str, entries: &[Entry]) {
+fn section(
+    page: &mut String,
+    (title, what): (&str, &str),
+    entries: &[Entry],
+    measured: &Measured,
+) -> Result<(), String> {
     if entries.is_empty() {
-        return;
+        return Ok(());
     }
     let _ = write!(page, "\n## {title}\n\n{what}\n");
-    entries.iter().for_each(|entry| page.push_str(&text(entry)));
+    for entry in entries {
+        page.push_str(&text(entry, measured)?);
+    }
+    Ok(())
 }
 
-fn text(Entry { problem, template }: &Entry) -> String {
+fn text(Entry { problem, template }: &Entry, measured: &Measured) -> Result<String, String> {
     let name = &problem.name;
     let title: Vec<&str> = problem.docs.iter().map(|line| line.trim()).take_while(|line| !line.is_empty()).collect();
     let shaped = |name: &str, shape: &[usize]| {
@@ -89,10 +105,36 @@ fn text(Entry { problem, template }: &Entry) -> String {
     wrap(&mut text, "", &title.join(" "));
     text.push('\n');
     wrap(&mut text, "- ", &format!("given {data}; sought {}{result}", unknowns.join(", ")));
-    let facts = format!("{} solutions, template {rows} x {columns}, |B| = {basis}", template.solutions);
+    let published = measured.smallest_published(name).map_or(String::new(), |size| format!(", published {size}"));
+    let facts = format!("{} solutions, template {rows}x{columns}{published}, |B| = {basis}", template.solutions);
     wrap(&mut text, "- ", &facts);
+    let planned = plan(problem, template).map_err(|error| error.to_string())?;
+    let time = time(planned.plan.predicted_nanoseconds(0.0));
+    let column = |column| measured.cell(name, column);
+    let scenes = match (column("scenes"), column("recovered"), column("forward median"), column("forward p99")) {
+        (Some(scenes), Some(recovered), Some(median), Some(p99)) => {
+            let share = match recovered.parse::<f64>() {
+                Ok(1.0) => "all".to_owned(),
+                Ok(share) => format!("{:.2} %", 100.0 * share),
+                Err(_) => recovered.to_owned(),
+            };
+            format!("; on {share} of {scenes} scenes, error {median}, 99th percentile {p99}")
+        }
+        _ => String::new(),
+    };
+    wrap(&mut text, "- ", &format!("{time}{scenes}"));
     let _ = writeln!(text, "- [problem file](../../../templates/{name}.rs)");
-    text
+    Ok(text)
+}
+
+/// Two digits: the prediction has no more.
+fn time(nanoseconds: f64) -> String {
+    let (value, unit) = match nanoseconds {
+        ..1e3 => (nanoseconds, "ns"),
+        ..1e6 => (nanoseconds / 1e3, "us"),
+        _ => (nanoseconds / 1e6, "ms"),
+    };
+    if value < 10.0 { format!("{value:.1} {unit}") } else { format!("{:.0} {unit}", (value / 10.0).round() * 10.0) }
 }
 
 /// Words in lines of at most 100 columns.
@@ -110,9 +152,12 @@ fn wrap(text: &mut String, bullet: &str, words: &str) {
     let _ = writeln!(text, "{line}");
 }
 
+fn read(path: &Path) -> Result<String, String> {
+    fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))
+}
+
 /// All problems with their templates, by name.
 fn entries(folder: &Path) -> Result<BTreeMap<String, Entry>, String> {
-    let read = |path: &Path| fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()));
     let files = fs::read_dir(folder).map_err(|error| error.to_string())?;
     let mut entries = BTreeMap::new();
     for file in files {

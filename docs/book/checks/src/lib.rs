@@ -5,6 +5,7 @@ use std::{env, fs};
 
 mod blocks;
 mod gallery;
+mod measured;
 
 pub use blocks::{Block, Mark, blocks};
 pub use gallery::gallery;
