@@ -104,6 +104,36 @@ fn det(m: &Matrix) -> Z {
 }
 
 #[test]
+fn parts_of_arrays_and_arrays_joined() {
+    let sample = Sample::new(
+        "fn parts(a: [f64; 5], m: [[f64; 2]; 3]) -> (x, y) {
+    concat(a[0..2], x) == concat([y, x], a[2..=2]);
+    x * m[0..2][1][..1] == concat(concat(x, y), a[4])[2..];
+    y * concat(m[1..], [x, y]) == x * [m[0], m[0], m[2]];
+    a[3] * x == a[3] * y + 1;
+}
+",
+    );
+    let (x, y) = (sample.unknown("x"), sample.unknown("y"));
+    let (a, m) = (|k: usize| sample.input("a", k), |i: usize, j: usize| sample.input("m", 2 * i + j));
+    let wanted = [
+        a(0) - y,
+        a(1) - x,
+        x - a(2),
+        x * m(1, 0) - a(4),
+        // Rows m1, m2, (x, y) and m0, m0, m2.
+        y * m(1, 0) - x * m(0, 0),
+        y * m(1, 1) - x * m(0, 1),
+        y * m(2, 0) - x * m(0, 0),
+        y * m(2, 1) - x * m(0, 1),
+        y * x - x * m(2, 0),
+        y * y - x * m(2, 1),
+        a(3) * x - a(3) * y - z(1),
+    ];
+    assert_eq!(sample.residuals(), wanted.map(|Z(value)| value));
+}
+
+#[test]
 fn conditions_on_constants_choose_statements_and_values() {
     let sample = Sample::new(
         "const LAST: f64 = 3;

@@ -93,6 +93,11 @@ impl CommandError {
             let more = (3 * limit).min(MOST_COLUMNS);
             hint += &format!("\nhelp: `--max-columns {more}` looks further, and takes longer");
         }
+        if let SearchError::NotFound { failed, .. } = &error
+            && failed.iter().all(|strategy| strategy.sets == 0)
+        {
+            hint += "\nhelp: eliminate unknowns by hand, or state combinations of the equations of lower degree";
+        }
         if let SearchError::TooFewColumns { least, .. } = error {
             hint += &format!("\nhelp: `--max-columns` must be more than {least}, or left out");
         }

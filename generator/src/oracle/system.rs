@@ -18,8 +18,8 @@ const CONVERGED: f64 = 1e-28;
 /// The relative residual of a solution. It is not 0 if there are more equations than unknowns and
 /// the data satisfy a condition up to their rounding only, such as that of a rotation.
 const EXACT: f64 = 1e-13;
-/// A point so much smaller than the largest solutions is the origin.
-const ORIGIN: f64 = 1e-20;
+/// A point so much smaller than the largest solutions is the origin, up to the rounding of data.
+const ORIGIN: f64 = 1e-14;
 /// A factor that must not vanish does if it is this small beside its terms.
 const VANISHING: f64 = 1e-20;
 

@@ -197,17 +197,18 @@ impl Interpreter<'_> {
     }
 
     fn index(&mut self, expression: &ExprIndex) -> Outcome<Value> {
+        if let Expr::Range(range) = &*expression.index {
+            return self.slice(expression, range);
+        }
         let mut indices = vec![&*expression.index];
         let mut base = &*expression.expr;
-        while let Expr::Index(inner) = base {
+        while let Expr::Index(inner) = base
+            && !matches!(&*inner.index, Expr::Range(_))
+        {
             indices.push(&*inner.index);
             base = &inner.expr;
         }
         indices.reverse();
-        if let Some(range) = indices.iter().find(|index| matches!(index, Expr::Range(_))) {
-            let diagnostic = Diagnostic::new("ranges are not supported as indices", place(range));
-            return Err(self.report(diagnostic.label("expected an integer").hint("write the elements: `[v[0], v[1]]`")));
-        }
         let at: Vec<Outcome<i64>> = indices.iter().map(|index| self.index_value(index)).collect();
         // A name is indexed in place: copying a large array for each of its elements would be slow.
         let name = match base {

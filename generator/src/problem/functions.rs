@@ -22,7 +22,7 @@ pub(super) struct BuiltIn {
 }
 
 /// The functions of the language.
-pub(super) const BUILT_IN: [BuiltIn; 14] = [
+pub(super) const BUILT_IN: [BuiltIn; 15] = [
     BuiltIn { name: "det", usage: "det(matrix)", arguments: (1, 1) },
     BuiltIn { name: "trace", usage: "trace(matrix)", arguments: (1, 1) },
     BuiltIn { name: "dot", usage: "dot(a, b)", arguments: (2, 2) },
@@ -30,6 +30,7 @@ pub(super) const BUILT_IN: [BuiltIn; 14] = [
     BuiltIn { name: "skew", usage: "skew(v)", arguments: (1, 1) },
     BuiltIn { name: "identity", usage: "identity(n)", arguments: (1, 1) },
     BuiltIn { name: "gradient", usage: "gradient(e)` or `gradient(e, [x, y])", arguments: (1, 2) },
+    BuiltIn { name: "concat", usage: "concat(a, b)", arguments: (2, 2) },
     BuiltIn { name: "reshape", usage: "reshape(array, [rows, columns])", arguments: (2, 2) },
     BuiltIn { name: "solve", usage: "solve(a, b)", arguments: (2, 2) },
     BuiltIn { name: "inverse", usage: "inverse(matrix)", arguments: (1, 1) },
@@ -182,6 +183,7 @@ impl Interpreter<'_> {
                 let entry = |at: usize| if at.is_multiple_of(n + 1) { one.clone() } else { Polynomial::ZERO };
                 Ok(Value::array(vec![n, n], (0..n * n).map(entry).collect()))
             }
+            ("concat", [a, b]) => self.concat(call, a, b),
             ("reshape", [array, _]) => self.reshape(call, arguments[1], array),
             ("solve", [a, b]) => self.solve(call, function, arguments, [a, b]),
             ("inverse", [matrix]) => self.inverse(call, function, arguments[0], matrix),

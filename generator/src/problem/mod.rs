@@ -17,6 +17,7 @@ mod results;
 pub mod scaling;
 mod scope;
 mod signature;
+mod slices;
 mod syntax;
 mod unknown_shapes;
 mod value;

@@ -91,13 +91,27 @@ impl fmt::Display for FailedStrategies<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let sets: usize = self.0.iter().map(|failed| failed.sets).sum();
         let largest = self.0.iter().map(|failed| (failed.columns, failed.rows)).max().unwrap_or_default();
-        write!(f, "tried {sets} sets of shifts, the largest {} x {}", largest.1, largest.0)?;
+        match sets {
+            0 => write!(f, "no set of shifts was small enough to try")?,
+            _ => write!(f, "tried {sets} sets of shifts, the largest {} x {}", largest.1, largest.0)?,
+        }
         let mut closest: Vec<&FailedStrategy> = self.0.iter().collect();
         closest.sort_by_key(|failed| failed.distance);
-        for FailedStrategy { strategy, rows, columns, obstacle, .. } in closest.iter().take(LISTED) {
-            write!(f, "\n  {strategy}, up to {rows} x {columns}: {obstacle}")?;
+        // What fails for one reason, at one size, is said once.
+        let mut reasons: Vec<(&FailedStrategy, usize)> = Vec::new();
+        for failed in closest {
+            let key = |of: &FailedStrategy| (of.rows, of.columns, of.obstacle.clone());
+            match reasons.iter_mut().find(|(first, _)| key(first) == key(failed)) {
+                Some((_, others)) => *others += 1,
+                None => reasons.push((failed, 0)),
+            }
         }
-        match closest.len().saturating_sub(LISTED) {
+        for (FailedStrategy { strategy, rows, columns, obstacle, .. }, others) in reasons.iter().take(LISTED) {
+            let size = if *rows > 0 { format!(", up to {rows} x {columns}") } else { String::new() };
+            let others = if *others > 0 { format!(", and {others} more strategies") } else { String::new() };
+            write!(f, "\n  {strategy}{size}{others}: {obstacle}")?;
+        }
+        match reasons.iter().skip(LISTED).map(|(_, others)| 1 + others).sum::<usize>() {
             0 => Ok(()),
             more => write!(f, "\n  and {more} strategies that came no closer"),
         }
