@@ -136,6 +136,7 @@ fn no_solution(problem: &Problem) -> Diagnostic {
     Diagnostic::new("the equations have no common solution for general data", problem.span.clone())
         .label(format!("{} equations in {} unknowns", problem.equations.len(), problem.unknowns.len()))
         .hint("an equation contradicts the others, or every solution is excluded by a `!= 0` statement")
+        .hint("if there are more measurements than a solution needs, state fewer, or the least squares: `gradient(cost) == 0;`")
         .hint(
             "if the data satisfy a condition, state it: `#[symmetric]`, `#[rotation]`, `#[unit]`, `#[plucker]`, `#[integer]`, `#[rank(2)]`",
         )

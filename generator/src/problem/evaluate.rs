@@ -404,7 +404,9 @@ impl Interpreter<'_> {
 
     fn unsupported(&mut self, expression: &Expr) -> Reported {
         let (what, hint) = match expression {
-            Expr::Tuple(_) => ("tuples are not values", "group values in an array: `[a, b]`"),
+            Expr::Tuple(_) => {
+                ("tuples are not values", "write a `let` for each value, or an array of values of one shape: `[a, b]`")
+            }
             Expr::Match(_) => ("there is no `match`", "write `if k == 0 { .. } else { .. }`"),
             Expr::While(_) | Expr::Loop(_) => ("only `for` loops are supported", "write `for i in 0..3 { .. }`"),
             Expr::Reference(_) => ("references are not needed", "remove the `&`: values are copied"),

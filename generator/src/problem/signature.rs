@@ -118,6 +118,9 @@ pub(super) fn doc_lines(attributes: &[Attribute]) -> Vec<String> {
     lines
 }
 
+/// Types of integers, which a count may be thought to need.
+const INTEGERS: [&str; 6] = ["usize", "isize", "u32", "i32", "u64", "i64"];
+
 impl Interpreter<'_> {
     /// The shape that a type stands for; `_` for any.
     pub(super) fn shape_of_type(&mut self, ty: &Type) -> Outcome<ShapePattern> {
@@ -139,6 +142,9 @@ impl Interpreter<'_> {
                 Err(self.report(match ty {
                     Type::Reference(_) => diagnostic.hint("remove the `&`: data are passed by value"),
                     Type::Slice(_) => diagnostic.hint("give the number of elements: `[f64; 3]`"),
+                    Type::Path(path) if INTEGERS.iter().any(|name| path.path.is_ident(name)) => diagnostic
+                        .hint("data are `f64`, and marked if they are integers: `#[integer] n: f64`")
+                        .hint("what counts loops or elements is a constant above the function: `const N: f64 = 3;`"),
                     Type::Path(_) => diagnostic.hint("numbers are `f64`; integers are marked `#[integer]`"),
                     _ => diagnostic,
                 }))
