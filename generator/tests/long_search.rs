@@ -130,7 +130,7 @@ fn the_strategies_of_a_failed_search_are_told() {
     let output = search(&folder, &["--max-columns", "7"]);
     assert_eq!(status(&output), 1);
     let message = stderr(&output);
-    for part in ["within 7 columns", "tried", "the largest 2 x 6", "degree with weights [1, 1], up to 2 x 6: "] {
+    for part in ["within 7 columns", "tried", "the largest 2 x 6", "degree with weights [1, 1], up to 2 x 6, and "] {
         assert!(message.contains(part), "{part}: {message}");
     }
     assert!(["closed under", "cannot be read"].iter().any(|reason| message.contains(reason)), "{message}");

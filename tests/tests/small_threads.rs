@@ -44,14 +44,15 @@ fn workspaces_give_the_same_solutions() {
                 assert_eq!((case.solve_complex_in)(&mut shared, data), expected, "{}", case.name);
                 assert_eq!((case.solve_in)(&mut shared, data), (case.solve)(data), "{}", case.name);
             }
+            let count = |found: &Result<Vec<_>, _>| found.as_ref().map_or(0, Vec::len);
             // A bound forbids what has none: to follow solutions to data at which a template is
-            // singular.
+            // singular, or at which solutions have no eigenpair.
             let enough = (case.solve_complex_in)(&mut with(SecondAttempts::AtMost(operations)), data);
-            assert!(enough == expected || enough.is_err(), "{}: {enough:?}", case.name);
+            let is_all = enough == expected || enough.is_err() || count(&enough) < count(&expected);
+            assert!(is_all, "{}: {enough:?}", case.name);
             let never = (case.solve_complex_in)(&mut with(SecondAttempts::Never), data);
             let too_few = &mut with(SecondAttempts::AtMost(operations - 1));
             assert_eq!((case.solve_complex_in)(too_few, data), never, "{}", case.name);
-            let count = |found: &Result<Vec<_>, _>| found.as_ref().map_or(0, Vec::len);
             assert!(count(&never) <= count(&expected), "{}: more without a second attempt", case.name);
             fewer += usize::from(count(&never) < count(&expected));
         }
