@@ -31,21 +31,24 @@ pub(super) fn is_derived(plan: &Plan) -> bool {
     derivations(plan, Reader::Solve).next().is_some()
 }
 
-/// The data of the problem as one array, from a list of those that are `given`. There is room for
-/// those that presolve derives, and for those that this reader does not read.
-fn joined(plan: &Plan, reader: Reader, given: &Ident) -> TokenStream {
-    if derivations(plan, reader).next().is_none() {
-        return quote!(emitted::joined(&#given));
-    }
-    let function = format_ident!("{}", function_name(plan, reader));
-    quote!(self::#function(&#given)?)
-}
-
 /// The statements that make a list of the data that are `given` and bind an array of all data of
-/// the problem that this reader reads.
-pub(super) fn all_data(plan: &Plan, reader: Reader, (given, binding): (&Ident, &TokenStream)) -> TokenStream {
+/// the problem that this reader reads. There is room for those that presolve derives, and for those
+/// that this reader does not read. `otherwise` is a call on the result of a derivation that may
+/// fail, or nothing.
+pub(super) fn all_data(
+    plan: &Plan,
+    reader: Reader,
+    (given, binding): (&Ident, &TokenStream),
+    otherwise: &TokenStream,
+) -> TokenStream {
     let (slices, count) = (plan.data.iter().map(as_slice), Literal::usize_unsuffixed(plan.data.len()));
-    let joined = joined(plan, reader, given);
+    let joined = match derivations(plan, reader).next() {
+        None => quote!(emitted::joined(&#given)),
+        Some(_) => {
+            let function = format_ident!("{}", function_name(plan, reader));
+            quote!(self::#function(&#given) #otherwise?)
+        }
+    };
     quote! {
         let #given: [&[f64]; #count] = [#(#slices),*];
         let #binding = #joined;

@@ -50,7 +50,13 @@ fn functions(plan: &Plan, output: &PlannedOutput) -> TokenStream {
     let mut names = Names::of(&plan.data);
     let [solution, solutions, coefficients] = ["solution", "solutions", "coefficients"].map(|name| names.take(name));
     let [given, data, scaled] = ["given", "data", "scaled"].map(|name| names.take(name));
-    let all_data = derived::all_data(plan, Reader::Results, (&given, &quote!(#data)));
+    let all_data =
+        |otherwise: &TokenStream| derived::all_data(plan, Reader::Results, (&given, &quote!(#data)), otherwise);
+    // An error of the solve comes before one of what only results are computed from.
+    let (error, arguments) =
+        (names.take("error"), plan.data.iter().map(|parameter| format_ident!("{}", parameter.name)));
+    let for_solve = all_data(&quote!(.or_else(|#error| self::solve(#(#arguments),*).and(Err(#error)))));
+    let all_data = all_data(&quote!());
     let compute = format_ident!("{COEFFICIENTS}");
     let (make, made) = storage::default(plan, &names.take("workspace"));
     let (binding, instance) = (scaling::binding(plan, &scaled), scaling::of_data(plan, &scaled, &made));
@@ -90,7 +96,7 @@ fn functions(plan: &Plan, output: &PlannedOutput) -> TokenStream {
             #(#parameters),*
         ) -> Result<::eliminant::Solutions<#name, MAX_SOLUTIONS>, ::eliminant::SolveError> {
             #make
-            #all_data
+            #for_solve
             let #binding = #data;
             let #solutions = self::real_solutions_of(&mut #instance, &#given)?;
             let #coefficients = self::#compute(1.0, &#data);

@@ -100,7 +100,7 @@ fn checked(
     let name = format_ident!("{name}");
     let (parameters, mut names) = (plan.data.iter().map(parameter), Names::of(&plan.data));
     let [given, data, kept, instance] = ["given", "data", "kept", "instance"].map(|name| names.take(name));
-    let all_data = derived::all_data(plan, Reader::Solve, (&given, &binding(&data)));
+    let all_data = derived::all_data(plan, Reader::Solve, (&given, &binding(&data)), &quote!());
     let (storage_type, made) = (storage::field(plan).1, make(&data, &quote!(#kept)));
     quote! {
         fn #name(#kept: #storage_type, #(#parameters),*) -> Result<Self, ::eliminant::SolveError> {
