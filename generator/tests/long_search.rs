@@ -148,7 +148,7 @@ fn the_strategies_of_a_failed_search_are_told() {
     }
     let merged = eliminant(&folder, &["search", "two_conics.rs", "--merge", "1-of-2", "2-of-2"]);
     assert_eq!(status(&merged), 1);
-    assert!(stderr(&merged).contains("degree with weights [1, 1], up to 2 x 6: "), "{}", stderr(&merged));
+    assert!(stderr(&merged).contains("degree with weights [1, 1], up to 2 x 6, and "), "{}", stderr(&merged));
     assert_eq!(fs::read_to_string(folder.join(TEMPLATE)).unwrap(), "old");
 }
 

@@ -108,7 +108,11 @@ impl fmt::Display for FailedStrategies<'_> {
         }
         for (FailedStrategy { strategy, rows, columns, obstacle, .. }, others) in reasons.iter().take(LISTED) {
             let size = if *rows > 0 { format!(", up to {rows} x {columns}") } else { String::new() };
-            let others = if *others > 0 { format!(", and {others} more strategies") } else { String::new() };
+            let others = match others {
+                0 => String::new(),
+                1 => ", and one more".to_owned(),
+                _ => format!(", and {others} more"),
+            };
             write!(f, "\n  {strategy}{size}{others}: {obstacle}")?;
         }
         match reasons.iter().skip(LISTED).map(|(_, others)| 1 + others).sum::<usize>() {
