@@ -176,10 +176,6 @@ impl Subject {
                 return Err(format!("{} solutions of {}", found.len(), self.solutions));
             }
             for x in found {
-                // A vector whose last coordinate is all rounding has none in the chart.
-                if self.rounding(x) == f64::INFINITY {
-                    continue;
-                }
                 if !x.iter().all(|x| x.re.is_finite() && x.im.is_finite()) {
                     return Err(format!("a solution is not finite: {x:?}"));
                 }

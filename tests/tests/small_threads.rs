@@ -48,8 +48,11 @@ fn workspaces_give_the_same_solutions() {
             // A bound forbids what has none: to follow solutions to data at which a template is
             // singular, or at which solutions have no eigenpair.
             let enough = (case.solve_complex_in)(&mut with(SecondAttempts::AtMost(operations)), data);
-            let is_all = enough == expected || enough.is_err() || count(&enough) < count(&expected);
-            assert!(is_all, "{}: {enough:?}", case.name);
+            let is_forbidden = match (&enough, &expected) {
+                (Ok(enough), Ok(expected)) => expected.starts_with(enough),
+                (enough, _) => enough.is_err(),
+            };
+            assert!(is_forbidden, "{}: {enough:?}", case.name);
             let never = (case.solve_complex_in)(&mut with(SecondAttempts::Never), data);
             let too_few = &mut with(SecondAttempts::AtMost(operations - 1));
             assert_eq!((case.solve_complex_in)(too_few, data), never, "{}", case.name);

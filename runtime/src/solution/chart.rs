@@ -30,11 +30,14 @@ pub fn vector_of<T: Scalar, R: AsRef<[f64]>>(chart: &[R], coordinates: &[T], vec
 }
 
 /// The coordinates of a vector of any length but 0: the entries of Q e but the last, divided by it.
+/// A last entry of 0 stands for what rounding leaves of one that is small beside the vector.
 #[inline]
 pub fn to_chart<T: Scalar, R: AsRef<[f64]>>(chart: &[R], vector: &[T], coordinates: &mut [T]) {
     let entry = |row: &R| chart_entry(row.as_ref(), vector);
     let Some(last) = chart.last() else { return };
-    let inverse = entry(last).reciprocal();
+    let last = entry(last);
+    let rounding = f64::EPSILON * vector.iter().fold(0.0, |largest: f64, x| largest.max(x.modulus()));
+    let inverse = if last == T::ZERO { T::from_f64(rounding) } else { last }.reciprocal();
     for (coordinate, row) in coordinates.iter_mut().zip(chart) {
         *coordinate = entry(row) * inverse;
     }
@@ -72,6 +75,16 @@ mod tests {
                 assert!((0..2).all(|k| error(k) <= 1e-14 * size * size), "{coordinates:?}: {back:?}");
             }
         }
+    }
+
+    #[test]
+    fn a_vector_at_infinity_has_large_coordinates() {
+        // A reflection that swaps the axes leaves a last entry of exactly 0.
+        let mut back = [0.0; 1];
+        to_chart(&[[0.0, 1.0], [1.0, 0.0]], &[0.0, -3.0], &mut back);
+        assert_eq!(back, [-1.0 / f64::EPSILON]);
+        to_chart(&[[0.0, 1.0], [1.0, 0.0]], &[1e-20, -3.0], &mut back);
+        assert_eq!(back, [-3.0 / 1e-20]);
     }
 
     #[test]
