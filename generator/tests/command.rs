@@ -181,6 +181,12 @@ fn search_prefers_what_it_is_told() {
     let times = speed["candidates"].as_array().unwrap().iter().map(time);
     assert!(time(&speed) <= EQUAL_COST * times.fold(f64::INFINITY, f64::min) && time(&speed) > 0.0, "{speed}");
     assert!(figure(&stability, "operations") <= 2 * figure(&speed, "operations"), "{stability} {speed}");
+    for prefer in ["size", "speed", "stability"] {
+        let output = eliminant(&folder, &["search", "two_conics.rs", "--trials", "50", "--prefer", prefer]);
+        let text = stdout(&output);
+        let (first, _) = text.split_once("(* chosen").expect("the first table ends so");
+        assert_eq!(first.lines().filter(|line| line.trim_start().starts_with('*')).count(), 1, "{prefer}: {text}");
+    }
     for report in [size, speed, stability] {
         check_summary(&report);
         let candidates = report["candidates"].as_array().unwrap();

@@ -249,16 +249,17 @@ fn first_attempt<I: SolverInstance>(
     spectrum.reduce_in_place()?;
     let values = spectrum.eigenvalues()?;
     found.note(solver, values.as_ref());
-    let is_far = action.as_ref().iter().any(|row| row.as_ref().iter().any(|entry| entry.abs() > FAR_OUT));
+    let is_far = || action.as_ref().iter().any(|row| row.as_ref().iter().any(|entry| entry.abs() > FAR_OUT));
+    let may_lose_zeros = solver.loses_zeros() && is_far();
     let mut is_complete = add_separate(solver, (&spectrum, &values), found, (known, may_stop));
-    if found.starts_to_count(solver, is_far && solver.loses_zeros()) {
+    if found.starts_to_count(solver, may_lose_zeros) {
         *known = solver.sizes().basis.list();
         is_complete = add_separate(solver, (&spectrum, &values), found, (known, may_stop)) || found.has_all();
     }
     if !(is_complete || may_stop && found.lacks_some()) {
         add_shared(solver, &action, (&spectrum, &values), found);
     }
-    Ok(is_far && solver.loses_zeros())
+    Ok(may_lose_zeros)
 }
 
 /// Adds the solutions of separate eigenpairs, and their eigenvalues to those known. Returns false

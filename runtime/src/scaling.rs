@@ -275,6 +275,22 @@ mod tests {
     }
 
     #[test]
+    fn the_largest_of_equal_weights_tells_of_a_unit() {
+        // Two data of one weight, one without any, and one of another weight.
+        let scalings = Scalings { count: 2, data: &[1, 0, 1, 0, 0, 0, 0, 1], unknowns: &[1, 1] };
+        for (data, is_near) in [
+            ([1.0, 1e-9, 1e9, 1.0], true),
+            ([1e-9, -1.0, 0.0, -4.0], true),
+            ([0.0, 0.0, 1e-9, 1.0], true),
+            ([1e-9, 1e-9, 1.0, 1.0], false),
+            ([1.0, 100.0, 1.0, 1.0], false),
+            ([1.0, 1.0, 1.0, 1e-3], false),
+        ] {
+            assert_eq!(scalings.is_near_in_all_units(&data), is_near, "{data:?}");
+        }
+    }
+
+    #[test]
     fn units_are_found_and_change_nothing() {
         for unit in [1e-60, 1e-12, 1e-8, 1e8, 1e12, 1e60_f64] {
             // Roots are 1 and 2 units, and -3.

@@ -117,15 +117,11 @@ fn name(number: usize) -> Ident {
 /// Matrices of so many entries are taken by code that is compiled for their size.
 const MOST_OF_SMALL: usize = 160;
 
-/// 1 and the data. Those of presolve are added to data that are borrowed, in any precision.
-fn arguments(presolve: bool) -> (TokenStream, TokenStream) {
-    if presolve { (quote!(R::ONE), quote!(data)) } else { (quote!(1.0), quote!(&data)) }
-}
-
 /// The derivations for this reader.
 fn steps(plan: &Plan, reader: Reader) -> TokenStream {
     let presolve = reader == Reader::Template;
-    let (one, data) = arguments(presolve);
+    // Those of presolve are added to data that are borrowed, in any precision.
+    let (one, data) = if presolve { (quote!(R::ONE), quote!(data)) } else { (quote!(1.0), quote!(&data)) };
     let least = Literal::f64_unsuffixed(if presolve { LEAST_PIVOT_OF_PRESOLVE } else { 0.0 });
     let steps = derivations(plan, reader).map(|(number, PlannedDerivation { derivation, .. })| {
         let (operands, range) = (name(number), derivation.inputs());

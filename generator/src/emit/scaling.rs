@@ -49,12 +49,25 @@ pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
     let (storage, storage_type) = storage::field(plan);
     let [count, inputs, unknowns] =
         [plan.data.len(), plan.inputs(), plan.unknowns.len()].map(Literal::usize_unsuffixed);
-    let mut exponents = quote!();
-    let mut scaled = quote!();
+    let mut names = Names::of(&plan.data);
+    let [given, data, kept, instance] = ["given", "data", "kept", "instance"].map(|name| names.take(name));
+    let parameters: Vec<_> = plan.data.iter().map(parameter).collect();
+    let checked = |name: &str, binding: &TokenStream, made: &TokenStream| {
+        let name = format_ident!("{name}");
+        let all_data = derived::all_data(plan, Reader::Solve, (&given, binding), &quote!());
+        quote! {
+            fn #name(#kept: #storage_type, #(#parameters),*) -> Result<Self, ::eliminant::SolveError> {
+                #all_data
+                let #instance = #made;
+                #instance.check(&#given)?;
+                Ok(#instance)
+            }
+        }
+    };
+    let (mut exponents, mut no_exponents, mut scaled) = (quote!(), quote!(), quote!());
     if has_units(plan) {
-        exponents = quote!(exponents: [i16; #unknowns],);
-        let constructor =
-            checked(plan, ("scaled", &|data| binding(plan, data)), &|data, kept| of_data(plan, data, kept));
+        (exponents, no_exponents) = (quote!(exponents: [i16; #unknowns],), quote!([0; #unknowns],));
+        let constructor = checked("scaled", &binding(plan, &data), &of_data(plan, &data, &quote!(#kept)));
         scaled = quote! {
             /// In units in which data that are far from 1 are about 1.
             #constructor
@@ -67,11 +80,8 @@ pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
             }
         };
     }
+    let new = checked("new", &quote!(#data), &quote!(Self::of(&#data, #no_exponents #kept)));
     let check = check(plan);
-    let new = checked(plan, ("new", &|data| quote!(#data)), &|data, kept| match has_units(plan) {
-        true => quote!(Instance::of(&#data, [0; #unknowns], #kept)),
-        false => quote!(Instance::of(&#data, #kept)),
-    });
     quote! {
         #new
         #scaled
@@ -86,28 +96,6 @@ pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
         #[inline]
         fn check(&self, given: &[&[f64]; #count]) -> Result<(), ::eliminant::SolveError> {
             #check
-        }
-    }
-}
-
-/// A constructor of this name from the arguments of a solve, which are checked. `make` takes all
-/// data, as they are bound, and the storage.
-fn checked(
-    plan: &Plan,
-    (name, binding): (&str, &dyn Fn(&Ident) -> TokenStream),
-    make: &dyn Fn(&Ident, &TokenStream) -> TokenStream,
-) -> TokenStream {
-    let name = format_ident!("{name}");
-    let (parameters, mut names) = (plan.data.iter().map(parameter), Names::of(&plan.data));
-    let [given, data, kept, instance] = ["given", "data", "kept", "instance"].map(|name| names.take(name));
-    let all_data = derived::all_data(plan, Reader::Solve, (&given, &binding(&data)), &quote!());
-    let (storage_type, made) = (storage::field(plan).1, make(&data, &quote!(#kept)));
-    quote! {
-        fn #name(#kept: #storage_type, #(#parameters),*) -> Result<Self, ::eliminant::SolveError> {
-            #all_data
-            let #instance = #made;
-            #instance.check(&#given)?;
-            Ok(#instance)
         }
     }
 }

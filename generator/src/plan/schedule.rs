@@ -90,11 +90,15 @@ fn template_rows(reduced: &ReducedProblem, template: &EliminationTemplate) -> Ve
 }
 
 /// Whether solutions at which some unknown vanishes have no eigenpair.
-fn loses_zeros(template: &EliminationTemplate) -> bool {
-    let is_divided = template.action.exponents().iter().any(|&e| e < 0);
-    let exponent = |m: &Monomial, unknown: usize| m.exponents()[unknown];
-    let unknowns = template.action.exponents().len();
-    is_divided || (0..unknowns).any(|unknown| template.basis.iter().all(|m| exponent(m, unknown) > 0))
+fn loses_zeros(problem: &Problem, template: &EliminationTemplate) -> bool {
+    let is_lost = |unknown: usize| {
+        template.action.exponent(unknown) < 0 || template.basis.iter().all(|m| m.exponent(unknown) > 0)
+    };
+    let vanishes_nowhere = |unknown: usize| {
+        let factors = problem.nonzero.iter().map(|factor| factor.polynomial.terms());
+        factors.into_iter().any(|terms| matches!(terms, [(monomial, _)] if monomial.exponent(unknown) > 0))
+    };
+    (0..problem.unknowns.len()).any(|unknown| is_lost(unknown) && !vanishes_nowhere(unknown))
 }
 
 /// The input that all plans for one template have in common.
@@ -155,7 +159,7 @@ impl Scheduler<'_> {
             fields: problem.fields.clone(),
             solutions: self.solutions,
             has_origin,
-            loses_zeros: loses_zeros(template),
+            loses_zeros: loses_zeros(problem, template),
             program,
             coefficients: values,
             elimination,

@@ -9,17 +9,10 @@ use super::value::{Value, describe};
 use crate::expression::rational::Rational;
 use crate::problem::diagnostic::Diagnostic;
 
-/// What an `if` chooses.
-enum Chosen<'e> {
-    Block(&'e Block),
-    /// There is no `else`.
-    Nothing,
-}
-
 impl Interpreter<'_> {
     /// Runs the statements that an `if` chooses.
     pub(super) fn run_if(&mut self, stated: &ExprIf) {
-        if let Ok(Chosen::Block(block)) = self.choose(stated) {
+        if let Ok(Some(block)) = self.choose(stated) {
             self.run_block(block);
         }
     }
@@ -27,8 +20,8 @@ impl Interpreter<'_> {
     /// The value of the block that an `if` chooses.
     pub(super) fn if_value(&mut self, stated: &ExprIf) -> Outcome<Value> {
         match self.choose(stated)? {
-            Chosen::Block(block) => self.block_value(block),
-            Chosen::Nothing => Err(self.report(
+            Some(block) => self.block_value(block),
+            None => Err(self.report(
                 Diagnostic::new("the `if` has no value", place(stated))
                     .label("the condition is false, and there is no `else`")
                     .hint("write `if condition { value } else { other }`"),
@@ -36,16 +29,16 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The block of the first condition that is true.
-    fn choose<'e>(&mut self, mut stated: &'e ExprIf) -> Outcome<Chosen<'e>> {
+    /// The block of the first condition that is true; `None` if none is, and there is no `else`.
+    fn choose<'e>(&mut self, mut stated: &'e ExprIf) -> Outcome<Option<&'e Block>> {
         loop {
             if self.condition(&stated.cond)? {
-                return Ok(Chosen::Block(&stated.then_branch));
+                return Ok(Some(&stated.then_branch));
             }
             match stated.else_branch.as_ref().map(|(_, other)| &**other) {
                 Some(Expr::If(next)) => stated = next,
-                Some(Expr::Block(block)) => return Ok(Chosen::Block(&block.block)),
-                _ => return Ok(Chosen::Nothing),
+                Some(Expr::Block(block)) => return Ok(Some(&block.block)),
+                _ => return Ok(None),
             }
         }
     }

@@ -100,8 +100,10 @@ impl fmt::Display for FailedStrategies<'_> {
         // What fails for one reason, at one size, is said once.
         let mut reasons: Vec<(&FailedStrategy, usize)> = Vec::new();
         for failed in closest {
-            let key = |of: &FailedStrategy| (of.rows, of.columns, of.obstacle.clone());
-            match reasons.iter_mut().find(|(first, _)| key(first) == key(failed)) {
+            let is_alike = |first: &FailedStrategy| {
+                (first.rows, first.columns, &first.obstacle) == (failed.rows, failed.columns, &failed.obstacle)
+            };
+            match reasons.iter_mut().find(|(first, _)| is_alike(first)) {
                 Some((_, others)) => *others += 1,
                 None => reasons.push((failed, 0)),
             }
