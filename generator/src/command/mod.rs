@@ -12,7 +12,6 @@ mod files;
 mod inspect;
 mod interrupt;
 mod new;
-mod picture;
 mod progress;
 mod report;
 mod search;

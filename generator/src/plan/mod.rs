@@ -18,6 +18,7 @@ mod coefficients;
 mod constant_pivots;
 pub mod interpret;
 mod memory;
+pub mod picture;
 pub mod program;
 pub mod program_table;
 mod residues;
