@@ -7,11 +7,15 @@
 use eliminant::{SecondAttempts, Workspace};
 use eliminant_tests::cases;
 use eliminant_tests::stack::{CALLS, Call, Instances, SUFFICIENT_STACK};
+use eliminant_tests::statistics::distance;
 use rayon::prelude::*;
 
 /// The part of solvers for which data with a second attempt are found. Those without have small
 /// templates, and the same arrays for the second attempt as others of their size.
 const TWICE: f64 = 0.6;
+
+/// Points that are closer are one solution, found twice.
+const SAME_SOLUTION: f64 = 1e-9;
 
 #[test]
 fn all_solvers_work_in_small_threads() {
@@ -46,10 +50,14 @@ fn workspaces_give_the_same_solutions() {
             }
             let count = |found: &Result<Vec<_>, _>| found.as_ref().map_or(0, Vec::len);
             // A bound forbids what has none: to follow solutions to data at which a template is
-            // singular, or at which solutions have no eigenpair.
+            // singular, or at which solutions have no eigenpair. These come last. One that is
+            // already known may be more precise.
             let enough = (case.solve_complex_in)(&mut with(SecondAttempts::AtMost(operations)), data);
             let is_forbidden = match (&enough, &expected) {
-                (Ok(enough), Ok(expected)) => expected.starts_with(enough),
+                (Ok(enough), Ok(expected)) => {
+                    enough.len() <= expected.len()
+                        && enough.iter().zip(expected).all(|(a, b)| distance(a, b) <= SAME_SOLUTION)
+                }
                 (enough, _) => enough.is_err(),
             };
             assert!(is_forbidden, "{}: {enough:?}", case.name);
