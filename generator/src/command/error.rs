@@ -3,6 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
+use super::report::folded;
 use crate::generate::GenerateError;
 use crate::problem::diagnostic::Diagnostics;
 use crate::problem::{Problem, Statement};
@@ -73,13 +74,13 @@ pub(super) enum CommandError {
 }
 
 impl CommandError {
-    /// The message in colours, for a terminal.
+    /// The message in colours, for a terminal. Long lines are folded, but those of a problem file.
     pub(super) fn render_in_colour(&self) -> String {
         match self {
             Self::Problem(diagnostics) => diagnostics.render_in_colour(),
             Self::Several(errors) => errors.iter().map(Self::render_in_colour).collect::<Vec<_>>().join("\n"),
             other => {
-                let message = other.to_string();
+                let message = folded(&other.to_string());
                 let rest = message.strip_prefix("error");
                 rest.map_or(message.clone(), |rest| format!("\x1b[1m\x1b[91merror\x1b[0m{rest}"))
             }
@@ -102,7 +103,9 @@ impl CommandError {
             hint += &format!("\nhelp: `--max-columns` must be more than {least}, or left out");
         }
         let is_sum = |factor: &Statement| factor.polynomial.terms().len() > 1;
-        if problem.nonzero.iter().any(is_sum) {
+        // An unknown of its own has no scale, and vectors that are given up to scale have any.
+        let has_scales = problem.fields.iter().any(|field| field.is_projective);
+        if !has_scales && problem.nonzero.iter().any(is_sum) {
             hint += "\nhelp: rows can be divided by a factor that must not vanish if it is an unknown of its own: `w == FACTOR; w != 0;`";
         }
         Self::Search { path: path.to_owned(), error, hint }
