@@ -4,6 +4,7 @@
 
 use eliminant_generator::algebra::Random;
 use eliminant_generator::check::check;
+use eliminant_generator::generate::plan;
 use eliminant_generator::oracle::Truths;
 use eliminant_generator::presolve::Presolve;
 use eliminant_generator::problem::Problem;
@@ -12,6 +13,7 @@ use eliminant_generator::search::measuring::interpreted::InterpretedSolver;
 use eliminant_generator::search::measuring::random_instance;
 use eliminant_generator::search::monitor::Unmonitored;
 use eliminant_generator::search::{Found, SearchOptions, candidates, traced_candidates};
+use eliminant_generator::template::file::TemplateFile;
 
 /// Katsura's equations with five unknowns. At one of 16 solutions all but `a` are 0, at one more
 /// all but `a` and `e`, and at two all but `a`, `c` and `e`.
@@ -226,6 +228,27 @@ fn solutions_are_found_where_an_unknown_cannot_be_read() {
             };
             assert!(found.iter().any(is_truth), "{instance}: no {t:?} among {found:?} of {data:?}");
         }
+    }
+}
+
+/// A camera that is not turned: six of nine unknowns are zero, and so are all terms of some
+/// equations at the end of a path.
+#[test]
+fn paths_end_where_many_unknowns_vanish() {
+    let problem = Problem::parse("problem.rs", include_str!("raw/upright_pose.rs"));
+    let problem = problem.unwrap_or_else(|messages| panic!("{}", messages.render()));
+    let template = TemplateFile::parse(include_str!("raw/upright_pose.template.toml"), &problem.unknowns);
+    let planned = plan(&problem, &template.expect("a template")).expect("it belongs to the problem");
+    assert!(!planned.plan.quotients().is_empty());
+    let (solver, mut random) = (InterpretedSolver::of(&planned.plan), Random::new(4));
+    for instance in 0..60 {
+        let points: [f64; 6] = std::array::from_fn(|_| random.symmetric_unit());
+        let rays = points.chunks(3).flat_map(|x| [x[0] / (x[2] + 6.0), x[1] / (x[2] + 6.0), 1.0]);
+        let data: Vec<f64> = rays.chain(points).chain([0.0, 0.0, 1.0]).collect();
+        let found = solver.solve(&data).unwrap_or_else(|error| panic!("{instance}: {error}"));
+        let truth = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 6.0];
+        let is_truth = |x: &Vec<f64>| x.iter().zip(truth).all(|(x, truth)| (x - truth).abs() < 1e-7);
+        assert!(found.iter().any(is_truth), "{instance}: {found:?}");
     }
 }
 
