@@ -1,7 +1,9 @@
 //! Coefficients that are large because presolve divided by a number close to zero.
 
 /// A quotient is large if it exceeds all coefficients of the equations, and 1, by this factor.
-const LARGE: f64 = 1e4;
+/// With known points 1e-6 off an axis trilateration loses 4 of 1000 solutions, which this factor
+/// finds; quotients of random data exceed 1e4 on up to 8 % of instances.
+const LARGE: f64 = 1e5;
 
 /// Coefficients that only the template has and that are quotients of data.
 #[derive(Clone, Copy, Debug)]
@@ -33,9 +35,9 @@ mod tests {
     fn quotients_are_large_beside_what_is_stated() {
         let quotients = Quotients { own: &[0, 3], stated: &[1, 2] };
         for (coefficients, are_large) in [
-            ([1e4, 0.0, 0.5, -1e4], false),
-            ([1e4, 0.0, 0.5, -2e4], true),
-            ([2e4, 0.0, -2.0, 1.0], false),
+            ([1e5, 0.0, 0.5, -1e5], false),
+            ([1e5, 0.0, 0.5, -2e5], true),
+            ([2e5, 0.0, -2.0, 1.0], false),
             ([f64::INFINITY, 1.0, 1.0, 1.0], true),
             ([1.0, 1.0, 1.0, f64::NAN], true),
         ] {
