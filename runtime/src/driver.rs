@@ -75,15 +75,15 @@ pub fn real_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, f64
 
 /// Returns all real solutions, by the real roots of a determinant. If a root is not certain, or
 /// leads to no solution of its own, or the polish moves one so far that errors of the determinant
-/// could hide others, or presolve divided by a number close to zero, all is done as by
-/// [`real_solutions`].
+/// could hide others, or there is no root and presolve divided by a number close to zero, all is
+/// done as by [`real_solutions`].
 ///
 /// # Errors
 /// As [`real_solutions`].
 #[inline]
 pub fn real_solutions_by_determinant<I: HiddenVariableSolver>(solver: &mut I) -> Result<Points<I, f64>, SolveError> {
     let mut found = RealSolutions::new(solver, false);
-    match !solver.has_large_quotients() && add_roots(solver, &mut found) {
+    match add_roots(solver, &mut found) {
         true => Ok(found.admissible(solver)),
         false => real_solutions(solver),
     }
@@ -100,7 +100,8 @@ fn add_roots<I: HiddenVariableSolver>(solver: &mut I, found: &mut RealSolutions<
     let roots = real_roots(chains.sizes().3, &determinant);
     let source = HiddenPairs { basis: solver.sizes().basis, variable: &variable };
     // Without a root, no polish shows whether the polynomial is precise.
-    let mut is_certain = roots.is_certain && (!roots.roots.is_empty() || roots.clearance > CLEARANCE);
+    let is_none_certain = || roots.clearance > CLEARANCE && !solver.has_large_quotients();
+    let mut is_certain = roots.is_certain && (!roots.roots.is_empty() || is_none_certain());
     let mut moved = chains.sizes().3.list();
     let (mut is_precise, mut error) = (true, LEAST_ERROR);
     for &root in roots.roots.iter() {

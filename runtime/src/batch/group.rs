@@ -121,10 +121,12 @@ fn solve_group<S: Simd, I: BatchSolver>(
     let (mut is_certain, mut furthest) = (0, zero);
     for (lane, roots) in roots.iter().enumerate().take(Lanes::<S>::COUNT) {
         furthest.set(lane, IMPRECISE_ROOT.min(roots.clearance / SAFETY));
-        let is_precise = !I::QUOTIENTS.are_large(|slot| coefficients[slot].get(lane));
         // Without a root, no polish shows whether the polynomial is precise.
-        let least = if roots.roots.is_empty() { CLEARANCE } else { LEAST_ERROR };
-        let is_sure = is_precise && roots.is_certain && roots.clearance > least;
+        let is_sure = match roots.roots.is_empty() {
+            true => roots.clearance > CLEARANCE && !I::QUOTIENTS.are_large(|slot| coefficients[slot].get(lane)),
+            false => roots.clearance > LEAST_ERROR,
+        };
+        let is_sure = is_sure && roots.is_certain;
         is_certain |= u64::from(is_sure) << lane;
     }
     let most = roots.iter().map(|roots| roots.roots.len()).max().unwrap_or(0);
