@@ -28,7 +28,7 @@ use crate::spectrum::hessenberg::Hessenberg;
 use crate::spectrum::hidden_variable::{ChainedBasis, HiddenVariable};
 use crate::spectrum::precise_spectrum::{PreciseSpectrum, Row, with_precise_spectrum};
 use crate::spectrum::real_roots::real_roots;
-use crate::spectrum::root_count::{LEAST_ERROR, SAFETY, count_is_certain};
+use crate::spectrum::root_count::count_is_certain;
 
 /// If |B| exceeds the number of solutions and all solutions are found, an eigenpair with a larger
 /// relative residual than this before the polish counts as spurious. Residuals of solutions are
@@ -75,8 +75,7 @@ pub fn real_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, f64
 
 /// Returns all real solutions, by the real roots of a determinant. If a root is not certain, or
 /// leads to no solution of its own, or the polish moves one so far that errors of the determinant
-/// could hide others, or there is no root and presolve divided by a number close to zero, all is
-/// done as by [`real_solutions`].
+/// could hide others, all is done again as by [`real_solutions`].
 ///
 /// # Errors
 /// As [`real_solutions`].
@@ -100,18 +99,16 @@ fn add_roots<I: HiddenVariableSolver>(solver: &mut I, found: &mut RealSolutions<
     let roots = real_roots(chains.sizes().3, &determinant);
     let source = HiddenPairs { basis: solver.sizes().basis, variable: &variable };
     // Without a root, no polish shows whether the polynomial is precise.
-    let is_none_certain = || roots.clearance > CLEARANCE && !solver.has_large_quotients();
-    let mut is_certain = roots.is_certain && (!roots.roots.is_empty() || is_none_certain());
+    let mut is_certain = roots.is_certain && (!roots.roots.is_empty() || roots.clearance > CLEARANCE);
     let mut moved = chains.sizes().3.list();
-    let (mut is_precise, mut error) = (true, LEAST_ERROR);
+    let mut is_precise = true;
     for &root in roots.roots.iter() {
         let value = root.into();
-        is_certain = is_certain && found.add(solver, &source, value);
+        let mut is_solution = || found.add(solver, &source, value) || found.is_imaginary(solver, &source, value);
+        is_certain = is_certain && is_solution();
         is_precise &= found.moved() <= IMPRECISE_ROOT;
-        error = error.max(SAFETY * found.moved());
         moved.push((root, found.moved()));
     }
-    is_precise &= roots.clearance > error;
     is_certain && !found.is_imprecise() && (is_precise || count_is_certain(chains.sizes().3, &determinant, &moved))
 }
 
@@ -148,22 +145,19 @@ fn solve<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> R
     if !(may_repeat && (first.is_err() || found.lacks_some())) {
         return first.map(|_| ());
     }
-    if first.is_err() {
-        found.starts_to_count(solver, solver.has_large_quotients());
-    }
     let can_repeat = first.is_ok() || solver.has_precise_coefficients();
     let is_repeated = can_repeat && second_attempt(solver, found, &known).is_ok();
     match first {
         _ if is_repeated && !found.lacks_some() => Ok(()),
-        Ok(may_lose_some) => {
+        Ok(may_lose_zeros) => {
             // It may have stopped early.
             first_attempt(solver, found, (&mut known, false))?;
-            if may_lose_some && found.lacks_some() {
+            if may_lose_zeros && found.lacks_some() {
                 continued(solver, found);
             }
             Ok(())
         }
-        Err(_) if continued(solver, found) || is_repeated => Ok(()),
+        Err(_) if is_repeated || continued(solver, found) => Ok(()),
         Err(error) => Err(error),
     }
 }
@@ -242,8 +236,7 @@ const FAR_OUT: f64 = 1e8;
 /// Collects what the usual precision finds, and the eigenvalues that led to it. It is a function of
 /// its own, so that its memory is free for the second attempt. With `may_stop` it ends as soon as
 /// it is known that solutions will be missing: polishes that fail take long, and so do solutions
-/// that share an eigenvalue. Returns whether solutions may have no eigenpair, or one without
-/// digits.
+/// that share an eigenvalue. Returns whether solutions may have no eigenpair.
 #[inline(never)]
 fn first_attempt<I: SolverInstance>(
     solver: &mut I,
@@ -257,17 +250,16 @@ fn first_attempt<I: SolverInstance>(
     let values = spectrum.eigenvalues()?;
     found.note(solver, values.as_ref());
     let is_far = || action.as_ref().iter().any(|row| row.as_ref().iter().any(|entry| entry.abs() > FAR_OUT));
+    let may_lose_zeros = solver.loses_zeros() && is_far();
     let mut is_complete = add_separate(solver, (&spectrum, &values), found, (known, may_stop));
-    let may_lose_some =
-        solver.has_large_quotients() || solver.loses_zeros() && is_far() || solver.misreads_zeros() && !is_complete;
-    if found.starts_to_count(solver, may_lose_some) {
+    if found.starts_to_count(solver, may_lose_zeros) {
         *known = solver.sizes().basis.list();
         is_complete = add_separate(solver, (&spectrum, &values), found, (known, may_stop)) || found.has_all();
     }
     if !(is_complete || may_stop && found.lacks_some()) {
         add_shared(solver, &action, (&spectrum, &values), found);
     }
-    Ok(may_lose_some)
+    Ok(may_lose_zeros)
 }
 
 /// Adds the solutions of separate eigenpairs, and their eigenvalues to those known. Returns false

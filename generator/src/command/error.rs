@@ -3,7 +3,6 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::report::folded;
 use crate::generate::GenerateError;
 use crate::problem::diagnostic::Diagnostics;
 use crate::problem::{Problem, Statement};
@@ -74,13 +73,13 @@ pub(super) enum CommandError {
 }
 
 impl CommandError {
-    /// The message in colours, for a terminal. Long lines are folded, but those of a problem file.
+    /// The message in colours, for a terminal.
     pub(super) fn render_in_colour(&self) -> String {
         match self {
             Self::Problem(diagnostics) => diagnostics.render_in_colour(),
             Self::Several(errors) => errors.iter().map(Self::render_in_colour).collect::<Vec<_>>().join("\n"),
             other => {
-                let message = folded(&other.to_string());
+                let message = other.to_string();
                 let rest = message.strip_prefix("error");
                 rest.map_or(message.clone(), |rest| format!("\x1b[1m\x1b[91merror\x1b[0m{rest}"))
             }
@@ -103,9 +102,7 @@ impl CommandError {
             hint += &format!("\nhelp: `--max-columns` must be more than {least}, or left out");
         }
         let is_sum = |factor: &Statement| factor.polynomial.terms().len() > 1;
-        // An unknown of its own has no scale, and vectors that are given up to scale have any.
-        let has_scales = problem.fields.iter().any(|field| field.is_projective);
-        if !has_scales && problem.nonzero.iter().any(is_sum) {
+        if problem.nonzero.iter().any(is_sum) {
             hint += "\nhelp: rows can be divided by a factor that must not vanish if it is an unknown of its own: `w == FACTOR; w != 0;`";
         }
         Self::Search { path: path.to_owned(), error, hint }

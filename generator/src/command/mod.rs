@@ -12,6 +12,7 @@ mod files;
 mod inspect;
 mod interrupt;
 mod new;
+mod picture;
 mod progress;
 mod report;
 mod search;

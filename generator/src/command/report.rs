@@ -153,27 +153,16 @@ const COLUMNS: usize = 100;
 ///               x*y, 1
 /// ```
 ///
-/// Messages have one of [`LABELS`]. Rows of tables, which have more than one gap, and lines without
-/// a label stay as they are.
-pub(super) fn folded(text: &str) -> String {
+/// Rows of tables, which have more than one gap, and lines without a label stay as they are.
+fn folded(text: &str) -> String {
     text.split_inclusive('\n').map(folded_line).collect()
 }
 
-/// What begins a message.
-const LABELS: [&str; 3] = ["error: ", "warning: ", "help: "];
-
 fn folded_line(line: &str) -> String {
-    if line.trim_end().chars().count() <= COLUMNS {
-        return line.to_owned();
-    }
     let gaps: Vec<usize> = line.match_indices("  ").map(|(at, _)| at).collect();
-    let label = LABELS.iter().find(|label| line.starts_with(**label));
-    let indent = match (label, gaps.first()) {
-        (Some(label), _) => label.len(),
-        (None, Some(&gap)) if gap > 0 => gap + line[gap..].chars().take_while(|&c| c == ' ').count(),
-        (None, _) => return line.to_owned(),
-    };
-    if label.is_none() && gaps.last().is_some_and(|&last| last >= indent) {
+    let Some(&label) = gaps.first().filter(|&&at| at > 0) else { return line.to_owned() };
+    let indent = label + line[label..].chars().take_while(|&c| c == ' ').count();
+    if line.trim_end().chars().count() <= COLUMNS || gaps.last().is_some_and(|&last| last >= indent) {
         return line.to_owned();
     }
     let (mut folded, mut width) = (line[..indent].to_owned(), indent);
@@ -237,14 +226,6 @@ mod tests {
         assert!(lines[1].starts_with("            monomial") && lines.len() == 5, "{text}");
         assert_eq!(text.split_whitespace().count(), 25);
         assert!(text.ends_with(&format!("\n\nnext  {}\n", words(3))), "{text}");
-    }
-
-    #[test]
-    fn messages_are_folded() {
-        let text = folded(&format!("warning: {}\nhelp: short\n", vec!["solutions"; 20].join(" ")));
-        let lines: Vec<&str> = text.lines().collect();
-        assert!(lines.len() == 4 && lines.iter().all(|line| line.len() <= COLUMNS), "{text}");
-        assert!(lines[1].starts_with("         solutions") && lines[3] == "help: short", "{text}");
     }
 
     #[test]

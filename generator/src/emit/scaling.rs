@@ -92,7 +92,7 @@ pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
             #value
         }
 
-        /// Whether the data that are `given` and the coefficients that must be finite are so.
+        /// Whether the data that are `given` and the coefficients are finite.
         #[inline]
         fn check(&self, given: &[&[f64]; #count]) -> Result<(), ::eliminant::SolveError> {
             #check
@@ -100,17 +100,19 @@ pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
     }
 }
 
-/// What tells whether the data that are `given` and the coefficients that must be finite are so. If
-/// others are not, the elimination finds out.
+/// What tells whether the data that are `given` and the coefficients are finite.
 fn check(plan: &Plan) -> TokenStream {
     let coefficients = storage::coefficients_of_instance(plan);
-    let Some(required) = plan.required_coefficients() else {
+    if !plan.is_presolved_at_run_time() {
         return quote!(emitted::check_coefficients(#coefficients, given));
-    };
-    let required = required.iter().map(|id| Literal::usize_unsuffixed(usize::from(id.0)));
+    }
+    // Coefficients of a template whose equations cannot be solved for monomials are NaN. The
+    // elimination finds out, and a second attempt may do better.
+    let stated = plan.coefficients_of_statements();
+    let stated = stated.iter().map(|id| Literal::usize_unsuffixed(usize::from(id.0)));
     quote! {
         let coefficients = #coefficients;
-        emitted::check_coefficients(&[#(coefficients[#required]),*], given)
+        emitted::check_coefficients(&[#(coefficients[#stated]),*], given)
     }
 }
 

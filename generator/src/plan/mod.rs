@@ -18,7 +18,6 @@ mod coefficients;
 mod constant_pivots;
 pub mod interpret;
 mod memory;
-pub mod picture;
 pub mod program;
 pub mod program_table;
 mod residues;
@@ -29,10 +28,8 @@ pub(crate) mod straight_line;
 pub mod system_table;
 pub mod time;
 pub mod value_layout;
-mod zeros;
 
 pub use check::PlanError;
-pub use zeros::Zeros;
 
 use std::collections::BTreeSet;
 
@@ -40,7 +37,7 @@ use crate::expression::derivation::Derivation;
 use crate::problem::scaling::Scaling;
 use crate::problem::{DataParameter, SolutionField};
 use crate::template::RootMethod;
-use program::{Operation, Program, ProgramForm, ValueId};
+use program::{Program, ProgramForm, ValueId};
 
 /// Position in the array of coefficients that the tables refer to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -299,8 +296,9 @@ pub struct Plan {
     /// Whether the origin, where all unknowns are 0 but those that presolve eliminated, is one of
     /// them. It is known, and no template need give it.
     pub has_origin: bool,
-    /// How it loses solutions at which some unknown vanishes.
-    pub zeros: Zeros,
+    /// Whether solutions at which some unknown vanishes have no eigenpair: the action monomial is
+    /// divided by it, or all basis monomials are multiples of it.
+    pub loses_zeros: bool,
     /// From the data to the coefficients.
     pub program: Program,
     /// The value of each coefficient.
@@ -372,43 +370,10 @@ impl Plan {
         statements.flatten().map(|term| term.coefficient).collect()
     }
 
-    /// The coefficients that only the template has and that are quotients of data, in increasing
-    /// order: presolve divided equations by data, or solved them for monomials. Quotients that the
-    /// problem states, and products of them, are none.
-    pub fn quotients(&self) -> BTreeSet<CoefficientId> {
-        let (stated, operations) = (self.coefficients_of_statements(), &self.program.operations);
-        let mut is_stated = vec![false; operations.len()];
-        stated.iter().for_each(|id| is_stated[self.coefficients[usize::from(id.0)].0 as usize] = true);
-        for (at, &operation) in operations.iter().enumerate().rev() {
-            if is_stated[at] {
-                self.program.operands(operation).for_each(|operand| is_stated[operand.0 as usize] = true);
-            }
-        }
-        let mut is_quotient: Vec<bool> = Vec::with_capacity(operations.len());
-        for (&operation, is_stated) in operations.iter().zip(is_stated) {
-            let is_own = match operation {
-                Operation::Divide(..) => true,
-                Operation::Input(input) => input as usize >= self.stated,
-                _ => false,
-            };
-            let inherits = || self.program.operands(operation).any(|operand| is_quotient[operand.0 as usize]);
-            is_quotient.push(!is_stated && (is_own || inherits()));
-        }
-        let all = self.coefficients.iter().zip(0..).map(|(value, at)| (CoefficientId(at), value.0 as usize));
-        all.filter(|&(id, value)| is_quotient[value] && !stated.contains(&id)).map(|(id, _)| id).collect()
-    }
-
-    /// The coefficients that must be finite, if not all: those of what the problem states.
-    /// Quotients are not finite at data at which presolve divides by zero, or cannot solve for its
-    /// monomials. Solutions are then followed from data nearby.
-    pub fn required_coefficients(&self) -> Option<BTreeSet<CoefficientId>> {
-        (!self.quotients().is_empty()).then(|| self.coefficients_of_statements())
-    }
-
     /// Whether an elimination at twice the precision computes the coefficients anew: tables can be
-    /// executed in it, and what presolve divides by may be zero up to rounding in `f64`.
+    /// executed in it, and a system of presolve may be singular up to rounding in `f64`.
     pub fn has_precise_coefficients(&self) -> bool {
-        self.program.form == ProgramForm::Table || !self.quotients().is_empty()
+        self.program.form == ProgramForm::Table || self.is_presolved_at_run_time()
     }
 
     /// The number of scalars in the data that are given.

@@ -320,8 +320,7 @@ impl<'a> Interpreter<'a> {
         let Some(name) = name else {
             self.report(
                 Diagnostic::new("only names and their elements can be assigned to", place(target))
-                    .label("expected `name` or `name[i]`")
-                    .hint("an equation is stated as `left == right;`"),
+                    .label("expected `name` or `name[i]`"),
             );
             return;
         };

@@ -1,7 +1,6 @@
 //! What a solver must state so that its instances can be computed side by side.
 
 use crate::elimination::lu::Eliminated;
-use crate::elimination::quotients::Quotients;
 use crate::elimination::template::ActionRow;
 use crate::error::SolveError;
 use crate::number::{Arithmetic, Over};
@@ -73,8 +72,6 @@ pub trait BatchSolver: HiddenVariableSolver + Sized {
     const SIGN_CHANGES: Option<SignChanges<'static>>;
     /// As [`SolverInstance::has_origin`].
     const HAS_ORIGIN: bool = false;
-    /// Coefficients by which [`SolverInstance::has_large_quotients`] is known.
-    const QUOTIENTS: Quotients<'static> = Quotients::NONE;
 
     /// All sizes.
     fn all_sizes() -> (SizesOf<Self>, BatchSizesOf<Self>);

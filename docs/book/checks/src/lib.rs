@@ -5,12 +5,10 @@ use std::{env, fs};
 
 mod blocks;
 mod gallery;
-mod histograms;
 mod measured;
-mod pictures;
 
 pub use blocks::{Block, Mark, blocks};
-pub use gallery::{Gallery, gallery};
+pub use gallery::gallery;
 
 /// The root of the project.
 #[must_use]

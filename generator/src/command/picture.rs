@@ -1,4 +1,4 @@
-//! The layout that all drawings of a template share.
+//! The layout that both drawings of a template share.
 //!
 //! ```text
 //!                    excess E   reducible R   basis B
@@ -8,39 +8,22 @@
 //!
 //! Rows and pivot columns stand in the order of solution.
 
-use super::Plan;
 use crate::algebra::Monomial;
+use crate::plan::Plan;
 use crate::template::{EliminationTemplate, Shift};
 
 /// The part of the template that a column belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
-    /// Columns of monomials that are neither reducible nor in the basis.
+pub(super) enum Part {
     Excess,
-    /// Columns of the action monomial times basis monomials.
     Reducible,
-    /// Columns of basis monomials.
     Basis,
 }
 
 impl Part {
-    /// The parts from the left to the right.
-    pub const ALL: [Self; 3] = [Self::Excess, Self::Reducible, Self::Basis];
+    pub(super) const ALL: [Self; 3] = [Self::Excess, Self::Reducible, Self::Basis];
 
-    /// Colours that people with impaired colour vision tell apart (Okabe and Ito): of an entry in a
-    /// diagonal block or the basis, of coupling, of the band behind them.
-    #[must_use]
-    pub fn colours(self) -> [&'static str; 3] {
-        match self {
-            Self::Excess => ["#0072b2", "#7fb8d8", "#eef5fa"],
-            Self::Reducible => ["#d55e00", "#eaae7f", "#fdf3ec"],
-            Self::Basis => ["#009e73", "#7fceb9", "#ecf7f4"],
-        }
-    }
-
-    /// Its name.
-    #[must_use]
-    pub fn name(self) -> &'static str {
+    pub(super) fn name(self) -> &'static str {
         match self {
             Self::Excess => "excess",
             Self::Reducible => "reducible",
@@ -51,7 +34,7 @@ impl Part {
 
 /// The entry of a row in a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Cell {
+pub(super) enum Cell {
     /// The entry is zero for every instance.
     Empty,
     /// The entry is in a diagonal block.
@@ -64,21 +47,19 @@ pub enum Cell {
 
 /// A template as it is drawn.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Picture {
+pub(super) struct Picture {
     /// The shift of each row, such as `f2 * x*y`.
-    pub rows: Vec<String>,
+    pub(super) rows: Vec<String>,
     /// The columns: excess, reducible, basis.
-    pub columns: Vec<(Part, String)>,
+    pub(super) columns: Vec<(Part, String)>,
     /// One cell for each row and column.
-    pub cells: Vec<Vec<Cell>>,
+    pub(super) cells: Vec<Vec<Cell>>,
     /// Number of rows of each diagonal block, in order of solution.
-    pub blocks: Vec<usize>,
+    pub(super) blocks: Vec<usize>,
 }
 
 impl Picture {
-    /// The picture of a template, with the order of solution of its plan.
-    #[must_use]
-    pub fn new(template: &EliminationTemplate, plan: &Plan) -> Self {
+    pub(super) fn new(template: &EliminationTemplate, plan: &Plan) -> Self {
         let names = &plan.unknowns;
         let elimination = &plan.elimination;
         let excess = template.excess.len();
@@ -119,13 +100,12 @@ impl Picture {
     }
 
     /// Number of entries that are not zero for general data.
-    #[must_use]
-    pub fn entries(&self) -> usize {
+    pub(super) fn entries(&self) -> usize {
         self.cells.iter().flatten().filter(|&&cell| cell != Cell::Empty).count()
     }
 
     /// The columns of one part.
-    pub fn columns_of(&self, part: Part) -> impl Iterator<Item = usize> + '_ {
+    pub(super) fn columns_of(&self, part: Part) -> impl Iterator<Item = usize> + '_ {
         (0..self.columns.len()).filter(move |&column| self.columns[column].0 == part)
     }
 }
