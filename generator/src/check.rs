@@ -7,9 +7,9 @@ use crate::algebra::{
 };
 use crate::presolve::Presolve;
 use crate::presolve::symmetry::Symmetry;
-use crate::problem::Problem;
 use crate::problem::diagnostic::{Diagnostic, Diagnostics};
 use crate::problem::instance::{Draw, Instance};
+use crate::problem::{Problem, SolutionField, Statement};
 
 /// The numbers of solutions of a problem with general data.
 #[derive(Clone, Debug)]
@@ -142,6 +142,19 @@ fn no_solution(problem: &Problem) -> Diagnostic {
         )
 }
 
+/// A vector of unknowns, not given up to scale, in which every equation is homogeneous.
+fn scaled_vector(problem: &Problem) -> Option<&SolutionField> {
+    problem.fields.iter().find(|field| {
+        let unknowns = field.first_unknown..field.first_unknown + field.shape.iter().product::<usize>();
+        let degree = |monomial: &Monomial| unknowns.clone().map(|x| i32::from(monomial.exponent(x))).sum::<i32>();
+        let is_homogeneous = |equation: &Statement| {
+            let mut degrees = equation.polynomial.terms().iter().map(|(monomial, _)| degree(monomial));
+            degrees.next().is_none_or(|first| degrees.all(|other| other == first))
+        };
+        field.shape.len() == 1 && !field.is_projective && problem.equations.iter().all(is_homogeneous)
+    })
+}
+
 /// The message for a set of solutions of this dimension, with the statements that would leave
 /// finitely many.
 fn infinitely_many(problem: &Problem, instance: &Instance, dimension: usize) -> Diagnostic {
@@ -157,8 +170,15 @@ fn infinitely_many(problem: &Problem, instance: &Instance, dimension: usize) -> 
         let statements = names.iter().map(|name| format!("{name} != 0;")).collect::<Vec<_>>().join(" ");
         message = message.hint(format!("finitely many are left where {list} {are} not 0: add `{statements}`"));
     }
+    if let Some(field) = scaled_vector(problem).filter(|_| dimension == 1) {
+        let (name, length) = (&field.name, field.shape[0]);
+        message = message.hint(format!(
+            "every equation is homogeneous in `{name}`: if its length means nothing, state `#[projective] {name}: [f64; {length}]`"
+        ));
+    }
+    let equations = if dimension == 1 { "equation is" } else { "equations are" };
     message
-        .hint(format!("{dimension} more independent equation(s) are needed, or an unknown that can be fixed"))
+        .hint(format!("{dimension} more independent {equations} needed, or an unknown that can be fixed"))
         .hint("solutions that are not wanted, such as 0, are excluded by a statement `factor != 0;`")
 }
 

@@ -4,14 +4,16 @@
 
 use eliminant_generator::algebra::Random;
 use eliminant_generator::check::check;
+use eliminant_generator::generate::plan;
 use eliminant_generator::oracle::Truths;
 use eliminant_generator::presolve::Presolve;
 use eliminant_generator::problem::Problem;
-use eliminant_generator::search::choose::{Choice, Measuring, Verdict, choose};
+use eliminant_generator::search::choose::{Choice, Measured, Measuring, Verdict, choose};
 use eliminant_generator::search::measuring::interpreted::InterpretedSolver;
 use eliminant_generator::search::measuring::random_instance;
 use eliminant_generator::search::monitor::Unmonitored;
 use eliminant_generator::search::{Found, SearchOptions, candidates, traced_candidates};
+use eliminant_generator::template::file::TemplateFile;
 
 /// Katsura's equations with five unknowns. At one of 16 solutions all but `a` are 0, at one more
 /// all but `a` and `e`, and at two all but `a`, `c` and `e`.
@@ -47,6 +49,21 @@ const CAR: &str = "fn car(#[plucker] first: [[[f64; 3]; 2]; 2], #[plucker] secon
         let [u, v] = second[k];
         dot(u, cross(t, r * q)) + dot(u, r * m) + dot(v, r * q) == 0;
     }
+}";
+
+/// A point at given distances from three known points. The two differences of its equations give x
+/// and y, if the known points are not in certain planes.
+const TRILATERATION: &str = include_str!("../../templates/trilateration.rs");
+
+/// Two cameras with the same vertical, from an affine correspondence. There is a template without
+/// quotients from which t\[1\]^2 is read as s t\[1\]^2 / s: 0 / 0 without a turn.
+const AFFINE: &str = "fn affine(x1: [f64; 2], x2: [f64; 2], a: [[f64; 2]; 2]) -> (c, s, t: [f64; 3]) {
+    let e = skew(t) * [[c, 0, s], [0, 1, 0], [-s, 0, c]];
+    let [first, second] = [concat(x1, 1), concat(x2, 1)];
+    c * c + s * s == 1;
+    dot(t, t) == 1;
+    dot(second, e * first) == 0;
+    (e.t() * second)[0..2] + a.t() * (e * first)[0..2] == 0;
 }";
 
 fn chosen(found: &Found, options: &SearchOptions) -> Choice {
@@ -117,7 +134,8 @@ fn solutions_without_an_eigenpair_are_followed_from_data_nearby() {
     let found = candidates(&problem, &count, &options, &Unmonitored).expect("templates");
     let choice = chosen(&found, &options);
     let mut accepted = choice.measured.iter().filter(|measured| measured.verdict != Verdict::Rejected);
-    let plan = &accepted.find(|measured| measured.candidate.plan.loses_zeros).expect("one by 1/s^2").candidate.plan;
+    let plan =
+        &accepted.find(|measured| measured.candidate.plan.zeros.lacks_pairs).expect("one by 1/s^2").candidate.plan;
     let (solver, mut random) = (InterpretedSolver::of(plan), Random::new(1));
     for instance in 0..60 {
         let rho = 1.0 + random.symmetric_unit();
@@ -132,6 +150,105 @@ fn solutions_without_an_eigenpair_are_followed_from_data_nearby() {
         let found = solver.solve(&[first, second].concat()).expect("no error");
         let is_truth = |x: &Vec<f64>| [x[0] - 1.0, x[1], x[2] - rho].iter().all(|error| error.abs() < 1e-8);
         assert!(found.iter().any(is_truth), "{instance}: no ({rho}, straight) among {found:?}");
+    }
+}
+
+/// All templates of a problem that are accepted.
+fn accepted(text: &str) -> Vec<Measured> {
+    let problem = Problem::parse("problem.rs", text).unwrap_or_else(|messages| panic!("{}", messages.render()));
+    let count = check(&problem).expect("finitely many solutions");
+    let options = SearchOptions { shuffles: 0, ..SearchOptions::default() };
+    let found = candidates(&problem, &count, &options, &Unmonitored).expect("templates");
+    let measured = chosen(&found, &options).measured;
+    measured.into_iter().filter(|measured| measured.verdict != Verdict::Rejected).collect()
+}
+
+/// Presolve divides by a difference of coordinates, which is 0, or 0 up to rounding, where known
+/// points lie on axes or in planes.
+#[test]
+fn solutions_are_found_where_presolve_divides_by_zero() {
+    let mut templates = accepted(TRILATERATION);
+    templates.retain(|measured| !measured.candidate.plan.quotients().is_empty());
+    assert!(!templates.is_empty(), "a template with quotients");
+    let layouts = [
+        [[0.0, 0.0, 1.0], [0.0, 3.0, 0.0], [4.0, 0.0, 0.0]],
+        [[0.0, 0.0, 0.0], [0.0, 3.0, 0.0], [4.0, 0.0, 0.0]],
+        [[0.0, 0.0, 1.0], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0]],
+        [[0.0, 1.0, 2.0], [0.0, -1.0, 0.5], [0.0, 0.3, -1.0]],
+    ];
+    for template in &templates {
+        let (solver, mut random) = (InterpretedSolver::of(&template.candidate.plan), Random::new(2));
+        for (layout, noise) in layouts
+            .iter()
+            .flat_map(|layout| [0.0, 1e-300, 1e-30, 1e-17, 1e-12, 1e-8, 1e-5].map(|noise| (layout, noise)))
+        {
+            for _ in 0..10 {
+                let centres =
+                    layout.map(|centre| centre.map(|x| if x == 0.0 { noise * random.symmetric_unit() } else { x }));
+                let point: [f64; 3] = std::array::from_fn(|_| 2.0 * random.symmetric_unit());
+                let distance =
+                    |centre: &[f64; 3]| centre.iter().zip(point).map(|(c, x)| (c - x) * (c - x)).sum::<f64>().sqrt();
+                let data = [centres.concat(), centres.iter().map(distance).collect()].concat();
+                let found = solver.solve(&data).unwrap_or_else(|error| panic!("{data:?}: {error}"));
+                let is_truth = |x: &Vec<f64>| x.iter().zip(point).all(|(x, truth)| (x - truth).abs() < 1e-7);
+                assert!(found.len() == 2 && found.iter().any(is_truth), "no {point:?} among {found:?} of {data:?}");
+            }
+        }
+    }
+}
+
+/// Without a turn one unknown vanishes, and another one is the ratio of zeros.
+#[test]
+fn solutions_are_found_where_an_unknown_cannot_be_read() {
+    let mut templates = accepted(AFFINE);
+    templates.retain(|measured| measured.candidate.plan.zeros.is_misread);
+    assert!(!templates.is_empty(), "a template that misreads zeros");
+    for template in &templates {
+        let (solver, mut random) = (InterpretedSolver::of(&template.candidate.plan), Random::new(3));
+        for instance in 0..100 {
+            let mut number = || random.symmetric_unit();
+            let (x1, t) = ([number(), number()], [number(), number(), number()]);
+            let length = t.iter().map(|x| x * x).sum::<f64>().sqrt();
+            // A plane n x = 1, with a depth of about 3, and the second camera moved by t.
+            let n = [0.1 * number(), 0.1 * number(), 0.33];
+            let depth = 1.0 / (n[0] * x1[0] + n[1] * x1[1] + n[2]);
+            let moved = [depth * x1[0] + t[0], depth * x1[1] + t[1], depth + t[2]];
+            let x2 = [moved[0] / moved[2], moved[1] / moved[2]];
+            // The derivatives of x2 by x1: the depth changes by -depth^2 n.
+            let a = |i: usize, j: usize| {
+                let change = -depth * depth * n[j];
+                let of_image = x1[i] * change + if i == j { depth } else { 0.0 };
+                (of_image - x2[i] * change) / moved[2]
+            };
+            let data = [x1[0], x1[1], x2[0], x2[1], a(0, 0), a(0, 1), a(1, 0), a(1, 1)];
+            let found = solver.solve(&data).unwrap_or_else(|error| panic!("{data:?}: {error}"));
+            let is_truth = |x: &Vec<f64>| {
+                let turn = (x[0] - 1.0).abs().max(x[1].abs());
+                (0..3).fold(turn, |worst, k| worst.max((x[2 + k] - t[k] / length).abs())) < 1e-6
+            };
+            assert!(found.iter().any(is_truth), "{instance}: no {t:?} among {found:?} of {data:?}");
+        }
+    }
+}
+
+/// A camera that is not turned: six of nine unknowns are zero, and so are all terms of some
+/// equations at the end of a path.
+#[test]
+fn paths_end_where_many_unknowns_vanish() {
+    let problem = Problem::parse("problem.rs", include_str!("raw/upright_pose.rs"));
+    let problem = problem.unwrap_or_else(|messages| panic!("{}", messages.render()));
+    let template = TemplateFile::parse(include_str!("raw/upright_pose.template.toml"), &problem.unknowns);
+    let planned = plan(&problem, &template.expect("a template")).expect("it belongs to the problem");
+    assert!(!planned.plan.quotients().is_empty());
+    let (solver, mut random) = (InterpretedSolver::of(&planned.plan), Random::new(4));
+    for instance in 0..60 {
+        let points: [f64; 6] = std::array::from_fn(|_| random.symmetric_unit());
+        let rays = points.chunks(3).flat_map(|x| [x[0] / (x[2] + 6.0), x[1] / (x[2] + 6.0), 1.0]);
+        let data: Vec<f64> = rays.chain(points).chain([0.0, 0.0, 1.0]).collect();
+        let found = solver.solve(&data).unwrap_or_else(|error| panic!("{instance}: {error}"));
+        let truth = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 6.0];
+        let is_truth = |x: &Vec<f64>| x.iter().zip(truth).all(|(x, truth)| (x - truth).abs() < 1e-7);
+        assert!(found.iter().any(is_truth), "{instance}: {found:?}");
     }
 }
 

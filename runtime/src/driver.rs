@@ -28,7 +28,7 @@ use crate::spectrum::hessenberg::Hessenberg;
 use crate::spectrum::hidden_variable::{ChainedBasis, HiddenVariable};
 use crate::spectrum::precise_spectrum::{PreciseSpectrum, Row, with_precise_spectrum};
 use crate::spectrum::real_roots::real_roots;
-use crate::spectrum::root_count::count_is_certain;
+use crate::spectrum::root_count::{LEAST_ERROR, SAFETY, count_is_certain};
 
 /// If |B| exceeds the number of solutions and all solutions are found, an eigenpair with a larger
 /// relative residual than this before the polish counts as spurious. Residuals of solutions are
@@ -75,7 +75,8 @@ pub fn real_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, f64
 
 /// Returns all real solutions, by the real roots of a determinant. If a root is not certain, or
 /// leads to no solution of its own, or the polish moves one so far that errors of the determinant
-/// could hide others, all is done again as by [`real_solutions`].
+/// could hide others, or there is no root and presolve divided by a number close to zero, all is
+/// done as by [`real_solutions`].
 ///
 /// # Errors
 /// As [`real_solutions`].
@@ -99,16 +100,18 @@ fn add_roots<I: HiddenVariableSolver>(solver: &mut I, found: &mut RealSolutions<
     let roots = real_roots(chains.sizes().3, &determinant);
     let source = HiddenPairs { basis: solver.sizes().basis, variable: &variable };
     // Without a root, no polish shows whether the polynomial is precise.
-    let mut is_certain = roots.is_certain && (!roots.roots.is_empty() || roots.clearance > CLEARANCE);
+    let is_none_certain = || roots.clearance > CLEARANCE && !solver.has_large_quotients();
+    let mut is_certain = roots.is_certain && (!roots.roots.is_empty() || is_none_certain());
     let mut moved = chains.sizes().3.list();
-    let mut is_precise = true;
+    let (mut is_precise, mut error) = (true, LEAST_ERROR);
     for &root in roots.roots.iter() {
         let value = root.into();
-        let mut is_solution = || found.add(solver, &source, value) || found.is_imaginary(solver, &source, value);
-        is_certain = is_certain && is_solution();
+        is_certain = is_certain && found.add(solver, &source, value);
         is_precise &= found.moved() <= IMPRECISE_ROOT;
+        error = error.max(SAFETY * found.moved());
         moved.push((root, found.moved()));
     }
+    is_precise &= roots.clearance > error;
     is_certain && !found.is_imprecise() && (is_precise || count_is_certain(chains.sizes().3, &determinant, &moved))
 }
 
@@ -145,19 +148,22 @@ fn solve<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> R
     if !(may_repeat && (first.is_err() || found.lacks_some())) {
         return first.map(|_| ());
     }
+    if first.is_err() {
+        found.starts_to_count(solver, solver.has_large_quotients());
+    }
     let can_repeat = first.is_ok() || solver.has_precise_coefficients();
     let is_repeated = can_repeat && second_attempt(solver, found, &known).is_ok();
     match first {
         _ if is_repeated && !found.lacks_some() => Ok(()),
-        Ok(may_lose_zeros) => {
+        Ok(may_lose_some) => {
             // It may have stopped early.
             first_attempt(solver, found, (&mut known, false))?;
-            if may_lose_zeros && found.lacks_some() {
+            if may_lose_some && found.lacks_some() {
                 continued(solver, found);
             }
             Ok(())
         }
-        Err(_) if is_repeated || continued(solver, found) => Ok(()),
+        Err(_) if continued(solver, found) || is_repeated => Ok(()),
         Err(error) => Err(error),
     }
 }
@@ -233,10 +239,15 @@ type Known<I> = <<I as SolverInstance>::Basis as Size>::List<Complex<f64>>;
 /// eigenvalue is far out, and may stand for an infinite one.
 const FAR_OUT: f64 = 1e8;
 
+fn is_far_out<B: Size, S: Scalar>(action: &Square<B, S>) -> bool {
+    action.as_ref().iter().any(|row| row.as_ref().iter().any(|entry| entry.modulus() > FAR_OUT))
+}
+
 /// Collects what the usual precision finds, and the eigenvalues that led to it. It is a function of
 /// its own, so that its memory is free for the second attempt. With `may_stop` it ends as soon as
 /// it is known that solutions will be missing: polishes that fail take long, and so do solutions
-/// that share an eigenvalue. Returns whether solutions may have no eigenpair.
+/// that share an eigenvalue. Returns whether solutions may have no eigenpair, or one without
+/// digits.
 #[inline(never)]
 fn first_attempt<I: SolverInstance>(
     solver: &mut I,
@@ -249,17 +260,18 @@ fn first_attempt<I: SolverInstance>(
     spectrum.reduce_in_place()?;
     let values = spectrum.eigenvalues()?;
     found.note(solver, values.as_ref());
-    let is_far = || action.as_ref().iter().any(|row| row.as_ref().iter().any(|entry| entry.abs() > FAR_OUT));
-    let may_lose_zeros = solver.loses_zeros() && is_far();
     let mut is_complete = add_separate(solver, (&spectrum, &values), found, (known, may_stop));
-    if found.starts_to_count(solver, may_lose_zeros) {
+    let may_lose_some = solver.has_large_quotients()
+        || solver.loses_zeros() && is_far_out::<I::Basis, _>(&action)
+        || solver.misreads_zeros() && !is_complete;
+    if found.starts_to_count(solver, may_lose_some) {
         *known = solver.sizes().basis.list();
         is_complete = add_separate(solver, (&spectrum, &values), found, (known, may_stop)) || found.has_all();
     }
     if !(is_complete || may_stop && found.lacks_some()) {
         add_shared(solver, &action, (&spectrum, &values), found);
     }
-    Ok(may_lose_zeros)
+    Ok(may_lose_some)
 }
 
 /// Adds the solutions of separate eigenpairs, and their eigenvalues to those known. Returns false
@@ -439,6 +451,10 @@ fn second_attempt<I: SolverInstance>(
     let action = solver.action_matrix::<DoubleDouble>();
     let action = action.as_ref().map_err(|&error| error)?;
     let solver = &*solver;
+    // Parity does not tell that a pair of solutions is lost.
+    if is_far_out::<I::Basis, _>(action) {
+        found.starts_to_count(solver, true);
+    }
     let size = solver.sizes().basis;
     let add_all = &mut |spectrum: &PreciseSpectrum<'_>| {
         found.note(solver, spectrum.eigenvalues);

@@ -14,6 +14,7 @@ pub use crate::elimination::lu::{
 pub use crate::elimination::program::{
     Operation, PolynomialProduct, ProductSum, ProductSums, Program, Run, join_into, joined, outlined,
 };
+pub use crate::elimination::quotients::Quotients;
 pub use crate::elimination::template::{ActionRow, Block, Entry, action_matrix, check_coefficients, fill, solved_rows};
 pub use crate::fill_entries;
 pub use crate::memory::Memory;

@@ -85,6 +85,19 @@ pub trait SolverInstance {
         false
     }
 
+    /// Whether, at a solution at which some unknown vanishes, another one may be the ratio of
+    /// zeros.
+    fn misreads_zeros(&self) -> bool {
+        false
+    }
+
+    /// Whether some quotients of data that only the template has are far larger than all
+    /// coefficients of the equations: presolve divided by a number close to zero. Solutions may be
+    /// lost with the digits.
+    fn has_large_quotients(&self) -> bool {
+        false
+    }
+
     /// How unknowns follow from their ratios if the template determines them only up to sign.
     fn sign_changes(&self) -> Option<SignChanges<'_>> {
         None

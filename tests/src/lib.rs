@@ -8,6 +8,7 @@ pub mod comparison;
 pub mod equations;
 pub mod families;
 pub mod ground_truth;
+pub mod histograms;
 pub mod judge;
 pub mod measure;
 pub mod published;

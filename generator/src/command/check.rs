@@ -168,7 +168,7 @@ impl fmt::Display for ProblemReport {
             }
             if !solved_for.is_empty() {
                 let leads: Vec<String> =
-                    solved_for.iter().map(|(lead, terms)| format!("{lead} ({} terms)", terms - 1)).collect();
+                    solved_for.iter().map(|(lead, terms)| format!("{lead} ({})", counted(terms - 1, "term"))).collect();
                 write!(f, "solves at run time for {}; ", leads.join(", "))?;
             }
             writeln!(f, "leaves {} in equations of degree {}", kept.join(", "), list(degrees))?;

@@ -102,7 +102,9 @@ impl CommandError {
             hint += &format!("\nhelp: `--max-columns` must be more than {least}, or left out");
         }
         let is_sum = |factor: &Statement| factor.polynomial.terms().len() > 1;
-        if problem.nonzero.iter().any(is_sum) {
+        // An unknown of its own has no scale, and vectors that are given up to scale have any.
+        let has_scales = problem.fields.iter().any(|field| field.is_projective);
+        if !has_scales && problem.nonzero.iter().any(is_sum) {
             hint += "\nhelp: rows can be divided by a factor that must not vanish if it is an unknown of its own: `w == FACTOR; w != 0;`";
         }
         Self::Search { path: path.to_owned(), error, hint }

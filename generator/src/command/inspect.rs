@@ -8,10 +8,10 @@ use serde::Serialize;
 
 use super::error::CommandError;
 use super::files::{Loaded, write};
-use super::picture::Picture;
 use super::report::{Output, Summary, counted};
 use super::spy::spy;
 use super::svg::svg;
+use crate::plan::picture::Picture;
 
 /// Draw a template: which rows and columns it has and where its entries stand
 #[derive(clap::Args, Debug)]

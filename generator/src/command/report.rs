@@ -5,6 +5,7 @@ use std::fmt;
 use serde::Serialize;
 
 use super::error::CommandError;
+use super::folded::folded;
 use crate::plan::Plan;
 use crate::problem::Problem;
 use crate::template::EliminationTemplate;
@@ -142,44 +143,6 @@ impl fmt::Display for Summary {
     }
 }
 
-/// Lines of a report have at most so many columns, where they can be broken.
-const COLUMNS: usize = 100;
-
-/// The text with lines that are too long broken at spaces. What follows a label stands below what
-/// stands beside it:
-///
-/// ```text
-///   basis       x^2*y, x*y^2,
-///               x*y, 1
-/// ```
-///
-/// Rows of tables, which have more than one gap, and lines without a label stay as they are.
-fn folded(text: &str) -> String {
-    text.split_inclusive('\n').map(folded_line).collect()
-}
-
-fn folded_line(line: &str) -> String {
-    let gaps: Vec<usize> = line.match_indices("  ").map(|(at, _)| at).collect();
-    let Some(&label) = gaps.first().filter(|&&at| at > 0) else { return line.to_owned() };
-    let indent = label + line[label..].chars().take_while(|&c| c == ' ').count();
-    if line.trim_end().chars().count() <= COLUMNS || gaps.last().is_some_and(|&last| last >= indent) {
-        return line.to_owned();
-    }
-    let (mut folded, mut width) = (line[..indent].to_owned(), indent);
-    for word in line[indent..].split_inclusive(' ') {
-        let length = word.trim_end().chars().count();
-        if width > indent && width + length > COLUMNS {
-            folded.truncate(folded.trim_end().len());
-            folded.push('\n');
-            folded.push_str(&" ".repeat(indent));
-            width = indent;
-        }
-        folded.push_str(word);
-        width += word.chars().count();
-    }
-    folded
-}
-
 /// `1 solution`, `4 solutions`.
 pub(super) fn counted(count: usize, noun: &str) -> String {
     format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
@@ -218,22 +181,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn values_beside_a_label_are_folded() {
-        let words = |count: usize| vec!["monomial"; count].join(", ");
-        let text = folded(&format!("basis       {}\n\nnext  {}\n", words(20), words(3)));
-        let lines: Vec<&str> = text.lines().collect();
-        assert!(lines.iter().all(|line| line.len() <= COLUMNS), "{text}");
-        assert!(lines[1].starts_with("            monomial") && lines.len() == 5, "{text}");
-        assert_eq!(text.split_whitespace().count(), 25);
-        assert!(text.ends_with(&format!("\n\nnext  {}\n", words(3))), "{text}");
-    }
-
-    #[test]
-    fn tables_and_code_are_not_folded() {
+    fn code_is_not_folded() {
         let wide = "x".repeat(90);
-        for line in [format!("a  {wide}  {wide}\n"), format!("    {wide} {wide}\n"), format!("{wide} {wide}\n")] {
-            assert_eq!(folded(&line), line);
-        }
         let code = format!("/// A comment  {wide} {wide}\n");
         assert_eq!(Output::verbatim(&code).text, code);
         assert_ne!(Output::of(&code).text, code);

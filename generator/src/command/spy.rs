@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::picture::{Cell, Part, Picture};
+use crate::plan::picture::{Cell, Part, Picture};
 
 /// The plot with its labels and a legend.
 pub(super) fn spy(picture: &Picture) -> String {

@@ -11,17 +11,7 @@
 
 use std::fmt::Write as _;
 
-use super::picture::{Cell, Part, Picture};
-
-/// Colours that people with impaired colour vision tell apart (Okabe and Ito): in a diagonal block
-/// or the basis, coupling, band.
-fn colours(part: Part) -> [&'static str; 3] {
-    match part {
-        Part::Excess => ["#0072b2", "#7fb8d8", "#eef5fa"],
-        Part::Reducible => ["#d55e00", "#eaae7f", "#fdf3ec"],
-        Part::Basis => ["#009e73", "#7fceb9", "#ecf7f4"],
-    }
-}
+use crate::plan::picture::{Cell, Part, Picture};
 
 /// Width of a character of the labels, as a share of the size of the font.
 const CHARACTER: f64 = 0.61;
@@ -111,7 +101,7 @@ fn bands(layout: &Layout<'_>) -> Vec<String> {
         let columns: Vec<usize> = picture.columns_of(part).collect();
         let (Some(&first), Some(&last)) = (columns.first(), columns.last()) else { continue };
         let (x, end) = (layout.x(first), layout.x(last) + layout.cell);
-        let [line, _, fill] = colours(part);
+        let [line, _, fill] = part.colours();
         lines.push(format!(
             "<rect x=\"{x:.1}\" y=\"{top:.1}\" width=\"{:.1}\" height=\"{:.1}\" fill=\"{fill}\" stroke=\"{line}\" stroke-width=\"0.8\"/>",
             end - x,
@@ -136,7 +126,7 @@ fn entries(layout: &Layout<'_>) -> Vec<String> {
     for (row, cells) in layout.picture.cells.iter().enumerate() {
         for (column, &cell) in cells.iter().enumerate().filter(|&(_, &cell)| cell != Cell::Empty) {
             let part = layout.picture.columns[column].0;
-            let [full, light, _] = colours(part);
+            let [full, light, _] = part.colours();
             let fill = if cell == Cell::Coupling { light } else { full };
             let (x, y) = (layout.x(column) + inset, layout.y(row) + inset);
             lines.push(format!(
@@ -164,7 +154,7 @@ fn labels(layout: &Layout<'_>) -> Vec<String> {
         let (x, y) = (layout.x(column) + layout.cell / 2.0 + font * 0.35, layout.top - GAP);
         lines.push(format!(
             "<text transform=\"translate({x:.1} {y:.1}) rotate(-90)\" {style} fill=\"{}\"><title>{}</title>{}</text>",
-            colours(*part)[0],
+            part.colours()[0],
             escape(label),
             escape(&pretty(label))
         ));
@@ -196,7 +186,7 @@ fn legend(layout: &Layout<'_>) -> Vec<String> {
         let mut x = layout.left;
         for entry in line {
             for (at, &(part, shade)) in entry.0.iter().enumerate() {
-                let (x, fill) = (x + at as f64 * (SWATCH + 4.0), colours(part)[shade]);
+                let (x, fill) = (x + at as f64 * (SWATCH + 4.0), part.colours()[shade]);
                 lines.push(format!(
                     "<rect x=\"{x:.1}\" y=\"{:.1}\" width=\"{SWATCH}\" height=\"{SWATCH}\" rx=\"1.5\" fill=\"{fill}\"/>",
                     y - 10.0

@@ -109,6 +109,11 @@ fn implementation(plan: &Plan) -> TokenStream {
             const HAS_ORIGIN: bool = true;
         )
     });
+    let quotients = (!plan.quotients().is_empty()).then(|| {
+        quote!(
+            const QUOTIENTS: emitted::Quotients<'static> = QUOTIENTS;
+        )
+    });
     let of_data = of_data(plan);
     let constants = quote! {
         type Inputs = emitted::Fixed<#inputs>;
@@ -124,6 +129,7 @@ fn implementation(plan: &Plan) -> TokenStream {
         const RATIOS: &'static [&'static [(u16, u16)]] = &RATIOS;
         const SIGN_CHANGES: Option<emitted::SignChanges<'static>> = #sign_changes;
         #has_origin
+        #quotients
     };
     let functions = functions(plan, [&inputs, &coefficients, &rows, &equations, &products]);
     quote! {

@@ -1,19 +1,21 @@
 //! Prints an instance: the coefficients for given data, and what the runtime asks of them.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::listing::Listings;
 use super::provenance::Provenance;
 use super::{chains, code, elimination, family, monomials, program, scaling, storage};
-use crate::plan::Plan;
 use crate::plan::value_layout::ValueLayout;
+use crate::plan::{CoefficientId, Plan};
 
 /// The version of the runtime's hidden interface that is emitted for.
 pub const RUNTIME_VERSION: u32 = 10;
 
-/// That the origin of the unknowns that presolve kept is a solution, if it is one, and that
-/// solutions have no eigenpair if an unknown vanishes, if it is so.
+/// That the origin of the unknowns that presolve kept is a solution, if it is one, and how
+/// solutions are lost at which an unknown vanishes.
 fn lost_points(plan: &Plan) -> TokenStream {
     let origin = plan.has_origin.then(|| {
         quote! {
@@ -22,14 +24,21 @@ fn lost_points(plan: &Plan) -> TokenStream {
             }
         }
     });
-    let zeros = plan.loses_zeros.then(|| {
+    let lacks_pairs = plan.zeros.lacks_pairs.then(|| {
         quote! {
             fn loses_zeros(&self) -> bool {
                 true
             }
         }
     });
-    quote!(#origin #zeros)
+    let is_misread = plan.zeros.is_misread.then(|| {
+        quote! {
+            fn misreads_zeros(&self) -> bool {
+                true
+            }
+        }
+    });
+    quote!(#origin #lacks_pairs #is_misread)
 }
 
 /// How unknowns follow if a template stands for solutions up to sign; nothing if it does not.
@@ -90,7 +99,7 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
     let ((storage, storage_type), generics) = (storage::field(plan), storage::generics(plan));
     let value = quote!(Self { coefficients: #compute, data: *data, #units #no_read #storage });
     let (constructors, scalings) = (scaling::constructors(plan, &value), scaling::table(plan));
-    let parameters = family::table(plan);
+    let (parameters, quotients) = (family::table(plan), quotients(plan));
     let (version, handshake) = (Literal::u32_unsuffixed(RUNTIME_VERSION), storage::handshake(plan));
     quote! {
         /// A compile error if the runtime has another version.
@@ -113,12 +122,45 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
         }
 
         #scalings
+        #quotients
         #parameters
         #solver_instance
         #ratios
         #recovered
         #eliminated
         #chains
+    }
+}
+
+/// The quotients of the template, if it has some.
+fn quotients(plan: &Plan) -> TokenStream {
+    let slots = |slots: &BTreeSet<CoefficientId>| {
+        let slots = slots.iter().map(|id| Literal::u16_unsuffixed(id.0));
+        quote!(&[#(#slots),*])
+    };
+    let quotients = plan.quotients();
+    if quotients.is_empty() {
+        return quote!();
+    }
+    let [own, stated] = [slots(&quotients), slots(&plan.coefficients_of_statements())];
+    quote! {
+        /// Coefficients that only the template has and that are quotients of data, beside those of
+        /// the equations.
+        const QUOTIENTS: emitted::Quotients<'static> = emitted::Quotients { own: #own, stated: #stated };
+    }
+}
+
+/// What tells whether these are large, if there are some.
+fn has_large_quotients(plan: &Plan) -> TokenStream {
+    if plan.quotients().is_empty() {
+        return quote!();
+    }
+    let coefficients = storage::coefficients_of_instance(plan);
+    quote! {
+        fn has_large_quotients(&self) -> bool {
+            let coefficients = #coefficients;
+            QUOTIENTS.are_large(|slot| coefficients[slot])
+        }
     }
 }
 
@@ -188,6 +230,7 @@ fn solver_instance(plan: &Plan, action_matrix: &TokenStream) -> TokenStream {
     let (lost, sign_changes, second_attempts) = (lost_points(plan), sign_changes(plan), storage::second_attempts(plan));
     let (generics, basis_type, all_sizes) = (storage::generics(plan), storage::basis(plan).0, sizes(plan));
     let (precise, judgement, has_image) = (has_precise_coefficients(plan), judgement(plan), layout.has_image);
+    let large_quotients = has_large_quotients(plan);
     let family = family::methods(plan);
     let read = match plan.read.is_empty() {
         true => quote!(&[[0.0; 0]; 0]),
@@ -214,6 +257,7 @@ fn solver_instance(plan: &Plan, action_matrix: &TokenStream) -> TokenStream {
             #lost
             #sign_changes
             #precise
+            #large_quotients
             #second_attempts
             #action_matrix
 

@@ -92,7 +92,7 @@ pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
             #value
         }
 
-        /// Whether the data that are `given` and the coefficients are finite.
+        /// Whether the data that are `given` and the coefficients that must be finite are so.
         #[inline]
         fn check(&self, given: &[&[f64]; #count]) -> Result<(), ::eliminant::SolveError> {
             #check
@@ -100,19 +100,17 @@ pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
     }
 }
 
-/// What tells whether the data that are `given` and the coefficients are finite.
+/// What tells whether the data that are `given` and the coefficients that must be finite are so. If
+/// others are not, the elimination finds out.
 fn check(plan: &Plan) -> TokenStream {
     let coefficients = storage::coefficients_of_instance(plan);
-    if !plan.is_presolved_at_run_time() {
+    let Some(required) = plan.required_coefficients() else {
         return quote!(emitted::check_coefficients(#coefficients, given));
-    }
-    // Coefficients of a template whose equations cannot be solved for monomials are NaN. The
-    // elimination finds out, and a second attempt may do better.
-    let stated = plan.coefficients_of_statements();
-    let stated = stated.iter().map(|id| Literal::usize_unsuffixed(usize::from(id.0)));
+    };
+    let required = required.iter().map(|id| Literal::usize_unsuffixed(usize::from(id.0)));
     quote! {
         let coefficients = #coefficients;
-        emitted::check_coefficients(&[#(coefficients[#stated]),*], given)
+        emitted::check_coefficients(&[#(coefficients[#required]),*], given)
     }
 }
 

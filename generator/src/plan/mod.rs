@@ -18,6 +18,7 @@ mod coefficients;
 mod constant_pivots;
 pub mod interpret;
 mod memory;
+pub mod picture;
 pub mod program;
 pub mod program_table;
 mod residues;
@@ -28,6 +29,7 @@ pub(crate) mod straight_line;
 pub mod system_table;
 pub mod time;
 pub mod value_layout;
+mod zeros;
 
 pub use check::PlanError;
 
@@ -37,7 +39,7 @@ use crate::expression::derivation::Derivation;
 use crate::problem::scaling::Scaling;
 use crate::problem::{DataParameter, SolutionField};
 use crate::template::RootMethod;
-use program::{Program, ProgramForm, ValueId};
+use program::{Operation, Program, ProgramForm, ValueId};
 
 /// Position in the array of coefficients that the tables refer to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -136,6 +138,18 @@ pub enum KnownMonomial {
     Image(BasisId),
     /// The product of v with minus the solved row of the pivot at this position of [`Plan::read`].
     Read(u16),
+}
+
+/// How a template loses solutions at which some unknown vanishes, unless it is stated that it does
+/// not vanish.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Zeros {
+    /// They have no eigenpair: the action monomial is divided by the unknown, or all basis
+    /// monomials are multiples of it.
+    pub lacks_pairs: bool,
+    /// Another unknown cannot be read from their eigenpair: of each pair (m, s m) that it is read
+    /// from, m has a higher power of the unknown that vanishes than some basis monomial.
+    pub is_misread: bool,
 }
 
 /// How an unknown x is read from pairs of monomials (m_k, s m_k): by the least-squares ratio of
@@ -296,9 +310,8 @@ pub struct Plan {
     /// Whether the origin, where all unknowns are 0 but those that presolve eliminated, is one of
     /// them. It is known, and no template need give it.
     pub has_origin: bool,
-    /// Whether solutions at which some unknown vanishes have no eigenpair: the action monomial is
-    /// divided by it, or all basis monomials are multiples of it.
-    pub loses_zeros: bool,
+    /// How it loses solutions at which some unknown vanishes.
+    pub zeros: Zeros,
     /// From the data to the coefficients.
     pub program: Program,
     /// The value of each coefficient.
@@ -370,10 +383,43 @@ impl Plan {
         statements.flatten().map(|term| term.coefficient).collect()
     }
 
+    /// The coefficients that only the template has and that are quotients of data, in increasing
+    /// order: presolve divided equations by data, or solved them for monomials. Quotients that the
+    /// problem states, and products of them, are none.
+    pub fn quotients(&self) -> BTreeSet<CoefficientId> {
+        let (stated, operations) = (self.coefficients_of_statements(), &self.program.operations);
+        let mut is_stated = vec![false; operations.len()];
+        stated.iter().for_each(|id| is_stated[self.coefficients[usize::from(id.0)].0 as usize] = true);
+        for (at, &operation) in operations.iter().enumerate().rev() {
+            if is_stated[at] {
+                self.program.operands(operation).for_each(|operand| is_stated[operand.0 as usize] = true);
+            }
+        }
+        let mut is_quotient: Vec<bool> = Vec::with_capacity(operations.len());
+        for (&operation, is_stated) in operations.iter().zip(is_stated) {
+            let is_own = match operation {
+                Operation::Divide(..) => true,
+                Operation::Input(input) => input as usize >= self.stated,
+                _ => false,
+            };
+            let inherits = || self.program.operands(operation).any(|operand| is_quotient[operand.0 as usize]);
+            is_quotient.push(!is_stated && (is_own || inherits()));
+        }
+        let all = self.coefficients.iter().zip(0..).map(|(value, at)| (CoefficientId(at), value.0 as usize));
+        all.filter(|&(id, value)| is_quotient[value] && !stated.contains(&id)).map(|(id, _)| id).collect()
+    }
+
+    /// The coefficients that must be finite, if not all: those of what the problem states.
+    /// Quotients are not finite at data at which presolve divides by zero, or cannot solve for its
+    /// monomials. Solutions are then followed from data nearby.
+    pub fn required_coefficients(&self) -> Option<BTreeSet<CoefficientId>> {
+        (!self.quotients().is_empty()).then(|| self.coefficients_of_statements())
+    }
+
     /// Whether an elimination at twice the precision computes the coefficients anew: tables can be
-    /// executed in it, and a system of presolve may be singular up to rounding in `f64`.
+    /// executed in it, and what presolve divides by may be zero up to rounding in `f64`.
     pub fn has_precise_coefficients(&self) -> bool {
-        self.program.form == ProgramForm::Table || self.is_presolved_at_run_time()
+        self.program.form == ProgramForm::Table || !self.quotients().is_empty()
     }
 
     /// The number of scalars in the data that are given.

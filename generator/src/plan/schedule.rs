@@ -6,6 +6,7 @@ use super::block_triangular::{DiagonalBlock, block_triangular_form};
 use super::coefficients::{Coefficients, planned_output};
 use super::constant_pivots::{ConstantPivots, Row, eliminate_constant_pivots};
 use super::straight_line::{planned_derivations, straight_line_program};
+use super::zeros::zeros;
 use super::{
     ActionRow, BasisId, Block, Elimination, Entry, Extraction, KnownMonomial, PivotId, Plan, PlanError, PlannedBlock,
     PlannedRecovery,
@@ -89,18 +90,6 @@ fn template_rows(reduced: &ReducedProblem, template: &EliminationTemplate) -> Ve
     template.shifts.iter().enumerate().map(row).collect()
 }
 
-/// Whether solutions at which some unknown vanishes have no eigenpair.
-fn loses_zeros(problem: &Problem, template: &EliminationTemplate) -> bool {
-    let is_lost = |unknown: usize| {
-        template.action.exponent(unknown) < 0 || template.basis.iter().all(|m| m.exponent(unknown) > 0)
-    };
-    let vanishes_nowhere = |unknown: usize| {
-        let factors = problem.nonzero.iter().map(|factor| factor.polynomial.terms());
-        factors.into_iter().any(|terms| matches!(terms, [(monomial, _)] if monomial.exponent(unknown) > 0))
-    };
-    (0..problem.unknowns.len()).any(|unknown| is_lost(unknown) && !vanishes_nowhere(unknown))
-}
-
 /// The input that all plans for one template have in common.
 struct Scheduler<'a> {
     problem: &'a Problem,
@@ -117,8 +106,7 @@ impl Scheduler<'_> {
         let mut coefficients = Coefficients::of_equations(problem);
         let (elimination, pivots) = plan_elimination(template, rows, &mut coefficients)?;
         let action = plan_action(template, &pivots)?;
-        let is_image = |m: &Monomial| template.basis.contains(&m.over(&template.action));
-        let extra: Vec<Monomial> = template.reducible.iter().filter(|m| !is_image(m)).copied().collect();
+        let extra = template.extra();
         let read = extra.iter().filter_map(|m| pivots.get(m).copied()).collect();
         let symmetry = Symmetry::of_problem(problem).of_template(&template.action, &template.basis);
         let symmetry = symmetry.of_reduced(reduced);
@@ -159,7 +147,7 @@ impl Scheduler<'_> {
             fields: problem.fields.clone(),
             solutions: self.solutions,
             has_origin,
-            loses_zeros: loses_zeros(problem, template),
+            zeros: zeros(problem, template, &extractions),
             program,
             coefficients: values,
             elimination,

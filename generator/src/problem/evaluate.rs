@@ -1,6 +1,6 @@
 //! Expressions: polynomials and arrays of them.
 
-use syn::{BinOp, Expr, ExprBinary, ExprIndex, ExprMethodCall, ExprUnary, Lit, UnOp};
+use syn::{BinOp, Expr, ExprBinary, ExprIndex, ExprMethodCall, ExprUnary, Lit, Member, UnOp};
 
 use super::Span;
 use super::functions::{BUILT_IN, non_polynomial};
@@ -414,6 +414,9 @@ impl Interpreter<'_> {
             Expr::Return(_) => ("`return` is not supported", "write the value as last line, without `;`"),
             Expr::Closure(_) => ("closures are not supported", "write a helper function beside the problem"),
             Expr::Range(_) => ("a range is not a value", "ranges stand in loops: `for i in 0..3 { .. }`"),
+            Expr::Field(field) if matches!(&field.member, Member::Named(name) if name == "t") => {
+                ("values have no fields", "the transpose is written `.t()`")
+            }
             Expr::Field(_) => ("values have no fields", "index arrays with `v[0]`"),
             Expr::Macro(_) => ("macros are not part of the problem language", "state an equation as `left == right;`"),
             Expr::Assign(_) => ("an assignment is not a value", "state an equation as `left == right;`"),

@@ -54,7 +54,7 @@ pub(super) fn non_polynomial(name: &str) -> Option<&'static str> {
             "introduce an unknown for it: `root.pow(2) == ..`; if it depends on data only, pass it as data"
         }
         "sin" | "cos" | "tan" | "asin" | "acos" | "atan" | "atan2" | "sin_cos" => {
-            "introduce unknowns for sine and cosine with `s.pow(2) + c.pow(2) == 1;`"
+            "introduce unknowns for sine and cosine with `s.pow(2) + c.pow(2) == 1;`; of data, pass them as data"
         }
         "powi" | "powf" => "a power with a constant integer exponent is written `.pow(2)`",
         "recip" => "write `1 / d` for data; for unknowns multiply the equation by it, and state `it != 0;`",

@@ -320,7 +320,8 @@ impl<'a> Interpreter<'a> {
         let Some(name) = name else {
             self.report(
                 Diagnostic::new("only names and their elements can be assigned to", place(target))
-                    .label("expected `name` or `name[i]`"),
+                    .label("expected `name` or `name[i]`")
+                    .hint("an equation is stated as `left == right;`"),
             );
             return;
         };

@@ -178,8 +178,16 @@ fn keep_on_variety(parameter: &DataParameter, weights: &mut Weights<'_>) {
     let columns = parameter.shape.last().copied().unwrap_or(1);
     match parameter.attribute {
         DataAttribute::Generic => {}
-        DataAttribute::Rotation | DataAttribute::Unit | DataAttribute::Plucker | DataAttribute::Integer => {
+        DataAttribute::Rotation | DataAttribute::Unit | DataAttribute::Integer => {
             all.for_each(|input| weights.require(&Form::from([(input, 1)])));
+        }
+        // Directions and moments have a factor each, which all lines share.
+        DataAttribute::Plucker => {
+            let first = all.start;
+            for input in all.skip(1).filter(|input| input - first != 3) {
+                let of_its_kind = first + (input - first) / 3 % 2 * 3;
+                weights.require(&Form::from([(of_its_kind, 1), (input, -1)]));
+            }
         }
         DataAttribute::Symmetric => {
             for (row, column) in (0..columns).flat_map(|row| (0..row).map(move |column| (row, column))) {
@@ -187,21 +195,31 @@ fn keep_on_variety(parameter: &DataParameter, weights: &mut Weights<'_>) {
                 weights.require(&Form::from([(entry, 1), (mirrored, -1)]));
             }
         }
-        // A factor of the whole matrix keeps its rank.
+        // Factors of rows and columns keep the rank of a matrix.
         DataAttribute::Rank(_) => {
-            let first = all.start;
-            all.skip(1).for_each(|input| weights.require(&Form::from([(first, 1), (input, -1)])));
+            let size = columns * parameter.shape.iter().rev().nth(1).copied().unwrap_or(1);
+            for input in all.clone().filter(|input| (input - all.start) % size > 0) {
+                let matrix = all.start + (input - all.start) / size * size;
+                let (row, column) = ((input - matrix) / columns, (input - matrix) % columns);
+                let corners = [(matrix, 1), (matrix + column, -1), (matrix + row * columns, -1), (input, 1)];
+                let mut form = Form::new();
+                corners.iter().for_each(|&(at, factor)| form = sum(&form, &Form::from([(at, 1)]), factor));
+                weights.require(&form);
+            }
         }
     }
 }
 
-/// Data that no equation reads stay as they are, but the mirrored entries of symmetric ones.
+/// Data that no equation reads stay as they are, but those whose weights follow from others: the
+/// mirrored entries of symmetric matrices, and those of lines.
 fn fix_unread(problem: &Problem, weights: &mut Weights<'_>) {
     // The weight of an input that is read is that of its own column, and of no other input.
     let nodes = problem.graph.nodes().iter().zip(&weights.of_nodes);
     let reads = nodes.filter(|(node, _)| matches!(node, Expression::Input(_)));
     let reads: BTreeSet<usize> = reads.flat_map(|(_, weight)| weight.keys().copied()).collect();
-    let parameters = problem.data.iter().filter(|parameter| parameter.attribute != DataAttribute::Symmetric);
+    let follows =
+        |parameter: &&DataParameter| matches!(parameter.attribute, DataAttribute::Symmetric | DataAttribute::Plucker);
+    let parameters = problem.data.iter().filter(|parameter| !follows(parameter));
     let given = parameters.flat_map(|parameter| parameter.first_input..parameter.first_input + parameter.len());
     let derived = problem.input_count()..problem.graph.input_count();
     for input in given.chain(derived).filter(|input| !reads.contains(input)) {
@@ -308,7 +326,20 @@ mod tests {
                 x * x == m[0][0] * c; y * x == m[0][1]; y == m[1][0] + m[1][1];
             }",
         );
-        assert_eq!(found, [Scaling { data: vec![1, 1, 1, 1, -1], unknowns: vec![0, 1] }]);
+        // A factor of the first row and one of the second, with those of the columns that follow.
+        let first = Scaling { data: vec![1, 1, 0, 0, 1], unknowns: vec![1, 0] };
+        let all = Scaling { data: vec![1, 1, 1, 1, -1], unknowns: vec![0, 1] };
+        assert_eq!(found, [first, all]);
+    }
+
+    #[test]
+    fn lines_have_a_unit() {
+        let found = of_text(
+            "fn f(#[plucker] l: [[[f64; 3]; 2]; 2]) -> x { x * (l[0][0][0] + l[1][0][1]) == l[0][1][0] + l[1][1][2]; }",
+        );
+        let all = Scaling { data: vec![1; 12], unknowns: vec![0] };
+        let directions = Scaling { data: [-1, -1, -1, 0, 0, 0].repeat(2), unknowns: vec![1] };
+        assert_eq!(found, [all, directions]);
     }
 
     #[test]

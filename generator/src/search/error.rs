@@ -38,8 +38,9 @@ pub enum SearchError {
 }
 
 fn ended(untried: usize, is_over: bool) -> String {
-    match is_over {
-        true => format!(", and the search ended early, with {untried} strategies not tried"),
-        false => String::new(),
+    match (is_over, untried) {
+        (true, 0) => ", and the search ended early: the last strategies were cut short".to_owned(),
+        (true, _) => format!(", and the search ended early, with {untried} strategies not tried"),
+        (false, _) => String::new(),
     }
 }

@@ -64,6 +64,13 @@ impl EliminationTemplate {
         self.excess.len() + self.reducible.len() + self.basis.len()
     }
 
+    /// The reducible monomials that are no product of the action monomial and a basis monomial:
+    /// unknowns are read from them.
+    pub fn extra(&self) -> Vec<Monomial> {
+        let is_image = |m: &Monomial| self.basis.contains(&m.over(&self.action));
+        self.reducible.iter().filter(|m| !is_image(m)).copied().collect()
+    }
+
     /// The template times a monomial, such that the least exponent of each unknown in its rows and
     /// columns is 0. `equations` are those that are shifted.
     ///

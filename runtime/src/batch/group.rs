@@ -15,6 +15,7 @@ use crate::solution::candidates::{IMPRECISE_FLOOR, IMPRECISE_ROOT};
 use crate::solution::distinct::{CLOSE, CLOSE_FLOOR};
 use crate::solver_instance::{Point, Points, SolverInstance};
 use crate::spectrum::hidden_variable::ChainedBasis;
+use crate::spectrum::root_count::{LEAST_ERROR, SAFETY};
 
 /// A square is negative beyond doubt if its ratio is, and if its monomial exceeds this part of the
 /// largest entry of the eigenvector.
@@ -117,10 +118,15 @@ fn solve_group<S: Simd, I: BatchSolver>(
     if I::HAS_ORIGIN {
         push_origin::<S, I>(simd, &coefficients, points);
     }
-    let mut is_certain = 0;
-    for (lane, roots) in roots.iter().enumerate() {
+    let (mut is_certain, mut furthest) = (0, zero);
+    for (lane, roots) in roots.iter().enumerate().take(Lanes::<S>::COUNT) {
+        furthest.set(lane, IMPRECISE_ROOT.min(roots.clearance / SAFETY));
         // Without a root, no polish shows whether the polynomial is precise.
-        let is_sure = roots.is_certain && (!roots.roots.is_empty() || roots.clearance > CLEARANCE);
+        let is_sure = match roots.roots.is_empty() {
+            true => roots.clearance > CLEARANCE && !I::QUOTIENTS.are_large(|slot| coefficients[slot].get(lane)),
+            false => roots.clearance > LEAST_ERROR,
+        };
+        let is_sure = is_sure && roots.is_certain;
         is_certain |= u64::from(is_sure) << lane;
     }
     let most = roots.iter().map(|roots| roots.roots.len()).max().unwrap_or(0);
@@ -135,7 +141,7 @@ fn solve_group<S: Simd, I: BatchSolver>(
         }
         let found = simd.vectorize(
             #[inline(always)]
-            || Solved::<S, I>::at(&coefficients, (pairs, read), x),
+            || Solved::<S, I>::at(&coefficients, (pairs, read), (x, furthest)),
         );
         is_certain &= found.is_certain | found.is_imaginary | !in_use;
         let new = in_use & is_certain & !found.is_imaginary;
@@ -158,12 +164,12 @@ struct Solved<S: Simd, I: BatchSolver> {
 }
 
 impl<S: Simd, I: BatchSolver> Solved<S, I> {
-    /// At the root x of each instance.
+    /// At the root x of each instance, which the polish may move by this part of an unknown.
     #[inline(always)]
     fn at(
         coefficients: &<I::Coefficients as Size>::Vector<Lanes<S>>,
         (pairs, read): (&HiddenPairs<S, I::Chains>, &ReadRows<I, S>),
-        x: Lanes<S>,
+        (x, furthest): (Lanes<S>, Lanes<S>),
     ) -> Self {
         let (sizes, batch) = I::all_sizes();
         let vector = pairs.vector(x);
@@ -198,9 +204,9 @@ impl<S: Simd, I: BatchSolver> Solved<S, I> {
         for j in 0..sizes.unknowns.get() {
             size = unknowns[j].abs().max(size);
         }
-        let floor = size * x.constant(IMPRECISE_FLOOR * IMPRECISE_ROOT);
+        let floor = size * x.constant(IMPRECISE_FLOOR) * furthest;
         for j in 0..sizes.unknowns.get() {
-            let bound = floor + unknowns[j].abs() * x.constant(IMPRECISE_ROOT);
+            let bound = floor + unknowns[j].abs() * furthest;
             is_certain &= (unknowns[j] - start[j]).abs().at_most(bound).bits();
         }
         Self { unknowns, is_certain, is_imaginary }

@@ -1,6 +1,7 @@
 //! What a solver must state so that its instances can be computed side by side.
 
 use crate::elimination::lu::Eliminated;
+use crate::elimination::quotients::Quotients;
 use crate::elimination::template::ActionRow;
 use crate::error::SolveError;
 use crate::number::{Arithmetic, Over};
@@ -72,6 +73,8 @@ pub trait BatchSolver: HiddenVariableSolver + Sized {
     const SIGN_CHANGES: Option<SignChanges<'static>>;
     /// As [`SolverInstance::has_origin`].
     const HAS_ORIGIN: bool = false;
+    /// Coefficients by which [`SolverInstance::has_large_quotients`] is known.
+    const QUOTIENTS: Quotients<'static> = Quotients::NONE;
 
     /// All sizes.
     fn all_sizes() -> (SizesOf<Self>, BatchSizesOf<Self>);

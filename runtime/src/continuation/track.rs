@@ -10,7 +10,7 @@ use crate::continuation::member::Member;
 use crate::continuation::path::DataPath;
 use crate::dynamic_size::Dynamic;
 use crate::size::filled_matrix;
-use crate::solution::polish::{Polish, Step, largest};
+use crate::solution::polish::{Polish, Step, largest, zero_below_accuracy};
 
 /// The first step in t.
 const FIRST: f64 = 0.125;
@@ -169,6 +169,9 @@ fn corrected(member: &Member<'_>, mut x: Vec<Complex<f64>>, least: f64) -> Optio
             return None;
         }
         x.iter_mut().zip(&step).for_each(|(x, &step)| *x -= step);
+        // Rounding errors of zeros would be all terms of some equations, and give these a weight
+        // beside which others count for nothing.
+        x = zero_below_accuracy(member.sizes().0, &x, 0.0);
         if k == 0 {
             first = length;
         }

@@ -22,6 +22,10 @@ pub const MAX_RESIDUAL: f64 = 1e-10;
 /// less precise, and perturb others.
 const NEARLY_REAL: f64 = 0.1;
 
+/// Rounding splits a real eigenvalue that four solutions share into complex ones this close to the
+/// real axis, relative to their modulus, or closer: the fourth root of the last digit, times ten.
+const SHARED: f64 = 1e-3;
+
 /// If the polish moves a real solution by more than this part of an unknown, the eigenvalues are
 /// imprecise, and those of a pair of real solutions may be complex, far from the real axis.
 const IMPRECISE: f64 = 1e-4;
@@ -41,8 +45,8 @@ pub(crate) trait Collection<I: SolverInstance> {
     fn note(&mut self, solver: &I, values: &[Complex<f64>]);
 
     /// Adds the solutions of an eigenvalue with im >= 0; its conjugate stands for the conjugate
-    /// solutions. Returns false if an eigenpair gave nothing new, and so may share its eigenvalue
-    /// with another one.
+    /// solutions. Returns false if an eigenpair gave nothing new, and belongs to no solution that
+    /// is left out: it may share its eigenvalue with another one.
     fn add(&mut self, solver: &I, source: &dyn EigenpairSource<I::Basis>, value: Complex<f64>) -> bool;
 
     /// Adds the solution at a point. Returns false if there is none that is collected.
@@ -50,8 +54,8 @@ pub(crate) trait Collection<I: SolverInstance> {
     fn add_point(&mut self, solver: &I, point: Point<I, Complex<f64>>) -> bool;
 
     /// Starts to count complex solutions, too, if eigenvalues turned out to be imprecise, or may be
-    /// lost as pairs. Returns true if it does so from now on: every eigenpair must then be added,
-    /// known ones again.
+    /// shared or lost as pairs. Returns true if it does so from now on: every eigenpair must then
+    /// be added, known ones again.
     fn starts_to_count(&mut self, solver: &I, may_lose_pairs: bool) -> bool;
 
     /// The number of solutions so far: complex ones if they are counted.
@@ -164,6 +168,9 @@ pub(crate) struct RealSolutions<I: SolverInstance> {
     moved: f64,
     /// Whether it moved one by more than [`IMPRECISE`].
     is_imprecise: bool,
+    /// Whether an eigenvalue gave nothing new, or may be real up to rounding, where signs can be
+    /// changed and the number of real eigenvalues says nothing of that of real solutions.
+    may_share: bool,
 }
 
 impl<I: SolverInstance> RealSolutions<I> {
@@ -178,13 +185,14 @@ impl<I: SolverInstance> RealSolutions<I> {
             has_failed: false,
             moved: 0.0,
             is_imprecise: false,
+            may_share: false,
         }
     }
 
     /// Whether a real eigenvalue belongs to solutions that are not real, because the square of an
     /// unknown is negative.
     #[inline]
-    pub(crate) fn is_imaginary(&self, solver: &I, source: &dyn EigenpairSource<I::Basis>, value: Complex<f64>) -> bool {
+    fn is_imaginary(&self, solver: &I, source: &dyn EigenpairSource<I::Basis>, value: Complex<f64>) -> bool {
         !flips(solver).is_empty() && polished(solver, source.complex(value)).is_some()
     }
 
@@ -263,9 +271,14 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
                 }
                 _ => {}
             }
-            let Some(candidate) = candidate else { return false };
-            return push_all_signs(solver, &candidate, &mut self.real);
+            let is_new = match &candidate {
+                Some(candidate) => push_all_signs(solver, candidate, &mut self.real),
+                None => self.all.is_none() && self.is_imaginary(solver, source, value),
+            };
+            self.may_share |= !is_new && !flips(solver).is_empty();
+            return is_new;
         }
+        self.may_share |= value.im <= SHARED * value.re.abs() && !flips(solver).is_empty();
         let Some(candidate) = self.polished(solver, source.complex(value)) else {
             self.has_failed = true;
             return false;
@@ -296,7 +309,7 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
 
     #[inline]
     fn starts_to_count(&mut self, solver: &I, may_lose_pairs: bool) -> bool {
-        let starts = (self.is_imprecise || may_lose_pairs) && self.all.is_none();
+        let starts = (self.is_imprecise || self.may_share || may_lose_pairs) && self.all.is_none();
         if starts {
             self.all = Some(AllSolutions::new(solver));
         }

@@ -1,7 +1,8 @@
 //! Prints the catalogue: every problem in `templates/`, its template and what its solver does,
 //! beside what is published.
 //!
-//! With `--update` the page `templates/README.md` is written anew.
+//! With `--update` the page `templates/README.md` is written anew, and the histograms of
+//! `templates/histograms.csv`.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -12,6 +13,7 @@ use comfy_table::{CellAlignment, Table, presets};
 use eliminant_tests::catalogue_page::{self, Row};
 use eliminant_tests::comparison::Comparison;
 use eliminant_tests::families::Family;
+use eliminant_tests::histograms::{self, Counts, Histograms, counts};
 use eliminant_tests::measure::{WORK_OF_MEASURING, affordable, measure, measure_forward, measure_unpolished};
 use eliminant_tests::published::{Published, fewest_rows, published, published_name};
 use eliminant_tests::statistics::quantile;
@@ -31,7 +33,7 @@ struct Arguments {
     /// Seed of the first instance.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Writes templates/README.md, in Markdown, and prints nothing.
+    /// Writes templates/README.md, in Markdown, and templates/histograms.csv, and prints nothing.
     #[arg(long)]
     update: bool,
 }
@@ -119,12 +121,16 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let published = published()?;
     let path = catalogue_page::path();
     let written = if arguments.update { fs::read_to_string(&path)? } else { String::new() };
-    let mut rows = Vec::new();
+    let (mut rows, mut drawn) = (Vec::new(), Histograms::default());
+    let known = if arguments.update { Histograms::read(&histograms::path())? } else { Histograms::default() };
     for case in cases() {
         let measured = if arguments.problems.is_empty() || arguments.problems.iter().any(|name| name == case.name) {
             eprintln!("{}", case.name);
-            measured(&case, &arguments)
+            let (cells, of_case) = measured(&case, &arguments);
+            drawn.insert(case.name, of_case);
+            cells
         } else if arguments.update {
+            drawn.counts.extend(known.of(case.name));
             catalogue_page::row(&written, case.name).ok_or_else(|| format!("{} is not in the page", case.name))?
         } else {
             continue;
@@ -133,6 +139,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     let comparison = Comparison::new(&cases())?.listed();
     if arguments.update {
+        write(&histograms::path(), &drawn.text()?)?;
         return write(&path, &page(&rows, &comparison, &arguments));
     }
     match arguments.format {
@@ -158,8 +165,9 @@ fn cell<'a>(row: &'a Row, head: &str) -> &'a str {
     row.get(head).map_or("", String::as_str)
 }
 
-/// The cells that are measured, and the size of the template that they were measured with.
-fn measured(case: &Case, arguments: &Arguments) -> Row {
+/// The cells that are measured, and the size of the template that they were measured with, and the
+/// histograms.
+fn measured(case: &Case, arguments: &Arguments) -> (Row, [(&'static str, Counts); 2]) {
     let (template, plan) = (case.template().template, case.planned().plan);
     let (instances, seed) = (affordable(&plan, arguments.instances, WORK_OF_MEASURING), arguments.seed);
     let random = measure(case, &plan, Family::Random, instances, seed);
@@ -188,7 +196,8 @@ fn measured(case: &Case, arguments: &Arguments) -> Row {
         ("unpolished p99", at(&unpolished.errors_log10, 0.99)),
         ("unpolished failures", share(unpolished.failures, unpolished.instances)),
     ];
-    cells.into_iter().map(|(head, cell)| (head.to_owned(), cell)).collect()
+    let histograms = [("error", counts(&forward.errors_log10)), ("residual", counts(&random.residuals_log10))];
+    (cells.into_iter().map(|(head, cell)| (head.to_owned(), cell)).collect(), histograms)
 }
 
 fn share(part: usize, whole: usize) -> String {
@@ -245,7 +254,8 @@ fn page(rows: &[Row], comparison: &str, arguments: &Arguments) -> String {
         ```sh\ncargo run --release -p eliminant-tests --bin catalogue -- --update\n```\n\n\
         which solves up to {} random instances of each problem, and as many scenes whose solution is\n\
         known. With names of problems before `--update` the measured cells of all others stay as they\n\
-        are.\n",
+        are. The distributions, of which the tables have quantiles, are in `histograms.csv`: log10 of\n\
+        the residuals of random data, and of the forward errors of scenes.\n",
         arguments.instances
     );
     for group in &GROUPS {
@@ -264,7 +274,7 @@ fn page(rows: &[Row], comparison: &str, arguments: &Arguments) -> String {
 
 /// Writes beside the file and renames, so that it is never half-written.
 fn write(path: &Path, text: &str) -> Result<(), Box<dyn std::error::Error>> {
-    let partial = path.with_extension("md.partial");
+    let partial = path.with_extension("partial");
     fs::write(&partial, text)?;
     Ok(fs::rename(partial, path)?)
 }

@@ -6,10 +6,14 @@ use std::fs;
 use std::path::Path;
 
 use eliminant_generator::generate::plan;
+use eliminant_generator::plan::Plan;
+use eliminant_generator::plan::picture::Picture;
 use eliminant_generator::problem::Problem;
 use eliminant_generator::template::file::TemplateFile;
 
+use crate::histograms::Histograms;
 use crate::measured::Measured;
+use crate::pictures::svg;
 
 /// What begins the page.
 const HEAD: &str = "\
@@ -22,6 +26,12 @@ rows x columns, beside the published one with the fewest rows, and |B| is the si
 problem. The time of `solve` is predicted, for one core of an EPYC processor. Scenes are data as
 users have them, without noise: on so many of them `solve` returns all solutions that are known, and
 the error is log10 of that of the nearest solution, relative to the known one.
+
+Each picture shows the template: excess columns in blue, reducible ones in orange, those of the
+basis in green, paler where an earlier block has solved a column. Beside it stand two histograms of
+log10: of the relative residuals of all solutions of random data, and of the errors of scenes. The
+last bin holds what is missing, too.
+
 [templates/README.md](../../../templates/README.md) cites the publications, has more figures and the
 commands that give them.
 
@@ -31,7 +41,8 @@ This page is written by
 cargo run --manifest-path docs/book/checks/Cargo.toml --bin gallery
 ```
 
-from the problem files, their templates and those figures, and a test tells when it is not fresh.
+from the problem files, their templates and those figures, with the pictures, and a test tells when
+it is not fresh.
 ";
 
 /// The families in the order of the page, with their titles. Problems of no family are the last.
@@ -52,43 +63,64 @@ struct Entry {
     template: TemplateFile,
 }
 
+/// The page, and its pictures.
+pub struct Gallery {
+    /// The page in Markdown.
+    pub page: String,
+    /// The names and the texts of the files in the folder `gallery` beside the page.
+    pub pictures: BTreeMap<String, String>,
+}
+
+/// What was measured.
+struct Figures {
+    measured: Measured,
+    histograms: Histograms,
+}
+
 /// The whole page.
 ///
 /// # Errors
-/// A message, where a problem, a template or the manifest of the solvers cannot be read.
-pub fn gallery(root: &Path) -> Result<String, String> {
+/// A message, where a problem, a template, the manifest of the solvers or what was measured cannot
+/// be read.
+pub fn gallery(root: &Path) -> Result<Gallery, String> {
     let mut entries = entries(&root.join("templates"))?;
-    let measured = Measured::of(&read(&root.join("templates/README.md"))?);
+    let histograms = Histograms::of(&read(&root.join("templates/histograms.csv"))?);
+    let figures = Figures {
+        measured: Measured::of(&read(&root.join("templates/README.md"))?),
+        histograms: histograms.map_err(|error| format!("templates/histograms.csv: {error}"))?,
+    };
     let families = families(&root.join("solvers/Cargo.toml"))?;
-    let mut page = HEAD.to_owned();
+    let mut gallery = Gallery { page: HEAD.to_owned(), pictures: BTreeMap::new() };
     for (family, title) in FAMILIES {
         let members = families.get(family).ok_or_else(|| format!("there is no family `{family}`"))?;
         let names: Vec<String> = entries.keys().filter(|name| members.contains(*name)).cloned().collect();
         let of_family: Vec<Entry> = names.iter().filter_map(|name| entries.remove(name)).collect();
-        section(&mut page, (title, &format!("Feature `{family}`.")), &of_family, &measured)?;
+        gallery.section((title, &format!("Feature `{family}`.")), &of_family, &figures)?;
     }
     let rest: Vec<Entry> = entries.into_values().collect();
-    section(&mut page, ("Others", "Problems of no family."), &rest, &measured)?;
-    Ok(page)
+    gallery.section(("Others", "Problems of no family."), &rest, &figures)?;
+    Ok(gallery)
 }
 
-fn section(
-    page: &mut String,
-    (title, what): (&str, &str),
-    entries: &[Entry],
-    measured: &Measured,
-) -> Result<(), String> {
-    if entries.is_empty() {
-        return Ok(());
+impl Gallery {
+    fn section(&mut self, (title, what): (&str, &str), entries: &[Entry], figures: &Figures) -> Result<(), String> {
+        if entries.is_empty() {
+            return Ok(());
+        }
+        let _ = write!(self.page, "\n## {title}\n\n{what}\n");
+        for entry in entries {
+            let planned = plan(&entry.problem, &entry.template).map_err(|error| error.to_string())?;
+            self.page.push_str(&text(entry, &planned.plan, &figures.measured));
+            let name = &entry.problem.name;
+            let [residuals, errors] = ["residual", "error"].map(|figure| figures.histograms.get(name, figure));
+            let picture = Picture::new(&entry.template.template, &planned.plan);
+            self.pictures.insert(format!("{name}.svg"), svg(&picture, &residuals?, &errors?));
+        }
+        Ok(())
     }
-    let _ = write!(page, "\n## {title}\n\n{what}\n");
-    for entry in entries {
-        page.push_str(&text(entry, measured)?);
-    }
-    Ok(())
 }
 
-fn text(Entry { problem, template }: &Entry, measured: &Measured) -> Result<String, String> {
+fn text(Entry { problem, template }: &Entry, plan: &Plan, measured: &Measured) -> String {
     let name = &problem.name;
     let title: Vec<&str> = problem.docs.iter().map(|line| line.trim()).take_while(|line| !line.is_empty()).collect();
     let shaped = |name: &str, shape: &[usize]| {
@@ -108,8 +140,7 @@ fn text(Entry { problem, template }: &Entry, measured: &Measured) -> Result<Stri
     let published = measured.smallest_published(name).map_or(String::new(), |size| format!(", published {size}"));
     let facts = format!("{} solutions, template {rows}x{columns}{published}, |B| = {basis}", template.solutions);
     wrap(&mut text, "- ", &facts);
-    let planned = plan(problem, template).map_err(|error| error.to_string())?;
-    let time = time(planned.plan.predicted_nanoseconds(0.0));
+    let time = time(plan.predicted_nanoseconds(0.0));
     let column = |column| measured.cell(name, column);
     let scenes = match (column("scenes"), column("recovered"), column("forward median"), column("forward p99")) {
         (Some(scenes), Some(recovered), Some(median), Some(p99)) => {
@@ -123,8 +154,9 @@ fn text(Entry { problem, template }: &Entry, measured: &Measured) -> Result<Stri
         _ => String::new(),
     };
     wrap(&mut text, "- ", &format!("{time}{scenes}"));
-    let _ = writeln!(text, "- [problem file](../../../templates/{name}.rs)");
-    Ok(text)
+    let _ = writeln!(text, "- [problem file](../../../templates/{name}.rs)\n");
+    wrap(&mut text, "", &format!("![The template and its histograms](gallery/{name}.svg)"));
+    text
 }
 
 /// Two digits: the prediction has no more.

@@ -5,10 +5,12 @@ use std::{env, fs};
 
 mod blocks;
 mod gallery;
+mod histograms;
 mod measured;
+mod pictures;
 
 pub use blocks::{Block, Mark, blocks};
-pub use gallery::gallery;
+pub use gallery::{Gallery, gallery};
 
 /// The root of the project.
 #[must_use]

@@ -1,6 +1,6 @@
 //! Pages that code can check without the command: gallery, examples of the language, links.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
 use eliminant_book_checks::{Mark, blocks, gallery, page, page_path, root};
@@ -8,9 +8,20 @@ use eliminant_generator::problem::Problem;
 
 #[test]
 fn the_gallery_is_fresh() {
-    let text = gallery(&root()).expect("problems, templates and features are committed");
+    let fresh = gallery(&root()).expect("problems, templates, features and figures are committed");
     let write = "cargo run --manifest-path docs/book/checks/Cargo.toml --bin gallery";
-    assert!(page("gallery.md") == text, "gallery.md is not that of the problems as they are: {write}");
+    assert!(page("gallery.md") == fresh.page, "gallery.md is not that of the problems as they are: {write}");
+    let files = fs::read_dir(page_path("gallery")).expect("pictures are committed");
+    let pictures: BTreeMap<String, String> = files
+        .map(|file| {
+            let path = file.expect("a file").path();
+            let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+            (name, fs::read_to_string(path).expect("a picture"))
+        })
+        .collect();
+    assert!(pictures.keys().eq(fresh.pictures.keys()), "pictures of other problems: {write}");
+    let stale: Vec<&String> = pictures.keys().filter(|name| pictures[*name] != fresh.pictures[*name]).collect();
+    assert!(stale.is_empty(), "{stale:?} are not those of the problems as they are: {write}");
 }
 
 /// The blocks of the language page that are problems.

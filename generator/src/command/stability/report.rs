@@ -219,11 +219,15 @@ fn name_of(row: &Row) -> Vec<String> {
     vec![row.family.clone(), row.level.map_or_else(String::new, |level| level.to_string())]
 }
 
-fn cells_of_solutions(row: &Row) -> Vec<String> {
+/// What follows them where solutions came with the instances.
+const KNOWN: &str = "known missed";
+
+fn cells_of_solutions(row: &Row, has_known: bool) -> Vec<String> {
     let share = |part: usize, whole: usize| format!("{part}/{whole}");
     let mut cells = name_of(row);
     cells.extend([row.instances, row.failed].map(|count| count.to_string()));
     cells.extend([&row.real, &row.complex].map(|count| share(count.missed, count.expected)));
+    cells.extend(has_known.then(|| share(row.known_missed, row.known)));
     let spurious = row.real.spurious + row.complex.spurious;
     cells.extend([spurious, row.uncertain, row.repeated_complex].map(|count| count.to_string()));
     cells
@@ -262,18 +266,24 @@ impl fmt::Display for StabilityReport {
         }
         let how = if self.is_emitted { "emitted code" } else { "interpreted plans" };
         writeln!(f, "{how}, seed {}; residuals, errors and growth are log10:\n", self.seed)?;
+        let has_known = self.rows.iter().any(|row| row.known > 0);
+        let mut head = HEAD_OF_SOLUTIONS.to_vec();
+        if has_known {
+            head.insert(6, KNOWN);
+        }
+        writeln!(f, "{}", by_problem(&head, &self.rows, |row| cells_of_solutions(row, has_known)))?;
         let mut head = HEAD_OF_ACCURACY.to_vec();
         head.extend(TIMES.iter().filter(|_| self.is_emitted));
-        writeln!(f, "{}", by_problem(&HEAD_OF_SOLUTIONS, &self.rows, cells_of_solutions))?;
         write!(f, "{}", by_problem(&head, &self.rows, |row| cells_of_accuracy(row, self.is_emitted)))?;
         writeln!(
             f,
             "
-missed: true solutions that no returned point approximates, of all that there are;
+missed: true solutions that no returned point approximates, of all that there are{};
 spurious: returned points that are no solution;
 uncertain: instances whose number of solutions is not certain;
 repeated: instances on which all solutions took a second attempt;
-growth: the largest of the elimination"
+growth: the largest of the elimination",
+            if has_known { ",\nor of those that came with the instances" } else { "" }
         )?;
         let (title, seen) = match self.replayed.is_empty() {
             true => ("worst instances", self.worst.iter().filter(|seen| seen.is_faulty).collect::<Vec<_>>()),
@@ -327,7 +337,10 @@ mod tests {
         let line = csv.lines().nth(1).unwrap();
         assert!(line.starts_with("p,\"with, comma\",,1,"), "{line}");
         assert_eq!(line.matches(',').count() - 1, CSV_HEAD.len() - 1);
-        assert_eq!(cells_of_solutions(&report.rows[0]).len(), HEAD_OF_SOLUTIONS.len());
+        for has_known in [false, true] {
+            let cells = cells_of_solutions(&report.rows[0], has_known);
+            assert_eq!(cells.len(), HEAD_OF_SOLUTIONS.len() + usize::from(has_known));
+        }
         assert_eq!(cells_of_accuracy(&report.rows[0], true).len(), HEAD_OF_ACCURACY.len() + TIMES.len());
     }
 }

@@ -10,7 +10,7 @@ use eliminant::{Complex, Scalar, SolveError};
 use crate::expression::arithmetic::Float64;
 use crate::plan::system_table::SystemTable;
 use crate::plan::value_layout::ValueLayout;
-use crate::plan::{LEAST_PIVOT_OF_PRESOLVE, Plan, PlannedBlock, PlannedDerivation, PlannedRecovery};
+use crate::plan::{LEAST_PIVOT_OF_PRESOLVE, Plan, PlannedBlock, PlannedDerivation, PlannedRecovery, Zeros};
 
 use super::interpreted_chains::{self, InterpretedChains};
 use super::interpreted_elimination::Elimination;
@@ -22,7 +22,7 @@ pub struct InterpretedSolver {
     unknowns: usize,
     solutions: usize,
     has_origin: bool,
-    loses_zeros: bool,
+    zeros: Zeros,
     chains: Option<InterpretedChains>,
     program: Program,
     /// Whether an elimination at twice the precision computes the coefficients anew.
@@ -44,6 +44,9 @@ pub struct InterpretedSolver {
     parameters: Vec<(emitted::Condition, u32)>,
     /// What data are derived.
     derived: Vec<PlannedDerivation>,
+    /// The quotients of the template, and the coefficients of the equations. If there are
+    /// quotients, only the latter must be finite.
+    quotients: [Vec<u16>; 2],
     /// The number of data of the problem, and of all.
     stated: usize,
     inputs: usize,
@@ -67,7 +70,7 @@ impl InterpretedSolver {
             unknowns,
             solutions: plan.solutions,
             has_origin: plan.has_origin,
-            loses_zeros: plan.loses_zeros,
+            zeros: plan.zeros,
             chains: plan.chains.as_ref().map(InterpretedChains::of),
             program: Program::of(plan),
             has_precise_coefficients: plan.has_precise_coefficients(),
@@ -84,6 +87,8 @@ impl InterpretedSolver {
             scalings: (plan.scalings.len(), plan.weights_of_data(), plan.weights_of_unknowns()),
             parameters: parameters(plan),
             derived: plan.derived.clone(),
+            quotients: [plan.quotients(), plan.coefficients_of_statements()]
+                .map(|coefficients| coefficients.iter().map(|id| id.0).collect()),
             stated: plan.stated,
             inputs: plan.inputs(),
         }
@@ -99,9 +104,14 @@ impl InterpretedSolver {
         let (mut scaled, mut exponents) = (self.stated_data(data)?, vec![0; self.unknowns]);
         scalings.apply_into(&mut scaled, &mut exponents);
         let coefficients = self.coefficients::<f64>(&scaled);
-        // Those of a template whose equations cannot be solved for monomials are NaN.
-        let checked = if self.inputs == self.stated { coefficients.as_slice() } else { &[] };
-        emitted::check_coefficients(checked, &[data])?;
+        let [quotients, stated] = &self.quotients;
+        match quotients.is_empty() {
+            true => emitted::check_coefficients(&coefficients, &[data])?,
+            false => {
+                let stated: Vec<f64> = stated.iter().map(|&slot| coefficients[usize::from(slot)]).collect();
+                emitted::check_coefficients(&stated, &[data])?;
+            }
+        }
         let rows = self.equations.rows(&coefficients);
         let read = vec![vec![0.0; self.layout.basis]; self.layout.read];
         let (steps, flips) = (self.steps.iter().map(Vec::as_slice), self.flips.iter().map(Vec::as_slice));
@@ -350,12 +360,21 @@ impl SolverInstance for InterpretedInstance<'_> {
     }
 
     fn loses_zeros(&self) -> bool {
-        self.solver.loses_zeros
+        self.solver.zeros.lacks_pairs
+    }
+
+    fn misreads_zeros(&self) -> bool {
+        self.solver.zeros.is_misread
     }
 
     fn sign_changes(&self) -> Option<emitted::SignChanges<'_>> {
         let changes = emitted::SignChanges { steps: &self.steps, flips: &self.flips };
         (!self.flips.is_empty()).then_some(changes)
+    }
+
+    fn has_large_quotients(&self) -> bool {
+        let [own, stated] = &self.solver.quotients;
+        emitted::Quotients { own, stated }.are_large(|slot| self.coefficients[slot])
     }
 
     fn has_precise_coefficients(&self) -> bool {

@@ -1,4 +1,4 @@
-//! The layout that both drawings of a template share.
+//! The layout that all drawings of a template share.
 //!
 //! ```text
 //!                    excess E   reducible R   basis B
@@ -8,22 +8,39 @@
 //!
 //! Rows and pivot columns stand in the order of solution.
 
+use super::Plan;
 use crate::algebra::Monomial;
-use crate::plan::Plan;
 use crate::template::{EliminationTemplate, Shift};
 
 /// The part of the template that a column belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Part {
+pub enum Part {
+    /// Columns of monomials that are neither reducible nor in the basis.
     Excess,
+    /// Columns of the action monomial times basis monomials.
     Reducible,
+    /// Columns of basis monomials.
     Basis,
 }
 
 impl Part {
-    pub(super) const ALL: [Self; 3] = [Self::Excess, Self::Reducible, Self::Basis];
+    /// The parts from the left to the right.
+    pub const ALL: [Self; 3] = [Self::Excess, Self::Reducible, Self::Basis];
 
-    pub(super) fn name(self) -> &'static str {
+    /// Colours that people with impaired colour vision tell apart (Okabe and Ito): of an entry in a
+    /// diagonal block or the basis, of coupling, of the band behind them.
+    #[must_use]
+    pub fn colours(self) -> [&'static str; 3] {
+        match self {
+            Self::Excess => ["#0072b2", "#7fb8d8", "#eef5fa"],
+            Self::Reducible => ["#d55e00", "#eaae7f", "#fdf3ec"],
+            Self::Basis => ["#009e73", "#7fceb9", "#ecf7f4"],
+        }
+    }
+
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
         match self {
             Self::Excess => "excess",
             Self::Reducible => "reducible",
@@ -34,7 +51,7 @@ impl Part {
 
 /// The entry of a row in a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Cell {
+pub enum Cell {
     /// The entry is zero for every instance.
     Empty,
     /// The entry is in a diagonal block.
@@ -47,19 +64,21 @@ pub(super) enum Cell {
 
 /// A template as it is drawn.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Picture {
+pub struct Picture {
     /// The shift of each row, such as `f2 * x*y`.
-    pub(super) rows: Vec<String>,
+    pub rows: Vec<String>,
     /// The columns: excess, reducible, basis.
-    pub(super) columns: Vec<(Part, String)>,
+    pub columns: Vec<(Part, String)>,
     /// One cell for each row and column.
-    pub(super) cells: Vec<Vec<Cell>>,
+    pub cells: Vec<Vec<Cell>>,
     /// Number of rows of each diagonal block, in order of solution.
-    pub(super) blocks: Vec<usize>,
+    pub blocks: Vec<usize>,
 }
 
 impl Picture {
-    pub(super) fn new(template: &EliminationTemplate, plan: &Plan) -> Self {
+    /// The picture of a template, with the order of solution of its plan.
+    #[must_use]
+    pub fn new(template: &EliminationTemplate, plan: &Plan) -> Self {
         let names = &plan.unknowns;
         let elimination = &plan.elimination;
         let excess = template.excess.len();
@@ -100,12 +119,13 @@ impl Picture {
     }
 
     /// Number of entries that are not zero for general data.
-    pub(super) fn entries(&self) -> usize {
+    #[must_use]
+    pub fn entries(&self) -> usize {
         self.cells.iter().flatten().filter(|&&cell| cell != Cell::Empty).count()
     }
 
     /// The columns of one part.
-    pub(super) fn columns_of(&self, part: Part) -> impl Iterator<Item = usize> + '_ {
+    pub fn columns_of(&self, part: Part) -> impl Iterator<Item = usize> + '_ {
         (0..self.columns.len()).filter(move |&column| self.columns[column].0 == part)
     }
 }
