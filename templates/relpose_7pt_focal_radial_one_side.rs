@@ -7,17 +7,11 @@
 ///
 /// `first[k]` is the distorted image of point k in the first camera, relative to the principal
 /// point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
-/// first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T F x2 = 0 is
-/// linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial f31, f32, radial f32,
-/// radial f33, f33: seven points give the former as combinations of these. `last` is the last row
-/// of F. It is published with f33 = 1, but f33 vanishes where the camera moves in a plane and turns
-/// about the normal of that. With the focal length, diag(focal, focal, 1) F is an essential matrix;
-/// `w` is 1 / focal^2.
-fn relpose_7pt_focal_radial_one_side(first: [[f64; 2]; 7], second: [[f64; 2]; 7]) -> (
-    w,
-    #[projective] last: [f64; 3],
-    radial,
-) {
+/// first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T F x2 = 0 is, with
+/// f33 = 1, linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial f31, f32, radial
+/// f32, radial, 1: seven points give the former as combinations of these. With the focal length,
+/// diag(focal, focal, 1) F is an essential matrix; `w` is 1 / focal^2.
+fn relpose_7pt_focal_radial_one_side(first: [[f64; 2]; 7], second: [[f64; 2]; 7]) -> (w, f_31, f_32, radial) {
     let mut leading = [[0; 7]; 7];
     let mut others = [[0; 5]; 7];
     for k in 0..7 {
@@ -27,10 +21,9 @@ fn relpose_7pt_focal_radial_one_side(first: [[f64; 2]; 7], second: [[f64; 2]; 7]
         leading[k] = [a * c, b * c, a * d, b * d, a, b, c];
         others[k] = [-c * r, -d, -d * r, -r, -1];
     }
-    let [f_31, f_32, f_33] = last;
     let [f11, f21, f12, f22, f13, f23, f_31_again] =
-        solve(leading, others) * [radial * f_31, f_32, radial * f_32, radial * f_33, f_33];
-    let f = [[f11, f12, f13], [f21, f22, f23], [f_31, f_32, f_33]];
+        solve(leading, others) * [radial * f_31, f_32, radial * f_32, radial, 1];
+    let f = [[f11, f12, f13], [f21, f22, f23], [f_31, f_32, 1]];
     let omega = [[1, 0, 0], [0, 1, 0], [0, 0, w]];
     let left = f * f.t() * omega;
     f_31 == f_31_again;

@@ -218,18 +218,17 @@ int32_t eliminant_fundamental_7pt_solve_batch_for_epipolar(
  *
  * `first[k]` and `second[k]` are the distorted images of point k, relative to the centre of
  * distortion. An image x lies along (x, 1 + radial |x|^2), the division model. Then x2^T F x1 = 0
- * is linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the monomials radial f13,
- * radial f23, radial^2 f33, f13, f23, radial f33, f33: eight points give the former as
- * combinations of these. `last` is the last column of F. It is published with f33 = 1, but f33
- * vanishes where the camera moves in a plane and turns about the normal of that.
+ * is, with f33 = 1, linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the
+ * monomials radial f13, radial f23, radial^2, f13, f23, radial, 1: eight points give the former as
+ * combinations of these.
  *
  * Data: first[8][2], second[8][2].
- * A row of 4 numbers, the unknowns: radial, last[3] (given up to scale: of length 1).
+ * A row of 3 numbers, the unknowns: radial, f_13, f_23.
  * A row of 10 numbers, the result radial_epipolar: fundamental[3][3], radial.
  */
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_FIRST_LENGTH 16
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_SECOND_LENGTH 16
-#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_UNKNOWNS 4
+#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_UNKNOWNS 3
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_LENGTH_OF_RADIAL_EPIPOLAR 10
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_MAX_SOLUTIONS 16
 int32_t eliminant_fundamental_8pt_radial_solve(
@@ -258,18 +257,16 @@ int32_t eliminant_fundamental_8pt_radial_solve_batch_for_radial_epipolar(
  * `first[k]` is the image of point k in a camera without distortion, `second[k]` the distorted one
  * in the other, relative to the centre of distortion. There an image x lies along (x, 1 + radial
  * |x|^2), the division model. Then x2^T F x1 = 0 is linear in the nine entries of F, the third row
- * also multiplied by `radial`. Eight points give f11, f21, f31, f12, f22, f13, f23 and radial f31
- * as combinations of radial f32, radial f33, f32 and f33. `last` is (f32, f33). It is published
- * with f33 = 1, but f33 vanishes where the camera moves in a plane and turns about the normal of
- * that.
+ * also multiplied by `radial`. Eight points, and f33 = 1, give f11, f21, f31, f12, f22, f13, f23
+ * and radial f31 as combinations of radial f32, radial, f32 and 1.
  *
  * Data: first[8][2], second[8][2].
- * A row of 3 numbers, the unknowns: last[2] (given up to scale: of length 1), radial.
+ * A row of 2 numbers, the unknowns: f_32, radial.
  * A row of 10 numbers, the result radial_epipolar: fundamental[3][3], radial.
  */
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_FIRST_LENGTH 16
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_SECOND_LENGTH 16
-#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_UNKNOWNS 3
+#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_UNKNOWNS 2
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_LENGTH_OF_RADIAL_EPIPOLAR 10
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_MAX_SOLUTIONS 8
 int32_t eliminant_fundamental_8pt_radial_one_side_solve(
@@ -1658,41 +1655,32 @@ int32_t eliminant_relpose_6pt_generalized_solve_batch(
  * relpose_6pt_radial
  *
  * Relative pose and the radial distortion common to two otherwise calibrated cameras from six
- * points: 52 solutions.
+ * point correspondences: 52 solutions.
  *
  * Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
  * problems for cameras with radial distortion", CVIU 114, 2010. Published as `relpose_6p_rad`.
  *
- * `first[k]` and `second[k]` are the distorted images of point k, relative to the principal
- * points, in units of the focal length. An image x lies along (x, 1 + radial |x|^2), the division
- * model. Then x2^T E x1 = 0 is linear in e11, e21, e12, e22, e31, radial e31 and the monomials
- * e13, radial e13, e23, radial e23, e32, radial e32, radial^2 e33, radial e33, e33: six points
- * give the former as combinations of these. `others` are the entries of E that are left. It is
- * published with e33 = 1, but e33 vanishes where the camera moves in a plane and turns about the
- * normal of that.
+ * A point x lies along (x, 1 + radial |x|^2), the division model. Then x1^T E x2 = 0 is, with e33
+ * = 1, linear in e11, e21, e12, e22, radial e31, e31 and the monomials e32, radial e32, e13,
+ * radial e13, e23, radial e23, radial^2, radial, 1: six points give the former as combinations of
+ * these. The first image may be turned about its centre, which turns (e13, e23), and `radial` may
+ * have any unit: they are such that in e31 radial e23 has the coefficient 0 and radial e13 the
+ * coefficient 1, which is a divisor of all that follows. `affine` holds the coefficients of e11,
+ * e21, e12, e22, radial e31, and `affine_e31` the other seven of e31.
  *
- * Data: first[6][2], second[6][2].
- * A row of 5 numbers, the unknowns: others[4] (given up to scale: of length 1), radial.
- * A row of 10 numbers, the result radial_relative_pose: essential[3][3], radial.
+ * Data: affine[5][9], affine_e31[7].
+ * A row of 4 numbers, the unknowns: e_13, e_32, e_23, radial.
  */
-#define ELIMINANT_RELPOSE_6PT_RADIAL_FIRST_LENGTH 12
-#define ELIMINANT_RELPOSE_6PT_RADIAL_SECOND_LENGTH 12
-#define ELIMINANT_RELPOSE_6PT_RADIAL_UNKNOWNS 5
-#define ELIMINANT_RELPOSE_6PT_RADIAL_LENGTH_OF_RADIAL_RELATIVE_POSE 10
+#define ELIMINANT_RELPOSE_6PT_RADIAL_AFFINE_LENGTH 45
+#define ELIMINANT_RELPOSE_6PT_RADIAL_AFFINE_E31_LENGTH 7
+#define ELIMINANT_RELPOSE_6PT_RADIAL_UNKNOWNS 4
 #define ELIMINANT_RELPOSE_6PT_RADIAL_MAX_SOLUTIONS 52
 int32_t eliminant_relpose_6pt_radial_solve(
-    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *affine, size_t affine_length, const double *affine_e31, size_t affine_e31_length,
     double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_6pt_radial_solve_batch(
-    size_t instances, const double *first, size_t first_length, const double *second,
-    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
-    int32_t *codes);
-int32_t eliminant_relpose_6pt_radial_solve_for_radial_relative_pose(
-    const double *first, size_t first_length, const double *second, size_t second_length,
-    double *solutions, size_t capacity, size_t *count);
-int32_t eliminant_relpose_6pt_radial_solve_batch_for_radial_relative_pose(
-    size_t instances, const double *first, size_t first_length, const double *second,
-    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    size_t instances, const double *affine, size_t affine_length, const double *affine_e31,
+    size_t affine_e31_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
 
 /*
@@ -1789,20 +1777,18 @@ int32_t eliminant_relpose_7pt_focal_radial_solve_batch(
  *
  * `first[k]` is the distorted image of point k in the first camera, relative to the principal
  * point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
- * first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T F x2 = 0 is
- * linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial f31, f32, radial f32,
- * radial f33, f33: seven points give the former as combinations of these. `last` is the last row
- * of F. It is published with f33 = 1, but f33 vanishes where the camera moves in a plane and turns
- * about the normal of that. With the focal length, diag(focal, focal, 1) F is an essential matrix;
- * `w` is 1 / focal^2.
+ * first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T F x2 = 0 is, with
+ * f33 = 1, linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial f31, f32, radial
+ * f32, radial, 1: seven points give the former as combinations of these. With the focal length,
+ * diag(focal, focal, 1) F is an essential matrix; `w` is 1 / focal^2.
  *
  * Data: first[7][2], second[7][2].
- * A row of 5 numbers, the unknowns: w, last[3] (given up to scale: of length 1), radial.
+ * A row of 4 numbers, the unknowns: w, f_31, f_32, radial.
  * A row of 11 numbers, the result radial_focal_pose: fundamental[3][3], focal, radial.
  */
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_FIRST_LENGTH 14
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_SECOND_LENGTH 14
-#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_UNKNOWNS 5
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_UNKNOWNS 4
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_LENGTH_OF_RADIAL_FOCAL_POSE 11
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_MAX_SOLUTIONS 19
 int32_t eliminant_relpose_7pt_focal_radial_one_side_solve(
@@ -1831,21 +1817,20 @@ int32_t eliminant_relpose_7pt_focal_radial_one_side_solve_batch_for_radial_focal
  *
  * `first[k]` is the distorted image of point k in the first camera, relative to the principal
  * point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
- * first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T F x1 = 0 is
- * linear in radial f13, f11, f21, f31, f12, f22, f32 and the monomials radial f23, f13, f23,
- * radial f33, f33: seven points give the former as combinations of these. `last` is the last
- * column of F. It is published with f33 = 1, but f33 vanishes where the camera moves in a plane
- * and turns about the normal of that. F diag(focal, focal, 1) is an essential matrix for some
- * focal length: with A the first two columns of F, the third is an eigenvector of A A^T, and where
- * mu is its eigenvalue, |third column|^2 / focal^2 = trace(A A^T) - 2 mu.
+ * first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T F x1 = 0 is, with
+ * f33 = 1, linear in radial f13, f11, f21, f31, f12, f22, f32 and the monomials radial f23, f13,
+ * f23, radial, 1: seven points give the former as combinations of these. F diag(focal, focal, 1)
+ * is an essential matrix for some focal length: with A the first two columns of F, the third is an
+ * eigenvector of A A^T, and where mu is its eigenvalue, |third column|^2 / focal^2 = trace(A A^T)
+ * - 2 mu.
  *
  * Data: first[7][2], second[7][2].
- * A row of 4 numbers, the unknowns: last[3] (given up to scale: of length 1), radial.
+ * A row of 3 numbers, the unknowns: f_13, f_23, radial.
  * A row of 10 numbers, the result radial_epipolar: fundamental[3][3], radial.
  */
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_FIRST_LENGTH 14
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_SECOND_LENGTH 14
-#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_UNKNOWNS 4
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_UNKNOWNS 3
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_LENGTH_OF_RADIAL_EPIPOLAR 10
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_MAX_SOLUTIONS 19
 int32_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve(

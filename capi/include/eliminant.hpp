@@ -489,10 +489,9 @@ inline void solve_batch_for_epipolar(
 ///
 /// `first[k]` and `second[k]` are the distorted images of point k, relative to the centre of
 /// distortion. An image x lies along (x, 1 + radial |x|^2), the division model. Then x2^T F x1 = 0
-/// is linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the monomials radial f13,
-/// radial f23, radial^2 f33, f13, f23, radial f33, f33: eight points give the former as
-/// combinations of these. `last` is the last column of F. It is published with f33 = 1, but f33
-/// vanishes where the camera moves in a plane and turns about the normal of that.
+/// is, with f33 = 1, linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the
+/// monomials radial f13, radial f23, radial^2, f13, f23, radial, 1: eight points give the former as
+/// combinations of these.
 namespace fundamental_8pt_radial {
 
 /// No call returns more solutions.
@@ -501,9 +500,10 @@ inline constexpr std::size_t max_solutions = 16;
 /// A solution of `fundamental_8pt_radial`.
 struct Solution {
     double radial;
-    std::array<double, 3> last; ///< given up to scale: of length 1
+    double f_13;
+    double f_23;
 };
-static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
+static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
 [[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<16> first, Values<16> second) noexcept {
@@ -566,10 +566,8 @@ inline void solve_batch_for_radial_epipolar(
 /// `first[k]` is the image of point k in a camera without distortion, `second[k]` the distorted one
 /// in the other, relative to the centre of distortion. There an image x lies along (x, 1 + radial
 /// |x|^2), the division model. Then x2^T F x1 = 0 is linear in the nine entries of F, the third row
-/// also multiplied by `radial`. Eight points give f11, f21, f31, f12, f22, f13, f23 and radial f31
-/// as combinations of radial f32, radial f33, f32 and f33. `last` is (f32, f33). It is published
-/// with f33 = 1, but f33 vanishes where the camera moves in a plane and turns about the normal of
-/// that.
+/// also multiplied by `radial`. Eight points, and f33 = 1, give f11, f21, f31, f12, f22, f13, f23
+/// and radial f31 as combinations of radial f32, radial, f32 and 1.
 namespace fundamental_8pt_radial_one_side {
 
 /// No call returns more solutions.
@@ -577,10 +575,10 @@ inline constexpr std::size_t max_solutions = 8;
 
 /// A solution of `fundamental_8pt_radial_one_side`.
 struct Solution {
-    std::array<double, 2> last; ///< given up to scale: of length 1
+    double f_32;
     double radial;
 };
-static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
 [[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<16> first, Values<16> second) noexcept {
@@ -3117,18 +3115,18 @@ inline void solve_batch(
 } // namespace relpose_6pt_generalized
 
 /// Relative pose and the radial distortion common to two otherwise calibrated cameras from six
-/// points: 52 solutions.
+/// point correspondences: 52 solutions.
 ///
 /// Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
 /// problems for cameras with radial distortion", CVIU 114, 2010. Published as `relpose_6p_rad`.
 ///
-/// `first[k]` and `second[k]` are the distorted images of point k, relative to the principal
-/// points, in units of the focal length. An image x lies along (x, 1 + radial |x|^2), the division
-/// model. Then x2^T E x1 = 0 is linear in e11, e21, e12, e22, e31, radial e31 and the monomials
-/// e13, radial e13, e23, radial e23, e32, radial e32, radial^2 e33, radial e33, e33: six points
-/// give the former as combinations of these. `others` are the entries of E that are left. It is
-/// published with e33 = 1, but e33 vanishes where the camera moves in a plane and turns about the
-/// normal of that.
+/// A point x lies along (x, 1 + radial |x|^2), the division model. Then x1^T E x2 = 0 is, with e33
+/// = 1, linear in e11, e21, e12, e22, radial e31, e31 and the monomials e32, radial e32, e13,
+/// radial e13, e23, radial e23, radial^2, radial, 1: six points give the former as combinations of
+/// these. The first image may be turned about its centre, which turns (e13, e23), and `radial` may
+/// have any unit: they are such that in e31 radial e23 has the coefficient 0 and radial e13 the
+/// coefficient 1, which is a divisor of all that follows. `affine` holds the coefficients of e11,
+/// e21, e12, e22, radial e31, and `affine_e31` the other seven of e31.
 namespace relpose_6pt_radial {
 
 /// No call returns more solutions.
@@ -3136,59 +3134,32 @@ inline constexpr std::size_t max_solutions = 52;
 
 /// A solution of `relpose_6pt_radial`.
 struct Solution {
-    std::array<double, 4> others; ///< given up to scale: of length 1
+    double e_13;
+    double e_32;
+    double e_23;
     double radial;
 };
-static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<12> first, Values<12> second) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<45> affine, Values<7> affine_e31) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_relpose_6pt_radial_solve(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+        return eliminant_relpose_6pt_radial_solve(affine.data(), affine.size(), affine_e31.data(), affine_e31.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<12> first, Values<12> second) {
-    return try_solve(first, second).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<45> affine, Values<7> affine_e31) {
+    return try_solve(affine, affine_e31).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many affine, Many affine_e31, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_relpose_6pt_radial_solve_batch(
-            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
-    });
-}
-
-/// What `relpose_6pt_radial` returns beside its unknowns.
-struct RadialRelativePose {
-    std::array<std::array<double, 3>, 3> essential;
-    double radial;
-};
-static_assert(sizeof(RadialRelativePose) == 10 * sizeof(double), "a row");
-
-/// Real solutions of one instance: each radial_relative_pose, or the code of an error.
-[[nodiscard]] inline Result<Solutions<RadialRelativePose, max_solutions>> try_solve_for_radial_relative_pose(Values<12> first, Values<12> second) noexcept {
-    return Result<Solutions<RadialRelativePose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_relpose_6pt_radial_solve_for_radial_relative_pose(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
-    });
-}
-
-/// Real solutions of one instance: each radial_relative_pose. Throws `Error`.
-[[nodiscard]] inline Solutions<RadialRelativePose, max_solutions> solve_for_radial_relative_pose(Values<12> first, Values<12> second) {
-    return try_solve_for_radial_relative_pose(first, second).value();
-}
-
-/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
-inline void solve_batch_for_radial_relative_pose(
-    std::size_t instances, Many first, Many second, Batch<RadialRelativePose, max_solutions> &batch) {
-    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
-                              std::int32_t *codes) {
-        return eliminant_relpose_6pt_radial_solve_batch_for_radial_relative_pose(
-            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+            instances, affine.data(), affine.size(), affine_e31.data(), affine_e31.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
@@ -3340,12 +3311,10 @@ inline void solve_batch(
 ///
 /// `first[k]` is the distorted image of point k in the first camera, relative to the principal
 /// point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
-/// first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T F x2 = 0 is
-/// linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial f31, f32, radial f32,
-/// radial f33, f33: seven points give the former as combinations of these. `last` is the last row
-/// of F. It is published with f33 = 1, but f33 vanishes where the camera moves in a plane and turns
-/// about the normal of that. With the focal length, diag(focal, focal, 1) F is an essential matrix;
-/// `w` is 1 / focal^2.
+/// first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T F x2 = 0 is, with
+/// f33 = 1, linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial f31, f32, radial
+/// f32, radial, 1: seven points give the former as combinations of these. With the focal length,
+/// diag(focal, focal, 1) F is an essential matrix; `w` is 1 / focal^2.
 namespace relpose_7pt_focal_radial_one_side {
 
 /// No call returns more solutions.
@@ -3354,10 +3323,11 @@ inline constexpr std::size_t max_solutions = 19;
 /// A solution of `relpose_7pt_focal_radial_one_side`.
 struct Solution {
     double w;
-    std::array<double, 3> last; ///< given up to scale: of length 1
+    double f_31;
+    double f_32;
     double radial;
 };
-static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
 [[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<14> first, Values<14> second) noexcept {
@@ -3421,13 +3391,12 @@ inline void solve_batch_for_radial_focal_pose(
 ///
 /// `first[k]` is the distorted image of point k in the first camera, relative to the principal
 /// point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
-/// first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T F x1 = 0 is
-/// linear in radial f13, f11, f21, f31, f12, f22, f32 and the monomials radial f23, f13, f23,
-/// radial f33, f33: seven points give the former as combinations of these. `last` is the last
-/// column of F. It is published with f33 = 1, but f33 vanishes where the camera moves in a plane
-/// and turns about the normal of that. F diag(focal, focal, 1) is an essential matrix for some
-/// focal length: with A the first two columns of F, the third is an eigenvector of A A^T, and where
-/// mu is its eigenvalue, |third column|^2 / focal^2 = trace(A A^T) - 2 mu.
+/// first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T F x1 = 0 is, with
+/// f33 = 1, linear in radial f13, f11, f21, f31, f12, f22, f32 and the monomials radial f23, f13,
+/// f23, radial, 1: seven points give the former as combinations of these. F diag(focal, focal, 1)
+/// is an essential matrix for some focal length: with A the first two columns of F, the third is an
+/// eigenvector of A A^T, and where mu is its eigenvalue, |third column|^2 / focal^2 = trace(A A^T)
+/// - 2 mu.
 namespace relpose_7pt_focal_radial_one_side_eliminated {
 
 /// No call returns more solutions.
@@ -3435,10 +3404,11 @@ inline constexpr std::size_t max_solutions = 19;
 
 /// A solution of `relpose_7pt_focal_radial_one_side_eliminated`.
 struct Solution {
-    std::array<double, 3> last; ///< given up to scale: of length 1
+    double f_13;
+    double f_23;
     double radial;
 };
-static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
+static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
 [[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<14> first, Values<14> second) noexcept {

@@ -587,7 +587,7 @@ fn chains_are_few() {
         Some((chains.lengths, chains.eliminated))
     };
     assert_eq!(found("relpose_5pt"), Some((vec![2, 2, 3], 3)));
-    assert_eq!(found("two_conics"), Some((vec![3], 1)));
+    assert_eq!(found("two_conics"), Some((vec![2, 1], 1)));
     assert_eq!(found("trilateration"), Some((vec![2], 0)));
     assert_eq!(found("pose_6pt_rolling_shutter"), None);
 }

@@ -215,10 +215,9 @@ def fundamental_8pt_radial(first: npt.ArrayLike, second: npt.ArrayLike) -> Solut
 
     `first[k]` and `second[k]` are the distorted images of point k, relative to the centre of
     distortion. An image x lies along (x, 1 + radial |x|^2), the division model. Then x2^T F x1 = 0
-    is linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the monomials radial f13,
-    radial f23, radial^2 f33, f13, f23, radial f33, f33: eight points give the former as
-    combinations of these. `last` is the last column of F. It is published with f33 = 1, but f33
-    vanishes where the camera moves in a plane and turns about the normal of that.
+    is, with f33 = 1, linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the
+    monomials radial f13, radial f23, radial^2, f13, f23, radial, 1: eight points give the former as
+    combinations of these.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -228,7 +227,8 @@ def fundamental_8pt_radial(first: npt.ArrayLike, second: npt.ArrayLike) -> Solut
     Solutions, of which there are at most 16:
 
     - `radial`: ()
-    - `last`: (3,)
+    - `f_13`: ()
+    - `f_23`: ()
 
     Results of each solution:
 
@@ -247,10 +247,8 @@ def fundamental_8pt_radial_one_side(first: npt.ArrayLike, second: npt.ArrayLike)
     `first[k]` is the image of point k in a camera without distortion, `second[k]` the distorted one
     in the other, relative to the centre of distortion. There an image x lies along (x, 1 + radial
     |x|^2), the division model. Then x2^T F x1 = 0 is linear in the nine entries of F, the third row
-    also multiplied by `radial`. Eight points give f11, f21, f31, f12, f22, f13, f23 and radial f31
-    as combinations of radial f32, radial f33, f32 and f33. `last` is (f32, f33). It is published
-    with f33 = 1, but f33 vanishes where the camera moves in a plane and turns about the normal of
-    that.
+    also multiplied by `radial`. Eight points, and f33 = 1, give f11, f21, f31, f12, f22, f13, f23
+    and radial f31 as combinations of radial f32, radial, f32 and 1.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -259,7 +257,7 @@ def fundamental_8pt_radial_one_side(first: npt.ArrayLike, second: npt.ArrayLike)
 
     Solutions, of which there are at most 8:
 
-    - `last`: (2,)
+    - `f_32`: ()
     - `radial`: ()
 
     Results of each solution:
@@ -1467,37 +1465,34 @@ def relpose_6pt_generalized(first: npt.ArrayLike, second: npt.ArrayLike) -> Solu
     return _solve("relpose_6pt_generalized", first, second)
 
 
-def relpose_6pt_radial(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+def relpose_6pt_radial(affine: npt.ArrayLike, affine_e31: npt.ArrayLike) -> Solutions:
     """Relative pose and the radial distortion common to two otherwise calibrated cameras from six
-    points: 52 solutions.
+    point correspondences: 52 solutions.
 
     Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
     problems for cameras with radial distortion", CVIU 114, 2010. Published as `relpose_6p_rad`.
 
-    `first[k]` and `second[k]` are the distorted images of point k, relative to the principal
-    points, in units of the focal length. An image x lies along (x, 1 + radial |x|^2), the division
-    model. Then x2^T E x1 = 0 is linear in e11, e21, e12, e22, e31, radial e31 and the monomials
-    e13, radial e13, e23, radial e23, e32, radial e32, radial^2 e33, radial e33, e33: six points
-    give the former as combinations of these. `others` are the entries of E that are left. It is
-    published with e33 = 1, but e33 vanishes where the camera moves in a plane and turns about the
-    normal of that.
+    A point x lies along (x, 1 + radial |x|^2), the division model. Then x1^T E x2 = 0 is, with e33
+    = 1, linear in e11, e21, e12, e22, radial e31, e31 and the monomials e32, radial e32, e13,
+    radial e13, e23, radial e23, radial^2, radial, 1: six points give the former as combinations of
+    these. The first image may be turned about its centre, which turns (e13, e23), and `radial` may
+    have any unit: they are such that in e31 radial e23 has the coefficient 0 and radial e13 the
+    coefficient 1, which is a divisor of all that follows. `affine` holds the coefficients of e11,
+    e21, e12, e22, radial e31, and `affine_e31` the other seven of e31.
 
     Data, for one instance, or with n in front for a batch:
 
-    - `first`: (6, 2)
-    - `second`: (6, 2)
+    - `affine`: (5, 9)
+    - `affine_e31`: (7,)
 
     Solutions, of which there are at most 52:
 
-    - `others`: (4,)
-    - `radial`: ()
-
-    Results of each solution:
-
-    - `essential`: (3, 3)
+    - `e_13`: ()
+    - `e_32`: ()
+    - `e_23`: ()
     - `radial`: ()
     """
-    return _solve("relpose_6pt_radial", first, second)
+    return _solve("relpose_6pt_radial", affine, affine_e31)
 
 
 def relpose_7pt_angle_focal_centre(
@@ -1586,12 +1581,10 @@ def relpose_7pt_focal_radial_one_side(first: npt.ArrayLike, second: npt.ArrayLik
 
     `first[k]` is the distorted image of point k in the first camera, relative to the principal
     point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
-    first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T F x2 = 0 is
-    linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial f31, f32, radial f32,
-    radial f33, f33: seven points give the former as combinations of these. `last` is the last row
-    of F. It is published with f33 = 1, but f33 vanishes where the camera moves in a plane and turns
-    about the normal of that. With the focal length, diag(focal, focal, 1) F is an essential matrix;
-    `w` is 1 / focal^2.
+    first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T F x2 = 0 is, with
+    f33 = 1, linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial f31, f32, radial
+    f32, radial, 1: seven points give the former as combinations of these. With the focal length,
+    diag(focal, focal, 1) F is an essential matrix; `w` is 1 / focal^2.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -1601,7 +1594,8 @@ def relpose_7pt_focal_radial_one_side(first: npt.ArrayLike, second: npt.ArrayLik
     Solutions, of which there are at most 19:
 
     - `w`: ()
-    - `last`: (3,)
+    - `f_31`: ()
+    - `f_32`: ()
     - `radial`: ()
 
     Results of each solution:
@@ -1625,13 +1619,12 @@ def relpose_7pt_focal_radial_one_side_eliminated(
 
     `first[k]` is the distorted image of point k in the first camera, relative to the principal
     point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
-    first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T F x1 = 0 is
-    linear in radial f13, f11, f21, f31, f12, f22, f32 and the monomials radial f23, f13, f23,
-    radial f33, f33: seven points give the former as combinations of these. `last` is the last
-    column of F. It is published with f33 = 1, but f33 vanishes where the camera moves in a plane
-    and turns about the normal of that. F diag(focal, focal, 1) is an essential matrix for some
-    focal length: with A the first two columns of F, the third is an eigenvector of A A^T, and where
-    mu is its eigenvalue, |third column|^2 / focal^2 = trace(A A^T) - 2 mu.
+    first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T F x1 = 0 is, with
+    f33 = 1, linear in radial f13, f11, f21, f31, f12, f22, f32 and the monomials radial f23, f13,
+    f23, radial, 1: seven points give the former as combinations of these. F diag(focal, focal, 1)
+    is an essential matrix for some focal length: with A the first two columns of F, the third is an
+    eigenvector of A A^T, and where mu is its eigenvalue, |third column|^2 / focal^2 = trace(A A^T)
+    - 2 mu.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -1640,7 +1633,8 @@ def relpose_7pt_focal_radial_one_side_eliminated(
 
     Solutions, of which there are at most 19:
 
-    - `last`: (3,)
+    - `f_13`: ()
+    - `f_23`: ()
     - `radial`: ()
 
     Results of each solution:

@@ -32,9 +32,6 @@ pub struct Cost {
     pub rows: usize,
     /// |B|.
     pub basis: usize,
-    /// Whether solutions at which some unknown vanishes have no eigenpair: they are followed from
-    /// data nearby, which takes many times as long.
-    pub loses_zeros: bool,
 }
 
 impl Preference {

@@ -6,40 +6,25 @@ use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
 
 use super::cameras::{Motion, distorted, image, two_cameras};
-use super::{
-    KnownInstance, Make, Maker, coordinates, largest_relative_error, projective_error, solved, uniform, vector,
-};
+use super::{KnownInstance, Make, Maker, largest_relative_error, solved, uniform};
 
 pub(super) fn makers() -> Vec<Maker> {
-    let scene = |name, make| Maker {
-        name,
-        make: Make::Scene(make),
-        error: |_, solution, truth| largest_relative_error(solution, truth),
-    };
-    let two_cameras = |name, make, error| Maker { name, make: Make::TwoCameras(make), error };
+    let error = |_: &[f64], solution: &[f64], truth: &[f64]| largest_relative_error(solution, truth);
+    let maker = |name, make| Maker { name, make: Make::Scene(make), error };
     vec![
-        two_cameras("fundamental_8pt_radial", fundamental_eight_points, error_of::<1, 2>),
-        two_cameras("fundamental_8pt_radial_one_side", fundamental_eight_points_one_side, error_of::<0, 1>),
-        scene("fundamental_9pt_two_radials", fundamental_nine_points),
-        two_cameras("relpose_6pt_radial", six_points, error_of::<0, 3>),
-        scene("relpose_7pt_focal_radial", seven_points),
-        two_cameras("relpose_7pt_focal_radial_one_side", seven_points_one_side, error_of::<1, 2>),
-        two_cameras("relpose_7pt_focal_radial_one_side_eliminated", seven_points_one_side_eliminated, error_of::<0, 2>),
+        maker("fundamental_8pt_radial", fundamental_eight_points),
+        maker("fundamental_8pt_radial_one_side", fundamental_eight_points_one_side),
+        maker("fundamental_9pt_two_radials", fundamental_nine_points),
+        maker("relpose_6pt_radial", six_points),
+        maker("relpose_7pt_focal_radial", seven_points),
+        maker("relpose_7pt_focal_radial_one_side", seven_points_one_side),
+        maker("relpose_7pt_focal_radial_one_side_eliminated", seven_points_one_side_eliminated),
     ]
-}
-
-/// The error of the unknowns `FIRST..FIRST + COUNT`, which are those of a vector given up to scale,
-/// or of one of the others, each for itself.
-fn error_of<const FIRST: usize, const COUNT: usize>(_: &[f64], solution: &[f64], truth: &[f64]) -> f64 {
-    let last = FIRST..FIRST + COUNT;
-    let of_vector = projective_error(&vector(&solution[last.clone()]), &vector(&truth[last.clone()]));
-    let others = |x: &[f64]| [&x[..last.start], &x[last.end..]].concat();
-    of_vector.max(largest_relative_error(&others(solution), &others(truth)))
 }
 
 /// Two cameras and the distorted images of points.
 struct Views {
-    /// x2^T F x1 = 0 for the undistorted images. Entry f33 vanishes for planar motions.
+    /// x2^T F x1 = 0 for the undistorted images, f33 = 1.
     fundamental: Matrix3<f64>,
     points: Vec<Correspondence>,
 }
@@ -56,8 +41,8 @@ struct Correspondence {
 
 impl Views {
     /// Two cameras with these focal lengths and distortions, of which each sees so many points.
-    fn draw(placed: (&mut Random, Motion), count: usize, focal: [f64; 2], radials: [f64; 2]) -> Self {
-        let (rotation, translation, points) = two_cameras(placed, count);
+    fn draw(random: &mut Random, count: usize, focal: [f64; 2], radials: [f64; 2]) -> Self {
+        let (rotation, translation, points) = two_cameras((random, Motion::General), count);
         let correspondence = |x: &Vector3<f64>| {
             let first: Vector2<f64> = distorted(image(x, focal[0]), radials[0]);
             let second: Vector2<f64> = distorted(image(&(rotation * x + translation), focal[1]), radials[1]);
@@ -66,7 +51,7 @@ impl Views {
         };
         let inverse = focal.map(|focal| Matrix3::from_diagonal(&Vector3::new(1.0 / focal, 1.0 / focal, 1.0)));
         let fundamental = inverse[1] * translation.cross_matrix() * rotation * inverse[0];
-        Self { fundamental, points: points.iter().map(correspondence).collect() }
+        Self { fundamental: fundamental / fundamental[(2, 2)], points: points.iter().map(correspondence).collect() }
     }
 
     /// The first camera as the second, and the second as the first.
@@ -118,34 +103,30 @@ fn focal(random: &mut Random) -> f64 {
     uniform(random, 2.0, 4.0)
 }
 
-fn fundamental_eight_points(random: &mut Random, motion: Motion) -> KnownInstance {
+fn fundamental_eight_points(random: &mut Random) -> KnownInstance {
     let (focal, radial) = ([focal(random), focal(random)], radial(random));
-    let views = Views::draw((random, motion), 8, focal, [radial; 2]);
+    let views = Views::draw(random, 8, focal, [radial; 2]);
     let f = views.fundamental;
-    let last = coordinates(&[f[(0, 2)], f[(1, 2)], f[(2, 2)]]);
-    KnownInstance { data: views.images(), truths: vec![[vec![radial], last].concat()] }
+    KnownInstance { data: views.images(), truths: vec![vec![radial, f[(0, 2)], f[(1, 2)]]] }
 }
 
-fn fundamental_eight_points_one_side(random: &mut Random, motion: Motion) -> KnownInstance {
+fn fundamental_eight_points_one_side(random: &mut Random) -> KnownInstance {
     let (focal, radial) = ([focal(random), focal(random)], radial(random));
-    let views = Views::draw((random, motion), 8, focal, [0.0, radial]);
-    let f = views.fundamental;
-    let last = coordinates(&[f[(2, 1)], f[(2, 2)]]);
-    KnownInstance { data: views.images(), truths: vec![[last, vec![radial]].concat()] }
+    let views = Views::draw(random, 8, focal, [0.0, radial]);
+    KnownInstance { data: views.images(), truths: vec![vec![views.fundamental[(2, 1)], radial]] }
 }
 
-fn seven_points_one_side_eliminated(random: &mut Random, motion: Motion) -> KnownInstance {
+fn seven_points_one_side_eliminated(random: &mut Random) -> KnownInstance {
     let (focal, radial) = (focal(random), radial(random));
-    let views = Views::draw((random, motion), 7, [focal, 1.0], [radial, 0.0]);
+    let views = Views::draw(random, 7, [focal, 1.0], [radial, 0.0]);
     let f = views.fundamental;
-    let last = coordinates(&[f[(0, 2)], f[(1, 2)], f[(2, 2)]]);
-    KnownInstance { data: views.images(), truths: vec![[last, vec![radial]].concat()] }
+    KnownInstance { data: views.images(), truths: vec![vec![f[(0, 2)], f[(1, 2)], radial]] }
 }
 
 fn fundamental_nine_points(random: &mut Random) -> KnownInstance {
     let (focal, s, t) = ([focal(random), focal(random)], radial(random), radial(random));
-    let views = Views::draw((random, Motion::General), 9, focal, [t, s]);
-    let f = views.fundamental / views.fundamental[(2, 2)];
+    let views = Views::draw(random, 9, focal, [t, s]);
+    let f = views.fundamental;
     KnownInstance { data: views.images(), truths: vec![vec![s, f[(2, 0)], f[(2, 1)], f[(1, 2)]]] }
 }
 
@@ -192,12 +173,20 @@ fn without_unit(mut data: Vec<f64>, others: usize) -> Vec<f64> {
     data
 }
 
-fn six_points(random: &mut Random, motion: Motion) -> KnownInstance {
+fn six_points(random: &mut Random) -> KnownInstance {
     let radial = radial(random);
-    let views = Views::draw((random, motion), 6, [1.0; 2], [radial; 2]);
-    let e = views.fundamental;
-    let others = coordinates(&[e[(0, 2)], e[(1, 2)], e[(2, 1)], e[(2, 2)]]);
-    KnownInstance { data: views.images(), truths: vec![[others, vec![radial]].concat()] }
+    let equation = |&Correspondence { a, b, first, c, d, second }: &Correspondence| {
+        (
+            vec![a * c, b * c, a * d, b * d, c * first, c],
+            vec![d, d * first, a, a * second, b, b * second, first * second, first + second, 1.0],
+        )
+    };
+    with_smallest_data(&Views::draw(random, 6, [1.0; 2], [radial; 2]), |views| {
+        let (views, unit) = with_unit(views, equation);
+        let e = views.fundamental.transpose();
+        let truth = vec![e[(0, 2)], e[(2, 1)], e[(1, 2)], radial * unit];
+        KnownInstance { data: without_unit(views.affine(equation), 9), truths: vec![truth] }
+    })
 }
 
 fn seven_points(random: &mut Random) -> KnownInstance {
@@ -208,19 +197,18 @@ fn seven_points(random: &mut Random) -> KnownInstance {
             vec![d, d * first, a, a * second, b, b * second, first + second, 1.0],
         )
     };
-    with_smallest_data(&Views::draw((random, Motion::General), 7, [focal; 2], [radial; 2]), |views| {
+    with_smallest_data(&Views::draw(random, 7, [focal; 2], [radial; 2]), |views| {
         let (views, unit) = with_unit(views, equation);
-        let f = views.fundamental.transpose() / views.fundamental[(2, 2)];
+        let f = views.fundamental.transpose();
         let truth = vec![1.0 / (focal * focal), f[(2, 1)], f[(0, 2)], f[(1, 2)], radial * unit];
         KnownInstance { data: without_unit(views.affine(equation), 8), truths: vec![truth] }
     })
 }
 
 /// The problem states x1^T F x2 = 0.
-fn seven_points_one_side(random: &mut Random, motion: Motion) -> KnownInstance {
+fn seven_points_one_side(random: &mut Random) -> KnownInstance {
     let (focal, radial) = (focal(random), radial(random));
-    let views = Views::draw((random, motion), 7, [focal, 1.0], [radial, 0.0]);
+    let views = Views::draw(random, 7, [focal, 1.0], [radial, 0.0]);
     let f = views.fundamental.transpose();
-    let last = coordinates(&[f[(2, 0)], f[(2, 1)], f[(2, 2)]]);
-    KnownInstance { data: views.images(), truths: vec![[vec![1.0 / (focal * focal)], last, vec![radial]].concat()] }
+    KnownInstance { data: views.images(), truths: vec![vec![1.0 / (focal * focal), f[(2, 0)], f[(2, 1)], radial]] }
 }

@@ -25,10 +25,6 @@ pub const SIMILAR_COST: f64 = 1.1;
 /// little faster, but no more than one solution per chain can have the same value of the action
 /// monomial, and on symmetric data more of them do.
 pub const EQUAL_COST: f64 = 1.1;
-/// A candidate that loses solutions at which an unknown vanishes must be faster by this factor.
-/// Where data have such solutions, which is common where they are symmetric, a second attempt
-/// follows, or the solutions are followed from data nearby.
-pub const COST_OF_ZEROS: f64 = 1.25;
 /// Candidates that are confirmed besides the first accepted one.
 pub const OTHERS_CONFIRMED: usize = 2;
 /// Operations that screening one candidate may take, without the polish. If a solve takes so many

@@ -8,9 +8,6 @@ use crate::search::monitor::Unmonitored;
 /// of instances that lack a solution (0: none does).
 type Made = (usize, usize, f64, usize);
 
-/// A candidate that is made up with so many rows loses zeros.
-const LOSES_ZEROS: usize = 6;
-
 fn measure_made(made: &[Made], at: usize, instances: Range<usize>) -> Stability {
     let (_, _, residual, every) = made[at];
     let incomplete = if every == 0 { 0 } else { instances.clone().filter(|k| k % every == every - 1).count() };
@@ -35,7 +32,6 @@ fn decide_by(
         operations,
         rows,
         basis: 1,
-        loses_zeros: rows == LOSES_ZEROS,
     };
     let costs: Vec<Cost> = made.iter().map(cost).collect();
     let measuring = Measuring { trials: 300, confirm: 10_000, seed: 1 };
@@ -70,14 +66,6 @@ fn of_those_as_fast_the_one_with_fewest_rows_wins() {
     // It lacks solutions, and is no faster.
     let made = [(100, 9, -15.0, 0), (104, 7, -15.0, 3000)];
     assert_eq!(chosen(Speed, &made), Some((0, Accepted)));
-}
-
-#[test]
-fn a_candidate_that_loses_zeros_must_be_faster() {
-    let made = |operations| [(100, LOSES_ZEROS, -15.0, 0), (operations, 9, -15.0, 0)];
-    assert_eq!(chosen(Speed, &made(100)), Some((1, Accepted)));
-    assert_eq!(chosen(Speed, &made(113)), Some((1, Accepted)));
-    assert_eq!(chosen(Speed, &made(114)), Some((0, Accepted)));
 }
 
 #[test]

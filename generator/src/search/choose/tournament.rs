@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use super::rule::{
-    BLOCK, BLOCK_WORK, CONFIRMING_WORK, COST_OF_ZEROS, EQUAL_COST, GOOD_RESIDUAL, INCOMPLETE_ONE_IN, MEASURING_WORK,
+    BLOCK, BLOCK_WORK, CONFIRMING_WORK, EQUAL_COST, GOOD_RESIDUAL, INCOMPLETE_ONE_IN, MEASURING_WORK,
     MOST_CONFIRMING_WORK, MOST_SCREENING_WORK, Measuring, OTHERS_CONFIRMED, SCREENED, SCREENED_AT_MOST, SCREENING_WORK,
     SIMILAR_COST, STABILITY_COST, Verdict, expected_nanoseconds, is_rejected,
 };
@@ -238,11 +238,9 @@ impl Tournament<'_> {
     }
 
     /// Sorts by the expected time. Candidates that are as fast as the fastest, as far as the model
-    /// tells, come first: in the order of their rows and operations. A candidate that loses
-    /// zeros takes [`COST_OF_ZEROS`] times as long.
+    /// tells, come first, in the order of their rows and operations.
     fn sort_by_speed(&self, candidates: &mut [usize]) {
-        let burden = |at: usize| if self.costs[at].loses_zeros { COST_OF_ZEROS } else { 1.0 };
-        let expected = |at: usize| burden(at) * self.expected_nanoseconds(at);
+        let expected = |at: usize| self.expected_nanoseconds(at);
         let least = candidates.iter().map(|&at| expected(at)).fold(f64::INFINITY, f64::min);
         let is_fast = |at: usize| expected(at) <= EQUAL_COST * least;
         let rows = |at: usize| if is_fast(at) { self.costs[at].rows } else { usize::MAX };
