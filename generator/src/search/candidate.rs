@@ -63,6 +63,8 @@ impl TemplateCandidate {
             operations: self.plan.operations().total(),
             rows: self.template.rows(),
             basis: self.template.basis.len(),
+            reducible: self.template.reducible.len(),
+            loses_zeros: self.plan.zeros.lacks_pairs,
         }
     }
 }
