@@ -180,7 +180,7 @@ fn arrays_of_unknowns_are_fields() {
     let mut file = TemplateFile::parse(TWO_CONICS[1], &["x".into(), "y".into()]).unwrap();
     (file.problem, file.fingerprint) = (vector.name.clone(), vector.fingerprint());
     let written = file.to_text(&vector.unknowns);
-    assert!(written.contains("action = \"v[0]\"") && written.contains("\"v[0]*v[1]^2\""), "{written}");
+    assert!(written.contains("action = \"1/v[0]\"") && written.contains("\"v[0]*v[1]^2\""), "{written}");
     assert_eq!(TemplateFile::parse(&written, &vector.unknowns).unwrap(), file);
     let source = generate(&vector, &file).unwrap();
 
@@ -249,10 +249,10 @@ fn emitted_code_says_what_is_what() {
         "let step_2 = ",
         "    //! - equation 1, `scale * changed * helped(v) * dot(p, terms) == 0`, times `1`, `y`, `x`\n",
         "    //! - equation 2, `dot(Q, terms) == 0`, times `1`, `y`, `x`\n",
-        "// columns x^2, x*y\n",
-        "// columns y^2, x, y, 1\n",
-        "// row 3: x * equation 1\n",
-        "// the action monomial times y^2, x, y, 1\n",
+        "// columns x^3, x^2*y\n",
+        "// columns x*y^2, x^2, x*y, x\n",
+        "// row 0: x * equation 1\n",
+        "// the action monomial times x*y^2, x^2, x*y, x\n",
         "/// The monomials 1, y, x, y^2, x*y, x^2.\n",
         "// `step * x != 0`\n",
     ] {

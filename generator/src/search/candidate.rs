@@ -63,8 +63,6 @@ impl TemplateCandidate {
             operations: self.plan.operations().total(),
             rows: self.template.rows(),
             basis: self.template.basis.len(),
-            reducible: self.template.reducible.len(),
-            loses_zeros: self.plan.zeros.lacks_pairs,
         }
     }
 }

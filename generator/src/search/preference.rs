@@ -32,11 +32,6 @@ pub struct Cost {
     pub rows: usize,
     /// |B|.
     pub basis: usize,
-    /// Reducible columns: at most so many solutions can share a value of the action monomial.
-    pub reducible: usize,
-    /// Whether solutions at which some unknown vanishes have no eigenpair: they are followed from
-    /// data nearby, which takes many times as long.
-    pub loses_zeros: bool,
 }
 
 impl Preference {

@@ -32,9 +32,6 @@
 //!    candidate with the fewest unsolved instances is chosen. Similar cost means for *speed* times
 //!    within [`SIMILAR_COST`], second attempts included, for *size* as many rows, for *stability*
 //!    any.
-//! 4. *Zeros.* If, for *speed*, the chosen candidate loses solutions at which an unknown vanishes,
-//!    another one is chosen in its place that does not, that takes at most [`COST_OF_ZEROS`] times
-//!    as long, has as many reducible columns, and is confirmed with as few unsolved instances.
 //!
 //! Large templates are measured on fewer instances: as many as [`SCREENING_WORK`] and
 //! [`CONFIRMING_WORK`] allow, but at least [`INCOMPLETE_ONE_IN`] for a confirmation, unless that

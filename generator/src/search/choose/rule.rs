@@ -25,10 +25,6 @@ pub const SIMILAR_COST: f64 = 1.1;
 /// little faster, but no more than one solution per chain can have the same value of the action
 /// monomial, and on symmetric data more of them do.
 pub const EQUAL_COST: f64 = 1.1;
-/// A candidate that loses no solutions at which an unknown vanishes may take this times as long as
-/// one that does. Data often have such solutions, where they are symmetric, and these are then
-/// followed from data nearby.
-pub const COST_OF_ZEROS: f64 = 1.25;
 /// Candidates that are confirmed besides the first accepted one.
 pub const OTHERS_CONFIRMED: usize = 2;
 /// Operations that screening one candidate may take, without the polish. If a solve takes so many

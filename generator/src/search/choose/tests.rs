@@ -8,11 +8,6 @@ use crate::search::monitor::Unmonitored;
 /// of instances that lack a solution (0: none does).
 type Made = (usize, usize, f64, usize);
 
-/// A candidate that is made up with so many rows loses zeros.
-const LOSES_ZEROS: usize = 6;
-/// One that is made up with so many operations has fewer reducible columns than all others.
-const FEW_CHAINS: usize = 101;
-
 fn measure_made(made: &[Made], at: usize, instances: Range<usize>) -> Stability {
     let (_, _, residual, every) = made[at];
     let incomplete = if every == 0 { 0 } else { instances.clone().filter(|k| k % every == every - 1).count() };
@@ -37,8 +32,6 @@ fn decide_by(
         operations,
         rows,
         basis: 1,
-        reducible: if operations == FEW_CHAINS { 1 } else { 2 },
-        loses_zeros: rows == LOSES_ZEROS,
     };
     let costs: Vec<Cost> = made.iter().map(cost).collect();
     let measuring = Measuring { trials: 300, confirm: 10_000, seed: 1 };
@@ -73,19 +66,6 @@ fn of_those_as_fast_the_one_with_fewest_rows_wins() {
     // It lacks solutions, and is no faster.
     let made = [(100, 9, -15.0, 0), (104, 7, -15.0, 3000)];
     assert_eq!(chosen(Speed, &made), Some((0, Accepted)));
-}
-
-#[test]
-fn a_candidate_that_loses_zeros_must_be_faster() {
-    let chosen_of = |operations, every| {
-        chosen(Speed, &[(100, LOSES_ZEROS, -15.0, 0), (operations, 9, -15.0, every)]).map(|(at, _)| at)
-    };
-    assert_eq!(chosen_of(100, 0), Some(1));
-    assert_eq!(chosen_of(125, 0), Some(1));
-    assert_eq!(chosen_of(126, 0), Some(0));
-    // It lacks solutions, or fewer ones can share a value.
-    assert_eq!(chosen_of(110, 3000), Some(0));
-    assert_eq!(chosen_of(FEW_CHAINS, 0), Some(0));
 }
 
 #[test]

@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use super::rule::{
-    BLOCK, BLOCK_WORK, CONFIRMING_WORK, COST_OF_ZEROS, EQUAL_COST, GOOD_RESIDUAL, INCOMPLETE_ONE_IN, MEASURING_WORK,
+    BLOCK, BLOCK_WORK, CONFIRMING_WORK, EQUAL_COST, GOOD_RESIDUAL, INCOMPLETE_ONE_IN, MEASURING_WORK,
     MOST_CONFIRMING_WORK, MOST_SCREENING_WORK, Measuring, OTHERS_CONFIRMED, SCREENED, SCREENED_AT_MOST, SCREENING_WORK,
     SIMILAR_COST, STABILITY_COST, Verdict, expected_nanoseconds, is_rejected,
 };
@@ -45,8 +45,7 @@ impl Tournament<'_> {
         while self.screen() {
             for first in self.finalists() {
                 if self.confirm(first) {
-                    let best = self.best_confirmed(first);
-                    return Some(self.with_zeros(best));
+                    return Some(self.best_confirmed(first));
                 }
                 if self.is_over() || self.is_exhausted() {
                     return None;
@@ -150,28 +149,6 @@ impl Tournament<'_> {
             Preference::Size => accepted.sort_unstable(),
         }
         accepted.first().copied().unwrap_or(first)
-    }
-
-    /// A candidate that loses no zeros in place of an accepted one that does, if one is confirmed
-    /// that is not much slower and lets as many solutions share a value of the action monomial.
-    fn with_zeros(&mut self, best: usize) -> usize {
-        if self.preference != Preference::Speed || !self.costs[best].loses_zeros {
-            return best;
-        }
-        let most = COST_OF_ZEROS * self.expected_nanoseconds(best);
-        let is_accepted = |&at: &usize| self.entries[at].verdict == Verdict::Accepted;
-        let mut others: Vec<usize> = (0..self.entries.len()).filter(is_accepted).chain(self.finalists()).collect();
-        self.sort_by_speed(&mut others);
-        others.retain(|&other| {
-            let cost = &self.costs[other];
-            !cost.loses_zeros
-                && cost.reducible >= self.costs[best].reducible
-                && self.expected_nanoseconds(other) <= most
-        });
-        let is_as_good = |tournament: &mut Self, other: usize| {
-            tournament.confirm(other) && tournament.unsolved(other) <= tournament.unsolved(best)
-        };
-        others.into_iter().take(OTHERS_CONFIRMED).find(|&other| is_as_good(self, other)).unwrap_or(best)
     }
 
     /// Whether the confirmation shows that another finalist costs less, second attempts included.
