@@ -145,8 +145,7 @@ fn no_solution(problem: &Problem) -> Diagnostic {
 /// A vector of unknowns, not given up to scale, in which every equation is homogeneous.
 fn scaled_vector(problem: &Problem) -> Option<&SolutionField> {
     problem.fields.iter().find(|field| {
-        let unknowns = field.first_unknown..field.first_unknown + field.shape.iter().product::<usize>();
-        let degree = |monomial: &Monomial| unknowns.clone().map(|x| i32::from(monomial.exponent(x))).sum::<i32>();
+        let degree = |monomial: &Monomial| field.unknowns().map(|x| i32::from(monomial.exponent(x))).sum::<i32>();
         let is_homogeneous = |equation: &Statement| {
             let mut degrees = equation.polynomial.terms().iter().map(|(monomial, _)| degree(monomial));
             degrees.next().is_none_or(|first| degrees.all(|other| other == first))

@@ -239,6 +239,7 @@ type Known<I> = <<I as SolverInstance>::Basis as Size>::List<Complex<f64>>;
 /// eigenvalue is far out, and may stand for an infinite one.
 const FAR_OUT: f64 = 1e8;
 
+/// Whether a template with this action matrix is close to singular.
 fn is_far_out<B: Size, S: Scalar>(action: &Square<B, S>) -> bool {
     action.as_ref().iter().any(|row| row.as_ref().iter().any(|entry| entry.modulus() > FAR_OUT))
 }

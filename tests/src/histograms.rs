@@ -16,7 +16,7 @@ use crate::templates_folder;
 const FIRST: f64 = -17.0;
 /// The width of a bin.
 const WIDTH: f64 = 0.5;
-/// The number of bins: the last one begins at 1.
+/// The number of bins: the last one begins at 0, a value of 1.
 pub const BINS: usize = 35;
 
 /// How many values lie in each bin.
