@@ -435,6 +435,29 @@ fn dependent_measurements_are_refused() {
     assert_eq!(pose_3pt::solve(&[[0.0; 3], seen[1], seen[2]], &points).unwrap_err(), SolveError::Overflow);
 }
 
+/// What only results are computed from has no part in the solve, however large it is: here the
+/// inverse of the differences of points that are small or almost on a line. The rays are at right
+/// angles, where the template has lost rank and solutions are followed from data nearby.
+#[test]
+fn results_are_those_of_the_solve() {
+    let seen = [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
+    let mut found = 0;
+    for unit in [1.0, 1e-3, 1e-6, 1e-9] {
+        for from_line in [1.0, 1e-6, 1e-10, 1e-13] {
+            let points = [[0.0; 3], [1.0, 2.0, 3.0], [0.5 + 3.0 * from_line, 1.0, 1.5 - from_line]];
+            let points = points.map(|point| point.map(|x| x * unit));
+            let data = pose_3pt::Data { rays: seen, points };
+            let mut results = [Err(SolveError::NoConvergence)];
+            pose_3pt::solve_batch(&[data], &mut results);
+            let solutions = results[0].as_ref().unwrap();
+            let of_each = pose_3pt::pose_of_each(&seen, &points, solutions).unwrap();
+            assert_eq!(pose_3pt::solve_for_pose(&seen, &points).unwrap(), of_each, "{unit} {from_line}");
+            found += of_each.len();
+        }
+    }
+    assert!(found > 0);
+}
+
 /// The same scenes in pixels and in other units: null spaces of measurements do not depend on the
 /// unit, and focal lengths scale with it.
 #[test]

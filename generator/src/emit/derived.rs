@@ -55,6 +55,17 @@ pub(super) fn all_data(
     }
 }
 
+/// The statements that make the `data` of results those of a solve: what only results read is 0.
+/// Otherwise it would decide how far the data of a solve are from general ones.
+pub(super) fn clear_unread(plan: &Plan, data: &Ident) -> TokenStream {
+    let unread = plan.derived.iter().filter(|planned| planned.is_for_results);
+    let statements = unread.map(|PlannedDerivation { derivation, .. }| {
+        let [first, end] = [derivation.inputs().start, derivation.inputs().end].map(Literal::usize_unsuffixed);
+        quote!(#data[#first..#end].fill(0.0);)
+    });
+    quote!(#(#statements)*)
+}
+
 /// The name of the function that derives data: results have their own if they read more.
 fn function_name(plan: &Plan, reader: Reader) -> &'static str {
     let reads_more = plan.derived.iter().any(|planned| planned.is_for_results);

@@ -59,7 +59,9 @@ fn functions(plan: &Plan, output: &PlannedOutput) -> TokenStream {
     let all_data = all_data(&quote!());
     let compute = format_ident!("{COEFFICIENTS}");
     let (make, made) = storage::default(plan, &names.take("workspace"));
-    let (binding, instance) = (scaling::binding(plan, &scaled), scaling::of_data(plan, &scaled, &made));
+    let unread = derived::clear_unread(plan, &scaled);
+    let binding = if unread.is_empty() { scaling::binding(plan, &scaled) } else { quote!(mut #scaled) };
+    let instance = scaling::of_data(plan, &scaled, &made);
     quote! {
         /// What the problem returns for a solution.
         ///
@@ -98,6 +100,7 @@ fn functions(plan: &Plan, output: &PlannedOutput) -> TokenStream {
             #make
             #for_solve
             let #binding = #data;
+            #unread
             let #solutions = self::real_solutions_of(&mut #instance, &#given)?;
             let #coefficients = self::#compute(1.0, &#data);
             Ok(#solutions.map(|#solution| self::output(&#coefficients, &#solution)))
