@@ -1,5 +1,7 @@
 //! Whether a problem has finitely many solutions for general data, and how many.
 
+use std::sync::atomic::AtomicBool;
+
 use crate::algebra::Random;
 use crate::algebra::{
     GroebnerBasis, GroebnerError, Limits, Monomial, MonomialOrder, PRIMES, Polynomial, PrimeField, QuotientRing,
@@ -65,9 +67,19 @@ pub const MOST_ZERO_SETS: usize = 64;
 /// There is no solution, there are infinitely many (the message has the dimension), the count
 /// differs between the primes, or a limit is reached.
 pub fn check(problem: &Problem) -> Result<SolutionCount, Diagnostics> {
+    check_until(problem, &AtomicBool::new(false))
+}
+
+/// Like [`check`]. It ends early where another thread sets the flag: the algebra of a problem may
+/// take minutes.
+///
+/// # Errors
+/// As [`check`], or it was ended.
+pub fn check_until(problem: &Problem, is_over: &AtomicBool) -> Result<SolutionCount, Diagnostics> {
     let mut counts = Vec::new();
     for (prime, seed) in COUNTS {
-        counts.push(count(problem, PrimeField::new(prime), seed).map_err(|message| fail(problem, message))?);
+        let count = count(problem, PrimeField::new(prime), seed, is_over);
+        counts.push(count.map_err(|message| fail(problem, message))?);
     }
     let both = |of: fn(&SolutionCount) -> usize| [of(&counts[0]), of(&counts[1])];
     for [a, b] in [both(|count| count.solutions), both(|count| count.different), both(|count| count.at_origin)] {
@@ -88,7 +100,7 @@ fn fail(problem: &Problem, message: Diagnostic) -> Diagnostics {
 }
 
 /// Counts the solutions of one instance.
-fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<SolutionCount, Diagnostic> {
+fn count(problem: &Problem, field: PrimeField, seed: u64, is_over: &AtomicBool) -> Result<SolutionCount, Diagnostic> {
     let at = || problem.span.clone();
     let instance = Instance::draw(problem, field, seed).ok_or_else(|| {
         Diagnostic::new("no random instance has the support of the problem", at())
@@ -100,11 +112,11 @@ fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<SolutionCoun
         Diagnostic::new(format!("the algebra of the problem is too large: {error}"), at())
             .hint("fewer unknowns or lower degrees help: eliminate what can be eliminated by hand, or divide a common factor out")
     };
-    let basis = ideal(&instance, unknowns).map_err(too_large)?;
+    let basis = ideal_until(&instance, unknowns, Some(is_over)).map_err(too_large)?;
     match basis.dimension(unknowns) {
         None => return Err(no_solution(problem)),
         Some(0) => {}
-        Some(dimension) => return Err(infinitely_many(problem, &instance, dimension)),
+        Some(dimension) => return Err(infinitely_many(problem, &instance, dimension, is_over)),
     }
     let solutions = basis.quotient_basis(unknowns, MAX_SOLUTIONS).ok_or_else(|| {
         Diagnostic::new(format!("more than {MAX_SOLUTIONS} solutions"), at())
@@ -114,7 +126,7 @@ fn count(problem: &Problem, field: PrimeField, seed: u64) -> Result<SolutionCoun
     let points = Points::of(&basis, problem, seed);
     let different = points.as_ref().map_or(solutions, |points| points.different);
     let at_origin = match problem.has_origin() {
-        true => solutions.saturating_sub(count_elsewhere(&instance, unknowns, seed).map_err(too_large)?),
+        true => solutions.saturating_sub(count_elsewhere(&instance, unknowns, seed, Some(is_over)).map_err(too_large)?),
         false => 0,
     };
     if at_origin == solutions {
@@ -156,14 +168,14 @@ fn scaled_vector(problem: &Problem) -> Option<&SolutionField> {
 
 /// The message for a set of solutions of this dimension, with the statements that would leave
 /// finitely many.
-fn infinitely_many(problem: &Problem, instance: &Instance, dimension: usize) -> Diagnostic {
+fn infinitely_many(problem: &Problem, instance: &Instance, dimension: usize, is_over: &AtomicBool) -> Diagnostic {
     let title = format!("infinitely many solutions: a set of dimension {dimension}");
     let mut message = Diagnostic::new(title, problem.span.clone()).label(format!(
         "{} equations in {} unknowns",
         problem.equations.len(),
         problem.unknowns.len()
     ));
-    for names in excluding_unknowns(instance, &problem.unknowns) {
+    for names in excluding_unknowns(instance, &problem.unknowns, is_over) {
         let list = names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
         let are = if names.len() == 1 { "is" } else { "are all" };
         let statements = names.iter().map(|name| format!("{name} != 0;")).collect::<Vec<_>>().join(" ");
@@ -197,19 +209,24 @@ pub(crate) fn count_elsewhere_on(
     // The others do not occur.
     let others = (0..unknowns).filter(|x| !kept.contains(x));
     fixed.equations.extend(others.map(|x| Polynomial::from_terms(vec![(Monomial::unknown(x), 1)])));
-    count_elsewhere(&fixed, unknowns, seed)
+    count_elsewhere(&fixed, unknowns, seed, None)
 }
 
 /// The number of solutions except the origin, with their multiplicity.
 ///
 /// A random linear form vanishes at the origin and, with a probability near 1, at no other
 /// solution. So the ideal is saturated by it.
-fn count_elsewhere(instance: &Instance, unknowns: usize, seed: u64) -> Result<usize, GroebnerError> {
+fn count_elsewhere(
+    instance: &Instance,
+    unknowns: usize,
+    seed: u64,
+    is_over: Option<&AtomicBool>,
+) -> Result<usize, GroebnerError> {
     let mut random = Random::new(seed);
     let form = (0..unknowns).map(|x| (Monomial::unknown(x), instance.field.draw(&mut random)));
     let mut elsewhere = instance.clone();
     elsewhere.nonzero.push(Polynomial::collect(instance.field, form));
-    let basis = ideal(&elsewhere, unknowns)?;
+    let basis = ideal_until(&elsewhere, unknowns, is_over)?;
     Ok(basis.quotient_basis(unknowns, MAX_SOLUTIONS).map_or(0, |basis| basis.len()))
 }
 
@@ -248,7 +265,15 @@ impl Points {
 /// # Errors
 /// As [`saturate`].
 pub fn ideal(instance: &Instance, unknowns: usize) -> Result<GroebnerBasis, GroebnerError> {
-    let limits = Limits { max_quotient_dimension: MAX_SOLUTIONS, ..Limits::default() };
+    ideal_until(instance, unknowns, None)
+}
+
+fn ideal_until(
+    instance: &Instance,
+    unknowns: usize,
+    is_over: Option<&AtomicBool>,
+) -> Result<GroebnerBasis, GroebnerError> {
+    let limits = Limits { max_quotient_dimension: MAX_SOLUTIONS, is_over, ..Limits::default() };
     saturate(instance.field, (&instance.equations, &instance.nonzero), unknowns, &MonomialOrder::GrevLex, &limits)
 }
 
@@ -257,11 +282,11 @@ pub fn ideal(instance: &Instance, unknowns: usize) -> Result<GroebnerBasis, Groe
 ///
 /// If single unknowns do, these are all sets of one. Otherwise it is one set of several of which
 /// each is needed, or none.
-fn excluding_unknowns<'a>(instance: &Instance, names: &'a [String]) -> Vec<Vec<&'a str>> {
+fn excluding_unknowns<'a>(instance: &Instance, names: &'a [String], is_over: &AtomicBool) -> Vec<Vec<&'a str>> {
     let explain = |unknowns: &[usize]| {
         let mut trial = instance.clone();
         trial.nonzero.extend(unknowns.iter().map(|&x| Polynomial::from_terms(vec![(Monomial::unknown(x), 1)])));
-        ideal(&trial, names.len()).is_ok_and(|basis| basis.dimension(names.len()) == Some(0))
+        ideal_until(&trial, names.len(), Some(is_over)).is_ok_and(|basis| basis.dimension(names.len()) == Some(0))
     };
     let mut sets: Vec<Vec<usize>> = (0..names.len()).map(|x| vec![x]).filter(|set| explain(set)).collect();
     let mut all: Vec<usize> = (0..names.len()).collect();

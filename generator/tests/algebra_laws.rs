@@ -5,6 +5,7 @@
 mod systems;
 
 use std::slice::from_ref;
+use std::sync::atomic::AtomicBool;
 
 use eliminant_generator::algebra::{
     DenseMatrix, Echelon, GroebnerBasis, GroebnerError, Limits, Monomial, MonomialOrder, PRIMES, Polynomial,
@@ -393,6 +394,9 @@ fn limits_end_the_work() {
         (Limits { max_rounds: 2, ..standard() }, "rounds"),
     ] {
         assert!(matches!(with(limits), Some(GroebnerError::LimitReached { what: w, .. }) if w == what), "{what}");
+    }
+    for (is_over, expected) in [(true, Some(GroebnerError::Ended)), (false, None)] {
+        assert_eq!(with(Limits { is_over: Some(&AtomicBool::new(is_over)), ..standard() }), expected);
     }
     let basis = basis(&system, &MonomialOrder::GrevLex);
     let error = QuotientRing::new(&basis, 5, &Limits { max_quotient_dimension: 69, ..standard() }).err();

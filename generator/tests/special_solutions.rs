@@ -2,6 +2,7 @@
 //! others.
 #![cfg(feature = "oracle")]
 
+use eliminant::emitted::vector_of;
 use eliminant_generator::algebra::Random;
 use eliminant_generator::check::check;
 use eliminant_generator::generate::plan;
@@ -64,6 +65,13 @@ const AFFINE: &str = "fn affine(x1: [f64; 2], x2: [f64; 2], a: [[f64; 2]; 2]) ->
     dot(t, t) == 1;
     dot(second, e * first) == 0;
     (e.t() * second)[0..2] + a.t() * (e * first)[0..2] == 0;
+}";
+
+/// The points of two conics, up to scale.
+const CONICS: &str = "fn conics(c: [[[f64; 3]; 3]; 2]) -> (#[projective] x: [f64; 3]) {
+    for k in 0..2 {
+        dot(x, c[k] * x) == 0;
+    }
 }";
 
 fn chosen(found: &Found, options: &SearchOptions) -> Choice {
@@ -260,4 +268,41 @@ fn line_through(from: [f64; 3], to: [f64; 3]) -> [f64; 6] {
         from[j] * q[k] - from[k] * q[j]
     };
     [q[0], q[1], q[2], moment(0), moment(1), moment(2)]
+}
+
+/// A coordinate of a vector up to scale is 0 in a chart that is general: an action monomial with
+/// its reciprocal, or a basis whose monomials all hold it, loses nothing.
+#[test]
+fn vectors_up_to_scale_may_have_zeros() {
+    let templates = accepted(CONICS);
+    let divides = |measured: &&Measured| {
+        let template = &measured.candidate.template;
+        (0..3).any(|x| template.action.exponent(x) < 0 || template.basis.iter().all(|m| m.exponent(x) > 0))
+    };
+    assert!(templates.iter().find(divides).is_some(), "a template that divides by a coordinate");
+    for template in &templates {
+        let plan = &template.candidate.plan;
+        assert!(!plan.zeros.lacks_pairs && !plan.zeros.is_misread);
+        let chart = plan.fields[0].chart().expect("a vector up to scale");
+        let (solver, mut random) = (InterpretedSolver::of(plan), Random::new(4));
+        for truth in [[0.0, 0.8, 0.6], [0.6, 0.0, 0.8], [0.6, 0.8, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]] {
+            let mut conic = || {
+                let mut c: [[f64; 3]; 3] = std::array::from_fn(|_| std::array::from_fn(|_| random.symmetric_unit()));
+                let at_truth: f64 = (0..9).map(|k| c[k / 3][k % 3] * truth[k / 3] * truth[k % 3]).sum();
+                // The truth has length 1.
+                (0..3).for_each(|k| c[k][k] -= at_truth);
+                c.concat()
+            };
+            for instance in 0..20 {
+                let found = solver.solve(&[conic(), conic()].concat()).expect("no error");
+                let is_truth = |coordinates: &Vec<f64>| {
+                    let mut x = [0.0; 3];
+                    vector_of(&chart, coordinates, &mut x);
+                    let product: f64 = x.iter().zip(truth).map(|(x, truth)| x * truth).sum();
+                    x.iter().zip(truth).all(|(x, truth)| (x - product * truth).abs() < 1e-9)
+                };
+                assert!(found.iter().any(is_truth), "{instance}: no {truth:?} among {found:?}");
+            }
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! Problems of the generator: read, checked, searched, and planned by a template.
 
-use eliminant_generator::check::check;
+use eliminant_generator::check::check_until;
 use eliminant_generator::problem::Problem;
 use eliminant_generator::template::file::TemplateFile;
 use pyo3::prelude::*;
@@ -8,6 +8,7 @@ use pyo3::prelude::*;
 use crate::errors::ProblemError;
 use crate::planned::Planned;
 use crate::search::{self, Settings};
+use crate::threads::interruptible;
 
 /// Name and shape of each array.
 type Shapes = Vec<(String, Vec<usize>)>;
@@ -64,7 +65,8 @@ impl NativeProblem {
 
     /// The numbers of solutions, of different ones, and of those where all unknowns are 0.
     fn check(&self, py: Python<'_>) -> PyResult<(usize, usize, usize)> {
-        let count = py.detach(|| check(&self.0)).map_err(|messages| ProblemError::new_err(messages.to_string()))?;
+        let count = interruptible(py, |is_over| check_until(&self.0, is_over), |_| Ok(()))?;
+        let count = count.map_err(|messages| ProblemError::new_err(messages.to_string()))?;
         Ok((count.solutions, count.different, count.at_origin))
     }
 

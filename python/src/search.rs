@@ -4,7 +4,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use eliminant_generator::check::{SolutionCount, check};
+use eliminant_generator::check::{SolutionCount, check_until};
 use eliminant_generator::generate::plan;
 use eliminant_generator::problem::Problem;
 use eliminant_generator::search::choose::{Choice, Measuring, Verdict, choose};
@@ -86,7 +86,7 @@ pub(crate) fn search(
     };
     let work = |is_over: &AtomicBool| {
         let watch = Watch { start, budget, is_over, message: &message };
-        let count = check(problem).map_err(|messages| messages.to_string())?;
+        let count = check_until(problem, is_over).map_err(|messages| messages.to_string())?;
         settings.within_limits(problem, &count, options, &watch)
     };
     interruptible(py, work, report)?.map_err(ProblemError::new_err)

@@ -31,6 +31,15 @@ except KeyboardInterrupt:
     print("interrupted", time.monotonic() - start)
 """
 
+# 4096 solutions: the Gröbner basis takes minutes.
+QUADRICS = """
+fn quadrics(a: [[[f64; 12]; 12]; 12], b: [f64; 12]) -> (x: [f64; 12]) {
+    for k in 0..12 {
+        dot(x, a[k] * x) == b[k];
+    }
+}
+"""
+
 SLOW = {
     "batch": (
         "data = np.random.default_rng(0).normal(size=(5000, 7, 2, 3))",
@@ -41,6 +50,7 @@ SLOW = {
         "problem, data = eliminant.problem('relpose_6pt_generalized'), np.random.rand(5000, 6, 2, 3)",
         "problem.solve(data, data[::-1].copy())",
     ),
+    "check": (f"problem = eliminant.Problem({QUADRICS!r})", "problem.check()"),
     "stability": ("problem = eliminant.problem('relpose_6pt_generalized')", "problem.stability(5000)"),
 }
 

@@ -57,7 +57,7 @@ type Combination = (InternedPolynomial, Vec<usize>);
 struct F4<'a> {
     field: PrimeField,
     order: &'a MonomialOrder,
-    limits: &'a Limits,
+    limits: &'a Limits<'a>,
     table: MonomialTable,
     /// Per element: its monomials, largest first.
     supports: Vec<Vec<MonomialId>>,
@@ -106,7 +106,7 @@ impl Columns {
 }
 
 impl<'a> F4<'a> {
-    fn new(field: PrimeField, order: &'a MonomialOrder, limits: &'a Limits, trace: Option<Trace>) -> Self {
+    fn new(field: PrimeField, order: &'a MonomialOrder, limits: &'a Limits<'a>, trace: Option<Trace>) -> Self {
         Self {
             field,
             order,
@@ -125,6 +125,7 @@ impl<'a> F4<'a> {
         let limits = self.limits;
         self.add_input(polynomials)?;
         for _ in 0..limits.max_rounds {
+            limits.go_on()?;
             let pairs = self.pairs.take_least_degree();
             if self.is_unit() || pairs.is_empty() {
                 return Ok(());
@@ -221,6 +222,7 @@ impl<'a> F4<'a> {
         }
         let mut leading = Vec::new();
         for (at, row) in to_reduce.iter().enumerate() {
+            self.limits.go_on()?;
             let values = self.values[row.element].iter().copied();
             let mut entries: Vec<(u32, u32)> = columns.of(&row.monomials).into_iter().zip(values).collect();
             entries.extend(self.mark(&columns, pivots.len() + at));

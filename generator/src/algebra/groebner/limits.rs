@@ -1,10 +1,12 @@
 //! Bounds on the work of Gröbner bases, and the errors where one is reached.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use crate::algebra::MAX_UNKNOWNS;
 
 /// Bounds on the work of a Gröbner basis and what is derived from it.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Limits {
+#[derive(Clone, Debug)]
+pub struct Limits<'a> {
     /// The total degree of a critical pair.
     pub max_degree: i32,
     /// Critical pairs waiting at one time.
@@ -15,9 +17,22 @@ pub struct Limits {
     pub max_rounds: usize,
     /// The dimension of a quotient ring: the number of solutions.
     pub max_quotient_dimension: usize,
+    /// Another thread sets this flag where the work must end before its end.
+    pub is_over: Option<&'a AtomicBool>,
 }
 
-impl Default for Limits {
+impl Limits<'_> {
+    /// # Errors
+    /// [`GroebnerError::Ended`] if the flag is set.
+    pub(super) fn go_on(&self) -> Result<(), GroebnerError> {
+        match self.is_over.is_some_and(|is_over| is_over.load(Ordering::Relaxed)) {
+            true => Err(GroebnerError::Ended),
+            false => Ok(()),
+        }
+    }
+}
+
+impl Default for Limits<'_> {
     /// Enough for minimal problems with a few hundred solutions.
     fn default() -> Self {
         Self {
@@ -26,6 +41,7 @@ impl Default for Limits {
             max_matrix_entries: 20_000_000,
             max_rounds: 5_000,
             max_quotient_dimension: 2_000,
+            is_over: None,
         }
     }
 }
@@ -41,6 +57,9 @@ pub enum GroebnerError {
         /// The bound.
         limit: usize,
     },
+    /// [`Limits::is_over`] was set.
+    #[error("the work was ended before its end")]
+    Ended,
     /// An exponent is negative, or left the range of [`crate::algebra::Monomial`].
     #[error("an exponent is negative or larger than 127")]
     ExponentOutOfRange,
