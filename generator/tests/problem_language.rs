@@ -398,8 +398,8 @@ fn arrays_of_unknowns_have_elements_like_scalars() {
     assert_ne!(arrays.problem.fingerprint(), scalars.problem.fingerprint());
 }
 
-/// A vector that is given up to scale is Q (u, 1) with 17 Q = 17 - 2 v v^T and v = (2, 3, 2), times
-/// 17 / 32. The unknowns are u.
+/// A vector that is given up to scale is Q (u, 1) with 4571 Q = 4571 - 2 v v^T and
+/// v = (37, 41, 39), times 4571 / 8192. The unknowns are u.
 #[test]
 fn a_vector_given_up_to_scale_is_read_in_a_chart() {
     let of_vector = |signature: &str, point: &str| {
@@ -415,7 +415,10 @@ fn a_vector_given_up_to_scale_is_read_in_a_chart() {
         ))
     };
     let chart = of_vector("#[projective] point: [f64; 3]", "point");
-    let affine = of_vector("u, v", "[9 * u - 12 * v - 8, -12 * u - v - 12, -8 * u - 12 * v + 9] / 32");
+    let affine = of_vector(
+        "u, v",
+        "[1833 * u - 3034 * v - 2886, -3034 * u + 1209 * v - 3198, -2886 * u - 3198 * v + 1529] / 8192",
+    );
     assert_eq!(chart.problem.unknowns, ["point[0]", "point[1]", "s"]);
     assert_eq!(chart.residuals(), affine.residuals());
     assert_eq!(chart.value(&chart.problem.nonzero[0].polynomial), affine.value(&affine.problem.nonzero[0].polynomial));
@@ -423,7 +426,8 @@ fn a_vector_given_up_to_scale_is_read_in_a_chart() {
     let fields: Vec<_> = fields.map(|field| (field.name.as_str(), field.unknowns(), field.is_projective)).collect();
     assert_eq!(fields, [("point", 0..2, true), ("s", 2..3, false)]);
     let q = chart.problem.fields[0].chart().unwrap();
-    assert!((q[0][2] + 8.0 / 17.0).abs() < 1e-15 && (q[2][2] - 9.0 / 17.0).abs() < 1e-15, "{q:?}");
+    let expected = [-2886.0, -3198.0, 1529.0].map(|entry| entry / 4571.0);
+    assert!((0..3).all(|row| (q[row][2] - expected[row]).abs() < 1e-15), "{q:?}");
 }
 
 #[test]
