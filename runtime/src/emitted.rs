@@ -25,7 +25,7 @@ pub use crate::number::{Arithmetic, Over, Real};
 pub use crate::scaling::{MOST_SCALINGS, Scalings, scaled, unscale, unscaled};
 pub use crate::size::{AtMost, Element, Fixed, List, Matrix, Size, Square, Vector, filled_matrix};
 pub use crate::solution::candidates::MAX_RESIDUAL;
-pub use crate::solution::chart::{chart_entry, from_chart, to_chart, vector_of};
+pub use crate::solution::chart::{chart_entry, from_chart, to_chart, unscale_in_chart, unscale_vector, vector_of};
 pub use crate::solution::dense_system::{DenseSystem, rows, rows_of};
 pub use crate::solution::distinct::{Candidate, push_distinct};
 pub use crate::solution::extract::{monomial_values, ratio};

@@ -3,9 +3,10 @@
 
 use eliminant_generator::algebra::{PRIMES, PrimeField, Random};
 use eliminant_generator::expression::SymbolicPolynomial;
-use eliminant_generator::problem::Problem;
-use eliminant_generator::problem::instance::Instance;
-use eliminant_generator::problem::scaling::{Scaling, scalings};
+use eliminant_generator::problem::chart::entry;
+use eliminant_generator::problem::instance::{Draw, Instance};
+use eliminant_generator::problem::{Problem, Scaling};
+use eliminant_generator::search::measuring::interpreted::InterpretedSolver;
 use eliminant_tests::ground_truth::{FOUND, Maker, makers};
 use eliminant_tests::measure::affordable;
 use eliminant_tests::statistics::{complex, log10, quantile};
@@ -37,16 +38,16 @@ struct Measured {
 /// Measures scenes in a unit of 2^`exponent` in one direction of scalings.
 fn measured(case: &Case, maker: &Maker, scaling: &Scaling, exponent: i32, scenes: u64) -> Measured {
     let factor = |&weight: &i8| 2f64.powi(i32::from(weight) * exponent);
+    let solver = InterpretedSolver::of(&case.planned().plan);
+    let exponents: Vec<i16> = scaling.unknowns.iter().map(|&weight| i16::from(weight) * exponent as i16).collect();
     let of_scene = |k| {
         let instance = maker.make.draw(&mut Random::new(7_000_000 + k));
         let data: Vec<f64> = instance.data.iter().zip(&scaling.data).map(|(x, weight)| x * factor(weight)).collect();
         let solutions = (case.solve)(&data).unwrap_or_default();
         let residuals: Vec<f64> =
             solutions.iter().map(|x| log10((case.residual)(&data, &complex(x)).unwrap_or(f64::INFINITY))).collect();
-        let unscaled = |x: &Vec<f64>| -> Vec<f64> {
-            x.iter().zip(&scaling.unknowns).map(|(x, weight)| x / factor(weight)).collect()
-        };
-        let solutions: Vec<Vec<f64>> = solutions.iter().map(unscaled).collect();
+        let mut solutions = solutions;
+        solutions.iter_mut().for_each(|solution| solver.unscale(&exponents, solution));
         let is_found = |truth: &&Vec<f64>| solutions.iter().any(|x| (maker.error)(&instance.data, x, truth) <= FOUND);
         (instance.truths.iter().filter(is_found).count(), instance.truths.len(), residuals)
     };
@@ -56,9 +57,21 @@ fn measured(case: &Case, maker: &Maker, scaling: &Scaling, exponent: i32, scenes
     Measured { found: found as f64 / all as f64, residual: quantile(&mut residuals, 0.5) }
 }
 
+/// Q e over Z_p.
+fn in_chart(field: PrimeField, vector: &[u32]) -> Vec<u32> {
+    let size = vector.len();
+    let fraction = |(numerator, denominator): (i64, i64)| {
+        let inverse = field.inverse(field.from_integer(denominator)).expect("not 0");
+        field.mul(field.from_integer(numerator), inverse)
+    };
+    let product = |row: usize, column: usize| field.mul(fraction(entry(size, row, column)), vector[column]);
+    (0..size).map(|row| (0..size).fold(0, |sum, column| field.add(sum, product(row, column)))).collect()
+}
+
 /// The values of all polynomials of a problem over Z_p, at random data and unknowns that are scaled
-/// by powers of `base`.
-fn values(problem: &Problem, scaling: &Scaling, base: u32, seed: u64) -> Vec<u32> {
+/// by powers of `base`, and the product of the last coordinates of vectors up to scale by which
+/// their coordinates were divided.
+fn values(problem: &Problem, scaling: &Scaling, base: u32, seed: u64) -> (Vec<u32>, u32) {
     let (field, mut random) = (PrimeField::new(PRIMES[0]), Random::new(seed));
     let scaled = |x: u32, weight: i8| {
         let factor = field.pow(base, u32::from(weight.unsigned_abs()));
@@ -69,9 +82,23 @@ fn values(problem: &Problem, scaling: &Scaling, base: u32, seed: u64) -> Vec<u32
     let all = problem.graph.all_inputs(field, &given).expect("no divisor is 0");
     let inputs = all.into_iter().zip(&scaling.data);
     let inputs: Vec<u32> = inputs.map(|(x, &weight)| scaled(x, weight)).collect();
-    let unknowns = scaling.unknowns.iter();
-    let unknowns: Vec<u32> =
-        unknowns.map(|&weight| scaled(random.below(field.modulus().into()) as u32, weight)).collect();
+    let (mut unknowns, mut divisor) = (Vec::new(), 1);
+    for of_field in &problem.fields {
+        let mut vector: Vec<u32> = of_field.unknowns().map(|_| field.draw(&mut random)).collect();
+        if of_field.is_projective {
+            vector.push(1);
+            vector = in_chart(field, &vector);
+        }
+        vector.iter_mut().zip(&scaling.unknowns[of_field.unknowns()]).for_each(|(x, &weight)| *x = scaled(*x, weight));
+        if of_field.is_projective {
+            vector = in_chart(field, &vector);
+            let last = vector.pop().expect("two or more");
+            let inverse = field.inverse(last).expect("not 0");
+            vector.iter_mut().for_each(|x| *x = field.mul(*x, inverse));
+            divisor = field.mul(divisor, last);
+        }
+        unknowns.extend(vector);
+    }
     let coefficients = problem.graph.evaluate(field, &inputs).expect("no divisor is 0");
     let polynomials = problem.equations.iter().chain(&problem.nonzero).map(|statement| &statement.polynomial);
     let value = |polynomial: &SymbolicPolynomial| {
@@ -81,22 +108,30 @@ fn values(problem: &Problem, scaling: &Scaling, base: u32, seed: u64) -> Vec<u32
             field.add(sum, field.mul(coefficients[coefficient.index()], product))
         })
     };
-    polynomials.map(value).collect()
+    (polynomials.map(value).collect(), divisor)
 }
 
-/// A scaling multiplies each polynomial by a number that depends on no data: exactly, over Z_p.
+/// A scaling multiplies each polynomial by a number that depends on no data, and by a power of the
+/// last coordinates of vectors up to scale: exactly, over Z_p.
 #[test]
 fn scalings_change_no_problem() {
     let field = PrimeField::new(PRIMES[0]);
     let mut count = 0;
     for case in cases() {
         let problem = case.problem();
-        for scaling in scalings(&problem) {
+        for scaling in &problem.scalings {
             count += 1;
-            let [first, second] = [1, 2].map(|seed| [1, 7].map(|base| values(&problem, &scaling, base, seed)));
-            for at in 0..first[0].len() {
-                let products = [(&first[1], &second[0]), (&second[1], &first[0])].map(|(a, b)| field.mul(a[at], b[at]));
-                assert_eq!(products[0], products[1], "{}, {scaling:?}: polynomial {at}", case.name);
+            let [first, second, third] = [1, 2, 3].map(|seed| [1, 7].map(|base| values(&problem, scaling, base, seed)));
+            for at in 0..first[0].0.len() {
+                // Times the divisor to the power of the degree.
+                let is_same = |degree: u32| {
+                    let of = |(values, divisor): &(Vec<u32>, u32)| field.mul(values[at], field.pow(*divisor, degree));
+                    let is_same = |[a, b]: &[(Vec<u32>, u32); 2]| {
+                        field.mul(of(a), of(&first[1])) == field.mul(of(b), of(&first[0]))
+                    };
+                    is_same(&second) && is_same(&third)
+                };
+                assert!((0..20).any(is_same), "{}, {scaling:?}: polynomial {at}", case.name);
             }
         }
     }

@@ -34,7 +34,7 @@ pub(super) fn solution(plan: &Plan) -> TokenStream {
     let values = plan.fields.iter().zip(first).map(|(field, first)| array_of_unknowns(&field.shape, first));
     let texts: Vec<String> = plan.fields.iter().flat_map(SolutionField::names).collect();
     let [scalars, solutions] = [texts.len(), plan.solutions].map(Literal::usize_unsuffixed);
-    let points = points(plan);
+    let (points, points_with_units) = (points(plan), scaling::points(plan));
     quote! {
         #[doc = #doc]
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,6 +68,7 @@ pub(super) fn solution(plan: &Plan) -> TokenStream {
         }
 
         #points
+        #points_with_units
     }
 }
 
@@ -263,10 +264,7 @@ fn measures(plan: &Plan, parameters: &[TokenStream], arguments: &[Ident], names:
     let [instance, solution, workspace] = names;
     let basis = Literal::usize_unsuffixed(plan.elimination.basis);
     let constructor = scaling::constructor(plan);
-    let to_unknowns = match scaling::has_units(plan) {
-        true => quote!(emitted::scaled(&#instance.exponents, #solution.to_unknowns())),
-        false => quote!(#solution.to_unknowns()),
-    };
+    let to_unknowns = scaling::to_unknowns(plan, solution, instance);
     let (make, made) = storage::default(plan, workspace);
     let (matrix, convert) = match plan.has_basis_on_heap() {
         true => (quote!(emitted::HeapMatrix<#basis>), quote!(.map(emitted::HeapRows::into_vec))),

@@ -8,6 +8,7 @@ use super::names::Names;
 use super::shapes::parameter;
 use super::storage;
 use crate::plan::Plan;
+use crate::problem::SolutionField;
 
 /// Whether data and unknowns have units.
 pub(super) fn has_units(plan: &Plan) -> bool {
@@ -134,8 +135,66 @@ pub(super) fn constructor(plan: &Plan) -> Ident {
 
 /// The function from the points of an instance to solutions.
 pub(super) fn to_solution(plan: &Plan, exponents: &TokenStream) -> TokenStream {
-    match has_units(plan) {
-        true => quote!(|point| Solution::from_unknowns(emitted::unscaled(#exponents, point))),
-        false => quote!(Solution::from_unknowns),
+    match (has_units(plan), plan.vectors_with_units().next()) {
+        (false, _) => quote!(Solution::from_unknowns),
+        (true, None) => quote!(|point| Solution::from_unknowns(emitted::unscaled(#exponents, point))),
+        (true, Some(_)) => quote!(|point| Solution::from_scaled(#exponents, point)),
+    }
+}
+
+/// The unknowns that an `instance` is solved for, from a solution.
+pub(super) fn to_unknowns(plan: &Plan, solution: &Ident, instance: &Ident) -> TokenStream {
+    match (has_units(plan), plan.vectors_with_units().next()) {
+        (false, _) => quote!(#solution.to_unknowns()),
+        (true, None) => quote!(emitted::scaled(&#instance.exponents, #solution.to_unknowns())),
+        (true, Some(_)) => quote!(#solution.to_scaled(&#instance.exponents)),
+    }
+}
+
+/// Solutions from the unknowns of the scaled problem, and back, where elements of a vector up to
+/// scale have different units. These do not go through the chart, where small ones would lose
+/// digits; nothing without such vectors.
+pub(super) fn points(plan: &Plan) -> TokenStream {
+    let vectors: Vec<&SolutionField> = plan.vectors_with_units().collect();
+    if vectors.is_empty() {
+        return quote!();
+    }
+    let range = |field: &SolutionField| {
+        let [first, end] = [field.unknowns().start, field.unknowns().end].map(Literal::usize_unsuffixed);
+        quote!(#first..#end)
+    };
+    let count = Literal::usize_unsuffixed(plan.unknowns.len());
+    let others = plan.fields.iter().filter(|field| !field.is_projective).map(range);
+    let others = others.map(|range| quote!(emitted::unscale(&exponents[#range], &mut unknowns[#range]);));
+    let others: Vec<_> = others.collect();
+    let binding = if others.is_empty() { quote!(unknowns) } else { quote!(mut unknowns) };
+    let vectors: Vec<_> = vectors
+        .into_iter()
+        .map(|field| {
+            let (name, range) = (format_ident!("{}", field.name), range(field));
+            quote!(emitted::unscale_vector(&exponents[#range], &mut solution.#name);)
+        })
+        .collect();
+    quote! {
+        impl<T: ::eliminant::Scalar> Solution<T> {
+            /// The solution of the problem as it was given, from the unknowns of the scaled one.
+            #[inline]
+            fn from_scaled(exponents: &[i16; #count], #binding: [T; #count]) -> Self {
+                #(#others)*
+                let mut solution = Self::from_unknowns(unknowns);
+                #(#vectors)*
+                solution
+            }
+
+            /// The unknowns of the scaled problem.
+            #[inline]
+            fn to_scaled(self, exponents: &[i16; #count]) -> [T; #count] {
+                let (exponents, mut solution) = (exponents.map(|exponent| -exponent), self);
+                #(#vectors)*
+                let #binding = solution.to_unknowns();
+                #(#others)*
+                unknowns
+            }
+        }
     }
 }

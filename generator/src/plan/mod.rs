@@ -36,8 +36,7 @@ pub use check::PlanError;
 use std::collections::BTreeSet;
 
 use crate::expression::derivation::Derivation;
-use crate::problem::scaling::Scaling;
-use crate::problem::{DataParameter, SolutionField};
+use crate::problem::{DataParameter, Scaling, SolutionField};
 use crate::template::RootMethod;
 use program::{Operation, Program, ProgramForm, ValueId};
 
@@ -445,6 +444,12 @@ impl Plan {
     pub fn weights_of_unknowns(&self) -> Vec<i8> {
         let weights = |unknown: usize| self.scalings.iter().map(move |scaling| scaling.unknowns[unknown]);
         (0..self.unknowns.len()).flat_map(weights).collect()
+    }
+
+    /// The vectors up to scale whose elements have different units.
+    pub fn vectors_with_units(&self) -> impl Iterator<Item = &SolutionField> {
+        let has_weight = |unknown: usize| self.scalings.iter().any(|scaling| scaling.unknowns[unknown] != 0);
+        self.fields.iter().filter(move |field| field.is_projective && field.unknowns().any(has_weight))
     }
 
     /// For each unknown the exponents of the monomial s of its extraction; zeros if it is not read.

@@ -16,7 +16,6 @@ use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
 use crate::presolve::symmetry::{Reading, Symmetry};
 use crate::presolve::{LinearBlock, ReducedProblem};
 use crate::problem::Problem;
-use crate::problem::scaling::scalings;
 use crate::template::{EliminationTemplate, Shift};
 
 /// Why a template cannot be turned into a plan.
@@ -162,7 +161,7 @@ impl Scheduler<'_> {
             nonzero,
             positive,
             output,
-            scalings: scalings(problem),
+            scalings: problem.scalings.clone(),
         };
         plan.check()?;
         Ok(plan)

@@ -46,7 +46,7 @@ fn normal(size: usize) -> Vec<i64> {
 }
 
 /// The entry of Q in a row and a column, as a fraction whose denominator is that of all entries.
-pub(super) fn entry(size: usize, row: usize, column: usize) -> (i64, i64) {
+pub fn entry(size: usize, row: usize, column: usize) -> (i64, i64) {
     let v = normal(size);
     let square: i64 = v.iter().map(|x| x * x).sum();
     (i64::from(row == column) * square - 2 * v[row] * v[column], square)

@@ -14,7 +14,7 @@ pub mod output;
 mod parse;
 mod projective;
 mod results;
-pub mod scaling;
+mod scaling;
 mod scope;
 mod signature;
 mod slices;
@@ -165,6 +165,16 @@ pub(crate) fn element_name(shape: &[usize], index: usize) -> String {
     name
 }
 
+/// A direction of scalings: the weights of all data, and of all unknowns.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Scaling {
+    /// One weight per scalar of the data.
+    pub data: Vec<i8>,
+    /// One weight per unknown. Those of a vector that is given up to scale are the weights of its
+    /// elements but the last, whose weight is 0.
+    pub unknowns: Vec<i8>,
+}
+
 /// A polynomial stated in the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Statement {
@@ -199,6 +209,8 @@ pub struct Problem {
     pub positive: Vec<Statement>,
     /// What it returns beside the unknowns.
     pub output: Option<Output>,
+    /// A basis of the scalings under which it stays the same: its units.
+    pub scalings: Vec<Scaling>,
     /// The coefficients of all polynomials.
     pub graph: ExpressionGraph,
     /// The file it came from.

@@ -8,13 +8,14 @@ use super::functions::BUILT_IN;
 use super::interpret::Interpreter;
 use super::names::{refuse, refuse_module};
 use super::output::Output;
-use super::projective::{check_homogeneous, dehomogenised, homogeneous};
+use super::projective::{Elements, check_homogeneous, dehomogenised, homogeneous};
 use super::results::check_even;
+use super::scaling::{Stated, scalings};
 use super::scope::{Binding, Kind};
 use super::signature::{doc_lines, unknown_list};
 use super::syntax::{parse_file, place};
 use super::value::Value;
-use super::{DataParameter, Problem, SolutionField, SourceFile, Span};
+use super::{DataParameter, Problem, Scaling, SolutionField, SourceFile, Span};
 use crate::algebra::{Monomial, Polynomial};
 use crate::expression::{ExpressionGraph, ExpressionId};
 use crate::problem::diagnostic::{Diagnostic, Diagnostics};
@@ -74,19 +75,14 @@ fn parse_source(source: &SourceFile) -> Result<Problem, Vec<Diagnostic>> {
         return Err(messages);
     }
 
-    let graph = ExpressionGraph::new(&fingerprint_points(&data));
-    let mut body = Interpreter::new(graph, &items.helpers);
-    body.data.clone_from(&data);
-    declare_constants(&mut body, &items.constants);
-    body.scopes.enter();
-    declare_signature(&mut body, &data, &unknowns);
-    body.run_block(&function.block);
+    let mut body = run(&items, function, (&data, &unknowns), Elements::InChart);
     enter_charts(&mut body, &unknowns);
     check_counts(&mut body, function, &unknowns);
     check_data(&mut body, &data);
     if body.has_messages() {
         return Err(body.into_messages());
     }
+    let scalings = scalings_of(&body, &unknowns, || run(&items, function, (&data, &unknowns), Elements::Themselves));
     Ok(Problem {
         name: function.sig.ident.to_string(),
         docs: doc_lines(&function.attrs),
@@ -97,9 +93,49 @@ fn parse_source(source: &SourceFile) -> Result<Problem, Vec<Diagnostic>> {
         nonzero: body.nonzero,
         positive: body.positive,
         output: body.output,
+        scalings,
         graph: body.algebra.graph,
         source: source.clone(),
         span: place_of_output(&function.sig.output),
+    })
+}
+
+/// Runs the statements of a problem.
+fn run<'a>(
+    items: &'a Items<'_>,
+    function: &ItemFn,
+    (data, unknowns): (&[DataParameter], &[SolutionField]),
+    elements: Elements,
+) -> Interpreter<'a> {
+    let mut body = Interpreter::new(ExpressionGraph::new(&fingerprint_points(data)), &items.helpers);
+    body.data = data.to_vec();
+    declare_constants(&mut body, &items.constants);
+    body.scopes.enter();
+    declare_signature((&mut body, elements), data, unknowns);
+    body.run_block(&function.block);
+    body
+}
+
+/// The scalings of a problem: by its statements in the unknowns, or, where vectors are given up to
+/// scale, by those in the `elements` of these.
+fn scalings_of<'a>(
+    body: &Interpreter<'a>,
+    unknowns: &[SolutionField],
+    elements: impl FnOnce() -> Interpreter<'a>,
+) -> Vec<Scaling> {
+    let vectors = unknowns.iter().filter(|field| field.is_projective).count();
+    let homogeneous = (vectors > 0).then(elements);
+    let stating = homogeneous.as_ref().unwrap_or(body);
+    if stating.has_messages() {
+        return Vec::new();
+    }
+    let statements = stating.equations.iter().chain(&stating.nonzero).chain(&stating.positive);
+    scalings(&Stated {
+        data: &stating.data,
+        graph: &stating.algebra.graph,
+        polynomials: statements.map(|statement| &statement.polynomial).collect(),
+        unknowns: body.unknowns.len(),
+        vectors,
     })
 }
 
@@ -216,7 +252,11 @@ fn declare_constants(interpreter: &mut Interpreter<'_>, constants: &[&ItemConst]
 }
 
 /// Declares the data and the unknowns in the scope of the body.
-fn declare_signature(interpreter: &mut Interpreter<'_>, data: &[DataParameter], unknowns: &[SolutionField]) {
+fn declare_signature(
+    (interpreter, elements): (&mut Interpreter<'_>, Elements),
+    data: &[DataParameter],
+    unknowns: &[SolutionField],
+) {
     for parameter in data {
         let inputs = parameter.first_input..parameter.first_input + parameter.len();
         let algebra = &interpreter.algebra;
@@ -230,14 +270,14 @@ fn declare_signature(interpreter: &mut Interpreter<'_>, data: &[DataParameter], 
         let polynomial = |unknown| -> Polynomial<ExpressionId> {
             Polynomial::from_terms(vec![(Monomial::unknown(unknown), ExpressionGraph::ONE)])
         };
-        let elements = if field.is_projective {
+        let values = if field.is_projective {
             let scale = interpreter.unknowns.len();
             interpreter.unknowns.extend(field.names().pop());
-            homogeneous(&mut interpreter.algebra, field, scale)
+            homogeneous((&mut interpreter.algebra, elements), field, scale)
         } else {
             field.unknowns().map(polynomial).collect()
         };
-        let value = Ok(Value::array(field.shape.clone(), elements));
+        let value = Ok(Value::array(field.shape.clone(), values));
         let binding = Binding { value, kind: Kind::Unknown, span: field.span.clone() };
         interpreter.scopes.declare(field.name.clone(), binding);
     }

@@ -4,15 +4,32 @@ use super::chart::entry;
 use super::value::Algebra;
 use super::{SolutionField, Statement};
 use crate::algebra::{Monomial, Polynomial};
-use crate::expression::SymbolicPolynomial;
 use crate::expression::rational::Rational;
+use crate::expression::{ExpressionGraph, SymbolicPolynomial};
 use crate::problem::diagnostic::Diagnostic;
 
-/// The unknowns of a field as polynomials in its coordinates, and in one more unknown in place of
-/// 1, so that what is homogeneous stays so.
-pub(super) fn homogeneous(algebra: &mut Algebra, field: &SolutionField, scale: usize) -> Vec<SymbolicPolynomial> {
+/// How the elements of vectors that are given up to scale are read.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Elements {
+    /// As combinations of the coordinates in the chart, which are solved for.
+    InChart,
+    /// As unknowns themselves.
+    Themselves,
+}
+
+/// The elements of a field as polynomials in its unknowns, and in one more in place of 1, so that
+/// what is homogeneous stays so.
+pub(super) fn homogeneous(
+    (algebra, elements): (&mut Algebra, Elements),
+    field: &SolutionField,
+    scale: usize,
+) -> Vec<SymbolicPolynomial> {
     let size = field.unknowns().len() + 1;
     let coordinates: Vec<usize> = field.unknowns().chain([scale]).collect();
+    if elements == Elements::Themselves {
+        let unknown = |&at| Polynomial::from_terms(vec![(Monomial::unknown(at), ExpressionGraph::ONE)]);
+        return coordinates.iter().map(unknown).collect();
+    }
     let unknown = |algebra: &mut Algebra, row: usize| {
         let mut terms = Vec::with_capacity(size);
         for (column, &coordinate) in coordinates.iter().enumerate() {

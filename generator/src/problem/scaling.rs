@@ -8,13 +8,18 @@
 //! the data has a weight that is linear in w: a product has the sum of the weights of its factors,
 //! and the terms of a sum must have the same weight, which is an equation for w. So must the terms
 //! of a polynomial in the unknowns, with the weights of its monomials.
+//!
+//! A vector of unknowns that is given up to scale has a weight for each element, relative to that
+//! of the last. The chart in which it is solved for mixes its elements, so that the statements are
+//! read without it here, as homogeneous ones in all elements.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{DataAttribute, DataParameter, Problem, Statement};
+use super::{DataAttribute, DataParameter, Scaling};
 use crate::algebra::{Echelon, PRIMES, PrimeField};
+use crate::expression::derivation::DerivationKind;
 use crate::expression::product_sum::Product;
-use crate::expression::{Expression, ExpressionGraph, ExpressionId};
+use crate::expression::{Expression, ExpressionGraph, ExpressionId, SymbolicPolynomial};
 
 /// Larger weights are not taken: powers of the scale would leave the range of `f64` soon.
 const LARGEST: i64 = 32;
@@ -25,13 +30,16 @@ const LARGEST_OF_VALUES: i64 = 1 << 40;
 /// The runtime takes no more scalings, `eliminant::emitted::MOST_SCALINGS`.
 const MOST: usize = 8;
 
-/// A direction of scalings: the weights of all data, and of all unknowns.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Scaling {
-    /// One weight per scalar of the data.
-    pub data: Vec<i8>,
-    /// One weight per unknown.
-    pub unknowns: Vec<i8>,
+/// What a problem states: what must stay the same.
+pub(super) struct Stated<'a> {
+    pub data: &'a [DataParameter],
+    pub graph: &'a ExpressionGraph,
+    /// In the unknowns, then the last elements of vectors that are given up to scale.
+    pub polynomials: Vec<&'a SymbolicPolynomial>,
+    /// The number of unknowns.
+    pub unknowns: usize,
+    /// The number of vectors that are given up to scale.
+    pub vectors: usize,
 }
 
 /// A linear form in the weights: the column of each and its factor.
@@ -139,37 +147,35 @@ impl<'a> Weights<'a> {
 
 /// A basis of the scalings of a problem. It is empty if none changes an unknown, if there are more
 /// than the runtime takes, or if weights are large.
-pub fn scalings(problem: &Problem) -> Vec<Scaling> {
-    let basis = all_scalings(problem);
+pub(super) fn scalings(stated: &Stated<'_>) -> Vec<Scaling> {
+    let basis = all_scalings(stated);
     let changes_unknowns = basis.iter().any(|scaling| scaling.unknowns.iter().any(|&weight| weight != 0));
     if changes_unknowns && basis.len() <= MOST { basis } else { Vec::new() }
 }
 
-/// All statements: what they say must stay the same.
-fn stated(problem: &Problem) -> impl Iterator<Item = &Statement> {
-    problem.equations.iter().chain(&problem.nonzero).chain(&problem.positive)
-}
-
-fn all_scalings(problem: &Problem) -> Vec<Scaling> {
-    let inputs = problem.graph.input_count();
-    let polynomials = || stated(problem).map(|statement| &statement.polynomial);
+fn all_scalings(stated: &Stated<'_>) -> Vec<Scaling> {
+    let inputs = stated.graph.input_count();
+    let polynomials = || stated.polynomials.iter();
     let used: Vec<ExpressionId> = polynomials().flat_map(|p| p.terms()).map(|&(_, coefficient)| coefficient).collect();
-    let mut weights = Weights::of(&problem.graph, &used);
+    let mut weights = Weights::of(stated.graph, &used);
     for polynomial in polynomials() {
         let terms = polynomial.terms().iter().map(|&(monomial, coefficient)| {
-            let exponents = (0..problem.unknowns.len()).map(|unknown| i64::from(monomial.exponent(unknown)));
+            let exponents = (0..stated.unknowns + stated.vectors).map(|unknown| i64::from(monomial.exponent(unknown)));
             let of_monomial = (inputs..).zip(exponents).filter(|&(_, exponent)| exponent != 0).collect();
             (coefficient, sum(weights.of_value(coefficient), &of_monomial, 1))
         });
         let terms: Vec<_> = terms.collect();
         weights.of_sum(terms.into_iter());
     }
-    problem.data.iter().for_each(|parameter| keep_on_variety(parameter, &mut weights));
-    fix_unread(problem, &mut weights);
+    stated.data.iter().for_each(|parameter| keep_on_variety(parameter, &mut weights));
+    fix_unread(stated, &mut weights);
+    keep_orthonormal(stated.graph, &mut weights);
+    let last = inputs + stated.unknowns..inputs + stated.unknowns + stated.vectors;
+    last.for_each(|column| weights.require(&Form::from([(column, 1)])));
     if weights.is_too_large {
         return Vec::new();
     }
-    null_space(&weights.conditions, inputs, problem.unknowns.len())
+    null_space(&weights.conditions, inputs, stated)
 }
 
 /// Scaled data must satisfy what is stated of them.
@@ -210,18 +216,29 @@ fn keep_on_variety(parameter: &DataParameter, weights: &mut Weights<'_>) {
     }
 }
 
+/// The vectors that span a null space have length 1. What changes one of them changes all alike.
+fn keep_orthonormal(graph: &ExpressionGraph, weights: &mut Weights<'_>) {
+    for derivation in graph.derivations() {
+        let DerivationKind::NullSpace { columns, .. } = derivation.kind else { continue };
+        let first = derivation.inputs().start;
+        for input in derivation.inputs().skip(columns) {
+            weights.require(&Form::from([(first + (input - first) % columns, 1), (input, -1)]));
+        }
+    }
+}
+
 /// Data that no equation reads stay as they are, but those whose weights follow from others: the
 /// mirrored entries of symmetric matrices, and those of lines.
-fn fix_unread(problem: &Problem, weights: &mut Weights<'_>) {
+fn fix_unread(stated: &Stated<'_>, weights: &mut Weights<'_>) {
     // The weight of an input that is read is that of its own column, and of no other input.
-    let nodes = problem.graph.nodes().iter().zip(&weights.of_nodes);
+    let nodes = stated.graph.nodes().iter().zip(&weights.of_nodes);
     let reads = nodes.filter(|(node, _)| matches!(node, Expression::Input(_)));
     let reads: BTreeSet<usize> = reads.flat_map(|(_, weight)| weight.keys().copied()).collect();
     let follows =
         |parameter: &&DataParameter| matches!(parameter.attribute, DataAttribute::Symmetric | DataAttribute::Plucker);
-    let parameters = problem.data.iter().filter(|parameter| !follows(parameter));
+    let parameters = stated.data.iter().filter(|parameter| !follows(parameter));
     let given = parameters.flat_map(|parameter| parameter.first_input..parameter.first_input + parameter.len());
-    let derived = problem.input_count()..problem.graph.input_count();
+    let derived = stated.data.iter().map(DataParameter::len).sum()..stated.graph.input_count();
     for input in given.chain(derived).filter(|input| !reads.contains(input)) {
         weights.require(&Form::from([(input, 1)]));
     }
@@ -229,16 +246,17 @@ fn fix_unread(problem: &Problem, weights: &mut Weights<'_>) {
 
 /// Integer vectors that span the weights that satisfy all conditions. Unknowns come last, so that
 /// the weights of data follow from theirs.
-fn null_space(conditions: &BTreeSet<Vec<(usize, i64)>>, inputs: usize, unknowns: usize) -> Vec<Scaling> {
+fn null_space(conditions: &BTreeSet<Vec<(usize, i64)>>, inputs: usize, stated: &Stated<'_>) -> Vec<Scaling> {
     let field = PrimeField::new(PRIMES[0]);
-    let mut echelon = Echelon::new(field, inputs + unknowns);
+    let columns = inputs + stated.unknowns + stated.vectors;
+    let mut echelon = Echelon::new(field, columns);
     for condition in conditions {
         let row: Vec<(u32, u32)> =
             condition.iter().map(|&(column, value)| (column as u32, field.from_integer(value))).collect();
         echelon.insert_sparse(&row);
     }
     echelon.back_reduce();
-    let free: Vec<usize> = (0..inputs + unknowns).filter(|&column| !echelon.is_pivot(column)).collect();
+    let free: Vec<usize> = (0..columns).filter(|&column| !echelon.is_pivot(column)).collect();
     let basis: Option<Vec<Scaling>> = free
         .into_iter()
         .map(|column| {
@@ -246,8 +264,8 @@ fn null_space(conditions: &BTreeSet<Vec<(usize, i64)>>, inputs: usize, unknowns:
             let satisfied = |condition: &Vec<(usize, i64)>| {
                 condition.iter().map(|&(at, value)| value * i64::from(weights[at])).sum::<i64>() == 0
             };
-            let (data, unknowns) = weights.split_at(inputs);
-            conditions.iter().all(satisfied).then(|| Scaling { data: data.to_vec(), unknowns: unknowns.to_vec() })
+            let unknowns = weights[inputs..inputs + stated.unknowns].to_vec();
+            conditions.iter().all(satisfied).then(|| Scaling { data: weights[..inputs].to_vec(), unknowns })
         })
         .collect();
     basis.unwrap_or_default()
@@ -276,9 +294,10 @@ fn integer_solution(echelon: &Echelon, free: usize) -> Option<Vec<i8>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::problem::Problem;
 
     fn of_text(text: &str) -> Vec<Scaling> {
-        scalings(&Problem::parse("problem.rs", text).expect("a problem"))
+        Problem::parse("problem.rs", text).expect("a problem").scalings
     }
 
     #[cfg(feature = "search")]
@@ -340,6 +359,19 @@ mod tests {
         let all = Scaling { data: vec![1; 12], unknowns: vec![0] };
         let directions = Scaling { data: [-1, -1, -1, 0, 0, 0].repeat(2), unknowns: vec![1] };
         assert_eq!(found, [all, directions]);
+    }
+
+    /// The scale of a vector is no unit. Its elements have units of their own.
+    #[test]
+    fn elements_of_a_vector_up_to_scale_have_units() {
+        let found = of_text(
+            "fn f(#[unit] u: [f64; 2], a: [f64; 2]) -> (#[projective] line: [f64; 3], s) {
+                dot([u[0], u[1]], [line[0], line[1]]) == 0;
+                a[0] * line[0] + a[1] * line[1] == line[2];
+                s * line[0] == line[2];
+            }",
+        );
+        assert_eq!(found, [Scaling { data: vec![0, 0, 1, 1], unknowns: vec![-1, -1, 1] }]);
     }
 
     #[test]

@@ -4,6 +4,7 @@
 //! scale, where the n - 1 coordinates u are solved for. Vectors with (Q e)_n = 0 have none.
 
 use crate::number::{Scalar, float};
+use crate::scaling::unscale;
 
 /// The vector of length 1 with these coordinates: Q (u, 1) / |(u, 1)|.
 #[inline]
@@ -40,6 +41,35 @@ pub fn to_chart<T: Scalar, R: AsRef<[f64]>>(chart: &[R], vector: &[T], coordinat
     let inverse = if last == T::ZERO { T::from_f64(rounding) } else { last }.reciprocal();
     for (coordinate, row) in coordinates.iter_mut().zip(chart) {
         *coordinate = entry(row) * inverse;
+    }
+}
+
+/// Multiplies the entries of a vector but the last by 2^-exponent, and the vector by what gives it
+/// length 1: one in the units of the given data, from that of the scaled problem.
+#[inline]
+pub fn unscale_vector<T: Scalar>(exponents: &[i16], vector: &mut [T]) {
+    if exponents.iter().all(|&exponent| exponent == 0) {
+        return;
+    }
+    unscale(exponents, vector);
+    // Divided by the largest entry first, so that no square overflows.
+    let largest = vector.iter().fold(0.0, |largest: f64, x| largest.max(x.modulus()));
+    vector.iter_mut().for_each(|x| *x = x.scale(1.0 / largest));
+    let square = vector.iter().fold(0.0, |sum, x| sum + x.modulus_squared());
+    vector.iter_mut().for_each(|x| *x = x.scale(1.0 / float::sqrt(square)));
+}
+
+/// As [`unscale_vector`], from and to the coordinates of the vector, which is of any values. Small
+/// entries keep only the digits that they have beside the largest.
+pub fn unscale_in_chart<T: Scalar, R: AsRef<[f64]>>(
+    chart: &[R],
+    exponents: &[i16],
+    (coordinates, vector): (&mut [T], &mut [T]),
+) {
+    if exponents.iter().any(|&exponent| exponent != 0) {
+        vector_of(chart, coordinates, vector);
+        unscale_vector(exponents, vector);
+        to_chart(chart, vector, coordinates);
     }
 }
 
@@ -96,5 +126,26 @@ mod tests {
         let mut back = [Complex::ZERO; 2];
         to_chart(&chart(), &vector.map(|x| x * Complex::new(0.1, -2.0)), &mut back);
         assert!(back.iter().zip(&coordinates).all(|(x, y)| (x - y).norm() < 1e-14));
+    }
+
+    /// Small entries keep their digits where the vector does not go through the chart.
+    #[test]
+    fn vectors_have_entries_of_several_units() {
+        let coordinates = [0.3, -0.7];
+        let vector: [f64; 3] = from_chart(&chart(), &coordinates);
+        for exponents in [[40, 37], [-900, 3], [0, 0]] {
+            let mut scaled = vector;
+            unscale_vector(&exponents, &mut scaled);
+            assert!((scaled.iter().map(|x| x * x).sum::<f64>() - 1.0).abs() < 1e-15, "{scaled:?}");
+            unscale_vector(&exponents.map(|exponent| -exponent), &mut scaled);
+            assert!(scaled.iter().zip(vector).all(|(a, b)| (a - b).abs() < 1e-15), "{scaled:?} {vector:?}");
+        }
+        let (mut there, exponents) = (coordinates, [10, 12]);
+        unscale_in_chart(&chart(), &exponents, (&mut there, &mut [0.0; 3]));
+        let mut expected = vector;
+        unscale_vector(&exponents, &mut expected);
+        let found: [f64; 3] = from_chart(&chart(), &there);
+        let sign = (found[2] * expected[2]).signum();
+        assert!(found.iter().zip(expected).all(|(a, b)| (a - sign * b).abs() < 1e-15), "{found:?} {expected:?}");
     }
 }

@@ -4,6 +4,8 @@
 //! What differs from an emitted solver is where the numbers are kept. The operations and their
 //! order are the same, so the solutions have the same bits, those of second attempts included.
 
+use std::ops::Range;
+
 use eliminant::emitted::{self, Dynamic, Product, Sizes, SizesOf, SolverInstance, Tables, Term};
 use eliminant::{Complex, Scalar, SolveError};
 
@@ -40,6 +42,8 @@ pub struct InterpretedSolver {
     positive: Vec<Vec<crate::plan::Term>>,
     /// The number of scalings, and the weights of data and unknowns in them.
     scalings: (usize, Vec<i8>, Vec<i8>),
+    /// The unknowns of vectors up to scale whose elements have different units, and their charts.
+    vectors: Vec<(Range<usize>, Vec<Vec<f64>>)>,
     /// What the data of each parameter satisfy, and how many there are.
     parameters: Vec<(emitted::Condition, u32)>,
     /// What data are derived.
@@ -85,6 +89,7 @@ impl InterpretedSolver {
             nonzero: System::of(&plan.nonzero, unknowns),
             positive: plan.positive.clone(),
             scalings: (plan.scalings.len(), plan.weights_of_data(), plan.weights_of_unknowns()),
+            vectors: plan.vectors_with_units().filter_map(|field| Some((field.unknowns(), field.chart()?))).collect(),
             parameters: parameters(plan),
             derived: plan.derived.clone(),
             quotients: [plan.quotients(), plan.coefficients_of_statements()]
@@ -128,6 +133,18 @@ impl InterpretedSolver {
             attempts: 0,
             memory: emitted::Memory::new(),
         })
+    }
+
+    /// The unknowns of the problem as it was given, from those of the scaled one, which exceed them
+    /// by powers of two with these exponents.
+    pub fn unscale<S: Scalar>(&self, exponents: &[i16], point: &mut [S]) {
+        let mut of_others = exponents.to_vec();
+        for (unknowns, chart) in &self.vectors {
+            let exponents: Vec<i16> = of_others[unknowns.clone()].iter_mut().map(std::mem::take).collect();
+            let mut vector = vec![S::ZERO; chart.len()];
+            emitted::unscale_in_chart(chart, &exponents, (&mut point[unknowns.clone()], &mut vector));
+        }
+        emitted::unscale(&of_others, point);
     }
 
     /// The data of the problem, from those that are given.
@@ -273,7 +290,7 @@ impl InterpretedInstance<'_> {
         };
         let mut points = found.to_vec();
         points.retain(|point| self.is_wanted(point));
-        points.iter_mut().for_each(|point| emitted::unscale(&self.exponents, point));
+        points.iter_mut().for_each(|point| self.solver.unscale(&self.exponents, point));
         Ok(points)
     }
 
@@ -293,7 +310,7 @@ impl InterpretedInstance<'_> {
     /// As the emitted solver.
     pub fn solve_complex(&mut self) -> Result<Vec<Vec<Complex<f64>>>, SolveError> {
         let mut points = emitted::complex_solutions(self)?.to_vec();
-        points.iter_mut().for_each(|point| emitted::unscale(&self.exponents, point));
+        points.iter_mut().for_each(|point| self.solver.unscale(&self.exponents, point));
         Ok(points)
     }
 
@@ -305,7 +322,7 @@ impl InterpretedInstance<'_> {
     pub fn unpolished_points(&mut self) -> Result<Vec<Vec<Complex<f64>>>, SolveError> {
         let mut points = Vec::new();
         emitted::unpolished_points(self, |point| points.push(point.clone()))?;
-        points.iter_mut().for_each(|point| emitted::unscale(&self.exponents, point));
+        points.iter_mut().for_each(|point| self.solver.unscale(&self.exponents, point));
         Ok(points)
     }
 
@@ -313,7 +330,7 @@ impl InterpretedInstance<'_> {
     pub fn residual<S: Scalar>(&self, point: &[S]) -> f64 {
         let negative: Vec<i16> = self.exponents.iter().map(|exponent| -exponent).collect();
         let mut point = point.to_vec();
-        emitted::unscale(&negative, &mut point);
+        self.solver.unscale(&negative, &mut point);
         self.polish(&mut point, 0)
     }
 
