@@ -37,6 +37,9 @@ pub struct Case {
     pub action_matrix: fn(&[f64]) -> Found<f64>,
     /// `relative_residual` of a complex solution.
     pub residual: Residual,
+    /// `relative_residual` of the solutions of `solve` and of `solve_complex` themselves:
+    /// coordinates of vectors up to scale do not keep the digits of small elements.
+    pub residuals: [fn(&[f64]) -> Result<Vec<f64>, SolveError>; 2],
     /// The time that `solve` takes for all of these data, one after the other, and the number of
     /// real solutions that it returns. Data are not flat while the time is taken.
     pub time: fn(&[Vec<f64>]) -> (Duration, usize),
@@ -110,6 +113,18 @@ macro_rules! typed {
     };
 }
 
+/// The residuals of the solutions that a function returns.
+macro_rules! residuals {
+    ($name:ident, $solve:ident, ($($data:ident: $kind:ident),*)) => {
+        |flat| {
+            let mut _values = flat.iter().copied();
+            $(let $data = FromFlat::take(&mut _values);)*
+            let found = solvers::$name::$solve($(argument!($data: $kind)),*)?;
+            found.iter().map(|x| solvers::$name::relative_residual($(argument!($data: $kind),)* x)).collect()
+        }
+    };
+}
+
 /// `case!(name, (points: array, length: scalar))`; `()` for a problem without data.
 macro_rules! case {
     ($name:ident, ($($data:ident: $kind:ident),*)) => {
@@ -139,6 +154,10 @@ macro_rules! case {
                 let found = solvers::$name::solve_complex_in(workspace, $(argument!($data: $kind)),*)?;
                 Ok(found.iter().map(|s| s.to_unknowns().to_vec()).collect())
             },
+            residuals: [
+                residuals!($name, solve, ($($data: $kind),*)),
+                residuals!($name, solve_complex, ($($data: $kind),*)),
+            ],
             second_attempt_operations: solvers::$name::SECOND_ATTEMPT_OPERATIONS,
             action_matrix: |flat| {
                 let mut _values = flat.iter().copied();

@@ -171,15 +171,16 @@ impl Subject {
         }
         let real: Vec<_> = real.unwrap_or_default().iter().map(|x| complex(x)).collect();
         let all = all.unwrap_or_default();
-        for found in [&real, &all] {
+        for (found, residuals) in [&real, &all].into_iter().zip(self.case.residuals) {
+            let residuals = residuals(data);
             if found.len() > self.solutions {
                 return Err(format!("{} solutions of {}", found.len(), self.solutions));
             }
-            for x in found {
+            for (at, x) in found.iter().enumerate() {
                 if !x.iter().all(|x| x.re.is_finite() && x.im.is_finite()) {
                     return Err(format!("a solution is not finite: {x:?}"));
                 }
-                let residual = (self.case.residual)(data, x);
+                let residual = residuals.as_ref().map(|residuals| residuals[at]);
                 if !residual.is_ok_and(|residual| residual <= MAX_RESIDUAL + self.rounding(x)) {
                     return Err(format!("the residual of {x:?} is {residual:?}"));
                 }

@@ -53,9 +53,11 @@ fn bits<T: Into<eliminant::Complex<f64>> + Copy>(
 }
 
 /// Vectors that are given up to scale as solvers return them, then their unknowns again: a solution
-/// of an emitted solver takes both ways.
-fn returned<T: Scalar>(fields: &[SolutionField], mut point: Vec<T>) -> Vec<T> {
-    for field in fields {
+/// of an emitted solver takes both ways. Where elements have units of their own, so does one of an
+/// interpreted plan.
+fn returned<T: Scalar>(plan: &Plan, mut point: Vec<T>) -> Vec<T> {
+    let have_units: Vec<&SolutionField> = plan.vectors_with_units().collect();
+    for field in plan.fields.iter().filter(|field| !have_units.contains(field)) {
         if let Some(chart) = field.chart() {
             let mut vector = vec![T::ZERO; field.scalars()];
             vector_of(&chart, &point[field.unknowns()], &mut vector);
@@ -67,15 +69,14 @@ fn returned<T: Scalar>(fields: &[SolutionField], mut point: Vec<T>) -> Vec<T> {
 
 /// Compares `solve` and `solve_complex` on one instance.
 fn compare(case: &Case, (plan, solver): (&Plan, &InterpretedSolver), data: &[f64]) -> Counts {
-    let fields = &plan.fields;
     let (real, complex) = ((case.solve)(data), (case.solve_complex)(data));
-    let of_plan = solver.solve(data).map(|found| found.into_iter().map(|x| returned(fields, x)).collect());
+    let of_plan = solver.solve(data).map(|found| found.into_iter().map(|x| returned(plan, x)).collect());
     assert_eq!(bits(&real), bits(&of_plan), "{}: solve of {data:?}", case.name);
     let instance = solver.instance(data);
     let mut second_attempts = 0;
     let interpreted = instance.and_then(|mut instance| {
         let found = instance.solve_complex();
-        let found = found.map(|found| found.into_iter().map(|x| returned(fields, x)).collect());
+        let found = found.map(|found| found.into_iter().map(|x| returned(plan, x)).collect());
         second_attempts = usize::from(instance.attempts() > 1);
         found
     });

@@ -9,7 +9,7 @@ use eliminant_generator::problem::{Problem, Scaling};
 use eliminant_generator::search::measuring::interpreted::InterpretedSolver;
 use eliminant_tests::ground_truth::{FOUND, Maker, makers};
 use eliminant_tests::measure::affordable;
-use eliminant_tests::statistics::{complex, log10, quantile};
+use eliminant_tests::statistics::{log10, quantile};
 use eliminant_tests::{Case, cases};
 use rayon::prelude::*;
 
@@ -43,10 +43,8 @@ fn measured(case: &Case, maker: &Maker, scaling: &Scaling, exponent: i32, scenes
     let of_scene = |k| {
         let instance = maker.make.draw(&mut Random::new(7_000_000 + k));
         let data: Vec<f64> = instance.data.iter().zip(&scaling.data).map(|(x, weight)| x * factor(weight)).collect();
-        let solutions = (case.solve)(&data).unwrap_or_default();
-        let residuals: Vec<f64> =
-            solutions.iter().map(|x| log10((case.residual)(&data, &complex(x)).unwrap_or(f64::INFINITY))).collect();
-        let mut solutions = solutions;
+        let mut solutions = (case.solve)(&data).unwrap_or_default();
+        let residuals: Vec<f64> = case.residuals[0](&data).unwrap_or_default().into_iter().map(log10).collect();
         solutions.iter_mut().for_each(|solution| solver.unscale(&exponents, solution));
         let is_found = |truth: &&Vec<f64>| solutions.iter().any(|x| (maker.error)(&instance.data, x, truth) <= FOUND);
         (instance.truths.iter().filter(is_found).count(), instance.truths.len(), residuals)

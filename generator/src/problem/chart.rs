@@ -41,7 +41,10 @@ fn normal(size: usize) -> Vec<i64> {
     let mut v = WEIGHTS[..size - 1].to_vec();
     let square: i64 = v.iter().map(|w| w * w).sum();
     let first = (square as f64 / 2.1).sqrt() as i64 + 1;
-    v.extend((first..).find(|m| (square - m * m) % 2 != 0 && gcd(m.unsigned_abs().into(), square.unsigned_abs().into()) == 1));
+    v.extend(
+        (first..)
+            .find(|m| (square - m * m) % 2 != 0 && gcd(m.unsigned_abs().into(), square.unsigned_abs().into()) == 1),
+    );
     v
 }
 

@@ -66,11 +66,9 @@ pub fn unscale_in_chart<T: Scalar, R: AsRef<[f64]>>(
     exponents: &[i16],
     (coordinates, vector): (&mut [T], &mut [T]),
 ) {
-    if exponents.iter().any(|&exponent| exponent != 0) {
-        vector_of(chart, coordinates, vector);
-        unscale_vector(exponents, vector);
-        to_chart(chart, vector, coordinates);
-    }
+    vector_of(chart, coordinates, vector);
+    unscale_vector(exponents, vector);
+    to_chart(chart, vector, coordinates);
 }
 
 /// An entry of Q e, for a row of Q.

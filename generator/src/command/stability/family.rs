@@ -8,7 +8,7 @@ use crate::expression::arithmetic::{Arithmetic, Float64};
 use crate::expression::rational::Rational;
 use crate::plan::Plan;
 use crate::problem::instance::{Draw, draw_inputs};
-use crate::problem::{DataAttribute, DataParameter};
+use crate::problem::{DataAttribute, DataParameter, Scaling};
 use crate::search::measuring::{random_instance, seed_of};
 
 /// Which instances are drawn.
@@ -96,14 +96,24 @@ impl Family {
 /// Binary exponents of factors of data are at most this: their squares stay in the range of `f64`.
 const MOST: i32 = 400;
 
-/// Data in units of 10^`level`, along one of the scalings that change unknowns.
+/// Data in units of 10^`level`, along one of the scalings that change unknowns. Those that change
+/// elements of a vector up to scale are left out: points are judged by its coordinates in a chart,
+/// which do not keep the digits of small elements.
 fn scaled(plan: &Plan, level: i32, variant: usize, mut data: Vec<f64>) -> Option<Vec<f64>> {
     if !plan.derived.is_empty() {
         // The scalings are those of all data; given ones do not take derived ones along.
         return None;
     }
-    let changing: Vec<_> =
-        plan.scalings.iter().filter(|scaling| scaling.unknowns.iter().any(|&weight| weight != 0)).collect();
+    let is_in_chart = |unknown: usize| plan.vectors_with_units().any(|field| field.unknowns().contains(&unknown));
+    let has_weight = |scaling: &Scaling, unknown: usize| scaling.unknowns[unknown] != 0;
+    let changing: Vec<_> = plan
+        .scalings
+        .iter()
+        .filter(|scaling| {
+            let mut changed = (0..plan.unknowns.len()).filter(|&unknown| has_weight(scaling, unknown)).peekable();
+            changed.peek().is_some() && !changed.any(is_in_chart)
+        })
+        .collect();
     let scaling = changing.get(variant % changing.len().max(1))?;
     let largest = scaling.data.iter().map(|weight| i32::from(weight.abs())).max().unwrap_or(1).max(1);
     let exponent = ((f64::from(level) * 10f64.log2()).round() as i32).clamp(-MOST / largest, MOST / largest);
