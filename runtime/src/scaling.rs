@@ -30,6 +30,9 @@ const FEW_SCALINGS: usize = 4;
 const ORDINARY: i32 = 10;
 /// Unknowns that would change by a smaller power of two are left as they are, with the data.
 const LEAST: i32 = 3;
+/// As [`LEAST`], for elements of a vector up to scale. The chart in which it is solved for mixes
+/// them, so that in another unit small ones lose the digits that they have beside the largest.
+const LEAST_OF_VECTORS: i32 = ORDINARY;
 /// 2^LEAST
 const NEAR: f64 = (1_u64 << LEAST) as f64;
 /// Unknowns and data are not changed by larger powers of two.
@@ -53,6 +56,8 @@ pub struct Scalings<'a> {
     pub data: &'a [i8],
     /// The weights of each unknown.
     pub unknowns: &'a [i8],
+    /// The unknowns that are elements of vectors up to scale: bit k stands for unknown k.
+    pub in_vectors: u32,
 }
 
 /// A number per scaling.
@@ -106,12 +111,14 @@ impl Scalings<'_> {
         let shift = |weights: &[i8]| weights.iter().zip(scales).map(|(&w, s)| i32::from(w) * s).sum::<i32>();
         let of_unknowns = || self.unknowns.chunks_exact(self.count).map(shift);
         let largest = of_unknowns().map(i32::abs).max().unwrap_or(0);
+        let least = |unknown: usize| if self.in_vectors >> unknown & 1 == 1 { LEAST_OF_VECTORS } else { LEAST };
+        let changes = of_unknowns().enumerate().any(|(unknown, shift)| shift.abs() >= least(unknown));
         let fits = |(x, weights): (&f64, &[i8])| {
             let shift = shift(weights);
             shift.abs() <= MOST && (*x == 0.0 || (exponent(*x) + shift).abs() < 1000)
         };
         let weights = || self.data.chunks_exact(self.count);
-        if !(LEAST..=MOST).contains(&largest) || !data.iter().zip(weights()).all(fits) {
+        if !changes || largest > MOST || !data.iter().zip(weights()).all(fits) {
             return;
         }
         for (x, weights) in data.iter_mut().zip(weights()) {
@@ -260,6 +267,7 @@ mod tests {
         count: 4,
         data: &[-2, 0, 1, 0, -1, 0, 1, 0, 0, 0, 1, 0, 0, -1, 0, 1, 0, 0, 0, 1],
         unknowns: &[1, 0, 0, 0, 0, 1, 0, 0],
+        in_vectors: 0,
     };
 
     fn applied(mut data: [f64; 5]) -> ([f64; 5], [i16; 2]) {
@@ -277,7 +285,7 @@ mod tests {
     #[test]
     fn the_largest_of_equal_weights_tells_of_a_unit() {
         // Two data of one weight, one without any, and one of another weight.
-        let scalings = Scalings { count: 2, data: &[1, 0, 1, 0, 0, 0, 0, 1], unknowns: &[1, 1] };
+        let scalings = Scalings { count: 2, data: &[1, 0, 1, 0, 0, 0, 0, 1], unknowns: &[1, 1], in_vectors: 0 };
         for (data, is_near) in [
             ([1.0, 1e-9, 1e9, 1.0], true),
             ([1e-9, -1.0, 0.0, -4.0], true),
@@ -305,6 +313,15 @@ mod tests {
             assert!((data[3] * x[1] + data[4]).abs() == 0.0);
             assert!((data[0] * x[0] * x[0] + data[1] * x[0] + data[2]).abs() < 1e-14 * data[2].abs());
             assert_eq!(unscaled(&exponents, x), [unit, -3.0]);
+        }
+    }
+
+    #[test]
+    fn elements_of_vectors_change_by_large_powers_only() {
+        for (unit, in_vectors, changes) in [(200.0, 0, true), (200.0, 1, false), (200.0, 2, true), (2000.0, 1, true)] {
+            let mut data = [1.0, -3.0 * unit, 2.0 * unit * unit, 1.0, 3.0];
+            let exponents: [i16; 2] = Scalings { in_vectors, ..SCALINGS }.apply(&mut data);
+            assert_eq!(exponents != [0, 0], changes, "{unit} {in_vectors:b}: {exponents:?}");
         }
     }
 

@@ -37,6 +37,8 @@ pub struct Case {
     pub action_matrix: fn(&[f64]) -> Found<f64>,
     /// `relative_residual` of a complex solution.
     pub residual: Residual,
+    /// The solutions of `solve_complex` with all elements of vectors up to scale.
+    pub elements: fn(&[f64]) -> Found<Complex<f64>>,
     /// `relative_residual` of the solutions of `solve` and of `solve_complex` themselves:
     /// coordinates of vectors up to scale do not keep the digits of small elements.
     pub residuals: [fn(&[f64]) -> Result<Vec<f64>, SolveError>; 2],
@@ -153,6 +155,12 @@ macro_rules! case {
                 $(let $data = FromFlat::take(&mut _values);)*
                 let found = solvers::$name::solve_complex_in(workspace, $(argument!($data: $kind)),*)?;
                 Ok(found.iter().map(|s| s.to_unknowns().to_vec()).collect())
+            },
+            elements: |flat| {
+                let mut _values = flat.iter().copied();
+                $(let $data = FromFlat::take(&mut _values);)*
+                let found = solvers::$name::solve_complex($(argument!($data: $kind)),*)?;
+                Ok(found.iter().map(|s| s.to_array().to_vec()).collect())
             },
             residuals: [
                 residuals!($name, solve, ($($data: $kind),*)),

@@ -26,10 +26,10 @@ pub struct Judgement {
     pub errors: Vec<f64>,
 }
 
-/// Judges the points by the equations.
-pub fn judge(equations: &Equations, points: &[Point]) -> Judgement {
-    let mut judgement =
-        Judgement { residuals: points.iter().map(|x| equations.residual(x)).collect(), ..Judgement::default() };
+/// Judges the points by the equations, and by all elements of the same solutions.
+pub fn judge(equations: &Equations, points: &[Point], elements: &[Point]) -> Judgement {
+    let residuals = elements.iter().map(|x| equations.residual_of_elements(x)).collect();
+    let mut judgement = Judgement { residuals, ..Judgement::default() };
     let mut exact: Vec<Point> = Vec::new();
     for point in points {
         let refined = equations.refined(point);
@@ -76,11 +76,11 @@ mod tests {
         let point = |x: f64, y: f64| vec![Complex::from(x), Complex::from(y)];
         let near = point(-root * (1.0 + 1e-7), -1.0 / root);
         let points = [point(root, 1.0 / root), near.clone(), point(-root, -1.0 / root), point(0.3, 3.0)];
-        let judgement = judge(&equations, &points);
+        let judgement = judge(&equations, &points, &points);
         assert_eq!((judgement.found, judgement.duplicates, judgement.spurious), (2, 1, 1), "{judgement:?}");
         assert!(judgement.residuals[0] < 1e-15 && judgement.residuals[3] > 1e-2, "{judgement:?}");
         assert!((1e-8..1e-6).contains(&judgement.errors[1]), "{judgement:?}");
-        let sum = judgement.clone().plus(judge(&equations, &[near]));
+        let sum = judgement.clone().plus(judge(&equations, std::slice::from_ref(&near), std::slice::from_ref(&near)));
         assert_eq!((sum.found, sum.residuals.len(), sum.errors.len()), (3, 5, 4));
     }
 }

@@ -75,14 +75,18 @@ pub struct Measurement {
 
 /// Solves `instances` instances of a family of data, instance k from the seed `first_seed` + k.
 pub fn measure(case: &Case, plan: &Plan, family: Family, instances: u64, first_seed: u64) -> Measurement {
-    let source = DataSource::new(case);
+    let (source, has_units) = (DataSource::new(case), plan.vectors_with_units().next().is_some());
     // The number of solutions, if they are distinct, and the log10 of their residuals.
     let solve = |k| -> (Option<usize>, Vec<f64>) {
         let data = source.draw(family, first_seed + k);
         let found = (case.solve_complex)(&data).ok().zip(interpret::coefficients(plan, Float64, &data));
         let Some((found, coefficients)) = found else { return (None, Vec::new()) };
-        let residuals = found.iter().map(|x| log10(residual(plan, &coefficients, x))).collect();
-        (are_distinct(&found).then_some(found.len()), residuals)
+        // Coordinates in the chart do not keep the digits of elements that have other units.
+        let residuals = match has_units {
+            true => case.residuals[1](&data).unwrap_or_default(),
+            false => found.iter().map(|x| residual(plan, &coefficients, x)).collect(),
+        };
+        (are_distinct(&found).then_some(found.len()), residuals.into_iter().map(log10).collect())
     };
     let (counts, residuals): (Vec<Option<usize>>, Vec<Vec<f64>>) = (0..instances).into_par_iter().map(solve).unzip();
     let solutions = match family {

@@ -153,7 +153,8 @@ fn judged(case: &Case, family: Family, first_seed: u64, instances: u64) -> Vec<J
     let judge_one = |k: u64| {
         let data = source.draw(family, first_seed + k);
         let equations = Equations::new(&problem, &data).expect("no divisor vanishes");
-        judge(&equations, &(case.solve_complex)(&data).unwrap_or_default())
+        let [points, elements] = [case.solve_complex, case.elements].map(|solve| solve(&data).unwrap_or_default());
+        judge(&equations, &points, &elements)
     };
     (0..instances).into_par_iter().map(judge_one).collect()
 }

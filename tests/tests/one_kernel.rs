@@ -53,12 +53,12 @@ fn bits<T: Into<eliminant::Complex<f64>> + Copy>(
 }
 
 /// Vectors that are given up to scale as solvers return them, then their unknowns again: a solution
-/// of an emitted solver takes both ways. Where elements have units of their own, so does one of an
-/// interpreted plan.
-fn returned<T: Scalar>(plan: &Plan, mut point: Vec<T>) -> Vec<T> {
-    let have_units: Vec<&SolutionField> = plan.vectors_with_units().collect();
-    for field in plan.fields.iter().filter(|field| !have_units.contains(field)) {
-        if let Some(chart) = field.chart() {
+/// of an emitted solver takes both ways. So does one of an interpreted plan where the elements of
+/// the vector are in another unit.
+fn returned<T: Scalar>(fields: &[SolutionField], exponents: &[i16], mut point: Vec<T>) -> Vec<T> {
+    for field in fields {
+        let is_returned = exponents[field.unknowns()].iter().any(|&exponent| exponent != 0);
+        if let Some(chart) = field.chart().filter(|_| !is_returned) {
             let mut vector = vec![T::ZERO; field.scalars()];
             vector_of(&chart, &point[field.unknowns()], &mut vector);
             to_chart(&chart, &vector, &mut point[field.unknowns()]);
@@ -70,13 +70,16 @@ fn returned<T: Scalar>(plan: &Plan, mut point: Vec<T>) -> Vec<T> {
 /// Compares `solve` and `solve_complex` on one instance.
 fn compare(case: &Case, (plan, solver): (&Plan, &InterpretedSolver), data: &[f64]) -> Counts {
     let (real, complex) = ((case.solve)(data), (case.solve_complex)(data));
-    let of_plan = solver.solve(data).map(|found| found.into_iter().map(|x| returned(plan, x)).collect());
+    let exponents = solver.instance(data).map_or_else(|_| Vec::new(), |instance| instance.exponents().to_vec());
+    let fields = &plan.fields;
+    let of_plan = solver.solve(data);
+    let of_plan = of_plan.map(|found| found.into_iter().map(|x| returned(fields, &exponents, x)).collect());
     assert_eq!(bits(&real), bits(&of_plan), "{}: solve of {data:?}", case.name);
     let instance = solver.instance(data);
     let mut second_attempts = 0;
     let interpreted = instance.and_then(|mut instance| {
         let found = instance.solve_complex();
-        let found = found.map(|found| found.into_iter().map(|x| returned(plan, x)).collect());
+        let found = found.map(|found| found.into_iter().map(|x| returned(fields, &exponents, x)).collect());
         second_attempts = usize::from(instance.attempts() > 1);
         found
     });

@@ -21,6 +21,7 @@ pub(super) fn table(plan: &Plan) -> TokenStream {
         return quote!();
     }
     let count = Literal::usize_unsuffixed(plan.scalings.len());
+    let in_vectors = Literal::u32_unsuffixed(plan.unknowns_in_vectors());
     let [data, unknowns] = [plan.weights_of_data(), plan.weights_of_unknowns()].map(|weights| {
         let weights = weights.into_iter().map(Literal::i8_unsuffixed);
         quote!(&[#(#weights),*])
@@ -29,7 +30,7 @@ pub(super) fn table(plan: &Plan) -> TokenStream {
         /// The scalings under which the problem stays the same: a weight per scaling for each datum
         /// and for each unknown.
         const SCALINGS: emitted::Scalings<'static> =
-            emitted::Scalings { count: #count, data: #data, unknowns: #unknowns };
+            emitted::Scalings { count: #count, data: #data, unknowns: #unknowns, in_vectors: #in_vectors };
     }
 }
 

@@ -452,6 +452,11 @@ impl Plan {
         self.fields.iter().filter(move |field| field.is_projective && field.unknowns().any(has_weight))
     }
 
+    /// The unknowns that are elements of vectors up to scale: bit k stands for unknown k.
+    pub fn unknowns_in_vectors(&self) -> u32 {
+        self.fields.iter().filter(|field| field.is_projective).flat_map(SolutionField::unknowns).map(|k| 1 << k).sum()
+    }
+
     /// For each unknown the exponents of the monomial s of its extraction; zeros if it is not read.
     pub fn steps(&self) -> Vec<Vec<i8>> {
         let step = |unknown: usize| {

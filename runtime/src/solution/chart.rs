@@ -66,9 +66,11 @@ pub fn unscale_in_chart<T: Scalar, R: AsRef<[f64]>>(
     exponents: &[i16],
     (coordinates, vector): (&mut [T], &mut [T]),
 ) {
-    vector_of(chart, coordinates, vector);
-    unscale_vector(exponents, vector);
-    to_chart(chart, vector, coordinates);
+    if exponents.iter().any(|&exponent| exponent != 0) {
+        vector_of(chart, coordinates, vector);
+        unscale_vector(exponents, vector);
+        to_chart(chart, vector, coordinates);
+    }
 }
 
 /// An entry of Q e, for a row of Q.

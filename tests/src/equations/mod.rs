@@ -9,11 +9,12 @@ use std::collections::BTreeMap;
 
 use eliminant::Complex;
 use eliminant_generator::expression::arithmetic::Float64;
-use eliminant_generator::problem::Problem;
+use eliminant_generator::problem::chart::entry;
+use eliminant_generator::problem::{Problem, SolutionField};
 use least_squares::least_squares;
 use nalgebra::DMatrix;
 use qd::Quad;
-use twice::{Twice, Wide};
+use twice::{Twice, Wide, exact};
 
 /// A point with a complex value for each unknown.
 pub type Point = Vec<Complex<f64>>;
@@ -21,6 +22,8 @@ pub type Point = Vec<Complex<f64>>;
 /// The polynomials of a problem with its coefficients for given data.
 pub struct Equations {
     unknowns: usize,
+    /// What the unknowns stand for.
+    fields: Vec<SolutionField>,
     /// All monomials. The first is the constant one, and each other one stands behind its parent.
     monomials: Vec<Product>,
     /// For each equation its coefficients and the positions of their monomials.
@@ -79,7 +82,8 @@ impl Equations {
             let terms = polynomial.terms().iter();
             terms.map(|(m, c)| (values[c.index()], monomials.position(&m.exponents()[..unknowns]))).collect()
         });
-        Some(Self { unknowns, equations: equations.collect(), monomials: monomials.products })
+        let fields = problem.fields.clone();
+        Some(Self { unknowns, fields, equations: equations.collect(), monomials: monomials.products })
     }
 
     /// The number of equations.
@@ -96,6 +100,23 @@ impl Equations {
     /// vanish counts as 0.
     pub fn residual(&self, x: &[Complex<f64>]) -> f64 {
         let x: Vec<Wide> = x.iter().map(|&x| x.into()).collect();
+        relative_residual(&self.values(&x))
+    }
+
+    /// As [`Equations::residual`], from a solution as it is returned: vectors that are given up to
+    /// scale by all elements. Their coordinates in a chart, in `f64`, would not keep the digits of
+    /// elements that are small.
+    pub fn residual_of_elements(&self, elements: &[Complex<f64>]) -> f64 {
+        let (mut x, mut rest) = (Vec::with_capacity(self.unknowns), elements);
+        for field in &self.fields {
+            let (of_field, others) = rest.split_at(field.scalars());
+            let of_field: Vec<Wide> = of_field.iter().map(|&x| x.into()).collect();
+            match field.is_projective {
+                true => x.extend(coordinates(&of_field)),
+                false => x.extend(of_field),
+            }
+            rest = others;
+        }
         relative_residual(&self.values(&x))
     }
 
@@ -208,6 +229,21 @@ impl Monomials {
         self.known.insert(exponents.to_vec(), self.products.len() - 1);
         self.products.len() - 1
     }
+}
+
+/// The coordinates of a vector in the chart in which it is solved for: Q e, divided by its last
+/// entry.
+fn coordinates(vector: &[Wide]) -> Vec<Wide> {
+    let size = vector.len();
+    let product = |row: usize| {
+        let term = |column: usize| {
+            let (numerator, denominator) = entry(size, row, column);
+            vector[column].times(exact(numerator) / exact(denominator))
+        };
+        (0..size).map(term).fold(Wide::ZERO, |sum, term| sum + term)
+    };
+    let scale = product(size - 1).reciprocal();
+    (0..size - 1).map(|row| product(row) * scale).collect()
 }
 
 fn relative_residual(values: &[(Wide, f64)]) -> f64 {

@@ -43,7 +43,7 @@ impl Arithmetic for Twice {
     }
 }
 
-fn exact(integer: i64) -> Quad {
+pub(super) fn exact(integer: i64) -> Quad {
     let high = integer as f64;
     Quad(high, (i128::from(integer) - high as i128) as f64)
 }
@@ -61,6 +61,11 @@ impl Wide {
 
     pub(super) fn times(self, factor: Quad) -> Self {
         Self { re: self.re * factor, im: self.im * factor }
+    }
+
+    pub(super) fn reciprocal(self) -> Self {
+        let square = self.re * self.re + self.im * self.im;
+        Self { re: self.re / square, im: Quad::ZERO - self.im / square }
     }
 
     pub(super) fn rounded(self) -> Complex<f64> {

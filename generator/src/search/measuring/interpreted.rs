@@ -40,8 +40,9 @@ pub struct InterpretedSolver {
     equations: System,
     nonzero: System,
     positive: Vec<Vec<crate::plan::Term>>,
-    /// The number of scalings, and the weights of data and unknowns in them.
+    /// The number of scalings, the weights of data and unknowns in them, and the unknowns in vectors.
     scalings: (usize, Vec<i8>, Vec<i8>),
+    in_vectors: u32,
     /// The unknowns of vectors up to scale whose elements have different units, and their charts.
     vectors: Vec<(Range<usize>, Vec<Vec<f64>>)>,
     /// What the data of each parameter satisfy, and how many there are.
@@ -89,6 +90,7 @@ impl InterpretedSolver {
             nonzero: System::of(&plan.nonzero, unknowns),
             positive: plan.positive.clone(),
             scalings: (plan.scalings.len(), plan.weights_of_data(), plan.weights_of_unknowns()),
+            in_vectors: plan.unknowns_in_vectors(),
             vectors: plan.vectors_with_units().filter_map(|field| Some((field.unknowns(), field.chart()?))).collect(),
             parameters: parameters(plan),
             derived: plan.derived.clone(),
@@ -105,7 +107,8 @@ impl InterpretedSolver {
     /// [`SolveError::NonFiniteInput`] or [`SolveError::Overflow`].
     pub fn instance(&self, data: &[f64]) -> Result<InterpretedInstance<'_>, SolveError> {
         let (count, of_data, of_unknowns) = &self.scalings;
-        let scalings = emitted::Scalings { count: *count, data: of_data, unknowns: of_unknowns };
+        let scalings =
+            emitted::Scalings { count: *count, data: of_data, unknowns: of_unknowns, in_vectors: self.in_vectors };
         let (mut scaled, mut exponents) = (self.stated_data(data)?, vec![0; self.unknowns]);
         scalings.apply_into(&mut scaled, &mut exponents);
         let coefficients = self.coefficients::<f64>(&scaled);
@@ -332,6 +335,11 @@ impl InterpretedInstance<'_> {
         let mut point = point.to_vec();
         self.solver.unscale(&negative, &mut point);
         self.polish(&mut point, 0)
+    }
+
+    /// By which powers of two the unknowns exceed those of the problem as it was given.
+    pub fn exponents(&self) -> &[i16] {
+        &self.exponents
     }
 
     /// How often the template was eliminated: twice if there was a second attempt.
