@@ -99,8 +99,13 @@ fn add_roots<I: HiddenVariableSolver>(solver: &mut I, found: &mut RealSolutions<
     let determinant = variable.determinant();
     let roots = real_roots(chains.sizes().3, &determinant);
     let source = HiddenPairs { basis: solver.sizes().basis, variable: &variable };
-    // Without a root, no polish shows whether the polynomial is precise.
-    let is_none_certain = || roots.clearance > CLEARANCE && !solver.has_large_quotients();
+    // Without a root, no polish shows whether the polynomial is precise. It is a sum of products of
+    // an entry of each chain's row, which may be much larger than the sum.
+    let is_none_certain = || {
+        let largest = action.as_ref().iter().flat_map(|row| row.as_ref()).fold(1.0, |a: f64, x| a.max(x.abs()));
+        let error = (0..chains.sizes().1.get()).fold(f64::EPSILON, |error, _| error * largest);
+        roots.clearance > CLEARANCE.max(error) && !solver.has_large_quotients()
+    };
     let mut is_certain = roots.is_certain && (!roots.roots.is_empty() || is_none_certain());
     let mut moved = chains.sizes().3.list();
     let (mut is_precise, mut error) = (true, LEAST_ERROR);

@@ -40,8 +40,9 @@ pub struct InterpretedSolver {
     equations: System,
     nonzero: System,
     positive: Vec<Vec<crate::plan::Term>>,
-    /// The number of scalings, the weights of data and unknowns in them, and the unknowns in vectors.
+    /// The number of scalings, and the weights of data and unknowns in them.
     scalings: (usize, Vec<i8>, Vec<i8>),
+    /// The unknowns that are elements of vectors up to scale.
     in_vectors: u32,
     /// The unknowns of vectors up to scale whose elements have different units, and their charts.
     vectors: Vec<(Range<usize>, Vec<Vec<f64>>)>,
