@@ -17,6 +17,9 @@ pub type Found<T> = Result<Vec<Vec<T>>, SolveError>;
 /// The relative residual of a complex solution for given data.
 pub type Residual = fn(&[f64], &[Complex<f64>]) -> Result<f64, SolveError>;
 
+/// The relative residuals of all solutions of an instance.
+pub type Residuals = fn(&[f64]) -> Result<Vec<f64>, SolveError>;
+
 /// One emitted solver. Data are flat, parameters one after another, arrays row by row. Solutions
 /// are the unknowns that are solved for: of a vector that is given up to scale, its coordinates.
 #[derive(Clone, Copy)]
@@ -41,7 +44,7 @@ pub struct Case {
     pub elements: fn(&[f64]) -> Found<Complex<f64>>,
     /// `relative_residual` of the solutions of `solve` and of `solve_complex` themselves:
     /// coordinates of vectors up to scale do not keep the digits of small elements.
-    pub residuals: [fn(&[f64]) -> Result<Vec<f64>, SolveError>; 2],
+    pub residuals: [Residuals; 2],
     /// The time that `solve` takes for all of these data, one after the other, and the number of
     /// real solutions that it returns. Data are not flat while the time is taken.
     pub time: fn(&[Vec<f64>]) -> (Duration, usize),

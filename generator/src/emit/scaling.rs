@@ -168,7 +168,17 @@ pub(super) fn points(plan: &Plan) -> TokenStream {
     let others = plan.fields.iter().filter(|field| !field.is_projective).map(range);
     let others = others.map(|range| quote!(emitted::unscale(&exponents[#range], &mut unknowns[#range]);));
     let others: Vec<_> = others.collect();
-    let binding = if others.is_empty() { quote!(unknowns) } else { quote!(mut unknowns) };
+    let (binding, to_unknowns) = match others.is_empty() {
+        true => (quote!(unknowns), quote!(solution.to_unknowns())),
+        false => (
+            quote!(mut unknowns),
+            quote! {
+                let mut unknowns = solution.to_unknowns();
+                #(#others)*
+                unknowns
+            },
+        ),
+    };
     let vectors: Vec<_> = vectors
         .into_iter()
         .map(|field| {
@@ -192,9 +202,7 @@ pub(super) fn points(plan: &Plan) -> TokenStream {
             fn to_scaled(self, exponents: &[i16; #count]) -> [T; #count] {
                 let (exponents, mut solution) = (exponents.map(|exponent| -exponent), self);
                 #(#vectors)*
-                let #binding = solution.to_unknowns();
-                #(#others)*
-                unknowns
+                #to_unknowns
             }
         }
     }
