@@ -83,7 +83,7 @@ pub fn measure(case: &Case, plan: &Plan, family: Family, instances: u64, first_s
         let Some((found, coefficients)) = found else { return (None, Vec::new()) };
         // Coordinates in the chart do not keep the digits of elements that have other units.
         let residuals = match has_units {
-            true => case.residuals[1](&data).unwrap_or_default(),
+            true => case.residuals[1](&data).unwrap_or_else(|_| vec![f64::INFINITY; found.len()]),
             false => found.iter().map(|x| residual(plan, &coefficients, x)).collect(),
         };
         (are_distinct(&found).then_some(found.len()), residuals.into_iter().map(log10).collect())

@@ -44,7 +44,8 @@ fn measured(case: &Case, maker: &Maker, scaling: &Scaling, exponent: i32, scenes
         let instance = maker.make.draw(&mut Random::new(7_000_000 + k));
         let data: Vec<f64> = instance.data.iter().zip(&scaling.data).map(|(x, weight)| x * factor(weight)).collect();
         let mut solutions = (case.solve)(&data).unwrap_or_default();
-        let residuals: Vec<f64> = case.residuals[0](&data).unwrap_or_default().into_iter().map(log10).collect();
+        let residuals = case.residuals[0](&data).unwrap_or_else(|_| vec![f64::INFINITY; solutions.len()]);
+        let residuals: Vec<f64> = residuals.into_iter().map(log10).collect();
         solutions.iter_mut().for_each(|solution| solver.unscale(&exponents, solution));
         let is_found = |truth: &&Vec<f64>| solutions.iter().any(|x| (maker.error)(&instance.data, x, truth) <= FOUND);
         (instance.truths.iter().filter(is_found).count(), instance.truths.len(), residuals)
