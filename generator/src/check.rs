@@ -7,8 +7,8 @@ use crate::algebra::{
     GroebnerBasis, GroebnerError, Limits, Monomial, MonomialOrder, PRIMES, Polynomial, PrimeField, QuotientRing,
     count_points, saturate, zero_sets,
 };
-use crate::presolve::Presolve;
 use crate::presolve::symmetry::Symmetry;
+use crate::presolve::{Presolve, ReducedProblem, presolve};
 use crate::problem::diagnostic::{Diagnostic, Diagnostics};
 use crate::problem::instance::{Draw, Instance};
 use crate::problem::{Problem, SolutionField, Statement};
@@ -38,17 +38,19 @@ impl SolutionCount {
     /// A lower bound on the columns of an elimination template of the problem.
     ///
     /// The basis B holds a monomial for each solution that is to be computed, up to the changes of
-    /// sign that the problem allows. And no finite set of monomials holds all its products aB with
+    /// sign and the exchanges that the problem allows. And no finite set of monomials holds all its products aB with
     /// an action monomial a: there is a column outside of B.
     pub fn least_columns(&self, problem: &Problem) -> usize {
-        // Presolve may leave a problem of which the origin is a solution, which is known, too.
-        let is_known = |&presolve: &Presolve| crate::presolve::presolve(problem, presolve).problem.has_origin();
+        let forms: Vec<ReducedProblem> =
+            Presolve::all(problem.unknowns.len()).into_iter().map(|how| presolve(problem, how)).collect();
         let at_a_point = self.solutions - self.different + 1;
-        let known = match Presolve::all(problem.unknowns.len()).iter().any(is_known) {
+        // Presolve may leave a problem of which the origin is a solution, which is known, too.
+        let known = match forms.iter().any(|form| form.problem.has_origin()) {
             true => self.at_origin.max(at_a_point),
             false => self.at_origin,
         };
-        (self.solutions - known).div_ceil(Symmetry::of_problem(problem).order()) + 1
+        let order = forms.iter().map(|form| form.symmetry.order()).max().unwrap_or(1);
+        (self.solutions - known).div_ceil(order) + 1
     }
 }
 

@@ -385,14 +385,18 @@ fn steps_hold_the_unknown_and_known_square_roots() {
 }
 
 #[test]
-fn changes_of_signs_are_for_all_unknowns() {
+fn symmetries_are_of_all_unknowns() {
     assert_refused(
-        "a change of signs has another number of unknowns",
+        "a symmetry has another number of unknowns",
         &[
-            |p| p.flips.first_mut()?.pop().map(|_| ()),
+            |p| p.images.first_mut()?.pop().map(|_| ()),
             |p| {
-                p.flips.first_mut()?.push(false);
+                p.images.first_mut()?.push((0, false));
                 Some(())
+            },
+            |p| {
+                let width = p.unknowns.len() as u8;
+                p.images.first_mut()?.first_mut().map(|(of, _)| *of = width)
             },
         ],
     );
@@ -400,7 +404,7 @@ fn changes_of_signs_are_for_all_unknowns() {
 
 #[test]
 fn the_basis_is_large_enough_for_the_solutions() {
-    let most = |p: &Plan| p.elimination.basis * (1 + p.flips.len()) + usize::from(p.has_origin);
+    let most = |p: &Plan| p.elimination.basis * (1 + p.images.len()) + usize::from(p.has_origin);
     for mut plan in committed_plans().iter().cloned() {
         plan.solutions = most(&plan);
         assert_eq!(plan.check(), Ok(()), "{}", plan.name);
@@ -465,7 +469,7 @@ fn every_unknown_is_recovered() {
         &[
             |p| p.recoveries.pop().map(|_| ()),
             |p| {
-                let is_read_alone = p.recovered().next().is_none() && p.flips.is_empty();
+                let is_read_alone = p.recovered().next().is_none() && p.images.is_empty();
                 p.extractions.last_mut().filter(|_| is_read_alone)?.pairs.clear();
                 Some(())
             },

@@ -20,7 +20,7 @@ use crate::number::Scalar;
 use crate::number::double_double::DoubleDouble;
 use crate::number::scalar::mapped;
 use crate::size::{List, Size, Square, filled_matrix};
-use crate::solution::candidates::{AllSolutions, Collection, IMPRECISE_ROOT, RealSolutions, flips};
+use crate::solution::candidates::{AllSolutions, Collection, IMPRECISE_ROOT, RealSolutions, images};
 use crate::solution::extract::unknowns;
 use crate::solution::shared_value::SharedValue;
 use crate::solver_instance::{BasisVector, EigenpairSource, HiddenVariableSolver, Points, SolverInstance};
@@ -141,7 +141,7 @@ impl<H: ChainedBasis> EigenpairSource<H::Basis> for HiddenPairs<'_, '_, H> {
 #[inline]
 fn has_spurious_values<I: SolverInstance>(solver: &I) -> bool {
     let sizes = solver.sizes();
-    sizes.basis.get() * (1 + flips(solver).len()) + usize::from(solver.has_origin()) > sizes.solutions.get()
+    sizes.basis.get() * (1 + images(solver).len()) + usize::from(solver.has_origin()) > sizes.solutions.get()
 }
 
 /// Collects the solutions, in one attempt or two.
@@ -293,7 +293,7 @@ fn add_separate<I: SolverInstance>(
     let size = solver.sizes().basis;
     let mut pairs = size.list();
     push_eigenpairs(&mut pairs, spectrum, values.as_ref(), &|value| found.wants(value));
-    let each = 1 + flips(solver).len();
+    let each = 1 + images(solver).len();
     let solutions_of = |pair: &EigenpairOf<I::Basis>| if pair.value.im == 0.0 { each } else { 2 * each };
     let mut left = pairs.iter().map(solutions_of).sum::<usize>();
     let mut complete = true;

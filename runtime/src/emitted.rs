@@ -32,7 +32,7 @@ pub use crate::solution::extract::{monomial_values, ratio};
 pub use crate::solution::least_squares::{MOST_LINEAR, least_squares};
 pub use crate::solution::polish::{POLISH_STEPS, polish};
 pub use crate::solution::refine::{error_bound, polish_precisely};
-pub use crate::solution::sign_changes::SignChanges;
+pub use crate::solution::symmetries::{Image, Symmetries};
 pub use crate::solution::system::{
     FixedTables, Monomials, PolynomialSystem, PreciseSystem, Product, System, Tables, Term, Values,
 };

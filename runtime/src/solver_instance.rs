@@ -8,7 +8,7 @@ use crate::memory::Memory;
 use crate::number::{Real, Scalar};
 use crate::size::{Fixed, Size, Square};
 use crate::solution::distinct::Candidate;
-use crate::solution::sign_changes::SignChanges;
+use crate::solution::symmetries::Symmetries;
 use crate::spectrum::hidden_variable::ChainedBasis;
 
 /// The sizes of a solver.
@@ -98,8 +98,9 @@ pub trait SolverInstance {
         false
     }
 
-    /// How unknowns follow from their ratios if the template determines them only up to sign.
-    fn sign_changes(&self) -> Option<SignChanges<'_>> {
+    /// How unknowns follow from their ratios if the template determines them only up to signs
+    /// and exchanges.
+    fn symmetries(&self) -> Option<Symmetries<'_>> {
         None
     }
 

@@ -4,15 +4,15 @@ use num_complex::Complex;
 
 use crate::error::SolveError;
 use crate::size::{Size, Square};
-use crate::solution::candidates::flips;
+use crate::solution::candidates::images;
 use crate::solution::extract::unknowns;
-use crate::solution::sign_changes::flipped;
+use crate::solution::symmetries::mapped_by;
 use crate::solver_instance::{Point, SolverInstance};
 use crate::spectrum::hessenberg::Hessenberg;
 
 /// Hands over the point of every eigenpair of one attempt in `f64`: neither polished nor judged, so
-/// that points of eigenpairs that belong to no solution are among them. Points that differ by the
-/// signs of unknowns follow each other. A solution that is known beforehand is left out, and so is
+/// that points of eigenpairs that belong to no solution are among them. Points that a symmetry
+/// maps to each other follow each other. A solution that is known beforehand is left out, and so is
 /// an eigenpair whose unknowns cannot be read.
 ///
 /// # Errors
@@ -26,8 +26,8 @@ pub fn unpolished_points<I: SolverInstance>(
     for &value in values.as_ref() {
         let Some(point) = unknowns(solver, value, &spectrum.eigenvector(value)) else { continue };
         each(&point);
-        for flip in flips(solver) {
-            each(&flipped(&point, flip));
+        for images in images(solver) {
+            each(&mapped_by(images, &point));
         }
     }
     Ok(())

@@ -4,8 +4,9 @@ use std::any::TypeId;
 use std::cell::{Cell, RefCell};
 
 use eliminant::emitted::{
-    Arithmetic, ChainTable, ChainedBasis, Fixed, HiddenVariableSolver, MAX_RESIDUAL, Real, SignChanges, Sizes, SizesOf,
-    SolverInstance, complex_solutions, real_solutions, real_solutions_by_determinant, unpolished_points, value_at,
+    Arithmetic, ChainTable, ChainedBasis, Fixed, HiddenVariableSolver, MAX_RESIDUAL, Real, Sizes, SizesOf,
+    SolverInstance, Symmetries, complex_solutions, real_solutions, real_solutions_by_determinant, unpolished_points,
+    value_at,
 };
 use eliminant::{Complex, Scalar, SecondAttempts, SolveError};
 
@@ -83,8 +84,8 @@ impl<const B: usize, const MAX: usize> SolverInstance for Listed<B, MAX> {
         self.has_origin
     }
 
-    fn sign_changes(&self) -> Option<SignChanges<'_>> {
-        self.is_square.then_some(SignChanges { steps: &[&[2]], flips: &[&[true]] })
+    fn symmetries(&self) -> Option<Symmetries<'_>> {
+        self.is_square.then_some(Symmetries { steps: &[&[2]], images: &[&[(0, true)]] })
     }
 
     fn has_precise_coefficients(&self) -> bool {

@@ -1,7 +1,7 @@
 //! Solutions that differ by signs only, on an action matrix made from solutions up to sign.
 mod support;
 
-use eliminant::emitted::{Fixed, Real, SignChanges, Sizes, SizesOf, SolverInstance, complex_solutions, real_solutions};
+use eliminant::emitted::{Fixed, Real, Sizes, SizesOf, SolverInstance, Symmetries, complex_solutions, real_solutions};
 use eliminant::{Complex, Scalar, SolveError};
 use nalgebra::SMatrix;
 use support::distance_to_next;
@@ -46,8 +46,8 @@ impl SolverInstance for UpToSign {
         [&[(0, 1)], &[(0, 2)]][unknown]
     }
 
-    fn sign_changes(&self) -> Option<SignChanges<'_>> {
-        Some(SignChanges { steps: &[&[2, 0], &[1, 1]], flips: &[&[true, true]] })
+    fn symmetries(&self) -> Option<Symmetries<'_>> {
+        Some(Symmetries { steps: &[&[2, 0], &[1, 1]], images: &[&[(0, true), (1, true)]] })
     }
 
     fn action_matrix<R: Real>(&mut self) -> Result<[[R; B]; B], SolveError> {

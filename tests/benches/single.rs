@@ -96,8 +96,8 @@ impl SolverInstance for Once<'_> {
     fn has_origin(&self) -> bool {
         self.instance.has_origin()
     }
-    fn sign_changes(&self) -> Option<emitted::SignChanges<'_>> {
-        self.instance.sign_changes()
+    fn symmetries(&self) -> Option<emitted::Symmetries<'_>> {
+        self.instance.symmetries()
     }
     fn allows_second_attempt(&self) -> bool {
         false

@@ -9,6 +9,7 @@ use eliminant_generator::expression::ExpressionId;
 use eliminant_generator::generate::Planned;
 use eliminant_generator::plan::interpret;
 use eliminant_generator::plan::{KnownMonomial, PivotId, Term};
+use eliminant_generator::presolve::exchange::Image;
 use eliminant_generator::problem::Problem;
 use eliminant_generator::problem::instance::Instance;
 use eliminant_generator::template::EliminationTemplate;
@@ -118,7 +119,7 @@ fn the_action_matrix_of_the_plan_equals_normal_forms() {
     for_each_setting(|s| {
         let action = interpret::eliminate(&s.planned.plan, s.field, &s.coefficients).expect("an action matrix").action;
         let basis = &s.template.basis;
-        let signs = 1 + s.planned.plan.flips.len();
+        let signs = 1 + s.planned.plan.images.len();
         assert_eq!((action.len(), basis.len() * signs >= s.computed), (basis.len(), true), "{}", s.name);
         let (n, d) = numerator_and_denominator(&s.template.action);
         let c = common_denominator(basis);
@@ -184,7 +185,7 @@ fn no_solution_is_lost_by_the_action_or_the_basis() {
             .map(|form| standard.iter().map(|m| form.coefficient(m).copied().unwrap_or(0)).collect())
             .collect();
         let mut matrix = DenseMatrix::from_rows(s.field, standard.len(), &rows);
-        let up_to_sign = s.computed / (1 + s.planned.plan.flips.len());
+        let up_to_sign = s.computed / (1 + s.planned.plan.images.len());
         assert_eq!(matrix.reduce_to_echelon().len(), up_to_sign, "{}: rank of the basis", s.name);
     });
 }
@@ -289,10 +290,10 @@ fn unknowns_are_ratios_of_known_monomials() {
             for (m, xm) in &extraction.pairs {
                 assert_eq!(known(xm), known(m).times(&Monomial::from_exponents(&extraction.step)), "{}", s.name);
             }
-            let is_odd = |step: &[i8], flip: &[bool]| {
-                step.iter().zip(flip).filter(|(e, changes)| **changes && *e % 2 != 0).count() % 2 == 1
+            let is_odd = |step: &[i8], images: &[Image]| {
+                step.iter().zip(images).filter(|(e, (_, changes))| *changes && *e % 2 != 0).count() % 2 == 1
             };
-            assert!(s.planned.plan.flips.iter().all(|flip| !is_odd(&extraction.step, flip)), "{}", s.name);
+            assert!(s.planned.plan.images.iter().all(|images| !is_odd(&extraction.step, images)), "{}", s.name);
             read.push(extraction.unknown);
         }
         read.sort_unstable();
@@ -305,6 +306,6 @@ fn unknowns_are_ratios_of_known_monomials() {
         };
         let extractions = &s.planned.plan.extractions;
         let all_kept = |signs: &usize| extractions.iter().all(|extraction| is_kept_by(*signs, &extraction.step));
-        assert_eq!((0..1usize << kept.len()).filter(all_kept).count(), 1 + s.planned.plan.flips.len(), "{}", s.name);
+        assert_eq!((0..1usize << kept.len()).filter(all_kept).count(), 1 + s.planned.plan.images.len(), "{}", s.name);
     });
 }

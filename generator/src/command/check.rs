@@ -14,6 +14,7 @@ use crate::algebra::MAX_UNKNOWNS;
 use crate::check::check;
 use crate::expression::Expression;
 use crate::expression::rational::Rational;
+use crate::presolve::exchange::exchanged;
 use crate::presolve::symmetry::Symmetry;
 use crate::presolve::{Presolve, presolve};
 use crate::problem::Problem;
@@ -46,6 +47,8 @@ struct ProblemReport {
     least_columns: usize,
     /// Groups of unknowns: changing the signs of a group turns a solution into another.
     sign_changes: Vec<Vec<String>>,
+    /// Pairs of unknowns: exchanging them, all or some together, turns a solution into another.
+    exchanged: Vec<Vec<String>>,
     /// Whether all unknowns 0 is a solution that no factor excludes.
     origin: bool,
     /// Groups of unknowns that are 0 together at some solution.
@@ -87,6 +90,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         different: count.different,
         least_columns: count.least_columns(&problem),
         sign_changes: names(&problem, &Symmetry::of_problem(&problem).generators()),
+        exchanged: names(&problem, &exchanged(&problem).into_iter().map(Vec::from).collect::<Vec<_>>()),
         origin: problem.has_origin(),
         zero_sets: names(&problem, &count.zero_sets),
         shares_values: count.shares_values,
@@ -193,6 +197,10 @@ impl fmt::Display for ProblemReport {
         }
         for unknowns in &self.sign_changes {
             writeln!(f, "symmetry   changing the sign of {} gives another solution", unknowns.join(", "))?;
+        }
+        if !self.exchanged.is_empty() {
+            let pairs: Vec<String> = self.exchanged.iter().map(|pair| pair.join(" and ")).collect();
+            writeln!(f, "symmetry   exchanging {} gives another solution", pairs.join(", "))?;
         }
         writeln!(f, "time       {}", seconds(self.seconds))
     }

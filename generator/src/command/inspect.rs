@@ -65,13 +65,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         );
         write(path, &svg(&picture, &problem.name, &subtitle))?;
     }
-    let recovered = planned.plan.recovered();
-    let eliminated = recovered.filter(|unknown| Some(*unknown) != planned.plan.separated());
     Ok(Output::of(&TemplateReport {
         summary: Summary::new(&problem, template, &planned.plan),
         entries: picture.entries(),
         blocks: picture.blocks.clone(),
-        eliminated: eliminated.map(|unknown| problem.unknowns[unknown].clone()).collect(),
+        eliminated: planned.plan.eliminated().iter().map(|&unknown| problem.unknowns[unknown].clone()).collect(),
         drawing: spy(&picture),
         shifts: picture.rows,
         svg: arguments.svg.as_ref().map(|path| path.display().to_string()),

@@ -66,9 +66,9 @@ pub(super) struct Summary {
     online_columns: usize,
     basis_monomials: Vec<String>,
     action: String,
-    /// The unknown in whose place a linear form stands in monomials.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    linear_form: Option<String>,
+    /// The unknowns in whose places linear forms stand in monomials.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    linear_forms: Vec<String>,
     operations: usize,
     operation_counts: OperationCounts,
     /// Predicted nanoseconds of a solve without a second attempt.
@@ -101,7 +101,7 @@ impl Summary {
             online_columns: plan.elimination.columns(),
             basis_monomials: template.basis.iter().map(|m| m.display(names).to_string()).collect(),
             action: template.action.display(names).to_string(),
-            linear_form: plan.separated().map(|unknown| names[unknown].clone()),
+            linear_forms: plan.replaced().iter().map(|&unknown| names[unknown].clone()).collect(),
             operations: operations.total(),
             operation_counts: OperationCounts {
                 coefficients: operations.coefficients,
@@ -130,8 +130,12 @@ impl fmt::Display for Summary {
             writeln!(f, "at run time {rows} x {columns}: {constant} eliminated beforehand")?;
         }
         writeln!(f, "action      {}", self.action)?;
-        if let Some(unknown) = &self.linear_form {
-            writeln!(f, "form        a linear form stands in the place of {unknown} in all monomials")?;
+        match &self.linear_forms[..] {
+            [] => {}
+            [one] => writeln!(f, "form        a linear form stands in the place of {one} in all monomials")?,
+            more => {
+                writeln!(f, "forms       linear forms stand in the places of {} in all monomials", more.join(", "))?;
+            }
         }
         writeln!(f, "basis       {}", self.basis_monomials.join(", "))?;
         writeln!(

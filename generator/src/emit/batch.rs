@@ -103,7 +103,7 @@ fn implementation(plan: &Plan) -> TokenStream {
     ]
     .map(Literal::usize_unsuffixed);
     let of_read = if plan.read.is_empty() { quote!(&[]) } else { quote!(&READ) };
-    let sign_changes = instance::sign_changes_of(plan);
+    let symmetries = instance::symmetries_of(plan);
     let has_origin = plan.has_origin.then(|| {
         quote!(
             const HAS_ORIGIN: bool = true;
@@ -127,7 +127,7 @@ fn implementation(plan: &Plan) -> TokenStream {
         const ACTION: &'static [emitted::ActionRow] = &ACTION;
         const READ: &'static [u16] = #of_read;
         const RATIOS: &'static [&'static [(u16, u16)]] = &RATIOS;
-        const SIGN_CHANGES: Option<emitted::SignChanges<'static>> = #sign_changes;
+        const SYMMETRIES: Option<emitted::Symmetries<'static>> = #symmetries;
         #has_origin
         #quotients
     };

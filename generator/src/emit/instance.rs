@@ -41,30 +41,36 @@ fn lost_points(plan: &Plan) -> TokenStream {
     quote!(#origin #lacks_pairs #is_misread)
 }
 
-/// How unknowns follow if a template stands for solutions up to sign; nothing if it does not.
-fn sign_changes(plan: &Plan) -> TokenStream {
-    if plan.flips.is_empty() {
+/// How unknowns follow if a template stands for solutions up to symmetries; nothing if it does not.
+fn symmetries(plan: &Plan) -> TokenStream {
+    if plan.images.is_empty() {
         return quote!();
     }
-    let changes = sign_changes_of(plan);
+    let symmetries = symmetries_of(plan);
     quote! {
-        fn sign_changes(&self) -> Option<emitted::SignChanges<'_>> {
-            #changes
+        fn symmetries(&self) -> Option<emitted::Symmetries<'_>> {
+            #symmetries
         }
     }
 }
 
-/// The changes of sign, or `None`.
-pub(super) fn sign_changes_of(plan: &Plan) -> TokenStream {
-    if plan.flips.is_empty() {
+/// The symmetries, or `None`.
+pub(super) fn symmetries_of(plan: &Plan) -> TokenStream {
+    if plan.images.is_empty() {
         return quote!(None);
     }
     let steps = plan.steps().into_iter().map(|exponents| {
         let exponents = exponents.into_iter().map(Literal::i8_unsuffixed);
         quote!(&[#(#exponents),*])
     });
-    let flips = plan.flips.iter().map(|flip| quote!(&[#(#flip),*]));
-    quote!(Some(emitted::SignChanges { steps: &[#(#steps),*], flips: &[#(#flips),*] }))
+    let images = plan.images.iter().map(|map| {
+        let map = map.iter().map(|&(of, is_negated)| {
+            let of = Literal::u8_unsuffixed(of);
+            quote!((#of, #is_negated))
+        });
+        quote!(&[#(#map),*])
+    });
+    quote!(Some(emitted::Symmetries { steps: &[#(#steps),*], images: &[#(#images),*] }))
 }
 
 /// The coefficients at twice the precision.
@@ -227,7 +233,7 @@ fn solver_instance(plan: &Plan, action_matrix: &TokenStream) -> TokenStream {
     let layout = ValueLayout::of(plan);
     let [basis, unknowns, values, solutions] =
         [plan.elimination.basis, plan.unknowns.len(), layout.len(), plan.solutions].map(Literal::usize_unsuffixed);
-    let (lost, sign_changes, second_attempts) = (lost_points(plan), sign_changes(plan), storage::second_attempts(plan));
+    let (lost, symmetries, second_attempts) = (lost_points(plan), symmetries(plan), storage::second_attempts(plan));
     let (generics, basis_type, all_sizes) = (storage::generics(plan), storage::basis(plan).0, sizes(plan));
     let (precise, judgement, has_image) = (has_precise_coefficients(plan), judgement(plan), layout.has_image);
     let large_quotients = has_large_quotients(plan);
@@ -255,7 +261,7 @@ fn solver_instance(plan: &Plan, action_matrix: &TokenStream) -> TokenStream {
                 RATIOS[unknown]
             }
             #lost
-            #sign_changes
+            #symmetries
             #precise
             #large_quotients
             #second_attempts

@@ -85,9 +85,10 @@ fn header(problem: &Problem, file: &TemplateFile, reduced: &ReducedProblem, plan
         lines.push(format!("- {whose} 0 is a solution, whatever the data, and is returned without an eigenvalue"));
     }
     lines.extend(linear_form(problem, reduced));
-    let is_eliminated = |unknown: &usize| Some(*unknown) != reduced.separated;
-    let names = plan.recovered().filter(is_eliminated);
-    let names: Vec<_> = names.map(|unknown| format!("`{}`", problem.unknowns[unknown])).collect();
+    for [x, y] in reduced.pairs.iter().map(|pair| pair.map(|unknown| &problem.unknowns[unknown])) {
+        lines.push(format!("- `{x}` and `{y}` stand for ({x} + {y}) / 2 and ({x} - {y}) / 2 in all monomials"));
+    }
+    let names: Vec<_> = plan.eliminated().iter().map(|&unknown| format!("`{}`", problem.unknowns[unknown])).collect();
     if !names.is_empty() {
         lines.push(format!("- eliminated beforehand and recovered afterwards: {}", names.join(", ")));
     }

@@ -9,6 +9,7 @@ use super::spectrum::{WidePair, eigenpairs};
 use super::system::{System, WidePoint};
 use crate::plan::interpret::{self, Eliminated};
 use crate::plan::{Extraction, KnownMonomial, Plan, Term};
+use crate::presolve::exchange::Image;
 
 /// The points of all eigenpairs, those of eigenpairs that belong to no solution among them. Empty
 /// if the template is singular.
@@ -17,8 +18,9 @@ pub(super) fn points(plan: &Plan, system: &System<'_>) -> Vec<WidePoint> {
     let mut points = Vec::new();
     for pair in eigenpairs(&eliminated.action) {
         let Some(point) = unknowns(plan, system, &eliminated, &pair) else { continue };
-        let flipped = |flip: &Vec<bool>| point.iter().zip(flip).map(|(&x, &f)| if f { -x } else { x }).collect();
-        points.extend(plan.flips.iter().map(flipped).collect::<Vec<WidePoint>>());
+        let image =
+            |&(of, is_negated): &Image| if is_negated { -point[usize::from(of)] } else { point[usize::from(of)] };
+        points.extend(plan.images.iter().map(|map| map.iter().map(image).collect::<WidePoint>()));
         points.push(point);
     }
     points

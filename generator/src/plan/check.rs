@@ -8,6 +8,7 @@ use super::{
     PlannedOutput, Term,
 };
 use crate::presolve::MOST_LINEAR;
+use crate::presolve::exchange::Image;
 
 /// A plan that contradicts itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -142,9 +143,10 @@ impl Plan {
             require(own && others, "an unknown is read with one that is not known")?;
             known[x.unknown] |= !x.pairs.is_empty();
         }
-        let flips = self.flips.iter().all(|flip| flip.len() == known.len());
-        require(flips, "a change of signs has another number of unknowns")?;
-        let most = self.elimination.basis * (1 + self.flips.len()) + usize::from(self.has_origin);
+        let is_image = |&(of, _): &Image| usize::from(of) < known.len();
+        let images = self.images.iter().all(|map| map.len() == known.len() && map.iter().all(is_image));
+        require(images, "a symmetry has another number of unknowns")?;
+        let most = self.elimination.basis * (1 + self.images.len()) + usize::from(self.has_origin);
         require(self.solutions <= most, "the basis is smaller than the number of solutions")?;
         let is_term = |t: &Term| self.has(t.coefficient) && t.exponents.len() == self.unknowns.len();
         let reads_known =

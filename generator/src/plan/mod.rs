@@ -36,6 +36,7 @@ pub use check::PlanError;
 use std::collections::BTreeSet;
 
 use crate::expression::derivation::Derivation;
+use crate::presolve::exchange::Image;
 use crate::problem::{DataParameter, Scaling, SolutionField};
 use crate::template::RootMethod;
 use program::{Operation, Program, ProgramForm, ValueId};
@@ -325,9 +326,9 @@ pub struct Plan {
     pub chains: Option<Chains>,
     /// How the unknowns that presolve kept follow from an eigenpair; square roots come first.
     pub extractions: Vec<Extraction>,
-    /// Changes of signs that map solutions to solutions with the same eigenpair: for each, the
-    /// unknowns that it changes.
-    pub flips: Vec<Vec<bool>>,
+    /// Symmetries that map solutions to solutions with the same eigenpair, without the identity:
+    /// for each, the image of each unknown.
+    pub images: Vec<Vec<Image>>,
     /// The unknowns that presolve eliminated by determinants: they follow first.
     pub linear: Option<PlannedBlock>,
     /// How the other unknowns that presolve eliminated follow, in this order.
@@ -468,20 +469,36 @@ impl Plan {
 
     /// Whether some eigenvalues belong to no solution, or to one that is known beforehand.
     pub fn has_spurious_values(&self) -> bool {
-        self.elimination.basis * (1 + self.flips.len()) + usize::from(self.has_origin) > self.solutions
+        self.elimination.basis * (1 + self.images.len()) + usize::from(self.has_origin) > self.solutions
     }
 
-    /// The unknowns that presolve eliminated, in the order in which they are recovered.
+    /// The unknowns that are recovered, in this order: those that presolve eliminated, and those in
+    /// whose places something else stands in the template.
     pub fn recovered(&self) -> impl Iterator<Item = usize> + '_ {
         let linear = self.linear.iter().flat_map(|block| block.unknowns.iter().copied());
         linear.chain(self.recoveries.iter().map(|recovery| recovery.unknown))
     }
 
-    /// The unknown in whose place a linear form stands in the template: it is read, and then
-    /// recovered.
-    pub fn separated(&self) -> Option<usize> {
-        let is_read = |unknown: &usize| self.extractions.iter().any(|x| x.unknown == *unknown);
-        self.recoveries.iter().map(|recovery| recovery.unknown).find(is_read)
+    /// The unknowns that are recovered and not read from an eigenpair, each once.
+    pub fn eliminated(&self) -> Vec<usize> {
+        let mut eliminated: Vec<usize> = Vec::new();
+        for unknown in self.recovered().filter(|&unknown| !self.is_read(unknown)) {
+            if !eliminated.contains(&unknown) {
+                eliminated.push(unknown);
+            }
+        }
+        eliminated
+    }
+
+    /// The unknowns in whose places a linear form, or half the sum and half the difference of two
+    /// of them, stand in the template: they are read, and then recovered.
+    pub fn replaced(&self) -> Vec<usize> {
+        let recovered = self.recoveries.iter().map(|recovery| recovery.unknown);
+        recovered.filter(|&unknown| self.is_read(unknown)).collect()
+    }
+
+    fn is_read(&self, unknown: usize) -> bool {
+        self.extractions.iter().any(|x| x.unknown == unknown)
     }
 
     /// How real solutions are found.

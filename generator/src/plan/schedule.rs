@@ -13,7 +13,8 @@ use super::{
 };
 use crate::algebra::Monomial;
 use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
-use crate::presolve::symmetry::{Reading, Symmetry};
+use crate::presolve::exchange::images;
+use crate::presolve::symmetry::Reading;
 use crate::presolve::{LinearBlock, ReducedProblem};
 use crate::problem::Problem;
 use crate::template::{EliminationTemplate, Shift};
@@ -107,8 +108,7 @@ impl Scheduler<'_> {
         let action = plan_action(template, &pivots)?;
         let extra = template.extra();
         let read = extra.iter().filter_map(|m| pivots.get(m).copied()).collect();
-        let symmetry = Symmetry::of_problem(problem).of_template(&template.action, &template.basis);
-        let symmetry = symmetry.of_reduced(reduced);
+        let symmetry = reduced.symmetry.of_template(&template.action, &template.basis).on(&reduced.kept);
         let has_origin = reduced.problem.has_origin();
         let most = template.basis.len() * symmetry.order() + usize::from(has_origin);
         if self.solutions > most {
@@ -117,7 +117,7 @@ impl Scheduler<'_> {
         }
         let width = problem.unknowns.len();
         let extractions = self.extractions(&extra, &symmetry.readings(&reduced.kept))?;
-        let flips = symmetry.all().iter().map(|flip| (0..width).map(|at| flip.contains(&at)).collect()).collect();
+        let images = symmetry.all().iter().map(|flip| images(width, flip, &reduced.pairs)).collect();
         let linear = reduced.linear.as_ref().map(|block| planned_block(block, &mut coefficients, width));
         let recoveries: Vec<_> = reduced
             .recoveries
@@ -146,7 +146,7 @@ impl Scheduler<'_> {
             fields: problem.fields.clone(),
             solutions: self.solutions,
             has_origin,
-            zeros: zeros(problem, template, &extractions),
+            zeros: zeros(problem, reduced, template, &extractions),
             program,
             coefficients: values,
             elimination,
@@ -154,7 +154,7 @@ impl Scheduler<'_> {
             read,
             chains: None,
             extractions,
-            flips,
+            images,
             linear,
             recoveries,
             equations,
@@ -473,7 +473,7 @@ mod tests {
             basis: vec![Monomial::ONE],
         };
         let plan = schedule(&problem, &reduced, &template, (2, &[])).unwrap();
-        assert_eq!(plan.flips, [[true, true]]);
+        assert_eq!(plan.images, [[(0, true), (1, true)]]);
         let is_square: Vec<bool> = plan.extractions.iter().map(Extraction::is_square).collect();
         assert_eq!(is_square, [true, false]);
         // Without y^2 the other unknown, x, is the square root.

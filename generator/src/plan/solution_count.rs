@@ -125,9 +125,9 @@ impl Branch {
 impl Counter<'_> {
     fn count(&self) -> SolutionBounds {
         let (modulus, shared) = self.split_by_eigenvectors();
-        let all_signs = 1 + self.plan.flips.len();
+        let orbit = 1 + self.plan.images.len();
         let origin = usize::from(self.plan.has_origin);
-        let mut count = SolutionBounds { least: origin, most: origin + all_signs * shared };
+        let mut count = SolutionBounds { least: origin, most: origin + orbit * shared };
         let residues = Residues { field: self.field, modulus, squares: Vec::new() };
         let mut branches = vec![Branch { residues, unknowns: vec![Element::default(); self.plan.unknowns.len()] }];
         // An unknown that no extraction and no recovery gives does not occur: the plan is checked
@@ -136,7 +136,7 @@ impl Counter<'_> {
             let mut read = Vec::new();
             for branch in branches {
                 let unread = self.read(branch, extraction, &mut read);
-                count.most += all_signs * unread;
+                count.most += orbit * unread;
             }
             branches = read;
         }

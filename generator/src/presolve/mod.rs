@@ -12,6 +12,7 @@
 
 mod combine;
 mod determinants;
+pub mod exchange;
 mod gauss_jordan;
 mod reduced;
 mod separate;
@@ -21,10 +22,12 @@ pub mod symmetry;
 
 use combine::combine;
 use determinants::eliminate_linear;
+use exchange::pair;
 use gauss_jordan::{solve_for_leads, solve_linear_equations};
 use separate::separate;
 use square::divide_by_squares;
 use substitute::substitute;
+use symmetry::Symmetry;
 
 pub(crate) use determinants::MOST_LINEAR;
 pub use reduced::{LinearBlock, Presolve, Recovery, ReducedProblem};
@@ -46,7 +49,12 @@ pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
         recoveries: Vec::new(),
         is_solved_for_leads: false,
         separated: None,
+        pairs: Vec::new(),
+        symmetry: Symmetry::of_problem(problem),
     };
+    if presolve == Presolve::Paired {
+        pair(&mut reduced);
+    }
     if presolve.combines() {
         combine(&mut reduced.problem);
     }
@@ -62,7 +70,11 @@ pub fn presolve(problem: &Problem, presolve: Presolve) -> ReducedProblem {
         eliminate_all(&mut reduced, presolve);
     }
     match presolve {
-        Presolve::Separated => separate(&mut reduced),
+        Presolve::Separated => {
+            separate(&mut reduced);
+            // A linear form has no sign.
+            reduced.symmetry = Symmetry::NONE;
+        }
         Presolve::Determinants(unknown) => eliminate_linear(&mut reduced, usize::from(unknown)),
         _ => {}
     }

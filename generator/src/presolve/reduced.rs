@@ -1,5 +1,7 @@
 //! How far a problem is presolved, and the result.
 
+use super::exchange::Pair;
+use super::symmetry::Symmetry;
 use crate::algebra::MAX_UNKNOWNS;
 use crate::expression::SymbolicPolynomial;
 use crate::problem::Problem;
@@ -29,6 +31,9 @@ pub enum Presolve {
     /// As [`Presolve::Constant`]. Then a linear form of the unknowns, whose values tell all
     /// solutions apart, takes the place of one of them.
     Separated,
+    /// Half the sum and half the difference take the place of unknowns that can be exchanged. Then
+    /// as [`Presolve::Constant`].
+    Paired,
     /// As [`Presolve::Eliminated`]. Then the equations are solved for their highest monomials at
     /// run time.
     Solved,
@@ -41,7 +46,7 @@ pub enum Presolve {
 
 impl Presolve {
     /// Those that are the same for all problems, with their names.
-    const FIXED: [(&'static str, Self); 10] = [
+    const FIXED: [(&'static str, Self); 11] = [
         ("none", Self::None),
         ("constant", Self::Constant),
         ("linear", Self::Linear),
@@ -50,6 +55,7 @@ impl Presolve {
         ("combined_linear", Self::CombinedLinear),
         ("combined_square", Self::CombinedSquare),
         ("separated", Self::Separated),
+        ("paired", Self::Paired),
         ("eliminated", Self::Eliminated),
         ("solved", Self::Solved),
     ];
@@ -97,7 +103,7 @@ impl Presolve {
 
     /// Whether an unknown is eliminated only if its coefficient is a constant.
     pub(super) fn is_constant(self) -> bool {
-        matches!(self, Self::Constant | Self::Combined | Self::Separated | Self::Determinants(_))
+        matches!(self, Self::Constant | Self::Combined | Self::Separated | Self::Paired | Self::Determinants(_))
     }
 }
 
@@ -142,6 +148,11 @@ pub struct ReducedProblem {
     /// The unknown whose place a linear form takes, in equations and monomials alike. It is kept,
     /// and its own value is the first that is recovered.
     pub separated: Option<usize>,
+    /// The unknowns whose places half their sum and half their difference take, in equations and
+    /// monomials alike. Their own values are recovered last.
+    pub pairs: Vec<Pair>,
+    /// The changes of sign of all unknowns, or of what has their places.
+    pub symmetry: Symmetry,
     /// Whether equations were solved for monomials at run time: their coefficients there are 1.
     pub is_solved_for_leads: bool,
 }
@@ -150,7 +161,9 @@ impl ReducedProblem {
     /// The unknowns that were eliminated, in the order in which they are recovered.
     pub fn eliminated(&self) -> impl Iterator<Item = usize> + '_ {
         let linear = self.linear.iter().flat_map(|block| block.unknowns.iter().copied());
-        linear.chain(self.recoveries.iter().map(|recovery| recovery.unknown))
+        // Those of pairs are recovered once more, from sums and differences.
+        let count = self.recoveries.len() - 2 * self.pairs.len();
+        linear.chain(self.recoveries[..count].iter().map(|recovery| recovery.unknown))
     }
 }
 

@@ -17,7 +17,6 @@
 //!         [ 0 0 1 1 ]   so the signs of the pivots can be chosen freely, and decide all others
 //! ```
 
-use super::reduced::ReducedProblem;
 use crate::algebra::{MAX_UNKNOWNS, Monomial};
 use crate::problem::Problem;
 
@@ -68,12 +67,6 @@ impl Symmetry {
         symmetry.keep_one_class([Monomial::ONE, *action].into_iter());
         symmetry.keep_one_class(basis.iter().copied());
         symmetry
-    }
-
-    /// The sign changes that a template of a reduced problem can use. A linear form has no sign.
-    #[must_use]
-    pub fn of_reduced(&self, reduced: &ReducedProblem) -> Self {
-        if reduced.separated.is_some() { Self::NONE } else { self.on(&reduced.kept) }
     }
 
     /// The sign changes without those that change no unknown of `kept`: such do not lead to another

@@ -91,7 +91,6 @@ pub(crate) fn formulations(
     options: &SearchOptions,
 ) -> Result<Vec<Formulation>, SearchError> {
     let mut formulations: Vec<Formulation> = Vec::new();
-    let of_problem = Symmetry::of_problem(problem);
     let kinds = Presolve::all(problem.unknowns.len()).into_iter();
     for kind in kinds.filter(|&kind| kind != Presolve::Separated || count.shares_values) {
         let reduced = presolve(problem, kind);
@@ -112,7 +111,7 @@ pub(crate) fn formulations(
                 .unwrap_or(count.solutions - count.at_origin),
         };
         let zero_sets = zero_sets(count, &reduced);
-        let symmetry = of_problem.of_reduced(&reduced);
+        let symmetry = reduced.symmetry.on(&reduced.kept);
         let symmetries = [Some(symmetry.clone()).filter(|symmetry| !symmetry.is_none()), Some(Symmetry::NONE)];
         for symmetry in symmetries.into_iter().flatten() {
             let readings = symmetry.readings(&reduced.kept);
@@ -141,7 +140,8 @@ pub(crate) fn formulations(
 }
 
 /// The sets of unknowns that presolve kept that are 0 together at a solution. A linear form that
-/// takes the place of an unknown is 0 at the origin only.
+/// takes the place of an unknown is 0 at the origin only; where sums and differences are 0 is not
+/// known.
 fn zero_sets(count: &SolutionCount, reduced: &ReducedProblem) -> Vec<Vec<usize>> {
     let on_kept = |set: &Vec<usize>| -> Vec<usize> {
         set.iter().copied().filter(|unknown| reduced.kept.contains(unknown)).collect()
@@ -149,7 +149,9 @@ fn zero_sets(count: &SolutionCount, reduced: &ReducedProblem) -> Vec<Vec<usize>>
     let mut sets: Vec<Vec<usize>> = count.zero_sets.iter().map(on_kept).collect();
     // The origin is known.
     sets.retain(|set| !(reduced.problem.has_origin() && *set == reduced.kept));
-    sets.iter_mut().filter(|set| **set != reduced.kept).for_each(|set| set.retain(|&x| Some(x) != reduced.separated));
+    let is_replaced =
+        |x: usize| Some(x) == reduced.separated || reduced.pairs.iter().flatten().any(|&other| other == x);
+    sets.iter_mut().filter(|set| **set != reduced.kept).for_each(|set| set.retain(|&x| !is_replaced(x)));
     sets.retain(|set| !set.is_empty());
     sets.sort_unstable();
     sets.dedup();
@@ -174,7 +176,7 @@ fn is_same(a: &ReducedProblem, b: &ReducedProblem) -> bool {
     let monomials = |reduced: &ReducedProblem| -> Vec<Vec<Monomial>> {
         reduced.problem.polynomials().map(|polynomial| polynomial.monomials().collect()).collect()
     };
-    (&a.kept, a.separated) == (&b.kept, b.separated) && monomials(a) == monomials(b)
+    (&a.kept, a.separated, &a.pairs) == (&b.kept, b.separated, &b.pairs) && monomials(a) == monomials(b)
 }
 
 /// The action monomials to try: each unknown and its reciprocal. If sign changes are used, an

@@ -24,6 +24,7 @@ impl Strategy<'_> {
             Presolve::Determinants(at) => &format!("{} and others eliminated by determinants, ", name(at)),
             Presolve::None => "",
             Presolve::Separated => "by a linear form, ",
+            Presolve::Paired => "in sums and differences, ",
             Presolve::Constant | Presolve::Combined => "after presolve with constant coefficients, ",
             Presolve::Linear | Presolve::CombinedLinear => "after presolve, ",
             Presolve::Square | Presolve::CombinedSquare => "after presolve and division by squares, ",

@@ -13,6 +13,7 @@ use crate::number::Arithmetic;
 use crate::size::{List, Matrix, Size};
 use crate::solution::candidates::{IMPRECISE_FLOOR, IMPRECISE_ROOT};
 use crate::solution::distinct::{CLOSE, CLOSE_FLOOR};
+use crate::solution::symmetries::mapped_by;
 use crate::solver_instance::{Point, Points, SolverInstance};
 use crate::spectrum::hidden_variable::ChainedBasis;
 use crate::spectrum::root_count::{LEAST_ERROR, SAFETY};
@@ -184,7 +185,7 @@ impl<S: Simd, I: BatchSolver> Solved<S, I> {
             if !pairs.is_empty() {
                 let (ratio, monomial) = ratio::<S, I>(&values, pairs);
                 unknowns[at] = ratio;
-                if I::SIGN_CHANGES.is_some_and(|changes| changes.steps[at][at] == 2) {
+                if I::SYMMETRIES.is_some_and(|changes| changes.steps[at][at] == 2) {
                     let is_clear = monomial.above(largest * x.constant(CLEARLY_NEGATIVE)).bits();
                     is_imaginary |= x.constant(0.0).above(ratio).bits() & is_clear;
                 }
@@ -253,10 +254,10 @@ fn ratio<S: Simd, I: BatchSolver>(
 }
 
 /// Computes the unknowns from the ratios of their pairs: see
-/// [`SignChanges`](crate::emitted::SignChanges).
+/// [`Symmetries`](crate::emitted::Symmetries).
 #[inline(always)]
 fn resolve<S: Simd, I: BatchSolver>(ratios: &mut Point<I, Lanes<S>>) {
-    let Some(changes) = I::SIGN_CHANGES else { return };
+    let Some(changes) = I::SYMMETRIES else { return };
     for (at, steps) in changes.steps.iter().enumerate() {
         if steps[at] == 2 {
             ratios[at] = ratios[at].sqrt();
@@ -290,7 +291,7 @@ fn push_origin<S: Simd, I: BatchSolver>(
     }
 }
 
-/// Adds the point of a lane and its images under the sign changes. Returns false if one of them may
+/// Adds the point of a lane and its images under the symmetries. Returns false if one of them may
 /// be the same as a point before, or if there is no room.
 #[inline]
 fn push<S: Simd, I: BatchSolver>(points: &mut Points<I, f64>, unknowns: &Point<I, Lanes<S>>, lane: usize) -> bool {
@@ -302,12 +303,8 @@ fn push<S: Simd, I: BatchSolver>(points: &mut Points<I, f64>, unknowns: &Point<I
         largest = if point[j].abs() > largest { point[j].abs() } else { largest };
     }
     let mut is_new = push_one::<I>(points, &point, largest);
-    for flip in I::SIGN_CHANGES.map_or(&[][..], |changes| changes.flips) {
-        let mut flipped = point.clone();
-        for (unknown, &changes) in flipped.as_mut().iter_mut().zip(*flip) {
-            *unknown = if changes { -*unknown } else { *unknown };
-        }
-        is_new &= push_one::<I>(points, &flipped, largest);
+    for images in I::SYMMETRIES.map_or(&[][..], |symmetries| symmetries.images) {
+        is_new &= push_one::<I>(points, &mapped_by(images, &point), largest);
     }
     is_new
 }

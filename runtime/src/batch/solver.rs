@@ -6,7 +6,7 @@ use crate::elimination::template::ActionRow;
 use crate::error::SolveError;
 use crate::number::{Arithmetic, Over};
 use crate::size::{Element, Fixed, Matrix, Size};
-use crate::solution::sign_changes::SignChanges;
+use crate::solution::symmetries::Symmetries;
 use crate::solution::system::Monomials;
 use crate::solver_instance::{HiddenVariableSolver, Point, Points, SizesOf, SolverInstance};
 
@@ -69,8 +69,9 @@ pub trait BatchSolver: HiddenVariableSolver + Sized {
     const READ: &'static [u16];
     /// For each unknown, the positions of (m, x m) among the monomial values.
     const RATIOS: &'static [&'static [(u16, u16)]];
-    /// How unknowns follow from their ratios if the template determines them only up to sign.
-    const SIGN_CHANGES: Option<SignChanges<'static>>;
+    /// How unknowns follow from their ratios if the template determines them only up to signs
+    /// and exchanges.
+    const SYMMETRIES: Option<Symmetries<'static>>;
     /// As [`SolverInstance::has_origin`].
     const HAS_ORIGIN: bool = false;
     /// Coefficients by which [`SolverInstance::has_large_quotients`] is known.

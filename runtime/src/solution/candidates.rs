@@ -9,7 +9,7 @@ use crate::size::{List, Size};
 use crate::solution::distinct::{Candidate, DOUBLE, push_distinct};
 use crate::solution::extract::unknowns;
 use crate::solution::polish::{POLISH_STEPS, zero_below_accuracy};
-use crate::solution::sign_changes::flipped;
+use crate::solution::symmetries::{Image, mapped_by};
 use crate::solver_instance::{BasisVector, EigenpairSource, Found, Point, Points, SolverInstance};
 
 /// A solution is kept only if its relative residual is at most this after the polish.
@@ -107,13 +107,13 @@ impl<I: SolverInstance> Collection<I> for AllSolutions<I> {
             return push_both(solver, candidate, &mut self.found);
         }
         let mut candidate = polished(solver, source.real(value.re)).map(|real| as_complex(solver, &real));
-        if candidate.is_none() && !flips(solver).is_empty() {
-            // The square of an unknown may be real and negative. The conjugate solution then
-            // differs by signs only.
+        if candidate.is_none() && !images(solver).is_empty() {
+            // The square of an unknown may be real and negative. A symmetry then maps the solution
+            // to its conjugate.
             candidate = polished(solver, source.complex(value));
         }
         let Some(candidate) = candidate else { return false };
-        push_all_signs(solver, &candidate, &mut self.found)
+        push_orbit(solver, &candidate, &mut self.found)
     }
 
     #[cfg(feature = "alloc")]
@@ -121,7 +121,7 @@ impl<I: SolverInstance> Collection<I> for AllSolutions<I> {
         let Some(candidate) = polish_from(solver, point) else { return false };
         // The polish of a real point stays real.
         let real = nearly_real(solver, &candidate).map(|real| as_complex(solver, &real));
-        push_all_signs(solver, &real.unwrap_or(candidate), &mut self.found);
+        push_orbit(solver, &real.unwrap_or(candidate), &mut self.found);
         true
     }
 
@@ -193,7 +193,7 @@ impl<I: SolverInstance> RealSolutions<I> {
     /// unknown is negative.
     #[inline]
     fn is_imaginary(&self, solver: &I, source: &dyn EigenpairSource<I::Basis>, value: Complex<f64>) -> bool {
-        !flips(solver).is_empty() && polished(solver, source.complex(value)).is_some()
+        !images(solver).is_empty() && polished(solver, source.complex(value)).is_some()
     }
 
     /// Whether the polish moved a solution so far that others may be missing.
@@ -250,7 +250,7 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
     #[inline]
     fn note(&mut self, solver: &I, values: &[Complex<f64>]) {
         self.has_failed = false;
-        if self.all.is_none() && flips(solver).is_empty() {
+        if self.all.is_none() && images(solver).is_empty() {
             let real = values.iter().filter(|value| value.im == 0.0);
             self.expected = Some(usize::from(solver.has_origin()) + real.count());
         }
@@ -264,21 +264,21 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
             let candidate = self.polished(solver, source.real(value.re));
             match (&mut self.all, &candidate) {
                 (Some(all), Some(candidate)) => {
-                    push_all_signs(solver, &as_complex(solver, candidate), &mut all.found);
+                    push_orbit(solver, &as_complex(solver, candidate), &mut all.found);
                 }
-                (Some(all), None) if !flips(solver).is_empty() => {
+                (Some(all), None) if !images(solver).is_empty() => {
                     all.add(solver, source, value);
                 }
                 _ => {}
             }
             let is_new = match &candidate {
-                Some(candidate) => push_all_signs(solver, candidate, &mut self.real),
+                Some(candidate) => push_orbit(solver, candidate, &mut self.real),
                 None => self.all.is_none() && self.is_imaginary(solver, source, value),
             };
-            self.may_share |= !is_new && !flips(solver).is_empty();
+            self.may_share |= !is_new && !images(solver).is_empty();
             return is_new;
         }
-        self.may_share |= value.im <= SHARED * value.re.abs() && !flips(solver).is_empty();
+        self.may_share |= value.im <= SHARED * value.re.abs() && !images(solver).is_empty();
         let Some(candidate) = self.polished(solver, source.complex(value)) else {
             self.has_failed = true;
             return false;
@@ -288,7 +288,7 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
             push_both(solver, candidate, &mut all.found);
         }
         if let Some(real) = real {
-            push_all_signs(solver, &real, &mut self.real);
+            push_orbit(solver, &real, &mut self.real);
         }
         false
     }
@@ -298,11 +298,11 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
         let Some(candidate) = polish_from(solver, point) else { return false };
         let real = nearly_real(solver, &candidate);
         if let Some(real) = &real {
-            push_all_signs(solver, real, &mut self.real);
+            push_orbit(solver, real, &mut self.real);
         }
         if let Some(all) = &mut self.all {
             let complex = real.as_ref().map(|real| as_complex(solver, real));
-            push_all_signs(solver, &complex.unwrap_or(candidate), &mut all.found);
+            push_orbit(solver, &complex.unwrap_or(candidate), &mut all.found);
         }
         real.is_some()
     }
@@ -393,7 +393,7 @@ fn push_both<I: SolverInstance>(
     found: &mut Found<I, Complex<f64>>,
 ) -> bool {
     let other = conjugate(solver, &candidate);
-    push_all_signs(solver, &candidate, found) & push_all_signs(solver, &other, found)
+    push_orbit(solver, &candidate, found) & push_orbit(solver, &other, found)
 }
 
 #[inline]
@@ -405,23 +405,23 @@ fn conjugate<I: SolverInstance>(
     Candidate { unknowns, residual: candidate.residual }
 }
 
-/// The sign changes that connect the solutions of one eigenpair.
+/// The maps that connect the solutions of one eigenpair.
 #[inline]
-pub(crate) fn flips<I: SolverInstance>(solver: &I) -> &[&[bool]] {
-    solver.sign_changes().map_or(&[], |changes| changes.flips)
+pub(crate) fn images<I: SolverInstance>(solver: &I) -> &[&[Image]] {
+    solver.symmetries().map_or(&[], |symmetries| symmetries.images)
 }
 
-/// Adds a solution and its images under the sign changes. Returns false if all of them are known.
+/// Adds a solution and its images under the symmetries. Returns false if all of them are known.
 #[inline]
-fn push_all_signs<S: Scalar, I: SolverInstance>(
+fn push_orbit<S: Scalar, I: SolverInstance>(
     solver: &I,
     candidate: &Candidate<S, I::Unknowns>,
     found: &mut Found<I, S>,
 ) -> bool {
     let polish = |x: &mut Point<I, S>, steps: usize| solver.polish(x, steps);
     let mut is_new = push_distinct(found, candidate.clone(), polish);
-    for flip in flips(solver) {
-        let unknowns = flipped(&candidate.unknowns, flip);
+    for images in images(solver) {
+        let unknowns = mapped_by(images, &candidate.unknowns);
         is_new |= push_distinct(found, Candidate { unknowns, residual: candidate.residual }, polish);
     }
     is_new

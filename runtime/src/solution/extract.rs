@@ -19,8 +19,8 @@ pub(crate) fn unknowns<S: Scalar, I: SolverInstance>(
             *unknown = ratio(values.as_ref(), pairs)?;
         }
     }
-    if let Some(sign_changes) = solver.sign_changes() {
-        sign_changes.resolve(x.as_mut());
+    if let Some(symmetries) = solver.symmetries() {
+        symmetries.resolve(x.as_mut());
         if !x.as_ref().iter().all(|x| x.is_finite()) {
             return None;
         }

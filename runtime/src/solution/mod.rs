@@ -1,6 +1,6 @@
 //! From an eigenpair to a solution.
 //!
-//! 1. [`extract`] reads unknowns off an eigenvector; [`sign_changes`] resolves unknowns that are
+//! 1. [`extract`] reads unknowns off an eigenvector; [`symmetries`] resolves unknowns that are
 //!    known up to sign.
 //! 2. [`mod@polish`] improves a solution on the original equations, which [`system`] evaluates from
 //!    tables, or [`dense_system`] from a matrix; [`refine`] does so at twice the precision where a
@@ -19,5 +19,5 @@ pub(crate) mod least_squares;
 pub(crate) mod polish;
 pub(crate) mod refine;
 pub(crate) mod shared_value;
-pub(crate) mod sign_changes;
+pub(crate) mod symmetries;
 pub(crate) mod system;

@@ -34,7 +34,7 @@ pub struct InterpretedSolver {
     /// For each unknown the pairs of positions that it is read from.
     ratios: Vec<Vec<(u16, u16)>>,
     steps: Vec<Vec<i8>>,
-    flips: Vec<Vec<bool>>,
+    images: Vec<Vec<emitted::Image>>,
     linear: Option<PlannedBlock>,
     recoveries: Vec<PlannedRecovery>,
     equations: System,
@@ -84,7 +84,7 @@ impl InterpretedSolver {
             ratios: (0..unknowns).map(|unknown| layout.ratios(plan, unknown)).collect(),
             layout,
             steps: plan.steps(),
-            flips: plan.flips.clone(),
+            images: plan.images.clone(),
             linear: plan.linear.clone(),
             recoveries: plan.recoveries.clone(),
             equations: System::of(&plan.equations, unknowns),
@@ -123,7 +123,7 @@ impl InterpretedSolver {
         }
         let rows = self.equations.rows(&coefficients);
         let read = vec![vec![0.0; self.layout.basis]; self.layout.read];
-        let (steps, flips) = (self.steps.iter().map(Vec::as_slice), self.flips.iter().map(Vec::as_slice));
+        let (steps, images) = (self.steps.iter().map(Vec::as_slice), self.images.iter().map(Vec::as_slice));
         Ok(InterpretedInstance {
             solver: self,
             data: scaled,
@@ -132,7 +132,7 @@ impl InterpretedSolver {
             rows,
             read,
             steps: steps.collect(),
-            flips: flips.collect(),
+            images: images.collect(),
             lists: self.program.lists(),
             attempts: 0,
             memory: emitted::Memory::new(),
@@ -273,7 +273,7 @@ pub struct InterpretedInstance<'a> {
     /// elimination.
     read: Vec<Vec<f64>>,
     steps: Vec<&'a [i8]>,
-    flips: Vec<&'a [bool]>,
+    images: Vec<&'a [emitted::Image]>,
     /// Of the program: factors and places.
     lists: [Vec<&'a [u32]>; 2],
     /// How often the template was eliminated.
@@ -393,9 +393,9 @@ impl SolverInstance for InterpretedInstance<'_> {
         self.solver.zeros.is_misread
     }
 
-    fn sign_changes(&self) -> Option<emitted::SignChanges<'_>> {
-        let changes = emitted::SignChanges { steps: &self.steps, flips: &self.flips };
-        (!self.flips.is_empty()).then_some(changes)
+    fn symmetries(&self) -> Option<emitted::Symmetries<'_>> {
+        let symmetries = emitted::Symmetries { steps: &self.steps, images: &self.images };
+        (!self.images.is_empty()).then_some(symmetries)
     }
 
     fn has_large_quotients(&self) -> bool {

@@ -1,21 +1,31 @@
-//! Solutions that share an eigenpair and differ by signs only.
+//! Solutions that share an eigenpair: they differ by signs and by the order of unknowns only.
 
 use crate::number::Scalar;
 use crate::size::Vector;
 
-/// Changes of sign that map solutions to solutions. The template does not tell these solutions
-/// apart: an eigenpair determines them up to the changes.
+/// The value that an unknown has at another solution: that of the unknown with this position, with
+/// the other sign if `true`.
+pub type Image = (u8, bool);
+
+/// Changes of sign and exchanges of unknowns that map solutions to solutions. The template does not
+/// tell these solutions apart: an eigenpair determines them up to the maps.
+///
+/// ```text
+///   map                  of (x, y, z)     images
+///   change of signs      (-x, -y, z)      (0, true), (1, true), (2, false)
+///   exchange             (y, x, -z)       (1, false), (0, false), (2, true)
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct SignChanges<'a> {
+pub struct Symmetries<'a> {
     /// For each unknown x one exponent per unknown: the monomial by which the pairs of x differ.
     /// The monomial is x^2, or x times unknowns whose squares are known, or times their
     /// reciprocals. All exponents are zero for an unknown that is not read.
     pub steps: &'a [&'a [i8]],
-    /// All changes except the identity. For each change: which unknowns it negates.
-    pub flips: &'a [&'a [bool]],
+    /// All maps except the identity. For each map: the image of each unknown.
+    pub images: &'a [&'a [Image]],
 }
 
-impl SignChanges<'_> {
+impl Symmetries<'_> {
     /// Computes the unknowns from the ratios of their pairs. The result is not finite if there is
     /// no real root, or if a factor is zero.
     #[inline]
@@ -42,14 +52,15 @@ impl SignChanges<'_> {
     }
 }
 
-/// The unknowns, with the signs of some of them changed.
+/// The solution that a map leads to from this one. An unknown without an image keeps its value.
 #[inline]
-pub(crate) fn flipped<S: Scalar, V: Vector<S>>(unknowns: &V, flip: &[bool]) -> V {
-    let mut flipped = unknowns.clone();
-    for (unknown, &changes) in flipped.as_mut().iter_mut().zip(flip) {
-        *unknown = if changes { -*unknown } else { *unknown };
+pub(crate) fn mapped_by<S: Scalar, V: Vector<S>>(images: &[Image], unknowns: &V) -> V {
+    let mut mapped = unknowns.clone();
+    for (unknown, &(of, is_negated)) in mapped.as_mut().iter_mut().zip(images) {
+        let Some(&value) = unknowns.as_ref().get(usize::from(of)) else { continue };
+        *unknown = if is_negated { -value } else { value };
     }
-    flipped
+    mapped
 }
 
 #[cfg(test)]
@@ -58,18 +69,25 @@ mod tests {
     use num_complex::Complex;
 
     /// (x, y, z) with x^2, x y and z / x known.
-    const CHANGES: SignChanges<'static> =
-        SignChanges { steps: &[&[2, 0, 0], &[1, 1, 0], &[-1, 0, 1]], flips: &[&[true, true, true]] };
+    const CHANGES: Symmetries<'static> =
+        Symmetries { steps: &[&[2, 0, 0], &[1, 1, 0], &[-1, 0, 1]], images: &[&[(0, true), (1, true), (2, true)]] };
 
     #[test]
     fn unknowns_follow_up_to_sign() {
         let mut x = [4.0, -6.0, 2.5];
         CHANGES.resolve(&mut x);
         assert_eq!(x, [2.0, -3.0, 5.0]);
-        assert_eq!(flipped(&x, CHANGES.flips[0]), [-2.0, 3.0, -5.0]);
+        assert_eq!(mapped_by(CHANGES.images[0], &x), [-2.0, 3.0, -5.0]);
         let mut imaginary = [-4.0, -6.0, 2.5].map(Complex::from);
         CHANGES.resolve(&mut imaginary);
         assert_eq!(imaginary, [(0.0, 2.0), (0.0, 3.0), (0.0, 5.0)].map(|(re, im)| Complex { re, im }));
+    }
+
+    #[test]
+    fn unknowns_take_the_values_of_others() {
+        let x = [1.0, 2.0, 3.0];
+        assert_eq!(mapped_by(&[(1, false), (0, true), (2, true)], &x), [2.0, -1.0, -3.0]);
+        assert_eq!(mapped_by(&[(0, true), (9, false)], &x), [-1.0, 2.0, 3.0]);
     }
 
     #[test]
