@@ -13,7 +13,7 @@ use super::{
 };
 use crate::algebra::Monomial;
 use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
-use crate::presolve::exchange::images;
+use crate::presolve::pair::images;
 use crate::presolve::symmetry::Reading;
 use crate::presolve::{LinearBlock, ReducedProblem};
 use crate::problem::Problem;

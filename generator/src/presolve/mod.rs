@@ -14,6 +14,7 @@ mod combine;
 mod determinants;
 pub mod exchange;
 mod gauss_jordan;
+pub(crate) mod pair;
 mod reduced;
 mod separate;
 mod square;
@@ -22,8 +23,8 @@ pub mod symmetry;
 
 use combine::combine;
 use determinants::eliminate_linear;
-use exchange::pair;
 use gauss_jordan::{solve_for_leads, solve_linear_equations};
+use pair::pair;
 use separate::separate;
 use square::divide_by_squares;
 use substitute::substitute;
