@@ -17,6 +17,16 @@ use support::{TWO_CONICS, eliminant, folder, json, names, status, stderr, stdout
 const TEMPLATE: &str = "two_conics.template.toml";
 const TEMPLATES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../templates");
 
+/// Of 16 solutions, 4 differ by more than exchanges of x with y and of z with w.
+const EXCHANGES: &str = "/// Two pairs.
+fn exchanges(a: [f64; 6]) -> (x, y, z, w) {
+    x * y + a[0] * z * w == a[1];
+    x + y + z + w == a[2];
+    x * x + y * y + a[3] * (z * z + w * w) == a[4];
+    z * z * w * w + a[5] * (z + w) == 1;
+}
+";
+
 /// A folder with committed problems and their templates.
 fn problems(test: &str, problems: &[&str]) -> PathBuf {
     let folder = folder(test);
@@ -81,11 +91,13 @@ fn every_instance_is_judged() {
 fn emitted_code_is_judged_as_the_interpreted_plan() {
     let folder = problems("emitted_code_is_judged_as_the_interpreted_plan", &["two_conics", "trilateration"]);
     // A linear form in the place of an unknown, and a solution known beforehand by what presolve
-    // eliminated.
-    fs::write(folder.join("shares.rs"), SHARES).unwrap();
-    assert_eq!(status(&eliminant(&folder, &["search", "shares.rs", "--trials", "20"])), 0);
-    let template = fs::read_to_string(folder.join("shares.template.toml")).unwrap();
-    assert!(template.contains("presolve = \"separated\""), "{template}");
+    // eliminated; unknowns that can be exchanged.
+    for (name, text, presolve) in [("shares", SHARES, "separated"), ("exchanges", EXCHANGES, "paired")] {
+        fs::write(folder.join(name).with_extension("rs"), text).unwrap();
+        assert_eq!(status(&eliminant(&folder, &["search", &format!("{name}.rs"), "--trials", "20"])), 0);
+        let template = fs::read_to_string(folder.join(name).with_extension("template.toml")).unwrap();
+        assert!(template.contains(&format!("presolve = \"{presolve}\"")), "{template}");
+    }
     let runtime = concat!(env!("CARGO_MANIFEST_DIR"), "/../runtime");
     let arguments = ["stability", ".", "--trials", "24", "--runtime", runtime];
     let emitted = json(&folder, &arguments);
@@ -99,7 +111,9 @@ fn emitted_code_is_judged_as_the_interpreted_plan() {
     assert_eq!(without_times(&emitted), without_times(&interpreted));
     let random = rows(&emitted, "random");
     assert_eq!([sum(&random, "/complex/missed"), sum(&random, "/complex/spurious")], [0, 0], "{emitted}");
-    assert!(random.iter().any(|row| row["complex"]["expected"] == 24 * 7), "{emitted}");
+    for solutions in [7, 16] {
+        assert!(random.iter().any(|row| row["complex"]["expected"] == 24 * solutions), "{emitted}");
+    }
     for row in emitted["rows"].as_array().unwrap() {
         let times = ["median", "p99", "max"].map(|part| row["nanoseconds"][part].as_f64().unwrap());
         assert!(times.is_sorted() && times[0] > 0.0, "{row}");
