@@ -20,7 +20,7 @@ use crate::number::Scalar;
 use crate::number::double_double::DoubleDouble;
 use crate::number::scalar::mapped;
 use crate::size::{List, Size, Square, filled_matrix};
-use crate::solution::candidates::{AllSolutions, Collection, IMPRECISE_ROOT, RealSolutions, images};
+use crate::solution::candidates::{AllSolutions, Collection, IMPRECISE, IMPRECISE_ROOT, RealSolutions, images};
 use crate::solution::extract::unknowns;
 use crate::solution::shared_value::SharedValue;
 use crate::solver_instance::{BasisVector, EigenpairSource, HiddenVariableSolver, Points, SolverInstance};
@@ -111,13 +111,13 @@ fn add_roots<I: HiddenVariableSolver>(solver: &mut I, found: &mut RealSolutions<
     let (mut is_precise, mut error) = (true, LEAST_ERROR);
     for &root in roots.roots.iter() {
         let value = root.into();
-        is_certain = is_certain && found.add(solver, &source, value);
+        is_certain = is_certain && found.add(solver, &source, value) && found.moved() <= IMPRECISE;
         is_precise &= found.moved() <= IMPRECISE_ROOT;
         error = error.max(SAFETY * found.moved());
         moved.push((root, found.moved()));
     }
     is_precise &= roots.clearance > error;
-    is_certain && !found.is_imprecise() && (is_precise || count_is_certain(chains.sizes().3, &determinant, &moved))
+    is_certain && (is_precise || count_is_certain(chains.sizes().3, &determinant, &moved))
 }
 
 /// The eigenpairs of the real roots.

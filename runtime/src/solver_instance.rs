@@ -98,6 +98,11 @@ pub trait SolverInstance {
         false
     }
 
+    /// The value of the action monomial at a solution; `None` if it is not one of the unknowns.
+    fn action_value<S: Scalar>(&self, _unknowns: &Point<Self, S>) -> Option<S> {
+        None
+    }
+
     /// How unknowns follow from their ratios if the template determines them only up to signs
     /// and exchanges.
     fn symmetries(&self) -> Option<Symmetries<'_>> {

@@ -41,6 +41,20 @@ fn lost_points(plan: &Plan) -> TokenStream {
     quote!(#origin #lacks_pairs #is_misread)
 }
 
+/// The value of the action monomial, if it is one of the unknowns.
+fn action_value(plan: &Plan) -> TokenStream {
+    if plan.action_monomial.is_empty() {
+        return quote!();
+    }
+    let unknowns = Literal::usize_unsuffixed(plan.unknowns.len());
+    let exponents = plan.action_monomial.iter().map(|&exponent| Literal::i8_unsuffixed(exponent));
+    quote! {
+        fn action_value<S: ::eliminant::Scalar>(&self, x: &[S; #unknowns]) -> Option<S> {
+            Some(emitted::monomial_value(x, &[#(#exponents),*]))
+        }
+    }
+}
+
 /// How unknowns follow if a template stands for solutions up to symmetries; nothing if it does not.
 fn symmetries(plan: &Plan) -> TokenStream {
     if plan.images.is_empty() {
@@ -236,7 +250,7 @@ fn solver_instance(plan: &Plan, action_matrix: &TokenStream) -> TokenStream {
     let (lost, symmetries, second_attempts) = (lost_points(plan), symmetries(plan), storage::second_attempts(plan));
     let (generics, basis_type, all_sizes) = (storage::generics(plan), storage::basis(plan).0, sizes(plan));
     let (precise, judgement, has_image) = (has_precise_coefficients(plan), judgement(plan), layout.has_image);
-    let large_quotients = has_large_quotients(plan);
+    let (large_quotients, action_value) = (has_large_quotients(plan), action_value(plan));
     let family = family::methods(plan);
     let read = match plan.read.is_empty() {
         true => quote!(&[[0.0; 0]; 0]),
@@ -261,6 +275,7 @@ fn solver_instance(plan: &Plan, action_matrix: &TokenStream) -> TokenStream {
                 RATIOS[unknown]
             }
             #lost
+            #action_value
             #symmetries
             #precise
             #large_quotients

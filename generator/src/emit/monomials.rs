@@ -67,6 +67,7 @@ pub(super) fn monomials(plan: &Plan) -> TokenStream {
     let table = table(plan);
     let monomials = table.monomials();
     let (mut values, mut derivatives) = (Vec::new(), Vec::new());
+    let mut visits = vec![Vec::new(); plan.unknowns.len()];
     for (k, (monomial, &(parent, unknown))) in monomials.iter().zip(&table.chain).enumerate().skip(1) {
         let (own, parent_monomial) = (Literal::usize_unsuffixed(k), &monomials[usize::from(parent)]);
         let factor = usize::from(unknown);
@@ -83,9 +84,14 @@ pub(super) fn monomials(plan: &Plan) -> TokenStream {
                 (true, true) => quote!(d[#before][#at] * x[#by] + m[#before]),
             };
             derivatives.push(quote!(d[#own][#at] = #value;));
+            visits[j].insert(0, quote!((#own, d[#own][#at])));
         }
     }
     let [unknowns, count] = [plan.unknowns.len(), monomials.len()].map(Literal::usize_unsuffixed);
+    let visits = visits.iter().enumerate().map(|(j, terms)| {
+        let j = Literal::usize_unsuffixed(j);
+        quote!(visit(#j, &[#(#terms),*]);)
+    });
     let names: Vec<String> = monomials.iter().map(|m| m.display(&plan.unknowns).to_string()).collect();
     let doc = format!(" The monomials {}.", names.join(", "));
     quote! {
@@ -101,14 +107,15 @@ pub(super) fn monomials(plan: &Plan) -> TokenStream {
             }
 
             #[inline(always)]
-            fn gradients<T: emitted::Arithmetic>(
+            fn for_each_gradient<T: emitted::Arithmetic>(
                 &self,
                 x: &[T; #unknowns],
                 m: &[T; #count],
-            ) -> [[T; #unknowns]; #count] {
+                mut visit: impl FnMut(usize, &[(u16, T)]),
+            ) {
                 let mut d = [[x[0].constant(0.0); #unknowns]; #count];
                 #(#derivatives)*
-                d
+                #(#visits)*
             }
         }
     }

@@ -143,6 +143,8 @@ impl Plan {
             require(own && others, "an unknown is read with one that is not known")?;
             known[x.unknown] |= !x.pairs.is_empty();
         }
+        let width = self.action_monomial.len();
+        require(width == 0 || width == known.len(), "the action monomial has another number of unknowns")?;
         let is_image = |&(of, _): &Image| usize::from(of) < known.len();
         let images = self.images.iter().all(|map| map.len() == known.len() && map.iter().all(is_image));
         require(images, "a symmetry has another number of unknowns")?;

@@ -320,6 +320,9 @@ pub struct Plan {
     pub elimination: Elimination,
     /// The rows of the action matrix, |B| of them.
     pub action: Vec<ActionRow>,
+    /// The exponents of the action monomial; empty if something else than an unknown stands in the
+    /// place of one.
+    pub action_monomial: Vec<i8>,
     /// Pivots outside the image a B of the basis from which unknowns are read.
     pub read: Vec<PivotId>,
     /// How real solutions are found: by the determinant over these chains, or by eigenvalues.

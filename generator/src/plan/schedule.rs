@@ -136,6 +136,7 @@ impl Scheduler<'_> {
         let (mut values, zero) = (values.into_iter(), coefficients.used.contains(&None).then(|| program.zero()));
         let value = |used: &Option<ExpressionId>| used.map_or(zero, |_| values.next());
         let values = coefficients.used.iter().filter_map(value).collect();
+        let is_of_unknowns = reduced.separated.is_none() && reduced.pairs.is_empty();
         let plan = Plan {
             name: problem.name.clone(),
             docs: problem.docs.clone(),
@@ -151,6 +152,7 @@ impl Scheduler<'_> {
             coefficients: values,
             elimination,
             action,
+            action_monomial: if is_of_unknowns { template.action.exponents()[..width].to_vec() } else { Vec::new() },
             read,
             chains: None,
             extractions,

@@ -128,26 +128,27 @@ impl<S: Simd, N: Size, E: Size, K: Size, Q: Monomials<N, K>> Equations<'_, S, N,
 
     #[inline(always)]
     fn weighted_derivatives(&self, x: &N::Vector<Lanes<S>>, weight: &E::Vector<Lanes<S>>) -> Matrix<N, E, Lanes<S>> {
-        let (unknowns, equations, count) = self.sizes;
+        let (unknowns, equations, _) = self.sizes;
         let zero = x[0].constant(0.0);
-        let gradients = self.monomials.gradients(x, &self.monomials.products(x));
         let mut columns = filled_matrix(unknowns, equations, zero);
-        for j in 0..unknowns.get() {
-            let mut column = equations.filled(zero);
-            for k in (0..count.get()).rev() {
-                let (row, factor) = (&self.rows[k], gradients[k][j]);
-                // Monomials without the unknown are passed over.
-                if factor.abs().above(zero).bits() != 0 {
+        self.monomials.for_each_gradient(
+            x,
+            &self.monomials.products(x),
+            #[inline(always)]
+            |j, terms| {
+                let mut column = equations.filled(zero);
+                for &(k, factor) in terms {
+                    let row = &self.rows[usize::from(k)];
                     for e in 0..equations.get() {
                         column[e] = column[e].plus(factor, row[e]);
                     }
                 }
-            }
-            for e in 0..equations.get() {
-                column[e] = column[e] * weight[e];
-            }
-            columns[j] = column;
-        }
+                for e in 0..equations.get() {
+                    column[e] = column[e] * weight[e];
+                }
+                columns[j] = column;
+            },
+        );
         columns
     }
 }

@@ -28,7 +28,7 @@ const SHARED: f64 = 1e-3;
 
 /// If the polish moves a real solution by more than this part of an unknown, the eigenvalues are
 /// imprecise, and those of a pair of real solutions may be complex, far from the real axis.
-const IMPRECISE: f64 = 1e-4;
+pub(crate) const IMPRECISE: f64 = 1e-4;
 /// If it moves no root of a determinant by more than this part of an unknown, the coefficients are
 /// precise: an error of this size in them moves two roots by about 3e-4 if they are close to each
 /// other, and closer ones are not certain.
@@ -164,7 +164,8 @@ pub(crate) struct RealSolutions<I: SolverInstance> {
     expected: Option<usize>,
     /// Whether an eigenvalue that is nearly real led to no solution.
     has_failed: bool,
-    /// The part of an unknown by which the polish moved the last solution, 0 if it found none.
+    /// The part of itself by which the polish moved the action monomial of the last solution, 0 if
+    /// it found none.
     moved: f64,
     /// Whether it moved one by more than [`IMPRECISE`].
     is_imprecise: bool,
@@ -196,13 +197,8 @@ impl<I: SolverInstance> RealSolutions<I> {
         !images(solver).is_empty() && polished(solver, source.complex(value)).is_some()
     }
 
-    /// Whether the polish moved a solution so far that others may be missing.
-    #[inline]
-    pub(crate) fn is_imprecise(&self) -> bool {
-        self.is_imprecise
-    }
-
-    /// The part of an unknown by which the polish moved the last solution, 0 if it found none.
+    /// The part of itself by which the polish moved the action monomial of the last solution, 0 if
+    /// it found none. Where the action monomial is not one of unknowns, that of an unknown.
     #[inline]
     pub(crate) fn moved(&self) -> f64 {
         self.moved
@@ -235,8 +231,10 @@ impl<I: SolverInstance> RealSolutions<I> {
         let start = unknowns(solver, value, &vector)?;
         let end = polish_from(solver, start.clone())?;
         let start = Candidate { unknowns: start, residual: f64::INFINITY };
-        self.moved = end.distance(&start, IMPRECISE_FLOOR);
-        self.is_imprecise |= !(self.moved <= IMPRECISE);
+        let moved = end.distance(&start, IMPRECISE_FLOOR);
+        self.is_imprecise |= !(moved <= IMPRECISE);
+        let off = |action: S| (action - value).modulus() / action.modulus();
+        self.moved = solver.action_value(&end.unknowns).map_or(moved, off);
         Some(end)
     }
 }

@@ -86,21 +86,17 @@ impl<S: Scalar, N: Size, E: Size, K: Size, Q: Monomials<N, K>> System<S, N, E> f
 
     #[inline]
     fn derivatives(&self, x: &N::Vector<S>, monomials: &K::Vector<S>, columns: &mut Matrix<N, E, S>) {
-        let (unknowns, equations, count) = self.sizes;
-        let gradients = self.monomials.gradients(x, monomials);
-        for j in 0..unknowns.get() {
+        let (_, equations, _) = self.sizes;
+        self.monomials.for_each_gradient(x, monomials, |j, terms| {
             let mut column = equations.filled(S::ZERO);
-            for k in (0..count.get()).rev() {
-                let (row, factor) = (&self.rows[k], gradients[k][j]);
-                // Monomials without the unknown are passed over.
-                if factor != S::ZERO {
-                    for e in 0..equations.get() {
-                        column[e] += factor.scale(row[e]);
-                    }
+            for &(k, factor) in terms {
+                let row = &self.rows[usize::from(k)];
+                for e in 0..equations.get() {
+                    column[e] += factor.scale(row[e]);
                 }
             }
             columns[j] = column;
-        }
+        });
     }
 }
 

@@ -54,6 +54,25 @@ pub fn ratio<S: Scalar>(values: &[S], pairs: &[(u16, u16)]) -> Option<S> {
     quotient.is_finite().then_some(quotient)
 }
 
+/// A product of powers of the unknowns. Powers of zero with negative exponents are not finite.
+#[inline(always)]
+#[must_use]
+pub fn monomial_value<S: Scalar>(unknowns: &[S], exponents: &[i8]) -> S {
+    let mut value = S::from_f64(1.0);
+    for (&unknown, &exponent) in unknowns.iter().zip(exponents) {
+        for _ in 0..exponent {
+            value *= unknown;
+        }
+        if exponent < 0 {
+            let inverse = unknown.reciprocal();
+            for _ in exponent..0 {
+                value *= inverse;
+            }
+        }
+    }
+    value
+}
+
 /// The first `count` of these values of monomials, from an eigenpair (a, v):
 ///
 /// ```text

@@ -25,6 +25,10 @@ pub(crate) const STALLED: f64 = 1e-12;
 /// it is, but for this part times the degree.
 const NEAR: f64 = 1e-3;
 
+/// A step that changes each unknown by at most a part s of it changes a term of degree d by its
+/// linear part and by at most about d (d - 1) / 2 s^2 of the term: this is more, up to degree 14.
+const CURVATURE: f64 = 100.0;
+
 /// An unknown this small relative to the largest one may be the rounding noise of zero.
 pub(crate) const NOISE: f64 = 1e-12;
 /// An unknown below this times the relative residual, relative to the largest unknown, cannot be
@@ -55,7 +59,9 @@ pub(crate) const ILL_CONDITIONED: f64 = 1e6;
 /// max over equations e of |f_e(x)| / (sum of the moduli of the terms of f_e at x), where 0/0 = 0.
 ///
 /// After a step of less than a thousandth of each unknown the sums are those of the point before,
-/// but the result, where it has a cause other than rounding, is that of the point itself.
+/// but the result, where it has a cause other than rounding, is that of the point itself. After a
+/// step so short that the residual is certain to be rounding it is not evaluated: the result is
+/// what the linear equations of the step leave over, and what higher terms may add.
 ///
 /// Equations are weighted by one over that sum, so their scaling does not matter; the scaling of
 /// unknowns does not matter to Householder QR. A step is kept only if it lowers the residual;
@@ -138,6 +144,8 @@ pub(crate) struct Step<S: Scalar, N: Size> {
     /// error of the equations may move the point by so much, and by several times that where
     /// columns of R are long beside their diagonal entry.
     pub(crate) enlargement: f64,
+    /// The length of what the step leaves of the weighted equations, as far as they are linear.
+    left: f64,
 }
 
 impl<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'a, S, N, E, Y> {
@@ -158,7 +166,7 @@ impl<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'a, S, N, E, Y>
             // A scale that is not finite gives NaN.
             self.weight[e] = if scale > 0.0 { 1.0 / scale } else { 0.0 } + scale * 0.0;
         }
-        largest_weighted(self.at.residual.as_ref(), self.weight.as_ref())
+        largest_weighted(self.equations, &self.at.residual, &self.weight)
     }
 
     /// The relative residual at x.
@@ -174,7 +182,7 @@ impl<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'a, S, N, E, Y>
         self.has_old_scales = true;
         self.monomials = self.system.monomials(x);
         self.system.values(&self.monomials, &mut self.at.residual);
-        largest_weighted(self.at.residual.as_ref(), self.weight.as_ref())
+        largest_weighted(self.equations, &self.at.residual, &self.weight)
     }
 
     #[inline]
@@ -193,7 +201,7 @@ impl<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'a, S, N, E, Y>
     fn iterate(&mut self, x: &mut N::Vector<S>, residual: f64, steps: usize) -> Ended<S, N> {
         let mut derivatives = filled_matrix(self.unknowns, self.equations, S::ZERO);
         let (mut best, mut flat, mut has_old_scales) = (residual, false, false);
-        let mut last = Step { correction: self.unknowns.filled(S::ZERO), enlargement: 0.0 };
+        let mut last = Step { correction: self.unknowns.filled(S::ZERO), enlargement: 0.0, left: 0.0 };
         for step in 0..steps {
             if best == f64::INFINITY {
                 break;
@@ -212,6 +220,13 @@ impl<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'a, S, N, E, Y>
                 break;
             }
             last = next;
+            if let Some(residual) = self.residual_after(x, &last) {
+                (best, flat, has_old_scales) = (residual, false, false);
+                for j in 0..self.unknowns.get() {
+                    x[j] -= last.correction[j];
+                }
+                break;
+            }
             let (moved, residual) = self.step(x, &last.correction, best);
             flat = best <= STALLED && residual <= FLAT;
             if !(residual < best) {
@@ -226,6 +241,22 @@ impl<'a, S: Scalar, N: Size, E: Size, Y: System<S, N, E>> Polish<'a, S, N, E, Y>
             }
         }
         Ended { best, step: last, has_old_scales, flat }
+    }
+
+    /// A bound on the relative residual after a step that is so short that it is rounding, and that
+    /// a further step would change nothing, though errors of the equations are enlarged.
+    #[inline]
+    fn residual_after(&self, x: &N::Vector<S>, step: &Step<S, N>) -> Option<f64> {
+        let (mut change, mut largest) = (0.0, 0.0);
+        for j in 0..self.unknowns.get() {
+            let (part, size) = (step.correction[j].magnitude(), x[j].magnitude());
+            // The comparison is false for 0/0, which is no change.
+            change = if part / size > change { part / size } else { change };
+            largest = if size > largest { size } else { largest };
+        }
+        let higher = CURVATURE * change * change;
+        let is_certain = higher * f64::max(step.enlargement, largest) <= ROUNDING * largest && step.left <= ROUNDING;
+        is_certain.then_some(step.left + higher)
     }
 
     /// The step at x, where the equations were evaluated, for other values of theirs.
@@ -368,12 +399,10 @@ pub(crate) fn largest<S: Scalar>(x: &[S]) -> f64 {
 
 /// max |f_e| weight_e; infinity if a number is not finite.
 #[inline]
-fn largest_weighted<S: Scalar>(values: &[S], weight: &[f64]) -> f64 {
-    let count = values.len().min(weight.len());
+fn largest_weighted<S: Scalar, E: Size>(equations: E, values: &E::Vector<S>, weight: &E::Vector<f64>) -> f64 {
     let size = |e: usize| values[e].modulus() * weight[e];
-    let worst = folded(count, 0.0, size, |a, b| if b > a { b } else { a });
-    // x * 0 is 0 for finite x and NaN otherwise.
-    if sum_of(count, 0.0, |e| size(e) * 0.0) == 0.0 { worst } else { f64::INFINITY }
+    let worst = folded(equations.get(), 0.0, size, |a, b| if b > a { b } else { a });
+    if sum_of(equations.get(), 0.0, size).is_finite() { worst } else { f64::INFINITY }
 }
 
 /// The least-squares solution y of E equations in N <= E unknowns, sum over j of columns[j] y[j] =
@@ -433,7 +462,8 @@ fn least_squares<S: Scalar, N: Size, E: Size>(
     }
     let is_finite = solution.as_ref().iter().all(|entry| entry.is_finite());
     let enlargement = largest(inverse_diagonal.as_ref());
-    is_finite.then_some(Step { correction: solution, enlargement })
+    let left = float::sqrt(squared_length(&right.as_ref()[n..]));
+    is_finite.then_some(Step { correction: solution, enlargement, left })
 }
 
 /// Subtracts v v^H `other` times the factor.

@@ -2,7 +2,7 @@
 
 use crate::number::double_double::{DoubleComplex, DoubleDouble};
 use crate::number::{Arithmetic, Over, Scalar};
-use crate::size::{Fixed, Matrix, Size, filled_matrix};
+use crate::size::{Fixed, List, Matrix, Size, filled_matrix};
 
 /// E equations in N unknowns, with their derivatives.
 pub trait System<S: Scalar, N: Size, E: Size> {
@@ -40,8 +40,14 @@ pub trait Monomials<N: Size, K: Size> {
     /// Their values at the point x.
     fn products<T: Arithmetic>(&self, x: &N::Vector<T>) -> K::Vector<T>;
 
-    /// Their derivatives by each unknown, from their values at x.
-    fn gradients<T: Arithmetic>(&self, x: &N::Vector<T>, values: &K::Vector<T>) -> Matrix<K, N, T>;
+    /// Hands over the derivatives by each unknown in turn, from the values at x: the positions of
+    /// the monomials with the unknown, highest first, with their derivatives.
+    fn for_each_gradient<T: Arithmetic>(
+        &self,
+        x: &N::Vector<T>,
+        values: &K::Vector<T>,
+        visit: impl FnMut(usize, &[(u16, T)]),
+    );
 }
 
 /// The equations at a point.
@@ -192,6 +198,31 @@ impl<N: Size, E: Size, K: Size> Monomials<N, K> for Tables<'_, N, E, K> {
         values
     }
 
+    #[inline]
+    fn for_each_gradient<T: Arithmetic>(
+        &self,
+        x: &N::Vector<T>,
+        values: &K::Vector<T>,
+        mut visit: impl FnMut(usize, &[(u16, T)]),
+    ) {
+        let (unknowns, _, count) = self.sizes;
+        let gradients = self.gradients(x, values);
+        for j in 0..unknowns.get() {
+            let (mut has_unknown, mut terms) = (count.filled(false), count.list());
+            for k in 1..count.get() {
+                let Product { parent, unknown } = self.chain[k];
+                has_unknown[k] = has_unknown[usize::from(parent)] || usize::from(unknown) == j;
+            }
+            for k in (1..count.get()).rev().filter(|&k| has_unknown[k]) {
+                terms.push((k as u16, gradients[k][j]));
+            }
+            visit(j, &terms);
+        }
+    }
+}
+
+impl<N: Size, E: Size, K: Size> Tables<'_, N, E, K> {
+    /// The derivatives of each monomial by all unknowns.
     #[inline]
     fn gradients<T: Arithmetic>(&self, x: &N::Vector<T>, values: &K::Vector<T>) -> Matrix<K, N, T> {
         let (unknowns, _, count) = self.sizes;

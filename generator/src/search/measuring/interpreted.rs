@@ -31,6 +31,7 @@ pub struct InterpretedSolver {
     has_precise_coefficients: bool,
     elimination: Elimination,
     layout: ValueLayout,
+    action_monomial: Vec<i8>,
     /// For each unknown the pairs of positions that it is read from.
     ratios: Vec<Vec<(u16, u16)>>,
     steps: Vec<Vec<i8>>,
@@ -83,6 +84,7 @@ impl InterpretedSolver {
             elimination: Elimination::of(plan),
             ratios: (0..unknowns).map(|unknown| layout.ratios(plan, unknown)).collect(),
             layout,
+            action_monomial: plan.action_monomial.clone(),
             steps: plan.steps(),
             images: plan.images.clone(),
             linear: plan.linear.clone(),
@@ -391,6 +393,11 @@ impl SolverInstance for InterpretedInstance<'_> {
 
     fn misreads_zeros(&self) -> bool {
         self.solver.zeros.is_misread
+    }
+
+    fn action_value<S: Scalar>(&self, unknowns: &Vec<S>) -> Option<S> {
+        let exponents = &self.solver.action_monomial;
+        (!exponents.is_empty()).then(|| emitted::monomial_value(unknowns, exponents))
     }
 
     fn symmetries(&self) -> Option<emitted::Symmetries<'_>> {
