@@ -85,9 +85,32 @@ fn a_point_at_rounding_level_stays() {
 fn a_step_to_rounding_level_is_the_last_one_unless_it_is_long() {
     let value = |x: f64| if x == 1.0 { 1.0 } else { ROUNDING };
     assert_eq!(towards(1.0625, value)([1.0], 8), ([1.0625], ROUNDING, [1, 2]));
-    assert_eq!(towards(1.25, value)([1.0], 8), ([1.25], ROUNDING, [2, 3]));
+    // The second step is so short that its residual is known.
+    let long = towards(1.25, value)([1.0], 8);
+    assert!((long.0[0] - 1.25).abs() < 1e-15 && long.1 <= ROUNDING && long.2 == [2, 2], "{long:?}");
     let still_above = |x: f64| if x == 1.0 { 1.0 } else { 1.5 * ROUNDING };
-    assert_eq!(towards(1.0625, still_above)([1.0], 8).2, [2, 3]);
+    assert_eq!(towards(1.0625, still_above)([1.0], 8).2, [2, 2]);
+}
+
+/// After a step whose square is rounding the residual is not evaluated, unless the linear equations
+/// leave something over or enlarge errors.
+#[test]
+fn the_residual_after_a_short_step_is_known() {
+    let short = 2.0_f64.powi(-30);
+    let line = |step: f64, factor: f64| {
+        let value = move |[x]: [f64; 1]| [factor * (x - 1.0 - step)];
+        Chosen::new(value, move |_| [[factor]]).polish([1.0], 8)
+    };
+    let (x, residual, counts) = line(short, 1.0);
+    assert_eq!((x, counts), ([1.0 + short], [1, 1]));
+    assert!(residual <= ROUNDING && residual >= 50.0 * short * short, "{residual}");
+    assert_eq!(line(16.0 * short, 1.0).2, [1, 2]);
+    assert_eq!(line(short, 2.0_f64.powi(-8)).2, [1, 2]);
+    let two = |other: f64| {
+        let value = move |[x]: [f64; 1]| [x - 1.0 - short, other];
+        Chosen::new(value, |_| [[1.0], [0.0]]).polish([1.0], 1)
+    };
+    assert_eq!((two(0.5 * ROUNDING).2, two(2.0 * ROUNDING).2), ([1, 1], [1, 2]));
 }
 
 /// A step that leaves a high residual as it is is tried with noise set to zero, then shortened six

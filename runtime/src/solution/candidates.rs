@@ -190,6 +190,26 @@ impl<I: SolverInstance> RealSolutions<I> {
         }
     }
 
+    /// Forgets all but the solutions, for a second search for them by eigenvalues.
+    #[inline]
+    pub(crate) fn starts_again(&mut self, solver: &I, counts_complex: bool) {
+        self.has_failed = false;
+        self.is_imprecise = false;
+        self.may_share = false;
+        if counts_complex {
+            self.count_all(solver);
+        }
+    }
+
+    /// Counts complex solutions from now on.
+    fn count_all(&mut self, solver: &I) {
+        let mut all = AllSolutions::new(solver);
+        for real in self.real.iter() {
+            push_orbit(solver, &as_complex(solver, real), &mut all.found);
+        }
+        self.all = Some(all);
+    }
+
     /// Whether a real eigenvalue belongs to solutions that are not real, because the square of an
     /// unknown is negative.
     #[inline]
@@ -309,7 +329,7 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
     fn starts_to_count(&mut self, solver: &I, may_lose_pairs: bool) -> bool {
         let starts = (self.is_imprecise || self.may_share || may_lose_pairs) && self.all.is_none();
         if starts {
-            self.all = Some(AllSolutions::new(solver));
+            self.count_all(solver);
         }
         starts
     }
