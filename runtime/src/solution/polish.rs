@@ -64,10 +64,10 @@ pub(crate) const ILL_CONDITIONED: f64 = 1e6;
 /// what the linear equations of the step leave over, and what higher terms may add.
 ///
 /// Equations are weighted by one over that sum, so their scaling does not matter; the scaling of
-/// unknowns does not matter to Householder QR. A step is kept only if it lowers the residual,
-/// or is as short as that; if it does not, a fraction of it is tried. The iteration ends if no fraction lowers the
-/// residual, at a residual at rounding level, and at a rank-deficient Jacobian. If x or a value at
-/// x is not finite, x stays and the result is infinity.
+/// unknowns does not matter to Householder QR. A step is kept only if it lowers the residual, or is
+/// as short as that; if it does not, a fraction of it is tried. The iteration ends if no fraction
+/// lowers the residual, at a residual at rounding level, and at a rank-deficient Jacobian. If x or
+/// a value at x is not finite, x stays and the result is infinity.
 ///
 /// The result is also infinity if the last step, taken or not, changes an unknown by more than a
 /// tenth, and the residual is above rounding or stays small along the whole step: no solution is
