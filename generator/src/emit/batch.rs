@@ -104,6 +104,7 @@ fn implementation(plan: &Plan) -> TokenStream {
     .map(Literal::usize_unsuffixed);
     let of_read = if plan.read.is_empty() { quote!(&[]) } else { quote!(&READ) };
     let symmetries = instance::symmetries_of(plan);
+    let action_monomial = plan.action_monomial.iter().map(|&exponent| Literal::i8_unsuffixed(exponent));
     let has_origin = plan.has_origin.then(|| {
         quote!(
             const HAS_ORIGIN: bool = true;
@@ -127,6 +128,7 @@ fn implementation(plan: &Plan) -> TokenStream {
         const ACTION: &'static [emitted::ActionRow] = &ACTION;
         const READ: &'static [u16] = #of_read;
         const RATIOS: &'static [&'static [(u16, u16)]] = &RATIOS;
+        const ACTION_MONOMIAL: &'static [i8] = &[#(#action_monomial),*];
         const SYMMETRIES: Option<emitted::Symmetries<'static>> = #symmetries;
         #has_origin
         #quotients

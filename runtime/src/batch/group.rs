@@ -13,6 +13,7 @@ use crate::number::Arithmetic;
 use crate::size::{List, Matrix, Size};
 use crate::solution::candidates::{IMPRECISE_FLOOR, IMPRECISE_ROOT};
 use crate::solution::distinct::{CLOSE, CLOSE_FLOOR};
+use crate::solution::extract::monomial_value;
 use crate::solution::symmetries::mapped_by;
 use crate::solver_instance::{Point, Points, SolverInstance};
 use crate::spectrum::hidden_variable::ChainedBasis;
@@ -165,7 +166,8 @@ struct Solved<S: Simd, I: BatchSolver> {
 }
 
 impl<S: Simd, I: BatchSolver> Solved<S, I> {
-    /// At the root x of each instance, which the polish may move by this part of an unknown.
+    /// At the root x of each instance. The polish may move the action monomial by this part of
+    /// itself, or an unknown if the action monomial is not one of the unknowns.
     #[inline(always)]
     fn at(
         coefficients: &<I::Coefficients as Size>::Vector<Lanes<S>>,
@@ -205,10 +207,15 @@ impl<S: Simd, I: BatchSolver> Solved<S, I> {
         for j in 0..sizes.unknowns.get() {
             size = unknowns[j].abs().max(size);
         }
-        let floor = size * x.constant(IMPRECISE_FLOOR) * furthest;
-        for j in 0..sizes.unknowns.get() {
-            let bound = floor + unknowns[j].abs() * furthest;
-            is_certain &= (unknowns[j] - start[j]).abs().at_most(bound).bits();
+        if I::ACTION_MONOMIAL.is_empty() {
+            let floor = size * x.constant(IMPRECISE_FLOOR) * furthest;
+            for j in 0..sizes.unknowns.get() {
+                let bound = floor + unknowns[j].abs() * furthest;
+                is_certain &= (unknowns[j] - start[j]).abs().at_most(bound).bits();
+            }
+        } else {
+            let action = monomial_value(unknowns.as_ref(), I::ACTION_MONOMIAL);
+            is_certain &= (action - x).abs().at_most(action.abs() * furthest).bits();
         }
         Self { unknowns, is_certain, is_imaginary }
     }

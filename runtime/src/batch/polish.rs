@@ -2,10 +2,10 @@
 
 use fearless_simd::prelude::*;
 
-use crate::batch::lanes::{Lanes, lanes_in_use};
+use crate::batch::lanes::{Lanes, Mask, lanes_in_use};
 use crate::number::Arithmetic;
 use crate::size::{Matrix, Size, filled_matrix};
-use crate::solution::polish::{FAR, ILL_CONDITIONED, LARGE, NOISE, ROUNDING, STALLED};
+use crate::solution::polish::{CURVATURE, FAR, ILL_CONDITIONED, LARGE, NOISE, ROUNDING, STALLED};
 use crate::solution::system::Monomials;
 
 /// Instances that need more steps are rare. They are solved by themselves.
@@ -38,7 +38,7 @@ impl<S: Simd, N: Size, E: Size, K: Size, Q: Monomials<N, K>> Equations<'_, S, N,
         let mut is_near = u64::MAX;
         // Solutions are polished in steps so short that one Jacobian serves all.
         let jacobian = LeastSquares::factored((unknowns, equations), self.weighted_derivatives(x, &weight));
-        for _ in 0..MOST_STEPS {
+        for number in 0..MOST_STEPS {
             if open & lanes_in_use::<S>() == 0 {
                 break;
             }
@@ -51,6 +51,17 @@ impl<S: Simd, N: Size, E: Size, K: Size, Q: Monomials<N, K>> Equations<'_, S, N,
             for j in 0..unknowns.get() {
                 moved[j] -= step[j];
                 size = moved[j].abs().max(size);
+            }
+            if number == 0 {
+                let known = jacobian.residual_after(x, &step, &values);
+                if open & lanes_in_use::<S>() & !known.at_most(rounding).bits() == 0 {
+                    let is_open = Mask::from_bits(zero.token(), open);
+                    for j in 0..unknowns.get() {
+                        x[j] = is_open.select(moved[j], x[j]);
+                    }
+                    residual = is_open.select(known, residual);
+                    break;
+                }
             }
             let noise = size * zero.constant(NOISE);
             let mut is_short = u64::MAX;
@@ -210,12 +221,44 @@ impl<S: Simd, N: Size, E: Size> LeastSquares<S, N, E> {
     /// A bit for each instance whose solution x needs no refinement at twice the precision.
     #[inline(always)]
     fn is_well_conditioned(&self, x: &N::Vector<Lanes<S>>) -> u64 {
+        let (enlargement, size) = self.enlargement_and_size(x);
+        enlargement.at_most(size * size.constant(ILL_CONDITIONED)).bits()
+    }
+
+    /// The largest entry of one over the diagonal of R, and of x.
+    #[inline(always)]
+    fn enlargement_and_size(&self, x: &N::Vector<Lanes<S>>) -> (Lanes<S>, Lanes<S>) {
         let (mut enlargement, mut size) = (self.inverse_diagonal[0].abs(), x[0].abs());
         for k in 1..self.sizes.0.get() {
             enlargement = self.inverse_diagonal[k].abs().max(enlargement);
             size = x[k].abs().max(size);
         }
-        enlargement.at_most(size * size.constant(ILL_CONDITIONED)).bits()
+        (enlargement, size)
+    }
+
+    /// A bound on the relative residual after a step from the point x of the Jacobian, enlarged if
+    /// errors are: if it is rounding, a further step would change nothing. `right` is what
+    /// [`LeastSquares::solution`] leaves.
+    #[inline(always)]
+    fn residual_after(
+        &self,
+        x: &N::Vector<Lanes<S>>,
+        step: &N::Vector<Lanes<S>>,
+        right: &E::Vector<Lanes<S>>,
+    ) -> Lanes<S> {
+        let (unknowns, equations) = self.sizes;
+        let (enlargement, size) = self.enlargement_and_size(x);
+        let mut change = size.constant(0.0);
+        for j in 0..unknowns.get() {
+            // An unknown that is zero makes it infinite or NaN.
+            change = (step[j] / x[j]).abs().max(change);
+        }
+        let mut square = size.constant(0.0);
+        for e in unknowns.get()..equations.get() {
+            square = square.plus(right[e], right[e]);
+        }
+        let higher = change * change * size.constant(CURVATURE);
+        square.sqrt() + higher * enlargement.max(size) / size
     }
 
     /// The least-squares solution for this right side, which is overwritten.

@@ -69,6 +69,8 @@ pub trait BatchSolver: HiddenVariableSolver + Sized {
     const READ: &'static [u16];
     /// For each unknown, the positions of (m, x m) among the monomial values.
     const RATIOS: &'static [&'static [(u16, u16)]];
+    /// The exponents of the action monomial; none if it is not one of the unknowns.
+    const ACTION_MONOMIAL: &'static [i8];
     /// How unknowns follow from their ratios if the template determines them only up to signs
     /// and exchanges.
     const SYMMETRIES: Option<Symmetries<'static>>;

@@ -1,6 +1,6 @@
 //! Unknowns from an eigenvector.
 
-use crate::number::Scalar;
+use crate::number::{Arithmetic, Scalar};
 use crate::size::{Size, Vector};
 use crate::solver_instance::{BasisVector, Point, SolverInstance};
 
@@ -54,19 +54,20 @@ pub fn ratio<S: Scalar>(values: &[S], pairs: &[(u16, u16)]) -> Option<S> {
     quotient.is_finite().then_some(quotient)
 }
 
-/// A product of powers of the unknowns. Powers of zero with negative exponents are not finite.
+/// A product of powers of the unknowns, of which there is one at least. Powers of zero with negative exponents are not finite.
 #[inline(always)]
 #[must_use]
-pub fn monomial_value<S: Scalar>(unknowns: &[S], exponents: &[i8]) -> S {
-    let mut value = S::from_f64(1.0);
+pub fn monomial_value<T: Arithmetic>(unknowns: &[T], exponents: &[i8]) -> T {
+    let one = unknowns[0].constant(1.0);
+    let mut value = one;
     for (&unknown, &exponent) in unknowns.iter().zip(exponents) {
         for _ in 0..exponent {
-            value *= unknown;
+            value = value * unknown;
         }
         if exponent < 0 {
-            let inverse = unknown.reciprocal();
+            let inverse = one / unknown;
             for _ in exponent..0 {
-                value *= inverse;
+                value = value * inverse;
             }
         }
     }

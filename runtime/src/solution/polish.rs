@@ -27,7 +27,7 @@ const NEAR: f64 = 1e-3;
 
 /// A step that changes each unknown by at most a part s of it changes a term of degree d by its
 /// linear part and by at most about d (d - 1) / 2 s^2 of the term: this is more, up to degree 14.
-const CURVATURE: f64 = 100.0;
+pub(crate) const CURVATURE: f64 = 100.0;
 
 /// An unknown this small relative to the largest one may be the rounding noise of zero.
 pub(crate) const NOISE: f64 = 1e-12;
