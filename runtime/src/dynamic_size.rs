@@ -64,4 +64,8 @@ impl<T> List<T> for BoundedVec<T> {
     fn pop(&mut self) -> Option<T> {
         self.entries.pop()
     }
+
+    fn keep(&mut self, is_kept: impl Fn(&T) -> bool) {
+        self.entries.retain(is_kept);
+    }
 }

@@ -29,6 +29,7 @@ pub use crate::solution::chart::{chart_entry, from_chart, to_chart, unscale_in_c
 pub use crate::solution::dense_system::{DenseSystem, rows, rows_of};
 pub use crate::solution::distinct::{Candidate, push_distinct};
 pub use crate::solution::extract::{monomial_value, monomial_values, ratio};
+pub use crate::solution::inequality::{Inequality, is_wanted};
 pub use crate::solution::least_squares::{MOST_LINEAR, least_squares};
 pub use crate::solution::polish::{POLISH_STEPS, polish};
 pub use crate::solution::refine::{error_bound, polish_precisely};

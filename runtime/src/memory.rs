@@ -177,6 +177,10 @@ mod on_heap {
         fn pop(&mut self) -> Option<T> {
             self.entries.pop()
         }
+
+        fn keep(&mut self, is_kept: impl Fn(&T) -> bool) {
+            self.entries.retain(is_kept);
+        }
     }
 
     /// The same size. Rows of matrices and lists are on the heap; each row and each vector is what

@@ -32,6 +32,8 @@ pub trait List<T>: Deref<Target = [T]> + DerefMut {
     fn push(&mut self, entry: T) -> bool;
     /// Removes the last entry.
     fn pop(&mut self) -> Option<T>;
+    /// Removes the entries that are not to be kept.
+    fn keep(&mut self, is_kept: impl Fn(&T) -> bool);
 }
 
 /// The number of entries of a vector. Each type that implements it keeps them in its own way.
@@ -131,6 +133,10 @@ impl<T, const N: usize> List<T> for ArrayVec<T, N> {
     #[inline]
     fn pop(&mut self) -> Option<T> {
         ArrayVec::pop(self)
+    }
+    #[inline]
+    fn keep(&mut self, is_kept: impl Fn(&T) -> bool) {
+        self.retain(|entry| is_kept(entry));
     }
 }
 

@@ -25,7 +25,6 @@ fn is_side_by_side(plan: &Plan) -> bool {
         && is_filled_by_statements(plan)
         && monomials::are_statements(plan)
         && plan.nonzero.is_empty()
-        && plan.positive.is_empty()
         && !ValueLayout::of(plan).has_image
 }
 
@@ -110,6 +109,11 @@ fn implementation(plan: &Plan) -> TokenStream {
             const HAS_ORIGIN: bool = true;
         )
     });
+    let positive = (!plan.positive.is_empty()).then(|| {
+        quote!(
+            const POSITIVE: &'static [emitted::Inequality<'static>] = POSITIVE;
+        )
+    });
     let quotients = (!plan.quotients().is_empty()).then(|| {
         quote!(
             const QUOTIENTS: emitted::Quotients<'static> = QUOTIENTS;
@@ -130,6 +134,7 @@ fn implementation(plan: &Plan) -> TokenStream {
         const RATIOS: &'static [&'static [(u16, u16)]] = &RATIOS;
         const ACTION_MONOMIAL: &'static [i8] = &[#(#action_monomial),*];
         const SYMMETRIES: Option<emitted::Symmetries<'static>> = #symmetries;
+        #positive
         #has_origin
         #quotients
     };

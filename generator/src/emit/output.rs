@@ -232,24 +232,27 @@ pub(super) fn filter(plan: &Plan, instance: &Ident) -> TokenStream {
         return quote!();
     }
     let coefficients = coefficients_of(plan, instance);
-    quote!(points.retain(|point| self::is_wanted(#coefficients, point));)
+    quote! {
+        let coefficients: &[f64] = #coefficients;
+        points.retain(|point| emitted::is_wanted(POSITIVE, |slot| coefficients[slot], point));
+    }
 }
 
-/// The test of the inequalities; nothing without any.
+/// The inequalities; nothing without any.
 pub(super) fn inequalities(plan: &Plan) -> TokenStream {
     if plan.positive.is_empty() {
         return quote!();
     }
-    let tests = plan.positive.iter().map(|terms| {
-        let sum = sum(terms, &quote!());
-        quote!(#sum > 0.0)
+    let inequalities = plan.positive.iter().map(|terms| {
+        let terms = terms.iter().map(|term| {
+            let slot = Literal::u16_unsuffixed(term.coefficient.0);
+            let exponents = term.exponents.iter().map(|&exponent| Literal::u8_unsuffixed(exponent));
+            quote!((#slot, &[#(#exponents),*]))
+        });
+        quote!(&[#(#terms),*])
     });
-    let unknowns = Literal::usize_unsuffixed(plan.unknowns.len());
-    let (_, list) = storage::coefficients(plan, &quote!(f64));
     quote! {
-        /// Whether the unknowns satisfy the inequalities of the problem.
-        fn is_wanted(c: #list, x: &[f64; #unknowns]) -> bool {
-            #(#tests)&&*
-        }
+        /// Polynomials that are positive at the solutions that are wanted.
+        const POSITIVE: &[emitted::Inequality<'static>] = &[#(#inequalities),*];
     }
 }

@@ -14,6 +14,7 @@ use crate::size::{List, Matrix, Size};
 use crate::solution::candidates::{IMPRECISE_FLOOR, IMPRECISE_ROOT};
 use crate::solution::distinct::{CLOSE, CLOSE_FLOOR};
 use crate::solution::extract::monomial_value;
+use crate::solution::inequality::is_wanted;
 use crate::solution::symmetries::mapped_by;
 use crate::solver_instance::{Point, Points, SolverInstance};
 use crate::spectrum::hidden_variable::ChainedBasis;
@@ -151,6 +152,11 @@ fn solve_group<S: Simd, I: BatchSolver>(
             if new >> lane & 1 == 1 && !push::<S, I>(points, &found.unknowns, lane) {
                 is_certain &= !(1 << lane);
             }
+        }
+    }
+    if !I::POSITIVE.is_empty() {
+        for (lane, points) in points.iter_mut().enumerate().take(Lanes::<S>::COUNT) {
+            points.keep(|point| is_wanted(I::POSITIVE, |slot| coefficients[slot].get(lane), point.as_ref()));
         }
     }
     is_certain & lanes_in_use::<S>()

@@ -6,6 +6,7 @@ use crate::elimination::template::ActionRow;
 use crate::error::SolveError;
 use crate::number::{Arithmetic, Over};
 use crate::size::{Element, Fixed, Matrix, Size};
+use crate::solution::inequality::Inequality;
 use crate::solution::symmetries::Symmetries;
 use crate::solution::system::Monomials;
 use crate::solver_instance::{HiddenVariableSolver, Point, Points, SizesOf, SolverInstance};
@@ -74,6 +75,8 @@ pub trait BatchSolver: HiddenVariableSolver + Sized {
     /// How unknowns follow from their ratios if the template determines them only up to signs
     /// and exchanges.
     const SYMMETRIES: Option<Symmetries<'static>>;
+    /// What solutions must satisfy.
+    const POSITIVE: &'static [Inequality<'static>] = &[];
     /// As [`SolverInstance::has_origin`].
     const HAS_ORIGIN: bool = false;
     /// Coefficients by which [`SolverInstance::has_large_quotients`] is known.

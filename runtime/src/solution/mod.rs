@@ -8,13 +8,15 @@
 //! 3. [`distinct`] removes solutions that were found more than once.
 //! 4. `shared_value` tells apart the solutions that share an eigenvalue.
 //! 5. `candidates` collects real solutions, or all solutions.
-//! 6. [`chart`] gives vectors up to scale from the coordinates that were solved for.
+//! 6. [`inequality`] tells which of them are wanted.
+//! 7. [`chart`] gives vectors up to scale from the coordinates that were solved for.
 
 pub(crate) mod candidates;
 pub(crate) mod chart;
 pub(crate) mod dense_system;
 pub(crate) mod distinct;
 pub(crate) mod extract;
+pub(crate) mod inequality;
 pub(crate) mod least_squares;
 pub(crate) mod polish;
 pub(crate) mod refine;
