@@ -38,8 +38,8 @@ impl SolutionCount {
     /// A lower bound on the columns of an elimination template of the problem.
     ///
     /// The basis B holds a monomial for each solution that is to be computed, up to the changes of
-    /// sign and the exchanges that the problem allows. And no finite set of monomials holds all its products aB with
-    /// an action monomial a: there is a column outside of B.
+    /// sign and the exchanges that the problem allows. And no finite set of monomials holds all its
+    /// products aB with an action monomial a: there is a column outside of B.
     pub fn least_columns(&self, problem: &Problem) -> usize {
         let forms: Vec<ReducedProblem> =
             Presolve::all(problem.unknowns.len()).into_iter().map(|how| presolve(problem, how)).collect();

@@ -76,8 +76,8 @@ pub fn real_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, f64
 /// Returns all real solutions, by the real roots of a determinant. If a root is not certain, or
 /// leads to no solution of its own, or the polish moves one so far that errors of the determinant
 /// could hide others, or there is no root and presolve divided by a number close to zero, the rest
-/// is done as by [`real_solutions`]: eigenvalues close to roots whose solutions are known are passed
-/// over.
+/// is done as by [`real_solutions`]: eigenvalues close to roots whose solutions are known are
+/// passed over.
 ///
 /// # Errors
 /// As [`real_solutions`].

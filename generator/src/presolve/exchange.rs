@@ -1,9 +1,10 @@
 //! Exchanges of unknowns that map solutions to solutions.
 //!
 //! x y = a and x^2 + y^2 + x + y = b hold for (y, x) if they hold for (x, y). An exchange is a
-//! permutation of the unknowns that is its own inverse, with changes of sign, and maps each equation
-//! to a combination of all equations. Partners are given to unknowns in all ways that map the
-//! monomials of the equations to themselves; whether equations are mapped, too, is told over Z_p.
+//! permutation of the unknowns that is its own inverse, with changes of sign, and maps each
+//! equation to a combination of all equations. Partners are given to unknowns in all ways that map
+//! the monomials of the equations to themselves; whether equations are mapped, too, is told over
+//! Z_p.
 //!
 //! Several exchanges are used together if their pairs are the same or have no unknown in common.
 //! Larsson and Åström ("Uncovering symmetries in polynomial systems", ECCV 2016, section 4.2) treat

@@ -54,7 +54,8 @@ pub fn ratio<S: Scalar>(values: &[S], pairs: &[(u16, u16)]) -> Option<S> {
     quotient.is_finite().then_some(quotient)
 }
 
-/// A product of powers of the unknowns, of which there is one at least. Powers of zero with negative exponents are not finite.
+/// A product of powers of the unknowns, of which there is one at least. Powers of zero with
+/// negative exponents are not finite.
 #[inline(always)]
 #[must_use]
 pub fn monomial_value<T: Arithmetic>(unknowns: &[T], exponents: &[i8]) -> T {
