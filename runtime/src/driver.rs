@@ -117,11 +117,16 @@ fn add_roots<I: HiddenVariableSolver>(solver: &mut I, found: &mut RealSolutions<
     for &root in roots.roots.iter() {
         let (value, count) = (root.into(), found.count());
         is_certain = is_certain && found.add(solver, &source, value) && found.moved() <= IMPRECISE;
+        if !is_certain {
+            // Its eigenvalue gives the solution again.
+            found.keep_first(count);
+            break;
+        }
         is_precise &= found.moved() <= IMPRECISE_ROOT;
         error = error.max(SAFETY * found.moved());
         moved.push((root, found.moved()));
         // A root may belong to solutions that are not real.
-        if is_certain && found.count() > count {
+        if found.count() > count {
             known.push(root);
         }
     }

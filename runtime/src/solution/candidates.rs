@@ -27,9 +27,10 @@ const NEARLY_REAL: f64 = 0.1;
 const SHARED: f64 = 1e-3;
 
 /// If the polish moves a real solution by more than this part of an unknown, the eigenvalues are
-/// imprecise, and those of a pair of real solutions may be complex, far from the real axis.
+/// imprecise, and those of a pair of real solutions may be complex, far from the real axis. So is a
+/// root of a determinant that it moves by more than this part of itself.
 pub(crate) const IMPRECISE: f64 = 1e-4;
-/// If it moves no root of a determinant by more than this part of an unknown, the coefficients are
+/// If it moves no root of a determinant by more than this part of itself, the coefficients are
 /// precise: an error of this size in them moves two roots by about 3e-4 if they are close to each
 /// other, and closer ones are not certain.
 pub(crate) const IMPRECISE_ROOT: f64 = 1e-7;
@@ -188,6 +189,12 @@ impl<I: SolverInstance> RealSolutions<I> {
             is_imprecise: false,
             may_share: false,
         }
+    }
+
+    /// Forgets the solutions behind the first ones.
+    #[inline]
+    pub(crate) fn keep_first(&mut self, count: usize) {
+        while self.real.len() > count && self.real.pop().is_some() {}
     }
 
     /// Forgets all but the solutions, for a second search for them by eigenvalues.
