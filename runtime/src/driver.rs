@@ -54,7 +54,7 @@ pub const VANISHING: f64 = 1e-8;
 #[inline]
 pub fn complex_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, Complex<f64>>, SolveError> {
     let mut found = AllSolutions::new(solver);
-    solve(solver, &mut found, &[])?;
+    solve(solver, &mut found)?;
     Ok(found.admissible(solver))
 }
 
@@ -69,35 +69,30 @@ pub fn complex_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, 
 #[inline]
 pub fn real_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, f64>, SolveError> {
     let mut found = RealSolutions::new(solver, has_spurious_values(solver));
-    solve(solver, &mut found, &[])?;
+    solve(solver, &mut found)?;
     Ok(found.admissible(solver))
 }
 
 /// Returns all real solutions, by the real roots of a determinant. If a root is not certain, or
 /// leads to no solution of its own, or the polish moves one so far that errors of the determinant
-/// could hide others, or there is no root and presolve divided by a number close to zero, the rest
-/// is done as by [`real_solutions`]: eigenvalues close to roots whose solutions are known are
-/// passed over.
+/// could hide others, or there is no root and presolve divided by a number close to zero, all is
+/// done as by [`real_solutions`].
 ///
 /// # Errors
 /// As [`real_solutions`].
 #[inline]
 pub fn real_solutions_by_determinant<I: HiddenVariableSolver>(solver: &mut I) -> Result<Points<I, f64>, SolveError> {
-    let (mut found, mut known) = (RealSolutions::new(solver, false), solver.sizes().basis.list());
-    if !add_roots(solver, &mut found, &mut known) {
-        found.starts_again(solver, has_spurious_values(solver));
-        solve(solver, &mut found, &known)?;
+    let mut found = RealSolutions::new(solver, false);
+    match add_roots(solver, &mut found) {
+        true => Ok(found.admissible(solver)),
+        false => real_solutions(solver),
     }
-    Ok(found.admissible(solver))
 }
 
-/// Real eigenvalues, as the roots of a determinant, whose solutions are known.
-type Roots<I> = <<I as SolverInstance>::Basis as Size>::List<f64>;
-
-/// Adds the solutions of all real roots of the determinant, and to `known` the roots. Returns false
-/// if it cannot be told whether these are all real solutions.
+/// Adds the solutions of all real roots of the determinant. Returns false if it cannot be told
+/// whether these are all real solutions.
 #[inline(never)]
-fn add_roots<I: HiddenVariableSolver>(solver: &mut I, found: &mut RealSolutions<I>, known: &mut Roots<I>) -> bool {
+fn add_roots<I: HiddenVariableSolver>(solver: &mut I, found: &mut RealSolutions<I>) -> bool {
     let Ok(action) = solver.action_matrix::<f64>() else { return false };
     let (solver, chains) = (&*solver, solver.chains());
     let Some(variable) = HiddenVariable::new(&chains, &action) else { return false };
@@ -115,23 +110,14 @@ fn add_roots<I: HiddenVariableSolver>(solver: &mut I, found: &mut RealSolutions<
     let mut moved = chains.sizes().3.list();
     let (mut is_precise, mut error) = (true, LEAST_ERROR);
     for &root in roots.roots.iter() {
-        let (value, count) = (root.into(), found.count());
+        let value = root.into();
         is_certain = is_certain && found.add(solver, &source, value) && found.moved() <= IMPRECISE;
-        if !is_certain {
-            // Its eigenvalue gives the solution again.
-            found.keep_first(count);
-            break;
-        }
         is_precise &= found.moved() <= IMPRECISE_ROOT;
         error = error.max(SAFETY * found.moved());
         moved.push((root, found.moved()));
-        // A root may belong to solutions that are not real.
-        if found.count() > count {
-            known.push(root);
-        }
     }
     is_precise &= roots.clearance > error;
-    is_certain && (is_precise || count_is_certain(chains.sizes().3, &determinant, &moved))
+    is_certain && !found.is_imprecise() && (is_precise || count_is_certain(chains.sizes().3, &determinant, &moved))
 }
 
 /// The eigenpairs of the real roots.
@@ -158,12 +144,12 @@ fn has_spurious_values<I: SolverInstance>(solver: &I) -> bool {
     sizes.basis.get() * (1 + images(solver).len()) + usize::from(solver.has_origin()) > sizes.solutions.get()
 }
 
-/// Collects the solutions, in one attempt or two. Those of the roots are known.
+/// Collects the solutions, in one attempt or two.
 #[inline]
-fn solve<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>, roots: &[f64]) -> Result<(), SolveError> {
+fn solve<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> Result<(), SolveError> {
     let may_repeat = solver.allows_second_attempt();
     let mut known = solver.sizes().basis.list();
-    let first = first_attempt(solver, found, roots, (&mut known, may_repeat));
+    let first = first_attempt(solver, found, (&mut known, may_repeat));
     if !(may_repeat && (first.is_err() || found.lacks_some())) {
         return first.map(|_| ());
     }
@@ -176,7 +162,7 @@ fn solve<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>, root
         _ if is_repeated && !found.lacks_some() => Ok(()),
         Ok(may_lose_some) => {
             // It may have stopped early.
-            first_attempt(solver, found, roots, (&mut known, false))?;
+            first_attempt(solver, found, (&mut known, false))?;
             if may_lose_some && found.lacks_some() {
                 continued(solver, found);
             }
@@ -247,7 +233,7 @@ fn continued<I: SolverInstance>(_: &mut I, _: &mut impl Collection<I>) -> bool {
 #[cfg(feature = "alloc")]
 fn general_solutions<I: SolverInstance>(solver: &mut I) -> Option<Points<I, Complex<f64>>> {
     let mut found = AllSolutions::new(solver);
-    let outcome = first_attempt(solver, &mut found, &[], (&mut solver.sizes().basis.list(), false));
+    let outcome = first_attempt(solver, &mut found, (&mut solver.sizes().basis.list(), false));
     (outcome.is_ok() && !found.lacks_some()).then(|| found.admissible(solver))
 }
 
@@ -272,7 +258,6 @@ fn is_far_out<B: Size, S: Scalar>(action: &Square<B, S>) -> bool {
 fn first_attempt<I: SolverInstance>(
     solver: &mut I,
     found: &mut impl Collection<I>,
-    roots: &[f64],
     (known, may_stop): (&mut Known<I>, bool),
 ) -> Result<bool, SolveError> {
     let action = solver.action_matrix::<f64>()?;
@@ -281,41 +266,18 @@ fn first_attempt<I: SolverInstance>(
     spectrum.reduce_in_place()?;
     let values = spectrum.eigenvalues()?;
     found.note(solver, values.as_ref());
-    let mut left = values.clone();
-    let left = without_roots(left.as_mut(), roots, known);
-    let mut is_complete = add_separate(solver, (&spectrum, left), found, (known, may_stop));
+    let mut is_complete = add_separate(solver, (&spectrum, &values), found, (known, may_stop));
     let may_lose_some = solver.has_large_quotients()
         || solver.loses_zeros() && is_far_out::<I::Basis, _>(&action)
         || solver.misreads_zeros() && !is_complete;
     if found.starts_to_count(solver, may_lose_some) {
-        is_complete = add_separate(solver, (&spectrum, left), found, (known, may_stop)) || found.has_all();
+        *known = solver.sizes().basis.list();
+        is_complete = add_separate(solver, (&spectrum, &values), found, (known, may_stop)) || found.has_all();
     }
     if !(is_complete || may_stop && found.lacks_some()) {
         add_shared(solver, &action, (&spectrum, &values), found);
     }
     Ok(may_lose_some)
-}
-
-/// The eigenvalues without those that are as good as a root, the closest one for each. They are
-/// known.
-#[inline(never)]
-fn without_roots<'a>(
-    values: &'a mut [Complex<f64>],
-    roots: &[f64],
-    known: &mut impl List<Complex<f64>>,
-) -> &'a [Complex<f64>] {
-    let mut count = values.len();
-    for &root in roots {
-        let distance = |value: &Complex<f64>| if value.im == 0.0 { (value.re - root).abs() } else { f64::INFINITY };
-        let of_left = values[..count].iter().map(distance).enumerate();
-        let Some((at, distance)) = of_left.min_by(|(_, a), (_, b)| a.total_cmp(b)) else { break };
-        if distance <= IMPRECISE * root.abs() {
-            known.push(values[at]);
-            count -= 1;
-            values.swap(at, count);
-        }
-    }
-    &values[..count]
 }
 
 /// Adds the solutions of separate eigenpairs, and their eigenvalues to those known. Returns false
@@ -324,13 +286,13 @@ fn without_roots<'a>(
 #[inline(never)]
 fn add_separate<I: SolverInstance>(
     solver: &I,
-    (spectrum, values): (&Hessenberg<I::Basis>, &[Complex<f64>]),
+    (spectrum, values): (&Hessenberg<I::Basis>, &BasisVector<I, Complex<f64>>),
     found: &mut impl Collection<I>,
     (known, may_stop): (&mut Known<I>, bool),
 ) -> bool {
     let size = solver.sizes().basis;
     let mut pairs = size.list();
-    push_eigenpairs(&mut pairs, spectrum, values, &|value| found.wants(value));
+    push_eigenpairs(&mut pairs, spectrum, values.as_ref(), &|value| found.wants(value));
     let each = 1 + images(solver).len();
     let solutions_of = |pair: &EigenpairOf<I::Basis>| if pair.value.im == 0.0 { each } else { 2 * each };
     let mut left = pairs.iter().map(solutions_of).sum::<usize>();

@@ -191,37 +191,17 @@ impl<I: SolverInstance> RealSolutions<I> {
         }
     }
 
-    /// Forgets the solutions behind the first ones.
-    #[inline]
-    pub(crate) fn keep_first(&mut self, count: usize) {
-        while self.real.len() > count && self.real.pop().is_some() {}
-    }
-
-    /// Forgets all but the solutions, for a second search for them by eigenvalues.
-    #[inline]
-    pub(crate) fn starts_again(&mut self, solver: &I, counts_complex: bool) {
-        self.has_failed = false;
-        self.is_imprecise = false;
-        self.may_share = false;
-        if counts_complex {
-            self.count_all(solver);
-        }
-    }
-
-    /// Counts complex solutions from now on.
-    fn count_all(&mut self, solver: &I) {
-        let mut all = AllSolutions::new(solver);
-        for real in self.real.iter() {
-            push_orbit(solver, &as_complex(solver, real), &mut all.found);
-        }
-        self.all = Some(all);
-    }
-
     /// Whether a real eigenvalue belongs to solutions that are not real, because the square of an
     /// unknown is negative.
     #[inline]
     fn is_imaginary(&self, solver: &I, source: &dyn EigenpairSource<I::Basis>, value: Complex<f64>) -> bool {
         !images(solver).is_empty() && polished(solver, source.complex(value)).is_some()
+    }
+
+    /// Whether the polish moved an unknown of a solution so far that others may be missing.
+    #[inline]
+    pub(crate) fn is_imprecise(&self) -> bool {
+        self.is_imprecise
     }
 
     /// The part of itself by which the polish moved the action monomial of the last solution, 0 if
@@ -336,7 +316,7 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
     fn starts_to_count(&mut self, solver: &I, may_lose_pairs: bool) -> bool {
         let starts = (self.is_imprecise || self.may_share || may_lose_pairs) && self.all.is_none();
         if starts {
-            self.count_all(solver);
+            self.all = Some(AllSolutions::new(solver));
         }
         starts
     }
