@@ -484,20 +484,13 @@ impl Plan {
 
     /// The unknowns that are recovered and not read from an eigenpair, each once.
     pub fn eliminated(&self) -> Vec<usize> {
-        let mut eliminated: Vec<usize> = Vec::new();
-        for unknown in self.recovered().filter(|&unknown| !self.is_read(unknown)) {
-            if !eliminated.contains(&unknown) {
-                eliminated.push(unknown);
-            }
-        }
-        eliminated
+        let all: Vec<usize> = self.recovered().filter(|&unknown| !self.is_read(unknown)).collect();
+        (0..all.len()).filter(|&at| !all[..at].contains(&all[at])).map(|at| all[at]).collect()
     }
 
-    /// The unknowns in whose places a linear form, or half the sum and half the difference of two
-    /// of them, stand in the template: they are read, and then recovered.
+    /// The unknowns in whose places linear forms stand in the template: read, and then recovered.
     pub fn replaced(&self) -> Vec<usize> {
-        let recovered = self.recoveries.iter().map(|recovery| recovery.unknown);
-        recovered.filter(|&unknown| self.is_read(unknown)).collect()
+        self.recoveries.iter().map(|recovery| recovery.unknown).filter(|&unknown| self.is_read(unknown)).collect()
     }
 
     fn is_read(&self, unknown: usize) -> bool {
