@@ -12,11 +12,11 @@
 //! not their own inverse, which are not used here.
 
 use crate::algebra::{Echelon, Monomial, PRIMES, Polynomial, PrimeField};
-use crate::problem::Problem;
 use crate::problem::instance::Instance;
+use crate::problem::{DataAttribute, Problem};
 
-/// Exchanges must hold at two instances, as must all that is left out here: (prime, seed).
-pub(super) const INSTANCES: [(u32, u64); 2] = [(PRIMES[0], 1), (PRIMES[1], 2)];
+/// Exchanges must hold at two instances, as must all that is left out with them: (prime, seed).
+const INSTANCES: [(u32, u64); 2] = [(PRIMES[0], 1), (PRIMES[1], 2)];
 
 /// At most so many assignments of partners are tried.
 const MOST_ASSIGNMENTS: usize = 20_000;
@@ -58,10 +58,7 @@ pub(super) fn pairs_of(exchanges: &[Exchange]) -> Vec<Pair> {
 
 /// Exchanges that can be used together, those of the fewest unknowns first.
 pub(super) fn exchanges(problem: &Problem) -> Vec<Exchange> {
-    let draw = |(prime, seed)| Instance::draw(problem, PrimeField::new(prime), seed);
-    let Some(instances) = INSTANCES.into_iter().map(draw).collect::<Option<Vec<Instance>>>() else {
-        return Vec::new();
-    };
+    let Some(instances) = instances(problem) else { return Vec::new() };
     let spans: Vec<Span> = instances.iter().map(Span::new).collect();
     let Some(partners) = spans.first().map(|span| Partners::all(problem.unknowns.len(), &span.support)) else {
         return Vec::new();
@@ -76,6 +73,18 @@ pub(super) fn exchanges(problem: &Problem) -> Vec<Exchange> {
         found.extend(exchange);
     }
     found
+}
+
+/// Data that satisfy no conditions but those that do not depend on measurements: an exchange that
+/// needs a vector of length 1 would not be one for a vector with rounding errors.
+pub(super) fn instances(problem: &Problem) -> Option<Vec<Instance>> {
+    let mut general = problem.clone();
+    for parameter in &mut general.data {
+        if !matches!(parameter.attribute, DataAttribute::Symmetric | DataAttribute::Integer) {
+            parameter.attribute = DataAttribute::Generic;
+        }
+    }
+    INSTANCES.into_iter().map(|(prime, seed)| Instance::draw(&general, PrimeField::new(prime), seed)).collect()
 }
 
 /// Whether an exchange and all others are changes of sign in the same sums and differences: each
@@ -265,6 +274,20 @@ mod tests {
         // A factor must be exchanged with another one.
         assert_eq!(found(&format!("{two} x - 1 != 0;")), [[0; 2]; 0]);
         assert_eq!(found(&format!("{two} x - 1 != 0; 2 * y - 2 != 0;")), [[0, 1]]);
+    }
+
+    /// The length of a unit vector is 1 in all statements of a problem, whatever its errors.
+    #[test]
+    fn data_satisfy_what_statements_know() {
+        let of = |attribute: &str| {
+            let text = format!(
+                "fn sample({attribute} u: [f64; 2], a: f64) -> (x, y) {{ x * y == a; x * x + dot(u, u) * y * y == u[0]; }}"
+            );
+            exchanged(&Problem::parse("sample.rs", &text).unwrap())
+        };
+        assert_eq!((of("#[unit]"), of("")), (vec![[0, 1]], vec![]));
+        let symmetric = "fn sample(#[symmetric] m: [[f64; 2]; 2]) -> (x, y) { x * y == m[0][0]; m[0][1] * x * x + m[1][0] * y * y == m[1][1]; }";
+        assert_eq!(exchanged(&Problem::parse("sample.rs", symmetric).unwrap()), [[0, 1]]);
     }
 
     #[test]

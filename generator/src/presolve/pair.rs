@@ -14,7 +14,7 @@
 
 use std::collections::BTreeMap;
 
-use super::exchange::{Exchange, INSTANCES, Pair, exchanges, pairs_of, row};
+use super::exchange::{Exchange, Pair, exchanges, instances, pairs_of, row};
 use super::reduced::{MAX_TERMS, Recovery, ReducedProblem};
 use super::symmetry::Symmetry;
 use crate::algebra::{Echelon, Monomial, PrimeField};
@@ -88,9 +88,8 @@ fn in_sums_and_differences(problem: &Problem, pairs: &[Pair], flips: &[Vec<bool>
         statement.polynomial = substituted(&mut paired.graph, &statement.polynomial, pairs)?;
     }
     let mut values = Vec::new();
-    for (prime, seed) in INSTANCES {
-        let field = PrimeField::new(prime);
-        values.push((field, paired.graph.evaluate(field, &Instance::draw(problem, field, seed)?.inputs)?));
+    for Instance { field, inputs, .. } in instances(problem)? {
+        values.push((field, paired.graph.evaluate(field, &inputs)?));
     }
     // Expressions that are written in two ways may cancel all the same.
     let is_zero = |c: &ExpressionId| values.iter().all(|(_, values)| values[c.index()] == 0);
@@ -99,7 +98,9 @@ fn in_sums_and_differences(problem: &Problem, pairs: &[Pair], flips: &[Vec<bool>
     paired.equations = independent(equations, &values)?;
     let factors: Vec<Vec<Statement>> = paired.nonzero.iter().map(parts).collect();
     paired.nonzero = products(&mut paired.graph, factors)?;
-    Some(paired)
+    // A coefficient may vanish for data that satisfy their conditions.
+    let (field, _) = values.first()?;
+    Instance::draw(&paired, *field, 1).map(|_| paired)
 }
 
 /// A polynomial with x = s + d and y = s - d for all pairs, where s and d take the places of x and
