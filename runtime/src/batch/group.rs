@@ -154,12 +154,22 @@ fn solve_group<S: Simd, I: BatchSolver>(
             }
         }
     }
-    if !I::POSITIVE.is_empty() {
-        for (lane, points) in points.iter_mut().enumerate().take(Lanes::<S>::COUNT) {
-            points.keep(|point| is_wanted(I::POSITIVE, |slot| coefficients[slot].get(lane), point.as_ref()));
-        }
-    }
+    keep_wanted::<S, I>(&coefficients, points);
     is_certain & lanes_in_use::<S>()
+}
+
+/// Removes the points that do not satisfy the inequalities of the problem.
+#[inline]
+fn keep_wanted<S: Simd, I: BatchSolver>(
+    coefficients: &<I::Coefficients as Size>::Vector<Lanes<S>>,
+    points: &mut [Points<I, f64>; MOST],
+) {
+    if I::POSITIVE.is_empty() {
+        return;
+    }
+    for (lane, points) in points.iter_mut().enumerate().take(Lanes::<S>::COUNT) {
+        points.keep(|point| is_wanted(I::POSITIVE, |slot| coefficients[slot].get(lane), point.as_ref()));
+    }
 }
 
 /// The solutions of a root of each instance.
