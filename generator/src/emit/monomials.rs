@@ -88,9 +88,15 @@ pub(super) fn monomials(plan: &Plan) -> TokenStream {
         }
     }
     let [unknowns, count] = [plan.unknowns.len(), monomials.len()].map(Literal::usize_unsuffixed);
+    // One list serves all unknowns: a list for each would take stack where nothing is optimised.
+    let most = Literal::usize_unsuffixed(visits.iter().map(Vec::len).max().unwrap_or(0));
     let visits = visits.iter().enumerate().map(|(j, terms)| {
-        let j = Literal::usize_unsuffixed(j);
-        quote!(visit(#j, &[#(#terms),*]);)
+        let [j, count] = [j, terms.len()].map(Literal::usize_unsuffixed);
+        let places = (0..terms.len()).map(Literal::usize_unsuffixed);
+        quote! {
+            #(terms[#places] = #terms;)*
+            visit(#j, &terms[..#count]);
+        }
     });
     let names: Vec<String> = monomials.iter().map(|m| m.display(&plan.unknowns).to_string()).collect();
     let doc = format!(" The monomials {}.", names.join(", "));
@@ -115,6 +121,7 @@ pub(super) fn monomials(plan: &Plan) -> TokenStream {
             ) {
                 let mut d = [[x[0].constant(0.0); #unknowns]; #count];
                 #(#derivatives)*
+                let mut terms = [(0, d[0][0]); #most];
                 #(#visits)*
             }
         }

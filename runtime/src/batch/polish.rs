@@ -147,19 +147,21 @@ impl<S: Simd, N: Size, E: Size, K: Size, Q: Monomials<N, K>> Equations<'_, S, N,
             &self.monomials.products(x),
             #[inline(always)]
             |j, terms| {
-                let mut column = equations.filled(zero);
+                let mut column = columns[j].clone();
                 for &(k, factor) in terms {
                     let row = &self.rows[usize::from(k)];
                     for e in 0..equations.get() {
                         column[e] = column[e].plus(factor, row[e]);
                     }
                 }
-                for e in 0..equations.get() {
-                    column[e] = column[e] * weight[e];
-                }
                 columns[j] = column;
             },
         );
+        for j in 0..unknowns.get() {
+            for e in 0..equations.get() {
+                columns[j][e] = columns[j][e] * weight[e];
+            }
+        }
         columns
     }
 }

@@ -86,9 +86,12 @@ impl<S: Scalar, N: Size, E: Size, K: Size, Q: Monomials<N, K>> System<S, N, E> f
 
     #[inline]
     fn derivatives(&self, x: &N::Vector<S>, monomials: &K::Vector<S>, columns: &mut Matrix<N, E, S>) {
-        let (_, equations, _) = self.sizes;
+        let (unknowns, equations, _) = self.sizes;
+        for j in 0..unknowns.get() {
+            columns[j] = equations.filled(S::ZERO);
+        }
         self.monomials.for_each_gradient(x, monomials, |j, terms| {
-            let mut column = equations.filled(S::ZERO);
+            let mut column = columns[j].clone();
             for &(k, factor) in terms {
                 let row = &self.rows[usize::from(k)];
                 for e in 0..equations.get() {

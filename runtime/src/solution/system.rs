@@ -2,7 +2,7 @@
 
 use crate::number::double_double::{DoubleComplex, DoubleDouble};
 use crate::number::{Arithmetic, Over, Scalar};
-use crate::size::{Fixed, List, Matrix, Size, filled_matrix};
+use crate::size::{Fixed, Matrix, Size, filled_matrix};
 
 /// E equations in N unknowns, with their derivatives.
 pub trait System<S: Scalar, N: Size, E: Size> {
@@ -41,7 +41,8 @@ pub trait Monomials<N: Size, K: Size> {
     fn products<T: Arithmetic>(&self, x: &N::Vector<T>) -> K::Vector<T>;
 
     /// Hands over the derivatives by each unknown in turn, from the values at x: the positions of
-    /// the monomials with the unknown, highest first, with their derivatives.
+    /// the monomials with the unknown, highest first, with their derivatives, in one piece or
+    /// several.
     fn for_each_gradient<T: Arithmetic>(
         &self,
         x: &N::Vector<T>,
@@ -207,19 +208,30 @@ impl<N: Size, E: Size, K: Size> Monomials<N, K> for Tables<'_, N, E, K> {
     ) {
         let (unknowns, _, count) = self.sizes;
         let gradients = self.gradients(x, values);
+        // A list of all would take stack where nothing is optimised.
+        let mut piece = [(0, values[0]); PIECE];
         for j in 0..unknowns.get() {
-            let (mut has_unknown, mut terms) = (count.filled(false), count.list());
+            let mut has_unknown = count.filled(false);
             for k in 1..count.get() {
                 let Product { parent, unknown } = self.chain[k];
                 has_unknown[k] = has_unknown[usize::from(parent)] || usize::from(unknown) == j;
             }
+            let mut length = 0;
             for k in (1..count.get()).rev().filter(|&k| has_unknown[k]) {
-                terms.push((k as u16, gradients[k][j]));
+                piece[length] = (k as u16, gradients[k][j]);
+                length += 1;
+                if length == PIECE {
+                    visit(j, &piece);
+                    length = 0;
+                }
             }
-            visit(j, &terms);
+            visit(j, &piece[..length]);
         }
     }
 }
+
+/// Monomials of one unknown that tables hand over at once.
+const PIECE: usize = 32;
 
 impl<N: Size, E: Size, K: Size> Tables<'_, N, E, K> {
     /// The derivatives of each monomial by all unknowns.
