@@ -143,6 +143,7 @@ fn a_basis_of_the_solutions_up_to_exchanges_finds_all() {
         let best = &found.candidates[0];
         let sizes = (best.presolve, best.plan.images.len() + 1, best.template.basis.len());
         assert_eq!(sizes, (Presolve::Paired, order, solutions / order), "{name}");
+        assert!(best.template.columns() >= count.least_columns(&problem), "{name}");
         assert_counted(&problem, best, &SearchOptions::default());
         let measured = stability(&best.plan, 500, 1, &|| ());
         let of = (measured.found, measured.expected);

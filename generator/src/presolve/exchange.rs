@@ -75,8 +75,9 @@ pub(super) fn exchanges(problem: &Problem) -> Vec<Exchange> {
     found
 }
 
-/// Data that satisfy no conditions but those that do not depend on measurements: an exchange that
-/// needs a vector of length 1 would not be one for a vector with rounding errors.
+/// Instances whose data satisfy no conditions but those that no measurement error violates. What
+/// statements know of conditions, such as the length of a unit vector, is in their coefficients. An
+/// exchange that needed more would not lead to solutions where data have errors.
 pub(super) fn instances(problem: &Problem) -> Option<Vec<Instance>> {
     let mut general = problem.clone();
     for parameter in &mut general.data {
