@@ -1,10 +1,35 @@
-// Where did the sound come from? Three microphones, and the solver of this library.
+// The two solvers of this library. Where did the sound come from, that three microphones heard?
+// Which bar guides a body through five poses?
 #include "own.hpp"
 
 #include <cmath>
+#include <complex>
 #include <cstdio>
 
+// Whether a bar is found from a joint of the frame to a joint of the body that it guides.
+static bool finds_the_bar() {
+    using Complex = std::complex<double>;
+    const Complex on_body(1.0, 0.5), on_frame(-0.5, -1.0), bar = on_body - on_frame;
+    double turns[4][2], shifts[4][2];
+    for (int k = 0; k < 4; ++k) {
+        const Complex turn = std::polar(1.0, 0.3 * (k + 1));
+        const Complex shift = on_frame + bar * std::polar(1.0, 0.5 * k * k - 0.4) - turn * on_body;
+        turns[k][0] = turn.real(), turns[k][1] = turn.imag();
+        shifts[k][0] = shift.real(), shifts[k][1] = shift.imag();
+    }
+    double error = INFINITY;
+    for (const auto &found : own::linkage_5_poses::solve(turns, shifts)) {
+        std::printf("a bar from %.6f %.6f\n", found.on_frame[0], found.on_frame[1]);
+        error = std::fmin(error, std::abs(Complex(found.on_frame[0], found.on_frame[1]) - on_frame));
+    }
+    return error < 1e-9;
+}
+
 int main() {
+    if (!finds_the_bar()) {
+        std::fprintf(stderr, "error: the bar is none of these\n");
+        return 1;
+    }
     const double microphones[3][2] = {{0.0, 0.0}, {4.0, 0.0}, {0.0, 3.0}};
     const double source[2] = {2.5, 1.5}, time = 10.0;
     double arrivals[3];

@@ -227,6 +227,40 @@ fn arrays_of_unknowns_are_fields() {
 /// Values that the problem names are variables of these names, rows say which multiple of which
 /// equation they are.
 #[test]
+fn complex_numbers_are_complex() {
+    let problem = include_str!("../../examples/own-library/problems/linkage_5_poses.rs");
+    let template = include_str!("../../examples/own-library/problems/linkage_5_poses.template.toml");
+    let text = problem
+        .replace("linkage_5_poses", "linkage")
+        .replace("    #[unit] turns", "    origin: Complex<f64>, #[unit] turns");
+    let text = text.replace("let first", "let shifts = shifts + [origin, origin, origin, origin]; let first");
+    let linkage = emitted("linkage", &text, [problem, template]);
+    let checks = "
+        use eliminant::{Complex, Solutions};
+        let [body, frame, origin] = [Complex::new(1.0, 0.5), Complex::new(-0.5, -1.0), Complex::new(2.0, -3.0)];
+        let angle = |k: usize, step: f64| Complex::from_polar(1.0, step * (k + 1) as f64);
+        let turns: [Complex<f64>; 4] = std::array::from_fn(|k| angle(k, 0.3));
+        let end = |k: usize| frame + (body - frame) * angle(k * k, 0.2);
+        let shifts: [Complex<f64>; 4] = std::array::from_fn(|k| end(k) - turns[k] * body - origin);
+        let is_truth = |s: &linkage::Solution| (s.on_body - body).norm() < 1e-9 && (s.on_frame - frame).norm() < 1e-9;
+        let found = linkage::solve(origin, &turns, &shifts).expect(\"general data\");
+        assert!(found.iter().any(is_truth), \"{found:?}\");
+        let all = linkage::solve_complex(origin, &turns, &shifts).expect(\"general data\");
+        assert!(all.iter().any(|s| (s.on_body.re - 1.0).norm() < 1e-9 && (s.on_frame.im + 1.0).norm() < 1e-9));
+        let bars = linkage::solve_for_bar(origin, &turns, &shifts).expect(\"general data\");
+        let length = (body - frame).norm();
+        assert!(bars.iter().any(|b| (b.length - length).abs() < 1e-9 && (b.direction - (body - frame) / length).norm() < 1e-9));
+        let mut results = [Ok(Solutions::new())];
+        linkage::solve_batch(&[linkage::Data { origin, turns, shifts }], &mut results);
+        assert!(results[0].as_ref().is_ok_and(|found| found.iter().any(is_truth)));
+        assert_eq!(linkage::UNKNOWNS, [\"on_body.re\", \"on_body.im\", \"on_frame.re\", \"on_frame.im\"]);
+        let [re, ..] = found.iter().next().expect(\"a solution\").to_array();
+        assert!(found.iter().next().is_some_and(|s| s.on_body.re == re));
+    ";
+    run("complex", &[("linkage", linkage)], checks);
+}
+
+#[test]
 fn emitted_code_says_what_is_what() {
     let text = "/// Two conics, their equations multiplied by numbers.
     fn named(p: [f64; 6], q: [f64; 6], v: f64) -> (x, y) {

@@ -10,7 +10,7 @@ use eliminant_generator::problem::Problem;
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/other-fields");
 
 /// The problems and their numbers of complex solutions, as their comments say with the source.
-const PUBLISHED: [(&str, usize); 14] = [
+const PUBLISHED: [(&str, usize); 15] = [
     ("combustion", 16),
     ("cyclic_5", 70),
     ("cyclohexane", 16),
@@ -22,6 +22,7 @@ const PUBLISHED: [(&str, usize); 14] = [
     ("oscillators_4", 20),
     ("planar_platform", 6),
     ("power_flow_3_buses", 6),
+    ("power_flow_4_buses", 20),
     ("quadrature_3_nodes", 6),
     ("robot_arm", 16),
     ("species_3", 8),

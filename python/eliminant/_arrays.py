@@ -12,14 +12,19 @@ Array = npt.NDArray[np.float64]
 Shape = Tuple[int, ...]
 
 
-def numbers(name: str, value: Any) -> Array:
-    """The real numbers of an argument as an array, which shares memory where it can."""
+def numbers(name: str, value: Any, is_complex: bool = False) -> Array:
+    """The real numbers of an argument as an array, which shares memory where it can.
+
+    With `is_complex` they may be complex: the last dimension holds real and imaginary parts.
+    """
     if value is None:
         raise TypeError(f"`{name}` is None: expected an array of real numbers")
     try:
         array = np.asarray(value)
     except (ValueError, TypeError) as error:
         raise ValueError(f"`{name}` is no array of real numbers: {error}") from None
+    if is_complex and array.dtype.kind == "c":
+        return np.stack([array.real, array.imag], axis=-1).astype(np.float64)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"`{name}` has elements of type {array.dtype}: expected real numbers")
     if array.dtype == np.float64:
@@ -40,7 +45,10 @@ def whole(name: str, value: Any) -> int:
 
 
 def data(
-    parameters: Sequence[Tuple[str, Shape]], homogeneous: Sequence[str], values: Sequence[Any]
+    parameters: Sequence[Tuple[str, Shape]],
+    homogeneous: Sequence[str],
+    values: Sequence[Any],
+    complex_numbers: Sequence[str] = (),
 ) -> Tuple[List[Array], int]:
     """The data of a batch as contiguous arrays, and the number of instances.
 
@@ -53,7 +61,7 @@ def data(
     arrays: List[Array] = []
     count = -1
     for (name, shape), value in zip(parameters, values):
-        array = numbers(name, value)
+        array = numbers(name, value, name in complex_numbers)
         if name in homogeneous:
             array = with_ones(array, shape)
         count = joined(name, shape, array.shape, count)

@@ -9,7 +9,7 @@ from typing import Any, Callable, List, NamedTuple, Optional, Tuple, Union
 
 from . import _eliminant
 from ._arrays import Shape, data, whole
-from ._solutions import Named, Solutions, arranged, element_names
+from ._solutions import Named, Solutions, arranged
 from ._stability import Stability
 
 ProblemError = _eliminant.ProblemError
@@ -90,18 +90,23 @@ class Problem:
 
     @property
     def data(self) -> Named:
-        """Name and shape of each parameter."""
+        """Name and shape of each parameter. The last dimension of complex ones is 2."""
         return _named(self._native.data)
 
     @property
     def fields(self) -> Named:
-        """Name and shape of each array of a solution."""
+        """Name and shape of each array of a solution. The last dimension of complex ones is 2."""
         return _named(self._native.fields)
 
     @property
     def unknowns(self) -> Tuple[str, ...]:
         """The names of the scalars of a solution."""
-        return element_names(self.fields)
+        return tuple(self._native.unknowns)
+
+    @property
+    def complex_numbers(self) -> Tuple[str, ...]:
+        """The parameters, unknowns and results that are complex."""
+        return tuple(self._native.complex_numbers)
 
     @property
     def results(self) -> Named:
@@ -165,11 +170,14 @@ class Problem:
         """The real solutions of one instance, or of a batch, by the interpreted plan.
 
         Operations and their order are those of the emitted solver, which is many times as fast.
+        Complex parameters are complex arrays, or real ones whose last dimension holds real and
+        imaginary parts. Complex unknowns and results are complex arrays.
         """
         planned = self._solver()
-        arrays, count = data(self.data, (), values)
+        arrays, count = data(self.data, (), values, self.complex_numbers)
         solved = planned.solve_one(arrays) if count < 0 else planned.solve_batch(arrays, count)
-        return arranged(self.fields, self.results, planned.solutions, solved, count >= 0)
+        solutions = arranged(self.fields, self.results, planned.solutions, solved, count >= 0, self.unknowns)
+        return solutions.with_complex(self.complex_numbers)
 
     def stability(self, trials: int = 1000, seed: int = 1, *, first: int = 0) -> Stability:
         """Solves the random instances `first` to `first + trials`, and judges what is found.

@@ -43,7 +43,7 @@ class Solutions:
 
     def __init__(
         self,
-        arrays: Dict[str, Array],
+        arrays: Dict[str, npt.NDArray[Any]],
         values: Array,
         counts: npt.NDArray[np.int64],
         codes: npt.NDArray[np.uint16],
@@ -129,6 +129,13 @@ class Solutions:
             arrays, values, self.counts[instance : instance + 1].reshape(()), self._codes[:0], self.unknowns
         )
 
+    def with_complex(self, names: Sequence[str]) -> "Solutions":
+        """With these arrays, whose last dimension holds real and imaginary parts, as complex ones."""
+        arrays = dict(self._arrays)
+        for name in arrays.keys() & set(names):
+            arrays[name] = arrays[name][..., 0] + 1j * arrays[name][..., 1]
+        return Solutions(arrays, self.values, self.counts, self._codes, self.unknowns)
+
     def __repr__(self) -> str:
         names = ", ".join(f"{name} {array.shape}" for name, array in self._arrays.items())
         if not self.is_batch:
@@ -157,10 +164,11 @@ def arranged(
     most: int,
     solved: Tuple[Array, Array, npt.NDArray[np.int64], npt.NDArray[np.uint16]],
     is_batch: bool,
+    names: Optional[Tuple[str, ...]] = None,
 ) -> Solutions:
     """The flat lists of a solve as arrays with names."""
     unknowns, others, counts, codes = solved
-    names = element_names(fields)
+    names = names or element_names(fields)
     lead: Shape = (len(counts), most)
     values = unknowns.reshape(*lead, len(names))
     if not is_batch:

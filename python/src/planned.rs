@@ -38,7 +38,7 @@ impl Planned {
         let outputs = plan.output.iter().flat_map(|output| &output.fields);
         let sizes = Sizes {
             unknowns: plan.fields.iter().map(SolutionField::scalars).sum(),
-            results: outputs.map(|(_, _, elements)| elements.len()).sum(),
+            results: outputs.map(|field| field.elements.len()).sum(),
             solutions: plan.solutions,
         };
         let data = plan.data.iter().map(|data| (data.name.clone(), data.shape.clone())).collect();
@@ -86,7 +86,7 @@ impl Planned {
         for (number, (point, solution)) in points.iter().zip(solutions).enumerate() {
             let mut x = self.variables(point, solution);
             output.parts.iter().for_each(|part| x.push(value(part, &coefficients, &x)));
-            let elements = output.fields.iter().flat_map(|(_, _, elements)| elements);
+            let elements = output.fields.iter().flat_map(|field| &field.elements);
             for (place, element) in found.result(at, number).iter_mut().zip(elements) {
                 *place = value(element, &coefficients, &x);
             }

@@ -1,7 +1,7 @@
 //! Problems of the generator: read, checked, searched, and planned by a template.
 
 use eliminant_generator::check::check_until;
-use eliminant_generator::problem::Problem;
+use eliminant_generator::problem::{Problem, SolutionField};
 use eliminant_generator::template::file::TemplateFile;
 use pyo3::prelude::*;
 
@@ -61,6 +61,21 @@ impl NativeProblem {
     fn results(&self) -> Shapes {
         let fields = self.0.output.iter().flat_map(|output| &output.fields);
         fields.map(|field| (field.name.clone(), field.shape.clone())).collect()
+    }
+
+    #[getter]
+    fn unknowns(&self) -> Vec<String> {
+        self.0.fields.iter().flat_map(SolutionField::names).collect()
+    }
+
+    /// The names of parameters, unknowns and results that are complex.
+    #[getter]
+    fn complex_numbers(&self) -> Vec<String> {
+        let results = self.0.output.iter().flat_map(|output| &output.fields);
+        let of_data = self.0.data.iter().filter(|data| data.is_complex).map(|data| &data.name);
+        let of_fields = self.0.fields.iter().filter(|field| field.is_complex).map(|field| &field.name);
+        let of_results = results.filter(|field| field.is_complex).map(|field| &field.name);
+        of_data.chain(of_fields).chain(of_results).cloned().collect()
     }
 
     /// The numbers of solutions, of different ones, and of those where all unknowns are 0.

@@ -210,6 +210,34 @@ def test_interpreted_and_emitted_solvers_agree(rng):
             np.testing.assert_allclose(interpreted[array], emitted[array], rtol=1e-6, atol=1e-8)
 
 
+def test_complex_numbers(rng):
+    problem = eliminant.Problem("""
+fn quadratic(b: Complex<f64>, c: [Complex<f64>; 1]) -> (z: Complex<f64>, x) {
+    z.pow(2) + b * z + c[0] == 0;
+    x == z.re;
+    Other { root: -b - z, modulus: sqrt(z * conj(z)) }
+}
+""")
+    assert problem.data == (("b", (2,)), ("c", (1, 2))) and problem.fields == (("z", (2,)), ("x", ()))
+    assert problem.unknowns == ("z.re", "z.im", "x") and problem.complex_numbers == ("b", "c", "z", "root")
+    problem.search()
+    b, c = rng.normal(size=50) + 1j * rng.normal(size=50), rng.normal(size=(50, 1)) + 1j * rng.normal(size=(50, 1))
+    batch = problem.solve(b, c)
+    assert (batch.counts == 2).all() and batch.z.shape == (50, 2) and batch.z.dtype == np.complex128
+    roots = np.array([np.roots([1, b, c[0]]) for b, c in zip(b, c)])
+    for found, true in zip(batch.z, roots):
+        assert min(np.abs(found - true).max(), np.abs(found - true[::-1]).max()) < 1e-9
+    np.testing.assert_allclose(batch.root, -b[:, None] - batch.z)
+    np.testing.assert_allclose(batch.modulus, np.abs(batch.z))
+    np.testing.assert_allclose(batch.x, batch.z.real, atol=1e-12)
+    one = problem.solve(b[3], c[3])
+    np.testing.assert_array_equal(one.z, batch.z[3])
+    parts = problem.solve(np.stack([b.real, b.imag], axis=-1), np.stack([c.real, c.imag], axis=-1))
+    np.testing.assert_array_equal(parts.z, batch.z)
+    with pytest.raises(TypeError, match="complex128"):
+        eliminant.problem("trilateration").solve(np.eye(3) * 1j, np.ones(3))
+
+
 def test_catalogue():
     names = eliminant.catalogue()
     assert list(names) == sorted(names) and "relpose_5pt" in names and len(names) >= 49

@@ -152,7 +152,7 @@ fn put(row: &Row) -> String {
 /// `data.NAME`, as solvers take it.
 fn arguments(interface: &Interface) -> String {
     let argument = |field: &Field| {
-        let reference = if field.shape.is_empty() { "" } else { "&" };
+        let reference = if field.is_number() { "" } else { "&" };
         format!("{reference}data.{}, ", field.name)
     };
     interface.data.iter().map(argument).collect()
@@ -227,5 +227,9 @@ fn rust_parameters(parameters: &[Parameter]) -> String {
 
 /// `[[f64; 3]; 5]`.
 fn rust_type(field: &Field) -> String {
-    field.shape.iter().rev().fold("f64".to_owned(), |inner, length| format!("[{inner}; {length}]"))
+    let (number, dimensions) = match &field.shape[..] {
+        [dimensions @ .., _] if field.is_complex => ("::eliminant::Complex<f64>", dimensions),
+        dimensions => ("f64", dimensions),
+    };
+    dimensions.iter().rev().fold(number.to_owned(), |inner, length| format!("[{inner}; {length}]"))
 }

@@ -19,8 +19,10 @@ pub struct Field {
     pub name: String,
     /// Its name in C, C++ and in the emitted functions.
     pub c_name: String,
-    /// Outermost dimension first; empty for a number.
+    /// Outermost dimension first; empty for a number. The last one of complex numbers is 2.
     pub shape: Vec<usize>,
+    /// Whether it holds complex numbers: real parts, each with its imaginary part behind it.
+    pub is_complex: bool,
     /// What its values satisfy, for people; may be empty.
     pub note: String,
 }
@@ -29,6 +31,11 @@ impl Field {
     /// Number of numbers.
     pub fn len(&self) -> usize {
         self.shape.iter().product()
+    }
+
+    /// Whether it is one number, real or complex.
+    pub fn is_number(&self) -> bool {
+        self.shape.len() == usize::from(self.is_complex)
     }
 
     /// Whether it is an array of length 0.
@@ -144,10 +151,10 @@ pub struct Interface {
 impl Interface {
     /// The interface of a problem with so many solutions.
     pub fn new(problem: &Problem, solutions: usize) -> Self {
-        let data = problem.data.iter().map(|data| (&data.name, &data.shape, note(data.attribute)));
+        let data = problem.data.iter().map(|data| (&data.name, (&data.shape, data.is_complex), note(data.attribute)));
         let unknowns = problem.fields.iter().map(|unknown| {
             let note = if unknown.is_projective { "given up to scale: of length 1" } else { "" };
-            (&unknown.name, &unknown.shape, note)
+            (&unknown.name, (&unknown.shape, unknown.is_complex), note)
         });
         let solution = Row {
             name: "Solution".to_owned(),
@@ -203,13 +210,18 @@ fn list(field: &Field) -> [Parameter; 2] {
 
 /// Fields from their names, shapes and notes. No two have the same name in C, nor does one have
 /// that of another's length.
-fn fields<'a>(stated: impl Iterator<Item = (&'a String, &'a Vec<usize>, &'a str)>) -> Vec<Field> {
+fn fields<'a>(stated: impl Iterator<Item = (&'a String, (&'a Vec<usize>, bool), &'a str)>) -> Vec<Field> {
     let mut fields: Vec<Field> = Vec::new();
-    for (name, shape, note) in stated {
+    for (name, (shape, is_complex), note) in stated {
         let used: Vec<String> =
             fields.iter().flat_map(|field| [field.c_name.clone(), length_name(&field.c_name)]).collect();
         let c_name = free_name(name, &used);
-        fields.push(Field { name: name.clone(), c_name, shape: shape.clone(), note: note.to_owned() });
+        let note = match (is_complex, note) {
+            (true, "") => "real and imaginary parts".to_owned(),
+            (true, _) => format!("real and imaginary parts, {note}"),
+            (false, _) => note.to_owned(),
+        };
+        fields.push(Field { name: name.clone(), c_name, shape: shape.clone(), is_complex, note });
     }
     fields
 }
@@ -219,7 +231,7 @@ fn row_of_output(output: &Output) -> Row {
         name: output.name.clone(),
         suffix: format!("_for_{}", output.function),
         what: output.function.clone(),
-        fields: fields(output.fields.iter().map(|field| (&field.name, &field.shape, ""))),
+        fields: fields(output.fields.iter().map(|field| (&field.name, (&field.shape, field.is_complex), ""))),
     }
 }
 

@@ -1,5 +1,7 @@
 //! Numbers in the order of C: arrays of any depth, row by row.
 
+use eliminant::Complex;
+
 /// Numbers in a fixed order: a scalar, or an array of any depth, row by row.
 pub trait Numbers: Copy {
     /// How many.
@@ -23,6 +25,22 @@ impl Numbers for f64 {
     #[inline]
     fn put(&self, to: &mut impl FnMut(f64)) {
         to(*self);
+    }
+}
+
+impl Numbers for Complex<f64> {
+    const LENGTH: usize = 2;
+
+    #[inline]
+    fn take(next: &mut impl FnMut() -> f64) -> Self {
+        let (re, im) = (next(), next());
+        Self { re, im }
+    }
+
+    #[inline]
+    fn put(&self, to: &mut impl FnMut(f64)) {
+        to(self.re);
+        to(self.im);
     }
 }
 

@@ -10,7 +10,7 @@ use crate::mutate::Kind;
 use crate::outcome::Outcome;
 use crate::target::Target;
 
-const WORDS: [&str; 66] = [
+const WORDS: [&str; 71] = [
     "fn",
     "let",
     "mut",
@@ -24,6 +24,11 @@ const WORDS: [&str; 66] = [
     "as",
     "f64",
     "usize",
+    "Complex<f64>",
+    "complex(",
+    "conj(",
+    ".re",
+    ".im",
     "_",
     "det(",
     "trace(",

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::names::Names;
-use super::shapes::{array_type, chart_name, doc_line, indices, parameter};
+use super::shapes::{accessors, chart_name, doc_line, parameter, type_of, value_of};
 use super::{derived, output, scaling, storage};
 use crate::plan::Plan;
 use crate::problem::SolutionField;
@@ -14,24 +14,22 @@ use crate::template::RootMethod;
 pub(super) fn solution(plan: &Plan) -> TokenStream {
     let doc = format!(" A solution of `{}`: real, or complex with `T = Complex<f64>`.", plan.name);
     let names: Vec<_> = plan.fields.iter().map(|field| format_ident!("{}", field.name)).collect();
-    let types = plan.fields.iter().map(|field| array_type(quote!(T), &field.shape));
-    let field_docs = plan.fields.iter().map(|field| match (field.is_projective, &field.shape[..]) {
-        (true, _) => format!(" The unknowns `{}`, given up to scale: of length 1.", field.name),
-        (false, []) => format!(" The unknown `{}`.", field.name),
-        (false, _) => format!(" The unknowns `{}`.", field.name),
-    });
+    let types = plan.fields.iter().map(|field| type_of(quote!(T), &field.shape, field.is_complex));
+    let field_docs =
+        plan.fields.iter().map(|field| match (field.is_projective, &field.shape[usize::from(field.is_complex)..]) {
+            (true, _) => format!(" The unknowns `{}`, given up to scale: of length 1.", field.name),
+            (false, []) => format!(" The unknown `{}`.", field.name),
+            (false, _) => format!(" The unknowns `{}`.", field.name),
+        });
     let elements = plan.fields.iter().zip(&names).flat_map(|(field, name)| {
-        indices(&field.shape).map(move |indices| {
-            let indices = indices.into_iter().map(Literal::usize_unsuffixed);
-            quote!(self.#name #([#indices])*)
-        })
+        accessors(&field.shape, field.is_complex).map(move |accessor| quote!(self.#name #accessor))
     });
     let first = plan.fields.iter().scan(0, |next, field| {
         let first = *next;
         *next += field.scalars();
         Some(first)
     });
-    let values = plan.fields.iter().zip(first).map(|(field, first)| array_of_unknowns(&field.shape, first));
+    let values = plan.fields.iter().zip(first).map(|(field, first)| value_of_unknowns(field, first));
     let texts: Vec<String> = plan.fields.iter().flat_map(SolutionField::names).collect();
     let [scalars, solutions] = [texts.len(), plan.solutions].map(Literal::usize_unsuffixed);
     let (points, points_with_units) = (points(plan), scaling::points(plan));
@@ -90,7 +88,7 @@ fn points(plan: &Plan) -> TokenStream {
         let (chart, coordinates) = (chart_name(field), coordinates(field));
         match field.is_projective {
             true => quote!(emitted::from_chart(&#chart, &unknowns[#coordinates])),
-            false => array_of_unknowns(&field.shape, field.first_unknown),
+            false => value_of_unknowns(field, field.first_unknown),
         }
     });
     let of_fields = plan.fields.iter().zip(&names).map(|(field, name)| {
@@ -98,10 +96,10 @@ fn points(plan: &Plan) -> TokenStream {
         if field.is_projective {
             return quote!(emitted::to_chart(&#chart, &self.#name, &mut unknowns[#coordinates]););
         }
-        let elements = indices(&field.shape).zip(field.unknowns()).map(|(indices, unknown)| {
-            let indices = indices.into_iter().map(Literal::usize_unsuffixed);
+        let accessors = accessors(&field.shape, field.is_complex);
+        let elements = accessors.zip(field.unknowns()).map(|(accessor, unknown)| {
             let unknown = Literal::usize_unsuffixed(unknown);
-            quote!(unknowns[#unknown] = self.#name #([#indices])*;)
+            quote!(unknowns[#unknown] = self.#name #accessor;)
         });
         quote!(#(#elements)*)
     });
@@ -135,15 +133,13 @@ fn coordinates(field: &SolutionField) -> TokenStream {
     quote!(#first..#end)
 }
 
-/// The unknowns from one on as an array of this shape: `[unknowns[3], unknowns[4]]`.
-fn array_of_unknowns(shape: &[usize], first: usize) -> TokenStream {
-    let Some((&length, inner)) = shape.split_first() else {
-        let first = Literal::usize_unsuffixed(first);
-        return quote!(unknowns[#first]);
-    };
-    let size: usize = inner.iter().product();
-    let elements = (0..length).map(|at| array_of_unknowns(inner, first + at * size));
-    quote!([#(#elements),*])
+/// The unknowns from one on as the value of a field: `[unknowns[3], unknowns[4]]`.
+fn value_of_unknowns(field: &SolutionField, first: usize) -> TokenStream {
+    let scalars = (first..first + field.scalars()).map(|unknown| {
+        let unknown = Literal::usize_unsuffixed(unknown);
+        quote!(unknowns[#unknown])
+    });
+    value_of(&field.shape, field.is_complex, &scalars.collect::<Vec<_>>())
 }
 
 /// The functions from the data to solutions, and what measures a solution.

@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 
 use super::elimination::is_filled_by_statements;
 use super::names::Names;
-use super::shapes::{array_type, as_slice};
+use super::shapes::{as_slice, type_of};
 use super::{derived, instance, monomials, scaling};
 use crate::plan::Plan;
 use crate::plan::program::ProgramForm;
@@ -31,7 +31,8 @@ fn is_side_by_side(plan: &Plan) -> bool {
 /// The data of an instance, and the function that solves many.
 pub(super) fn batch(plan: &Plan) -> TokenStream {
     let fields = plan.data.iter().map(|parameter| {
-        let (name, array) = (format_ident!("{}", parameter.name), array_type(quote!(f64), &parameter.shape));
+        let (name, array) =
+            (format_ident!("{}", parameter.name), type_of(quote!(f64), &parameter.shape, parameter.is_complex));
         let doc = format!(" The argument `{}` of [`solve`].", parameter.name);
         quote!(#[doc = #doc] pub #name: #array,)
     });
@@ -41,7 +42,7 @@ pub(super) fn batch(plan: &Plan) -> TokenStream {
         false => {
             let arguments = plan.data.iter().map(|parameter| {
                 let name = format_ident!("{}", parameter.name);
-                if parameter.shape.is_empty() { quote!(of_instance.#name) } else { quote!(&of_instance.#name) }
+                if parameter.is_number() { quote!(of_instance.#name) } else { quote!(&of_instance.#name) }
             });
             let (workspace, call) = match plan.is_on_heap() {
                 true => (
@@ -232,7 +233,7 @@ fn of_data(plan: &Plan) -> TokenStream {
         true => quote!(::core::slice::from_ref(#name)),
         false => as_slice(parameter),
     });
-    let arguments = plan.data.iter().zip(&names).map(|(parameter, name)| match parameter.shape.is_empty() {
+    let arguments = plan.data.iter().zip(&names).map(|(parameter, name)| match parameter.is_number() {
         true => quote!(*#name),
         false => quote!(#name),
     });

@@ -41,17 +41,10 @@ impl Names {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::problem::DataAttribute;
 
     #[test]
     fn a_name_is_taken_once() {
-        let parameter = |name: &str| DataParameter {
-            name: name.to_owned(),
-            shape: Vec::new(),
-            attribute: DataAttribute::Generic,
-            first_input: 0,
-            span: 0..0,
-        };
+        let parameter = |name: &str| DataParameter::example(name, &[], false);
         let mut names = Names::of(&[parameter("solution"), parameter("solution_2")]);
         assert_eq!(names.take("solution"), "solution_3");
         assert_eq!(names.take("solution"), "solution_4");

@@ -5,20 +5,20 @@ use quote::{format_ident, quote};
 
 use super::derived::{self, Reader};
 use super::names::Names;
-use super::shapes::{array_type, chart_name, indices, parameter};
+use super::shapes::{accessors, chart_name, parameter, type_of, value_of};
 use super::{code, scaling, storage};
-use crate::plan::{Plan, PlannedElement, PlannedOutput, Term};
+use crate::plan::{Plan, PlannedElement, PlannedField, PlannedOutput, Term};
 use crate::problem::SolutionField;
 
 /// The struct of an output, and the functions that return it; nothing without one.
 pub(super) fn output(plan: &Plan) -> TokenStream {
     let Some(output) = &plan.output else { return quote!() };
     let (name, functions) = (format_ident!("{}", output.name), functions(plan, output));
-    let fields = output.fields.iter().map(|(field, shape, _)| {
-        let (field, ty) = (format_ident!("{field}"), array_type(quote!(T), shape));
+    let fields = output.fields.iter().map(|PlannedField { name, shape, is_complex, .. }| {
+        let (field, ty) = (format_ident!("{name}"), type_of(quote!(T), shape, *is_complex));
         quote!(pub #field: #ty)
     });
-    let field_docs = output.fields.iter().map(|(field, ..)| format!(" The output `{field}` of the problem."));
+    let field_docs = output.fields.iter().map(|field| format!(" The output `{}` of the problem.", field.name));
     let doc = format!(" What `{}` returns beside its unknowns.", plan.name);
     let known = plan.unknowns.len() + plan.fields.iter().filter(|field| field.is_projective).count();
     let (values, variables) = (values(output, known), variables(plan, known + output.parts.len()));
@@ -123,10 +123,10 @@ fn coefficients_of(plan: &Plan, instance: &Ident) -> TokenStream {
 /// known.
 fn values(output: &PlannedOutput, known: usize) -> TokenStream {
     let name = format_ident!("{}", output.name);
-    let fields = output.fields.iter().map(|(field, shape, elements)| {
-        let (field, elements) = (format_ident!("{field}"), elements.iter().map(element).collect::<Vec<_>>());
-        let array = array(shape, &elements);
-        quote!(#field: #array)
+    let fields = output.fields.iter().map(|PlannedField { name, shape, is_complex, elements }| {
+        let (field, elements) = (format_ident!("{name}"), elements.iter().map(element).collect::<Vec<_>>());
+        let value = value_of(shape, *is_complex, &elements);
+        quote!(#field: #value)
     });
     let count = Literal::usize_unsuffixed(output.coefficients.len());
     let parts = output.parts.iter().zip(known..).map(|(part, at)| {
@@ -142,13 +142,6 @@ fn values(output: &PlannedOutput, known: usize) -> TokenStream {
             #name { #(#fields),* }
         }
     }
-}
-
-/// The scalars of an array of this shape, row by row.
-fn array(shape: &[usize], elements: &[TokenStream]) -> TokenStream {
-    let Some((&length, inner)) = shape.split_first() else { return elements.first().cloned().unwrap_or_default() };
-    let rows = elements.chunks(elements.len() / length).map(|row| array(inner, row));
-    quote!([#(#rows),*])
 }
 
 fn element(element: &PlannedElement) -> TokenStream {
@@ -197,10 +190,10 @@ fn variables(plan: &Plan, total: usize) -> TokenStream {
                 coordinates(field, at)
             }
             _ => {
-                let elements = indices(&field.shape).zip(field.unknowns()).map(|(indices, unknown)| {
-                    let indices = indices.into_iter().map(Literal::usize_unsuffixed);
+                let accessors = accessors(&field.shape, field.is_complex);
+                let elements = accessors.zip(field.unknowns()).map(|(accessor, unknown)| {
                     let unknown = Literal::usize_unsuffixed(unknown);
-                    quote!(x[#unknown] = solution.#name #([#indices])*;)
+                    quote!(x[#unknown] = solution.#name #accessor;)
                 });
                 quote!(#(#elements)*)
             }

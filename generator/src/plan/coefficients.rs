@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::straight_line::statements_in_order;
 use super::system_table::SystemTable;
-use super::{CoefficientId, PlannedElement, PlannedOutput, Term};
+use super::{CoefficientId, PlannedElement, PlannedField, PlannedOutput, Term};
 use crate::algebra::Monomial;
 use crate::expression::{ExpressionId, SymbolicPolynomial};
 use crate::problem::Problem;
@@ -65,9 +65,11 @@ pub(super) fn planned_output(problem: &Problem, output: &Output) -> PlannedOutpu
         is_root: element.is_root,
     };
     let parts = output.parts.iter().map(&mut planned).collect();
-    let fields = output.fields.iter().map(|field| {
-        let elements = field.elements.iter().map(&mut planned).collect();
-        (field.name.clone(), field.shape.clone(), elements)
+    let fields = output.fields.iter().map(|field| PlannedField {
+        name: field.name.clone(),
+        shape: field.shape.clone(),
+        is_complex: field.is_complex,
+        elements: field.elements.iter().map(&mut planned).collect(),
     });
     let fields = fields.collect();
     // All are used: a matrix with zeros holds the equations only.

@@ -235,12 +235,25 @@ pub struct PlannedOutput {
     pub function: String,
     /// Values that the terms hold after the unknowns, each computed from those before it.
     pub parts: Vec<PlannedElement>,
-    /// The names of its fields, with their shapes and scalars, row by row.
-    pub fields: Vec<(String, Vec<usize>, Vec<PlannedElement>)>,
+    /// Its fields.
+    pub fields: Vec<PlannedField>,
     /// From the data to the coefficients of its terms, which are its own.
     pub program: Program,
     /// The value of each coefficient.
     pub coefficients: Vec<ValueId>,
+}
+
+/// A field of an output.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PlannedField {
+    /// Its name.
+    pub name: String,
+    /// Outermost dimension first; empty for a scalar. The last one of complex numbers is 2.
+    pub shape: Vec<usize>,
+    /// Whether it is complex: real parts, each with its imaginary part behind it.
+    pub is_complex: bool,
+    /// Its scalars, row by row.
+    pub elements: Vec<PlannedElement>,
 }
 
 /// A scalar of an output.

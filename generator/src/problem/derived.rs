@@ -8,7 +8,7 @@ use super::interpret::Interpreter;
 use super::scope::Outcome;
 use super::syntax::place;
 use super::value::{Value, describe};
-use crate::algebra::{Monomial, Random};
+use crate::algebra::{Monomial, Polynomial, Random};
 use crate::expression::derivation::DerivationKind;
 use crate::expression::{ExpressionGraph, ExpressionId, FINGERPRINT_FIELDS};
 use crate::problem::diagnostic::Diagnostic;
@@ -42,8 +42,23 @@ impl Interpreter<'_> {
                 return Err(self.report(diagnostic.label(format!("this is {}", describe(b.shape())))));
             }
         };
+        match self.algebra.is_complex_value(a) || self.algebra.is_complex_value(b) {
+            true => self.solve_complex(call, (function, arguments), [a, b], right),
+            false => self.solve_real(call, (function, arguments), [a, b]),
+        }
+    }
+
+    /// `solve(a, b)` with real data, of shapes that fit.
+    pub(super) fn solve_real(
+        &mut self,
+        call: &ExprCall,
+        (function, arguments): (&BuiltIn, &[&Expr]),
+        [a, b]: [&Value; 2],
+    ) -> Outcome<Value> {
+        let [size, right] = [a, b].map(|value| value.shape().get(1).copied().unwrap_or(1));
         let mut operands = self.data_of(function, arguments[0], a)?;
-        operands.extend(self.data_of(function, arguments[1], b)?);
+        let last = arguments.last().copied().unwrap_or(arguments[0]);
+        operands.extend(self.data_of(function, last, b)?);
         self.derive(call, DerivationKind::Solve { size, right }, &operands, b.shape().to_vec())
     }
 
@@ -56,12 +71,10 @@ impl Interpreter<'_> {
         a: &Value,
     ) -> Outcome<Value> {
         let size = self.square(function, argument, a)?;
-        let mut operands = self.data_of(function, argument, a)?;
-        operands.extend((0..size * size).map(|at| match at.is_multiple_of(size + 1) {
-            true => ExpressionGraph::ONE,
-            false => ExpressionGraph::ZERO,
-        }));
-        self.derive(call, DerivationKind::Solve { size, right: size }, &operands, vec![size, size])
+        let (one, zero) = (self.algebra.data(ExpressionGraph::ONE), Polynomial::ZERO);
+        let entry = |at: usize| if at.is_multiple_of(size + 1) { one.clone() } else { zero.clone() };
+        let identity = Value::array(vec![size, size], (0..size * size).map(entry).collect());
+        self.solve(call, function, &[argument, argument], [a, &identity])
     }
 
     /// `null_space(a)`: orthonormal vectors v with a v = 0, one in each row.
@@ -104,8 +117,9 @@ impl Interpreter<'_> {
 
     /// `norm(v)`: the square root of the sum of the squares of all elements.
     pub(super) fn norm(&mut self, call: &ExprCall, function: &BuiltIn, argument: &Expr, v: &Value) -> Outcome<Value> {
-        self.data_of(function, argument, v)?;
-        let all = Value::array(vec![v.elements().len()], v.elements().to_vec());
+        let (_, elements, _) = self.real_elements(v);
+        let all = Value::array(vec![elements.len()], elements);
+        self.data_of(function, argument, &all)?;
         let square = self.algebra.dot(&all, &all);
         let square = Value::scalar(self.check(square, call)?);
         let operands = self.data_of(function, argument, &square)?;
@@ -162,6 +176,9 @@ impl Interpreter<'_> {
             _ => None,
         });
         of_data.collect::<Option<_>>().ok_or_else(|| {
+            if let Err(reported) = self.real(argument, value) {
+                return reported;
+            }
             let message = format!("`{}` is computed from data only", function.name);
             let diagnostic = Diagnostic::new(message, place(argument)).label("this depends on unknowns");
             self.report(diagnostic.hint("state the equations that the result satisfies instead"))

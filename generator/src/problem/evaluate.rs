@@ -1,6 +1,6 @@
 //! Expressions: polynomials and arrays of them.
 
-use syn::{BinOp, Expr, ExprBinary, ExprIndex, ExprMethodCall, ExprUnary, Lit, Member, UnOp};
+use syn::{BinOp, Expr, ExprBinary, ExprField, ExprIndex, ExprMethodCall, ExprUnary, Lit, Member, UnOp};
 
 use super::Span;
 use super::functions::{BUILT_IN, non_polynomial};
@@ -41,6 +41,7 @@ impl Interpreter<'_> {
             }
             Expr::Call(call) => self.call(call),
             Expr::MethodCall(call) => self.method(call),
+            Expr::Field(field) if is_part(field) => self.part_of(field),
             Expr::Block(block) if block.label.is_none() => self.block_value(&block.block),
             Expr::If(stated) => self.if_value(stated),
             _ => Err(self.unsupported(expression)),
@@ -277,7 +278,10 @@ impl Interpreter<'_> {
         let result = match binary.op {
             Add(_) | AddAssign(_) => self.algebra.add(left, right),
             Mul(_) | MulAssign(_) => self.algebra.multiply(left, right),
-            Div(_) | DivAssign(_) => return self.divide(binary, left, right),
+            Div(_) | DivAssign(_) => {
+                let (left, right) = self.with_real_divisor(left.clone(), right.clone(), &binary.right)?;
+                return self.divide(binary, &left, &right);
+            }
             Rem(_) => return self.remainder(binary),
             _ => self.algebra.subtract(left, right),
         };
@@ -417,7 +421,9 @@ impl Interpreter<'_> {
             Expr::Field(field) if matches!(&field.member, Member::Named(name) if name == "t") => {
                 ("values have no fields", "the transpose is written `.t()`")
             }
-            Expr::Field(_) => ("values have no fields", "index arrays with `v[0]`"),
+            Expr::Field(_) => {
+                ("values have no such fields", "index arrays with `v[0]`; complex values have `.re` and `.im`")
+            }
             Expr::Macro(_) => ("macros are not part of the problem language", "state an equation as `left == right;`"),
             Expr::Assign(_) => ("an assignment is not a value", "state an equation as `left == right;`"),
             _ => (
@@ -427,6 +433,11 @@ impl Interpreter<'_> {
         };
         self.report(Diagnostic::new(what, place(expression)).hint(hint))
     }
+}
+
+/// Whether a field is the real or the imaginary part.
+fn is_part(field: &ExprField) -> bool {
+    matches!(&field.member, Member::Named(name) if name == "re" || name == "im")
 }
 
 /// `x^2` and `x**2`, which Rust reads as `x ^ (2 + ..)` and `x * (*2)`.

@@ -2,6 +2,7 @@
 
 use syn::{Expr, ExprCall, FnArg, ItemFn, Pat, ReturnType};
 
+use super::complex::IMAGINARY_UNIT;
 use super::interpret::{Interpreter, WORK_OF_A_SCOPE};
 use super::names::closest;
 use super::scope::{Binding, Kind, Outcome, Reported};
@@ -22,7 +23,7 @@ pub(super) struct BuiltIn {
 }
 
 /// The functions of the language.
-pub(super) const BUILT_IN: [BuiltIn; 15] = [
+pub(super) const BUILT_IN: [BuiltIn; 17] = [
     BuiltIn { name: "det", usage: "det(matrix)", arguments: (1, 1) },
     BuiltIn { name: "trace", usage: "trace(matrix)", arguments: (1, 1) },
     BuiltIn { name: "dot", usage: "dot(a, b)", arguments: (2, 2) },
@@ -38,6 +39,8 @@ pub(super) const BUILT_IN: [BuiltIn; 15] = [
     BuiltIn { name: "sqrt", usage: "sqrt(x)", arguments: (1, 1) },
     BuiltIn { name: "norm", usage: "norm(v)", arguments: (1, 1) },
     BuiltIn { name: "normalise", usage: "normalise(v)", arguments: (1, 1) },
+    BuiltIn { name: "complex", usage: "complex(re, im)", arguments: (2, 2) },
+    BuiltIn { name: "conj", usage: "conj(z)", arguments: (1, 1) },
 ];
 
 /// Largest matrix whose determinant is expanded.
@@ -74,11 +77,12 @@ impl Interpreter<'_> {
             _ => None,
         };
         let Some(name) = name else {
-            return Err(self.report(
-                Diagnostic::new("only functions can be called", place(&call.func))
-                    .label("not the name of a function")
-                    .hint("a product needs `*`: `2 * (x + y)`"),
-            ));
+            let diagnostic = Diagnostic::new("only functions can be called", place(&call.func));
+            let is_complex = matches!(&*call.func, Expr::Path(path) if path.path.segments[0].ident == "Complex");
+            return Err(self.report(diagnostic.label("not the name of a function").hint(match is_complex {
+                true => "a complex number is written `complex(re, im)`",
+                false => "a product needs `*`: `2 * (x + y)`",
+            })));
         };
         let helper = self.helpers.get(&name).copied();
         let built_in = BUILT_IN.iter().find(|function| function.name == name);
@@ -191,6 +195,8 @@ impl Interpreter<'_> {
             ("sqrt", [x]) => self.square_root(call, function, arguments[0], x),
             ("norm", [v]) => self.norm(call, function, arguments[0], v),
             ("normalise", [v]) => self.normalise(call, function, arguments[0], v),
+            ("complex", [re, im]) => self.complex(call, arguments, [re, im]),
+            ("conj", [z]) => self.conjugate(call, z),
             ("gradient", [scalar, by @ ..]) => self.gradient(call, arguments, scalar, by.first()),
             _ => Err(Reported),
         }
@@ -267,7 +273,8 @@ impl Interpreter<'_> {
             }
         };
         let known = self.unknowns.len();
-        let has_parts = |m: Monomial| (known..MAX_UNKNOWNS).any(|at| m.exponent(at) != 0);
+        let end = if self.algebra.has_imaginary_unit { IMAGINARY_UNIT } else { MAX_UNKNOWNS };
+        let has_parts = |m: Monomial| (known..end).any(|at| m.exponent(at) != 0);
         if polynomial.monomials().any(has_parts) || unknowns.iter().any(|&unknown| unknown >= known) {
             let diagnostic = Diagnostic::new("derivatives of quotients and square roots are not known", place(call));
             return Err(self.report(diagnostic));
@@ -310,7 +317,7 @@ impl Interpreter<'_> {
         let value = bound.and_then(|()| self.block_value(&helper.block));
         let value = match (&helper.sig.output, value) {
             (ReturnType::Type(_, ty), Ok(value)) => self.shape_of_type(ty).and_then(|shape| {
-                let result = shape.check(value.shape());
+                let result = shape.check(&value, self.algebra.is_complex_value(&value));
                 self.check(result, ty).map(|()| value)
             }),
             (_, value) => value,
@@ -324,7 +331,7 @@ impl Interpreter<'_> {
         let FnArg::Typed(parameter) = parameter else { return Err(Reported) };
         let Pat::Ident(name) = &*parameter.pat else { return Err(Reported) };
         let shape = self.shape_of_type(&parameter.ty)?;
-        if let Err(diagnostic) = shape.check(value.shape()) {
+        if let Err(diagnostic) = shape.check(&value, self.algebra.is_complex_value(&value)) {
             let declared = place(&*parameter.ty);
             // The caller is at fault: the message belongs to the argument.
             return Err(self.report(diagnostic.at(place(argument)).context(declared, "declared here")));

@@ -7,6 +7,7 @@ use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 use syn::{BinOp, Block, Expr, ExprBinary, ExprForLoop, ItemFn, Local, Pat, RangeLimits, Stmt};
 
+use super::complex::PARTS;
 use super::names::emitted_name;
 use super::output::{Output, OutputElement};
 use super::scope::{Binding, Kind, Outcome, Reported, Scopes};
@@ -215,7 +216,7 @@ impl<'a> Interpreter<'a> {
             Pat::Type(typed) => {
                 let value = value.and_then(|value| {
                     let expected = self.shape_of_type(&typed.ty)?;
-                    let result = expected.check(value.shape());
+                    let result = expected.check(&value, self.algebra.is_complex_value(&value));
                     self.check(result, &typed.ty).map(|()| value)
                 });
                 self.bind(&typed.pat, value);
@@ -437,9 +438,14 @@ impl<'a> Interpreter<'a> {
         let span = place(expression);
         let mut says_something = false;
         for (index, polynomial) in difference.elements().iter().enumerate() {
-            if !polynomial.is_zero() {
-                says_something = true;
-                self.add_equation(polynomial, element_name(difference.shape(), index), &span);
+            let element = element_name(difference.shape(), index);
+            let is_complex = self.algebra.is_complex(polynomial);
+            for (part, name) in self.algebra.parts(polynomial).iter().zip(PARTS) {
+                if !part.is_zero() {
+                    says_something = true;
+                    let element = if is_complex { format!("{element}{name}") } else { element.clone() };
+                    self.add_equation(part, element, &span);
+                }
             }
         }
         *self.says_something.entry((span.start, span.end)).or_default() |= says_something;
@@ -485,6 +491,10 @@ impl<'a> Interpreter<'a> {
                 .label("expected `0`")
                 .hint("write `left - right != 0;`")
         } else if let Some(polynomial) = left.as_scalar() {
+            let is_complex = self.algebra.is_complex(polynomial);
+            let square = is_complex.then(|| self.algebra.square_of_modulus(polynomial)).transpose();
+            let Ok(square) = self.check(square, expression) else { return };
+            let polynomial = square.as_ref().unwrap_or(polynomial);
             if polynomial.degree() > 0 {
                 self.nonzero.push(Statement { polynomial: polynomial.clone(), span, element: String::new() });
                 return;

@@ -2,6 +2,7 @@
 //! data.
 
 pub mod chart;
+mod complex;
 mod condition;
 mod derived;
 pub mod diagnostic;
@@ -24,6 +25,7 @@ mod value;
 
 use std::ops::Range;
 
+use complex::PARTS;
 use output::Output;
 
 use crate::algebra::{Monomial, Polynomial};
@@ -67,8 +69,11 @@ pub enum DataAttribute {
 pub struct DataParameter {
     /// Its name.
     pub name: String,
-    /// Outermost dimension first: `[[f64; 3]; 4]` is \[4, 3\]; empty for a scalar.
+    /// Outermost dimension first: `[[f64; 3]; 4]` is \[4, 3\]; empty for a scalar. The last one of
+    /// complex numbers is 2: `[Complex<f64>; 4]` is \[4, 2\].
     pub shape: Vec<usize>,
+    /// `Complex<f64>`: real parts, each with its imaginary part behind it.
+    pub is_complex: bool,
     /// What its values satisfy.
     pub attribute: DataAttribute,
     /// Index of its first scalar among all inputs.
@@ -90,12 +95,24 @@ impl DataParameter {
 
     /// The scalars as a problem file names them.
     pub(crate) fn names(&self) -> Vec<String> {
-        element_names(&self.name, &self.shape)
+        element_names(&self.name, &self.shape, self.is_complex)
+    }
+
+    /// Whether it is one number, real or complex.
+    pub fn is_number(&self) -> bool {
+        self.shape.len() == usize::from(self.is_complex)
     }
 
     /// Whether there are no scalars (an array of length 0).
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+
+    /// One for tests of what prints parameters.
+    #[cfg(test)]
+    pub(crate) fn example(name: &str, shape: &[usize], is_complex: bool) -> Self {
+        let (name, shape) = (name.to_owned(), shape.to_vec());
+        Self { name, shape, is_complex, attribute: DataAttribute::Generic, first_input: 0, span: 0..0 }
     }
 }
 
@@ -105,8 +122,10 @@ impl DataParameter {
 pub struct SolutionField {
     /// Its name.
     pub name: String,
-    /// Outermost dimension first; empty for a scalar.
+    /// Outermost dimension first; empty for a scalar. The last one of complex numbers is 2.
     pub shape: Vec<usize>,
+    /// `Complex<f64>`: real parts, each with its imaginary part behind it.
+    pub is_complex: bool,
     /// `#[projective]`: a vector that is given up to scale. One of its coordinates in a chart is 1,
     /// the others are unknowns.
     pub is_projective: bool,
@@ -142,14 +161,17 @@ impl SolutionField {
 
     /// The scalars as a problem file names them.
     pub fn names(&self) -> Vec<String> {
-        element_names(&self.name, &self.shape)
+        element_names(&self.name, &self.shape, self.is_complex)
     }
 }
 
-/// The scalars of an array as a problem file names them: `x`, or `v[0]`, `v[1]`, ..
-fn element_names(name: &str, shape: &[usize]) -> Vec<String> {
-    let count: usize = shape.iter().product();
-    (0..count).map(|at| format!("{name}{}", element_name(shape, at))).collect()
+/// The scalars of an array as a problem file names them: `x`, or `v[0]`, `v[1]`, .., or `z.re` and
+/// `z.im`.
+fn element_names(name: &str, shape: &[usize], is_complex: bool) -> Vec<String> {
+    let dimensions = &shape[..shape.len() - usize::from(is_complex)];
+    let parts: &[&str] = if is_complex { &PARTS } else { &[""] };
+    let elements = (0..dimensions.iter().product()).map(|at| element_name(dimensions, at));
+    elements.flat_map(|element| parts.iter().map(move |part| format!("{name}{element}{part}"))).collect()
 }
 
 /// The element with a flat index as a problem file writes it: `[1][2]`, or nothing for a scalar.

@@ -28,8 +28,10 @@ pub struct Output {
 pub struct OutputField {
     /// Its name.
     pub name: String,
-    /// Outermost dimension first; empty for a scalar.
+    /// Outermost dimension first; empty for a scalar. The last one of complex numbers is 2.
     pub shape: Vec<usize>,
+    /// Whether it is complex: real parts, each with its imaginary part behind it.
+    pub is_complex: bool,
     /// Its scalars, row by row.
     pub elements: Vec<OutputElement>,
 }

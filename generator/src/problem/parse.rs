@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use syn::{Attribute, Ident, Item, ItemConst, ItemFn, ReturnType, Safety, Visibility};
 
+use super::complex::joined;
 use super::functions::BUILT_IN;
 use super::interpret::Interpreter;
 use super::names::{refuse, refuse_module};
@@ -17,7 +18,7 @@ use super::syntax::{parse_file, place};
 use super::value::Value;
 use super::{DataParameter, Problem, Scaling, SolutionField, SourceFile, Span};
 use crate::algebra::{Monomial, Polynomial};
-use crate::expression::{ExpressionGraph, ExpressionId};
+use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
 use crate::problem::diagnostic::{Diagnostic, Diagnostics};
 use crate::problem::instance::fingerprint_points;
 
@@ -261,11 +262,17 @@ fn declare_signature(
         let inputs = parameter.first_input..parameter.first_input + parameter.len();
         let algebra = &interpreter.algebra;
         let elements = inputs.map(|input| algebra.data(algebra.graph.input(input))).collect();
-        let value = Ok(Value::array(parameter.shape.clone(), elements));
+        let value = Ok(value_of((&parameter.shape, parameter.is_complex), elements));
         let binding = Binding { value, kind: Kind::Data, span: parameter.span.clone() };
         interpreter.scopes.declare(parameter.name.clone(), binding);
     }
     interpreter.unknowns = unknowns.iter().flat_map(|field| field.names()[..field.unknowns().len()].to_vec()).collect();
+    let complex = data.iter().filter(|parameter| parameter.is_complex).map(|parameter| &parameter.span);
+    let complex = complex.chain(unknowns.iter().filter(|field| field.is_complex).map(|field| &field.span));
+    if let Some(first) = complex.into_iter().next() {
+        // Its own failure is among the messages.
+        let _ = interpreter.enter_complex_numbers(first.clone());
+    }
     for field in unknowns {
         let polynomial = |unknown| -> Polynomial<ExpressionId> {
             Polynomial::from_terms(vec![(Monomial::unknown(unknown), ExpressionGraph::ONE)])
@@ -277,9 +284,17 @@ fn declare_signature(
         } else {
             field.unknowns().map(polynomial).collect()
         };
-        let value = Ok(Value::array(field.shape.clone(), values));
+        let value = Ok(value_of((&field.shape, field.is_complex), values));
         let binding = Binding { value, kind: Kind::Unknown, span: field.span.clone() };
         interpreter.scopes.declare(field.name.clone(), binding);
+    }
+}
+
+/// The value of data or unknowns, from its scalars.
+fn value_of((shape, is_complex): (&[usize], bool), scalars: Vec<SymbolicPolynomial>) -> Value {
+    match shape {
+        [dimensions @ .., _] if is_complex => Value::array(dimensions.to_vec(), joined(&scalars)),
+        _ => Value::array(shape.to_vec(), scalars),
     }
 }
 

@@ -4,13 +4,14 @@
 use syn::{BinOp, Expr, ExprBinary, ExprStruct, Member};
 
 use super::Statement;
+use super::complex::IMAGINARY_UNIT;
 use super::functions::BUILT_IN;
 use super::interpret::Interpreter;
 use super::names::{refuse, snake_case};
 use super::output::{Output, OutputElement, OutputField};
 use super::scope::Outcome;
 use super::syntax::place;
-use super::value::{Value, describe};
+use super::value::{Algebra, Value, describe};
 use crate::algebra::{MAX_UNKNOWNS, Monomial, Polynomial};
 use crate::expression::rational::Rational;
 use crate::expression::{ExpressionGraph, SymbolicPolynomial};
@@ -67,8 +68,8 @@ impl Interpreter<'_> {
                 self.report(Diagnostic::new(format!("the field `{ident}` is listed twice"), place(ident)));
                 continue;
             }
-            if let Ok((shape, elements)) = self.output_elements(&field.expr) {
-                fields.push(OutputField { name: ident.to_string(), shape, elements });
+            if let Ok(OutputValue { shape, is_complex, elements }) = self.output_elements(&field.expr) {
+                fields.push(OutputField { name: ident.to_string(), shape, is_complex, elements });
             }
         }
         let (function, parts) = (snake_case(&name), self.parts.take().unwrap_or_default());
@@ -100,42 +101,43 @@ impl Interpreter<'_> {
 
     /// The shape and the scalars of a field. Quotients and square roots that hold unknowns are
     /// parts, but for the outermost operation.
-    fn output_elements(&mut self, expression: &Expr) -> Outcome<(Vec<usize>, Vec<OutputElement>)> {
+    fn output_elements(&mut self, expression: &Expr) -> Outcome<OutputValue> {
         match expression {
             Expr::Paren(inner) => self.output_elements(&inner.expr),
             Expr::Binary(binary) if matches!(binary.op, BinOp::Div(_)) => self.quotient(binary),
             Expr::Call(call) if is_root(&call.func) && call.args.len() == 1 => {
-                let (shape, mut elements) = self.output_elements(&call.args[0])?;
+                let mut value = self.output_elements(&call.args[0])?;
+                let OutputValue { shape, elements, .. } = &mut value;
                 if !shape.is_empty() || elements.iter().any(|element| element.is_root) {
                     let diagnostic = Diagnostic::new("`sqrt` needs a polynomial or a quotient", place(&call.args[0]));
                     return Err(self.report(diagnostic));
                 }
                 if elements.iter().all(|e| e.denominator.is_none() && e.numerator.degree() == 0) {
-                    return self.call(call).map(|value| as_elements(&value));
+                    return self.call(call).map(|value| self.as_elements(&value));
                 }
                 elements.iter_mut().for_each(|element| element.is_root = true);
-                Ok((shape, elements))
+                Ok(value)
             }
-            _ => self.evaluate(expression).map(|value| as_elements(&value)),
+            _ => self.evaluate(expression).map(|value| self.as_elements(&value)),
         }
     }
 
-    fn quotient(&mut self, binary: &ExprBinary) -> Outcome<(Vec<usize>, Vec<OutputElement>)> {
+    fn quotient(&mut self, binary: &ExprBinary) -> Outcome<OutputValue> {
         let (left, right) = (self.evaluate(&binary.left), self.evaluate(&binary.right));
-        let (left, right) = (left?, right?);
+        let (left, right) = self.with_real_divisor(left?, right?, &binary.right)?;
         let divisor = right.as_scalar().filter(|divisor| divisor.degree() > 0).cloned();
         if divisor.is_none() {
-            return self.combine(binary, &left, &right).map(|value| as_elements(&value));
+            return self.combine(binary, &left, &right).map(|value| self.as_elements(&value));
         }
-        let (shape, mut elements) = as_elements(&left);
-        elements.iter_mut().for_each(|element| element.denominator.clone_from(&divisor));
-        Ok((shape, elements))
+        let mut quotient = self.as_elements(&left);
+        quotient.elements.iter_mut().for_each(|element| element.denominator.clone_from(&divisor));
+        Ok(quotient)
     }
 
     /// The square root of what depends on unknowns, inside of a field.
     pub(super) fn root_in_field(&mut self, root: &Expr) -> Outcome<Value> {
-        let (_, elements) = self.output_elements(root)?;
-        match <[OutputElement; 1]>::try_from(elements) {
+        let value = self.output_elements(root)?;
+        match <[OutputElement; 1]>::try_from(value.elements) {
             Ok([element]) if element.is_root => self.part(element, root),
             Ok([element]) => Ok(Value::scalar(element.numerator)),
             Err(_) => Err(self.report(Diagnostic::new("`sqrt` needs a scalar", place(root)))),
@@ -152,6 +154,13 @@ impl Interpreter<'_> {
     /// it, it is computed once.
     pub(super) fn passed_in_field(&mut self, value: Value, at: &Expr) -> Outcome<Value> {
         match value.as_scalar() {
+            Some(sum) if self.parts.is_some() && self.algebra.is_complex(sum) => {
+                let parts = self.algebra.parts(sum).map(|part| self.passed_in_field(Value::scalar(part), at));
+                let [re, im] = parts;
+                let (re, im) = (re?, im?);
+                let joined = Algebra::join([&re.elements()[0], &im.elements()[0]]);
+                Ok(Value::scalar(joined))
+            }
             Some(sum) if self.parts.is_some() && sum.degree() > 0 && sum.terms().len() > 1 => {
                 let element = plain(sum);
                 self.part(element, at)
@@ -164,12 +173,13 @@ impl Interpreter<'_> {
     fn part(&mut self, element: OutputElement, at: &Expr) -> Outcome<Value> {
         let (first, parts) = (self.unknowns.len(), self.parts.get_or_insert_default());
         let number = parts.iter().position(|known| *known == element).unwrap_or(parts.len());
-        if first + number >= MAX_UNKNOWNS {
+        let end = if self.algebra.has_imaginary_unit { IMAGINARY_UNIT } else { MAX_UNKNOWNS };
+        if first + number >= end {
             let diagnostic = Diagnostic::new(
                 "the results hold too many quotients, roots and sums that are passed to helpers",
                 place(at),
             );
-            let most = MAX_UNKNOWNS - first;
+            let most = end - first;
             return Err(self.report(diagnostic.label(format!("at most {most} are allowed beside the unknowns"))));
         }
         if number == parts.len() {
@@ -188,6 +198,9 @@ impl Interpreter<'_> {
         let (Ok(left), Ok(right)) = (left, right) else { return };
         let (larger, smaller) = if matches!(binary.op, BinOp::Gt(_)) { (left, right) } else { (right, left) };
         let Ok(difference) = self.difference(binary, &larger, &smaller) else { return };
+        if self.real(expression, &difference).is_err() {
+            return;
+        }
         let span = place(expression);
         match difference.as_scalar() {
             Some(polynomial) if polynomial.degree() > 0 => {
@@ -206,6 +219,11 @@ impl Interpreter<'_> {
         }
     }
 
+    fn as_elements(&self, value: &Value) -> OutputValue {
+        let (shape, elements, is_complex) = self.real_elements(value);
+        OutputValue { shape, is_complex, elements: elements.iter().map(plain).collect() }
+    }
+
     fn difference(&mut self, binary: &ExprBinary, larger: &Value, smaller: &Value) -> Outcome<Value> {
         if smaller.is_scalar_zero() {
             return Ok(larger.clone());
@@ -219,8 +237,11 @@ fn plain(numerator: &SymbolicPolynomial) -> OutputElement {
     OutputElement { numerator: numerator.clone(), denominator: None, is_root: false }
 }
 
-fn as_elements(value: &Value) -> (Vec<usize>, Vec<OutputElement>) {
-    (value.shape().to_vec(), value.elements().iter().map(plain).collect())
+/// The value of a field.
+struct OutputValue {
+    shape: Vec<usize>,
+    is_complex: bool,
+    elements: Vec<OutputElement>,
 }
 
 /// Whether a call is one of the function `sqrt` of the language.

@@ -2,7 +2,8 @@
 //! stand for.
 
 use proc_macro2::Ident;
-use syn::{Attribute, Expr, ExprLit, FnArg, ItemFn, Lit, LitInt, Meta, Pat, PatType, ReturnType, Type};
+use syn::{Attribute, Expr, ExprLit, FnArg, GenericArgument, ItemFn, Lit, LitInt, Meta, Pat, PatType, PathArguments};
+use syn::{ReturnType, Type, TypePath};
 
 use super::functions::BUILT_IN;
 use super::interpret::Interpreter;
@@ -10,7 +11,7 @@ use super::names::{closest, refuse};
 use super::scope::{Outcome, Reported};
 use super::syntax::place;
 use super::unknown_shapes::{Shapes, UnknownShape};
-use super::value::{Checked, MAX_ELEMENTS, describe, fault};
+use super::value::{Checked, MAX_ELEMENTS, Value, describe, fault};
 use super::{DataAttribute, DataParameter, SolutionField, Span};
 use crate::algebra::MAX_UNKNOWNS;
 use crate::problem::diagnostic::Diagnostic;
@@ -36,11 +37,18 @@ pub(super) struct ShapePattern {
     dimensions: Vec<usize>,
     /// Whether `_` stands in place of `f64`: any further dimensions.
     open: bool,
+    /// Whether `Complex<f64>` does.
+    complex: bool,
 }
 
 impl ShapePattern {
-    /// Whether a shape is one of those described.
-    pub(super) fn check(&self, shape: &[usize]) -> Checked<()> {
+    /// Whether a value is one of those described.
+    pub(super) fn check(&self, value: &Value, is_complex: bool) -> Checked<()> {
+        let shape = value.shape();
+        if is_complex && !self.complex && !self.open {
+            let hint = "write `Complex<f64>` in place of `f64`, or take its part `.re` or `.im`";
+            return Err(fault("the type says real").label("the value is complex").hint(hint));
+        }
         let fits = if self.open { shape.starts_with(&self.dimensions) } else { shape == self.dimensions };
         if fits {
             return Ok(());
@@ -118,15 +126,30 @@ pub(super) fn doc_lines(attributes: &[Attribute]) -> Vec<String> {
     lines
 }
 
+/// `Complex<f64>`, with any path before it.
+fn is_complex(path: &TypePath) -> bool {
+    let Some(last) = path.path.segments.last().filter(|last| last.ident == "Complex") else { return false };
+    let PathArguments::AngleBracketed(arguments) = &last.arguments else { return false };
+    let is_real = |argument: &GenericArgument| matches!(argument, GenericArgument::Type(Type::Path(real)) if real.path.is_ident("f64"));
+    arguments.args.len() == 1 && arguments.args.iter().all(is_real)
+}
+
 /// Types of integers, which a count may be thought to need.
 const INTEGERS: [&str; 6] = ["usize", "isize", "u32", "i32", "u64", "i64"];
 
 impl Interpreter<'_> {
+    /// The shape of a parameter or of unknowns: `Complex<f64>` is an array of two.
+    fn scalars(pattern: &ShapePattern) -> Vec<usize> {
+        let mut shape = pattern.dimensions.clone();
+        shape.extend(pattern.complex.then_some(2));
+        shape
+    }
+
     /// The shape that a type stands for; `_` for any.
     pub(super) fn shape_of_type(&mut self, ty: &Type) -> Outcome<ShapePattern> {
         match ty {
             Type::Paren(inner) => self.shape_of_type(&inner.elem),
-            Type::Infer(_) => Ok(ShapePattern { dimensions: Vec::new(), open: true }),
+            Type::Infer(_) => Ok(ShapePattern { dimensions: Vec::new(), open: true, complex: false }),
             Type::Array(array) => {
                 let length = self.length(&array.len);
                 let mut pattern = self.shape_of_type(&array.elem)?;
@@ -135,7 +158,12 @@ impl Interpreter<'_> {
                 self.limit_elements(count, count, ty)?;
                 Ok(pattern)
             }
-            Type::Path(path) if path.path.is_ident("f64") => Ok(ShapePattern { dimensions: Vec::new(), open: false }),
+            Type::Path(path) if path.path.is_ident("f64") => {
+                Ok(ShapePattern { dimensions: Vec::new(), open: false, complex: false })
+            }
+            Type::Path(path) if is_complex(path) => {
+                Ok(ShapePattern { dimensions: Vec::new(), open: false, complex: true })
+            }
             _ => {
                 let diagnostic = Diagnostic::new("this type is not part of the problem language", place(ty))
                     .label("expected `f64`, `[f64; n]`, `[[f64; n]; m]`, ..");
@@ -145,6 +173,9 @@ impl Interpreter<'_> {
                     Type::Path(path) if INTEGERS.iter().any(|name| path.path.is_ident(name)) => diagnostic
                         .hint("data are `f64`, and marked if they are integers: `#[integer] n: f64`")
                         .hint("what counts loops or elements is a constant above the function: `const N: f64 = 3;`"),
+                    Type::Path(path) if path.path.segments.iter().any(|s| s.ident.to_string().contains("omplex")) => {
+                        diagnostic.hint("complex numbers are `Complex<f64>`")
+                    }
                     Type::Path(_) => diagnostic.hint("numbers are `f64`; integers are marked `#[integer]`"),
                     _ => diagnostic,
                 }))
@@ -170,9 +201,10 @@ impl Interpreter<'_> {
             if let Some(diagnostic) = refuse(ident, "an unknown").or_else(|| self.function_named(ident)) {
                 self.report(diagnostic);
             }
-            let Ok((shape, is_projective)) = self.shape_beside(shapes.get(&span.start)) else { continue };
+            let Ok((pattern, is_projective)) = self.shape_beside(shapes.get(&span.start)) else { continue };
             let first_unknown = unknowns.last().map_or(0, |last| last.unknowns().end);
-            unknowns.push(SolutionField { name, shape, is_projective, first_unknown, span });
+            let (shape, is_complex) = (Self::scalars(&pattern), pattern.complex);
+            unknowns.push(SolutionField { name, shape, is_complex, is_projective, first_unknown, span });
         }
         // The equations of a vector that is given up to scale are read with all its coordinates.
         let count = unknowns.iter().map(SolutionField::scalars).sum::<usize>();
@@ -195,27 +227,33 @@ impl Interpreter<'_> {
     }
 
     /// The shape of an unknown, and whether it is given up to scale.
-    fn shape_beside(&mut self, beside: Option<&UnknownShape>) -> Outcome<(Vec<usize>, bool)> {
-        let Some(UnknownShape { ty, projective }) = beside else { return Ok((Vec::new(), false)) };
-        let shape = ty.as_ref().map_or(Ok(Vec::new()), |ty| self.shape_of_unknown(ty))?;
+    fn shape_beside(&mut self, beside: Option<&UnknownShape>) -> Outcome<(ShapePattern, bool)> {
+        let scalar = ShapePattern { dimensions: Vec::new(), open: false, complex: false };
+        let Some(UnknownShape { ty, projective }) = beside else { return Ok((scalar, false)) };
+        let pattern = ty.as_ref().map_or(Ok(scalar), |ty| self.shape_of_unknown(ty))?;
+        let shape = &pattern.dimensions;
         match projective {
+            Some(span) if pattern.complex => {
+                let diagnostic = Diagnostic::new("only a real vector is given up to scale", span.clone());
+                Err(self.report(diagnostic.label("this is complex").hint("state which of its elements is 1")))
+            }
             Some(span) if shape.len() != 1 || shape[0] < 2 => {
                 let diagnostic = Diagnostic::new("only a vector of two or more is given up to scale", span.clone());
-                let found = if shape.is_empty() { "a scalar".to_owned() } else { describe(&shape) };
+                let found = if shape.is_empty() { "a scalar".to_owned() } else { describe(shape) };
                 let diagnostic = diagnostic.label(format!("this is {found}"));
                 Err(self.report(diagnostic.hint("write `#[projective] v: [f64; 3]`")))
             }
-            _ => Ok((shape, projective.is_some())),
+            _ => Ok((pattern, projective.is_some())),
         }
     }
 
-    fn shape_of_unknown(&mut self, ty: &Type) -> Outcome<Vec<usize>> {
+    fn shape_of_unknown(&mut self, ty: &Type) -> Outcome<ShapePattern> {
         let pattern = self.shape_of_type(ty)?;
         if pattern.open {
             let diagnostic = Diagnostic::new("the shape of the unknowns must be given", place(ty));
             return Err(self.report(diagnostic.label("expected `[f64; n]`, `[[f64; n]; m]`, ..")));
         }
-        Ok(pattern.dimensions)
+        Ok(pattern)
     }
 
     fn function_named(&self, ident: &Ident) -> Option<Diagnostic> {
@@ -269,8 +307,10 @@ impl Interpreter<'_> {
             return Err(self.report(diagnostic.label("expected `f64`, `[f64; n]`, `[[f64; n]; m]`, ..")));
         }
         let (attribute, at) = attribute?;
-        let shape = pattern.dimensions;
+        let (shape, is_complex) = (Self::scalars(&pattern), pattern.complex);
+        let of_matrices = !matches!(attribute, DataAttribute::Generic | DataAttribute::Integer | DataAttribute::Unit);
         let expected = match (attribute, &shape[..]) {
+            _ if is_complex && of_matrices => Some("real data"),
             (DataAttribute::Symmetric, [.., n, m]) if n == m => None,
             (DataAttribute::Symmetric, _) => Some("a square matrix, or an array of them"),
             (DataAttribute::Rotation, [.., 3, 3]) => None,
@@ -285,10 +325,11 @@ impl Interpreter<'_> {
         };
         if let Some(expected) = expected {
             let message = format!("the attribute needs {expected}");
-            let found = format!("this is {}", describe(&shape));
+            let found = if is_complex { "this is complex".to_owned() } else { format!("this is {}", describe(&shape)) };
             return Err(self.report(Diagnostic::new(message, at).context(place(&*typed.ty), found)));
         }
-        Ok(DataParameter { name: ident.to_string(), shape, attribute, first_input: 0, span: place(ident) })
+        let (name, span) = (ident.to_string(), place(ident));
+        Ok(DataParameter { name, shape, is_complex, attribute, first_input: 0, span })
     }
 
     /// A parameter of the form `name: type`.

@@ -162,13 +162,15 @@ impl Value {
 pub(super) struct Algebra {
     /// The coefficients.
     pub(super) graph: ExpressionGraph,
+    /// Whether polynomials may hold i.
+    pub(super) has_imaginary_unit: bool,
     work_left: usize,
 }
 
 impl Algebra {
     /// Arithmetic over `graph`.
     pub(super) fn new(graph: ExpressionGraph) -> Self {
-        Self { graph, work_left: MAX_WORK }
+        Self { graph, has_imaginary_unit: false, work_left: MAX_WORK }
     }
 
     /// Whether the work allowed is used up.
@@ -236,7 +238,10 @@ impl Algebra {
     }
 
     /// p q ± p' q' ± ..
-    fn sum_of_products(&mut self, products: &[SignedProduct<'_>]) -> Checked<SymbolicPolynomial> {
+    pub(super) fn sum_of_products(&mut self, products: &[SignedProduct<'_>]) -> Checked<SymbolicPolynomial> {
+        if self.has_imaginary_unit && products.iter().any(|(_, p, q)| self.is_complex(p) || self.is_complex(q)) {
+            return self.complex_sum_of_products(products);
+        }
         let mut is_long = false;
         for (_, p, q) in products {
             self.charge(1 + p.terms().len() * q.terms().len())?;

@@ -125,7 +125,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         subjects.push(Subject {
             name: plan.name.clone(),
             source,
-            parameters: plan.data.iter().map(|parameter| parameter.shape.clone()).collect(),
+            parameters: plan.data.clone(),
             count,
             instances: (0..count).flat_map(|k| random_instance(plan, arguments.seed, k)).collect(),
         });

@@ -1,6 +1,7 @@
 //! The crate of a solver that is timed: its source, and a function that reads its instances.
 
 use crate::command::compiled::parameters::ParameterText;
+use crate::problem::DataParameter;
 
 /// A solver with its instances.
 pub(super) struct Subject {
@@ -8,8 +9,8 @@ pub(super) struct Subject {
     pub(super) name: String,
     /// Its source.
     pub(super) source: String,
-    /// The shapes of the parameters.
-    pub(super) parameters: Vec<Vec<usize>>,
+    /// The parameters.
+    pub(super) parameters: Vec<DataParameter>,
     /// Number of instances.
     pub(super) count: usize,
     /// The data of all instances, one after another.
@@ -52,7 +53,7 @@ mod tests {
 
     #[test]
     fn without_data_the_tuple_is_empty() {
-        let subject = |parameters: &[Vec<usize>]| Subject {
+        let subject = |parameters: &[DataParameter]| Subject {
             name: "s".into(),
             source: String::new(),
             parameters: parameters.to_vec(),
@@ -60,7 +61,8 @@ mod tests {
             instances: Vec::new(),
         };
         assert!(subject(&[]).library("i").contains("type Data = ();"));
-        let library = subject(&[vec![2], vec![]]).library("i");
+        let parameters = [DataParameter::example("a", &[2], false), DataParameter::example("b", &[], false)];
+        let library = subject(&parameters).library("i");
         assert!(library.contains("type Data = ([f64; 2], f64, );") && library.contains("solve(&data.0, data.1, )"));
     }
 }

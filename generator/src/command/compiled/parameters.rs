@@ -1,5 +1,7 @@
 //! Data of a solver in the source of a program that reads them as a stream of numbers.
 
+use crate::problem::DataParameter;
+
 /// The parameters of a solver as source text.
 pub(in crate::command) struct ParameterText {
     /// The tuple of their types; `()` without data.
@@ -11,23 +13,35 @@ pub(in crate::command) struct ParameterText {
 }
 
 impl ParameterText {
-    /// From the shapes of the parameters.
-    pub(in crate::command) fn of(shapes: &[Vec<usize>]) -> Self {
-        let list = |entry: &dyn Fn(usize) -> String| (0..shapes.len()).map(entry).collect::<String>();
+    /// Of these parameters.
+    pub(in crate::command) fn of(parameters: &[DataParameter]) -> Self {
+        let list = |entry: &dyn Fn(usize) -> String| (0..parameters.len()).map(entry).collect::<String>();
         Self {
-            types: format!("({})", list(&|at| format!("{}, ", array_type(&shapes[at])))),
-            values: format!("({})", list(&|at| format!("{}, ", array_value(&shapes[at])))),
-            arguments: list(&|at| format!("{}data.{at}, ", if shapes[at].is_empty() { "" } else { "&" })),
+            types: format!("({})", list(&|at| format!("{}, ", type_of(&parameters[at])))),
+            values: format!("({})", list(&|at| format!("{}, ", value_of(&parameters[at])))),
+            arguments: list(&|at| format!("{}data.{at}, ", if parameters[at].is_number() { "" } else { "&" })),
         }
     }
 }
 
-fn array_type(shape: &[usize]) -> String {
-    shape.iter().rev().fold("f64".to_owned(), |inner, length| format!("[{inner}; {length}]"))
+/// The type and the value of a number, and the dimensions of the array that holds them.
+fn number(parameter: &DataParameter) -> (&'static str, &'static str, &[usize]) {
+    match &parameter.shape[..] {
+        [dimensions @ .., _] if parameter.is_complex => {
+            ("::eliminant::Complex<f64>", "::eliminant::Complex::new(next(), next())", dimensions)
+        }
+        dimensions => ("f64", "next()", dimensions),
+    }
 }
 
-fn array_value(shape: &[usize]) -> String {
-    shape.iter().fold("next()".to_owned(), |inner, _| format!("std::array::from_fn(|_| {inner})"))
+fn type_of(parameter: &DataParameter) -> String {
+    let (number, _, dimensions) = number(parameter);
+    dimensions.iter().rev().fold(number.to_owned(), |inner, length| format!("[{inner}; {length}]"))
+}
+
+fn value_of(parameter: &DataParameter) -> String {
+    let (_, number, dimensions) = number(parameter);
+    dimensions.iter().fold(number.to_owned(), |inner, _| format!("std::array::from_fn(|_| {inner})"))
 }
 
 #[cfg(test)]
@@ -36,11 +50,16 @@ mod tests {
 
     #[test]
     fn parameters_are_read_by_their_shapes() {
-        assert_eq!((array_type(&[]), array_value(&[])), ("f64".into(), "next()".into()));
-        assert_eq!(array_type(&[4, 3]), "[[f64; 3]; 4]");
-        assert_eq!(array_value(&[4, 3]), "std::array::from_fn(|_| std::array::from_fn(|_| next()))");
-        let text = ParameterText::of(&[vec![2], vec![]]);
+        let parameter = |shape: &[usize], is_complex| DataParameter::example("a", shape, is_complex);
+        let [number, matrix] = [parameter(&[], false), parameter(&[4, 3], false)];
+        assert_eq!((type_of(&number), value_of(&number)), ("f64".into(), "next()".into()));
+        assert_eq!(type_of(&matrix), "[[f64; 3]; 4]");
+        assert_eq!(value_of(&matrix), "std::array::from_fn(|_| std::array::from_fn(|_| next()))");
+        let text = ParameterText::of(&[parameter(&[2], false), number]);
         assert_eq!((&text.types[..], &text.arguments[..]), ("([f64; 2], f64, )", "&data.0, data.1, "));
+        let text = ParameterText::of(&[parameter(&[2], true), parameter(&[3, 2], true)]);
+        assert_eq!(text.types, "(::eliminant::Complex<f64>, [::eliminant::Complex<f64>; 3], )");
+        assert_eq!(text.arguments, "data.0, &data.1, ");
         assert_eq!(ParameterText::of(&[]).types, "()");
     }
 }

@@ -85,8 +85,7 @@ impl SolvingCrate {
 impl Subject<'_> {
     fn program(&self, instances: &str) -> String {
         let Self { plan, source, data } = self;
-        let shapes: Vec<Vec<usize>> = plan.data.iter().map(|parameter| parameter.shape.clone()).collect();
-        let ParameterText { types, values, arguments } = ParameterText::of(&shapes);
+        let ParameterText { types, values, arguments } = ParameterText::of(&plan.data);
         let (name, count) = (&plan.name, data.len());
         format!(
             "#![allow(unused)]
