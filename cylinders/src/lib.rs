@@ -75,6 +75,7 @@ pub use estimation::joint_estimate::{JointError, JointEstimate, JointMethod, est
 pub use estimation::parallel::{self, ParallelError, ParallelTriangulation, triangulate_parallel};
 pub use estimation::refine::{self, Deviation, Loss, Measure, RefineError, RefineOptions, Refinement, refine};
 pub use estimation::robust::{self, RobustError, RobustOptions, RobustTriangulation, triangulate_robustly};
+pub use estimation::surface_points::{SurfacePoints, with_points};
 pub use estimation::triangulate::{self, TriangulateError, Triangulation, triangulate, triangulate_along};
 pub use estimation::warnings::{self, Warning};
 pub use matching::{

@@ -166,6 +166,7 @@ def triangulate(
     shared_radius: bool = False,
     radius: Optional[float] = None,
     side: Optional[str] = None,
+    points: bool = False,
     threshold: Optional[float] = None,
     seed: int = 0,
     confidence: float = 0.999,
@@ -177,7 +178,8 @@ def triangulate(
     `confidence`. `parallel` estimates one direction for all cylinders, `shared_radius` one radius,
     and `radius` is that of all cylinders, if it is known; the last two refine. `side`, `"left"` or
     `"right"` of the axis, whose direction with the largest entry positive points up, is that of all
-    lines, for one line in each image. Raises `CylinderError` where the lines determine no cylinder.
+    lines, for one line in each image. `points` takes those of the scene near a surface as evidence,
+    too, and refines. Raises `CylinderError` where the lines determine no cylinder.
     """
     estimator = {
         "method": method,
@@ -185,6 +187,7 @@ def triangulate(
         "is_radius_shared": shared_radius,
         "radius": radius,
         "side": side,
+        "has_points": points,
         "threshold": threshold,
         "seed": whole("seed", seed),
         "confidence": confidence,
@@ -202,6 +205,7 @@ def match(
     first_image: bool = False,
     directions: Optional[int] = None,
     direction: Any = None,
+    points: bool = False,
 ) -> Matching:
     """Cylinders and their silhouettes among lines without labels.
 
@@ -209,7 +213,8 @@ def match(
     radians otherwise. `count` is the largest number of cylinders, all of one direction,
     `least_support` the least number of matches of one. `first_image` takes pairs of silhouettes in
     the first image only. `directions` is the largest number of directions; without it all that have
-    cylinders are taken. `direction` is that of all axes, if it is known.
+    cylinders are taken. `direction` is that of all axes, if it is known. `points` takes those of
+    the scene near a surface as evidence for the refined cylinders, too.
     """
     if directions is not None and (count is not None or direction is not None):
         raise ValueError("`directions` goes with neither `count` nor `direction`")
@@ -220,6 +225,7 @@ def match(
         "is_first_image": first_image,
         "directions": None if directions is None else whole("directions", directions),
         "direction": _direction(direction),
+        "has_points": points,
     }
     return _matching(_eliminant.match_cylinder_lines(_text(scene), matcher))
 
@@ -231,6 +237,7 @@ def photos(
     threshold: float = 2.0,
     directions: Optional[int] = None,
     direction: Any = None,
+    points: bool = False,
 ) -> Matching:
     """Cylinders in photographs whose cameras are known, without lines.
 
@@ -239,7 +246,8 @@ def photos(
     or PNG, or maps their names to arrays of brightness, of shape (height, width), or of red, green
     and blue, of shape (height, width, 3), from 0 to 255. `threshold` is the largest distance of a
     line from its silhouette, in pixels, `directions` the largest number of directions, and
-    `direction` that of all axes, if it is known.
+    `direction` that of all axes, if it is known. `points` takes those of the scene or the model near
+    a surface as evidence for the refined cylinders, too.
     """
     if directions is not None and direction is not None:
         raise ValueError("`directions` does not go with `direction`")
@@ -253,6 +261,7 @@ def photos(
         "threshold": threshold,
         "directions": None if directions is None else whole("directions", directions),
         "direction": _direction(direction),
+        "has_points": points,
     }
     return _matching(_eliminant.cylinders_of_photographs(given))
 

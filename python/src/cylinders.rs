@@ -1,13 +1,14 @@
 //! Cylinder triangulation: a scene as JSON to a report as JSON.
 
+use eliminant_cylinders::matching::{RefinedMatch, refined_matches};
 use eliminant_cylinders::matching_report::MatchingReport;
 use eliminant_cylinders::report::Report;
 use eliminant_cylinders::{
-    CylinderLines, Estimate, JointError, JointMethod, Loss, MatchError, MatchOptions, Matching, Method, Radii,
-    RansacOptions, References, RobustOptions, Scene, Side, View, estimate, estimate_from, estimate_on_side,
-    estimate_together, match_cylinders, match_directions_with, parse_scene,
+    CylinderLines, Estimate, JointError, JointEstimate, JointMethod, Loss, MatchError, MatchOptions, Matching, Method,
+    Radii, RansacOptions, References, RobustOptions, Scene, Side, View, estimate, estimate_on_side, estimate_together,
+    match_cylinders, match_directions_with, parse_scene, with_points,
 };
-use nalgebra::{Unit, Vector3};
+use nalgebra::{Point3, Unit, Vector3};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde::Serialize;
@@ -27,6 +28,7 @@ pub(crate) struct Estimator {
     is_radius_shared: bool,
     radius: Option<f64>,
     side: Option<String>,
+    has_points: bool,
     threshold: Option<f64>,
     seed: u64,
     confidence: f64,
@@ -40,6 +42,10 @@ pub(crate) fn triangulate_cylinders(py: Python<'_>, scene: &str, estimator: Esti
         let scene = parse_scene(scene, SCENE).map_err(|error| error.to_string())?;
         let cylinders = scene.cylinders();
         let estimates = estimator.estimates(&cylinders)?;
+        let estimates = match estimator.has_points {
+            true => estimator.with_points(estimates, &cylinders, evidence(&scene, true)?)?,
+            false => estimates,
+        };
         Ok(cylinders.iter().zip(&estimates).map(|(lines, of)| Report::new(lines, of, &scene.points)).collect())
     });
     json(&reports.map_err(CylinderError::new_err)?)
@@ -100,19 +106,31 @@ impl Estimator {
         cylinders.iter().map(of_lines).collect()
     }
 
+    /// What cylinders share.
+    fn joint_method(&self) -> JointMethod {
+        let radii = self.radii();
+        let refines = self.method == "refined" || radii != Radii::Own;
+        JointMethod { parallel: self.is_parallel, refinement: refines.then_some((radii, Loss::Quadratic)) }
+    }
+
     /// Cylinders that share a direction or a radius.
     fn together(&self, cylinders: &[CylinderLines]) -> Result<Vec<Estimate>, String> {
         let views: Vec<Vec<View>> = cylinders.iter().map(|lines| lines.views.clone()).collect();
-        let radii = self.radii();
-        let refines = self.method == "refined" || radii != Radii::Own;
-        let refinement = refines.then_some((radii, Loss::Quadratic));
-        let method = JointMethod { parallel: self.is_parallel, refinement };
-        let joint = estimate_together(&views, &method).map_err(|error| match error {
-            JointError::Cylinder { cylinder, error } => of_label(cylinders.get(cylinder), &error),
-            // An error of all cylinders together has no label.
-            error => of_label(None, &error),
-        })?;
+        let joint = estimate_together(&views, &self.joint_method()).map_err(|error| of_joint(cylinders, error))?;
         Ok(joint.cylinders)
+    }
+
+    /// The estimates on these points, too.
+    fn with_points(
+        &self,
+        estimates: Vec<Estimate>,
+        cylinders: &[CylinderLines],
+        points: &[Point3<f64>],
+    ) -> Result<Vec<Estimate>, String> {
+        let views: Vec<_> = cylinders.iter().zip(&estimates).map(|(lines, of)| of.agreeing(lines)).collect();
+        let estimates = JointEstimate { cylinders: estimates, radius: None };
+        let joint = with_points(estimates, &views, points, &self.joint_method());
+        Ok(joint.map_err(|error| of_joint(cylinders, error))?.cylinders)
     }
 
     fn method(&self, views: &[View]) -> Method {
@@ -127,6 +145,14 @@ impl Estimator {
             "refined" => Method::Refined,
             _ => Method::LeastSquares,
         }
+    }
+}
+
+/// An error of one cylinder, or of all together, which has no label.
+fn of_joint(cylinders: &[CylinderLines], error: JointError) -> String {
+    match error {
+        JointError::Cylinder { cylinder, error } => of_label(cylinders.get(cylinder), &error),
+        error => of_label(None, &error),
     }
 }
 
@@ -164,6 +190,7 @@ pub(crate) struct Matcher {
     is_first_image: bool,
     directions: Option<usize>,
     direction: Option<[f64; 3]>,
+    has_points: bool,
 }
 
 /// The cylinders of a scene without labels: a JSON report.
@@ -176,20 +203,29 @@ pub(crate) fn match_cylinder_lines(py: Python<'_>, scene: &str, matcher: Matcher
     check_directions(matcher.directions)?;
     let report = on_all_cores(py, || -> Result<MatchingReport, String> {
         let scene = parse_scene(scene, SCENE).map_err(|error| error.to_string())?;
+        let points = evidence(&scene, matcher.has_points)?;
         let (threshold, matching) = matcher.find(&scene.views)?;
-        Ok(refined(&scene, threshold, &matching))
+        Ok(refined(&scene, threshold, &matching, points))
     });
     json(&report.map_err(CylinderError::new_err)?)
 }
 
-/// The report of what was found, with each cylinder refined on its matches.
-pub(crate) fn refined(scene: &Scene, threshold: f64, matching: &Matching) -> MatchingReport {
+/// The points that are evidence: those of the scene, if they are asked.
+pub(crate) fn evidence(scene: &Scene, is_asked: bool) -> Result<&[Point3<f64>], String> {
+    match &scene.points[..] {
+        [] if is_asked => Err(format!("{SCENE}: there are no points, which would be evidence")),
+        points => Ok(if is_asked { points } else { &[] }),
+    }
+}
+
+/// The report of what was found, with the cylinders refined on their matches and these points.
+pub(crate) fn refined(scene: &Scene, threshold: f64, matching: &Matching, points: &[Point3<f64>]) -> MatchingReport {
     let views = &scene.views;
-    let reports = matching.cylinders.iter().enumerate().map(|(at, found)| {
-        let lines = found.lines(views, &(at + 1).to_string());
-        estimate_from(&lines.views, &found.cylinder).map(|estimate| Report::new(&lines, &estimate, &scene.points))
-    });
-    MatchingReport::new(views, threshold, matching).with_refined(reports.collect())
+    let of_match = |RefinedMatch { lines, estimate, is_parallel }: RefinedMatch| {
+        estimate.map(|estimate| (Report::new(&lines, &estimate, &scene.points), is_parallel))
+    };
+    let reports = refined_matches(views, matching, points).into_iter().map(of_match).collect();
+    MatchingReport::new(views, threshold, matching).with_refined(reports)
 }
 
 impl Matcher {

@@ -13,7 +13,7 @@ use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
-use crate::cylinders::{SCENE, check_directions, check_threshold, json, of_label, refined, unit};
+use crate::cylinders::{SCENE, check_directions, check_threshold, evidence, json, of_label, refined, unit};
 use crate::errors::CylinderError;
 use crate::threads::on_all_cores;
 
@@ -30,6 +30,7 @@ pub(crate) struct Photographs<'py> {
     threshold: f64,
     directions: Option<usize>,
     direction: Option<[f64; 3]>,
+    has_points: bool,
 }
 
 /// The cylinders in photographs whose cameras are known: a JSON report.
@@ -37,20 +38,23 @@ pub(crate) struct Photographs<'py> {
 pub(crate) fn cylinders_of_photographs(py: Python<'_>, given: Photographs<'_>) -> PyResult<String> {
     check_threshold(Some(given.threshold))?;
     check_directions(given.directions)?;
-    let Photographs { scene, model, folder, arrays, threshold, directions, direction } = given;
+    let Photographs { scene, model, folder, arrays, threshold, directions, direction, has_points } = given;
     let images = match folder {
         Some(folder) => Images::Files(folder),
         None => Images::Arrays(arrays.iter().map(|(name, array)| grey(name, array)).collect::<Result<_, _>>()?),
     };
     let report = on_all_cores(py, move || -> Result<_, String> {
         let (photographs, points) = cameras(scene, model)?;
+        let scene = Scene { views: Vec::new(), points };
+        evidence(&scene, has_points)?;
         let views = all_of(photographs.par_iter().map(|photograph| look(photograph, &images)).collect())?;
         let mut options = PhotoOptions::of(&views);
         options.matching.threshold = threshold;
         options.directions = directions.unwrap_or(options.directions);
         let direction = direction.map(unit).transpose()?;
         let found = find_cylinders(&views, direction, &options).map_err(|error| of_label(None, &error))?;
-        Ok(refined(&Scene { views: found.views, points }, threshold, &found.matching))
+        let scene = Scene { views: found.views, ..scene };
+        Ok(refined(&scene, threshold, &found.matching, evidence(&scene, has_points)?))
     });
     json(&report.map_err(CylinderError::new_err)?)
 }

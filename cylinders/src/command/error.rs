@@ -32,6 +32,9 @@ pub(super) enum CommandError {
     /// Neither a scene nor a model with segments was given.
     #[error("there is no scene")]
     NoScene,
+    /// The scene has no points, though they were asked.
+    #[error("{}: the scene has no points, which `--points` would take as evidence", scene.display())]
+    NoPoints { scene: PathBuf },
     /// The lines determine no cylinder.
     #[error("{}: {}{error}", scene.display(), label.as_ref().map_or(String::new(), |label| format!("cylinder `{label}`: ")))]
     Estimate { scene: PathBuf, label: Option<String>, error: EstimateError },

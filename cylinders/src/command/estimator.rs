@@ -1,11 +1,13 @@
 //! The arguments for the estimation of cylinders, shared by the subcommands that find cylinders by
 //! label.
 
+use nalgebra::Point3;
+
 use super::error::CommandError;
 use super::scene::SceneArguments;
 use crate::{
     CylinderLines, Estimate, EstimateError, JointError, JointEstimate, JointMethod, Loss, Method, Radii, RansacOptions,
-    RobustOptions, Side, TriangulateError, View, estimate, estimate_on_side, estimate_together,
+    RobustOptions, Side, TriangulateError, View, estimate, estimate_on_side, estimate_together, with_points,
 };
 
 /// How to estimate.
@@ -38,6 +40,9 @@ pub(super) struct EstimatorArguments {
     /// The radius of all cylinders, if it is known, world units; refines
     #[arg(long, value_name = "R", conflicts_with = "robust", value_parser = positive)]
     radius: Option<f64>,
+    /// Points of the scene near the surface are evidence, too, as far as they gather there; refines
+    #[arg(long)]
+    points: bool,
     /// The side of all lines, for one line in each image: left or right of the axis if its
     /// direction, with the largest entry positive, points up; refines
     #[arg(long, value_enum, conflicts_with_all = ["robust", "parallel", "shared_radius", "radius"])]
@@ -69,22 +74,41 @@ impl EstimatorArguments {
         &self,
         scene: &SceneArguments,
         cylinders: &[CylinderLines],
+        points: &[Point3<f64>],
     ) -> Result<JointEstimate, CommandError> {
-        let failure = |index: Option<usize>, error: EstimateError| CommandError::Estimate {
-            scene: scene.path().to_owned(),
-            label: index.and_then(|index| cylinders.get(index)?.label.clone()),
-            error,
+        if self.points && points.is_empty() {
+            return Err(CommandError::NoPoints { scene: scene.path().to_owned() });
+        }
+        let estimate = self.of_lines(scene, cylinders)?;
+        if !self.points {
+            return Ok(estimate);
+        }
+        let views: Vec<_> =
+            cylinders.iter().zip(&estimate.cylinders).map(|(lines, estimate)| estimate.agreeing(lines)).collect();
+        let method = self.joint_method().unwrap_or_default();
+        with_points(estimate, &views, points, &method).map_err(|error| self.failure(scene, cylinders, error))
+    }
+
+    /// The message of an error of one cylinder, or of all together.
+    fn failure(&self, scene: &SceneArguments, cylinders: &[CylinderLines], error: JointError) -> CommandError {
+        let (index, error) = match error {
+            JointError::Cylinder { cylinder, error } => (Some(cylinder), error),
+            // An error of all cylinders together has no label.
+            JointError::Direction(error) => (None, TriangulateError::Direction(error).into()),
+            JointError::Refine(error) => (None, error.into()),
         };
+        let label = index.and_then(|index| cylinders.get(index)?.label.clone());
+        CommandError::Estimate { scene: scene.path().to_owned(), label, error }
+    }
+
+    fn of_lines(&self, scene: &SceneArguments, cylinders: &[CylinderLines]) -> Result<JointEstimate, CommandError> {
+        let failure = |error| self.failure(scene, cylinders, error);
         if let Some(method) = self.joint_method() {
             let views: Vec<_> = cylinders.iter().map(|lines| lines.views.clone()).collect();
-            // An error of all cylinders together has no label.
-            return estimate_together(&views, &method).map_err(|error| match error {
-                JointError::Cylinder { cylinder, error } => failure(Some(cylinder), error),
-                JointError::Direction(error) => failure(None, TriangulateError::Direction(error).into()),
-                JointError::Refine(error) => failure(None, error.into()),
-            });
+            return estimate_together(&views, &method).map_err(failure);
         }
-        let estimate = |(index, lines)| self.single(lines).map_err(|error| failure(Some(index), error));
+        let estimate =
+            |(cylinder, lines)| self.single(lines).map_err(|error| failure(JointError::Cylinder { cylinder, error }));
         let cylinders = cylinders.iter().enumerate().map(estimate).collect::<Result<_, _>>()?;
         Ok(JointEstimate { cylinders, radius: None })
     }

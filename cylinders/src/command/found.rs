@@ -3,11 +3,12 @@
 use nalgebra::Point3;
 
 use super::output::Output;
+use crate::matching::{RefinedMatch, refined_matches};
 use crate::matching_report::MatchingReport;
 use crate::page::Table;
 use crate::report::Report;
 use crate::report_table::{cylinder_table, residual_table};
-use crate::{Cylinder, CylinderLines, Matching, Scene, View, estimate_from};
+use crate::{Cylinder, CylinderLines, Matching, Scene, View};
 
 /// What was found, in the forms that subcommands show.
 pub(super) struct Found {
@@ -20,17 +21,21 @@ pub(super) struct Found {
 }
 
 impl Found {
-    /// Refines each cylinder on its lines.
-    pub(super) fn new(views: Vec<View>, points: Vec<Point3<f64>>, threshold: f64, matching: &Matching) -> Self {
+    /// Refines the cylinders on their lines, and on the points of the scene if they are `evidence`.
+    pub(super) fn new(
+        (views, points): (Vec<View>, Vec<Point3<f64>>),
+        evidence: bool,
+        threshold: f64,
+        matching: &Matching,
+    ) -> Self {
         let (mut cylinders, mut reports) = (Vec::new(), Vec::new());
-        for (number, found) in (1..).zip(&matching.cylinders) {
-            let lines = found.lines(&views, &u32::to_string(&number));
-            let estimate = estimate_from(&lines.views, &found.cylinder);
+        let refined = refined_matches(&views, matching, if evidence { &points } else { &[] });
+        for (RefinedMatch { lines, estimate, is_parallel }, found) in refined.into_iter().zip(&matching.cylinders) {
             let cylinder = estimate.as_ref().map_or(found.cylinder, |estimate| estimate.cylinder);
-            reports.push(estimate.map(|estimate| Report::new(&lines, &estimate, &points)));
+            reports.push(estimate.map(|estimate| (Report::new(&lines, &estimate, &points), is_parallel)));
             cylinders.push((lines, cylinder));
         }
-        let refined: Vec<Report> = reports.iter().flatten().cloned().collect();
+        let refined: Vec<Report> = reports.iter().flatten().map(|(report, _)| report.clone()).collect();
         let tables = std::iter::once(cylinder_table(&refined)).chain(refined.iter().map(residual_table)).collect();
         let report = MatchingReport::new(&views, threshold, matching).with_refined(reports);
         let output = Output::of(&report).with_warnings(report.warnings);

@@ -50,6 +50,9 @@ pub(super) struct Arguments {
     /// Direction of all axes, world frame; by default the directions on which many lines agree
     #[arg(long, value_name = "X,Y,Z", value_parser = parse_direction, allow_hyphen_values = true)]
     direction: Option<Unit<Vector3<f64>>>,
+    /// Points of the scene near a surface are evidence for it, too, as far as they gather there
+    #[arg(long)]
+    points: bool,
     /// Also write the result to this file, as JSON
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -61,6 +64,9 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments, command: &str) -> Result<Output, CommandError> {
     let read = arguments.scene.read()?;
+    if arguments.points && read.points.is_empty() {
+        return Err(CommandError::NoPoints { scene: arguments.scene.path().to_owned() });
+    }
     let defaults = MatchOptions::of(&read.views);
     let options = MatchOptions {
         threshold: arguments.threshold.unwrap_or(defaults.threshold),
@@ -77,7 +83,8 @@ pub(super) fn run(arguments: &Arguments, command: &str) -> Result<Output, Comman
     }
     let failure = |error| CommandError::Match { scene: arguments.scene.path().to_owned(), error };
     let (threshold, matching) = found.map_err(failure)?;
-    let Found { output, scene, cylinders, tables } = Found::new(read.views, read.points, threshold, &matching);
+    let Found { output, scene, cylinders, tables } =
+        Found::new((read.views, read.points), arguments.points, threshold, &matching);
     let folders = arguments.images.folders(&arguments.scene);
     let findings = Findings { command: command.to_owned(), warnings: output.warnings.clone(), tables };
     let mut files = arguments.drawings.draw(Drawn { scene: &scene, found: &cylinders, folders }, findings)?;

@@ -48,6 +48,9 @@ pub(super) struct Arguments {
     /// and refine the cylinder of each label on them
     #[arg(long, conflicts_with_all = ["colmap", "threshold", "direction", "directions"])]
     snap: bool,
+    /// Points of the scene near a surface are evidence for it, too, as far as they gather there
+    #[arg(long, conflicts_with = "snap")]
+    points: bool,
     /// Also write the result to this file, as JSON
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -57,6 +60,10 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments, command: &str) -> Result<Output, CommandError> {
     let scene = scene(arguments)?;
+    if arguments.points && scene.points.is_empty() {
+        let file = arguments.scene.as_ref().or(arguments.colmap.as_ref()).unwrap_or(&arguments.images);
+        return Err(CommandError::NoPoints { scene: file.clone() });
+    }
     let photographs = photographs(arguments, &scene)?;
     let lines = photographs.iter().map(|photograph| look(arguments, photograph)).collect::<Result<Vec<_>, _>>()?;
     let Found { output, scene, cylinders, tables } = match arguments.snap {
@@ -73,9 +80,13 @@ pub(super) fn run(arguments: &Arguments, command: &str) -> Result<Output, Comman
 
 /// The scene of the file; of a model only the points.
 fn scene(arguments: &Arguments) -> Result<Scene, CommandError> {
+    let points = match &arguments.colmap {
+        Some(model) => read_colmap(model)?.points,
+        None => Vec::new(),
+    };
     match &arguments.scene {
         Some(scene) => Ok(read_scene(scene)?),
-        None => Ok(Scene { views: Vec::new(), points: Vec::new() }),
+        None => Ok(Scene { views: Vec::new(), points }),
     }
 }
 
@@ -102,11 +113,7 @@ fn search(arguments: &Arguments, points: Vec<Point3<f64>>, views: &[View]) -> Re
     options.directions = arguments.directions.unwrap_or(options.directions);
     let found = find_cylinders(views, arguments.direction, &options)
         .map_err(|error| CommandError::Match { scene: arguments.images.clone(), error })?;
-    let points = match &arguments.colmap {
-        Some(model) => read_colmap(model)?.points,
-        None => points,
-    };
-    Ok(Found::new(found.views, points, options.matching.threshold, &found.matching))
+    Ok(Found::new((found.views, points), arguments.points, options.matching.threshold, &found.matching))
 }
 
 /// The cylinder of each label of the scene, on the edges near its lines.

@@ -108,7 +108,7 @@ impl fmt::Display for Reports {
 pub(super) fn run(arguments: &Arguments, command: &str) -> Result<Output, CommandError> {
     let scene = arguments.scene.read()?;
     let cylinders = scene.cylinders();
-    let estimate = arguments.estimator.estimate(&arguments.scene, &cylinders)?;
+    let estimate = arguments.estimator.estimate(&arguments.scene, &cylinders, &scene.points)?;
     let reports = reports(&scene, &cylinders, &estimate);
     let output = Output::of(&reports).with_warnings(reports.warnings());
     // The pictures show the inliers only.

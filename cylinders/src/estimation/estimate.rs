@@ -7,11 +7,12 @@ use super::evidence::{Evidence, PreparedLines};
 use super::joint::Known;
 use super::refine::{Loss, RefineError, RefineOptions, Refinement, refine};
 use super::robust::{RobustError, RobustOptions, RobustTriangulation, triangulate_robustly};
+use super::surface_points::SurfacePoints;
 use super::triangulate::{TriangulateError, Triangulation, triangulate};
 use super::warnings::{Warning, bad_fit, camera_warnings, fit_warnings, thin};
 use crate::axis::direction::Direction;
 use crate::cross_section::circle::{CircleError, CircleFit};
-use crate::observations::scene::LineId;
+use crate::observations::scene::{CylinderLines, LineId};
 use crate::observations::view::View;
 use crate::space::cylinder::{Cylinder, LineResidual, Side};
 use crate::space::silhouette_distance::{DistanceUnit, Metric};
@@ -46,6 +47,8 @@ pub struct Estimate {
     pub refinement: Option<(Refinement, DistanceUnit)>,
     /// What RANSAC chose, if it was used.
     pub consensus: Option<EstimateConsensus>,
+    /// What points of the scene told, if they were asked.
+    pub surface_points: Option<SurfacePoints>,
     /// All cylinders that explain the lines about as well; of cylinders that share a direction or a
     /// radius, all that have them, too. `None` if they were not looked for.
     pub plausible: Option<PlausibleCylinders>,
@@ -177,6 +180,7 @@ impl Estimate {
             least_squares: Some((direction, fit)),
             refinement: None,
             consensus: None,
+            surface_points: None,
             plausible: None,
             warnings: Vec::new(),
         }
@@ -194,6 +198,7 @@ impl Estimate {
             least_squares: None,
             refinement: None,
             consensus: None,
+            surface_points: None,
             plausible: None,
             warnings: Vec::new(),
         })
@@ -232,8 +237,17 @@ impl Estimate {
             least_squares: None,
             refinement: Some((refinement, unit)),
             consensus: Some(EstimateConsensus { inliers, independent: agreeing, samples, threshold, false_alarms }),
+            surface_points: None,
             plausible: Some(plausible),
             warnings,
+        }
+    }
+
+    /// The views with the lines that agree with the cylinder: after RANSAC not all.
+    pub fn agreeing(&self, lines: &CylinderLines) -> Vec<View> {
+        match &self.consensus {
+            Some(consensus) => lines.selected(&consensus.inliers).views,
+            None => lines.views.clone(),
         }
     }
 

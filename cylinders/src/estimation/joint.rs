@@ -8,12 +8,13 @@
 //! Each cylinder has the five local parameters of the single refinement (`silhouette_cost`). A
 //! parameter that cylinders share is one unknown, to which the lines of all of them contribute; a
 //! known one is none. All cylinders have the same unit of length, and each has its own origin.
+//! Points near a surface add their squared distances from it.
 
 use nalgebra::{DMatrix, DVector, Dyn, Point3, SVector, Unit, Vector3};
 
 use super::loss::Loss;
 use super::refine::{Measure, NO_RADIUS, RefineError, Refinement, STEPS, check};
-use super::silhouette_cost::{Frame, PARAMETERS, SilhouetteCost, moved};
+use super::silhouette_cost::{Frame, Observed, PARAMETERS, SilhouetteCost, moved};
 use super::uncertainty::{Block, Uncertainty};
 use crate::numerics::levenberg_marquardt::{LeastSquares, Linearised, minimise};
 use crate::space::cylinder::{Cylinder, Side};
@@ -53,31 +54,33 @@ pub struct JointRefinement {
     pub radius: Option<Measure>,
 }
 
-/// Refines cylinders together, each on its own lines. Copies of lines must have been joined.
+/// Refines cylinders together, each on what was observed of it. Copies of lines must have been
+/// joined.
 pub(super) fn refine_together(
-    lines: &[&[MeasuredLine]],
+    observed: &[Observed<'_>],
     initial: &[Cylinder],
     (directions, radii): (Directions, Radii),
     loss: Loss,
 ) -> Result<JointRefinement, RefineError> {
     let Optimised { cylinders, iterations, converged } =
-        optimise_together(lines, initial, (directions, radii), loss, STEPS)?;
+        optimise_together(observed, initial, (directions, radii), loss, STEPS)?;
     if !converged {
         return Err(RefineError::NotConverged { iterations });
     }
     // The directions are equal where they are shared, and so are their signs.
     let cylinders: Vec<_> = cylinders.into_iter().map(Cylinder::with_canonical_sign).collect();
-    let frames = frames(lines, &cylinders)?;
-    let problem = Problem::new(lines, &frames, (directions, radii), loss);
+    let frames = frames(observed, &cylinders)?;
+    let problem = Problem::new(observed, &frames, (directions, radii), loss);
     let local: Vec<_> = frames.iter().zip(&cylinders).map(|(frame, cylinder)| frame.local(cylinder)).collect();
-    let blocks: Vec<_> = (0..lines.len())
+    let blocks: Vec<_> = (0..observed.len())
         .map(|index| Block { cost: &problem.costs[index], cylinder: &local[index], places: problem.places[index] })
         .collect();
     let uncertainty = Uncertainty::of(&blocks, problem.parameters)?;
     let refinement = |index: usize| {
-        Refinement::new((&cylinders[index], &frames[index]), lines[index], &blocks[index], &uncertainty, iterations)
+        let lines = observed[index].lines;
+        Refinement::new((&cylinders[index], &frames[index]), lines, &blocks[index], &uncertainty, iterations)
     };
-    let cylinders: Vec<_> = (0..lines.len()).map(refinement).collect();
+    let cylinders: Vec<_> = (0..observed.len()).map(refinement).collect();
     let radius = cylinders.first().filter(|_| radii == Radii::Shared);
     let radius = radius.map(|first| Measure { value: first.cylinder.radius, deviation: first.deviation.radius });
     Ok(JointRefinement { cylinders, radius })
@@ -93,16 +96,16 @@ pub(super) struct Optimised {
 /// The optimum, or the cylinders that are reached after `limit` steps. Directions and radii that
 /// are shared start from the first direction and the median radius.
 pub(super) fn optimise_together(
-    lines: &[&[MeasuredLine]],
+    observed: &[Observed<'_>],
     initial: &[Cylinder],
     (directions, radii): (Directions, Radii),
     loss: Loss,
     limit: usize,
 ) -> Result<Optimised, RefineError> {
     let start = start(initial, (directions, radii))?;
-    lines.iter().zip(&start).try_for_each(|(lines, cylinder)| check(lines, cylinder, loss))?;
-    let frames = frames(lines, &start)?;
-    let problem = Problem::new(lines, &frames, (directions, radii), loss);
+    observed.iter().zip(&start).try_for_each(|(observed, cylinder)| check(observed.lines, cylinder, loss))?;
+    let frames = frames(observed, &start)?;
+    let problem = Problem::new(observed, &frames, (directions, radii), loss);
     let local = frames.iter().zip(&start).map(|(frame, cylinder)| frame.local(cylinder)).collect();
     let optimum = minimise(&problem, local, limit)?;
     if optimum.state.iter().any(|cylinder| cylinder.radius <= NO_RADIUS) {
@@ -130,8 +133,8 @@ fn start(initial: &[Cylinder], (directions, radii): (Directions, Radii)) -> Resu
 }
 
 /// A frame for each cylinder, all with the same unit.
-fn frames(lines: &[&[MeasuredLine]], cylinders: &[Cylinder]) -> Result<Vec<Frame>, RefineError> {
-    let frames = lines.iter().zip(cylinders).map(|(lines, cylinder)| Frame::of(cylinder, lines));
+fn frames(observed: &[Observed<'_>], cylinders: &[Cylinder]) -> Result<Vec<Frame>, RefineError> {
+    let frames = observed.iter().zip(cylinders).map(|(observed, cylinder)| Frame::of(cylinder, observed.lines));
     let frames: Vec<_> = frames.collect::<Result<_, _>>()?;
     let unit = frames.iter().map(|frame| frame.unit).sum::<f64>() / frames.len() as f64;
     Ok(frames.into_iter().map(|frame| Frame { unit, ..frame }).collect())
@@ -147,10 +150,10 @@ struct Problem {
 }
 
 impl Problem {
-    fn new(lines: &[&[MeasuredLine]], frames: &[Frame], shared: (Directions, Radii), loss: Loss) -> Self {
-        let cost = |(lines, frame): (&&[MeasuredLine], &Frame)| SilhouetteCost::new(lines, frame, loss);
-        let (places, parameters) = places(lines.len(), shared);
-        Self { costs: lines.iter().zip(frames).map(cost).collect(), places, parameters }
+    fn new(observed: &[Observed<'_>], frames: &[Frame], shared: (Directions, Radii), loss: Loss) -> Self {
+        let cost = |(observed, frame): (&Observed<'_>, &Frame)| SilhouetteCost::new(*observed, frame, loss);
+        let (places, parameters) = places(observed.len(), shared);
+        Self { costs: observed.iter().zip(frames).map(cost).collect(), places, parameters }
     }
 }
 
@@ -252,7 +255,8 @@ impl Known {
             return Some(super::refine::optimise(lines, start, Loss::Quadratic, limit).ok()?.cylinder);
         }
         let start = Cylinder { direction: self.direction.unwrap_or(start.direction), ..*start };
-        let optimised = optimise_together(&[lines], &[start], self.model(), Loss::Quadratic, limit).ok()?;
+        let observed = [Observed::lines(lines)];
+        let optimised = optimise_together(&observed, &[start], self.model(), Loss::Quadratic, limit).ok()?;
         optimised.cylinders.first().copied()
     }
 }

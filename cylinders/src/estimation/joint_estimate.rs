@@ -10,7 +10,8 @@ use super::alternatives::PlausibleCylinders;
 use super::estimate::{Estimate, EstimateError};
 use super::evidence::PreparedLines;
 use super::joint::{Directions, JointRefinement, Known, Radii, refine_together};
-use super::refine::{Loss, Measure, RefineError};
+use super::refine::{Loss, Measure, RefineError, Refinement};
+use super::silhouette_cost::Observed;
 use super::triangulate::{TriangulateError, triangulate, triangulate_along};
 use crate::axis::direction::{Direction, DirectionError, estimate_shared_direction};
 use crate::cross_section::circle::CircleError;
@@ -18,6 +19,9 @@ use crate::observations::copies::IndependentLines;
 use crate::observations::view::View;
 use crate::space::cylinder::Cylinder;
 use crate::space::silhouette_distance::{DistanceUnit, Metric};
+
+/// Smaller distances are rounding errors, pixels or radians.
+const EXACT: f64 = 1e-9;
 
 /// Limit on the number of joint refinements. The second one is rarely needed.
 const ATTEMPTS: usize = 3;
@@ -93,8 +97,43 @@ fn shared_direction(cylinders: &[Vec<View>]) -> Result<Direction, DirectionError
     Ok(estimate_shared_direction(&planes)?.direction)
 }
 
+/// Cylinders that were refined each by itself, with one direction. `None` for a single one, and if
+/// their lines say that they are not parallel, by the criterion of Schwarz ("Estimating the
+/// dimension of a model", 1978): for `n` distances with the sums of squares `S` with own
+/// directions and `S'` with one, of `q` parameters less,
+///
+/// ```text
+///   n log(S' / S) > q log n
+/// ```
+pub(crate) fn parallel_from(own: &[Estimate], cylinders: &[Vec<View>]) -> Option<Vec<Estimate>> {
+    let metric = metric(cylinders);
+    let lines = cylinders.iter().map(|views| metric.measured(&IndependentLines::of(views)).ok());
+    let lines: Vec<_> = lines.collect::<Option<_>>()?;
+    let observed: Vec<_> = lines.iter().map(|lines| Observed::lines(lines)).collect();
+    let start: Vec<_> = own.iter().map(|estimate| estimate.cylinder).collect();
+    if own.len() < 2 {
+        return None;
+    }
+    let refine = |directions| refine_together(&observed, &start, (directions, Radii::Own), Loss::Quadratic).ok();
+    let [with_own, with_one] = [refine(Directions::Own)?, refine(Directions::Shared)?];
+    let count = 2.0 * lines.iter().map(Vec::len).sum::<usize>() as f64;
+    let squares = |joint: &JointRefinement| {
+        let of_cylinder =
+            |(refinement, lines): (&Refinement, &Vec<_>)| refinement.rms.powi(2) * 2.0 * lines.len() as f64;
+        joint.cylinders.iter().zip(&lines).map(of_cylinder).sum::<f64>() + count * EXACT * EXACT
+    };
+    let fewer = 2.0 * (own.len() - 1) as f64;
+    if count * (squares(&with_one) / squares(&with_own)).ln() > fewer * count.ln() {
+        return None;
+    }
+    let parts = own.iter().zip(cylinders).zip(with_one.cylinders);
+    let estimates = parts
+        .map(|((estimate, views), refinement)| estimate.clone().with_refinement(views, refinement, metric.unit).ok());
+    estimates.collect()
+}
+
 /// Pixels only if all cameras have a calibration.
-fn metric(cylinders: &[Vec<View>]) -> Metric {
+pub(super) fn metric(cylinders: &[Vec<View>]) -> Metric {
     let metrics = cylinders.iter().map(|views| Metric::of(views));
     let radians = metrics.into_iter().find(|metric| metric.unit == DistanceUnit::Radians);
     radians.unwrap_or_else(|| Metric::of(&[]))
@@ -163,7 +202,7 @@ fn refined(
     let mut attempt = 1;
     let JointRefinement { cylinders, radius } = loop {
         let initial: Vec<_> = starts.iter().map(Start::cylinder).collect();
-        let lines: Vec<_> = starts.iter().map(|start| start.lines.measured.as_slice()).collect();
+        let lines: Vec<_> = starts.iter().map(|start| Observed::lines(&start.lines.measured)).collect();
         let joint = refine_together(&lines, &initial, (directions, radii), loss)?;
         for (start, refinement) in starts.iter_mut().zip(&joint.cylinders) {
             let Cylinder { direction, radius, .. } = refinement.cylinder;

@@ -13,7 +13,7 @@ use nalgebra::{Matrix5, Point3, Vector3, Vector5};
 
 pub use super::loss::Loss;
 pub use super::refine_error::RefineError;
-use super::silhouette_cost::{Frame, SilhouetteCost, across};
+use super::silhouette_cost::{Frame, Observed, SilhouetteCost, across};
 use super::triangulate::is_single_viewpoint;
 use super::uncertainty::{Block, Uncertainty};
 use crate::numerics::levenberg_marquardt::minimise;
@@ -135,7 +135,7 @@ pub(crate) fn refine_lines(lines: &[MeasuredLine], initial: &Cylinder, loss: Los
     // The frame is that of the result, because its position refers to the part of its own axis that
     // the lines see.
     let frame = Frame::of(&cylinder, lines)?;
-    let (cost, local) = (SilhouetteCost::new(lines, &frame, loss), frame.local(&cylinder));
+    let (cost, local) = (SilhouetteCost::new(Observed::lines(lines), &frame, loss), frame.local(&cylinder));
     let block = Block { cost: &cost, cylinder: &local, places: [0, 1, 2, 3, 4].map(Some) };
     let uncertainty = Uncertainty::of(std::slice::from_ref(&block), 5)?;
     Ok(Refinement::new((&cylinder, &frame), lines, &block, &uncertainty, iterations))
@@ -201,7 +201,8 @@ pub(crate) fn optimise(
 ) -> Result<Optimised, RefineError> {
     check(lines, initial, loss)?;
     let frame = Frame::of(initial, lines)?;
-    let optimum = minimise(&SilhouetteCost::new(lines, &frame, loss), frame.local(initial), limit)?;
+    let cost = SilhouetteCost::new(Observed::lines(lines), &frame, loss);
+    let optimum = minimise(&cost, frame.local(initial), limit)?;
     if optimum.state.radius <= NO_RADIUS {
         return Err(RefineError::NoRadius);
     }

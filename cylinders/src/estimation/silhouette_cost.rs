@@ -1,5 +1,5 @@
-//! The sum of squared distances of lines from the silhouettes of a cylinder, as a function of five
-//! local parameters.
+//! The sum of squared distances of lines from the silhouettes of a cylinder, and of points from its
+//! surface, as a function of five local parameters.
 //!
 //! A step turns the direction `w`, moves the point `A` of the axis across it and adds to the
 //! radius:
@@ -87,16 +87,85 @@ pub(super) fn moved(cylinder: &Cylinder, step: &SVector<f64, PARAMETERS>) -> Cyl
     }
 }
 
+/// A point in space that is known to lie near the surface.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct WeightedPoint {
+    pub(super) position: Point3<f64>,
+    /// The probability that it lies on the surface.
+    pub(super) share: f64,
+    /// By how much its squared distance from the surface counts, beside the squared distances of
+    /// lines: squared unit of these over squared unit of length.
+    pub(super) weight: f64,
+}
+
+impl WeightedPoint {
+    /// The distance from the surface, positive outside, and its derivatives by the local
+    /// parameters of a cylinder, which turns about `pivot`, a point of its axis. With the unit
+    /// vector `u` away from the axis and the height `h` above the pivot:
+    ///
+    /// ```text
+    ///   d = |X - axis| - r,    (-h f1^T u, -h f2^T u, -f1^T u, -f2^T u, -1)
+    /// ```
+    ///
+    /// `None` on the axis.
+    pub(super) fn distance(
+        &self,
+        cylinder: &Cylinder,
+        (pivot, [first, second]): (&Point3<f64>, &[Vector3<f64>; 2]),
+    ) -> Option<(f64, SVector<f64, PARAMETERS>)> {
+        let to_axis = cylinder.vector_to_axis(&self.position);
+        let outwards = -to_axis.try_normalize(0.0)?;
+        let height = cylinder.direction.dot(&(self.position - pivot));
+        let [first, second] = [first, second].map(|across| -across.dot(&outwards));
+        let derivatives = SVector::from([height * first, height * second, first, second, -1.0]);
+        Some((to_axis.norm() - cylinder.radius, derivatives))
+    }
+}
+
+/// The lines and the points of a cylinder.
+#[derive(Clone, Copy)]
+pub(super) struct Observed<'a> {
+    pub(super) lines: &'a [MeasuredLine],
+    pub(super) points: &'a [WeightedPoint],
+}
+
+impl<'a> Observed<'a> {
+    pub(super) fn lines(lines: &'a [MeasuredLine]) -> Self {
+        Self { lines, points: &[] }
+    }
+}
+
 /// The cost of a cylinder. Its axis point is any point of the axis.
 pub(super) struct SilhouetteCost {
     pub(super) lines: Vec<MeasuredLine>,
+    pub(super) points: Vec<WeightedPoint>,
+    /// The loss of the distances of lines.
     pub(super) loss: Loss,
 }
 
 impl SilhouetteCost {
-    /// The cost of `lines` in the coordinates of a frame.
-    pub(super) fn new(lines: &[MeasuredLine], frame: &Frame, loss: Loss) -> Self {
-        Self { lines: lines.iter().map(|line| line.in_frame(&frame.origin, frame.unit)).collect(), loss }
+    /// The cost of what is observed in the coordinates of a frame.
+    pub(super) fn new(Observed { lines, points }: Observed<'_>, frame: &Frame, loss: Loss) -> Self {
+        let Frame { origin, unit } = *frame;
+        let lines = lines.iter().map(|line| line.in_frame(&origin, unit)).collect();
+        let points = points.iter().map(|&WeightedPoint { position, share, weight }| WeightedPoint {
+            position: Point3::from((position - origin) / unit),
+            share,
+            weight: weight * unit * unit,
+        });
+        Self { lines, points: points.collect(), loss }
+    }
+
+    /// Distances of points and their derivatives, with the weights of the points.
+    pub(super) fn distances_of_points(
+        &self,
+        cylinder: &Cylinder,
+    ) -> impl Iterator<Item = (f64, f64, SVector<f64, PARAMETERS>)> {
+        let pivot = (cylinder.axis_point, across(&cylinder.direction));
+        self.points.iter().filter_map(move |point| {
+            let (distance, derivatives) = point.distance(cylinder, (&pivot.0, &pivot.1))?;
+            Some((point.weight, distance, derivatives))
+        })
     }
 }
 
@@ -127,6 +196,13 @@ impl LeastSquares<U5> for SilhouetteCost {
                     }
                 }
             }
+        }
+        for (weight, distance, derivatives) in self.distances_of_points(cylinder) {
+            // A line has two distances, and counts with the mean of their squares.
+            let weight = weight / 2.0;
+            sum.cost += weight * distance * distance;
+            sum.gradient += derivatives * (weight * distance);
+            sum.normal_matrix += derivatives * derivatives.transpose() * weight;
         }
         sum.normal_matrix.fill_upper_triangle_with_lower_triangle();
         Ok(sum)
@@ -174,7 +250,22 @@ mod tests {
             let metric = Metric { unit, ..Metric::of(&views) };
             let lines = metric.measured_lines(&views).expect("lines");
             let frame = Frame::of(&cylinder, &lines).expect("a frame");
-            let (problem, model) = (SilhouetteCost::new(&lines, &frame, Loss::Quadratic), frame.local(&cylinder));
+            let points = [Point3::new(0.9, 1.0, 0.5), Point3::new(-0.4, -1.5, -0.6)];
+            let points = points.map(|position| WeightedPoint { position, share: 1.0, weight: 2.0 });
+            let observed = Observed { lines: &lines, points: &points };
+            let (problem, model) = (SilhouetteCost::new(observed, &frame, Loss::Quadratic), frame.local(&cylinder));
+            for (index, (_, _, derivatives)) in problem.distances_of_points(&model).enumerate() {
+                for (parameter, found) in derivatives.iter().enumerate() {
+                    let at = |step: f64| {
+                        let mut theta = SVector::zeros();
+                        theta[parameter] = step;
+                        let of_points: Vec<_> = problem.distances_of_points(&moved(&model, &theta)).collect();
+                        of_points[index].1
+                    };
+                    let expected = (at(1e-5) - at(-1e-5)) / 2e-5;
+                    assert!((found - expected).abs() < 1e-8, "{index}, {parameter}: {found} {expected}");
+                }
+            }
             for line in &problem.lines {
                 let distance = line.distance(&model).expect("a camera outside");
                 let derivatives = line.derivatives(&model, &distance, &tangents(&model));

@@ -61,6 +61,10 @@ impl Uncertainty {
                 squares += weight * distance.distances.norm_squared();
                 count += 2.0 * weight;
             }
+            for (weight, distance, _) in block.cost.distances_of_points(block.cylinder) {
+                squares += weight * distance * distance;
+            }
+            count += block.cost.points.iter().map(|point| point.share).sum::<f64>();
         }
         // The loss may reduce the effective number of lines below the number of parameters.
         let degrees_of_freedom = count - parameters as f64;
@@ -69,7 +73,10 @@ impl Uncertainty {
         }
         let variance = squares / degrees_of_freedom;
         let covariance = match scatter(blocks, &inverse) {
-            Some(scatter) => &inverse * scatter * &inverse,
+            Some(mut scatter) => {
+                blocks.iter().for_each(|block| block.add(&mut scatter, &(block.of_points() * variance)));
+                &inverse * scatter * &inverse
+            }
             None => inverse * variance,
         };
         Ok(Self { covariance, noise: variance.sqrt(), degrees_of_freedom })
@@ -128,6 +135,12 @@ impl Block<'_> {
             (Some(row), Some(column)) => of_all[(row, column)],
             _ => 0.0,
         })
+    }
+
+    /// The part of the points in the normal matrix.
+    fn of_points(&self) -> Matrix5<f64> {
+        let of_points = self.cost.distances_of_points(self.cylinder);
+        of_points.map(|(weight, _, derivatives)| derivatives * derivatives.transpose() * weight).sum()
     }
 
     /// Weighted distances and derivatives of each line; the support point that is further along the

@@ -110,6 +110,8 @@ pub enum Warning {
         /// Expected number of such cylinders, an upper bound.
         false_alarms: f64,
     },
+    /// The points of the scene move the cylinder further than the noise of its lines allows.
+    PointsDisagree,
 }
 
 impl Warning {
@@ -181,6 +183,10 @@ impl fmt::Display for Warning {
                 "the cylinder is only {} wide in the images: its two silhouettes cannot be told from copies of one line, \
                  so the radius may be wrong",
                 length(*width, *unit)
+            ),
+            Self::PointsDisagree => text.write_str(
+                "the points of the scene and the lines do not agree: the cylinder of both is further from that of the \
+                 lines than their noise explains",
             ),
             Self::Chance { false_alarms } => write!(
                 text,

@@ -36,6 +36,8 @@ mod options;
 mod pair;
 /// Cameras and lines in the cross-section; the lines near the silhouettes of a circle.
 mod plan;
+/// The cylinders refined on their matches.
+mod refined;
 /// Extraction of cylinders one after the other, the least likely by chance first.
 mod search;
 /// A part of the lines of some views.
@@ -48,5 +50,6 @@ pub use directions::candidate_directions;
 pub use error::MatchError;
 pub use found::{MatchedCylinder, Matching};
 pub use options::{MatchOptions, References};
+pub use refined::{RefinedMatch, refined_matches};
 pub use search::{Progress, match_cylinders, match_cylinders_with};
 pub use several::{match_directions, match_directions_with};

@@ -50,10 +50,13 @@ pub struct MatchedCylinderReport {
     pub outlier_rate: f64,
     /// Expected number of cylinders with matches as many and as near by chance.
     pub false_alarms: f64,
-    /// The cylinder refined on its matches in the images, by itself, with the form of
-    /// `cylinders triangulate`. Absent if it could not be refined.
+    /// The cylinder refined on its matches in the images, with the form of `cylinders triangulate`.
+    /// Absent if it could not be refined.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub refined: Option<Report>,
+    /// Whether the refined cylinders of its direction have one direction. Otherwise it is refined by
+    /// itself: it is the only one, or their lines say that they are not parallel.
+    pub parallel: bool,
     /// One residual for each silhouette.
     pub matches: Vec<ResidualReport>,
 }
@@ -81,6 +84,7 @@ impl MatchingReport {
             outlier_rate: found.outlier_rate,
             false_alarms: found.false_alarms,
             refined: None,
+            parallel: false,
             matches: found
                 .matches
                 .iter()
@@ -104,19 +108,19 @@ impl MatchingReport {
 }
 
 impl MatchingReport {
-    /// The report with the refined cylinders, in the order of the matching, or why they could not
-    /// be refined. Their warnings are said, too, each with the number of its cylinder.
-    pub fn with_refined<E: fmt::Display>(mut self, refined: Vec<Result<Report, E>>) -> Self {
+    /// The report with the refined cylinders, in the order of the matching, and whether they share
+    /// their direction; or why they could not be refined. Their warnings are said, too, each with the number of its cylinder.
+    pub fn with_refined<E: fmt::Display>(mut self, refined: Vec<Result<(Report, bool), E>>) -> Self {
         for (index, (cylinder, refined)) in self.cylinders.iter_mut().zip(refined).enumerate() {
             let number = index + 1;
             match refined {
-                Ok(report) => {
+                Ok((report, parallel)) => {
                     // Those about the cameras concern all cylinders and are said once.
                     let new: Vec<_> =
                         report.warnings.iter().filter(|warning| !self.warnings.contains(warning)).collect();
                     let new: Vec<_> = new.iter().map(|warning| format!("cylinder {number}: {warning}")).collect();
                     self.warnings.extend(new);
-                    cylinder.refined = Some(report);
+                    (cylinder.refined, cylinder.parallel) = (Some(report), parallel);
                 }
                 Err(error) => self.warnings.push(format!("cylinder {number} is not refined: {error}")),
             }
@@ -158,7 +162,8 @@ impl fmt::Display for MatchingReport {
             writeln!(text, "outlier rate     {:14.4}   {} matches", cylinder.outlier_rate, cylinder.matches.len())?;
             writeln!(text, "false alarms     {:14.1e}   as many and as near matches by chance", cylinder.false_alarms)?;
             if let Some(refined) = &cylinder.refined {
-                writeln!(text, "\nrefined")?;
+                let how = if cylinder.parallel { ", parallel to the others of its direction" } else { "" };
+                writeln!(text, "\nrefined{how}")?;
                 refined.write_cylinder(text)?;
             }
             writeln!(text, "\n{}", ResidualReport::HEADING)?;

@@ -8,9 +8,10 @@ use crate::cross_section::circle::CircleFit;
 use crate::estimation::alternatives::Alternative;
 use crate::estimation::estimate::Estimate;
 use crate::estimation::refine::Refinement;
+use crate::estimation::surface_points::SurfacePoints;
 use crate::observations::scene::{CylinderLines, LineId};
 use crate::observations::view::View;
-use crate::space::cylinder::{Cylinder, LineResidual, Side};
+use crate::space::cylinder::{LineResidual, Side};
 use crate::space::extent::visible_extent;
 use crate::space::silhouette_distance::DistanceUnit;
 
@@ -162,6 +163,18 @@ pub struct PointReport {
     pub total: usize,
     /// Number of points within 5 % of the radius from the surface.
     pub near_surface: usize,
+    /// What they told; absent if they were not asked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub evidence: Option<PointEvidence>,
+}
+
+/// Points on the surface as evidence for the cylinder.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct PointEvidence {
+    /// Number of points on the surface: the sum of the probabilities that they are.
+    pub count: f64,
+    /// Standard deviation of their distances from the surface, world units.
+    pub deviation: f64,
 }
 
 impl Report {
@@ -209,7 +222,7 @@ impl Report {
                 samples: consensus.samples,
             }),
             residuals: lines.lines.iter().zip(residuals).map(residual).collect(),
-            points: (!points.is_empty()).then(|| PointReport::new(cylinder, points)),
+            points: (!points.is_empty()).then(|| PointReport::new(estimate, points)),
         }
     }
 }
@@ -265,7 +278,9 @@ impl ResidualReport {
 }
 
 impl PointReport {
-    fn new(cylinder: &Cylinder, points: &[Point3<f64>]) -> Self {
-        Self { total: points.len(), near_surface: points.iter().filter(|point| cylinder.is_near(point)).count() }
+    fn new(estimate: &Estimate, points: &[Point3<f64>]) -> Self {
+        let near_surface = points.iter().filter(|point| estimate.cylinder.is_near(point)).count();
+        let evidence = |SurfacePoints { count, deviation }| PointEvidence { count, deviation };
+        Self { total: points.len(), near_surface, evidence: estimate.surface_points.map(evidence) }
     }
 }

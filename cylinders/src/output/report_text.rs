@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::number::{number, triple};
-use super::report::{ConsensusReport, LeastSquaresReport, RefinementReport, Report, ResidualReport};
+use super::report::{ConsensusReport, LeastSquaresReport, PointEvidence, RefinementReport, Report, ResidualReport};
 use crate::space::cylinder::NEAR_SURFACE;
 
 /// Text for people, with seven significant digits.
@@ -20,6 +20,15 @@ impl fmt::Display for Report {
                 "points           {} of {} within {percent}% of the radius from the surface",
                 points.near_surface, points.total
             )?;
+            match points.evidence {
+                Some(PointEvidence { count: 0.0, .. }) => {
+                    writeln!(text, "points used                   0   they do not gather at the surface")?;
+                }
+                Some(PointEvidence { count, deviation }) => {
+                    writeln!(text, "points used      {count:14.1}   {} from the surface", number(deviation).trim())?;
+                }
+                None => {}
+            }
         }
         for (index, other) in self.plausible.iter().enumerate() {
             let (index, plausibility) = (index + 1, other.plausibility);
