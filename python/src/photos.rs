@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use eliminant_cylinders::detection::GreyImage;
 use eliminant_cylinders::photograph::Photograph;
 use eliminant_cylinders::photos::decode::decode_photograph;
-use eliminant_cylinders::photos::{LineOptions, PhotoOptions, detected_lines, find_cylinders};
+use eliminant_cylinders::photos::{LineOptions, PhotoOptions, Seen, find_in_photographs, seen};
 use eliminant_cylinders::{Scene, View, parse_scene, read_colmap};
 use nalgebra::Point3;
 use numpy::PyReadonlyArray2;
@@ -47,12 +47,13 @@ pub(crate) fn cylinders_of_photographs(py: Python<'_>, given: Photographs<'_>) -
         let (photographs, points) = cameras(scene, model)?;
         let scene = Scene { views: Vec::new(), points };
         evidence(&scene, has_points)?;
-        let views = all_of(photographs.par_iter().map(|photograph| look(photograph, &images)).collect())?;
+        let seen = all_of(photographs.par_iter().map(|photograph| look(photograph, &images)).collect())?;
+        let views: Vec<View> = seen.iter().map(|seen| seen.view.clone()).collect();
         let mut options = PhotoOptions::of(&views);
         options.matching.threshold = threshold;
         options.directions = directions.unwrap_or(options.directions);
         let direction = direction.map(unit).transpose()?;
-        let found = find_cylinders(&views, direction, &options).map_err(|error| of_label(None, &error))?;
+        let found = find_in_photographs(&seen, direction, &options).map_err(|error| of_label(None, &error))?;
         let scene = Scene { views: found.views, ..scene };
         Ok(refined(&scene, threshold, &found.matching, evidence(&scene, has_points)?))
     });
@@ -85,9 +86,9 @@ fn cameras(scene: Option<String>, model: Option<PathBuf>) -> Result<(Vec<Photogr
     Ok((photographs, scene.points))
 }
 
-/// The views of all photographs; else the first error in the order of the photographs, whichever
+/// What all photographs show; else the first error in the order of the photographs, whichever
 /// thread failed first, and how many more there are.
-fn all_of(looked: Vec<Result<View, String>>) -> Result<Vec<View>, String> {
+fn all_of(looked: Vec<Result<Seen, String>>) -> Result<Vec<Seen>, String> {
     let failed = looked.iter().filter(|view| view.is_err()).count();
     let views: Result<Vec<_>, _> = looked.into_iter().collect();
     views.map_err(|first| match failed {
@@ -97,7 +98,7 @@ fn all_of(looked: Vec<Result<View, String>>) -> Result<Vec<View>, String> {
 }
 
 /// Detects the candidates for silhouettes in a photograph.
-fn look(photograph: &Photograph, images: &Images) -> Result<View, String> {
+fn look(photograph: &Photograph, images: &Images) -> Result<Seen, String> {
     let name = &photograph.name;
     let read;
     let image = match images {
@@ -110,7 +111,7 @@ fn look(photograph: &Photograph, images: &Images) -> Result<View, String> {
             None => return Err(format!("there is no image `{name}`")),
         },
     };
-    detected_lines(photograph, image, &LineOptions::default()).map_err(|error| error.to_string())
+    seen(photograph, image, &LineOptions::default()).map_err(|error| error.to_string())
 }
 
 fn decoded(path: &Path) -> Result<GreyImage, String> {

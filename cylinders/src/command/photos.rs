@@ -14,7 +14,7 @@ use super::output::Output;
 use super::triangulate::reports;
 use crate::photograph::Photograph;
 use crate::photos::decode::decode_photograph;
-use crate::photos::{LineOptions, PhotoOptions, detected_lines, find_cylinders, snapped};
+use crate::photos::{LineOptions, PhotoOptions, Seen, find_in_photographs, seen, snapped};
 use crate::{CylinderLines, JointEstimate, Method, Scene, View, estimate, read_colmap, read_scene};
 
 /// Find cylinders in photographs whose cameras are known
@@ -65,10 +65,10 @@ pub(super) fn run(arguments: &Arguments, command: &str) -> Result<Output, Comman
         return Err(CommandError::NoPoints { scene: file.clone() });
     }
     let photographs = photographs(arguments, &scene)?;
-    let lines = photographs.iter().map(|photograph| look(arguments, photograph)).collect::<Result<Vec<_>, _>>()?;
+    let seen = photographs.iter().map(|photograph| look(arguments, photograph)).collect::<Result<Vec<_>, _>>()?;
     let Found { output, scene, cylinders, tables } = match arguments.snap {
-        true => snap(arguments, scene, &lines)?,
-        false => search(arguments, scene.points, &lines)?,
+        true => snap(arguments, scene, &seen)?,
+        false => search(arguments, scene.points, &seen)?,
     };
     let findings = Findings { command: command.to_owned(), warnings: output.warnings.clone(), tables };
     let drawn = Drawn { scene: &scene, found: &cylinders, folders: vec![arguments.images.clone()] };
@@ -99,28 +99,29 @@ fn photographs(arguments: &Arguments, scene: &Scene) -> Result<Vec<Photograph>, 
 }
 
 /// Reads a photograph and detects its candidates for silhouettes.
-fn look(arguments: &Arguments, photograph: &Photograph) -> Result<View, CommandError> {
+fn look(arguments: &Arguments, photograph: &Photograph) -> Result<Seen, CommandError> {
     let path = arguments.images.join(&photograph.name);
     let file = fs::read(&path).map_err(|source| CommandError::Read { path: path.clone(), source })?;
     let image = decode_photograph(&file).map_err(|source| CommandError::Photograph { path: path.clone(), source })?;
-    Ok(detected_lines(photograph, &image, &LineOptions::default())?)
+    Ok(seen(photograph, &image, &LineOptions::default())?)
 }
 
 /// Cylinders without labels.
-fn search(arguments: &Arguments, points: Vec<Point3<f64>>, views: &[View]) -> Result<Found, CommandError> {
-    let mut options = PhotoOptions::of(views);
+fn search(arguments: &Arguments, points: Vec<Point3<f64>>, seen: &[Seen]) -> Result<Found, CommandError> {
+    let views: Vec<View> = seen.iter().map(|seen| seen.view.clone()).collect();
+    let mut options = PhotoOptions::of(&views);
     options.matching.threshold = arguments.threshold;
     options.directions = arguments.directions.unwrap_or(options.directions);
-    let found = find_cylinders(views, arguments.direction, &options)
+    let found = find_in_photographs(seen, arguments.direction, &options)
         .map_err(|error| CommandError::Match { scene: arguments.images.clone(), error })?;
     Ok(Found::new((found.views, points), arguments.points, options.matching.threshold, &found.matching))
 }
 
 /// The cylinder of each label of the scene, on the edges near its lines.
-fn snap(arguments: &Arguments, scene: Scene, seen: &[View]) -> Result<Found, CommandError> {
+fn snap(arguments: &Arguments, scene: Scene, seen: &[Seen]) -> Result<Found, CommandError> {
     let (mut views, mut moved, mut marked) = (Vec::new(), 0, 0);
     for (view, edges) in scene.views.iter().zip(seen) {
-        let (snapped, count) = snapped(view, edges).unwrap_or_else(|| (view.clone(), 0));
+        let (snapped, count) = snapped(view, &edges.view).unwrap_or_else(|| (view.clone(), 0));
         marked += view.lines().len();
         moved += count;
         views.push(snapped);

@@ -9,6 +9,7 @@ use std::borrow::Cow;
 use nalgebra::Point2;
 use thiserror::Error;
 
+use super::ribbons::{Ribbon, ribbons};
 use crate::detection::{DetectedSegment, GreyImage, detect_segments};
 use crate::observations::copies::IndependentLines;
 use crate::observations::photograph::Photograph;
@@ -83,13 +84,26 @@ pub fn undistorted_segments(photograph: &Photograph, image: &GreyImage) -> Resul
     Ok(detect_segments(undistorted_image(photograph, image)?.as_ref()))
 }
 
-/// The view of a photograph with the candidates for silhouettes that are detected in its image.
+/// What a photograph shows.
+#[derive(Clone, Debug)]
+pub struct Seen {
+    /// The view with the candidates for silhouettes.
+    pub view: View,
+    /// Width and height of the image, pixels.
+    pub size: [usize; 2],
+    /// Pairs of them with an even part of the image between them.
+    pub ribbons: Vec<Ribbon>,
+}
+
+/// The candidates for silhouettes that are detected in the image of a photograph.
 ///
 /// # Errors
 /// [`PhotoError`].
-pub fn detected_lines(photograph: &Photograph, image: &GreyImage, options: &LineOptions) -> Result<View, PhotoError> {
+pub fn seen(photograph: &Photograph, image: &GreyImage, options: &LineOptions) -> Result<Seen, PhotoError> {
+    let ideal = undistorted_image(photograph, image)?;
     let diagonal = (image.width() as f64).hypot(image.height() as f64);
-    candidate_lines(photograph, &undistorted_segments(photograph, image)?, diagonal, options)
+    let view = candidate_lines(photograph, &detect_segments(&ideal), diagonal, options)?;
+    Ok(Seen { ribbons: ribbons(&view, &ideal), view, size: [image.width(), image.height()] })
 }
 
 /// The view of a photograph with the candidates for silhouettes among its segments (pixels without

@@ -12,9 +12,13 @@
 //! - The evidence for a direction is the sum of the orders of magnitude by which the matches of its
 //!   cylinders are no chance.
 
+use std::collections::HashSet;
+
 use nalgebra::{Unit, Vector3};
 
 use super::edges::edge_lines;
+use super::lines::Seen;
+use super::pairs::cylinders_of_ribbons;
 use crate::matching::selection::Selection;
 use crate::matching::{MatchError, MatchOptions, MatchedCylinder, Matching, match_cylinders, match_directions_with};
 use crate::observations::scene::LineId;
@@ -82,19 +86,70 @@ pub fn find_cylinders(
     given: Option<Unit<Vector3<f64>>>,
     options: &PhotoOptions,
 ) -> Result<PhotoMatching, MatchError> {
-    let matching = match given {
-        Some(direction) => find_along(views, &direction, options)?,
-        None => {
-            match_directions_with(views, options.directions, |views, direction| find_along(views, direction, options))?
+    Ok(shown(views, by_directions(views, given, options)?))
+}
+
+/// The cylinders in photographs: those of [`find_cylinders`] and, if no direction is given, those
+/// beside them whose silhouettes are ribbons of several images.
+///
+/// # Errors
+/// [`MatchError`]: that of [`find_cylinders`] if there are none.
+pub fn find_in_photographs(
+    seen: &[Seen],
+    given: Option<Unit<Vector3<f64>>>,
+    options: &PhotoOptions,
+) -> Result<PhotoMatching, MatchError> {
+    let views: Vec<View> = seen.iter().map(|seen| seen.view.clone()).collect();
+    let found = by_directions(&views, given, options);
+    if given.is_some() {
+        return Ok(shown(&views, found?));
+    }
+    let known = found.as_ref().map_or(&[][..], |matching| &matching.cylinders);
+    let of_ribbons = cylinders_of_ribbons(seen, known, options);
+    let mut matching = match found {
+        Err(error) if of_ribbons.is_empty() => return Err(error),
+        Err(_) => {
+            Matching { directions: Vec::new(), cylinders: Vec::new(), unmatched: lines(&views), least_support: 4 }
         }
+        Ok(matching) => matching,
     };
+    let taken: HashSet<LineId> = of_ribbons.iter().flat_map(|found| &found.matches).map(LineResidual::id).collect();
+    matching.unmatched.retain(|line| !taken.contains(line));
+    matching.directions.extend(of_ribbons.iter().map(|found| found.cylinder.direction));
+    matching.cylinders.extend(of_ribbons);
+    Ok(shown(&views, matching))
+}
+
+/// All lines of some views.
+fn lines(views: &[View]) -> Vec<LineId> {
+    let ids = |(view, content): (usize, &View)| (0..content.lines().len()).map(move |line| LineId { view, line });
+    views.iter().enumerate().flat_map(ids).collect()
+}
+
+fn by_directions(
+    views: &[View],
+    given: Option<Unit<Vector3<f64>>>,
+    options: &PhotoOptions,
+) -> Result<Matching, MatchError> {
+    match given {
+        Some(direction) => find_along(views, &direction, options),
+        None => {
+            match_directions_with(views, options.directions, |views, direction| find_along(views, direction, options))
+        }
+    }
+}
+
+/// A matching with the lines along its directions only.
+fn shown(views: &[View], matching: Matching) -> PhotoMatching {
     let is_along = |plane: &ViewingPlane| {
         matching.directions.iter().any(|direction| plane.normal.dot(direction).abs() <= MAX_TILT)
     };
-    let selection = Selection::new(views, usize::MAX, |_, plane| is_along(plane));
+    let matches = matching.cylinders.iter().flat_map(|found| &found.matches);
+    let taken: HashSet<LineId> = matches.map(LineResidual::id).collect();
+    let selection = Selection::new(views, usize::MAX, |id, plane| is_along(plane) || taken.contains(&id));
     let lines = selection.views.iter().map(|view| view.lines().len()).sum();
     let matching = selection.in_selection(matching).among(lines);
-    Ok(PhotoMatching { views: selection.views, matching })
+    PhotoMatching { views: selection.views, matching }
 }
 
 fn find_along(all: &[View], direction: &Unit<Vector3<f64>>, options: &PhotoOptions) -> Result<Matching, MatchError> {
@@ -111,17 +166,11 @@ fn find_along(all: &[View], direction: &Unit<Vector3<f64>>, options: &PhotoOptio
     let is_found = |found: &MatchedCylinder| is_cylinder(found, views, &options.matching);
     let cylinders: Vec<_> = cylinders.into_iter().filter(is_found).collect();
     if !cylinders.iter().any(|found| found.false_alarms <= options.false_alarms) {
-        let lines = views.iter().map(|view| view.lines().len()).sum();
-        return Err(MatchError::NoCylinder { least_support, lines });
+        return Err(MatchError::NoCylinder { least_support, lines: lines(views).len() });
     }
     let cylinders = selection.in_all(cylinders);
-    let is_free = |id: &LineId| {
-        let mut matches = cylinders.iter().flat_map(|found| &found.matches);
-        !matches.any(|line| (line.view, line.line) == (id.view, id.line))
-    };
-    let ids = all.iter().enumerate();
-    let ids = ids.flat_map(|(view, lines)| (0..lines.lines().len()).map(move |line| LineId { view, line }));
-    let unmatched = ids.filter(is_free).collect();
+    let taken: HashSet<LineId> = cylinders.iter().flat_map(|found| &found.matches).map(LineResidual::id).collect();
+    let unmatched = lines(all).into_iter().filter(|id| !taken.contains(id)).collect();
     Ok(Matching { directions: vec![*direction], cylinders, unmatched, least_support })
 }
 

@@ -1,5 +1,6 @@
 //! The distance of a given line from the silhouette of a cylinder.
 
+use crate::observations::scene::LineId;
 use nalgebra::Vector3;
 
 use super::{Cylinder, Side};
@@ -30,6 +31,11 @@ pub struct LineResidual {
 }
 
 impl LineResidual {
+    /// The place of the line.
+    pub(crate) fn id(&self) -> LineId {
+        LineId { view: self.view, line: self.line }
+    }
+
     /// The angle with the sign of the distance: negative if the viewing plane cuts the cylinder,
     /// radians.
     pub fn signed_angle(&self) -> f64 {
