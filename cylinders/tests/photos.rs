@@ -9,11 +9,9 @@ use std::path::{Path, PathBuf};
 use eliminant_cylinders::command::run;
 use eliminant_cylinders::distortion::Distortion;
 use eliminant_cylinders::photos::decode::{decode_photograph, encode_png};
-use eliminant_cylinders::photos::{
-    LineOptions, PhotoOptions, candidate_lines, find_cylinders, snapped, undistorted_segments,
-};
+use eliminant_cylinders::photos::{LineOptions, PhotoMatching, PhotoOptions, Seen, find_in_photographs, seen, snapped};
 use eliminant_cylinders::rendering::{RenderedScene, RenderingSetup};
-use eliminant_cylinders::{Cylinder, View, parse_scene};
+use eliminant_cylinders::{Cylinder, MatchError, View, parse_scene};
 use nalgebra::{Point3, Rotation3, UnitQuaternion, Vector3};
 use serde_json::{Value, json};
 
@@ -26,12 +24,17 @@ fn rendered(cylinders: usize, distortion: Distortion, seed: u64) -> RenderedScen
     setup.scene(seed).expect("a scene")
 }
 
+fn look(scene: &RenderedScene) -> Vec<Seen> {
+    let look = |(photograph, image)| seen(photograph, image, &LineOptions::default()).expect("lines");
+    scene.photographs.iter().zip(&scene.images).map(look).collect()
+}
+
 fn views(scene: &RenderedScene) -> Vec<View> {
-    let lines = |(photograph, image)| {
-        let segments = undistorted_segments(photograph, image).expect("segments");
-        candidate_lines(photograph, &segments, 800.0, &LineOptions::default()).expect("lines")
-    };
-    scene.photographs.iter().zip(&scene.images).map(lines).collect()
+    look(scene).into_iter().map(|seen| seen.view).collect()
+}
+
+fn found(scene: &RenderedScene) -> Result<PhotoMatching, MatchError> {
+    find_in_photographs(&look(scene), None, &PhotoOptions::of(&views(scene)))
 }
 
 /// Within a twentieth of the radius in position and radius, and three thousandths in direction.
@@ -53,16 +56,15 @@ fn check(found: &[Cylinder], scene: &RenderedScene) {
 #[test]
 fn cylinders_on_a_chequered_floor_are_found_and_nothing_else() {
     let scene = rendered(4, Distortion::default(), 1);
-    let views = views(&scene);
-    let found = find_cylinders(&views, None, &PhotoOptions::of(&views)).expect("cylinders");
+    let found = found(&scene).expect("cylinders");
     check(&found.matching.cylinders.iter().map(|found| found.cylinder).collect::<Vec<_>>(), &scene);
 }
 
 #[test]
 fn a_chequered_floor_without_cylinders_gives_none() {
-    let views = views(&rendered(0, Distortion::default(), 2));
-    assert!(views.iter().map(|view| view.lines().len()).sum::<usize>() > 50, "the floor has lines");
-    let found = find_cylinders(&views, None, &PhotoOptions::of(&views));
+    let scene = rendered(0, Distortion::default(), 2);
+    assert!(views(&scene).iter().map(|view| view.lines().len()).sum::<usize>() > 50, "the floor has lines");
+    let found = found(&scene);
     assert!(found.as_ref().map_or(0, |found| found.matching.cylinders.len()) == 0, "{found:?}");
 }
 

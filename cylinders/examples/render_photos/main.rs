@@ -7,7 +7,7 @@ use std::time::Instant;
 use std::{env, error, fs};
 
 use eliminant_cylinders::distortion::Distortion;
-use eliminant_cylinders::photos::{LineOptions, PhotoOptions, candidate_lines, find_cylinders, undistorted_segments};
+use eliminant_cylinders::photos::{LineOptions, PhotoOptions, Seen, find_in_photographs, seen};
 use eliminant_cylinders::rendering::{RenderedScene, RenderingSetup};
 use eliminant_cylinders::{Cylinder, View};
 
@@ -28,10 +28,11 @@ fn main() -> Result<(), Box<dyn error::Error>> {
             write(&scene, Path::new(folder))?;
         }
         let start = Instant::now();
-        let views = views(&scene)?;
+        let seen = look(&scene)?;
         let detection = start.elapsed();
         let start = Instant::now();
-        let found = find_cylinders(&views, None, &PhotoOptions::of(&views));
+        let views: Vec<View> = seen.iter().map(|seen| seen.view.clone()).collect();
+        let found = find_in_photographs(&seen, None, &PhotoOptions::of(&views));
         let time = start.elapsed();
         let lines: usize = views.iter().map(|view| view.lines().len()).sum();
         let cylinders: Vec<Cylinder> =
@@ -50,14 +51,11 @@ fn main() -> Result<(), Box<dyn error::Error>> {
     Ok(())
 }
 
-fn views(scene: &RenderedScene) -> Result<Vec<View>, Box<dyn error::Error>> {
-    let mut views = Vec::new();
-    for (photograph, image) in scene.photographs.iter().zip(&scene.images) {
-        let segments = undistorted_segments(photograph, image)?;
-        let diagonal = (image.width() as f64).hypot(image.height() as f64);
-        views.push(candidate_lines(photograph, &segments, diagonal, &LineOptions::default())?);
-    }
-    Ok(views)
+fn look(scene: &RenderedScene) -> Result<Vec<Seen>, Box<dyn error::Error>> {
+    let photographs = scene.photographs.iter().zip(&scene.images);
+    Ok(photographs
+        .map(|(photograph, image)| seen(photograph, image, &LineOptions::default()))
+        .collect::<Result<_, _>>()?)
 }
 
 /// Within a twentieth of the radius in position and radius, and three thousandths in direction.

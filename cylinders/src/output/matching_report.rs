@@ -136,8 +136,16 @@ fn warnings(views: &[View], matching: &Matching) -> Vec<String> {
             format!("cylinder {number} may be chance: {false_alarms:.1e} with as many and as near matches are expected")
         })
     };
+    let two_images = |(index, found): (usize, &MatchedCylinder)| {
+        let mut images: Vec<_> = found.matches.iter().map(|line| line.view).collect();
+        images.dedup();
+        let number = index + 1;
+        (images.len() == 2)
+            .then(|| format!("only two images show cylinder {number}: a flat band in space could look like it there"))
+    };
     let of_cameras = camera_warnings(views).into_iter().map(|warning| warning.to_string());
-    of_cameras.chain(matching.cylinders.iter().enumerate().filter_map(chance)).collect()
+    let cylinders = || matching.cylinders.iter().enumerate();
+    of_cameras.chain(cylinders().filter_map(chance)).chain(cylinders().filter_map(two_images)).collect()
 }
 
 /// Text for people, with seven significant digits.
