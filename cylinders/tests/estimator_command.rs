@@ -87,6 +87,44 @@ fn refinement_has_deviations() {
     assert!(text.contains("deviations"), "{text}");
 }
 
+/// Points on one side of the can and others, and no points.
+#[test]
+fn points_are_evidence_if_there_are_any() {
+    let mut scene = soda_can();
+    let without = file("without_points.json", &scene);
+    let (code, _, error) = command(&["--points", &without]);
+    assert_eq!(code, 1);
+    assert!(error.contains("without_points.json: the scene has no points"), "{error}");
+    let refined = report(&["--refine", &without]);
+    let numbers = |value: &Value| -> Vec<f64> {
+        value.as_array().expect("an array").iter().map(|number| number.as_f64().expect("a number")).collect()
+    };
+    let (at, direction) = (numbers(&refined["axis_point"]), numbers(&refined["direction"]));
+    let extent = numbers(&refined["extent"]);
+    let across = [[direction[2], 0.0, -direction[0]], [0.0, direction[2], -direction[1]]];
+    let length = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let points: Vec<[f64; 3]> = (0..200)
+        .map(|k| {
+            let (turn, height) = (f64::from(k) * 0.7, extent[0] + (extent[1] - extent[0]) * f64::from(k % 20) / 20.0);
+            let out = [0, 1, 2].map(|i| across[0][i] * turn.cos() + across[1][i] * turn.sin());
+            let radius = if k % 2 == 0 { 33.0 } else { 40.0 + f64::from(k) };
+            [0, 1, 2].map(|i| at[i] + direction[i] * height + out[i] * radius / length(out))
+        })
+        .collect();
+    scene["points"] = json!(points);
+    let with = file("with_points.json", &scene);
+    for method in [&["--points"][..], &["--points", "--refine"], &["--points", "--robust"]] {
+        let found = report(&[&[with.as_str()], method].concat());
+        let evidence = &found["points"]["evidence"];
+        let count = evidence["count"].as_f64().expect("a number");
+        assert!(count > 50.0 && count < 101.0, "{found}");
+        assert!(evidence["deviation"].as_f64().expect("a number") < 0.2);
+        assert!((found["radius"].as_f64().expect("a number") - 33.0).abs() < 0.1);
+    }
+    let (_, text, _) = command(&["--points", &with]);
+    assert!(text.contains("points used"), "{text}");
+}
+
 #[test]
 fn the_report_is_complete() {
     let scene = file("complete.json", &soda_can());

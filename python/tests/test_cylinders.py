@@ -88,6 +88,23 @@ def test_triangulate_labelled_segments(rng, truth):
     assert abs(second.radius - 0.3) < 1e-6
 
 
+def test_points_are_evidence(rng, truth):
+    point, direction, radius = truth
+    poses, lines = views_of(rng, 5, [(point, radius)], direction)
+    around = np.cross(direction, rng.normal(size=(200, 3)))
+    around /= np.linalg.norm(around, axis=1, keepdims=True)
+    heights = rng.uniform(-0.3, 0.3, size=(200, 1))
+    on_surface = point + direction * heights + around * (radius + 0.002 * rng.normal(size=(200, 1)))
+    points = np.concatenate([on_surface, point + rng.uniform(-2, 2, size=(200, 3))])
+    [cylinder] = cylinders.triangulate(cylinders.scene(poses, lines, points=points), points=True)
+    evidence = cylinder.report["points"]["evidence"]
+    assert evidence["count"] > 50 and abs(cylinder.radius - radius) < 1e-3
+    with pytest.raises(cylinders.CylinderError, match="no points"):
+        cylinders.triangulate(cylinders.scene(poses, lines), points=True)
+    matching = cylinders.match(cylinders.scene(poses, lines, points=points), count=1, points=True)
+    assert matching.cylinders[0].report["points"]["evidence"]["count"] > 50
+
+
 def test_match(rng, truth):
     point, direction, radius = truth
     others = [(point, radius), (point + 2 * np.cross(direction, [0, 0, 1]), 0.3)]

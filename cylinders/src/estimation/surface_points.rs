@@ -35,8 +35,8 @@ const BAND: f64 = 0.25;
 const ENOUGH: f64 = 10.0;
 /// If their deviation is a larger part of the band, points do not gather at the surface.
 const SPREAD: f64 = 1.0 / 3.0;
-/// Points lean to another cylinder if this ratio of squares (an F statistic) is larger: by chance it
-/// is one in a million.
+/// Points lean to another cylinder if this ratio of squares (an F statistic) is larger: by chance
+/// it is one in a million.
 const LEANING: f64 = 10.0;
 /// The least deviation, relative to the radius: below it are rounding errors.
 const EXACT: f64 = 1e-9;
@@ -254,8 +254,8 @@ impl Variances {
     }
 }
 
-/// What the distances of points from a refined cylinder say of it, in its local parameters: sums over
-/// the points, each with the probability that it is on the surface.
+/// What the distances of points from a refined cylinder say of it, in its local parameters: sums
+/// over the points, each with the probability that it is on the surface.
 #[derive(Default)]
 struct OfPoints {
     /// Of the derivatives, `j j^T`.
