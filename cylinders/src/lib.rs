@@ -68,14 +68,14 @@ pub use cross_section::section::{self, Section, SectionError, SectionLine, Secti
 pub use cross_section::sight::{self, Sight};
 pub use estimation::alternatives::{self, Alternative, PlausibleCylinders};
 pub use estimation::estimate::{
-    Estimate, EstimateConsensus, EstimateError, Method, estimate, estimate_from, estimate_on_side,
+    Estimate, EstimateConsensus, EstimateError, Method, SurfacePoints, estimate, estimate_from, estimate_on_side,
 };
 pub use estimation::joint::{self, JointRefinement, Radii};
 pub use estimation::joint_estimate::{JointError, JointEstimate, JointMethod, estimate_together};
 pub use estimation::parallel::{self, ParallelError, ParallelTriangulation, triangulate_parallel};
 pub use estimation::refine::{self, Deviation, Loss, Measure, RefineError, RefineOptions, Refinement, refine};
 pub use estimation::robust::{self, RobustError, RobustOptions, RobustTriangulation, triangulate_robustly};
-pub use estimation::surface_points::{SurfacePoints, with_points};
+pub use estimation::surface_points::with_points;
 pub use estimation::triangulate::{self, TriangulateError, Triangulation, triangulate, triangulate_along};
 pub use estimation::warnings::{self, Warning};
 pub use matching::{

@@ -93,8 +93,8 @@ fn found(seen: &[Seen]) -> Vec<Cylinder> {
     found.iter().flat_map(|found| &found.matching.cylinders).map(|found| found.cylinder).collect()
 }
 
-/// Whether radii agree to a tenth, axes to a fifth of the radius, and directions to a twentieth of a
-/// radian.
+/// Whether radii agree to a tenth, axes to a fifth of the radius, and directions to a twentieth of
+/// a radian.
 fn is_same(found: &Cylinder, truth: &Cylinder) -> bool {
     let apart = found.distance(&truth.axis_point) + found.radius;
     (found.radius / truth.radius - 1.0).abs() < 0.1

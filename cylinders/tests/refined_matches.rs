@@ -97,7 +97,7 @@ fn cylinders_that_are_not_parallel_keep_their_directions() {
             for (can, (of_lines, of_both)) in
                 cans.iter().zip(estimates(&refined).into_iter().zip(estimates(&with_points)))
             {
-                // Where the directions differ by less than the noise shows, they may be taken as one.
+                // Directions that differ by less than the noise may be taken as one.
                 let [lines, both] = [of_lines, of_both].map(|estimate| angle(&estimate.cylinder, &can.direction));
                 assert!(lines < 0.015 && both < 0.015, "{seed}: {lines} {both}");
                 assert!(of_both.surface_points.is_some_and(|found| found.count > 15.0), "{seed}");

@@ -7,7 +7,6 @@ use super::evidence::{Evidence, PreparedLines};
 use super::joint::Known;
 use super::refine::{Loss, RefineError, RefineOptions, Refinement, refine};
 use super::robust::{RobustError, RobustOptions, RobustTriangulation, triangulate_robustly};
-use super::surface_points::SurfacePoints;
 use super::triangulate::{TriangulateError, Triangulation, triangulate};
 use super::warnings::{Warning, bad_fit, camera_warnings, fit_warnings, thin};
 use crate::axis::direction::Direction;
@@ -69,6 +68,16 @@ pub struct EstimateConsensus {
     pub threshold: f64,
     /// Expected number of cylinders on which as many lines agree by chance (an upper bound).
     pub false_alarms: f64,
+}
+
+/// What the points of the scene told of a cylinder.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SurfacePoints {
+    /// The number of points on the surface: the sum of the probabilities that they are. 0 if there
+    /// are too few, or they do not gather at the surface.
+    pub count: f64,
+    /// The standard deviation of their distances from the surface, world units.
+    pub deviation: f64,
 }
 
 /// Why there is no cylinder.

@@ -16,11 +16,11 @@
 
 use nalgebra::{Matrix5, Point3, Vector5};
 
-use super::estimate::Estimate;
+use super::estimate::{Estimate, SurfacePoints};
 use super::joint::{Directions, JointRefinement, Radii, refine_together};
 use super::joint_estimate::{JointError, JointEstimate, JointMethod, metric};
 use super::loss::Loss;
-use super::refine::{Measure, Refinement};
+use super::refine::{RefineError, Refinement};
 use super::silhouette_cost::{Observed, PARAMETERS, WeightedPoint};
 use super::warnings::Warning;
 use crate::observations::copies::IndependentLines;
@@ -46,16 +46,6 @@ const ROUNDS: usize = 30;
 /// The variances are known well enough if they change by less than this part.
 const SETTLED: f64 = 1e-3;
 
-/// What the points of the scene told of a cylinder.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct SurfacePoints {
-    /// The number of points on the surface: the sum of the probabilities that they are. 0 if there
-    /// are too few, or they do not gather at the surface.
-    pub count: f64,
-    /// The standard deviation of their distances from the surface, world units.
-    pub deviation: f64,
-}
-
 /// Refines cylinders on their lines and on the points near their surfaces. `cylinders` are the
 /// views of each with the lines that belong to it, `method` says what they share. Where points and
 /// lines do not agree, the estimate has a warning.
@@ -72,10 +62,9 @@ pub fn with_points(
     let (radii, loss) = method.refinement.unwrap_or((Radii::Own, Loss::Quadratic));
     let (metric, mut subjects) = (metric(cylinders), Vec::new());
     for (index, views) in cylinders.iter().enumerate() {
-        let lines = metric.measured(&IndependentLines::of(views)).map_err(|error| JointError::Cylinder {
-            cylinder: index,
-            error: super::refine::RefineError::from(error).into(),
-        })?;
+        let lines = metric
+            .measured(&IndependentLines::of(views))
+            .map_err(|error| JointError::Cylinder { cylinder: index, error: RefineError::from(error).into() })?;
         subjects.push(Subject { views, lines, points: Vec::new(), found: SurfacePoints::default() });
     }
     let start: Vec<_> = estimate.cylinders.iter().map(|estimate| estimate.cylinder).collect();
@@ -85,14 +74,13 @@ pub fn with_points(
     let mut estimates = Vec::with_capacity(subjects.len());
     let parts = estimate.cylinders.into_iter().zip(subjects).zip(of_lines.cylinders.iter().zip(refined));
     for (index, ((estimate, subject), (before, after))) in parts.enumerate() {
-        let failure = |error: super::refine::RefineError| JointError::Cylinder { cylinder: index, error: error.into() };
+        let failure = |error: RefineError| JointError::Cylinder { cylinder: index, error: error.into() };
         let disagrees = subject.found.count > 0.0 && (!before.is_near(&after.cylinder) || subject.leans(&after));
         let disagrees = disagrees.then_some(Warning::PointsDisagree);
         let estimate = estimate.with_refinement(subject.views, after, metric.unit).map_err(failure)?;
         let warnings = estimate.warnings.iter().copied().chain(disagrees).collect();
         estimates.push(Estimate { surface_points: Some(subject.found), warnings, ..estimate });
     }
-    let radius = radius.map(|Measure { value, deviation }| Measure { value, deviation });
     Ok(JointEstimate { cylinders: estimates, radius })
 }
 

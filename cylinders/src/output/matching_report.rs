@@ -54,8 +54,8 @@ pub struct MatchedCylinderReport {
     /// Absent if it could not be refined.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub refined: Option<Report>,
-    /// Whether the refined cylinders of its direction have one direction. Otherwise it is refined by
-    /// itself: it is the only one, or their lines say that they are not parallel.
+    /// Whether the refined cylinders of its direction have one direction. Otherwise it is refined
+    /// by itself: it is the only one, or their lines say that they are not parallel.
     pub parallel: bool,
     /// One residual for each silhouette.
     pub matches: Vec<ResidualReport>,
@@ -109,7 +109,8 @@ impl MatchingReport {
 
 impl MatchingReport {
     /// The report with the refined cylinders, in the order of the matching, and whether they share
-    /// their direction; or why they could not be refined. Their warnings are said, too, each with the number of its cylinder.
+    /// their direction; or why they could not be refined. Their warnings are said, too, each with
+    /// the number of its cylinder.
     pub fn with_refined<E: fmt::Display>(mut self, refined: Vec<Result<(Report, bool), E>>) -> Self {
         for (index, (cylinder, refined)) in self.cylinders.iter_mut().zip(refined).enumerate() {
             let number = index + 1;

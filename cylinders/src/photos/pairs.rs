@@ -20,7 +20,6 @@ use nalgebra::{Point2, Point3};
 
 use super::lines::Seen;
 use super::ribbons::{Profile, Ribbon};
-use super::search::PhotoOptions;
 use crate::estimation::estimate::{Estimate, Method, estimate, estimate_from};
 use crate::estimation::warnings::Warning;
 use crate::matching::MatchedCylinder;
@@ -61,14 +60,10 @@ struct Candidate<'a> {
     false_alarms: f64,
 }
 
-/// Of few photographs, the cylinders whose two silhouettes are seen as ribbons in all images that show them, two at
-/// least, or in three or more, beside those that are known; each has its own direction. The least likely by chance come
-/// first.
-pub(super) fn cylinders_of_ribbons(
-    seen: &[Seen],
-    known: &[MatchedCylinder],
-    options: &PhotoOptions,
-) -> Vec<MatchedCylinder> {
+/// Of few photographs, the cylinders whose two silhouettes are seen as ribbons in all images that
+/// show them, two at least, or in three or more, beside those that are known; each has its own
+/// direction. The least likely by chance come first.
+pub(super) fn cylinders_of_ribbons(seen: &[Seen], known: &[MatchedCylinder], threshold: f64) -> Vec<MatchedCylinder> {
     if seen.len() > FEW {
         return Vec::new();
     }
@@ -79,15 +74,14 @@ pub(super) fn cylinders_of_ribbons(
     let mut candidates = Vec::new();
     for views in pairs {
         for first in &free[views[0]] {
-            let threshold = options.matching.threshold;
             let of_pair = |&second| candidate(seen, (views, [*first, second]), tests, threshold);
             candidates.extend(free[views[1]].iter().filter_map(of_pair));
         }
     }
     let mut chosen = chosen(candidates);
-    chosen.iter_mut().for_each(|candidate| candidate.extend(seen, &free, options.matching.threshold));
+    chosen.iter_mut().for_each(|candidate| candidate.extend(seen, &free, threshold));
     chosen.retain(|candidate| candidate.ribbons.len() >= LEAST_IMAGES || candidate.is_missed_by_none(seen));
-    chosen.iter().filter_map(|candidate| matched(seen, candidate, options)).collect()
+    chosen.iter().filter_map(|candidate| matched(seen, candidate, threshold)).collect()
 }
 
 /// The ribbons of an image that are not those of a known cylinder, nor lie on it.
@@ -313,11 +307,11 @@ fn lines(seen: &[Seen], ribbons: &[(usize, &Ribbon)]) -> Vec<View> {
 }
 
 /// The cylinder of a candidate with its lines; `None` if these do not fit.
-fn matched(seen: &[Seen], candidate: &Candidate<'_>, options: &PhotoOptions) -> Option<MatchedCylinder> {
+fn matched(seen: &[Seen], candidate: &Candidate<'_>, threshold: f64) -> Option<MatchedCylinder> {
     let views = lines(seen, &candidate.ribbons);
     let estimate = estimate_from(&views, &candidate.cylinder).ok()?;
     let (refinement, _) = estimate.refinement.as_ref()?;
-    if refinement.rms > options.matching.threshold {
+    if refinement.rms > threshold {
         return None;
     }
     let mut matches = estimate.residuals.clone();

@@ -151,8 +151,8 @@ fn ribbon(first: &(usize, [Point2<f64>; 2]), second: &(usize, [Point2<f64>; 2]),
     Some(Ribbon { profile: profile(&ends, image)?, ..ribbon })
 }
 
-/// The median values on walks from line to line, if those of the walks agree, and are not those of a
-/// flat face.
+/// The median values on walks from line to line, if those of the walks agree, and are not those of
+/// a flat face.
 fn profile(ends: &[[Point2<f64>; 2]; 2], image: &GreyImage) -> Option<Profile> {
     let mut walks: Vec<Profile> = (0..PLACES).map(|place| walk(ends, place, image)).collect();
     // Outside of the photograph nothing is known.

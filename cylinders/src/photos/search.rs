@@ -105,7 +105,7 @@ pub fn find_in_photographs(
         return Ok(shown(&views, found?));
     }
     let known = found.as_ref().map_or(&[][..], |matching| &matching.cylinders);
-    let of_ribbons = cylinders_of_ribbons(seen, known, options);
+    let of_ribbons = cylinders_of_ribbons(seen, known, options.matching.threshold);
     let mut matching = match found {
         Err(error) if of_ribbons.is_empty() => return Err(error),
         Err(_) => {

@@ -7,7 +7,8 @@ use super::derived::{self, Reader};
 use super::names::Names;
 use super::shapes::{accessors, chart_name, parameter, type_of, value_of};
 use super::{code, scaling, storage};
-use crate::plan::{Plan, PlannedElement, PlannedField, PlannedOutput, Term};
+use crate::plan::output::{PlannedElement, PlannedField, PlannedOutput};
+use crate::plan::{Plan, Term};
 use crate::problem::SolutionField;
 
 /// The struct of an output, and the functions that return it; nothing without one.

@@ -1,11 +1,11 @@
 //! Whether a plan contradicts itself: every table stays in range, and every value, pivot and
 //! unknown is written before it is read.
 
+use super::output::PlannedOutput;
 use super::program::{Operation, ValueId};
 use super::system_table::SystemTable;
 use super::{
-    ActionRow, BasisId, Block, CoefficientId, Elimination, Entry, KnownMonomial, Plan, PlannedDerivation,
-    PlannedOutput, Term,
+    ActionRow, BasisId, Block, CoefficientId, Elimination, Entry, KnownMonomial, Plan, PlannedDerivation, Term,
 };
 use crate::presolve::MOST_LINEAR;
 use crate::presolve::exchange::Image;

@@ -2,9 +2,10 @@
 
 use std::collections::HashMap;
 
+use super::output::{PlannedElement, PlannedField, PlannedOutput};
 use super::straight_line::statements_in_order;
 use super::system_table::SystemTable;
-use super::{CoefficientId, PlannedElement, PlannedField, PlannedOutput, Term};
+use super::{CoefficientId, Term};
 use crate::algebra::Monomial;
 use crate::expression::{ExpressionId, SymbolicPolynomial};
 use crate::problem::Problem;

@@ -1,9 +1,9 @@
 //! Executes a [`crate::plan::Plan`] in any field, step by step as the emitted code does: exactly
 //! over Z_p, or in `f64`.
 
+use super::output::PlannedOutput;
 use super::{
-    ActionRow, Block, CoefficientId, Elimination, LEAST_PIVOT_OF_PRESOLVE, PivotId, Plan, PlannedDerivation,
-    PlannedOutput, Term,
+    ActionRow, Block, CoefficientId, Elimination, LEAST_PIVOT_OF_PRESOLVE, PivotId, Plan, PlannedDerivation, Term,
 };
 use crate::expression::arithmetic::{Arithmetic, Float64};
 

@@ -18,6 +18,7 @@ mod coefficients;
 mod constant_pivots;
 pub mod interpret;
 mod memory;
+pub mod output;
 pub mod picture;
 pub mod program;
 pub mod program_table;
@@ -27,11 +28,13 @@ pub mod solution_count;
 pub mod statements;
 pub(crate) mod straight_line;
 pub mod system_table;
+mod term;
 pub mod time;
 pub mod value_layout;
 mod zeros;
 
 pub use check::PlanError;
+pub use term::{CoefficientId, Term};
 
 use std::collections::BTreeSet;
 
@@ -39,11 +42,8 @@ use crate::expression::derivation::Derivation;
 use crate::presolve::exchange::Image;
 use crate::problem::{DataParameter, Scaling, SolutionField};
 use crate::template::RootMethod;
+use output::PlannedOutput;
 use program::{Operation, Program, ProgramForm, ValueId};
-
-/// Position in the array of coefficients that the tables refer to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct CoefficientId(pub u16);
 
 /// Position among the eliminated monomials (excess and reducible) in the order of solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -181,15 +181,6 @@ impl Extraction {
     }
 }
 
-/// A term of a polynomial in the unknowns: coefficient and exponent of each unknown.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Term {
-    /// The coefficient.
-    pub coefficient: CoefficientId,
-    /// One exponent per unknown, not negative.
-    pub exponents: Vec<u8>,
-}
-
 /// `unknown = sum of terms`, in unknowns that are known by then.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PlannedRecovery {
@@ -223,48 +214,6 @@ pub struct PlannedDerivation {
     pub program: Program,
     /// Whether only what is returned beside the unknowns depends on them: a solve leaves them 0.
     pub is_for_results: bool,
-}
-
-/// What a solver returns beside the unknowns. Its terms have an exponent for each unknown, and for
-/// the last coordinate of each vector that is given up to scale, and for each part.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct PlannedOutput {
-    /// The name of the struct.
-    pub name: String,
-    /// The name after which the functions are named that return it.
-    pub function: String,
-    /// Values that the terms hold after the unknowns, each computed from those before it.
-    pub parts: Vec<PlannedElement>,
-    /// Its fields.
-    pub fields: Vec<PlannedField>,
-    /// From the data to the coefficients of its terms, which are its own.
-    pub program: Program,
-    /// The value of each coefficient.
-    pub coefficients: Vec<ValueId>,
-}
-
-/// A field of an output.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct PlannedField {
-    /// Its name.
-    pub name: String,
-    /// Outermost dimension first; empty for a scalar. The last one of complex numbers is 2.
-    pub shape: Vec<usize>,
-    /// Whether it is complex: real parts, each with its imaginary part behind it.
-    pub is_complex: bool,
-    /// Its scalars, row by row.
-    pub elements: Vec<PlannedElement>,
-}
-
-/// A scalar of an output.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct PlannedElement {
-    /// The numerator.
-    pub numerator: Vec<Term>,
-    /// The divisor, if there is one.
-    pub denominator: Option<Vec<Term>>,
-    /// Whether the square root of the quotient is meant.
-    pub is_root: bool,
 }
 
 /// Floating-point operations of one solve. An addition, a multiplication and a division count as

@@ -10,20 +10,13 @@
 use syn::{Expr, ExprCall, ExprField, Member};
 
 use super::Span;
-use super::functions::BuiltIn;
 use super::interpret::Interpreter;
 use super::scope::{Outcome, Reported};
 use super::syntax::place;
-use super::value::{Algebra, Checked, Value, describe};
-use crate::algebra::{MAX_UNKNOWNS, Monomial, Polynomial};
+use super::value::{Algebra, Checked, IMAGINARY_UNIT, Value, describe};
+use crate::algebra::{Monomial, Polynomial};
 use crate::expression::{SignedProduct, SymbolicPolynomial};
 use crate::problem::diagnostic::Diagnostic;
-
-/// The place of i among the unknowns of a monomial.
-pub(super) const IMAGINARY_UNIT: usize = MAX_UNKNOWNS - 1;
-
-/// How the real and the imaginary part are written.
-pub(super) const PARTS: [&str; 2] = [".re", ".im"];
 
 impl Algebra {
     /// Whether a polynomial holds i.
@@ -158,40 +151,6 @@ impl Interpreter<'_> {
         let numerator = self.algebra.multiply(&left, &conjugate);
         let square = self.algebra.square_of_modulus(divisor);
         Ok((self.check(numerator, at)?, Value::scalar(self.check(square, at)?)))
-    }
-
-    /// The real system for `solve(a, b)` with complex data: [A -B; B A] [x; y] = [c; d] for
-    /// a = A + B i, b = c + d i and the solution x + y i. The values are the matrix, n x n, and the
-    /// right sides, of so many columns.
-    pub(super) fn solve_complex(
-        &mut self,
-        call: &ExprCall,
-        (function, arguments): (&BuiltIn, &[&Expr]),
-        [a, b]: [&Value; 2],
-        columns: usize,
-    ) -> Outcome<Value> {
-        let n = a.shape().first().copied().unwrap_or(0);
-        let parts = |algebra: &Algebra, value: &Value| -> Vec<[SymbolicPolynomial; 2]> {
-            value.elements().iter().map(|element| algebra.parts(element)).collect()
-        };
-        let (of_a, of_b) = (parts(&self.algebra, a), parts(&self.algebra, b));
-        let entry = |algebra: &mut Algebra, row: usize, column: usize| {
-            let [re, im] = &of_a[row % n * n + column % n];
-            match (row < n, column < n) {
-                (true, true) | (false, false) => re.clone(),
-                (true, false) => algebra.graph.polynomial_neg(im),
-                (false, true) => im.clone(),
-            }
-        };
-        let all = (0..2 * n).flat_map(|row| (0..2 * n).map(move |column| (row, column)));
-        let matrix: Vec<_> = all.map(|(row, column)| entry(&mut self.algebra, row, column)).collect();
-        let right = (0..2).flat_map(|part| of_b.iter().map(move |parts| parts[part].clone())).collect();
-        let matrix = Value::array(vec![2 * n, 2 * n], matrix);
-        let solution =
-            self.solve_real(call, (function, arguments), [&matrix, &Value::array(vec![2 * n, columns], right)])?;
-        let (re, im) = solution.elements().split_at(n * columns);
-        let elements = re.iter().zip(im).map(|(re, im)| Algebra::join([re, im])).collect();
-        Ok(Value::array(b.shape().to_vec(), elements))
     }
 
     /// The elements of a value, real and imaginary parts one after another, and the shape of these:

@@ -7,10 +7,10 @@ use super::instance::{redraw, redrawn};
 use super::interpret::Interpreter;
 use super::scope::Outcome;
 use super::syntax::place;
-use super::value::{Value, describe};
+use super::value::{Algebra, Value, describe};
 use crate::algebra::{Monomial, Polynomial, Random};
 use crate::expression::derivation::DerivationKind;
-use crate::expression::{ExpressionGraph, ExpressionId, FINGERPRINT_FIELDS};
+use crate::expression::{ExpressionGraph, ExpressionId, FINGERPRINT_FIELDS, SymbolicPolynomial};
 use crate::problem::diagnostic::Diagnostic;
 
 /// The seed of points that are moved; any constant does.
@@ -49,7 +49,7 @@ impl Interpreter<'_> {
     }
 
     /// `solve(a, b)` with real data, of shapes that fit.
-    pub(super) fn solve_real(
+    fn solve_real(
         &mut self,
         call: &ExprCall,
         (function, arguments): (&BuiltIn, &[&Expr]),
@@ -60,6 +60,40 @@ impl Interpreter<'_> {
         let last = arguments.last().copied().unwrap_or(arguments[0]);
         operands.extend(self.data_of(function, last, b)?);
         self.derive(call, DerivationKind::Solve { size, right }, &operands, b.shape().to_vec())
+    }
+
+    /// The real system for `solve(a, b)` with complex data: [A -B; B A] [x; y] = [c; d] for
+    /// a = A + B i, b = c + d i and the solution x + y i. The values are the matrix, n x n, and the
+    /// right sides, of so many columns.
+    fn solve_complex(
+        &mut self,
+        call: &ExprCall,
+        (function, arguments): (&BuiltIn, &[&Expr]),
+        [a, b]: [&Value; 2],
+        columns: usize,
+    ) -> Outcome<Value> {
+        let n = a.shape().first().copied().unwrap_or(0);
+        let parts = |algebra: &Algebra, value: &Value| -> Vec<[SymbolicPolynomial; 2]> {
+            value.elements().iter().map(|element| algebra.parts(element)).collect()
+        };
+        let (of_a, of_b) = (parts(&self.algebra, a), parts(&self.algebra, b));
+        let entry = |algebra: &mut Algebra, row: usize, column: usize| {
+            let [re, im] = &of_a[row % n * n + column % n];
+            match (row < n, column < n) {
+                (true, true) | (false, false) => re.clone(),
+                (true, false) => algebra.graph.polynomial_neg(im),
+                (false, true) => im.clone(),
+            }
+        };
+        let all = (0..2 * n).flat_map(|row| (0..2 * n).map(move |column| (row, column)));
+        let matrix: Vec<_> = all.map(|(row, column)| entry(&mut self.algebra, row, column)).collect();
+        let right = (0..2).flat_map(|part| of_b.iter().map(move |parts| parts[part].clone())).collect();
+        let matrix = Value::array(vec![2 * n, 2 * n], matrix);
+        let solution =
+            self.solve_real(call, (function, arguments), [&matrix, &Value::array(vec![2 * n, columns], right)])?;
+        let (re, im) = solution.elements().split_at(n * columns);
+        let elements = re.iter().zip(im).map(|(re, im)| Algebra::join([re, im])).collect();
+        Ok(Value::array(b.shape().to_vec(), elements))
     }
 
     /// `inverse(a)`.

@@ -2,12 +2,11 @@
 
 use syn::{Expr, ExprCall, FnArg, ItemFn, Pat, ReturnType};
 
-use super::complex::IMAGINARY_UNIT;
 use super::interpret::{Interpreter, WORK_OF_A_SCOPE};
 use super::names::closest;
 use super::scope::{Binding, Kind, Outcome, Reported};
 use super::syntax::place;
-use super::value::{Value, describe};
+use super::value::{IMAGINARY_UNIT, Value, describe};
 use crate::algebra::{MAX_UNKNOWNS, Monomial, Polynomial};
 use crate::expression::rational::Rational;
 use crate::problem::diagnostic::Diagnostic;
@@ -156,13 +155,7 @@ impl Interpreter<'_> {
                 let result = self.algebra.determinant(matrix.elements(), n);
                 self.check(result.map(Value::scalar), call)
             }
-            ("trace", [matrix]) => {
-                let n = self.square(function, arguments[0], matrix)?;
-                let diagonal = matrix.elements().iter().step_by(n + 1).cloned().map(Value::scalar);
-                let zero = Value::scalar(Polynomial::ZERO);
-                let sum = diagonal.into_iter().try_fold(zero, |sum, entry| self.algebra.add(&sum, &entry));
-                self.check(sum, call)
-            }
+            ("trace", [matrix]) => self.trace(call, function, arguments[0], matrix),
             ("dot", [a, b]) => {
                 let length = self.vector(function, arguments[0], a, None)?;
                 self.vector(function, arguments[1], b, Some(length))?;
@@ -200,6 +193,15 @@ impl Interpreter<'_> {
             ("gradient", [scalar, by @ ..]) => self.gradient(call, arguments, scalar, by.first()),
             _ => Err(Reported),
         }
+    }
+
+    /// The sum of the diagonal.
+    fn trace(&mut self, call: &ExprCall, function: &BuiltIn, argument: &Expr, matrix: &Value) -> Outcome<Value> {
+        let n = self.square(function, argument, matrix)?;
+        let diagonal = matrix.elements().iter().step_by(n + 1).cloned().map(Value::scalar);
+        let zero = Value::scalar(Polynomial::ZERO);
+        let sum = diagonal.into_iter().try_fold(zero, |sum, entry| self.algebra.add(&sum, &entry));
+        self.check(sum, call)
     }
 
     /// The same elements, row by row, in an array of another shape.

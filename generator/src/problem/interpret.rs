@@ -7,13 +7,12 @@ use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 use syn::{BinOp, Block, Expr, ExprBinary, ExprForLoop, ItemFn, Local, Pat, RangeLimits, Stmt};
 
-use super::complex::PARTS;
 use super::names::emitted_name;
 use super::output::{Output, OutputElement};
 use super::scope::{Binding, Kind, Outcome, Reported, Scopes};
 use super::syntax::place;
 use super::value::{Algebra, Checked, MAX_ELEMENTS, Value, describe, fault};
-use super::{DataParameter, Span, Statement, element_name};
+use super::{DataParameter, PARTS, Span, Statement, element_name};
 use crate::algebra::Monomial;
 use crate::expression::{ExpressionGraph, SymbolicPolynomial};
 use crate::problem::diagnostic::{Diagnostic, MAX_MESSAGES};
@@ -438,14 +437,11 @@ impl<'a> Interpreter<'a> {
         let span = place(expression);
         let mut says_something = false;
         for (index, polynomial) in difference.elements().iter().enumerate() {
-            let element = element_name(difference.shape(), index);
             let is_complex = self.algebra.is_complex(polynomial);
-            for (part, name) in self.algebra.parts(polynomial).iter().zip(PARTS) {
-                if !part.is_zero() {
-                    says_something = true;
-                    let element = if is_complex { format!("{element}{name}") } else { element.clone() };
-                    self.add_equation(part, element, &span);
-                }
+            for (part, name) in self.algebra.parts(polynomial).iter().zip(PARTS).filter(|(part, _)| !part.is_zero()) {
+                says_something = true;
+                let name = if is_complex { name } else { "" };
+                self.add_equation(part, element_name(difference.shape(), index) + name, &span);
             }
         }
         *self.says_something.entry((span.start, span.end)).or_default() |= says_something;

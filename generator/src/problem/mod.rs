@@ -25,11 +25,13 @@ mod value;
 
 use std::ops::Range;
 
-use complex::PARTS;
 use output::Output;
 
 use crate::algebra::{Monomial, Polynomial};
 use crate::expression::{ExpressionGraph, SymbolicPolynomial};
+
+/// How the parts of a complex number are written.
+const PARTS: [&str; 2] = [".re", ".im"];
 
 /// A problem file as it was read.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -4,14 +4,13 @@
 use syn::{BinOp, Expr, ExprBinary, ExprStruct, Member};
 
 use super::Statement;
-use super::complex::IMAGINARY_UNIT;
 use super::functions::BUILT_IN;
 use super::interpret::Interpreter;
 use super::names::{refuse, snake_case};
 use super::output::{Output, OutputElement, OutputField};
 use super::scope::Outcome;
 use super::syntax::place;
-use super::value::{Algebra, Value, describe};
+use super::value::{Algebra, IMAGINARY_UNIT, Value, describe};
 use crate::algebra::{MAX_UNKNOWNS, Monomial, Polynomial};
 use crate::expression::rational::Rational;
 use crate::expression::{ExpressionGraph, SymbolicPolynomial};

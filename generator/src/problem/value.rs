@@ -1,9 +1,12 @@
 //! Values of the problem language: arrays of polynomials, with exact and bounded arithmetic.
 
-use crate::algebra::{Monomial, Polynomial};
+use crate::algebra::{MAX_UNKNOWNS, Monomial, Polynomial};
 use crate::expression::rational::Rational;
 use crate::expression::{ExpressionGraph, ExpressionId, SignedProduct, SymbolicPolynomial};
 use crate::problem::diagnostic::Diagnostic;
+
+/// The place of the imaginary unit among the unknowns of a monomial: the last one.
+pub(super) const IMAGINARY_UNIT: usize = MAX_UNKNOWNS - 1;
 
 /// Largest number of elements of one array.
 pub(super) const MAX_ELEMENTS: usize = 10_000;
