@@ -161,3 +161,31 @@ fn cylinders_share_what_they_share() {
     }
     assert!(squares[1] < squares[0] / 4.0, "{squares:?}");
 }
+
+/// Three lines touch up to four cylinders. Points tell which of them it is.
+#[test]
+fn points_decide_between_cylinders() {
+    let can = scene::soda_can();
+    let (mut ambiguous, mut right) = (0, 0);
+    for seed in 0..100 {
+        let random = &mut Random::new(seed);
+        let all = views(&can, (2, 6), 0.3, random);
+        let one = View::from_normalised_lines(*all[1].camera(), &all[1].lines()[..1]).expect("a line");
+        let one = one.with_ends(all[1].ends()[..1].to_vec()).expect("end points");
+        let three = [all[0].clone(), one];
+        let points = points(&can, 100, 0.1, random);
+        let Ok(of_lines) = estimate(&three, &Method::Refined) else { continue };
+        if !of_lines.plausible.as_ref().is_some_and(|plausible| plausible.is_ambiguous()) {
+            continue;
+        }
+        ambiguous += 1;
+        let both = with_points(alone(of_lines), &[three.to_vec()], &points, &JointMethod::default());
+        let both = both.expect("a cylinder").cylinders.remove(0);
+        let is_certain = !both.plausible.as_ref().is_some_and(|plausible| plausible.is_ambiguous());
+        let is_right = (both.cylinder.radius / can.radius - 1.0).abs() < 0.01;
+        assert!(is_right || !is_certain, "{seed}: {}", both.cylinder.radius);
+        right += u32::from(is_right && is_certain);
+    }
+    println!("{right} of {ambiguous} ambiguous ones decided");
+    assert!(ambiguous > 50 && right * 20 >= ambiguous * 19);
+}

@@ -103,6 +103,24 @@ fn parts_have_names() {
     assert_eq!((problem.data[1].attribute, problem.data[1].is_number()), (DataAttribute::Unit, true));
 }
 
+/// 15 unknowns beside i, whatever brings it.
+#[test]
+fn there_is_room_for_15_unknowns() {
+    let problem = |count: usize, constant: &str, body: &str| {
+        let unknowns: Vec<String> = (0..count).map(|k| format!("x{k}")).collect();
+        let equations: String = unknowns.iter().map(|x| format!("{x} * {x} == a + {body};")).collect();
+        Problem::parse("test.rs", &format!("{constant} fn p(a: f64) -> ({}) {{ {equations} }}", unknowns.join(", ")))
+    };
+    for (constant, body) in
+        [("", "(complex(0, 1) * complex(0, 1)).re"), ("const I: f64 = complex(0, 1);", "(I * I).re")]
+    {
+        assert_eq!(problem(15, constant, body).map(|problem| problem.equations.len()).ok(), Some(15));
+        let refused = problem(16, constant, body).expect_err("no room").render();
+        assert!(refused.contains("there is no room for complex numbers"), "{refused}");
+    }
+    assert!(problem(16, "", "1").is_ok());
+}
+
 /// A holomorphic problem: its solutions, and their combinations with conjugates of others.
 #[test]
 fn solutions_are_counted_with_their_conjugates() {

@@ -16,6 +16,7 @@
 
 use nalgebra::{Matrix5, Point3, Vector5};
 
+use super::alternatives::PlausibleCylinders;
 use super::estimate::{Estimate, SurfacePoints};
 use super::joint::{Directions, JointRefinement, Radii, refine_together};
 use super::joint_estimate::{JointError, JointEstimate, JointMethod, metric};
@@ -40,6 +41,8 @@ const SPREAD: f64 = 1.0 / 3.0;
 const LEANING: f64 = 10.0;
 /// The least deviation, relative to the radius: below it are rounding errors.
 const EXACT: f64 = 1e-9;
+/// A cylinder with so many times the points of each other one is the one.
+const DECISIVE: f64 = 2.0;
 /// Limits on the steps of expectation-maximisation, and on refinements.
 const STEPS: usize = 50;
 const ROUNDS: usize = 30;
@@ -47,13 +50,15 @@ const ROUNDS: usize = 30;
 const SETTLED: f64 = 1e-3;
 
 /// Refines cylinders on their lines and on the points near their surfaces. `cylinders` are the
-/// views of each with the lines that belong to it, `method` says what they share. Where points and
-/// lines do not agree, the estimate has a warning.
+/// views of each with the lines that belong to it, `method` says what they share. Of several
+/// cylinders that explain the lines about equally well, that with most points is taken, if it has
+/// twice as many as each of the others. Where points and lines do not agree, the estimate has a
+/// warning.
 ///
 /// # Errors
 /// [`JointError`], also if lines alone do not determine the cylinders.
 pub fn with_points(
-    estimate: JointEstimate,
+    mut estimate: JointEstimate,
     cylinders: &[Vec<View>],
     points: &[Point3<f64>],
     method: &JointMethod,
@@ -66,6 +71,9 @@ pub fn with_points(
             .measured(&IndependentLines::of(views))
             .map_err(|error| JointError::Cylinder { cylinder: index, error: RefineError::from(error).into() })?;
         subjects.push(Subject { views, lines, points: Vec::new(), found: SurfacePoints::default() });
+    }
+    for (subject, estimate) in subjects.iter_mut().zip(&mut estimate.cylinders) {
+        subject.decide(estimate, points);
     }
     let start: Vec<_> = estimate.cylinders.iter().map(|estimate| estimate.cylinder).collect();
     let model = (directions, radii);
@@ -127,6 +135,33 @@ fn settled(
 }
 
 impl Subject<'_> {
+    /// Of the cylinders that explain the lines, takes the one with most points.
+    fn decide(&mut self, estimate: &mut Estimate, points: &[Point3<f64>]) {
+        let Some(plausible) = estimate.plausible.as_ref().filter(|plausible| plausible.is_ambiguous()) else { return };
+        let mut counts = Vec::with_capacity(plausible.cylinders.len());
+        for alternative in &plausible.cylinders {
+            self.found = SurfacePoints::default();
+            self.look(&[alternative.cylinder], 0, points, 1.0);
+            counts.push((self.found.count, *alternative));
+        }
+        (self.points, self.found) = (Vec::new(), SurfacePoints::default());
+        counts.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let second = counts.get(1).map_or(0.0, |(count, _)| *count);
+        let Some((_, best)) = counts.first().filter(|(count, _)| *count > 0.0 && *count >= DECISIVE * second) else {
+            return;
+        };
+        estimate.cylinder = best.cylinder;
+        estimate.plausible = Some(PlausibleCylinders { cylinders: vec![*best], found: Some(0) });
+        // What was said of the choice is no longer so.
+        let is_decided = |warning: &Warning| {
+            matches!(
+                warning,
+                Warning::Ambiguous { .. } | Warning::NotTheBest | Warning::ThreeLines | Warning::FarFromRefined { .. }
+            )
+        };
+        estimate.warnings.retain(|warning| !is_decided(warning));
+    }
+
     /// Finds the points on the surface of the cylinder with this index, and weighs them against
     /// lines of this noise.
     fn look(&mut self, cylinders: &[Cylinder], index: usize, points: &[Point3<f64>], noise: f64) {

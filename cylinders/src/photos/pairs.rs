@@ -79,7 +79,9 @@ pub(super) fn cylinders_of_ribbons(seen: &[Seen], known: &[MatchedCylinder], thr
         }
     }
     let mut chosen = chosen(candidates);
-    chosen.iter_mut().for_each(|candidate| candidate.extend(seen, &free, threshold));
+    for (view, ribbons) in free.iter().enumerate() {
+        extend(&mut chosen, seen, (view, ribbons), threshold);
+    }
     chosen.retain(|candidate| candidate.ribbons.len() >= LEAST_IMAGES || candidate.is_missed_by_none(seen));
     chosen.iter().filter_map(|candidate| matched(seen, candidate, threshold)).collect()
 }
@@ -177,37 +179,35 @@ fn show_the_same_part(cylinder: &Cylinder, views: &[View]) -> bool {
 
 /// The candidates that do not contradict each other.
 fn chosen(mut candidates: Vec<Candidate<'_>>) -> Vec<Candidate<'_>> {
-    let is_disproved = |of: &Candidate<'_>| {
-        let inside: Vec<_> = candidates.iter().filter(|other| of.is_around(other)).collect();
-        let beside: Vec<_> = candidates.iter().filter(|other| of.is_beside(other)).collect();
-        let apart = |others: &[&Candidate<'_>]| {
-            others.iter().enumerate().any(|(at, one)| others[at + 1..].iter().any(|other| !one.contradicts(other)))
-        };
-        apart(&inside) || apart(&beside)
+    let apart = |others: &[&Candidate<'_>]| {
+        others.iter().enumerate().any(|(at, one)| others[at + 1..].iter().any(|other| !one.contradicts(other)))
     };
-    let disproved: Vec<bool> = candidates.iter().map(is_disproved).collect();
-    let mut disproved = disproved.into_iter();
-    candidates.retain(|_| disproved.next() != Some(true));
-    // An outline is wider than the edges on the surface inside of it.
-    candidates.sort_by(|a, b| b.width().total_cmp(&a.width()));
+    keep(&mut candidates, |of, all| {
+        let inside: Vec<_> = all.iter().filter(|other| of.is_around(other)).collect();
+        let beside: Vec<_> = all.iter().filter(|other| of.is_beside(other)).collect();
+        !apart(&inside) && !apart(&beside)
+    });
+    keep(&mut candidates, |of, all| !all.iter().any(|other| other.is_around(of)));
+    candidates.sort_by(|a, b| a.false_alarms.total_cmp(&b.false_alarms));
     let mut chosen: Vec<Candidate<'_>> = Vec::new();
     for candidate in candidates {
         if !chosen.iter().any(|other| other.contradicts(&candidate)) {
             chosen.push(candidate);
         }
     }
-    chosen.sort_by(|a, b| a.false_alarms.total_cmp(&b.false_alarms));
     chosen
+}
+
+/// Keeps those candidates that stand among all.
+fn keep<'a>(candidates: &mut Vec<Candidate<'a>>, stands: impl Fn(&Candidate<'a>, &[Candidate<'a>]) -> bool) {
+    let stand: Vec<bool> = candidates.iter().map(|candidate| stands(candidate, candidates)).collect();
+    let mut stand = stand.into_iter();
+    candidates.retain(|_| stand.next() == Some(true));
 }
 
 impl<'a> Candidate<'a> {
     fn ribbon(&self, view: usize) -> Option<&'a Ribbon> {
         self.ribbons.iter().find(|(of, _)| *of == view).map(|(_, ribbon)| *ribbon)
-    }
-
-    /// Mean width, pixels.
-    fn width(&self) -> f64 {
-        self.ribbons.iter().map(|(_, ribbon)| ribbon.width()).sum::<f64>() / self.ribbons.len() as f64
     }
 
     /// The ribbons of both in the views that they have in common.
@@ -222,40 +222,38 @@ impl<'a> Candidate<'a> {
             .any(|[own, other]| own.lines.iter().any(|line| other.lines.contains(line)) || own.overlaps(other))
     }
 
-    /// Whether another one lies inside in all views that both have.
+    /// Whether another one lies inside in all views that both have, two at least.
     fn is_around(&self, other: &Self) -> bool {
         let common = self.common(other);
         let is_inside = |[own, other]: &[&Ribbon; 2]| own.lines != other.lines && own.encloses(other);
-        !common.is_empty() && common.iter().all(is_inside)
+        common.len() > 1 && common.iter().all(is_inside)
     }
 
-    /// Whether another one has a line of this one, and lies beside it, in all views that both have.
+    /// Whether another one has a line of this one, and lies beside it, in all views that both have,
+    /// two at least.
     fn is_beside(&self, other: &Self) -> bool {
         let common = self.common(other);
         let is_there = |[own, other]: &[&Ribbon; 2]| {
             own.lines.iter().filter(|line| other.lines.contains(line)).count() == 1 && !own.overlaps(other)
         };
-        !common.is_empty() && common.iter().all(is_there)
+        common.len() > 1 && common.iter().all(is_there)
     }
 
-    /// Looks for the ribbons of the cylinder in all other images, one after the other.
-    fn extend(&mut self, seen: &[Seen], free: &[Vec<&'a Ribbon>], threshold: f64) {
-        for (view, ribbons) in free.iter().enumerate() {
-            if self.ribbon(view).is_some() {
-                continue;
-            }
-            let is_near = |ribbon: &&&Ribbon| self.is_near(view, &seen[view].view.selected(&ribbon.lines), threshold);
-            let with = |ribbon: &&'a Ribbon| {
-                let ribbons = [&self.ribbons[..], &[(view, *ribbon)]].concat();
-                let estimate = estimate_from(&lines(seen, &ribbons), &self.cylinder).ok()?;
-                let rms = estimate.refinement.as_ref()?.0.rms;
-                (rms <= threshold).then_some((rms, estimate.cylinder, ribbons))
-            };
-            let fitting = ribbons.iter().filter(is_near).filter_map(with);
-            if let Some((_, cylinder, ribbons)) = fitting.min_by(|a, b| a.0.total_cmp(&b.0)) {
-                (self.cylinder, self.ribbons) = (cylinder, ribbons);
-            }
+    /// Whether a line of a ribbon is one of this cylinder.
+    fn uses(&self, view: usize, ribbon: &Ribbon) -> bool {
+        self.ribbon(view).is_some_and(|own| own.lines.iter().any(|line| ribbon.lines.contains(line)))
+    }
+
+    /// The cylinder with the ribbon of one more image, and the distance of its lines; `None` if the
+    /// ribbon does not fit.
+    fn with(&self, seen: &[Seen], (view, ribbon): (usize, &'a Ribbon), threshold: f64) -> Option<(f64, Self)> {
+        if !self.is_near(view, &seen[view].view.selected(&ribbon.lines), threshold) {
+            return None;
         }
+        let ribbons = [&self.ribbons[..], &[(view, ribbon)]].concat();
+        let Estimate { cylinder, refinement, .. } = estimate_from(&lines(seen, &ribbons), &self.cylinder).ok()?;
+        let rms = refinement?.0.rms;
+        (rms <= threshold).then_some((rms, Self { cylinder, ribbons, ..*self }))
     }
 
     /// Whether no image that shows the part that ribbons show is without a ribbon.
@@ -294,6 +292,23 @@ impl<'a> Candidate<'a> {
         let Some(residuals) = self.cylinder.residuals(view, lines) else { return false };
         let is_near = |line: &LineResidual| line.pixels.is_some_and(|pixels| pixels.abs() <= NEAR * threshold);
         residuals.iter().all(is_near) && residuals.windows(2).all(|pair| pair[0].side != pair[1].side)
+    }
+}
+
+/// Gives the ribbons of an image to the cylinders that have none there, the best fits first. A line
+/// is used once.
+fn extend<'a>(chosen: &mut [Candidate<'a>], seen: &[Seen], (view, ribbons): (usize, &[&'a Ribbon]), threshold: f64) {
+    let mut fits = Vec::new();
+    for (at, candidate) in chosen.iter().enumerate().filter(|(_, candidate)| candidate.ribbon(view).is_none()) {
+        let with = |ribbon: &&'a Ribbon| Some((at, candidate.with(seen, (view, ribbon), threshold)?));
+        fits.extend(ribbons.iter().filter_map(with));
+    }
+    fits.sort_by(|(_, (a, _)), (_, (b, _))| a.total_cmp(b));
+    for (at, (_, extended)) in fits {
+        let is_free = |ribbon: &Ribbon| !chosen.iter().any(|other| other.uses(view, ribbon));
+        if chosen[at].ribbon(view).is_none() && extended.ribbon(view).is_some_and(is_free) {
+            chosen[at] = extended;
+        }
     }
 }
 

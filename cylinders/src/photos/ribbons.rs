@@ -39,7 +39,7 @@ const BEND: f32 = 2.0;
 const LARGEST_STEP: f32 = 16.0;
 const STEP: f32 = 0.5;
 /// So many ribbons of an image at most: the longest.
-const MOST: usize = 60;
+const MOST: usize = 40;
 
 /// Grey values on a walk across a ribbon.
 pub(super) type Profile = [f32; VALUES];

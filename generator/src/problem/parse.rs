@@ -268,8 +268,10 @@ fn declare_signature(
     }
     interpreter.unknowns = unknowns.iter().flat_map(|field| field.names()[..field.unknowns().len()].to_vec()).collect();
     let complex = data.iter().filter(|parameter| parameter.is_complex).map(|parameter| &parameter.span);
-    let complex = complex.chain(unknowns.iter().filter(|field| field.is_complex).map(|field| &field.span));
-    if let Some(first) = complex.into_iter().next() {
+    let mut complex = complex.chain(unknowns.iter().filter(|field| field.is_complex).map(|field| &field.span));
+    // Constants may be complex, too.
+    let of_constants = || unknowns.last().filter(|_| interpreter.algebra.has_imaginary_unit).map(|last| &last.span);
+    if let Some(first) = complex.next().or_else(of_constants) {
         // Its own failure is among the messages.
         let _ = interpreter.enter_complex_numbers(first.clone());
     }
