@@ -15,12 +15,14 @@ pub(super) fn solution(plan: &Plan) -> TokenStream {
     let doc = format!(" A solution of `{}`: real, or complex with `T = Complex<f64>`.", plan.name);
     let names: Vec<_> = plan.fields.iter().map(|field| format_ident!("{}", field.name)).collect();
     let types = plan.fields.iter().map(|field| type_of(quote!(T), &field.shape, field.is_complex));
-    let field_docs =
-        plan.fields.iter().map(|field| match (field.is_projective, &field.shape[usize::from(field.is_complex)..]) {
+    let field_docs = plan.fields.iter().map(|field| {
+        let kind = if field.is_complex { "complex " } else { "" };
+        match (field.is_projective, &field.shape[usize::from(field.is_complex)..]) {
             (true, _) => format!(" The unknowns `{}`, given up to scale: of length 1.", field.name),
-            (false, []) => format!(" The unknown `{}`.", field.name),
-            (false, _) => format!(" The unknowns `{}`.", field.name),
-        });
+            (false, []) => format!(" The {kind}unknown `{}`.", field.name),
+            (false, _) => format!(" The {kind}unknowns `{}`.", field.name),
+        }
+    });
     let elements = plan.fields.iter().zip(&names).flat_map(|(field, name)| {
         accessors(&field.shape, field.is_complex).map(move |accessor| quote!(self.#name #accessor))
     });
