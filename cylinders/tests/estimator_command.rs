@@ -121,6 +121,18 @@ fn points_are_evidence_if_there_are_any() {
         assert!(evidence["deviation"].as_f64().expect("a number") < 0.2);
         assert!((found["radius"].as_f64().expect("a number") - 33.0).abs() < 0.1);
     }
+    // Outliers stay in the report, and do not move the cylinder.
+    scene["views"][2]["lines_pixels"].as_array_mut().expect("lines").insert(0, json!([0.6, 0.8, -2500.0]));
+    let wrong = file("with_points_and_a_wrong_line.json", &scene);
+    let found = report(&["--robust", "--points", &wrong]);
+    assert!((found["radius"].as_f64().expect("a number") - 33.0).abs() < 0.1);
+    let residuals = found["residuals"].as_array().expect("residuals");
+    assert_eq!(residuals.len(), 17);
+    for line in residuals {
+        let is_near = line["pixels"].as_f64().expect("a number").abs() < 5.0;
+        assert_eq!(line["inlier"], json!(is_near), "{line}");
+        assert_eq!(is_near, (&line["view"], &line["line"]) != (&json!(2), &json!(0)), "{line}");
+    }
     let (_, text, _) = command(&["--points", &with]);
     assert!(text.contains("points used"), "{text}");
 }

@@ -127,7 +127,7 @@ impl Estimator {
         cylinders: &[CylinderLines],
         points: &[Point3<f64>],
     ) -> Result<Vec<Estimate>, String> {
-        let views: Vec<_> = cylinders.iter().zip(&estimates).map(|(lines, of)| of.agreeing(lines)).collect();
+        let views: Vec<_> = cylinders.iter().map(|lines| lines.views.clone()).collect();
         let estimates = JointEstimate { cylinders: estimates, radius: None };
         let joint = with_points(estimates, &views, points, &self.joint_method());
         Ok(joint.map_err(|error| of_joint(cylinders, error))?.cylinders)

@@ -83,8 +83,7 @@ impl EstimatorArguments {
         if !self.points {
             return Ok(estimate);
         }
-        let views: Vec<_> =
-            cylinders.iter().zip(&estimate.cylinders).map(|(lines, estimate)| estimate.agreeing(lines)).collect();
+        let views: Vec<_> = cylinders.iter().map(|lines| lines.views.clone()).collect();
         let method = self.joint_method().unwrap_or_default();
         with_points(estimate, &views, points, &method).map_err(|error| self.failure(scene, cylinders, error))
     }

@@ -1,5 +1,6 @@
 //! A cylinder from any of the estimators, with all that makes it doubtful, in one form for reports.
 
+use serde::Serialize;
 use thiserror::Error;
 
 use super::alternatives::PlausibleCylinders;
@@ -11,7 +12,7 @@ use super::triangulate::{TriangulateError, Triangulation, triangulate};
 use super::warnings::{Warning, bad_fit, camera_warnings, fit_warnings, thin};
 use crate::axis::direction::Direction;
 use crate::cross_section::circle::{CircleError, CircleFit};
-use crate::observations::scene::{CylinderLines, LineId};
+use crate::observations::scene::LineId;
 use crate::observations::view::View;
 use crate::space::cylinder::{Cylinder, LineResidual, Side};
 use crate::space::silhouette_distance::{DistanceUnit, Metric};
@@ -71,7 +72,7 @@ pub struct EstimateConsensus {
 }
 
 /// What the points of the scene told of a cylinder.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct SurfacePoints {
     /// The number of points on the surface: the sum of the probabilities that they are. 0 if there
     /// are too few, or they do not gather at the surface.
@@ -253,11 +254,13 @@ impl Estimate {
     }
 
     /// The views with the lines that agree with the cylinder: after RANSAC not all.
-    pub fn agreeing(&self, lines: &CylinderLines) -> Vec<View> {
-        match &self.consensus {
-            Some(consensus) => lines.selected(&consensus.inliers).views,
-            None => lines.views.clone(),
-        }
+    pub(super) fn agreeing(&self, views: &[View]) -> Vec<View> {
+        let Some(consensus) = &self.consensus else { return views.to_vec() };
+        let agrees = |view, line: &usize| consensus.inliers.contains(&LineId { view, line: *line });
+        let of_view = |(index, view): (usize, &View)| {
+            view.selected(&(0..view.lines().len()).filter(|line| agrees(index, line)).collect::<Vec<_>>())
+        };
+        views.iter().enumerate().map(of_view).collect()
     }
 
     /// The estimate refined on all lines.

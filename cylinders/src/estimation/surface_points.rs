@@ -49,8 +49,8 @@ const ROUNDS: usize = 30;
 /// The variances are known well enough if they change by less than this part.
 const SETTLED: f64 = 1e-3;
 
-/// Refines cylinders on their lines and on the points near their surfaces. `cylinders` are the
-/// views of each with the lines that belong to it, `method` says what they share. Of several
+/// Refines cylinders on the lines that agree with them and on the points near their surfaces.
+/// `cylinders` are the views from which each was estimated, `method` says what they share. Of several
 /// cylinders that explain the lines about equally well, that with most points is taken, if it has
 /// twice as many as each of the others. Where points and lines do not agree, the estimate has a
 /// warning.
@@ -66,9 +66,10 @@ pub fn with_points(
     let directions = if method.parallel { Directions::Shared } else { Directions::Own };
     let (radii, loss) = method.refinement.unwrap_or((Radii::Own, Loss::Quadratic));
     let (metric, mut subjects) = (metric(cylinders), Vec::new());
-    for (index, views) in cylinders.iter().enumerate() {
+    for (index, (estimate, views)) in estimate.cylinders.iter().zip(cylinders).enumerate() {
+        let views = estimate.agreeing(views);
         let lines = metric
-            .measured(&IndependentLines::of(views))
+            .measured(&IndependentLines::of(&views))
             .map_err(|error| JointError::Cylinder { cylinder: index, error: RefineError::from(error).into() })?;
         subjects.push(Subject { views, lines, points: Vec::new(), found: SurfacePoints::default() });
     }
@@ -85,7 +86,7 @@ pub fn with_points(
         let failure = |error: RefineError| JointError::Cylinder { cylinder: index, error: error.into() };
         let disagrees = subject.found.count > 0.0 && (!before.is_near(&after.cylinder) || subject.leans(&after));
         let disagrees = disagrees.then_some(Warning::PointsDisagree);
-        let estimate = estimate.with_refinement(subject.views, after, metric.unit).map_err(failure)?;
+        let estimate = estimate.with_refinement(&cylinders[index], after, metric.unit).map_err(failure)?;
         let warnings = estimate.warnings.iter().copied().chain(disagrees).collect();
         estimates.push(Estimate { surface_points: Some(subject.found), warnings, ..estimate });
     }
@@ -93,20 +94,21 @@ pub fn with_points(
 }
 
 /// A cylinder with what is known of it.
-struct Subject<'a> {
-    views: &'a [View],
+struct Subject {
+    /// With the lines that agree.
+    views: Vec<View>,
     lines: Vec<MeasuredLine>,
     points: Vec<WeightedPoint>,
     found: SurfacePoints,
 }
 
-fn observed<'a>(subjects: &'a [Subject<'_>]) -> Vec<Observed<'a>> {
+fn observed(subjects: &[Subject]) -> Vec<Observed<'_>> {
     subjects.iter().map(|subject| Observed { lines: &subject.lines, points: &subject.points }).collect()
 }
 
 /// Cylinders, points on them and variances that belong together.
 fn settled(
-    subjects: &mut [Subject<'_>],
+    subjects: &mut [Subject],
     mut joint: JointRefinement,
     points: &[Point3<f64>],
     model: (Directions, Radii),
@@ -134,7 +136,7 @@ fn settled(
     Ok(joint)
 }
 
-impl Subject<'_> {
+impl Subject {
     /// Of the cylinders that explain the lines, takes the one with most points.
     fn decide(&mut self, estimate: &mut Estimate, points: &[Point3<f64>]) {
         let Some(plausible) = estimate.plausible.as_ref().filter(|plausible| plausible.is_ambiguous()) else { return };
@@ -166,18 +168,18 @@ impl Subject<'_> {
     /// lines of this noise.
     fn look(&mut self, cylinders: &[Cylinder], index: usize, points: &[Point3<f64>], noise: f64) {
         let (cylinder, band) = (&cylinders[index], BAND * cylinders[index].radius);
-        let extent = visible_extent(cylinder, self.views, &[]);
+        let extent = visible_extent(cylinder, &self.views, &[]);
         let is_candidate = |point: &&Point3<f64>| {
-            let distance = distance(cylinder, point).abs();
+            let distance = cylinder.distance(point).abs();
             let height = cylinder.height(point);
             distance < band
                 && extent.is_none_or(|[low, high]| (low..=high).contains(&height))
                 && self.views.iter().any(|view| faces(cylinder, point, &view.camera().centre()))
                 // Of two surfaces a point is on the nearer one.
-                && cylinders.iter().enumerate().all(|(at, other)| at == index || distance <= self::distance(other, point).abs())
+                && cylinders.iter().enumerate().all(|(at, other)| at == index || distance <= other.distance(point).abs())
         };
         let near: Vec<_> = points.iter().filter(is_candidate).collect();
-        let distances: Vec<f64> = near.iter().map(|point| distance(cylinder, point)).collect();
+        let distances: Vec<f64> = near.iter().map(|point| cylinder.distance(point)).collect();
         let mixture = Mixture::of(&distances, band, EXACT * cylinder.radius);
         let count = mixture.as_ref().map_or(0.0, |mixture| mixture.share * distances.len() as f64);
         let Some(mixture) = mixture.filter(|mixture| count >= ENOUGH && mixture.deviation < SPREAD * band) else {
@@ -194,11 +196,6 @@ impl Subject<'_> {
         self.points = near.into_iter().zip(&distances).map(weighted).collect();
         self.found = SurfacePoints { count, deviation };
     }
-}
-
-/// The distance of a point from the surface, positive outside.
-fn distance(cylinder: &Cylinder, point: &Point3<f64>) -> f64 {
-    cylinder.vector_to_axis(point).norm() - cylinder.radius
 }
 
 /// Whether the surface at a point is turned to a camera.
@@ -255,7 +252,7 @@ struct Variances {
 impl Variances {
     /// Squared residuals over their number less what the parameters take. The points of cylinder k
     /// take `tr(N_k N^-1)`, where `N_k` is their part of the normal matrix `N`.
-    fn of(subjects: &[Subject<'_>], joint: &JointRefinement, (directions, radii): (Directions, Radii)) -> Self {
+    fn of(subjects: &[Subject], joint: &JointRefinement, (directions, radii): (Directions, Radii)) -> Self {
         let (mut squares, mut lines, mut taken) = (0.0, 0.0, 0.0);
         let mut of_points = Vec::with_capacity(subjects.len());
         for (subject, refinement) in subjects.iter().zip(&joint.cylinders) {
@@ -291,7 +288,7 @@ struct OfPoints {
     count: f64,
 }
 
-impl Subject<'_> {
+impl Subject {
     fn points_of(&self, refinement: &Refinement) -> OfPoints {
         let mut sum = OfPoints::default();
         for point in &self.points {
