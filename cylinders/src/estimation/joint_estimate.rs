@@ -106,24 +106,26 @@ fn shared_direction(cylinders: &[Vec<View>]) -> Result<Direction, DirectionError
 ///   n log(S' / S) > q log n
 /// ```
 pub(crate) fn parallel_from(own: &[Estimate], cylinders: &[Vec<View>]) -> Option<Vec<Estimate>> {
+    if own.len() < 2 {
+        return None;
+    }
     let metric = metric(cylinders);
     let lines = cylinders.iter().map(|views| metric.measured(&IndependentLines::of(views)).ok());
     let lines: Vec<_> = lines.collect::<Option<_>>()?;
     let observed: Vec<_> = lines.iter().map(|lines| Observed::lines(lines)).collect();
     let start: Vec<_> = own.iter().map(|estimate| estimate.cylinder).collect();
-    if own.len() < 2 {
-        return None;
-    }
-    let refine = |directions| refine_together(&observed, &start, (directions, Radii::Own), Loss::Quadratic).ok();
-    let [with_own, with_one] = [refine(Directions::Own)?, refine(Directions::Shared)?];
+    let with_one = refine_together(&observed, &start, (Directions::Shared, Radii::Own), Loss::Quadratic).ok()?;
+    let with_own = own.iter().map(|estimate| estimate.refinement.as_ref().filter(|(_, unit)| *unit == metric.unit));
+    let with_own: Vec<&Refinement> = with_own.map(|own| own.map(|(own, _)| own)).collect::<Option<_>>()?;
     let count = 2.0 * lines.iter().map(Vec::len).sum::<usize>() as f64;
-    let squares = |joint: &JointRefinement| {
+    let squares = |refinements: &[&Refinement]| {
         let of_cylinder =
-            |(refinement, lines): (&Refinement, &Vec<_>)| refinement.rms.powi(2) * 2.0 * lines.len() as f64;
-        joint.cylinders.iter().zip(&lines).map(of_cylinder).sum::<f64>() + count * EXACT * EXACT
+            |(refinement, lines): (&&Refinement, &Vec<_>)| refinement.rms.powi(2) * 2.0 * lines.len() as f64;
+        refinements.iter().zip(&lines).map(of_cylinder).sum::<f64>() + count * EXACT * EXACT
     };
     let fewer = 2.0 * (own.len() - 1) as f64;
-    if count * (squares(&with_one) / squares(&with_own)).ln() > fewer * count.ln() {
+    let ratio = squares(&with_one.cylinders.iter().collect::<Vec<_>>()) / squares(&with_own);
+    if count * ratio.ln() > fewer * count.ln() {
         return None;
     }
     let parts = own.iter().zip(cylinders).zip(with_one.cylinders);

@@ -164,16 +164,7 @@ pub struct PointReport {
     pub near_surface: usize,
     /// What they told; absent if they were not asked.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub evidence: Option<PointEvidence>,
-}
-
-/// Points on the surface as evidence for the cylinder.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct PointEvidence {
-    /// Number of points on the surface: the sum of the probabilities that they are.
-    pub count: f64,
-    /// Standard deviation of their distances from the surface, world units.
-    pub deviation: f64,
+    pub evidence: Option<SurfacePoints>,
 }
 
 impl Report {
@@ -279,7 +270,6 @@ impl ResidualReport {
 impl PointReport {
     fn new(estimate: &Estimate, points: &[Point3<f64>]) -> Self {
         let near_surface = points.iter().filter(|point| estimate.cylinder.is_near(point)).count();
-        let evidence = |SurfacePoints { count, deviation }| PointEvidence { count, deviation };
-        Self { total: points.len(), near_surface, evidence: estimate.surface_points.map(evidence) }
+        Self { total: points.len(), near_surface, evidence: estimate.surface_points }
     }
 }

@@ -3,7 +3,8 @@
 use std::fmt;
 
 use super::number::{number, triple};
-use super::report::{ConsensusReport, LeastSquaresReport, PointEvidence, RefinementReport, Report, ResidualReport};
+use super::report::{ConsensusReport, LeastSquaresReport, RefinementReport, Report, ResidualReport};
+use crate::estimation::estimate::SurfacePoints;
 use crate::space::cylinder::NEAR_SURFACE;
 
 /// Text for people, with seven significant digits.
@@ -21,10 +22,10 @@ impl fmt::Display for Report {
                 points.near_surface, points.total
             )?;
             match points.evidence {
-                Some(PointEvidence { count: 0.0, .. }) => {
+                Some(SurfacePoints { count: 0.0, .. }) => {
                     writeln!(text, "points used                   0   they do not gather at the surface")?;
                 }
-                Some(PointEvidence { count, deviation }) => {
+                Some(SurfacePoints { count, deviation }) => {
                     writeln!(text, "points used      {count:14.1}   {} from the surface", number(deviation).trim())?;
                 }
                 None => {}

@@ -75,15 +75,6 @@ pub fn undistorted_image<'a>(photograph: &Photograph, image: &'a GreyImage) -> R
     Ok(Cow::Owned(image.warped(seen)))
 }
 
-/// The segments of a photograph, in pixels without distortion. The distortion is removed from the
-/// image before detection, because the image of a straight line is curved.
-///
-/// # Errors
-/// [`PhotoError::NoCalibration`].
-pub fn undistorted_segments(photograph: &Photograph, image: &GreyImage) -> Result<Vec<DetectedSegment>, PhotoError> {
-    Ok(detect_segments(undistorted_image(photograph, image)?.as_ref()))
-}
-
 /// What a photograph shows.
 #[derive(Clone, Debug)]
 pub struct Seen {

@@ -24,7 +24,7 @@ mod search;
 /// Marked lines to the edges near them.
 mod snap;
 
-pub use lines::{LineOptions, PhotoError, Seen, candidate_lines, seen, undistorted_image, undistorted_segments};
+pub use lines::{LineOptions, PhotoError, Seen, candidate_lines, seen, undistorted_image};
 pub use ribbons::Ribbon;
 pub use search::{PhotoMatching, PhotoOptions, find_cylinders, find_in_photographs};
 pub use snap::snapped;
