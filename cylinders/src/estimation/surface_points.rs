@@ -50,10 +50,10 @@ const ROUNDS: usize = 30;
 const SETTLED: f64 = 1e-3;
 
 /// Refines cylinders on the lines that agree with them and on the points near their surfaces.
-/// `cylinders` are the views from which each was estimated, `method` says what they share. Of several
-/// cylinders that explain the lines about equally well, that with most points is taken, if it has
-/// twice as many as each of the others. Where points and lines do not agree, the estimate has a
-/// warning.
+/// `cylinders` are the views from which each was estimated, `method` says what they share. Of
+/// several cylinders that explain the lines about equally well, that with most points is taken, if
+/// it has twice as many as each of the others. Where points and lines do not agree, the estimate
+/// has a warning.
 ///
 /// # Errors
 /// [`JointError`], also if lines alone do not determine the cylinders.
