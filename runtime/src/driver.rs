@@ -20,24 +20,17 @@ use crate::number::Scalar;
 use crate::number::double_double::DoubleDouble;
 use crate::number::scalar::mapped;
 use crate::size::{List, Size, Square, filled_matrix};
-use crate::solution::candidates::{AllSolutions, Collection, IMPRECISE, IMPRECISE_ROOT, RealSolutions, images};
+use crate::solution::candidates::{AllSolutions, Collection, RealSolutions, images};
 use crate::solution::extract::unknowns;
 use crate::solution::shared_value::SharedValue;
-use crate::solver_instance::{BasisVector, EigenpairSource, HiddenVariableSolver, Points, SolverInstance};
+use crate::solver_instance::{BasisVector, EigenpairSource, Points, SolverInstance};
 use crate::spectrum::hessenberg::Hessenberg;
-use crate::spectrum::hidden_variable::{ChainedBasis, HiddenVariable};
 use crate::spectrum::precise_spectrum::{PreciseSpectrum, Row, with_precise_spectrum};
-use crate::spectrum::real_roots::real_roots;
-use crate::spectrum::root_count::{LEAST_ERROR, SAFETY, count_is_certain};
 
 /// If |B| exceeds the number of solutions and all solutions are found, an eigenpair with a larger
 /// relative residual than this before the polish counts as spurious. Residuals of solutions are
 /// near rounding, and the polish of a spurious eigenpair would take long.
 const NO_SOLUTION: f64 = 1e-6;
-
-/// A determinant without real roots is certain to have none if errors of its coefficients that
-/// could give it one are larger than this, relative to them.
-pub(crate) const CLEARANCE: f64 = 1e-6;
 
 /// A factor that must not vanish counts as zero if its modulus is at most this, relative to the sum
 /// of the moduli of its terms.
@@ -54,7 +47,7 @@ pub const VANISHING: f64 = 1e-8;
 #[inline]
 pub fn complex_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, Complex<f64>>, SolveError> {
     let mut found = AllSolutions::new(solver);
-    solve(solver, &mut found)?;
+    solve(solver, &mut found, None, &mut |_| false)?;
     Ok(found.admissible(solver))
 }
 
@@ -69,72 +62,8 @@ pub fn complex_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, 
 #[inline]
 pub fn real_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, f64>, SolveError> {
     let mut found = RealSolutions::new(solver, has_spurious_values(solver));
-    solve(solver, &mut found)?;
+    solve(solver, &mut found, None, &mut |_| false)?;
     Ok(found.admissible(solver))
-}
-
-/// Returns all real solutions, by the real roots of a determinant. If a root is not certain, or
-/// leads to no solution of its own, or the polish moves one so far that errors of the determinant
-/// could hide others, or there is no root and presolve divided by a number close to zero, all is
-/// done as by [`real_solutions`].
-///
-/// # Errors
-/// As [`real_solutions`].
-#[inline]
-pub fn real_solutions_by_determinant<I: HiddenVariableSolver>(solver: &mut I) -> Result<Points<I, f64>, SolveError> {
-    let mut found = RealSolutions::new(solver, false);
-    match add_roots(solver, &mut found) {
-        true => Ok(found.admissible(solver)),
-        false => real_solutions(solver),
-    }
-}
-
-/// Adds the solutions of all real roots of the determinant. Returns false if it cannot be told
-/// whether these are all real solutions.
-#[inline(never)]
-fn add_roots<I: HiddenVariableSolver>(solver: &mut I, found: &mut RealSolutions<I>) -> bool {
-    let Ok(action) = solver.action_matrix::<f64>() else { return false };
-    let (solver, chains) = (&*solver, solver.chains());
-    let Some(variable) = HiddenVariable::new(&chains, &action) else { return false };
-    let determinant = variable.determinant();
-    let roots = real_roots(chains.sizes().3, &determinant);
-    let source = HiddenPairs { basis: solver.sizes().basis, variable: &variable };
-    // Without a root, no polish shows whether the polynomial is precise. It is a sum of products of
-    // an entry of each chain's row, which may be much larger than the sum.
-    let is_none_certain = || {
-        let largest = action.as_ref().iter().flat_map(|row| row.as_ref()).fold(1.0, |a: f64, x| a.max(x.abs()));
-        let error = (0..chains.sizes().1.get()).fold(f64::EPSILON, |error, _| error * largest);
-        roots.clearance > CLEARANCE.max(error) && !solver.has_large_quotients()
-    };
-    let mut is_certain = roots.is_certain && (!roots.roots.is_empty() || is_none_certain());
-    let mut moved = chains.sizes().3.list();
-    let (mut is_precise, mut error) = (true, LEAST_ERROR);
-    for &root in roots.roots.iter() {
-        let value = root.into();
-        is_certain = is_certain && found.add(solver, &source, value) && found.moved() <= IMPRECISE;
-        is_precise &= found.moved() <= IMPRECISE_ROOT;
-        error = error.max(SAFETY * found.moved());
-        moved.push((root, found.moved()));
-    }
-    is_precise &= roots.clearance > error;
-    is_certain && !found.is_imprecise() && (is_precise || count_is_certain(chains.sizes().3, &determinant, &moved))
-}
-
-/// The eigenpairs of the real roots.
-struct HiddenPairs<'a, 'c, H: ChainedBasis> {
-    basis: H::Basis,
-    variable: &'a HiddenVariable<'c, H>,
-}
-
-impl<H: ChainedBasis> EigenpairSource<H::Basis> for HiddenPairs<'_, '_, H> {
-    fn real(&self, value: f64) -> (f64, <H::Basis as Size>::Vector<f64>) {
-        (value, self.variable.vector(value))
-    }
-
-    fn complex(&self, value: Complex<f64>) -> (Complex<f64>, <H::Basis as Size>::Vector<Complex<f64>>) {
-        let (_, vector) = self.real(value.re);
-        (value, mapped(self.basis, &vector, |entry: f64| Complex::from(entry)))
-    }
 }
 
 /// Whether some eigenvalues belong to no solution, or to a solution that is known beforehand.
@@ -144,12 +73,22 @@ fn has_spurious_values<I: SolverInstance>(solver: &I) -> bool {
     sizes.basis.get() * (1 + images(solver).len()) + usize::from(solver.has_origin()) > sizes.solutions.get()
 }
 
-/// Collects the solutions, in one attempt or two.
+/// Collects the solutions, in one attempt or two, from the action matrix if it is known. If the
+/// first attempt lacks some, `instead` may find all in another way: if it returns true, nothing
+/// else is tried.
 #[inline]
-fn solve<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> Result<(), SolveError> {
+pub(crate) fn solve<I: SolverInstance>(
+    solver: &mut I,
+    found: &mut impl Collection<I>,
+    action: Option<&Square<I::Basis, f64>>,
+    instead: &mut dyn FnMut(&mut I) -> bool,
+) -> Result<(), SolveError> {
     let may_repeat = solver.allows_second_attempt();
     let mut known = solver.sizes().basis.list();
-    let first = first_attempt(solver, found, (&mut known, may_repeat));
+    let first = match action {
+        Some(action) => from_action(solver, action, found, (&mut known, may_repeat)),
+        None => first_attempt(solver, found, (&mut known, may_repeat)),
+    };
     if !(may_repeat && (first.is_err() || found.lacks_some())) {
         return first.map(|_| ());
     }
@@ -157,6 +96,9 @@ fn solve<I: SolverInstance>(solver: &mut I, found: &mut impl Collection<I>) -> R
         found.starts_to_count(solver, solver.has_large_quotients());
     }
     let can_repeat = first.is_ok() || solver.has_precise_coefficients();
+    if can_repeat && instead(solver) {
+        return Ok(());
+    }
     let is_repeated = can_repeat && second_attempt(solver, found, &known).is_ok();
     match first {
         _ if is_repeated && !found.lacks_some() => Ok(()),
@@ -249,18 +191,29 @@ fn is_far_out<B: Size, S: Scalar>(action: &Square<B, S>) -> bool {
     action.as_ref().iter().any(|row| row.as_ref().iter().any(|entry| entry.modulus() > FAR_OUT))
 }
 
-/// Collects what the usual precision finds, and the eigenvalues that led to it. It is a function of
-/// its own, so that its memory is free for the second attempt. With `may_stop` it ends as soon as
-/// it is known that solutions will be missing: polishes that fail take long, and so do solutions
-/// that share an eigenvalue. Returns whether solutions may have no eigenpair, or one without
-/// digits.
+/// Collects what the usual precision finds. It is a function of its own, so that its memory is free
+/// for the second attempt. See [`from_action`].
 #[inline(never)]
 fn first_attempt<I: SolverInstance>(
     solver: &mut I,
     found: &mut impl Collection<I>,
-    (known, may_stop): (&mut Known<I>, bool),
+    known: (&mut Known<I>, bool),
 ) -> Result<bool, SolveError> {
     let action = solver.action_matrix::<f64>()?;
+    from_action(solver, &action, found, known)
+}
+
+/// Collects the solutions of an action matrix, and the eigenvalues that led to them. With
+/// `may_stop` it ends as soon as it is known that solutions will be missing: polishes that fail
+/// take long, and so do solutions that share an eigenvalue. Returns whether solutions may have no
+/// eigenpair, or one without digits.
+#[inline(never)]
+fn from_action<I: SolverInstance>(
+    solver: &I,
+    action: &Square<I::Basis, f64>,
+    found: &mut impl Collection<I>,
+    (known, may_stop): (&mut Known<I>, bool),
+) -> Result<bool, SolveError> {
     let mut spectrum = Hessenberg::zero(solver.sizes().basis);
     spectrum.matrix = action.clone();
     spectrum.reduce_in_place()?;
@@ -268,14 +221,14 @@ fn first_attempt<I: SolverInstance>(
     found.note(solver, values.as_ref());
     let mut is_complete = add_separate(solver, (&spectrum, &values), found, (known, may_stop));
     let may_lose_some = solver.has_large_quotients()
-        || solver.loses_zeros() && is_far_out::<I::Basis, _>(&action)
+        || solver.loses_zeros() && is_far_out::<I::Basis, _>(action)
         || solver.misreads_zeros() && !is_complete;
     if found.starts_to_count(solver, may_lose_some) {
         *known = solver.sizes().basis.list();
         is_complete = add_separate(solver, (&spectrum, &values), found, (known, may_stop)) || found.has_all();
     }
     if !(is_complete || may_stop && found.lacks_some()) {
-        add_shared(solver, &action, (&spectrum, &values), found);
+        add_shared(solver, action, (&spectrum, &values), found);
     }
     Ok(may_lose_some)
 }

@@ -59,6 +59,7 @@ mod continuation;
 
 /// All stages for one instance, with a second attempt at twice the precision if solutions are
 /// missing.
+mod determinant;
 mod driver;
 
 /// Data that are derived from data before a solve.

@@ -7,7 +7,7 @@ use crate::batch::lanes::{Lanes, MOST, lanes_in_use};
 use crate::batch::polish::Equations;
 use crate::batch::roots::Isolation;
 use crate::batch::solver::{BatchData, BatchSolver};
-use crate::driver::CLEARANCE;
+use crate::determinant::CLEARANCE;
 use crate::elimination::template::{action_matrix_from, solved_rows_from};
 use crate::number::Arithmetic;
 use crate::size::{List, Matrix, Size};
