@@ -15,6 +15,7 @@ use num_complex::Complex;
 
 use crate::driver::solve;
 use crate::error::SolveError;
+use crate::number::Scalar;
 use crate::number::double_double::DoubleDouble;
 use crate::number::scalar::{Real, mapped};
 use crate::size::{List, Size, Square};
@@ -34,15 +35,16 @@ struct Trust {
     limits: Limits,
     /// Relative errors of its coefficients that are never excluded.
     least_error: f64,
-    /// The same if it has no root that shows its errors.
-    least_clearance: f64,
+    /// Whether they may be larger, as the polish of its roots shows.
+    may_err_more: bool,
 }
 
-/// The errors of the elimination are in the coefficients.
-const OF_USUAL: Trust = Trust { limits: USUAL, least_error: LEAST_ERROR, least_clearance: CLEARANCE };
+/// Errors of the elimination are in the coefficients.
+const OF_USUAL: Trust = Trust { limits: USUAL, least_error: LEAST_ERROR, may_err_more: true };
 
-/// They are far below rounding, and rounding to `f64` is left, with that of the Bernstein basis.
-const OF_TWICE: Trust = Trust { limits: CLOSEST, least_error: 1e-13, least_clearance: 1e-13 };
+/// Relative errors of coefficients that are rounded to `f64`, and then written in the Bernstein
+/// basis.
+const ROUNDED: f64 = 1e-13;
 
 /// Steps of Newton's method from a root of the rounded determinant to one at twice the precision.
 const NEWTON_STEPS: usize = 2;
@@ -58,68 +60,101 @@ const NEWTON_STEPS: usize = 2;
 #[inline]
 pub fn real_solutions_by_determinant<I: HiddenVariableSolver>(solver: &mut I) -> Result<Points<I, f64>, SolveError> {
     let action = solver.action_matrix::<f64>();
-    if let Ok(action) = &action {
-        let mut found = RealSolutions::new(solver, false);
-        if add_roots(solver, action, &mut found, &OF_USUAL) {
-            return Ok(found.admissible(solver));
-        }
+    let action = action.as_ref().ok();
+    let mut found = RealSolutions::new(solver, false);
+    match action.map_or(Verdict::Useless, |action| add_roots(solver, action, &mut found, &OF_USUAL)) {
+        Verdict::Complete => return Ok(found.admissible(solver)),
+        Verdict::NumberInDoubt => found.doubt_number(),
+        Verdict::Useless => found = RealSolutions::new(solver, false),
     }
-    let (mut found, mut by_roots) = (RealSolutions::new(solver, false), None);
-    solve(solver, &mut found, action.as_ref().ok(), &mut |solver| {
-        let mut found = RealSolutions::new(solver, false);
-        let action = solver.action_matrix::<DoubleDouble>();
-        let is_certain = action.is_ok_and(|action| add_roots(solver, &action, &mut found, &OF_TWICE));
-        by_roots = is_certain.then_some(found);
-        is_certain
+    let mut precise = None;
+    solve(solver, &mut found, action, &mut |solver| {
+        precise = action.and_then(|action| precise_solutions(solver, action));
+        precise.is_some()
     })?;
-    Ok(by_roots.unwrap_or(found).admissible(solver))
+    Ok(precise.unwrap_or(found).admissible(solver))
 }
 
-/// Adds the solutions of all real roots of the determinant. Returns false if it cannot be told
-/// whether these are all real solutions.
+/// The solutions by the determinant at twice the precision; `None` if it cannot be told whether
+/// they are all real solutions.
+///
+/// A coefficient is a sum of products that may be much larger than the sum. The relative error of
+/// the usual precision is its difference from the precise one, and may be above 1. As products of
+/// both precisions are the same, that at twice the precision is smaller by as many digits as an
+/// `f64` has. The polish does not show it, but errors of the equations: their coefficients have the
+/// usual precision.
+#[cold]
+#[inline(never)]
+fn precise_solutions<I: HiddenVariableSolver>(
+    solver: &mut I,
+    usual: &Square<I::Basis, f64>,
+) -> Option<RealSolutions<I>> {
+    let action = solver.action_matrix::<DoubleDouble>().ok()?;
+    let chains = solver.chains();
+    let usual = HiddenVariable::new(&chains, usual)?.determinant();
+    let precise = HiddenVariable::new(&chains, &action)?.determinant();
+    let relative = |(&usual, precise): (&f64, &DoubleDouble)| (usual - precise.real()).abs() / precise.modulus();
+    let error = usual.as_ref().iter().zip(precise.as_ref()).map(relative).fold(0.0, f64::max);
+    let least_error = ROUNDED.max(SAFETY * f64::EPSILON * error);
+    let mut found = RealSolutions::new(solver, false);
+    let trust = Trust { limits: CLOSEST, least_error, may_err_more: false };
+    matches!(add_roots(solver, &action, &mut found, &trust), Verdict::Complete).then_some(found)
+}
+
+/// What the solutions of the roots are worth.
+enum Verdict {
+    /// They are all real solutions.
+    Complete,
+    /// Each root has a solution of its own, but errors of the determinant may hide others.
+    NumberInDoubt,
+    /// Some roots have none, or are too close to be told apart, or the polish moves one far.
+    Useless,
+}
+
+/// Adds the solutions of all real roots of the determinant.
 #[inline(never)]
 fn add_roots<I: HiddenVariableSolver, R: Real>(
     solver: &I,
     action: &Square<I::Basis, R>,
     found: &mut RealSolutions<I>,
     trust: &Trust,
-) -> bool {
+) -> Verdict {
     let chains = solver.chains();
     let (basis, _, _, size) = chains.sizes();
-    let Some(variable) = HiddenVariable::new(&chains, action) else { return false };
+    let Some(variable) = HiddenVariable::new(&chains, action) else { return Verdict::Useless };
     let precise = variable.determinant();
     let determinant = mapped(size, &precise, R::real);
     let roots = real_roots_within(size, &determinant, trust.limits);
-    let is_sure = !roots.roots.is_empty() || has_no_root(solver, action, roots.clearance, trust);
-    let mut is_certain = roots.is_certain && is_sure;
-    let mut moved = size.list();
-    let (mut is_precise, mut error) = (true, trust.least_error);
+    let is_sure = !roots.roots.is_empty() || has_no_root(solver, action, roots.clearance);
+    let mut are_solutions = roots.is_certain && is_sure;
+    let (mut moved, mut is_precise, mut error) = (size.list(), true, trust.least_error);
     for &root in roots.roots.iter() {
         let source = HiddenPair { basis, variable: &variable, root: precise_root(size, &precise, root) };
-        is_certain = is_certain && found.add(solver, &source, root.into()) && found.moved() <= IMPRECISE;
-        is_precise &= found.moved() <= IMPRECISE_ROOT;
-        error = error.max(SAFETY * found.moved());
-        moved.push((root, found.moved()));
+        are_solutions = are_solutions && found.add(solver, &source, root.into()) && found.moved() <= IMPRECISE;
+        if trust.may_err_more {
+            is_precise &= found.moved() <= IMPRECISE_ROOT;
+            error = error.max(SAFETY * found.moved());
+            moved.push((root, found.moved()));
+        }
     }
     is_precise &= roots.clearance > error;
     let count = || is_precise || count_is_certain(size, &determinant, &moved, trust.least_error);
-    is_certain && !found.is_imprecise() && count()
+    match are_solutions && !found.is_imprecise() {
+        true if count() => Verdict::Complete,
+        true => Verdict::NumberInDoubt,
+        false => Verdict::Useless,
+    }
 }
 
 /// Whether a determinant without a root is certain to have none: no polish shows whether it is
 /// precise. It is a sum of products of an entry of each chain's row, which may be much larger than
 /// the sum.
-fn has_no_root<I: HiddenVariableSolver, R: Real>(
-    solver: &I,
-    action: &Square<I::Basis, R>,
-    clearance: f64,
-    trust: &Trust,
-) -> bool {
+fn has_no_root<I: HiddenVariableSolver, R: Real>(solver: &I, action: &Square<I::Basis, R>, clearance: f64) -> bool {
     let (_, count, ..) = solver.chains().sizes();
     let entries = action.as_ref().iter().flat_map(|row| row.as_ref());
     let largest = entries.fold(1.0, |largest: f64, x| largest.max(x.modulus()));
     let error = (0..count.get()).fold(R::EPSILON, |error, _| error * largest);
-    clearance > trust.least_clearance.max(error) && !solver.has_large_quotients()
+    clearance > CLEARANCE.max(error) && !solver.has_large_quotients()
 }
 
 /// The root of the determinant near one of the rounded determinant. In the usual precision it is

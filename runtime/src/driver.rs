@@ -218,7 +218,9 @@ fn from_action<I: SolverInstance>(
     spectrum.matrix = action.clone();
     spectrum.reduce_in_place()?;
     let values = spectrum.eigenvalues()?;
-    found.note(solver, values.as_ref());
+    if found.note(solver, values.as_ref()) {
+        return Ok(false);
+    }
     let mut is_complete = add_separate(solver, (&spectrum, &values), found, (known, may_stop));
     let may_lose_some = solver.has_large_quotients()
         || solver.loses_zeros() && is_far_out::<I::Basis, _>(action)

@@ -43,7 +43,9 @@ pub(crate) trait Collection<I: SolverInstance> {
     fn wants(&self, value: &Complex<f64>) -> bool;
 
     /// Takes note of the eigenvalues of an attempt, and forgets what those of another one said.
-    fn note(&mut self, solver: &I, values: &[Complex<f64>]);
+    /// Returns true if they say that all solutions are there already; solutions whose number was in
+    /// doubt are forgotten otherwise.
+    fn note(&mut self, solver: &I, values: &[Complex<f64>]) -> bool;
 
     /// Adds the solutions of an eigenvalue with im >= 0; its conjugate stands for the conjugate
     /// solutions. Returns false if an eigenpair gave nothing new, and belongs to no solution that
@@ -99,7 +101,9 @@ impl<I: SolverInstance> Collection<I> for AllSolutions<I> {
     }
 
     #[inline]
-    fn note(&mut self, _: &I, _: &[Complex<f64>]) {}
+    fn note(&mut self, _: &I, _: &[Complex<f64>]) -> bool {
+        false
+    }
 
     #[inline(never)]
     fn add(&mut self, solver: &I, source: &dyn EigenpairSource<I::Basis>, value: Complex<f64>) -> bool {
@@ -173,6 +177,9 @@ pub(crate) struct RealSolutions<I: SolverInstance> {
     /// Whether an eigenvalue gave nothing new, or may be real up to rounding, where signs can be
     /// changed and the number of real eigenvalues says nothing of that of real solutions.
     may_share: bool,
+    /// Whether the solutions come from the roots of a determinant, of which it is in doubt whether
+    /// they are all.
+    has_doubtful_number: bool,
 }
 
 impl<I: SolverInstance> RealSolutions<I> {
@@ -188,7 +195,21 @@ impl<I: SolverInstance> RealSolutions<I> {
             moved: 0.0,
             is_imprecise: false,
             may_share: false,
+            has_doubtful_number: false,
         }
+    }
+
+    /// Says that only the number of solutions is in doubt: eigenvalues may confirm it.
+    #[inline]
+    pub(crate) fn doubt_number(&mut self) {
+        self.has_doubtful_number = true;
+    }
+
+    /// Whether there is a solution for each real eigenvalue, and none of the others is nearly real.
+    #[inline]
+    fn are_all(&self, values: &[Complex<f64>]) -> bool {
+        let are_clear = values.iter().all(|value| value.im <= 0.0 || !Collection::<I>::wants(self, value));
+        are_clear && self.expected == Some(self.real.len()) && !self.lacks_some()
     }
 
     /// Whether a real eigenvalue belongs to solutions that are not real, because the square of an
@@ -253,12 +274,16 @@ impl<I: SolverInstance> Collection<I> for RealSolutions<I> {
     }
 
     #[inline]
-    fn note(&mut self, solver: &I, values: &[Complex<f64>]) {
+    fn note(&mut self, solver: &I, values: &[Complex<f64>]) -> bool {
         self.has_failed = false;
         if self.all.is_none() && images(solver).is_empty() {
             let real = values.iter().filter(|value| value.im == 0.0);
             self.expected = Some(usize::from(solver.has_origin()) + real.count());
         }
+        if self.has_doubtful_number && !self.are_all(values) {
+            *self = Self { expected: self.expected, ..Self::new(solver, false) };
+        }
+        core::mem::take(&mut self.has_doubtful_number)
     }
 
     /// The result is also false for a complex eigenvalue, because its conjugate may stand for one
