@@ -47,7 +47,7 @@ pub const VANISHING: f64 = 1e-8;
 #[inline]
 pub fn complex_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, Complex<f64>>, SolveError> {
     let mut found = AllSolutions::new(solver);
-    solve(solver, &mut found, None, &mut |_| false)?;
+    solve(solver, &mut found, None)?;
     Ok(found.admissible(solver))
 }
 
@@ -62,7 +62,7 @@ pub fn complex_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, 
 #[inline]
 pub fn real_solutions<I: SolverInstance>(solver: &mut I) -> Result<Points<I, f64>, SolveError> {
     let mut found = RealSolutions::new(solver, has_spurious_values(solver));
-    solve(solver, &mut found, None, &mut |_| false)?;
+    solve(solver, &mut found, None)?;
     Ok(found.admissible(solver))
 }
 
@@ -73,15 +73,12 @@ fn has_spurious_values<I: SolverInstance>(solver: &I) -> bool {
     sizes.basis.get() * (1 + images(solver).len()) + usize::from(solver.has_origin()) > sizes.solutions.get()
 }
 
-/// Collects the solutions, in one attempt or two, from the action matrix if it is known. If the
-/// first attempt lacks some, `instead` may find all in another way: if it returns true, nothing
-/// else is tried.
+/// Collects the solutions, in one attempt or two, from the action matrix if it is known.
 #[inline]
 pub(crate) fn solve<I: SolverInstance>(
     solver: &mut I,
     found: &mut impl Collection<I>,
     action: Option<&Square<I::Basis, f64>>,
-    instead: &mut dyn FnMut(&mut I) -> bool,
 ) -> Result<(), SolveError> {
     let may_repeat = solver.allows_second_attempt();
     let mut known = solver.sizes().basis.list();
@@ -96,9 +93,6 @@ pub(crate) fn solve<I: SolverInstance>(
         found.starts_to_count(solver, solver.has_large_quotients());
     }
     let can_repeat = first.is_ok() || solver.has_precise_coefficients();
-    if can_repeat && instead(solver) {
-        return Ok(());
-    }
     let is_repeated = can_repeat && second_attempt(solver, found, &known).is_ok();
     match first {
         _ if is_repeated && !found.lacks_some() => Ok(()),

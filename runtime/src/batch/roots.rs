@@ -10,7 +10,7 @@ use fearless_simd::Simd;
 use crate::batch::lanes::{Lanes, MOST, Mask, lanes_in_use};
 use crate::number::{Arithmetic, float};
 use crate::size::{List, Size};
-use crate::spectrum::real_roots::{Bracket, LAST_STEP, MOST_STEPS, RealRoots, UNIT, USUAL};
+use crate::spectrum::real_roots::{Bracket, CLEAR_MIDDLE, HALVINGS, LAST_STEP, MOST_STEPS, RealRoots, UNIT};
 
 /// The pieces of the axis: x = t, 1/t, -t, -1/t for t in the unit interval.
 const PIECES: usize = 4;
@@ -77,7 +77,7 @@ impl<S: Simd> Control<S> {
     /// A bit for each instance whose value exceeds rounding, relative to the largest one.
     #[inline(always)]
     fn is_clear(&self, value: Lanes<S>, largest: Lanes<S>) -> u64 {
-        value.abs().above(largest * largest.constant(USUAL.clear_middle)).bits()
+        value.abs().above(largest * largest.constant(CLEAR_MIDDLE)).bits()
     }
 }
 
@@ -137,7 +137,7 @@ impl<S: Simd, Z: Size> Isolation<S, Z> {
         for instance in 0..Lanes::<S>::COUNT {
             self.result[instance].is_certain &= is_clear >> instance & 1 == 1;
             let largest = found.largest.get(instance);
-            let interval = Interval { instance, piece, low: 0.0, high: 1.0, halvings: USUAL.halvings, largest };
+            let interval = Interval { instance, piece, low: 0.0, high: 1.0, halvings: HALVINGS, largest };
             self.sort_in(interval, &found, &bernstein, instance);
         }
     }

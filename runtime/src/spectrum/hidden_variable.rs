@@ -21,7 +21,6 @@
 //! chains of 3, 2, 2, 1, 1 and 1 that become 4, 3 and 3.
 
 use crate::number::Arithmetic;
-use crate::number::scalar::Real;
 use crate::size::{Matrix, Size, Square, filled_matrix};
 
 /// Where the monomials of a basis are that falls into chains.
@@ -107,23 +106,23 @@ pub fn value_at<const A: usize, T: Arithmetic>(coefficients: &[T; A], x: T) -> T
 }
 
 /// A row of M(x) for each chain that stays.
-type Rows<H, R> = Matrix<<H as ChainedBasis>::Count, <H as ChainedBasis>::Width, R>;
+type Rows<H> = Matrix<<H as ChainedBasis>::Count, <H as ChainedBasis>::Width, f64>;
 
 /// The rows of an action matrix.
-type Action<H, R> = Square<<H as ChainedBasis>::Basis, R>;
+type Action<H> = Square<<H as ChainedBasis>::Basis, f64>;
 
 /// M(x), and how the eliminated heads follow.
-pub(crate) struct HiddenVariable<'a, H: ChainedBasis, R: Real> {
+pub(crate) struct HiddenVariable<'a, H: ChainedBasis> {
     chains: &'a H,
-    rows: Rows<H, R>,
+    rows: Rows<H>,
     /// The first rows are -D^-1 R(x).
-    eliminated: Rows<H, R>,
+    eliminated: Rows<H>,
 }
 
-impl<'a, H: ChainedBasis, R: Real> HiddenVariable<'a, H, R> {
+impl<'a, H: ChainedBasis> HiddenVariable<'a, H> {
     /// From the rows of the action matrix; `None` if D is singular.
     #[inline]
-    pub(crate) fn new(chains: &'a H, action: &Action<H, R>) -> Option<Self> {
+    pub(crate) fn new(chains: &'a H, action: &Action<H>) -> Option<Self> {
         let rows = rows_of_ends(chains, action);
         let eliminated = rows.clone();
         let mut this = Self { chains, rows, eliminated };
@@ -136,11 +135,11 @@ impl<'a, H: ChainedBasis, R: Real> HiddenVariable<'a, H, R> {
 
     /// `eliminated` := -D^-1 R, by elimination with row pivoting; `None` if D is singular.
     #[inline]
-    fn solve_for_heads(&mut self, action: &Action<H, R>) -> Option<()> {
+    fn solve_for_heads(&mut self, action: &Action<H>) -> Option<()> {
         let (_, count, ..) = self.chains.sizes();
         let ChainTable { ends, heads, .. } = self.chains.table();
         let k = heads.len();
-        let mut d = filled_matrix(count, count, R::ZERO);
+        let mut d = filled_matrix(count, count, 0.0);
         for i in 0..k {
             for j in 0..k {
                 // Both signs: -D = row of T.
@@ -150,25 +149,25 @@ impl<'a, H: ChainedBasis, R: Real> HiddenVariable<'a, H, R> {
         for pivot in 0..k {
             let mut best = pivot;
             for i in pivot + 1..k {
-                best = if d[i][pivot].modulus() > d[best][pivot].modulus() { i } else { best };
+                best = if d[i][pivot].abs() > d[best][pivot].abs() { i } else { best };
             }
-            if !(d[best][pivot].modulus() > 0.0) {
+            if !(d[best][pivot].abs() > 0.0) {
                 return None;
             }
             d.as_mut().swap(pivot, best);
             self.eliminated.as_mut().swap(pivot, best);
-            let inverse = d[pivot][pivot].reciprocal();
+            let inverse = 1.0 / d[pivot][pivot];
             let (pivot_d, pivot_row) = (d[pivot].clone(), self.eliminated[pivot].clone());
             for i in 0..k {
                 if i != pivot {
                     let factor = d[i][pivot] * inverse;
-                    subtract::<H::Count, R>(&mut d[i], factor, &pivot_d);
-                    subtract::<H::Width, R>(&mut self.eliminated[i], factor, &pivot_row);
+                    subtract::<H::Count>(&mut d[i], factor, &pivot_d);
+                    subtract::<H::Width>(&mut self.eliminated[i], factor, &pivot_row);
                 }
             }
         }
         for i in 0..k {
-            let inverse = d[i][i].reciprocal();
+            let inverse = 1.0 / d[i][i];
             self.eliminated[i].as_mut().iter_mut().for_each(|c| *c *= inverse);
         }
         Some(())
@@ -176,24 +175,24 @@ impl<'a, H: ChainedBasis, R: Real> HiddenVariable<'a, H, R> {
 
     /// det M(x), lowest coefficient first.
     #[inline]
-    pub(crate) fn determinant(&self) -> <H::Coefficients as Size>::Vector<R> {
+    pub(crate) fn determinant(&self) -> <H::Coefficients as Size>::Vector<f64> {
         self.chains.determinant(&self.rows)
     }
 
     /// The eigenvector of a root x. For |x| > 1 each column of M(x) is divided by the power of x
     /// that is its degree, so that columns have comparable sizes.
     #[inline]
-    pub(crate) fn vector(&self, x: R) -> <H::Basis as Size>::Vector<R> {
+    pub(crate) fn vector(&self, x: f64) -> <H::Basis as Size>::Vector<f64> {
         let (_, count, ..) = self.chains.sizes();
         let ChainTable { degrees, heads: removed, .. } = self.chains.table();
-        let inverse = if x.modulus() > 1.0 { x.reciprocal() } else { R::ONE };
-        let mut scale = count.filled(R::ONE);
+        let inverse = if x.abs() > 1.0 { 1.0 / x } else { 1.0 };
+        let mut scale = count.filled(1.0);
         for j in 0..count.get() {
             for _ in 0..degrees[j] {
                 scale[j] *= inverse;
             }
         }
-        let mut matrix = filled_matrix(count, count, R::ZERO);
+        let mut matrix = filled_matrix(count, count, 0.0);
         for i in 0..count.get() {
             matrix[i] = self.chains.row_at(&self.rows[i], x);
             for j in 0..count.get() {
@@ -204,7 +203,7 @@ impl<'a, H: ChainedBasis, R: Real> HiddenVariable<'a, H, R> {
         for j in 0..count.get() {
             heads[j] *= scale[j];
         }
-        let mut eliminated = count.filled(R::ZERO);
+        let mut eliminated = count.filled(0.0);
         for i in 0..removed.len() {
             let row = self.chains.row_at(&self.eliminated[i], x);
             for j in 0..count.get() {
@@ -263,7 +262,7 @@ pub(crate) fn replace_rows<H: ChainedBasis, T: Arithmetic>(
 
 /// row -= factor * other
 #[inline]
-fn subtract<Z: Size, R: Real>(row: &mut Z::Vector<R>, factor: R, other: &Z::Vector<R>) {
+fn subtract<Z: Size>(row: &mut Z::Vector<f64>, factor: f64, other: &Z::Vector<f64>) {
     for (entry, &value) in row.as_mut().iter_mut().zip(other.as_ref()) {
         *entry -= factor * value;
     }
@@ -272,28 +271,27 @@ fn subtract<Z: Size, R: Real>(row: &mut Z::Vector<R>, factor: R, other: &Z::Vect
 /// The vector that a matrix of rank c - 1 takes to zero, with an entry of 1, by elimination with
 /// complete pivoting. The matrix is overwritten. The entries are not finite if the rank is lower.
 #[inline]
-fn null_vector<C: Size, R: Real>(size: C, matrix: &mut Square<C, R>) -> C::Vector<R> {
+fn null_vector<C: Size>(size: C, matrix: &mut Square<C, f64>) -> C::Vector<f64> {
     let count = size.get();
     let mut column = size.filled(0);
     (0..count).for_each(|j| column[j] = j);
     for row in matrix.as_mut() {
-        let largest = row.as_ref().iter().fold(0.0, |largest: f64, x| largest.max(x.modulus()));
-        let largest = R::from_f64(largest);
-        row.as_mut().iter_mut().for_each(|x| *x = *x / largest);
+        let largest = row.as_ref().iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+        row.as_mut().iter_mut().for_each(|x| *x /= largest);
     }
     for pivot in 0..count.saturating_sub(1) {
         let (mut best, mut at) = (-1.0, (pivot, pivot));
         for i in pivot..count {
             for j in pivot..count {
-                if matrix[i][j].modulus() > best {
-                    (best, at) = (matrix[i][j].modulus(), (i, j));
+                if matrix[i][j].abs() > best {
+                    (best, at) = (matrix[i][j].abs(), (i, j));
                 }
             }
         }
         matrix.as_mut().swap(pivot, at.0);
         matrix.as_mut().iter_mut().for_each(|row| row.as_mut().swap(pivot, at.1));
         column.as_mut().swap(pivot, at.1);
-        let inverse = matrix[pivot][pivot].reciprocal();
+        let inverse = 1.0 / matrix[pivot][pivot];
         for i in pivot + 1..count {
             let factor = matrix[i][pivot] * inverse;
             for j in pivot + 1..count {
@@ -302,10 +300,9 @@ fn null_vector<C: Size, R: Real>(size: C, matrix: &mut Square<C, R>) -> C::Vecto
             }
         }
     }
-    let (mut solved, mut vector) = (size.filled(R::ONE), size.filled(R::ZERO));
+    let (mut solved, mut vector) = (size.filled(1.0), size.filled(0.0));
     for i in (0..count.saturating_sub(1)).rev() {
-        let mut sum = R::ZERO;
-        (i + 1..count).for_each(|j| sum += matrix[i][j] * solved[j]);
+        let sum: f64 = (i + 1..count).map(|j| matrix[i][j] * solved[j]).sum();
         solved[i] = -sum / matrix[i][i];
     }
     (0..count).for_each(|j| vector[column[j]] = solved[j]);

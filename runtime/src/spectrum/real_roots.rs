@@ -17,28 +17,18 @@ use crate::number::float;
 use crate::size::{List, Size};
 use crate::spectrum::closed_form::few_roots;
 
-/// When two roots count as too close to each other to be told apart.
-#[derive(Clone, Copy)]
-pub(crate) struct Limits {
-    /// An interval is halved at most this often. Roots of one interval are then at most 2^-halvings
-    /// apart, relative to the scaled variable, and coefficients that are wrong by the square of
-    /// that may make them a complex pair.
-    pub(crate) halvings: u32,
-    /// The value where an interval is halved must exceed this, relative to the largest Bernstein
-    /// coefficient: it is about the square of that distance.
-    pub(crate) clear_middle: f64,
-}
-
-/// For coefficients of which little is known: roots are 2e-4 apart.
-pub(crate) const USUAL: Limits = Limits { halvings: 12, clear_middle: 1e-7 };
-
-/// For coefficients that are rounded and not otherwise wrong, or if their errors are found out
-/// afterwards: roots are 2e-7 apart.
-pub(crate) const CLOSEST: Limits = Limits { halvings: 22, clear_middle: 1e-13 };
+/// An interval is halved at most this often. Roots of one interval are then at most 2^-12 = 2e-4
+/// apart, relative to the scaled variable, and coefficients that are wrong by 2e-4 squared may make
+/// them a complex pair.
+pub(crate) const HALVINGS: u32 = 12;
 
 /// A factor of the scaled variable: the square root of 3/4. Without it, numbers such as 1 and 3/8
 /// would lie where intervals meet, and they are the roots of many polynomials that people write.
 pub(crate) const UNIT: f64 = 0.866_025_403_784_438_6;
+
+/// The value where an interval is halved must exceed this, relative to the largest Bernstein
+/// coefficient: it is about the square of the distance 2^-12.
+pub(crate) const CLEAR_MIDDLE: f64 = 1e-7;
 
 /// The largest number of steps to a root. They are Newton's, or halve the bracket.
 pub(crate) const MOST_STEPS: usize = 100;
@@ -69,11 +59,6 @@ pub struct RealRoots<Z: Size> {
 /// is lowered if the last ones are zero.
 #[must_use]
 pub fn real_roots<Z: Size>(size: Z, coefficients: &Z::Vector<f64>) -> RealRoots<Z> {
-    real_roots_within(size, coefficients, USUAL)
-}
-
-/// As [`real_roots`], with limits of its own.
-pub(crate) fn real_roots_within<Z: Size>(size: Z, coefficients: &Z::Vector<f64>, limits: Limits) -> RealRoots<Z> {
     let mut result = RealRoots { roots: size.list(), is_certain: false, clearance: f64::INFINITY };
     let c = coefficients.as_ref();
     let Some(degree) = c.iter().rposition(|&c| c != 0.0) else { return result };
@@ -87,8 +72,8 @@ pub(crate) fn real_roots_within<Z: Size>(size: Z, coefficients: &Z::Vector<f64>,
     }
     let degree = degree - lowest;
     match degree + 1 == size.get() {
-        true => Isolation::<Z, true> { size, degree, limits, result }.run(c),
-        false => Isolation::<Z, false> { size, degree, limits, result }.run(&c[lowest..]),
+        true => Isolation::<Z, true> { size, degree, result }.run(c),
+        false => Isolation::<Z, false> { size, degree, result }.run(&c[lowest..]),
     }
 }
 
@@ -96,7 +81,6 @@ pub(crate) fn real_roots_within<Z: Size>(size: Z, coefficients: &Z::Vector<f64>,
 pub(crate) struct Isolation<Z: Size, const FULL: bool> {
     size: Z,
     degree: usize,
-    limits: Limits,
     result: RealRoots<Z>,
 }
 
@@ -120,7 +104,7 @@ impl<Z: Size, const FULL: bool> Isolation<Z, FULL> {
     /// A polynomial of the largest degree, no root found.
     pub(crate) fn new(size: Z) -> Self {
         let result = RealRoots { roots: size.list(), is_certain: false, clearance: f64::INFINITY };
-        Self { size, degree: size.get() - 1, limits: USUAL, result }
+        Self { size, degree: size.get() - 1, result }
     }
 
     #[inline(always)]
@@ -223,7 +207,7 @@ impl<Z: Size, const FULL: bool> Isolation<Z, FULL> {
         }
         for lane in 0..LANES {
             // Pieces that meet at t = 1 must be sure of the sign there.
-            self.result.is_certain &= bernstein[n][lane].abs() > self.limits.clear_middle * largest[lane];
+            self.result.is_certain &= bernstein[n][lane].abs() > CLEAR_MIDDLE * largest[lane];
             let mut of_lane = self.size.filled(0.0);
             for k in 0..n + 1 {
                 of_lane[k] = bernstein[k][lane];
@@ -231,7 +215,7 @@ impl<Z: Size, const FULL: bool> Isolation<Z, FULL> {
             match sign_changes(&of_lane.as_ref()[..n + 1]) {
                 0 => self.result.clearance = self.result.clearance.min(least[lane] / largest[lane]),
                 1 => self.add_bracket(&mut brackets, lane, &of_lane, (0.0, 1.0)),
-                _ => self.halve(&mut brackets, (lane, largest[lane]), &mut of_lane, (0.0, 1.0), self.limits.halvings),
+                _ => self.halve(&mut brackets, (lane, largest[lane]), &mut of_lane, (0.0, 1.0), HALVINGS),
             }
         }
         for group in brackets.chunks(LANES) {
@@ -287,7 +271,7 @@ impl<Z: Size, const FULL: bool> Isolation<Z, FULL> {
         let mut left = left_half::<Z>(n, right);
         // Two close roots in the middle, or a pair, show in neither half.
         let size = largest(&left.as_ref()[..n + 1]).max(largest(&right.as_ref()[..n + 1]));
-        self.result.is_certain &= right[0].abs() > self.limits.clear_middle * size;
+        self.result.is_certain &= right[0].abs() > CLEAR_MIDDLE * size;
         let middle = 0.5 * (ends.0 + ends.1);
         for (half, ends) in [(&mut left, (ends.0, middle)), (right, (middle, ends.1))] {
             match sign_changes(&half.as_ref()[..n + 1]) {

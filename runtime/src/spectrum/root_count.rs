@@ -29,16 +29,10 @@ const LARGEST_ERROR: f64 = 1e-2;
 const HALVINGS: u32 = 14;
 
 /// Whether all polynomials near this one, with coefficients c\[0\] + c\[1\] x + .., have the same
-/// number of real roots. `moved` holds the roots, and by which part of itself each is off. Relative
-/// errors of `least_error` are never excluded.
+/// number of real roots. `moved` holds the roots, and by which part of itself each is off.
 #[cold]
 #[inline(never)]
-pub(crate) fn count_is_certain<Z: Size>(
-    size: Z,
-    coefficients: &Z::Vector<f64>,
-    moved: &[(f64, f64)],
-    least_error: f64,
-) -> bool {
+pub(crate) fn count_is_certain<Z: Size>(size: Z, coefficients: &Z::Vector<f64>, moved: &[(f64, f64)]) -> bool {
     let c = coefficients.as_ref();
     if size.get() < 2 || c[0] == 0.0 || c[size.get() - 1] == 0.0 {
         return false;
@@ -57,7 +51,7 @@ pub(crate) fn count_is_certain<Z: Size>(
         let (size, _) = isolation.value_and_slope(&bounds, &[t; LANES]);
         error = f64::max(error, (part * t * slope[lane] / size[lane % 2]).abs());
     }
-    let error = (SAFETY * error).max(least_error);
+    let error = (SAFETY * error).max(LEAST_ERROR);
     let (pieces, bounds) = (isolation.bernstein(&pieces), isolation.bernstein(&bounds));
     error <= LARGEST_ERROR
         && (0..LANES).all(|lane| {
@@ -170,8 +164,7 @@ mod tests {
             let changed: [f64; 9] = core::array::from_fn(|k| exact[k] * (1.0 + level * number()));
             let roots = real_roots(Fixed::<9>, &changed);
             let moved: Vec<(f64, f64)> = roots.roots.iter().map(|&x| (x, newton_step(&exact, x) / x.abs())).collect();
-            let is_certain =
-                roots.is_certain && !moved.is_empty() && count_is_certain(Fixed, &changed, &moved, LEAST_ERROR);
+            let is_certain = roots.is_certain && !moved.is_empty() && count_is_certain(Fixed, &changed, &moved);
             certain += u32::from(is_certain);
             wrong += u32::from(roots.roots.len() != count);
             assert!(!is_certain || roots.roots.len() == count, "{level}: {exact:?}");
@@ -194,7 +187,7 @@ mod tests {
         assert!(roots.is_certain && roots.roots.len() == 2, "{:?}", roots.roots);
         assert!(roots.clearance < LEAST_ERROR, "{}", roots.clearance);
         let moved: Vec<(f64, f64)> = roots.roots.iter().map(|&x| (x, 0.0)).collect();
-        assert!(!count_is_certain(Fixed, &c, &moved, LEAST_ERROR));
+        assert!(!count_is_certain(Fixed, &c, &moved));
     }
 
     /// |p / p'|

@@ -12,6 +12,7 @@ mod ours;
 mod peer;
 mod report;
 mod scenes;
+mod stages;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -22,6 +23,7 @@ use clap::Parser;
 use eliminant_generator::algebra::Random;
 use eliminant_tests::ground_truth::FOUND;
 use eliminant_tests::statistics::quantile;
+use instructions::Executed;
 use peer::{Driver, Peer, drivers};
 use report::{Measured, Row, Theirs};
 use scenes::Scene;
@@ -46,7 +48,7 @@ struct Arguments {
     /// Counts instructions, too, with Valgrind.
     #[arg(long)]
     instructions: bool,
-    /// Writes the table into README.md.
+    /// Writes the tables into README.md and, with instructions, docs/book/src/speed.md.
     #[arg(long)]
     update: bool,
     /// Solves the first instances of the row with this title, and nothing else: what Valgrind runs.
@@ -75,8 +77,8 @@ impl Measurement {
         quantile(&mut self.times.clone(), 0.5)
     }
 
-    fn with(&self, instructions: Option<f64>) -> Measured {
-        Measured { nanoseconds: self.nanoseconds(), found: self.found, instructions }
+    fn with(&self, executed: Option<Executed>) -> Measured {
+        Measured { nanoseconds: self.nanoseconds(), found: self.found, executed }
     }
 }
 
@@ -106,8 +108,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     let table = report::markdown(&rows, arguments.instructions);
     println!("\n{table}");
+    let stages = arguments.instructions.then(|| report::stages(&rows));
+    stages.iter().for_each(|table| println!("{table}"));
     if arguments.update {
         report::update_readme(&table, arguments.instances, arguments.rounds)?;
+        stages.map_or(Ok(()), |table| report::update_book(&table))?;
     }
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! The table, for the terminal and for README.md.
+//! The tables, for the terminal, for README.md and for the book.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -6,6 +6,9 @@ use std::process::Command;
 use std::{env, fs, io};
 
 use comfy_table::{CellAlignment, Table, presets};
+
+use crate::instructions::Executed;
+use crate::stages::STAGES;
 
 /// The marks in README.md between which the table stands.
 const MARKS: [&str; 2] = ["<!-- peers:begin -->\n", "<!-- peers:end -->\n"];
@@ -16,8 +19,8 @@ pub(crate) struct Measured {
     pub(crate) nanoseconds: f64,
     /// The share of instances of which the truth was found.
     pub(crate) found: f64,
-    /// Instructions per solve, where they were counted.
-    pub(crate) instructions: Option<f64>,
+    /// What a solve executes, where it was counted.
+    pub(crate) executed: Option<Executed>,
 }
 
 /// A peer's side of a row.
@@ -65,7 +68,7 @@ pub(crate) fn markdown(rows: &[Row], instructions: bool) -> String {
         let cell = |value: Option<String>| value.unwrap_or_default();
         let theirs = row.theirs.as_ref();
         let share = |measured: &Measured| format!("{:.2} %", 100.0 * measured.found);
-        let count = |measured: &Measured| measured.instructions.map(|count| format!("{count:.0}"));
+        let count = |measured: &Measured| measured.executed.map(|executed| format!("{:.0}", executed.instructions));
         let cells = [
             row.title.to_owned(),
             name(row.peer).to_owned(),
@@ -89,13 +92,42 @@ pub(crate) fn markdown(rows: &[Row], instructions: bool) -> String {
     text
 }
 
+/// Where the instructions of our side go, in Markdown, and what is left if only operations count.
+pub(crate) fn stages(rows: &[Row]) -> String {
+    let mut table = Table::new();
+    let heads = ["ours", "operations", "peer", "operations"];
+    let heads = STAGES.iter().map(|&(_, head)| head).chain(heads);
+    table.load_preset(presets::ASCII_MARKDOWN).set_header(["case"].into_iter().chain(heads));
+    for row in rows {
+        let Some(ours) = row.ours.executed else { continue };
+        let theirs = row.theirs.as_ref().and_then(|theirs| theirs.measured.executed);
+        let counts = ours.stages.unwrap_or_default().into_iter().chain([ours.instructions, ours.operations]);
+        let counts = counts.map(Some).chain([theirs.map(|it| it.instructions), theirs.map(|it| it.operations)]);
+        let cells = counts.map(|count| count.map_or_else(String::new, |count| format!("{count:.0}")));
+        table.add_row([row.title.to_owned()].into_iter().chain(cells));
+    }
+    table.column_iter_mut().skip(1).for_each(|column| column.set_cell_alignment(CellAlignment::Right));
+    format!("{table}\n")
+}
+
+/// Writes the table of stages into the book.
+pub(crate) fn update_book(table: &str) -> io::Result<()> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/book/src/speed.md");
+    replace_between(&path, ["<!-- stages:begin -->\n", "<!-- stages:end -->\n"], &format!("\n{table}\n"))
+}
+
+/// Replaces what stands between two marks of a file.
+fn replace_between(path: &Path, marks: [&str; 2], new: &str) -> io::Result<()> {
+    let text = fs::read_to_string(path)?;
+    let missing = || io::Error::other(format!("{} has no marks for the table", path.display()));
+    let (before, rest) = text.split_once(marks[0]).ok_or_else(missing)?;
+    let (_, after) = rest.split_once(marks[1]).ok_or_else(missing)?;
+    fs::write(path, [before, marks[0], new, marks[1], after].concat())
+}
+
 /// Writes the table into README.md, with machine and date.
 pub(crate) fn update_readme(table: &str, instances: u64, rounds: u64) -> io::Result<()> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md");
-    let text = fs::read_to_string(&path)?;
-    let missing = || io::Error::other("README.md has no marks for the table of the peers");
-    let (before, rest) = text.split_once(MARKS[0]).ok_or_else(missing)?;
-    let (_, after) = rest.split_once(MARKS[1]).ok_or_else(missing)?;
     let machine = format!(
         "One core of {}, {};\n{}, {}.\n{instances} instances a row, {rounds} chunks:\n\n",
         processor(),
@@ -103,7 +135,7 @@ pub(crate) fn update_readme(table: &str, instances: u64, rounds: u64) -> io::Res
         line_of("rustc", &["--version"]).split(" (").next().unwrap_or_default(),
         line_of(&env::var("CXX").unwrap_or_else(|_| "c++".to_owned()), &["--version"]),
     );
-    fs::write(&path, [before, MARKS[0], &machine, table, MARKS[1], after].concat())
+    replace_between(&path, MARKS, &format!("{machine}{table}"))
 }
 
 /// The name of the processor, where the system tells it.
