@@ -76,7 +76,7 @@ pub(crate) fn counts(profile: &str) -> Counts {
     let (mut names, mut own) = (BTreeMap::new(), BTreeMap::<&str, f64>::new());
     let (mut function, mut is_of_call) = ("", false);
     for line in profile.lines() {
-        // A name is written once: `fn=(3) name`, later `fn=(3)`. `cfn` is a function that is called.
+        // A name is written once: `fn=(3) name`, later `fn=(3)`. `cfn` is the function of a call.
         if let Some((key, rest)) = line.split_once("fn=") {
             let (number, name) = rest.split_once(' ').unwrap_or((rest, ""));
             if !name.is_empty() {
