@@ -10,10 +10,8 @@ pub(crate) enum Stage {
     Data,
     /// Fill and elimination of the template.
     Elimination,
-    /// The determinant and its real roots.
+    /// The determinant, its real roots and null vectors, and the unknowns from a vector.
     Roots,
-    /// Null vectors of the roots, and unknowns from them.
-    Vectors,
     /// Residuals and Newton's method on the original equations.
     Polish,
     /// Eigenvalues and their vectors, where a template has no determinant or it is in doubt.
@@ -23,28 +21,25 @@ pub(crate) enum Stage {
 }
 
 /// All stages, in the order of a solve, with their heads in the table.
-pub(crate) const STAGES: [(Stage, &str); 7] = [
+pub(crate) const STAGES: [(Stage, &str); 6] = [
     (Stage::Data, "data"),
     (Stage::Elimination, "elimination"),
     (Stage::Roots, "roots"),
-    (Stage::Vectors, "vectors"),
     (Stage::Polish, "polish"),
     (Stage::Eigenvalues, "eigenvalues"),
     (Stage::Rest, "rest"),
 ];
 
 /// Parts of the names of functions. The first that fits counts.
-const NAMES: [(&str, Stage); 26] = [
+const NAMES: [(&str, Stage); 24] = [
     ("::polish", Stage::Polish),
     ("::refine::", Stage::Polish),
     ("least_squares", Stage::Polish),
     ("::action_matrix", Stage::Elimination),
     ("eliminant::elimination::lu", Stage::Elimination),
     ("eliminant::elimination::template", Stage::Elimination),
-    ("null_vector", Stage::Vectors),
-    ("HiddenVariable<H,R>::vector", Stage::Vectors),
-    ("EigenpairSource", Stage::Vectors),
-    ("::extract::", Stage::Vectors),
+    ("EigenpairSource", Stage::Roots),
+    ("::extract::", Stage::Roots),
     ("::hidden_variable::", Stage::Roots),
     ("::real_roots::", Stage::Roots),
     ("::closed_form::", Stage::Roots),
