@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::{env, error, fs};
 
 use eliminant_generator::problem::Problem;
+use eliminant_generator::problem::measurement::Measurement;
 
 fn main() -> Result<(), Box<dyn error::Error>> {
     println!("cargo:rerun-if-changed=build.rs");
@@ -47,10 +48,29 @@ fn entry(problem: &Problem, path: &Path) -> Result<String, std::fmt::Error> {
             writeln!(text, "    results: {}_of_each({fields}),", output.function)?;
         }
     }
+    let means = problem.measurements.iter().map(|measurement| mean(&problem.name, measurement));
+    writeln!(text, "    means: &[{}],", means.collect::<Vec<_>>().join(", "))?;
     let docs: Vec<&str> = problem.docs.iter().map(|line| line.strip_prefix(' ').unwrap_or(line)).collect();
     writeln!(text, "    docs: {:?},", docs.join("\n"))?;
     writeln!(text, "    source: {:?},", path)?;
     writeln!(text, "    template: {:?},", path.with_extension("template.toml"))?;
     text.push_str("}),\n");
     Ok(text)
+}
+
+/// The entry of a mean.
+fn mean(problem: &str, measurement: &Measurement) -> String {
+    let Measurement { name, docs, data, shape, .. } = measurement;
+    let named = data.iter().map(|data| format!("({:?}, &{:?})", data.name, data.shape));
+    let read = data.iter().enumerate().map(|(number, data)| {
+        let ty = data.shape.iter().rev().fold("f64".to_owned(), |inner, length| format!("[{inner}; {length}]"));
+        format!("values[{number}].of::<{ty}>(at)")
+    });
+    let (named, read) = (named.collect::<Vec<_>>().join(", "), read.collect::<Vec<_>>());
+    let item = if let [read] = &read[..] { read.clone() } else { format!("({})", read.join(", ")) };
+    format!(
+        "Mean {{ name: \"mean_{name}\", data: &[{named}], shape: &{shape:?}, docs: {:?}, compute: |values, count| \
+         scalars(&solvers::{problem}::mean_{name}((0..count).map(|at| {item}))) }}",
+        docs.join("\n"),
+    )
 }

@@ -4,34 +4,76 @@
 /// Hesch, Roumeliotis, "A direct least-squares (DLS) method for PnP", ICCV 2011. Published as
 /// `opt_pnp_hesch`.
 ///
-/// For a given rotation the best translation is linear in the rotation. Without the common
-/// denominator 1 + x^2 + y^2 + z^2 of the rotation of the quaternion (1, x, y, z), the sum of
-/// squares that remains is a polynomial of degree four; its coefficients are data, those of one
-/// degree in lexicographic order. Of the constant nothing depends.
-fn pose_npt_direct_least_squares(
-    linear: [f64; 3],
-    quadratic: [f64; 6],
-    cubic: [f64; 10],
-    quartic: [f64; 15],
-) -> (x, y, z) {
-    let squares = [x * x, x * y, x * z, y * y, y * z, z * z];
-    let by_x = x * squares;
-    let by_y = y * [squares[3], squares[4], squares[5]];
-    let cubes = [
-        by_x[0], by_x[1], by_x[2], by_x[3], by_x[4], by_x[5], by_y[0], by_y[1], by_y[2], z * z * z,
-    ];
-    let fourth = x * cubes;
-    let rest = y * [cubes[6], cubes[7], cubes[8], cubes[9]];
-    let fourths = [
-        fourth[0], fourth[1], fourth[2], fourth[3], fourth[4], fourth[5], fourth[6], fourth[7], fourth[8], fourth[9],
-        rest[0], rest[1], rest[2], rest[3], z * cubes[9],
-    ];
-    let cost = dot(linear, [x, y, z]) + dot(quadratic, squares) + dot(cubic, cubes) + dot(quartic, fourths);
-    gradient(cost) == 0;
+/// The cost is the mean squared distance of the points from the rays along which the camera sees
+/// them, with the best translation, which is linear in the rotation. Without the common denominator
+/// 1 + x^2 + y^2 + z^2 of the rotation of the quaternion (1, x, y, z) it is a polynomial of degree
+/// four. `means` are those of `of_point` over 3 points or more. Rounding errors are smallest if the
+/// origin is amid the points. Half turns are at infinity.
+fn pose_npt_direct_least_squares(#[mean(of_point)] means: [[f64; 10]; 6]) -> (x, y, z) {
     let turned = [
         [1 + x * x - y * y - z * z, 2 * (x * y - z), 2 * (x * z + y)],
         [2 * (x * y + z), 1 - x * x + y * y - z * z, 2 * (y * z - x)],
         [2 * (x * z - y), 2 * (y * z + x), 1 - x * x - y * y + z * z],
     ];
-    Orientation { rotation: turned / (1 + x * x + y * y + z * z) }
+    let entries = reshape(turned, [9]);
+    let best = best_translation(means);
+    let cost = cost_of_rotation(means, best);
+    gradient(dot(entries, cost * entries)) == 0;
+    let length = 1 + x * x + y * y + z * z;
+    Pose { rotation: turned / length, translation: best * entries / length }
+}
+
+/// What a point that is seen along `ray` gives: the products of its coordinates and 1, times the
+/// entries of the projection across the ray.
+fn of_point(ray: [f64; 3], point: [f64; 3]) -> [[f64; 10]; 6] {
+    let [a, b, c] = ray;
+    let [x, y, z] = point;
+    let square = dot(ray, ray);
+    let across = [square - a * a, -a * b, -a * c, square - b * b, -b * c, square - c * c] / square;
+    let products = [x * x, x * y, x * z, x, y * y, y * z, y, z * z, z, 1];
+    let mut given = [[0; 10]; 6];
+    for i in 0..6 {
+        given[i] = across[i] * products;
+    }
+    given
+}
+
+/// Where the entries of symmetric matrices stand in the means.
+const ACROSS: [[f64; 3]; 3] = [[0, 1, 2], [1, 3, 4], [2, 4, 5]];
+const PRODUCTS: [[f64; 4]; 4] = [[0, 1, 2, 3], [1, 4, 5, 6], [2, 5, 7, 8], [3, 6, 8, 9]];
+
+/// The translation that is best for a rotation, as a matrix times the entries of the latter.
+fn best_translation(means: [[f64; 10]; 6]) -> [[f64; 9]; 3] {
+    let mut of_translation = [[0; 3]; 3];
+    let mut of_rotation = [[0; 9]; 3];
+    for i in 0..3 {
+        for j in 0..3 {
+            of_translation[i][j] = means[ACROSS[i][j]][9];
+            for k in 0..3 {
+                of_rotation[i][3 * j + k] = -means[ACROSS[i][j]][PRODUCTS[k][3]];
+            }
+        }
+    }
+    solve(of_translation, of_rotation)
+}
+
+/// The cost as a quadratic form in the entries of the rotation.
+fn cost_of_rotation(means: [[f64; 10]; 6], best: [[f64; 9]; 3]) -> [[f64; 9]; 9] {
+    let mut cost = [[0; 9]; 9];
+    for i in 0..3 {
+        for j in 0..3 {
+            for k in 0..3 {
+                for l in 0..3 {
+                    let of_translation = [
+                        means[ACROSS[i][0]][PRODUCTS[j][3]], means[ACROSS[i][1]][PRODUCTS[j][3]],
+                        means[ACROSS[i][2]][PRODUCTS[j][3]],
+                    ];
+                    let best_of_entry = [best[0][3 * k + l], best[1][3 * k + l], best[2][3 * k + l]];
+                    cost[3 * i + j][3 * k + l] =
+                        means[ACROSS[i][k]][PRODUCTS[j][l]] + dot(of_translation, best_of_entry);
+                }
+            }
+        }
+    }
+    cost
 }

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Dict, NamedTuple, Tuple
 
 from . import _eliminant
-from ._arrays import data
+from ._arrays import Array, Shape, data
 from ._solutions import Named, Solutions, arranged
 
 
@@ -21,18 +21,40 @@ class Solver(NamedTuple):
     docs: str
 
 
-def _solvers() -> Dict[str, Solver]:
-    def shapes(named: Any) -> Named:
-        return tuple((name, tuple(shape)) for name, shape in named)
+class Mean(NamedTuple):
+    """Data of a solver that are means over measurements."""
 
+    solver: int
+    name: str
+    data: Named
+    shape: Shape
+    docs: str
+
+
+def _shapes(named: Any) -> Named:
+    return tuple((name, tuple(shape)) for name, shape in named)
+
+
+def _solvers() -> Dict[str, Solver]:
     solvers = {}
     for number, (name, parameters, fields, results, most, docs) in enumerate(_eliminant.solvers()):
-        solvers[name] = Solver(number, name, shapes(parameters), shapes(fields), shapes(results), most, docs)
+        solvers[name] = Solver(number, name, _shapes(parameters), _shapes(fields), _shapes(results), most, docs)
     return solvers
 
 
 SOLVERS = _solvers()
 """All solvers by their names."""
+
+def _means() -> Dict[str, Mean]:
+    means = {}
+    names = list(SOLVERS)
+    for solver, name, measurement, shape, docs in _eliminant.means():
+        means[f"{names[solver]}_{name}"] = Mean(solver, name, _shapes(measurement), tuple(shape), docs)
+    return means
+
+
+MEANS = _means()
+"""All means over measurements, by the names of their functions."""
 
 HOMOGENEOUS: Dict[str, Tuple[str, ...]] = {
     "pose_1pt_2line": ("ray",),
@@ -40,6 +62,8 @@ HOMOGENEOUS: Dict[str, Tuple[str, ...]] = {
     "pose_2pt_upright": ("rays",),
     "pose_3pt": ("rays",),
     "pose_5pt_refraction": ("rays",),
+    "pose_npt_direct_least_squares_mean_of_point": ("ray",),
+    "pose_npt_least_squares_cayley_mean_of_point": ("ray",),
     "relpose_3pt_angle_zero_screw": ("first", "second"),
     "relpose_3pt_upright": ("first", "second"),
     "relpose_4pt_angle": ("first", "second"),
@@ -66,3 +90,11 @@ def solve(name: str, *values: Any) -> Solutions:
         else _eliminant.solve_batch(solver.number, arrays, count)
     )
     return arranged(solver.fields, solver.results, solver.most, solved, count >= 0)
+
+
+def mean(name: str, *values: Any) -> Array:
+    """The mean over measurements. Without any it is not a number."""
+    of = MEANS[name]
+    arrays, count = data(of.data, HOMOGENEOUS.get(name, ()), values)
+    computed: Array = _eliminant.mean(of.solver, of.name, arrays, 1 if count < 0 else count)
+    return computed.reshape(of.shape)

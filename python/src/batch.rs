@@ -71,6 +71,23 @@ pub(crate) fn solve_one<'py>(
     Ok(lists.into_arrays())
 }
 
+/// The mean of this name over `count` measurements, which the solver with this number takes.
+#[pyfunction]
+pub(crate) fn mean<'py>(
+    py: Python<'py>,
+    solver: usize,
+    name: &str,
+    arrays: Vec<PyReadonlyArrayDyn<'py, f64>>,
+    count: usize,
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let solver = numbered(solver)?;
+    let mean = solver.means.iter().find(|mean| mean.name == name);
+    let mean = mean.ok_or_else(|| PyIndexError::new_err(format!("{} has no `{name}`", solver.name)))?;
+    let values = values(name, mean.data, &arrays, count)?;
+    let computed = py.detach(|| (mean.compute)(&values, count));
+    Ok(PyArray1::from_vec(py, computed))
+}
+
 /// The text of a status; empty where there is no error.
 #[pyfunction]
 pub(crate) fn status_text(status: u16) -> String {

@@ -60,6 +60,8 @@ pub(crate) struct Solver {
     pub(crate) fields: &'static [Named],
     /// The arrays that the problem returns for a solution.
     pub(crate) results: &'static [Named],
+    /// Which data are means over measurements.
+    pub(crate) means: &'static [Mean],
     /// The number of unknowns of a solution, of scalars of its results, and of solutions.
     pub(crate) sizes: Sizes,
     /// The doc comment of the problem.
@@ -72,6 +74,27 @@ pub(crate) struct Solver {
     pub(crate) solve_batch: fn(&[Values<'_>], &mut Found<'_>),
     /// Solves one instance by `solve`.
     pub(crate) solve: fn(&[Values<'_>], &mut Found<'_>) -> Result<(), SolveError>,
+}
+
+/// Data of a problem that are means over measurements.
+pub(crate) struct Mean {
+    /// Its name: `mean_of_point`.
+    pub(crate) name: &'static str,
+    /// A measurement.
+    pub(crate) data: &'static [Named],
+    /// The shape of the mean.
+    pub(crate) shape: &'static [usize],
+    /// What a measurement gives.
+    pub(crate) docs: &'static str,
+    /// The mean over so many measurements, row by row.
+    pub(crate) compute: fn(&[Values<'_>], usize) -> Vec<f64>,
+}
+
+/// The scalars of an array.
+fn scalars<T: Flat>(array: &T) -> Vec<f64> {
+    let mut scalars = vec![0.0; T::LEN];
+    array.write(&mut scalars);
+    scalars
 }
 
 /// The sizes of what a solver returns for an instance.
@@ -98,6 +121,7 @@ macro_rules! solver {
         data: ($($data:ident: $kind:ident $shape:expr),*),
         fields: [$($field:expr),*],
         results: $results:ident $(($($result:ident: $result_shape:expr),*))?,
+        means: $means:expr,
         docs: $docs:expr,
         source: $source:expr,
         template: $template:expr,
@@ -107,6 +131,7 @@ macro_rules! solver {
             data: &[$((stringify!($data), &$shape)),*],
             fields: &[$($field),*],
             results: &[$($((stringify!($result), &$result_shape)),*)?],
+            means: $means,
             sizes: Sizes {
                 unknowns: solvers::$name::UNKNOWNS.len(),
                 results: 0 $($(+ product(&$result_shape))*)?,

@@ -67,6 +67,18 @@ fn solvers() -> Vec<Description> {
     catalogue::SOLVERS.iter().map(describe).collect()
 }
 
+/// All means over measurements: the number of the solver, name, measurement, shape, documentation.
+#[pyfunction]
+fn means() -> Vec<(usize, &'static str, Vec<(&'static str, Vec<usize>)>, Vec<usize>, &'static str)> {
+    let solvers = catalogue::SOLVERS.iter().enumerate();
+    let of_solver = |(number, solver): (usize, &'static catalogue::Solver)| {
+        let describe =
+            move |mean: &'static catalogue::Mean| (number, mean.name, named(mean.data), mean.shape.to_vec(), mean.docs);
+        solver.means.iter().map(describe)
+    };
+    solvers.flat_map(of_solver).collect()
+}
+
 /// The problem file and the template file of a solver.
 #[pyfunction]
 fn files(name: &str) -> Option<[&'static str; 2]> {
@@ -90,6 +102,8 @@ fn _eliminant(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("STATUS", status::KINDS.to_vec())?;
     module.add_function(wrap_pyfunction!(solvers, module)?)?;
     module.add_function(wrap_pyfunction!(files, module)?)?;
+    module.add_function(wrap_pyfunction!(means, module)?)?;
+    module.add_function(wrap_pyfunction!(batch::mean, module)?)?;
     module.add_function(wrap_pyfunction!(batch::solve_batch, module)?)?;
     module.add_function(wrap_pyfunction!(batch::solve_one, module)?)?;
     module.add_function(wrap_pyfunction!(batch::status_text, module)?)?;

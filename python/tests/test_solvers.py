@@ -40,6 +40,27 @@ def test_pose_of_three_points(rng):
     assert scenes.poses_found(result.rotation, result.translation, view).mean() > 0.998
 
 
+@pytest.mark.parametrize("method", ["direct_least_squares", "least_squares_cayley", "least_squares_quaternion"])
+def test_pose_of_any_number_of_points(method, rng):
+    solve = getattr(eliminant, f"pose_npt_{method}")
+    mean_of_point = getattr(eliminant, f"pose_npt_{method}_mean_of_point")
+    for n in (6, 50):
+        view = scenes.one_view(rng, 1, n)
+        image, points = view["image"][0], view["points"][0]
+        means = mean_of_point(image, points)
+        result = solve(means)
+        assert scenes.poses_found(result.rotation[None], result.translation[None], view).all()
+        # The mean of one measurement, and of a measurement for all.
+        of_first, of_same = mean_of_point(image[0], points[0]), mean_of_point(image[0], points[[0, 0]])
+        np.testing.assert_array_equal(of_first, of_same)
+        parts = [mean_of_point(image[:2], points[:2]), mean_of_point(image[2:], points[2:])]
+        np.testing.assert_allclose((2 * parts[0] + (n - 2) * parts[1]) / n, means, rtol=1e-9, atol=1e-12)
+    with pytest.raises(ValueError, match="image|ray"):
+        mean_of_point(points, points[:, :2])
+    with pytest.raises(eliminant.SolveError):
+        solve(np.full_like(means, np.nan))
+
+
 def test_seven_points_give_the_fundamental_matrix(rng):
     views = scenes.two_views(rng, 500, 7)
     result = eliminant.fundamental_7pt(views["first"], views["second"])

@@ -11,7 +11,7 @@ import sys
 import textwrap
 from pathlib import Path
 
-from eliminant._solve import HOMOGENEOUS, SOLVERS, Solver
+from eliminant._solve import HOMOGENEOUS, MEANS, SOLVERS, Mean, Solver
 
 TARGET = Path(__file__).parents[1] / "eliminant" / "solvers.py"
 
@@ -27,7 +27,9 @@ from __future__ import annotations
 
 import numpy.typing as npt
 
+from ._arrays import Array
 from ._solutions import Solutions
+from ._solve import mean as _mean
 from ._solve import solve as _solve
 '''
 
@@ -37,10 +39,14 @@ def shape_text(shape: tuple[int, ...]) -> str:
     return str(tuple(shape))
 
 
+def lines_of(docs: str) -> list[str]:
+    """The lines of a documentation. Brackets are escaped for that of Rust."""
+    return [re.sub(r"\\\\([\[\]])", r"\1", line) for line in docs.splitlines()]
+
+
 def docstring(solver: Solver) -> str:
     """What the problem says, then shapes."""
-    # Brackets are escaped for the documentation of Rust.
-    lines = [re.sub(r"\\\\([\[\]])", r"\1", line) for line in solver.docs.splitlines()]
+    lines = lines_of(solver.docs)
     lines += ["", "Data, for one instance, or with n in front for a batch:", ""]
     for name, shape in solver.data:
         note = ", or image points, one coordinate less" if name in HOMOGENEOUS.get(solver.name, ()) else ""
@@ -55,24 +61,39 @@ def docstring(solver: Solver) -> str:
     return textwrap.indent("\n".join(lines), "    ")
 
 
-def function(solver: Solver) -> str:
-    """The function of a solver."""
-    names = [name for name, _ in solver.data]
-    parameters = ", ".join(f"{name}: npt.ArrayLike" for name in names)
-    raw = "r" if "\\" in docstring(solver) else ""
-    opening = f"def {solver.name}({parameters}) -> Solutions:"
+def docstring_of_mean(name: str, mean: Mean) -> str:
+    """What the problem says of a measurement, then shapes."""
+    lines = lines_of(mean.docs)
+    lines += ["", "Data, for one measurement, or with n in front for a mean over n:", ""]
+    for parameter, shape in mean.data:
+        note = ", or image points, one coordinate less" if parameter in HOMOGENEOUS.get(name, ()) else ""
+        lines.append(f"- `{parameter}`: {shape_text(shape)}{note}")
+    lines += ["", f"The mean has the shape {shape_text(mean.shape)}."]
+    return textwrap.indent("\n".join(lines), "    ")
+
+
+def function(name: str, names: list[str], docs: str, returned: str, call: str) -> str:
+    """The function of this name with these parameters, which calls another."""
+    parameters = ", ".join(f"{parameter}: npt.ArrayLike" for parameter in names)
+    raw = "r" if "\\" in docs else ""
+    opening = f"def {name}({parameters}) -> {returned}:"
     if len(opening) > 100:
-        parameters = "".join(f"    {name}: npt.ArrayLike,\n" for name in names)
-        opening = f"def {solver.name}(\n{parameters}) -> Solutions:"
-    call = ", ".join([f'"{solver.name}"', *names])
-    return f'{opening}\n    {raw}"""{docstring(solver).strip()}\n    """\n    return _solve({call})\n'
+        parameters = "".join(f"    {parameter}: npt.ArrayLike,\n" for parameter in names)
+        opening = f"def {name}(\n{parameters}) -> {returned}:"
+    arguments = ", ".join([f'"{name}"', *names])
+    return f'{opening}\n    {raw}"""{docs.strip()}\n    """\n    return {call}({arguments})\n'
 
 
 def module() -> str:
     """The text of the module."""
-    names = "".join(f'    "{name}",\n' for name in SOLVERS)
-    functions = "\n\n".join(function(solver) for solver in SOLVERS.values())
-    return f"{HEAD}\n__all__ = [\n{names}]\n\n\n{functions}"
+    functions = {}
+    for name, solver in SOLVERS.items():
+        functions[name] = function(name, [at for at, _ in solver.data], docstring(solver), "Solutions", "_solve")
+    for name, mean in MEANS.items():
+        functions[name] = function(name, [at for at, _ in mean.data], docstring_of_mean(name, mean), "Array", "_mean")
+    names = "".join(f'    "{name}",\n' for name in sorted(functions))
+    text = "\n\n".join(functions[name] for name in sorted(functions))
+    return f"{HEAD}\n__all__ = [\n{names}]\n\n\n{text}"
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ use std::array::from_fn;
 use eliminant_generator::algebra::Random;
 use eliminant_solvers::{
     homography_4pt, pose_1pt_2line, pose_2pt_1line, pose_3line, pose_4pt_focal, pose_5pt_refraction, pose_35pt_focal,
+    pose_npt_direct_least_squares, pose_npt_least_squares_cayley, pose_npt_least_squares_quaternion,
     relpose_3pt_depths,
 };
 use eliminant_tests::ground_truth::{
@@ -201,5 +202,26 @@ fn poses_above_water_come_from_five_points() {
         // Turned by a half about the normal, a camera would see the points behind it.
         assert!(found.iter().all(|pose| is_rotation(&pose.rotation)) && found.len() <= 8);
         found.iter().any(|pose| is_pose(known, &pose.rotation, &pose.centre))
+    });
+}
+
+/// The best of all stationary points is the true pose, whatever the number of points is.
+#[test]
+fn poses_come_from_any_number_of_points() {
+    check(|random| {
+        let view = View::<50>::draw(random);
+        let count = 6 + random.below(45) as usize;
+        let (points, seen) = (&rays(&view.points)[..count], &rays(&view.seen)[..count]);
+        let images = seen.iter().map(|[x, y, z]| [x / z, y / z]).collect::<Vec<_>>();
+        let of_rays = pose_npt_direct_least_squares::mean_of_point(seen.iter().zip(points));
+        assert_eq!(of_rays, pose_npt_least_squares_cayley::mean_of_point(seen.iter().zip(points)));
+        let of_images = pose_npt_least_squares_quaternion::mean_of_point(images.iter().zip(points));
+
+        let by_cayley = pose_npt_direct_least_squares::solve_for_pose(&of_rays).unwrap_or_default();
+        let by_direction = pose_npt_least_squares_cayley::solve_for_pose(&of_rays).unwrap_or_default();
+        let by_depth = pose_npt_least_squares_quaternion::solve_for_pose(&of_images).unwrap_or_default();
+        by_cayley.iter().any(|pose| view.is_pose(&pose.rotation, &pose.translation))
+            && by_direction.iter().any(|pose| view.is_pose(&pose.rotation, &pose.translation))
+            && by_depth.iter().any(|pose| view.is_pose(&pose.rotation, &pose.translation))
     });
 }

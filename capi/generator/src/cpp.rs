@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::header::with_prefix;
-use crate::interface::{Field, Interface, Row};
+use crate::interface::{Field, Interface, Mean, Row};
 use crate::names::free_name;
 
 /// What all libraries have; `@name@` and `@NAME@` stand for the prefix.
@@ -30,6 +30,9 @@ fn problem(prefix: &str, interface: &Interface) -> String {
         text.push_str(&structure(interface, row));
         text.push_str(&functions(prefix, interface, row));
     }
+    for of in &interface.means {
+        text.push_str(&mean(prefix, interface, of));
+    }
     let _ = writeln!(text, "}} // namespace {namespace}\n");
     text
 }
@@ -52,6 +55,36 @@ fn structure(interface: &Interface, row: &Row) -> String {
 /// `std::array<std::array<double, 3>, 5>`.
 fn cpp_type(shape: &[usize]) -> String {
     shape.iter().rev().fold("double".to_owned(), |inner, length| format!("std::array<{inner}, {length}>"))
+}
+
+/// The call that computes a mean.
+fn mean(prefix: &str, interface: &Interface, mean: &Mean) -> String {
+    let mut text = String::new();
+    for line in &mean.docs {
+        let _ = writeln!(text, "{}", format!("/// {}", line.trim()).trim_end());
+    }
+    let (ty, numbers) = (cpp_type(&mean.shape), mean.len());
+    let lists: String = mean.measurement.iter().map(|field| format!(", Many {}", field.c_name)).collect();
+    let of_lists: String =
+        mean.measurement.iter().map(|field| format!("{0}.data(), {0}.size(), ", field.c_name)).collect();
+    let (name, function) = (&mean.name, interface.mean(mean).0);
+    let _ = writeln!(
+        text,
+        "\
+/// The mean over so many measurements, one after another in each list. Throws `Error` if a list does
+/// not fit.
+[[nodiscard]] inline {ty} {name}(std::size_t measurements{lists}) {{
+    {ty} mean{{}};
+    static_assert(sizeof(mean) == {numbers} * sizeof(double), \"an array of numbers\");
+    const std::int32_t code =
+        {prefix}_{function}(measurements, {of_lists}reinterpret_cast<double *>(&mean), {numbers});
+    if (code != {upper}_OK) throw Error(code);
+    return mean;
+}}
+",
+        upper = prefix.to_uppercase(),
+    );
+    text
 }
 
 /// The calls that return rows of a kind.

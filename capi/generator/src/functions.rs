@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::interface::{Field, Interface, Parameter, Row};
+use crate::interface::{Field, Interface, Mean, Parameter, Row};
 
 /// The functions of a library. The solvers stand beside the module `functions` that this is.
 pub(crate) fn functions(prefix: &str, interfaces: &[Interface]) -> String {
@@ -46,6 +46,7 @@ fn problem(prefix: &str, interface: &Interface) -> String {
     });
     let reads = list(&|field| format!("{}: unsafe {{ self.{}.read(at) }}, ", field.name, field.c_name));
     let rows: String = interface.rows.iter().map(|row| functions_of_row(prefix, interface, row)).collect();
+    let means: String = interface.means.iter().map(|mean| function_of_mean(prefix, interface, mean)).collect();
     format!(
         r#"
 /// The C functions of `{name}`.
@@ -72,8 +73,40 @@ impl Inputs {{
         solver::Data {{ {reads} }}
     }}
 }}
-{rows}}}
+{rows}{means}}}
 "#
+    )
+}
+
+/// The function that computes a mean.
+fn function_of_mean(prefix: &str, interface: &Interface, mean: &Mean) -> String {
+    let (name, parameters) = interface.mean(mean);
+    let (mut inputs, mut checks, mut reads) = (String::new(), String::new(), Vec::new());
+    for field in &mean.measurement {
+        let (list, ty) = (&field.c_name, rust_type(field));
+        let _ = write!(inputs, "let {list} = border::Input::new({list}, {list}_length);\n    ");
+        let _ = write!(checks, "{list}.check::<{ty}>(measurements)?;\n            ");
+        reads.push(format!("{list}.read::<{ty}>(at)"));
+    }
+    let item = match &reads[..] {
+        [read] => read.clone(),
+        _ => format!("({})", reads.join(", ")),
+    };
+    format!(
+        r#"
+{doc}pub unsafe extern "C" fn {prefix}_{name}({parameters}) -> i32 {{
+    {inputs}// SAFETY: the caller promises what the functions of the border need; what is read was checked.
+    unsafe {{
+        border::mean::<_, {numbers}>((mean, mean_length), || {{
+            {checks}Ok(solver::{function}((0..measurements).map(|at| {item})))
+        }})
+    }}
+}}
+"#,
+        doc = doc("Computes a mean over measurements."),
+        parameters = rust_parameters(&parameters),
+        function = mean.name,
+        numbers = mean.len(),
     )
 }
 

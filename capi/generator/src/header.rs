@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::interface::{Field, Interface, Parameter, Row};
+use crate::interface::{Field, Interface, Mean, Parameter, Row};
 
 /// What all libraries declare; `@name@` and `@NAME@` stand for the prefix.
 const PRELUDE: &str = include_str!("prelude.h");
@@ -45,7 +45,22 @@ fn problem(prefix: &str, interface: &Interface) -> String {
             text.push_str(&declaration(prefix, &name, &parameters));
         }
     }
+    for mean in &interface.means {
+        let (name, parameters) = interface.mean(mean);
+        text.push_str(&mean_comment(mean));
+        text.push_str(&declaration(prefix, &name, &parameters));
+    }
     text.push('\n');
+    text
+}
+
+/// What stands before the function of a mean.
+fn mean_comment(mean: &Mean) -> String {
+    let mut text = "/*\n".to_owned();
+    comment(&mut text, &mean.docs);
+    let shape: String = mean.shape.iter().map(|length| format!("[{length}]")).collect();
+    fact(&mut text, &format!("Mean mean{shape} over measurements of"), &mean.measurement);
+    text.push_str(" */\n");
     text
 }
 

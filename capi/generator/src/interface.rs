@@ -1,7 +1,8 @@
 //! What a problem looks like from C: the functions, their parameters, and the rows that they write.
 
+use eliminant_generator::problem::measurement::Measurement;
 use eliminant_generator::problem::output::Output;
-use eliminant_generator::problem::{DataAttribute, Problem};
+use eliminant_generator::problem::{DataAttribute, DataParameter, Problem};
 
 use crate::names::{free_name, length_name};
 
@@ -70,6 +71,31 @@ impl Row {
     }
 
     /// Whether it has no numbers.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// Data that are the mean of what a function of the problem gives for measurements.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mean {
+    /// The name in Rust and C++: `mean_of_point`.
+    pub name: String,
+    /// Lines of its documentation.
+    pub docs: Vec<String>,
+    /// A measurement.
+    pub measurement: Vec<Field>,
+    /// Outermost dimension first; empty for a number.
+    pub shape: Vec<usize>,
+}
+
+impl Mean {
+    /// Number of numbers.
+    pub fn len(&self) -> usize {
+        self.shape.iter().product()
+    }
+
+    /// Whether it is an array of length 0.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -146,12 +172,16 @@ pub struct Interface {
     pub solutions: usize,
     /// What functions write: the unknowns, then the result if the problem has one.
     pub rows: Vec<Row>,
+    /// Which data are means of measurements.
+    pub means: Vec<Mean>,
 }
 
 impl Interface {
     /// The interface of a problem with so many solutions.
     pub fn new(problem: &Problem, solutions: usize) -> Self {
-        let data = problem.data.iter().map(|data| (&data.name, (&data.shape, data.is_complex), note(data.attribute)));
+        let notes: Vec<String> = problem.data.iter().map(note).collect();
+        let data = problem.data.iter().zip(&notes);
+        let data = data.map(|(data, note)| (&data.name, (&data.shape, data.is_complex), note.as_str()));
         let unknowns = problem.fields.iter().map(|unknown| {
             let note = if unknown.is_projective { "given up to scale: of length 1" } else { "" };
             (&unknown.name, (&unknown.shape, unknown.is_complex), note)
@@ -163,7 +193,8 @@ impl Interface {
             fields: fields(unknowns),
         };
         let rows = [solution].into_iter().chain(problem.output.as_ref().map(row_of_output)).collect();
-        Self { name: problem.name.clone(), docs: problem.docs.clone(), data: fields(data), solutions, rows }
+        let means = problem.measurements.iter().map(mean).collect();
+        Self { name: problem.name.clone(), docs: problem.docs.clone(), data: fields(data), solutions, rows, means }
     }
 
     /// The function that solves one instance: its name without the prefix, and its parameters.
@@ -190,6 +221,15 @@ impl Interface {
         parameters.push(Parameter::new("counts", Type::Sizes));
         parameters.push(Parameter::new("codes", Type::Codes));
         (format!("{}_solve_batch{}", self.name, row.suffix), parameters)
+    }
+
+    /// The function that computes a mean.
+    pub fn mean(&self, mean: &Mean) -> (String, Vec<Parameter>) {
+        let mut parameters = vec![Parameter::new("measurements", Type::Size)];
+        parameters.extend(mean.measurement.iter().flat_map(list));
+        parameters.push(Parameter::new("mean", Type::Numbers));
+        parameters.push(Parameter::new("mean_length", Type::Size));
+        (format!("{}_{}", self.name, mean.name), parameters)
     }
 
     /// How many instances of a batch are on the stack at once.
@@ -235,13 +275,27 @@ fn row_of_output(output: &Output) -> Row {
     }
 }
 
-fn note(attribute: DataAttribute) -> &'static str {
-    match attribute {
+fn mean(measurement: &Measurement) -> Mean {
+    let data = measurement.data.iter().map(|data| (&data.name, (&data.shape, false), ""));
+    Mean {
+        name: format!("mean_{}", measurement.name),
+        docs: measurement.docs.clone(),
+        measurement: fields(data),
+        shape: measurement.shape.clone(),
+    }
+}
+
+fn note(data: &DataParameter) -> String {
+    if let Some(mean) = &data.mean {
+        return format!("the result of `mean_{}`", mean.function);
+    }
+    let note = match data.attribute {
         DataAttribute::Generic | DataAttribute::Integer => "",
         DataAttribute::Symmetric => "symmetric",
         DataAttribute::Rotation => "rotation matrices",
         DataAttribute::Unit => "of length 1",
         DataAttribute::Plucker => "direction and moment of a line",
         DataAttribute::Rank(_) => "of lower rank",
-    }
+    };
+    note.to_owned()
 }

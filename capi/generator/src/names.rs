@@ -2,7 +2,7 @@
 
 /// Keywords of C and C++ that are names in a problem file, macros of headers that are included, and
 /// names that the functions use themselves.
-const TAKEN: [&str; 83] = [
+const TAKEN: [&str; 87] = [
     "alignas",
     "alignof",
     "and",
@@ -86,6 +86,10 @@ const TAKEN: [&str; 83] = [
     "to_solutions",
     "to_count",
     "data",
+    "measurements",
+    "mean",
+    "mean_length",
+    "code",
 ];
 
 /// The name, with underscores after it until neither a language nor another name has it.

@@ -19,6 +19,9 @@
  *
  * `.._for_NAME` returns results that the problem states, such as poses, in place of unknowns.
  *
+ * `.._mean_NAME` computes data that are means over measurements: each list holds those of all
+ * measurements, one after another. Without any the mean is NaN.
+ *
  * Buffers for results may overlap neither each other nor data.
  */
 #ifndef @NAME@_H

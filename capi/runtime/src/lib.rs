@@ -23,6 +23,9 @@ mod single;
 /// Many instances.
 mod batch;
 
+/// Means over measurements.
+mod mean;
+
 /// Files of a library's headers.
 mod headers;
 
@@ -30,5 +33,6 @@ pub use batch::{Batch, BatchOutput, solve_batch};
 pub use buffer::Input;
 pub use code::{Code, error_text};
 pub use headers::write_headers;
+pub use mean::mean;
 pub use numbers::{Numbers, row};
 pub use single::{Output, solve};

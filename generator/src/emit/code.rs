@@ -17,14 +17,24 @@ use crate::problem::DataParameter;
 /// The function from the data to the coefficients.
 pub(super) fn statements(plan: &Plan) -> TokenStream {
     let doc = " The coefficients that the tables refer to, from all data, one parameter after another.";
-    function(plan, (&format_ident!("coefficients"), doc), &plan.program, &plan.coefficients)
+    function(inputs_of(plan), (&format_ident!("coefficients"), doc), &plan.program, &plan.coefficients)
+}
+
+/// The data that are given, and the number of all data.
+pub(super) fn inputs_of(plan: &Plan) -> (&[DataParameter], usize) {
+    (&plan.data, plan.inputs())
 }
 
 /// A function from the data to values of a program, with the statements of [`Statements`].
-pub(super) fn function(plan: &Plan, (name, doc): (&Ident, &str), program: &Program, values: &[ValueId]) -> TokenStream {
+pub(super) fn function(
+    (given, count): (&[DataParameter], usize),
+    (name, doc): (&Ident, &str),
+    program: &Program,
+    values: &[ValueId],
+) -> TokenStream {
     let planned = Statements::of(program, values);
-    let inputs = inputs(plan);
-    let mut names = Names::of(&plan.data);
+    let inputs = inputs(given, count);
+    let mut names = Names::of(given);
     names.reserve(&inputs);
     let [slots, data, one] = ["v", "data", "one"].map(|name| names.take(name));
     let locals = inputs_read(program, (&inputs, &data), &planned);
@@ -170,14 +180,15 @@ fn local_name(name: &str) -> String {
 }
 
 /// What stands for each scalar of the data, in flat order: `gram_0_2` for an element of an array.
-fn inputs(plan: &Plan) -> Vec<Ident> {
+fn inputs(data: &[DataParameter], count: usize) -> Vec<Ident> {
+    let given: usize = data.iter().map(DataParameter::len).sum();
     let mut separator = "_".to_owned();
     loop {
-        let given = plan.data.iter().flat_map(|parameter| names(parameter, &separator));
-        let derived = (0..plan.inputs() - plan.given()).map(|at| format!("derived{separator}{at}"));
-        let names: Vec<String> = given.chain(derived).collect();
-        let scalars = plan.data.iter().filter(|parameter| parameter.shape.is_empty()).count();
-        let taken = plan.data.iter().filter(|parameter| names.contains(&parameter.name)).count();
+        let of_given = data.iter().flat_map(|parameter| names(parameter, &separator));
+        let derived = (0..count - given).map(|at| format!("derived{separator}{at}"));
+        let names: Vec<String> = of_given.chain(derived).collect();
+        let scalars = data.iter().filter(|parameter| parameter.shape.is_empty()).count();
+        let taken = data.iter().filter(|parameter| names.contains(&parameter.name)).count();
         let different: BTreeSet<&String> = names.iter().collect();
         if different.len() == names.len() && taken == scalars {
             return names.iter().map(|name| format_ident!("{name}")).collect();

@@ -78,7 +78,8 @@ pub(super) fn functions(plan: &Plan) -> TokenStream {
     let is_read = |(_, planned): &(usize, &PlannedDerivation)| plan.output.is_some() || !planned.is_for_results;
     let operands = plan.derived.iter().enumerate().filter(is_read).map(|(number, planned)| {
         let PlannedDerivation { derivation, program, .. } = planned;
-        code::function(plan, (&name(number), " What data are derived from."), program, &derivation.operands)
+        let name = (&name(number), " What data are derived from.");
+        code::function(code::inputs_of(plan), name, program, &derivation.operands)
     });
     let readers = [Reader::Solve, Reader::Results].into_iter().filter(|&reader| {
         let is_shared = reader == Reader::Results && function_name(plan, reader) == function_name(plan, Reader::Solve);

@@ -9,6 +9,7 @@ mod elimination;
 mod family;
 mod instance;
 mod listing;
+mod means;
 mod monomials;
 mod names;
 mod output;
@@ -74,6 +75,7 @@ fn module(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> Toke
     let header = provenance.lines.iter().map(|line| doc_line(line)).map(|line| quote!(#![doc = #line]));
     let (solution, functions) = (api::solution(plan), api::functions(plan));
     let (batch, derived) = (batch::batch(plan), derived::functions(plan));
+    let means = means::functions(plan);
     let (output, inequalities) = (output::output(plan), output::inequalities(plan));
     let instance = instance::instance(plan, provenance, listings);
     let statements = match plan.program.form {
@@ -98,6 +100,7 @@ fn module(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> Toke
             #inequalities
             #batch
             #derived
+            #means
             #instance
             #statements
             #program

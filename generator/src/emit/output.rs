@@ -26,7 +26,7 @@ pub(super) fn output(plan: &Plan) -> TokenStream {
     let program = {
         let doc = " The coefficients of what is returned beside the unknowns, from all data.";
         let name = format_ident!("{COEFFICIENTS}");
-        code::function(plan, (&name, doc), &output.program, &output.coefficients)
+        code::function(code::inputs_of(plan), (&name, doc), &output.program, &output.coefficients)
     };
     quote! {
         #[doc = #doc]

@@ -216,6 +216,23 @@ pub struct PlannedDerivation {
     pub is_for_results: bool,
 }
 
+/// What one measurement gives, of which data are the mean.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PlannedMeasurement {
+    /// The name of the function of the problem.
+    pub name: String,
+    /// Its doc comment.
+    pub docs: Vec<String>,
+    /// A measurement.
+    pub data: Vec<DataParameter>,
+    /// The shape of the mean.
+    pub shape: Vec<usize>,
+    /// From the measurement to what it gives.
+    pub program: Program,
+    /// What it gives, row by row.
+    pub elements: Vec<ValueId>,
+}
+
 /// Floating-point operations of one solve. An addition, a multiplication and a division count as
 /// one each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -260,6 +277,8 @@ pub struct Plan {
     /// The data that are derived from them, which follow them among the inputs: first those of the
     /// problem, then those of presolve, which only the template reads.
     pub derived: Vec<PlannedDerivation>,
+    /// What measurements give, of which data are means.
+    pub measurements: Vec<PlannedMeasurement>,
     /// The number of scalars in the data of the problem: those that are given, and those that it
     /// derives from them.
     pub stated: usize,

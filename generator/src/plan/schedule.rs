@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::block_triangular::{DiagonalBlock, block_triangular_form};
 use super::coefficients::{Coefficients, planned_output};
 use super::constant_pivots::{ConstantPivots, Row, eliminate_constant_pivots};
-use super::straight_line::{planned_derivations, straight_line_program};
+use super::straight_line::{planned_derivations, planned_measurement, straight_line_program};
 use super::zeros::zeros;
 use super::{
     ActionRow, BasisId, Block, Elimination, Entry, Extraction, KnownMonomial, PivotId, Plan, PlanError, PlannedBlock,
@@ -142,6 +142,7 @@ impl Scheduler<'_> {
             docs: problem.docs.clone(),
             data: problem.data.clone(),
             derived: planned_derivations(graph, &used),
+            measurements: problem.measurements.iter().map(planned_measurement).collect(),
             stated: problem.graph.input_count(),
             unknowns: problem.unknowns.clone(),
             fields: problem.fields.clone(),

@@ -10,6 +10,7 @@ mod evaluate;
 mod functions;
 pub mod instance;
 mod interpret;
+pub mod measurement;
 mod names;
 pub mod output;
 mod parse;
@@ -25,6 +26,7 @@ mod value;
 
 use std::ops::Range;
 
+use measurement::Measurement;
 use output::Output;
 
 use crate::algebra::{Monomial, Polynomial};
@@ -78,9 +80,20 @@ pub struct DataParameter {
     pub is_complex: bool,
     /// What its values satisfy.
     pub attribute: DataAttribute,
+    /// `#[mean(f)]`: they are means of what f gives for measurements.
+    pub mean: Option<MeanOf>,
     /// Index of its first scalar among all inputs.
     pub first_input: usize,
     /// Where it was declared.
+    pub span: Span,
+}
+
+/// The function that says what a measurement gives, of which data are the mean.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MeanOf {
+    /// Its name.
+    pub function: String,
+    /// Where the data name it.
     pub span: Span,
 }
 
@@ -114,7 +127,7 @@ impl DataParameter {
     #[cfg(test)]
     pub(crate) fn example(name: &str, shape: &[usize], is_complex: bool) -> Self {
         let (name, shape) = (name.to_owned(), shape.to_vec());
-        Self { name, shape, is_complex, attribute: DataAttribute::Generic, first_input: 0, span: 0..0 }
+        Self { name, shape, is_complex, attribute: DataAttribute::Generic, mean: None, first_input: 0, span: 0..0 }
     }
 }
 
@@ -219,6 +232,8 @@ pub struct Problem {
     pub docs: Vec<String>,
     /// The data.
     pub data: Vec<DataParameter>,
+    /// What measurements give, of which data are means.
+    pub measurements: Vec<Measurement>,
     /// Names of the unknowns, elements of arrays one by one: `x`, `v[0]`, `v[1]`. Monomials index
     /// into this. Coordinates of a vector that is given up to scale have the names of its elements,
     /// without the last.

@@ -7,6 +7,7 @@ use syn::{Attribute, Ident, Item, ItemConst, ItemFn, ReturnType, Safety, Visibil
 use super::complex::joined;
 use super::functions::BUILT_IN;
 use super::interpret::Interpreter;
+use super::measurement::read_measurements;
 use super::names::{refuse, refuse_module};
 use super::output::Output;
 use super::projective::{Elements, check_homogeneous, dehomogenised, homogeneous};
@@ -49,9 +50,9 @@ impl Problem {
 
 /// The items of a file.
 #[derive(Default)]
-struct Items<'a> {
-    constants: Vec<&'a ItemConst>,
-    helpers: BTreeMap<String, &'a ItemFn>,
+pub(super) struct Items<'a> {
+    pub(super) constants: Vec<&'a ItemConst>,
+    pub(super) helpers: BTreeMap<String, &'a ItemFn>,
     problem: Option<&'a ItemFn>,
 }
 
@@ -75,6 +76,7 @@ fn parse_source(source: &SourceFile) -> Result<Problem, Vec<Diagnostic>> {
     if !messages.is_empty() {
         return Err(messages);
     }
+    let measurements = read_measurements(&items, &data)?;
 
     let mut body = run(&items, function, (&data, &unknowns), Elements::InChart);
     enter_charts(&mut body, &unknowns);
@@ -88,6 +90,7 @@ fn parse_source(source: &SourceFile) -> Result<Problem, Vec<Diagnostic>> {
         name: function.sig.ident.to_string(),
         docs: doc_lines(&function.attrs),
         data,
+        measurements,
         unknowns: body.unknowns,
         fields: unknowns,
         equations: body.equations,
@@ -237,14 +240,14 @@ fn check_function(function: &ItemFn) -> Vec<Diagnostic> {
         let diagnostic = Diagnostic::new("unknown attribute of a function", place(attribute));
         messages.push(
             diagnostic
-                .hint("`#[symmetric]`, `#[rotation]`, `#[unit]`, `#[plucker]`, `#[integer]`, `#[rank(2)]` stand before a parameter"),
+                .hint("`#[symmetric]`, `#[rotation]`, `#[unit]`, `#[plucker]`, `#[integer]`, `#[rank(2)]`, `#[mean(f)]` stand before a parameter"),
         );
     }
     messages
 }
 
 /// Evaluates the constants of the file in order.
-fn declare_constants(interpreter: &mut Interpreter<'_>, constants: &[&ItemConst]) {
+pub(super) fn declare_constants(interpreter: &mut Interpreter<'_>, constants: &[&ItemConst]) {
     for constant in constants {
         let value = interpreter.evaluate(&constant.expr);
         let span = place(&constant.ident);
@@ -253,7 +256,7 @@ fn declare_constants(interpreter: &mut Interpreter<'_>, constants: &[&ItemConst]
 }
 
 /// Declares the data and the unknowns in the scope of the body.
-fn declare_signature(
+pub(super) fn declare_signature(
     (interpreter, elements): (&mut Interpreter<'_>, Elements),
     data: &[DataParameter],
     unknowns: &[SolutionField],

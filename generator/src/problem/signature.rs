@@ -298,6 +298,7 @@ impl Interpreter<'_> {
         let (typed, ident) = self.parameter_name(parameter)?;
         let pattern = self.shape_of_type(&typed.ty);
         let attribute = self.read_attribute(typed);
+        let mean = self.read_mean(typed, pattern.as_ref().is_ok_and(|pattern| pattern.complex));
         if let Some(diagnostic) = refuse(ident, "a parameter") {
             return Err(self.report(diagnostic));
         }
@@ -306,7 +307,7 @@ impl Interpreter<'_> {
             let diagnostic = Diagnostic::new("the shape of the data must be given", place(&*typed.ty));
             return Err(self.report(diagnostic.label("expected `f64`, `[f64; n]`, `[[f64; n]; m]`, ..")));
         }
-        let (attribute, at) = attribute?;
+        let ((attribute, at), mean) = (attribute?, mean?);
         let (shape, is_complex) = (Self::scalars(&pattern), pattern.complex);
         let of_matrices = !matches!(attribute, DataAttribute::Generic | DataAttribute::Integer | DataAttribute::Unit);
         let expected = match (attribute, &shape[..]) {
@@ -329,7 +330,7 @@ impl Interpreter<'_> {
             return Err(self.report(Diagnostic::new(message, at).context(place(&*typed.ty), found)));
         }
         let (name, span) = (ident.to_string(), place(ident));
-        Ok(DataParameter { name, shape, is_complex, attribute, first_input: 0, span })
+        Ok(DataParameter { name, shape, is_complex, attribute, mean, first_input: 0, span })
     }
 
     /// A parameter of the form `name: type`.
@@ -365,7 +366,8 @@ impl Interpreter<'_> {
     /// What the data of a parameter satisfy, and where it says so.
     fn read_attribute(&mut self, parameter: &PatType) -> Outcome<(DataAttribute, Span)> {
         let mut found: Option<(DataAttribute, Span)> = None;
-        for attribute in parameter.attrs.iter().filter(|attribute| !attribute.path().is_ident("doc")) {
+        let is_other = |attribute: &&Attribute| ["doc", "mean"].iter().any(|name| attribute.path().is_ident(name));
+        for attribute in parameter.attrs.iter().filter(|attribute| !is_other(attribute)) {
             let span = place(attribute);
             let kind = self.attribute_kind(attribute)?;
             if let Some((_, first)) = found {
@@ -397,7 +399,7 @@ impl Interpreter<'_> {
             return Ok(kind);
         }
         let diagnostic = Diagnostic::new("unknown attribute", place(&attribute.meta))
-            .label("expected `symmetric`, `rotation`, `unit`, `plucker`, `integer` or `rank(..)`");
+            .label("expected `symmetric`, `rotation`, `unit`, `plucker`, `integer`, `rank(..)` or `mean(..)`");
         let meant = closest(&name, ATTRIBUTES.map(|(known, _)| known));
         Err(self.report(match meant {
             Some(meant) => diagnostic.hint(format!("did you mean `#[{meant}]`?")),

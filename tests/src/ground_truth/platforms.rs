@@ -6,8 +6,22 @@ use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, Rotation3, SMatrix, Vector3};
 
 use super::cameras::{camera, cayley, in_ball};
-use super::optimal_pose::ENTRIES;
 use super::{KnownInstance, Make, Maker, null_space, relative_error};
+
+/// The entries of a rotation, row by row, on the products (w w, w x, w y, w z, x x, x y, x z, y y,
+/// y z, z z) of its quaternion.
+#[rustfmt::skip]
+const ENTRIES: [[f64; 10]; 9] = [
+    [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, -1.0],
+    [0.0, 0.0, 0.0, -2.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0],
+    [0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0],
+    [0.0, 0.0, 0.0, 2.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0],
+    [1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, -1.0],
+    [0.0, -2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0],
+    [0.0, 0.0, -2.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0],
+    [0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0],
+    [1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 0.0, 1.0],
+];
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![Maker {

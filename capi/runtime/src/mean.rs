@@ -1,0 +1,56 @@
+//! Means over measurements.
+
+use crate::buffer::{check, write_rows};
+use crate::code::Code;
+use crate::guard::guarded;
+use crate::numbers::{Numbers, row};
+
+/// Computes a mean into room of the caller, a pointer and how many numbers it promises, and returns
+/// the number of a code. Nothing is written unless it is that of no error.
+///
+/// # Safety
+/// Unless the pointer is null or misaligned, so many numbers can be written there.
+pub unsafe fn mean<T: Numbers, const N: usize>(
+    (pointer, length): (*mut f64, usize),
+    compute: impl FnOnce() -> Result<T, Code>,
+) -> i32 {
+    let room = if length == N { check(pointer, N) } else { Err(Code::WrongLength) };
+    match room.and_then(|()| guarded(compute)) {
+        Ok(mean) => {
+            let numbers: [f64; N] = row(|mut to| mean.put(&mut to));
+            // SAFETY: the pointer is checked, and there is room for N numbers.
+            unsafe { write_rows(pointer, std::iter::once(numbers)) };
+            Code::Ok.number()
+        }
+        Err(code) => code.number(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::ptr;
+
+    use super::*;
+
+    #[test]
+    fn a_mean_is_written_whole_or_not_at_all() {
+        let mean_of = [[1.0, 2.0], [3.0, 4.0]];
+        let mut room = [7.0; 4];
+        let to = room.as_mut_ptr();
+        let call = |to, length, computed| unsafe { mean::<[[f64; 2]; 2], 4>((to, length), || computed) };
+        for (to, length, computed, code) in [
+            (to, 3, Ok(mean_of), Code::WrongLength),
+            (to, 5, Ok(mean_of), Code::WrongLength),
+            (ptr::null_mut(), 4, Ok(mean_of), Code::NullPointer),
+            (to.wrapping_byte_add(1), 4, Ok(mean_of), Code::MisalignedPointer),
+            (to, 4, Err(Code::WrongLength), Code::WrongLength),
+        ] {
+            assert_eq!(call(to, length, computed), code.number());
+        }
+        assert_eq!(room, [7.0; 4]);
+        assert_eq!(call(to, 4, Ok(mean_of)), Code::Ok.number());
+        assert_eq!(room, [1.0, 2.0, 3.0, 4.0]);
+        let code = unsafe { mean::<f64, 1>((to, 1), || panic!("this panic belongs to the test")) };
+        assert_eq!((code, room[0]), (Code::Panic.number(), 1.0));
+    }
+}
