@@ -4,9 +4,16 @@
 /// Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation": the two constraints give d1
 /// and d2, which leaves the cost as a polynomial in d3, d4, d5. Data and conic are those of
 /// `circle_least_squares`.
-fn circle_least_squares_dual(#[symmetric] gram: [[f64; 6]; 6]) -> (d3, d4, d5) {
+fn circle_least_squares_dual(#[mean(of_line)] #[symmetric] gram: [[f64; 6]; 6]) -> (d3, d4, d5) {
     let d1 = d4 + d5 * d5 - d3 * d3;
     let d2 = -d3 * d5;
     let d = [d1, 2 * d2, 2 * d3, d4, 2 * d5, -1];
     gradient(dot(d, gram * d)) == 0;
+}
+
+/// What a line a x + b y + c = 0 gives.
+fn of_line(line: [f64; 3]) -> [[f64; 6]; 6] {
+    let [a, b, c] = line;
+    let r = [a * a, a * b, a * c, b * b, b * c, c * c];
+    [r[0] * r, r[1] * r, r[2] * r, r[3] * r, r[4] * r, r[5] * r]
 }

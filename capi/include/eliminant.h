@@ -19,6 +19,9 @@
  *
  * `.._for_NAME` returns results that the problem states, such as poses, in place of unknowns.
  *
+ * `.._mean_NAME` computes data that are means over measurements: each list holds those of all
+ * measurements, one after another. Without any the mean is NaN.
+ *
  * Buffers for results may overlap neither each other nor data.
  */
 #ifndef ELIMINANT_H
@@ -103,11 +106,11 @@ int32_t eliminant_calibration_6_receivers_4_senders_solve_batch(
  * Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation", eq. (23)-(26): the
  * Lagrangian as printed.
  *
- * `gram` is the sum over all lines l = (a, b, c) of r r^T with r = (a^2, ab, ac, b^2, bc, c^2).
+ * `gram` is the mean over all lines l = (a, b, c) of r r^T with r = (a^2, ab, ac, b^2, bc, c^2).
  * The dual conic is [d1 d2 d3; d2 d4 d5; d3 d5 -1]: a circle with centre (-d3, -d5) and squared
  * radius d1 + d3^2 = d4 + d5^2.
  *
- * Data: gram[6][6] (symmetric).
+ * Data: gram[6][6] (symmetric: the result of `mean_of_line`).
  * A row of 7 numbers, the unknowns: d1, d2, d3, d4, d5, lambda1, lambda2.
  */
 #define ELIMINANT_CIRCLE_LEAST_SQUARES_GRAM_LENGTH 36
@@ -118,6 +121,12 @@ int32_t eliminant_circle_least_squares_solve(
 int32_t eliminant_circle_least_squares_solve_batch(
     size_t instances, const double *gram, size_t gram_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+/*
+ * What a line a x + b y + c = 0 gives.
+ * Mean mean[6][6] over measurements of: line[3].
+ */
+int32_t eliminant_circle_least_squares_mean_of_line(
+    size_t measurements, const double *line, size_t line_length, double *mean, size_t mean_length);
 
 /*
  * circle_least_squares_dual
@@ -129,7 +138,7 @@ int32_t eliminant_circle_least_squares_solve_batch(
  * and d2, which leaves the cost as a polynomial in d3, d4, d5. Data and conic are those of
  * `circle_least_squares`.
  *
- * Data: gram[6][6] (symmetric).
+ * Data: gram[6][6] (symmetric: the result of `mean_of_line`).
  * A row of 3 numbers, the unknowns: d3, d4, d5.
  */
 #define ELIMINANT_CIRCLE_LEAST_SQUARES_DUAL_GRAM_LENGTH 36
@@ -140,6 +149,12 @@ int32_t eliminant_circle_least_squares_dual_solve(
 int32_t eliminant_circle_least_squares_dual_solve_batch(
     size_t instances, const double *gram, size_t gram_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+/*
+ * What a line a x + b y + c = 0 gives.
+ * Mean mean[6][6] over measurements of: line[3].
+ */
+int32_t eliminant_circle_least_squares_dual_mean_of_line(
+    size_t measurements, const double *line, size_t line_length, double *mean, size_t mean_length);
 
 /*
  * circle_minimal
@@ -1098,40 +1113,38 @@ int32_t eliminant_pose_6pt_rolling_shutter_solve_batch_for_rolling_pose(
  * Hesch, Roumeliotis, "A direct least-squares (DLS) method for PnP", ICCV 2011. Published as
  * `opt_pnp_hesch`.
  *
- * For a given rotation the best translation is linear in the rotation. Without the common
- * denominator 1 + x^2 + y^2 + z^2 of the rotation of the quaternion (1, x, y, z), the sum of
- * squares that remains is a polynomial of degree four; its coefficients are data, those of one
- * degree in lexicographic order. Of the constant nothing depends.
+ * The cost is the mean squared distance of the points from the rays along which the camera sees
+ * them, with the best translation, which is linear in the rotation. Without the common denominator
+ * 1 + x^2 + y^2 + z^2 of the rotation of the quaternion (1, x, y, z) it is a polynomial of degree
+ * four. `means` are those of `of_point` over 3 points or more. Rounding errors are smallest if the
+ * origin is amid the points. Half turns are at infinity.
  *
- * Data: linear[3], quadratic[6], cubic[10], quartic[15].
+ * Data: means[6][10] (the result of `mean_of_point`).
  * A row of 3 numbers, the unknowns: x, y, z.
- * A row of 9 numbers, the result orientation: rotation[3][3].
+ * A row of 12 numbers, the result pose: rotation[3][3], translation[3].
  */
-#define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_LINEAR_LENGTH 3
-#define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_QUADRATIC_LENGTH 6
-#define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_CUBIC_LENGTH 10
-#define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_QUARTIC_LENGTH 15
+#define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_MEANS_LENGTH 60
 #define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_UNKNOWNS 3
-#define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_LENGTH_OF_ORIENTATION 9
+#define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_LENGTH_OF_POSE 12
 #define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_MAX_SOLUTIONS 27
 int32_t eliminant_pose_npt_direct_least_squares_solve(
-    const double *linear, size_t linear_length, const double *quadratic, size_t quadratic_length,
-    const double *cubic, size_t cubic_length, const double *quartic, size_t quartic_length,
-    double *solutions, size_t capacity, size_t *count);
+    const double *means, size_t means_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_npt_direct_least_squares_solve_batch(
-    size_t instances, const double *linear, size_t linear_length, const double *quadratic,
-    size_t quadratic_length, const double *cubic, size_t cubic_length, const double *quartic,
-    size_t quartic_length, double *solutions, size_t solutions_length, size_t *counts,
-    int32_t *codes);
-int32_t eliminant_pose_npt_direct_least_squares_solve_for_orientation(
-    const double *linear, size_t linear_length, const double *quadratic, size_t quadratic_length,
-    const double *cubic, size_t cubic_length, const double *quartic, size_t quartic_length,
-    double *solutions, size_t capacity, size_t *count);
-int32_t eliminant_pose_npt_direct_least_squares_solve_batch_for_orientation(
-    size_t instances, const double *linear, size_t linear_length, const double *quadratic,
-    size_t quadratic_length, const double *cubic, size_t cubic_length, const double *quartic,
-    size_t quartic_length, double *solutions, size_t solutions_length, size_t *counts,
-    int32_t *codes);
+    size_t instances, const double *means, size_t means_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_pose_npt_direct_least_squares_solve_for_pose(
+    const double *means, size_t means_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_npt_direct_least_squares_solve_batch_for_pose(
+    size_t instances, const double *means, size_t means_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+/*
+ * What a point that is seen along `ray` gives: the products of its coordinates and 1, times the
+ * entries of the projection across the ray.
+ * Mean mean[6][10] over measurements of: ray[3], point[3].
+ */
+int32_t eliminant_pose_npt_direct_least_squares_mean_of_point(
+    size_t measurements, const double *ray, size_t ray_length, const double *point,
+    size_t point_length, double *mean, size_t mean_length);
 
 /*
  * pose_npt_least_squares_cayley
@@ -1142,29 +1155,39 @@ int32_t eliminant_pose_npt_direct_least_squares_solve_batch_for_orientation(
  * Nakano, "Globally optimal DLS method for PnP problem with Cayley parameterization", BMVC 2015.
  * Published as `opt_pnp_nakanoC`.
  *
- * With the best translation and the best depths the cost is r^T `cost` r, r being the entries of
- * the rotation of the quaternion q, row by row. With r times |q|^2 in its place the
+ * The cost is the mean squared distance of the points from the rays along which the camera sees
+ * them, with the best translation, which is linear in the rotation: r^T `cost` r, r being the
+ * entries of the rotation of the quaternion q, row by row. With r times |q|^2 in its place the
  * cost grows with the fourth power of the length of q, so q is stationary up to its length where
- * the gradient d is parallel to it.
+ * the gradient d is parallel to it. `means` are those of `of_point` over 3 points or more.
+ * Rounding errors are smallest if the origin is amid the points.
  *
- * Data: cost[9][9] (symmetric).
+ * Data: means[6][10] (the result of `mean_of_point`).
  * A row of 4 numbers, the unknowns: q[4] (given up to scale: of length 1).
- * A row of 9 numbers, the result orientation: rotation[3][3].
+ * A row of 12 numbers, the result pose: rotation[3][3], translation[3].
  */
-#define ELIMINANT_POSE_NPT_LEAST_SQUARES_CAYLEY_COST_LENGTH 81
+#define ELIMINANT_POSE_NPT_LEAST_SQUARES_CAYLEY_MEANS_LENGTH 60
 #define ELIMINANT_POSE_NPT_LEAST_SQUARES_CAYLEY_UNKNOWNS 4
-#define ELIMINANT_POSE_NPT_LEAST_SQUARES_CAYLEY_LENGTH_OF_ORIENTATION 9
+#define ELIMINANT_POSE_NPT_LEAST_SQUARES_CAYLEY_LENGTH_OF_POSE 12
 #define ELIMINANT_POSE_NPT_LEAST_SQUARES_CAYLEY_MAX_SOLUTIONS 40
 int32_t eliminant_pose_npt_least_squares_cayley_solve(
-    const double *cost, size_t cost_length, double *solutions, size_t capacity, size_t *count);
+    const double *means, size_t means_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_npt_least_squares_cayley_solve_batch(
-    size_t instances, const double *cost, size_t cost_length, double *solutions,
+    size_t instances, const double *means, size_t means_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
-int32_t eliminant_pose_npt_least_squares_cayley_solve_for_orientation(
-    const double *cost, size_t cost_length, double *solutions, size_t capacity, size_t *count);
-int32_t eliminant_pose_npt_least_squares_cayley_solve_batch_for_orientation(
-    size_t instances, const double *cost, size_t cost_length, double *solutions,
+int32_t eliminant_pose_npt_least_squares_cayley_solve_for_pose(
+    const double *means, size_t means_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_npt_least_squares_cayley_solve_batch_for_pose(
+    size_t instances, const double *means, size_t means_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+/*
+ * What a point that is seen along `ray` gives: the products of its coordinates and 1, times the
+ * entries of the projection across the ray.
+ * Mean mean[6][10] over measurements of: ray[3], point[3].
+ */
+int32_t eliminant_pose_npt_least_squares_cayley_mean_of_point(
+    size_t measurements, const double *ray, size_t ray_length, const double *point,
+    size_t point_length, double *mean, size_t mean_length);
 
 /*
  * pose_npt_least_squares_quaternion
@@ -1175,32 +1198,44 @@ int32_t eliminant_pose_npt_least_squares_cayley_solve_batch_for_orientation(
  * Zheng, Kuang, Sugimoto, Åström, Okutomi, "Revisiting the PnP problem: a fast, general and
  * optimal solution", ICCV 2013. Published as `opt_pnp_zheng`.
  *
- * The quaternion q has the square of its length, the inverse of the mean depth, free. The rest of
- * the pose is linear in the products of two of its entries, and the cost is |`rows` p|^2 with p =
- * (1, w w, w x, w y, w z, x x, x y, x z, y y, y z, z z): `rows` are the equations of ten points,
- * or, of another number of points, their triangular factor and zeros, since only the Gram matrix
- * matters. Since q and -q are the same rotation, q is an unknown scale s times the unknown
- * direction below. The derivatives, divided by s, are linear in the square of s, with the
+ * With depths relative to their mean, and P the rotation over the mean depth, the image (u, v) of
+ * a point satisfies (u, v) (1 + P3 X) = (P1 X, P2 X) + constants, X relative to the mean of the
+ * points. With the best constants the mean square of the differences is a quadratic form in 1 and
+ * the entries of P, which are the products of two entries of a quaternion. The square of its
+ * length, the inverse of the mean depth, is free: it is an unknown scale s times the unknown
+ * direction q below. The derivatives, divided by s, are linear in the square of s, with the
  * coefficients `cubic` and `linear`: it follows from any of them, and is eliminated here.
  *
- * Data: rows[20][11].
+ * `means` are those of `of_point` over 4 points or more. Rounding errors are smallest if the
+ * origin is amid the points.
+ *
+ * Data: means[39] (the result of `mean_of_point`).
  * A row of 4 numbers, the unknowns: q[4] (given up to scale: of length 1).
- * A row of 9 numbers, the result orientation: rotation[3][3].
+ * A row of 12 numbers, the result pose: rotation[3][3], translation[3].
  */
-#define ELIMINANT_POSE_NPT_LEAST_SQUARES_QUATERNION_ROWS_LENGTH 220
+#define ELIMINANT_POSE_NPT_LEAST_SQUARES_QUATERNION_MEANS_LENGTH 39
 #define ELIMINANT_POSE_NPT_LEAST_SQUARES_QUATERNION_UNKNOWNS 4
-#define ELIMINANT_POSE_NPT_LEAST_SQUARES_QUATERNION_LENGTH_OF_ORIENTATION 9
+#define ELIMINANT_POSE_NPT_LEAST_SQUARES_QUATERNION_LENGTH_OF_POSE 12
 #define ELIMINANT_POSE_NPT_LEAST_SQUARES_QUATERNION_MAX_SOLUTIONS 40
 int32_t eliminant_pose_npt_least_squares_quaternion_solve(
-    const double *rows, size_t rows_length, double *solutions, size_t capacity, size_t *count);
+    const double *means, size_t means_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_npt_least_squares_quaternion_solve_batch(
-    size_t instances, const double *rows, size_t rows_length, double *solutions,
+    size_t instances, const double *means, size_t means_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
-int32_t eliminant_pose_npt_least_squares_quaternion_solve_for_orientation(
-    const double *rows, size_t rows_length, double *solutions, size_t capacity, size_t *count);
-int32_t eliminant_pose_npt_least_squares_quaternion_solve_batch_for_orientation(
-    size_t instances, const double *rows, size_t rows_length, double *solutions,
+int32_t eliminant_pose_npt_least_squares_quaternion_solve_for_pose(
+    const double *means, size_t means_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_npt_least_squares_quaternion_solve_batch_for_pose(
+    size_t instances, const double *means, size_t means_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+/*
+ * What a point and its image give: the products of two of the point's coordinates and 1, then
+ * those with 1 times the coordinates of the image and times the square of its distance from the
+ * principal point.
+ * Mean mean[39] over measurements of: image[2], point[3].
+ */
+int32_t eliminant_pose_npt_least_squares_quaternion_mean_of_point(
+    size_t measurements, const double *image, size_t image_length, const double *point,
+    size_t point_length, double *mean, size_t mean_length);
 
 /*
  * pose_npt_weak_perspective

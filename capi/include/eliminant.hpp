@@ -278,7 +278,7 @@ inline void solve_batch(
 /// Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation", eq. (23)-(26): the
 /// Lagrangian as printed.
 ///
-/// `gram` is the sum over all lines l = (a, b, c) of r r^T with r = (a^2, ab, ac, b^2, bc, c^2).
+/// `gram` is the mean over all lines l = (a, b, c) of r r^T with r = (a^2, ab, ac, b^2, bc, c^2).
 /// The dual conic is [d1 d2 d3; d2 d4 d5; d3 d5 -1]: a circle with centre (-d3, -d5) and squared
 /// radius d1 + d3^2 = d4 + d5^2.
 namespace circle_least_squares {
@@ -318,6 +318,18 @@ inline void solve_batch(
         return eliminant_circle_least_squares_solve_batch(
             instances, gram.data(), gram.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// What a line a x + b y + c = 0 gives.
+/// The mean over so many measurements, one after another in each list. Throws `Error` if a list
+/// does not fit.
+[[nodiscard]] inline std::array<std::array<double, 6>, 6> mean_of_line(std::size_t measurements, Many line) {
+    std::array<std::array<double, 6>, 6> mean{};
+    static_assert(sizeof(mean) == 36 * sizeof(double), "an array of numbers");
+    const std::int32_t code =
+        eliminant_circle_least_squares_mean_of_line(measurements, line.data(), line.size(), reinterpret_cast<double *>(&mean), 36);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return mean;
 }
 
 } // namespace circle_least_squares
@@ -361,6 +373,18 @@ inline void solve_batch(
         return eliminant_circle_least_squares_dual_solve_batch(
             instances, gram.data(), gram.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// What a line a x + b y + c = 0 gives.
+/// The mean over so many measurements, one after another in each list. Throws `Error` if a list
+/// does not fit.
+[[nodiscard]] inline std::array<std::array<double, 6>, 6> mean_of_line(std::size_t measurements, Many line) {
+    std::array<std::array<double, 6>, 6> mean{};
+    static_assert(sizeof(mean) == 36 * sizeof(double), "an array of numbers");
+    const std::int32_t code =
+        eliminant_circle_least_squares_dual_mean_of_line(measurements, line.data(), line.size(), reinterpret_cast<double *>(&mean), 36);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return mean;
 }
 
 } // namespace circle_least_squares_dual
@@ -2111,10 +2135,11 @@ inline void solve_batch_for_rolling_pose(
 /// Hesch, Roumeliotis, "A direct least-squares (DLS) method for PnP", ICCV 2011. Published as
 /// `opt_pnp_hesch`.
 ///
-/// For a given rotation the best translation is linear in the rotation. Without the common
-/// denominator 1 + x^2 + y^2 + z^2 of the rotation of the quaternion (1, x, y, z), the sum of
-/// squares that remains is a polynomial of degree four; its coefficients are data, those of one
-/// degree in lexicographic order. Of the constant nothing depends.
+/// The cost is the mean squared distance of the points from the rays along which the camera sees
+/// them, with the best translation, which is linear in the rotation. Without the common denominator
+/// 1 + x^2 + y^2 + z^2 of the rotation of the quaternion (1, x, y, z) it is a polynomial of degree
+/// four. `means` are those of `of_point` over 3 points or more. Rounding errors are smallest if the
+/// origin is amid the points. Half turns are at infinity.
 namespace pose_npt_direct_least_squares {
 
 /// No call returns more solutions.
@@ -2129,53 +2154,67 @@ struct Solution {
 static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<3> linear, Values<6> quadratic, Values<10> cubic, Values<15> quartic) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<60> means) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_pose_npt_direct_least_squares_solve(linear.data(), linear.size(), quadratic.data(), quadratic.size(), cubic.data(), cubic.size(), quartic.data(), quartic.size(), to_solutions, max_solutions, to_count);
+        return eliminant_pose_npt_direct_least_squares_solve(means.data(), means.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<3> linear, Values<6> quadratic, Values<10> cubic, Values<15> quartic) {
-    return try_solve(linear, quadratic, cubic, quartic).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<60> means) {
+    return try_solve(means).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many linear, Many quadratic, Many cubic, Many quartic, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many means, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_pose_npt_direct_least_squares_solve_batch(
-            instances, linear.data(), linear.size(), quadratic.data(), quadratic.size(), cubic.data(), cubic.size(), quartic.data(), quartic.size(), to_solutions, solutions_length, counts, codes);
+            instances, means.data(), means.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
 /// What `pose_npt_direct_least_squares` returns beside its unknowns.
-struct Orientation {
+struct Pose {
     std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
 };
-static_assert(sizeof(Orientation) == 9 * sizeof(double), "a row");
+static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
 
-/// Real solutions of one instance: each orientation, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Orientation, max_solutions>> try_solve_for_orientation(Values<3> linear, Values<6> quadratic, Values<10> cubic, Values<15> quartic) noexcept {
-    return Result<Solutions<Orientation, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_pose_npt_direct_least_squares_solve_for_orientation(linear.data(), linear.size(), quadratic.data(), quadratic.size(), cubic.data(), cubic.size(), quartic.data(), quartic.size(), to_solutions, max_solutions, to_count);
+/// Real solutions of one instance: each pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_for_pose(Values<60> means) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_npt_direct_least_squares_solve_for_pose(means.data(), means.size(), to_solutions, max_solutions, to_count);
     });
 }
 
-/// Real solutions of one instance: each orientation. Throws `Error`.
-[[nodiscard]] inline Solutions<Orientation, max_solutions> solve_for_orientation(Values<3> linear, Values<6> quadratic, Values<10> cubic, Values<15> quartic) {
-    return try_solve_for_orientation(linear, quadratic, cubic, quartic).value();
+/// Real solutions of one instance: each pose. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_for_pose(Values<60> means) {
+    return try_solve_for_pose(means).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
-inline void solve_batch_for_orientation(
-    std::size_t instances, Many linear, Many quadratic, Many cubic, Many quartic, Batch<Orientation, max_solutions> &batch) {
+inline void solve_batch_for_pose(
+    std::size_t instances, Many means, Batch<Pose, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
-        return eliminant_pose_npt_direct_least_squares_solve_batch_for_orientation(
-            instances, linear.data(), linear.size(), quadratic.data(), quadratic.size(), cubic.data(), cubic.size(), quartic.data(), quartic.size(), to_solutions, solutions_length, counts, codes);
+        return eliminant_pose_npt_direct_least_squares_solve_batch_for_pose(
+            instances, means.data(), means.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// What a point that is seen along `ray` gives: the products of its coordinates and 1, times the
+/// entries of the projection across the ray.
+/// The mean over so many measurements, one after another in each list. Throws `Error` if a list
+/// does not fit.
+[[nodiscard]] inline std::array<std::array<double, 10>, 6> mean_of_point(std::size_t measurements, Many ray, Many point) {
+    std::array<std::array<double, 10>, 6> mean{};
+    static_assert(sizeof(mean) == 60 * sizeof(double), "an array of numbers");
+    const std::int32_t code =
+        eliminant_pose_npt_direct_least_squares_mean_of_point(measurements, ray.data(), ray.size(), point.data(), point.size(), reinterpret_cast<double *>(&mean), 60);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return mean;
 }
 
 } // namespace pose_npt_direct_least_squares
@@ -2186,10 +2225,12 @@ inline void solve_batch_for_orientation(
 /// Nakano, "Globally optimal DLS method for PnP problem with Cayley parameterization", BMVC 2015.
 /// Published as `opt_pnp_nakanoC`.
 ///
-/// With the best translation and the best depths the cost is r^T `cost` r, r being the entries of
-/// the rotation of the quaternion q, row by row. With r times |q|^2 in its place the
+/// The cost is the mean squared distance of the points from the rays along which the camera sees
+/// them, with the best translation, which is linear in the rotation: r^T `cost` r, r being the
+/// entries of the rotation of the quaternion q, row by row. With r times |q|^2 in its place the
 /// cost grows with the fourth power of the length of q, so q is stationary up to its length where
-/// the gradient d is parallel to it.
+/// the gradient d is parallel to it. `means` are those of `of_point` over 3 points or more.
+/// Rounding errors are smallest if the origin is amid the points.
 namespace pose_npt_least_squares_cayley {
 
 /// No call returns more solutions.
@@ -2202,53 +2243,67 @@ struct Solution {
 static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<81> cost) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<60> means) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_pose_npt_least_squares_cayley_solve(cost.data(), cost.size(), to_solutions, max_solutions, to_count);
+        return eliminant_pose_npt_least_squares_cayley_solve(means.data(), means.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<81> cost) {
-    return try_solve(cost).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<60> means) {
+    return try_solve(means).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many cost, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many means, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_pose_npt_least_squares_cayley_solve_batch(
-            instances, cost.data(), cost.size(), to_solutions, solutions_length, counts, codes);
+            instances, means.data(), means.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
 /// What `pose_npt_least_squares_cayley` returns beside its unknowns.
-struct Orientation {
+struct Pose {
     std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
 };
-static_assert(sizeof(Orientation) == 9 * sizeof(double), "a row");
+static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
 
-/// Real solutions of one instance: each orientation, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Orientation, max_solutions>> try_solve_for_orientation(Values<81> cost) noexcept {
-    return Result<Solutions<Orientation, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_pose_npt_least_squares_cayley_solve_for_orientation(cost.data(), cost.size(), to_solutions, max_solutions, to_count);
+/// Real solutions of one instance: each pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_for_pose(Values<60> means) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_npt_least_squares_cayley_solve_for_pose(means.data(), means.size(), to_solutions, max_solutions, to_count);
     });
 }
 
-/// Real solutions of one instance: each orientation. Throws `Error`.
-[[nodiscard]] inline Solutions<Orientation, max_solutions> solve_for_orientation(Values<81> cost) {
-    return try_solve_for_orientation(cost).value();
+/// Real solutions of one instance: each pose. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_for_pose(Values<60> means) {
+    return try_solve_for_pose(means).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
-inline void solve_batch_for_orientation(
-    std::size_t instances, Many cost, Batch<Orientation, max_solutions> &batch) {
+inline void solve_batch_for_pose(
+    std::size_t instances, Many means, Batch<Pose, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
-        return eliminant_pose_npt_least_squares_cayley_solve_batch_for_orientation(
-            instances, cost.data(), cost.size(), to_solutions, solutions_length, counts, codes);
+        return eliminant_pose_npt_least_squares_cayley_solve_batch_for_pose(
+            instances, means.data(), means.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// What a point that is seen along `ray` gives: the products of its coordinates and 1, times the
+/// entries of the projection across the ray.
+/// The mean over so many measurements, one after another in each list. Throws `Error` if a list
+/// does not fit.
+[[nodiscard]] inline std::array<std::array<double, 10>, 6> mean_of_point(std::size_t measurements, Many ray, Many point) {
+    std::array<std::array<double, 10>, 6> mean{};
+    static_assert(sizeof(mean) == 60 * sizeof(double), "an array of numbers");
+    const std::int32_t code =
+        eliminant_pose_npt_least_squares_cayley_mean_of_point(measurements, ray.data(), ray.size(), point.data(), point.size(), reinterpret_cast<double *>(&mean), 60);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return mean;
 }
 
 } // namespace pose_npt_least_squares_cayley
@@ -2259,13 +2314,16 @@ inline void solve_batch_for_orientation(
 /// Zheng, Kuang, Sugimoto, Åström, Okutomi, "Revisiting the PnP problem: a fast, general and
 /// optimal solution", ICCV 2013. Published as `opt_pnp_zheng`.
 ///
-/// The quaternion q has the square of its length, the inverse of the mean depth, free. The rest of
-/// the pose is linear in the products of two of its entries, and the cost is |`rows` p|^2 with p =
-/// (1, w w, w x, w y, w z, x x, x y, x z, y y, y z, z z): `rows` are the equations of ten points,
-/// or, of another number of points, their triangular factor and zeros, since only the Gram matrix
-/// matters. Since q and -q are the same rotation, q is an unknown scale s times the unknown
-/// direction below. The derivatives, divided by s, are linear in the square of s, with the
+/// With depths relative to their mean, and P the rotation over the mean depth, the image (u, v) of
+/// a point satisfies (u, v) (1 + P3 X) = (P1 X, P2 X) + constants, X relative to the mean of the
+/// points. With the best constants the mean square of the differences is a quadratic form in 1 and
+/// the entries of P, which are the products of two entries of a quaternion. The square of its
+/// length, the inverse of the mean depth, is free: it is an unknown scale s times the unknown
+/// direction q below. The derivatives, divided by s, are linear in the square of s, with the
 /// coefficients `cubic` and `linear`: it follows from any of them, and is eliminated here.
+///
+/// `means` are those of `of_point` over 4 points or more. Rounding errors are smallest if the
+/// origin is amid the points.
 namespace pose_npt_least_squares_quaternion {
 
 /// No call returns more solutions.
@@ -2278,53 +2336,68 @@ struct Solution {
 static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<220> rows) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<39> means) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_pose_npt_least_squares_quaternion_solve(rows.data(), rows.size(), to_solutions, max_solutions, to_count);
+        return eliminant_pose_npt_least_squares_quaternion_solve(means.data(), means.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<220> rows) {
-    return try_solve(rows).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<39> means) {
+    return try_solve(means).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many rows, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many means, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_pose_npt_least_squares_quaternion_solve_batch(
-            instances, rows.data(), rows.size(), to_solutions, solutions_length, counts, codes);
+            instances, means.data(), means.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
 /// What `pose_npt_least_squares_quaternion` returns beside its unknowns.
-struct Orientation {
+struct Pose {
     std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
 };
-static_assert(sizeof(Orientation) == 9 * sizeof(double), "a row");
+static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
 
-/// Real solutions of one instance: each orientation, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Orientation, max_solutions>> try_solve_for_orientation(Values<220> rows) noexcept {
-    return Result<Solutions<Orientation, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_pose_npt_least_squares_quaternion_solve_for_orientation(rows.data(), rows.size(), to_solutions, max_solutions, to_count);
+/// Real solutions of one instance: each pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_for_pose(Values<39> means) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_npt_least_squares_quaternion_solve_for_pose(means.data(), means.size(), to_solutions, max_solutions, to_count);
     });
 }
 
-/// Real solutions of one instance: each orientation. Throws `Error`.
-[[nodiscard]] inline Solutions<Orientation, max_solutions> solve_for_orientation(Values<220> rows) {
-    return try_solve_for_orientation(rows).value();
+/// Real solutions of one instance: each pose. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_for_pose(Values<39> means) {
+    return try_solve_for_pose(means).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
-inline void solve_batch_for_orientation(
-    std::size_t instances, Many rows, Batch<Orientation, max_solutions> &batch) {
+inline void solve_batch_for_pose(
+    std::size_t instances, Many means, Batch<Pose, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
-        return eliminant_pose_npt_least_squares_quaternion_solve_batch_for_orientation(
-            instances, rows.data(), rows.size(), to_solutions, solutions_length, counts, codes);
+        return eliminant_pose_npt_least_squares_quaternion_solve_batch_for_pose(
+            instances, means.data(), means.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// What a point and its image give: the products of two of the point's coordinates and 1, then
+/// those with 1 times the coordinates of the image and times the square of its distance from the
+/// principal point.
+/// The mean over so many measurements, one after another in each list. Throws `Error` if a list
+/// does not fit.
+[[nodiscard]] inline std::array<double, 39> mean_of_point(std::size_t measurements, Many image, Many point) {
+    std::array<double, 39> mean{};
+    static_assert(sizeof(mean) == 39 * sizeof(double), "an array of numbers");
+    const std::int32_t code =
+        eliminant_pose_npt_least_squares_quaternion_mean_of_point(measurements, image.data(), image.size(), point.data(), point.size(), reinterpret_cast<double *>(&mean), 39);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return mean;
 }
 
 } // namespace pose_npt_least_squares_quaternion

@@ -51,10 +51,6 @@ fn solved_shares(family: Family, first_seed: u64) -> Vec<(&'static str, f64)> {
     cases().into_iter().filter_map(share).collect()
 }
 
-/// Problems whose template is solved on all special data that are drawn: they see a rotation alone,
-/// up to scale, in a chart that is special to no pattern of data. All others meet degenerate data.
-const NEVER_DEGENERATE: [&str; 2] = ["pose_npt_least_squares_cayley", "pose_npt_least_squares_quaternion"];
-
 /// The coefficients of this problem are squares of its data: data over two orders of magnitude make
 /// coefficients over four, and the template singular to `f64` on 1 of 1000 instances.
 const SQUARED: (&str, f64) = ("pose_5tdoa_two_receivers", 0.999);
@@ -103,10 +99,8 @@ fn on_badly_scaled_data() {
 fn on_special_data() {
     let shares = solved_shares(Family::Special, 3_000_000);
     assert!(shares.iter().any(|&(_, share)| share > 0.1), "no problem solves special data: {shares:?}");
-    let (complete, others): (Vec<_>, Vec<_>) =
-        shares.iter().copied().partition(|(name, _)| NEVER_DEGENERATE.contains(name));
-    assert_shares(&others, 0.0..=0.999);
-    assert!(complete.iter().all(|&(_, share)| share == 1.0), "not all solved: {complete:?}");
+    // All problems meet degenerate data.
+    assert_shares(&shares, 0.0..=0.999);
 }
 
 #[test]

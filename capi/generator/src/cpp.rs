@@ -71,8 +71,8 @@ fn mean(prefix: &str, interface: &Interface, mean: &Mean) -> String {
     let _ = writeln!(
         text,
         "\
-/// The mean over so many measurements, one after another in each list. Throws `Error` if a list does
-/// not fit.
+/// The mean over so many measurements, one after another in each list. Throws `Error` if a list
+/// does not fit.
 [[nodiscard]] inline {ty} {name}(std::size_t measurements{lists}) {{
     {ty} mean{{}};
     static_assert(sizeof(mean) == {numbers} * sizeof(double), \"an array of numbers\");

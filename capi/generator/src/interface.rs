@@ -286,9 +286,6 @@ fn mean(measurement: &Measurement) -> Mean {
 }
 
 fn note(data: &DataParameter) -> String {
-    if let Some(mean) = &data.mean {
-        return format!("the result of `mean_{}`", mean.function);
-    }
     let note = match data.attribute {
         DataAttribute::Generic | DataAttribute::Integer => "",
         DataAttribute::Symmetric => "symmetric",
@@ -297,5 +294,9 @@ fn note(data: &DataParameter) -> String {
         DataAttribute::Plucker => "direction and moment of a line",
         DataAttribute::Rank(_) => "of lower rank",
     };
-    note.to_owned()
+    match &data.mean {
+        None => note.to_owned(),
+        Some(mean) if note.is_empty() => format!("the result of `mean_{}`", mean.function),
+        Some(mean) => format!("{note}: the result of `mean_{}`", mean.function),
+    }
 }

@@ -4,7 +4,7 @@
 //!   fn pose(#[mean(of_point)] means: [[f64; 10]; 6]) -> (..)
 //!   fn of_point(ray: [f64; 3], point: [f64; 3]) -> [[f64; 10]; 6]
 //!
-//!   means = (of_point(ray 1, point 1) + of_point(ray 2, point 2) + .. + of_point(ray n, point n)) / n
+//!   means = (of_point(ray 1, point 1) + .. + of_point(ray n, point n)) / n
 //! ```
 //!
 //! A solver has data of one size, n is up to each call. To the search the means are data like any

@@ -65,12 +65,13 @@ fn products(x: &Vector3<f64>) -> [f64; 10] {
     [x * x, x * y, x * z, x, y * y, y * z, y, z * z, z, 1.0]
 }
 
-/// The sum of vectors.
-fn summed<const N: usize>(terms: impl Iterator<Item = [f64; N]>) -> Vec<f64> {
-    terms.map(SVector::<f64, N>::from).sum::<SVector<f64, N>>().as_slice().to_vec()
+/// The mean of vectors.
+fn mean<const N: usize>(terms: impl ExactSizeIterator<Item = [f64; N]>) -> Vec<f64> {
+    let count = terms.len() as f64;
+    (terms.map(SVector::<f64, N>::from).sum::<SVector<f64, N>>() / count).as_slice().to_vec()
 }
 
-/// Points, and the rays by which a camera sees them: the sums from which the squared distances of
+/// Points, and the rays by which a camera sees them: the means from which the squared distances of
 /// the points from the rays follow for all poses. The rotation.
 fn rays_and_points(random: &mut Random) -> (Vec<f64>, Matrix3<f64>) {
     let (rotation, translation) = camera(random);
@@ -84,10 +85,11 @@ fn rays_and_points(random: &mut Random) -> (Vec<f64>, Matrix3<f64>) {
         }
         summand
     });
-    (summed(terms), rotation)
+    (mean(terms), rotation)
 }
 
-/// Points and their images: the sums from which the differences of the images follow for all poses.
+/// Points and their images: the means from which the differences of the images follow for all
+/// poses.
 fn images_and_points(random: &mut Random) -> (Vec<f64>, Matrix3<f64>) {
     let (rotation, translation) = camera(random);
     let terms = points(random).into_iter().map(|point| {
@@ -98,7 +100,10 @@ fn images_and_points(random: &mut Random) -> (Vec<f64>, Matrix3<f64>) {
         }
         summand
     });
-    (summed(terms), rotation)
+    let mut means = mean(terms);
+    // The mean of 1 is no datum.
+    means.remove(9);
+    (means, rotation)
 }
 
 /// Points far away from a camera, in their principal axes: their standard deviations, and their
@@ -142,23 +147,24 @@ mod tests {
     const SYMMETRIC_3: [[usize; 3]; 3] = [[0, 1, 2], [1, 3, 4], [2, 4, 5]];
     const SYMMETRIC_4: [[usize; 4]; 4] = [[0, 1, 2, 3], [1, 4, 5, 6], [2, 5, 7, 8], [3, 6, 8, 9]];
 
-    /// Both sums are a form of which the true pose is a null vector.
+    /// Both means are a form of which the true pose is a null vector.
     #[test]
     fn true_poses_cost_nothing() {
         let mut random = Random::new(6);
         for _ in 0..1000 {
-            let (sums, rotation) = rays_and_points(&mut random);
+            let (means, rotation) = rays_and_points(&mut random);
             let of_rays = SMatrix::<f64, 12, 12>::from_fn(|at, to| {
-                sums[10 * SYMMETRIC_3[at / 4][to / 4] + SYMMETRIC_4[at % 4][to % 4]]
+                means[10 * SYMMETRIC_3[at / 4][to / 4] + SYMMETRIC_4[at % 4][to % 4]]
             });
             let (least, found) = least_form(of_rays);
             assert!(least.abs() < 1e-12, "{least}");
             assert!((found - rotation).norm() < 1e-4, "{found} {rotation}");
 
             // (u P3 - P1) X = (v P3 - P2) X = 0
-            let (sums, rotation) = images_and_points(&mut random);
+            let (mut means, rotation) = images_and_points(&mut random);
+            means.insert(9, 1.0);
             let of_images = SMatrix::<f64, 12, 12>::from_fn(|at, to| {
-                let product = |factor: usize| sums[10 * factor + SYMMETRIC_4[at % 4][to % 4]];
+                let product = |factor: usize| means[10 * factor + SYMMETRIC_4[at % 4][to % 4]];
                 match (at / 4, to / 4) {
                     (2, 2) => product(3),
                     (i, j) if i == j => product(0),

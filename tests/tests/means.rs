@@ -1,0 +1,30 @@
+//! Data that are means over measurements.
+
+use eliminant::SolveError;
+use eliminant_generator::algebra::Random;
+use eliminant_solvers::{circle_least_squares, circle_least_squares_dual, pose_npt_least_squares_quaternion};
+use eliminant_tests::ground_truth::{Circle, gram};
+
+#[test]
+fn the_mean_over_lines_is_their_gram_matrix() {
+    let mut random = Random::new(81_000_000);
+    for count in [1, 2, 7, 100] {
+        let lines = Circle::draw(&mut random).tangents(&mut random, count);
+        let coordinates: Vec<[f64; 3]> = lines.iter().map(|line| [line.normal.x, line.normal.y, line.offset]).collect();
+        let mean = circle_least_squares::mean_of_line(&coordinates);
+        let expected: Vec<f64> = gram(&lines).iter().map(|sum| sum / count as f64).collect();
+        let error = mean.as_flattened().iter().zip(&expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let size = expected.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        assert!(error <= 1e-14 * size, "{error} of {size}");
+        assert_eq!(mean, circle_least_squares_dual::mean_of_line(coordinates));
+    }
+}
+
+#[test]
+fn the_mean_of_nothing_is_refused() {
+    let none = circle_least_squares::mean_of_line(std::iter::empty::<[f64; 3]>());
+    assert_eq!(circle_least_squares::solve(&none).unwrap_err(), SolveError::NonFiniteInput);
+    let none = pose_npt_least_squares_quaternion::mean_of_point(std::iter::empty::<([f64; 2], [f64; 3])>());
+    assert!(none.iter().all(|number| number.is_nan()));
+    assert_eq!(pose_npt_least_squares_quaternion::solve(&none).unwrap_err(), SolveError::NonFiniteInput);
+}
