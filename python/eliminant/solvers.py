@@ -10,13 +10,17 @@ from __future__ import annotations
 
 import numpy.typing as npt
 
+from ._arrays import Array
 from ._solutions import Solutions
+from ._solve import mean as _mean
 from ._solve import solve as _solve
 
 __all__ = [
     "calibration_6_receivers_4_senders",
     "circle_least_squares",
     "circle_least_squares_dual",
+    "circle_least_squares_dual_mean_of_line",
+    "circle_least_squares_mean_of_line",
     "circle_minimal",
     "fundamental_7pt",
     "fundamental_8pt_radial",
@@ -43,8 +47,11 @@ __all__ = [
     "pose_5tdoa_two_receivers",
     "pose_6pt_rolling_shutter",
     "pose_npt_direct_least_squares",
+    "pose_npt_direct_least_squares_mean_of_point",
     "pose_npt_least_squares_cayley",
+    "pose_npt_least_squares_cayley_mean_of_point",
     "pose_npt_least_squares_quaternion",
+    "pose_npt_least_squares_quaternion_mean_of_point",
     "pose_npt_weak_perspective",
     "relpose_3pt_angle_zero_screw",
     "relpose_3pt_depths",
@@ -109,7 +116,7 @@ def circle_least_squares(gram: npt.ArrayLike) -> Solutions:
     Gummeson & Oskarsson, "Robust and Accurate Cylinder Triangulation", eq. (23)-(26): the
     Lagrangian as printed.
 
-    `gram` is the sum over all lines l = (a, b, c) of r r^T with r = (a^2, ab, ac, b^2, bc, c^2).
+    `gram` is the mean over all lines l = (a, b, c) of r r^T with r = (a^2, ab, ac, b^2, bc, c^2).
     The dual conic is [d1 d2 d3; d2 d4 d5; d3 d5 -1]: a circle with centre (-d3, -d5) and squared
     radius d1 + d3^2 = d4 + d5^2.
 
@@ -149,6 +156,30 @@ def circle_least_squares_dual(gram: npt.ArrayLike) -> Solutions:
     - `d5`: ()
     """
     return _solve("circle_least_squares_dual", gram)
+
+
+def circle_least_squares_dual_mean_of_line(line: npt.ArrayLike) -> Array:
+    """What a line a x + b y + c = 0 gives.
+
+    Data, for one measurement, or with n in front for a mean over n:
+
+    - `line`: (3,)
+
+    The mean has the shape (6, 6).
+    """
+    return _mean("circle_least_squares_dual_mean_of_line", line)
+
+
+def circle_least_squares_mean_of_line(line: npt.ArrayLike) -> Array:
+    """What a line a x + b y + c = 0 gives.
+
+    Data, for one measurement, or with n in front for a mean over n:
+
+    - `line`: (3,)
+
+    The mean has the shape (6, 6).
+    """
+    return _mean("circle_least_squares_mean_of_line", line)
 
 
 def circle_minimal(
@@ -978,29 +1009,22 @@ def pose_6pt_rolling_shutter(points: npt.ArrayLike, images: npt.ArrayLike) -> So
     return _solve("pose_6pt_rolling_shutter", points, images)
 
 
-def pose_npt_direct_least_squares(
-    linear: npt.ArrayLike,
-    quadratic: npt.ArrayLike,
-    cubic: npt.ArrayLike,
-    quartic: npt.ArrayLike,
-) -> Solutions:
+def pose_npt_direct_least_squares(means: npt.ArrayLike) -> Solutions:
     """Pose of a calibrated camera from n points, all stationary points of a least-squares cost in
     Cayley parameters: 27 solutions.
 
     Hesch, Roumeliotis, "A direct least-squares (DLS) method for PnP", ICCV 2011. Published as
     `opt_pnp_hesch`.
 
-    For a given rotation the best translation is linear in the rotation. Without the common
-    denominator 1 + x^2 + y^2 + z^2 of the rotation of the quaternion (1, x, y, z), the sum of
-    squares that remains is a polynomial of degree four; its coefficients are data, those of one
-    degree in lexicographic order. Of the constant nothing depends.
+    The cost is the mean squared distance of the points from the rays along which the camera sees
+    them, with the best translation, which is linear in the rotation. Without the common denominator
+    1 + x^2 + y^2 + z^2 of the rotation of the quaternion (1, x, y, z) it is a polynomial of degree
+    four. `means` are those of `of_point` over 3 points or more. Rounding errors are smallest if the
+    origin is amid the points. Half turns are at infinity.
 
     Data, for one instance, or with n in front for a batch:
 
-    - `linear`: (3,)
-    - `quadratic`: (6,)
-    - `cubic`: (10,)
-    - `quartic`: (15,)
+    - `means`: (6, 10)
 
     Solutions, of which there are at most 27:
 
@@ -1011,25 +1035,42 @@ def pose_npt_direct_least_squares(
     Results of each solution:
 
     - `rotation`: (3, 3)
+    - `translation`: (3,)
     """
-    return _solve("pose_npt_direct_least_squares", linear, quadratic, cubic, quartic)
+    return _solve("pose_npt_direct_least_squares", means)
 
 
-def pose_npt_least_squares_cayley(cost: npt.ArrayLike) -> Solutions:
+def pose_npt_direct_least_squares_mean_of_point(ray: npt.ArrayLike, point: npt.ArrayLike) -> Array:
+    """What a point that is seen along `ray` gives: the products of its coordinates and 1, times the
+    entries of the projection across the ray.
+
+    Data, for one measurement, or with n in front for a mean over n:
+
+    - `ray`: (3,), or image points, one coordinate less
+    - `point`: (3,)
+
+    The mean has the shape (6, 10).
+    """
+    return _mean("pose_npt_direct_least_squares_mean_of_point", ray, point)
+
+
+def pose_npt_least_squares_cayley(means: npt.ArrayLike) -> Solutions:
     """Pose of a calibrated camera from n points, all stationary points of a least-squares cost over
     the rotations, by Cayley parameters: 40 solutions.
 
     Nakano, "Globally optimal DLS method for PnP problem with Cayley parameterization", BMVC 2015.
     Published as `opt_pnp_nakanoC`.
 
-    With the best translation and the best depths the cost is r^T `cost` r, r being the entries of
-    the rotation of the quaternion q, row by row. With r times |q|^2 in its place the
+    The cost is the mean squared distance of the points from the rays along which the camera sees
+    them, with the best translation, which is linear in the rotation: r^T `cost` r, r being the
+    entries of the rotation of the quaternion q, row by row. With r times |q|^2 in its place the
     cost grows with the fourth power of the length of q, so q is stationary up to its length where
-    the gradient d is parallel to it.
+    the gradient d is parallel to it. `means` are those of `of_point` over 3 points or more.
+    Rounding errors are smallest if the origin is amid the points.
 
     Data, for one instance, or with n in front for a batch:
 
-    - `cost`: (9, 9)
+    - `means`: (6, 10)
 
     Solutions, of which there are at most 40:
 
@@ -1038,28 +1079,46 @@ def pose_npt_least_squares_cayley(cost: npt.ArrayLike) -> Solutions:
     Results of each solution:
 
     - `rotation`: (3, 3)
+    - `translation`: (3,)
     """
-    return _solve("pose_npt_least_squares_cayley", cost)
+    return _solve("pose_npt_least_squares_cayley", means)
 
 
-def pose_npt_least_squares_quaternion(rows: npt.ArrayLike) -> Solutions:
+def pose_npt_least_squares_cayley_mean_of_point(ray: npt.ArrayLike, point: npt.ArrayLike) -> Array:
+    """What a point that is seen along `ray` gives: the products of its coordinates and 1, times the
+    entries of the projection across the ray.
+
+    Data, for one measurement, or with n in front for a mean over n:
+
+    - `ray`: (3,), or image points, one coordinate less
+    - `point`: (3,)
+
+    The mean has the shape (6, 10).
+    """
+    return _mean("pose_npt_least_squares_cayley_mean_of_point", ray, point)
+
+
+def pose_npt_least_squares_quaternion(means: npt.ArrayLike) -> Solutions:
     """Pose of a calibrated camera from n points, all stationary points of a least-squares cost in a
     quaternion that is not normalised: 40 solutions.
 
     Zheng, Kuang, Sugimoto, Åström, Okutomi, "Revisiting the PnP problem: a fast, general and
     optimal solution", ICCV 2013. Published as `opt_pnp_zheng`.
 
-    The quaternion q has the square of its length, the inverse of the mean depth, free. The rest of
-    the pose is linear in the products of two of its entries, and the cost is |`rows` p|^2 with p =
-    (1, w w, w x, w y, w z, x x, x y, x z, y y, y z, z z): `rows` are the equations of ten points,
-    or, of another number of points, their triangular factor and zeros, since only the Gram matrix
-    matters. Since q and -q are the same rotation, q is an unknown scale s times the unknown
-    direction below. The derivatives, divided by s, are linear in the square of s, with the
+    With depths relative to their mean, and P the rotation over the mean depth, the image (u, v) of
+    a point satisfies (u, v) (1 + P3 X) = (P1 X, P2 X) + constants, X relative to the mean of the
+    points. With the best constants the mean square of the differences is a quadratic form in 1 and
+    the entries of P, which are the products of two entries of a quaternion. The square of its
+    length, the inverse of the mean depth, is free: it is an unknown scale s times the unknown
+    direction q below. The derivatives, divided by s, are linear in the square of s, with the
     coefficients `cubic` and `linear`: it follows from any of them, and is eliminated here.
+
+    `means` are those of `of_point` over 4 points or more. Rounding errors are smallest if the
+    origin is amid the points.
 
     Data, for one instance, or with n in front for a batch:
 
-    - `rows`: (20, 11)
+    - `means`: (39,)
 
     Solutions, of which there are at most 40:
 
@@ -1068,8 +1127,27 @@ def pose_npt_least_squares_quaternion(rows: npt.ArrayLike) -> Solutions:
     Results of each solution:
 
     - `rotation`: (3, 3)
+    - `translation`: (3,)
     """
-    return _solve("pose_npt_least_squares_quaternion", rows)
+    return _solve("pose_npt_least_squares_quaternion", means)
+
+
+def pose_npt_least_squares_quaternion_mean_of_point(
+    image: npt.ArrayLike,
+    point: npt.ArrayLike,
+) -> Array:
+    """What a point and its image give: the products of two of the point's coordinates and 1, then
+    those with 1 times the coordinates of the image and times the square of its distance from the
+    principal point.
+
+    Data, for one measurement, or with n in front for a mean over n:
+
+    - `image`: (2,)
+    - `point`: (3,)
+
+    The mean has the shape (39,).
+    """
+    return _mean("pose_npt_least_squares_quaternion_mean_of_point", image, point)
 
 
 def pose_npt_weak_perspective(spread: npt.ArrayLike, image: npt.ArrayLike) -> Solutions:
