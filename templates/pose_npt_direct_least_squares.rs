@@ -23,8 +23,8 @@ fn pose_npt_direct_least_squares(#[mean(of_point)] means: [[f64; 10]; 6]) -> (x,
     Pose { rotation: turned / length, translation: best * entries / length }
 }
 
-/// What a point that is seen along `ray` gives: the products of its coordinates and 1, times the
-/// entries of the projection across the ray.
+/// What a point gives: the products of its coordinates and 1, times the entries of the projection
+/// across its ray. `ray` is the ray of the point in the camera, of any length.
 fn of_point(ray: [f64; 3], point: [f64; 3]) -> [[f64; 10]; 6] {
     let [a, b, c] = ray;
     let [x, y, z] = point;

@@ -1138,8 +1138,8 @@ int32_t eliminant_pose_npt_direct_least_squares_solve_batch_for_pose(
     size_t instances, const double *means, size_t means_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
 /*
- * What a point that is seen along `ray` gives: the products of its coordinates and 1, times the
- * entries of the projection across the ray.
+ * What a point gives: the products of its coordinates and 1, times the entries of the projection
+ * across its ray. `ray` is the ray of the point in the camera, of any length.
  * Mean mean[6][10] over measurements of: ray[3], point[3].
  */
 int32_t eliminant_pose_npt_direct_least_squares_mean_of_point(
@@ -1181,8 +1181,8 @@ int32_t eliminant_pose_npt_least_squares_cayley_solve_batch_for_pose(
     size_t instances, const double *means, size_t means_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
 /*
- * What a point that is seen along `ray` gives: the products of its coordinates and 1, times the
- * entries of the projection across the ray.
+ * What a point gives: the products of its coordinates and 1, times the entries of the projection
+ * across its ray. `ray` is the ray of the point in the camera, of any length.
  * Mean mean[6][10] over measurements of: ray[3], point[3].
  */
 int32_t eliminant_pose_npt_least_squares_cayley_mean_of_point(

@@ -2204,8 +2204,8 @@ inline void solve_batch_for_pose(
     });
 }
 
-/// What a point that is seen along `ray` gives: the products of its coordinates and 1, times the
-/// entries of the projection across the ray.
+/// What a point gives: the products of its coordinates and 1, times the entries of the projection
+/// across its ray. `ray` is the ray of the point in the camera, of any length.
 /// The mean over so many measurements, one after another in each list. Throws `Error` if a list
 /// does not fit.
 [[nodiscard]] inline std::array<std::array<double, 10>, 6> mean_of_point(std::size_t measurements, Many ray, Many point) {
@@ -2293,8 +2293,8 @@ inline void solve_batch_for_pose(
     });
 }
 
-/// What a point that is seen along `ray` gives: the products of its coordinates and 1, times the
-/// entries of the projection across the ray.
+/// What a point gives: the products of its coordinates and 1, times the entries of the projection
+/// across its ray. `ray` is the ray of the point in the camera, of any length.
 /// The mean over so many measurements, one after another in each list. Throws `Error` if a list
 /// does not fit.
 [[nodiscard]] inline std::array<std::array<double, 10>, 6> mean_of_point(std::size_t measurements, Many ray, Many point) {

@@ -1041,8 +1041,8 @@ def pose_npt_direct_least_squares(means: npt.ArrayLike) -> Solutions:
 
 
 def pose_npt_direct_least_squares_mean_of_point(ray: npt.ArrayLike, point: npt.ArrayLike) -> Array:
-    """What a point that is seen along `ray` gives: the products of its coordinates and 1, times the
-    entries of the projection across the ray.
+    """What a point gives: the products of its coordinates and 1, times the entries of the projection
+    across its ray. `ray` is the ray of the point in the camera, of any length.
 
     Data, for one measurement, or with n in front for a mean over n:
 
@@ -1085,8 +1085,8 @@ def pose_npt_least_squares_cayley(means: npt.ArrayLike) -> Solutions:
 
 
 def pose_npt_least_squares_cayley_mean_of_point(ray: npt.ArrayLike, point: npt.ArrayLike) -> Array:
-    """What a point that is seen along `ray` gives: the products of its coordinates and 1, times the
-    entries of the projection across the ray.
+    """What a point gives: the products of its coordinates and 1, times the entries of the projection
+    across its ray. `ray` is the ray of the point in the camera, of any length.
 
     Data, for one measurement, or with n in front for a mean over n:
 
