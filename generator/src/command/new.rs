@@ -84,6 +84,8 @@ fn starter(name: &str) -> String {
 /// If data satisfy a condition, an attribute states it:
 /// `#[symmetric] m: [[f64; 3]; 3]`, `#[rotation] r: [[f64; 3]; 3]`, `#[unit] u: [f64; 3]`,
 /// `#[plucker] l: [[f64; 3]; 2]`, `#[integer] n: f64`, `#[rank(2)] f: [[f64; 3]; 3]`.
+/// Means over any number of measurements are `#[mean(of_point)] m: [f64; 4]`, with a function
+/// `of_point` of this file that says what one of them gives.
 fn {name}(p: [f64; 6], q: [f64; 6]) -> (x, y) {{
     // `let` names an intermediate value, here an array of six polynomials.
     // Powers are written `x * x` or `x.pow(2)`.
