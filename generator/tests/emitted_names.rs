@@ -169,6 +169,43 @@ fn no_name_of_a_problem_collides() {
     run("emitted_names", &modules, &checks);
 }
 
+/// Parameters of measurements have names that the functions of means use themselves.
+#[test]
+fn no_name_of_a_measurement_collides() {
+    let monomials = "[x * x, x * y, y * y, x, y, 1]";
+    let [a, b, c, d, e, f] = Q;
+    let text = format!(
+        "fn means(#[mean(values)] p: [f64; 6], #[mean(of_number)] q: [f64; 6], #[mean(mean)] r: f64) -> (x, y) {{
+             dot(p, {monomials}) == 0;
+             r * dot(q, {monomials}) == 0;
+         }}
+         /// What the values are.
+         fn values(measurements: [f64; 2], count: f64, means: [[f64; 1]; 2], values: f64, mean: f64, value: f64)
+             -> [f64; 6] {{
+             concat(measurements, [count, means[0][0], means[1][0], values + mean * value])
+         }}
+         fn of_number(one: f64) -> [f64; 6] {{ one * [{a:?}, {b:?}, {c:?}, {d:?}, {e:?}, {f:?}] }}
+         fn mean(data: [[f64; 2]; 2]) -> f64 {{ data[0][1] / data[1][0] }}"
+    );
+    let source = emitted("means", &text, TWO_CONICS);
+    assert!(source.contains("/// What the values are.\n    ///\n    /// The mean over measurements ("), "{source}");
+    let [a, b, c, d, e, f] = P;
+    let checks = format!(
+        "    let away = |step: f64| ([{a:?} + step, {b:?} - step], {c:?} - step, [[{d:?} + step], [{e:?}]], {f:?}, step, 0.5);
+    let values = [away(0.25), away(-0.25)];
+    let p = means::mean_values(values);
+    assert_eq!(p, {P:?});
+    assert_eq!(p, means::mean_values(values.iter().map(|(m, c, a, v, n, w)| (m, c, a, v, n, w))));
+    let q = means::mean_of_number([0.5, 1.5]);
+    assert_eq!(q, {Q:?});
+    let r = means::mean_mean(&[[[7.0, 3.0], [2.0, 7.0]], [[7.0, 1.0], [4.0, 7.0]]]);
+    assert_eq!(r, 0.875);
+    assert!(means::mean_of_number(std::iter::empty::<f64>()).iter().all(|x| x.is_nan()));
+"
+    );
+    run("emitted_means", &[("means", source)], &(checks + &check("means", "&p, &q, r", ["x", "y"])));
+}
+
 /// An array of unknowns is a field of array type, in template files its elements are `v[0]`,
 /// `v[1]`.
 #[test]
