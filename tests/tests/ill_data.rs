@@ -50,8 +50,8 @@ const UNITS: [(&str, i32, i32); 13] = [
     ("pose_3pt_depths", -10, 6),
     // 0.91 at 8.
     ("pose_6pt_rolling_shutter", -8, 6),
-    // 0.04 at 4: the mean of 1 stays 1, so that the square of the points' mean outgrows the means of
-    // their squares.
+    // 0.04 at 4: the mean of 1 stays 1, so that the square of the points' mean outgrows the means
+    // of their squares.
     ("pose_npt_least_squares_quaternion", -10, 2),
     // 0.30 at -6: images in another unit are other images.
     ("relpose_3pt_depths", -4, 10),
