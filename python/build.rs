@@ -4,8 +4,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::{env, error, fs};
 
-use eliminant_generator::problem::Problem;
-use eliminant_generator::problem::measurement::Measurement;
+use eliminant_generator::problem::{Measurement, Problem};
 
 fn main() -> Result<(), Box<dyn error::Error>> {
     println!("cargo:rerun-if-changed=build.rs");

@@ -1,8 +1,7 @@
 //! What a problem looks like from C: the functions, their parameters, and the rows that they write.
 
-use eliminant_generator::problem::measurement::Measurement;
 use eliminant_generator::problem::output::Output;
-use eliminant_generator::problem::{DataAttribute, DataParameter, Problem};
+use eliminant_generator::problem::{DataAttribute, DataParameter, Measurement, Problem};
 
 use crate::names::{free_name, length_name};
 

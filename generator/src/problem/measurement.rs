@@ -12,34 +12,14 @@
 
 use syn::{Ident, ItemFn, Meta, PatType, ReturnType};
 
+use super::MeanOf;
 use super::interpret::Interpreter;
 use super::names::closest;
-use super::parse::{Items, declare_constants, declare_signature};
-use super::projective::Elements;
-use super::scope::{Outcome, Reported};
+use super::scope::Outcome;
 use super::syntax::place;
 use super::value::{Value, describe};
-use super::{DataParameter, MeanOf, signature};
 use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
 use crate::problem::diagnostic::Diagnostic;
-use crate::problem::instance::fingerprint_points;
-
-/// What one measurement gives, of which data are the mean.
-#[derive(Clone, Debug)]
-pub struct Measurement {
-    /// The name of the function that says it.
-    pub name: String,
-    /// Its doc comment, a line each.
-    pub docs: Vec<String>,
-    /// A measurement: its parameters.
-    pub data: Vec<DataParameter>,
-    /// The shape of the mean.
-    pub shape: Vec<usize>,
-    /// The expressions in the measurement.
-    pub graph: ExpressionGraph,
-    /// What it gives, row by row.
-    pub elements: Vec<ExpressionId>,
-}
 
 impl Interpreter<'_> {
     /// The function that `#[mean(..)]` names, if the parameter has the attribute.
@@ -78,7 +58,7 @@ impl Interpreter<'_> {
     }
 
     /// What a function gives for a measurement, or what is wrong with it.
-    fn measured(&mut self, function: &ItemFn, shape: &[usize]) -> Outcome<Vec<ExpressionId>> {
+    pub(super) fn measured(&mut self, function: &ItemFn, shape: &[usize]) -> Outcome<Vec<ExpressionId>> {
         let value = self.block_value(&function.block)?;
         let ReturnType::Type(_, ty) = &function.sig.output else {
             let diagnostic = Diagnostic::new("what a measurement gives has no type", place(&function.sig.ident));
@@ -110,61 +90,4 @@ impl Interpreter<'_> {
         let element = |p: &SymbolicPolynomial| p.terms().first().map_or(ExpressionGraph::ZERO, |&(_, value)| value);
         Ok(value.elements().iter().map(element).collect())
     }
-}
-
-/// The measurements that the data name, each once.
-pub(super) fn read_measurements(
-    items: &Items<'_>,
-    data: &[DataParameter],
-) -> Result<Vec<Measurement>, Vec<Diagnostic>> {
-    let mut read: Vec<Measurement> = Vec::new();
-    let mut messages = Vec::new();
-    for parameter in data {
-        let Some(of) = &parameter.mean else { continue };
-        if read.iter().any(|known| known.name == of.function && known.shape == parameter.shape) {
-            continue;
-        }
-        match read_measurement(items, of, &parameter.shape) {
-            Ok(measurement) => read.extend(measurement),
-            Err(own) => messages.extend(own),
-        }
-    }
-    if messages.is_empty() { Ok(read) } else { Err(messages) }
-}
-
-fn read_measurement(items: &Items<'_>, of: &MeanOf, shape: &[usize]) -> Result<Option<Measurement>, Vec<Diagnostic>> {
-    let Some(&function) = items.helpers.get(&of.function) else { return Ok(None) };
-    let mut signature = Interpreter::new(ExpressionGraph::new(&[vec![], vec![]]), &items.helpers);
-    declare_constants(&mut signature, &items.constants);
-    let data = signature.read_parameters(function, &[]);
-    if let Some(complex) = data.iter().find(|parameter| parameter.is_complex) {
-        let diagnostic = Diagnostic::new("a measurement is real", complex.span.clone());
-        signature.report(diagnostic.label("this is complex").hint("pass real and imaginary parts by themselves"));
-    }
-    if function.sig.inputs.is_empty() {
-        let diagnostic = Diagnostic::new("a measurement has parameters", place(&function.sig.ident));
-        signature.report(diagnostic.label("this has none"));
-    }
-    if signature.has_messages() {
-        return Err(signature.into_messages());
-    }
-    let mut body = Interpreter::new(ExpressionGraph::new(&fingerprint_points(&data)), &items.helpers);
-    body.data.clone_from(&data);
-    declare_constants(&mut body, &items.constants);
-    body.scopes.enter();
-    declare_signature((&mut body, Elements::InChart), &data, &[]);
-    // As a helper it states nothing, and does not call itself.
-    body.calls.push((of.function.clone(), of.span.clone()));
-    let elements = body.measured(function, shape);
-    body.calls.pop();
-    let elements: Outcome<_> = if body.has_messages() { Err(Reported) } else { elements };
-    let Ok(elements) = elements else { return Err(body.into_messages()) };
-    Ok(Some(Measurement {
-        name: of.function.clone(),
-        docs: signature::doc_lines(&function.attrs),
-        data,
-        shape: shape.to_vec(),
-        graph: body.algebra.graph,
-        elements,
-    }))
 }

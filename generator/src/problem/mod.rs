@@ -10,7 +10,7 @@ mod evaluate;
 mod functions;
 pub mod instance;
 mod interpret;
-pub mod measurement;
+mod measurement;
 mod names;
 pub mod output;
 mod parse;
@@ -26,11 +26,10 @@ mod value;
 
 use std::ops::Range;
 
-use measurement::Measurement;
 use output::Output;
 
 use crate::algebra::{Monomial, Polynomial};
-use crate::expression::{ExpressionGraph, SymbolicPolynomial};
+use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
 
 /// How the parts of a complex number are written.
 const PARTS: [&str; 2] = [".re", ".im"];
@@ -129,6 +128,23 @@ impl DataParameter {
         let (name, shape) = (name.to_owned(), shape.to_vec());
         Self { name, shape, is_complex, attribute: DataAttribute::Generic, mean: None, first_input: 0, span: 0..0 }
     }
+}
+
+/// What one measurement gives, of which data are the mean.
+#[derive(Clone, Debug)]
+pub struct Measurement {
+    /// The name of the function that says it.
+    pub name: String,
+    /// Its doc comment, a line each.
+    pub docs: Vec<String>,
+    /// A measurement: its parameters.
+    pub data: Vec<DataParameter>,
+    /// The shape of the mean.
+    pub shape: Vec<usize>,
+    /// The expressions in the measurement.
+    pub graph: ExpressionGraph,
+    /// What it gives, row by row.
+    pub elements: Vec<ExpressionId>,
 }
 
 /// A name of the return type, which is a field of the solution: an unknown, or an array of
@@ -265,7 +281,7 @@ impl Problem {
     }
 
     /// The polynomials of the equations.
-    pub fn polynomials(&self) -> impl ExactSizeIterator<Item = &Polynomial<crate::expression::ExpressionId>> {
+    pub fn polynomials(&self) -> impl ExactSizeIterator<Item = &Polynomial<ExpressionId>> {
         self.equations.iter().map(|equation| &equation.polynomial)
     }
 

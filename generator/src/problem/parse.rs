@@ -7,17 +7,16 @@ use syn::{Attribute, Ident, Item, ItemConst, ItemFn, ReturnType, Safety, Visibil
 use super::complex::joined;
 use super::functions::BUILT_IN;
 use super::interpret::Interpreter;
-use super::measurement::read_measurements;
 use super::names::{refuse, refuse_module};
 use super::output::Output;
 use super::projective::{Elements, check_homogeneous, dehomogenised, homogeneous};
 use super::results::check_even;
 use super::scaling::{Stated, scalings};
-use super::scope::{Binding, Kind};
+use super::scope::{Binding, Kind, Outcome, Reported};
 use super::signature::{doc_lines, unknown_list};
 use super::syntax::{parse_file, place};
 use super::value::Value;
-use super::{DataParameter, Problem, Scaling, SolutionField, SourceFile, Span};
+use super::{DataParameter, MeanOf, Measurement, Problem, Scaling, SolutionField, SourceFile, Span};
 use crate::algebra::{Monomial, Polynomial};
 use crate::expression::{ExpressionGraph, ExpressionId, SymbolicPolynomial};
 use crate::problem::diagnostic::{Diagnostic, Diagnostics};
@@ -50,9 +49,9 @@ impl Problem {
 
 /// The items of a file.
 #[derive(Default)]
-pub(super) struct Items<'a> {
-    pub(super) constants: Vec<&'a ItemConst>,
-    pub(super) helpers: BTreeMap<String, &'a ItemFn>,
+struct Items<'a> {
+    constants: Vec<&'a ItemConst>,
+    helpers: BTreeMap<String, &'a ItemFn>,
     problem: Option<&'a ItemFn>,
 }
 
@@ -118,6 +117,60 @@ fn run<'a>(
     declare_signature((&mut body, elements), data, unknowns);
     body.run_block(&function.block);
     body
+}
+
+/// The measurements that the data name, each once.
+fn read_measurements(items: &Items<'_>, data: &[DataParameter]) -> Result<Vec<Measurement>, Vec<Diagnostic>> {
+    let mut read: Vec<Measurement> = Vec::new();
+    let mut messages = Vec::new();
+    for parameter in data {
+        let Some(of) = &parameter.mean else { continue };
+        if read.iter().any(|known| known.name == of.function && known.shape == parameter.shape) {
+            continue;
+        }
+        match read_measurement(items, of, &parameter.shape) {
+            Ok(measurement) => read.extend(measurement),
+            Err(own) => messages.extend(own),
+        }
+    }
+    if messages.is_empty() { Ok(read) } else { Err(messages) }
+}
+
+fn read_measurement(items: &Items<'_>, of: &MeanOf, shape: &[usize]) -> Result<Option<Measurement>, Vec<Diagnostic>> {
+    let Some(&function) = items.helpers.get(&of.function) else { return Ok(None) };
+    let mut signature = Interpreter::new(ExpressionGraph::new(&[vec![], vec![]]), &items.helpers);
+    declare_constants(&mut signature, &items.constants);
+    let data = signature.read_parameters(function, &[]);
+    if let Some(complex) = data.iter().find(|parameter| parameter.is_complex) {
+        let diagnostic = Diagnostic::new("a measurement is real", complex.span.clone());
+        signature.report(diagnostic.label("this is complex").hint("pass real and imaginary parts by themselves"));
+    }
+    if function.sig.inputs.is_empty() {
+        let diagnostic = Diagnostic::new("a measurement has parameters", place(&function.sig.ident));
+        signature.report(diagnostic.label("this has none"));
+    }
+    if signature.has_messages() {
+        return Err(signature.into_messages());
+    }
+    let mut body = Interpreter::new(ExpressionGraph::new(&fingerprint_points(&data)), &items.helpers);
+    body.data.clone_from(&data);
+    declare_constants(&mut body, &items.constants);
+    body.scopes.enter();
+    declare_signature((&mut body, Elements::InChart), &data, &[]);
+    // As a helper it states nothing, and does not call itself.
+    body.calls.push((of.function.clone(), of.span.clone()));
+    let elements = body.measured(function, shape);
+    body.calls.pop();
+    let elements: Outcome<_> = if body.has_messages() { Err(Reported) } else { elements };
+    let Ok(elements) = elements else { return Err(body.into_messages()) };
+    Ok(Some(Measurement {
+        name: of.function.clone(),
+        docs: doc_lines(&function.attrs),
+        data,
+        shape: shape.to_vec(),
+        graph: body.algebra.graph,
+        elements,
+    }))
 }
 
 /// The scalings of a problem: by its statements in the unknowns, or, where vectors are given up to
@@ -247,7 +300,7 @@ fn check_function(function: &ItemFn) -> Vec<Diagnostic> {
 }
 
 /// Evaluates the constants of the file in order.
-pub(super) fn declare_constants(interpreter: &mut Interpreter<'_>, constants: &[&ItemConst]) {
+fn declare_constants(interpreter: &mut Interpreter<'_>, constants: &[&ItemConst]) {
     for constant in constants {
         let value = interpreter.evaluate(&constant.expr);
         let span = place(&constant.ident);
@@ -256,7 +309,7 @@ pub(super) fn declare_constants(interpreter: &mut Interpreter<'_>, constants: &[
 }
 
 /// Declares the data and the unknowns in the scope of the body.
-pub(super) fn declare_signature(
+fn declare_signature(
     (interpreter, elements): (&mut Interpreter<'_>, Elements),
     data: &[DataParameter],
     unknowns: &[SolutionField],
