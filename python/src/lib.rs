@@ -67,9 +67,12 @@ fn solvers() -> Vec<Description> {
     catalogue::SOLVERS.iter().map(describe).collect()
 }
 
-/// All means over measurements: the number of the solver, name, measurement, shape, documentation.
+/// What Python sees of a mean: number of the solver, name, measurement, shape, documentation.
+type MeanDescription = (usize, &'static str, Vec<(&'static str, Vec<usize>)>, Vec<usize>, &'static str);
+
+/// All means over measurements, in the order of their solvers.
 #[pyfunction]
-fn means() -> Vec<(usize, &'static str, Vec<(&'static str, Vec<usize>)>, Vec<usize>, &'static str)> {
+fn means() -> Vec<MeanDescription> {
     let solvers = catalogue::SOLVERS.iter().enumerate();
     let of_solver = |(number, solver): (usize, &'static catalogue::Solver)| {
         let describe =
