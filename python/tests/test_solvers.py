@@ -55,7 +55,7 @@ def test_pose_of_any_number_of_points(method, rng):
         np.testing.assert_array_equal(of_first, of_same)
         parts = [mean_of_point(image[:2], points[:2]), mean_of_point(image[2:], points[2:])]
         np.testing.assert_allclose((2 * parts[0] + (n - 2) * parts[1]) / n, means, rtol=1e-9, atol=1e-12)
-    with pytest.raises(ValueError, match="point"):
+    with pytest.raises(ValueError, match="has the shape"):
         mean_of_point(points, points[:, :2])
     with pytest.raises(eliminant.SolveError):
         solve(np.full_like(means, np.nan))
