@@ -19,10 +19,7 @@ pub fn cpp_header(prefix: &str, interfaces: &[Interface]) -> String {
 
 fn problem(prefix: &str, interface: &Interface) -> String {
     let namespace = free_name(&interface.name, &[]);
-    let mut text = String::new();
-    for line in &interface.docs {
-        let _ = writeln!(text, "{}", format!("/// {}", line.trim()).trim_end());
-    }
+    let mut text = documentation(&interface.docs);
     let _ = writeln!(text, "namespace {namespace} {{\n");
     let _ = writeln!(text, "/// No call returns more solutions.");
     let _ = writeln!(text, "inline constexpr std::size_t max_solutions = {};\n", interface.solutions);
@@ -35,6 +32,11 @@ fn problem(prefix: &str, interface: &Interface) -> String {
     }
     let _ = writeln!(text, "}} // namespace {namespace}\n");
     text
+}
+
+/// Lines of a documentation as comments.
+fn documentation(lines: &[String]) -> String {
+    lines.iter().map(|line| format!("{}\n", format!("/// {}", line.trim()).trim_end())).collect()
 }
 
 /// The struct of a row.
@@ -59,10 +61,7 @@ fn cpp_type(shape: &[usize]) -> String {
 
 /// The call that computes a mean.
 fn mean(prefix: &str, interface: &Interface, mean: &Mean) -> String {
-    let mut text = String::new();
-    for line in &mean.docs {
-        let _ = writeln!(text, "{}", format!("/// {}", line.trim()).trim_end());
-    }
+    let mut text = documentation(&mean.docs);
     let (ty, numbers) = (cpp_type(&mean.shape), mean.len());
     let lists: String = mean.measurement.iter().map(|field| format!(", Many {}", field.c_name)).collect();
     let of_lists: String =

@@ -97,7 +97,7 @@ fn function_of_mean(prefix: &str, interface: &Interface, mean: &Mean) -> String 
 {doc}pub unsafe extern "C" fn {prefix}_{name}({parameters}) -> i32 {{
     {inputs}// SAFETY: the caller promises what the functions of the border need; what is read was checked.
     unsafe {{
-        border::mean::<_, {numbers}>((mean, mean_length), || {{
+        border::mean((mean, mean_length), || {{
             {checks}Ok(solver::{function}((0..measurements).map(|at| {item})))
         }})
     }}
@@ -106,7 +106,6 @@ fn function_of_mean(prefix: &str, interface: &Interface, mean: &Mean) -> String 
         doc = doc("Computes a mean over measurements."),
         parameters = rust_parameters(&parameters),
         function = mean.name,
-        numbers = mean.len(),
     )
 }
 

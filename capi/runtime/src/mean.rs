@@ -1,25 +1,25 @@
 //! Means over measurements.
 
-use crate::buffer::{check, write_rows};
+use crate::buffer::check;
 use crate::code::Code;
 use crate::guard::guarded;
-use crate::numbers::{Numbers, row};
+use crate::numbers::Numbers;
 
 /// Computes a mean into room of the caller, a pointer and how many numbers it promises, and returns
 /// the number of a code. Nothing is written unless it is that of no error.
 ///
 /// # Safety
 /// Unless the pointer is null or misaligned, so many numbers can be written there.
-pub unsafe fn mean<T: Numbers, const N: usize>(
-    (pointer, length): (*mut f64, usize),
-    compute: impl FnOnce() -> Result<T, Code>,
-) -> i32 {
-    let room = if length == N { check(pointer, N) } else { Err(Code::WrongLength) };
+pub unsafe fn mean<T: Numbers>((pointer, length): (*mut f64, usize), compute: impl FnOnce() -> Result<T, Code>) -> i32 {
+    let room = if length == T::LENGTH { check(pointer, length) } else { Err(Code::WrongLength) };
     match room.and_then(|()| guarded(compute)) {
         Ok(mean) => {
-            let numbers: [f64; N] = row(|mut to| mean.put(&mut to));
-            // SAFETY: the pointer is checked, and there is room for N numbers.
-            unsafe { write_rows(pointer, std::iter::once(numbers)) };
+            let mut at = 0;
+            mean.put(&mut |number| {
+                // SAFETY: the pointer is checked, and there is room for as many numbers as T has.
+                unsafe { pointer.add(at).write(number) };
+                at += 1;
+            });
             Code::Ok.number()
         }
         Err(code) => code.number(),
@@ -37,7 +37,7 @@ mod tests {
         let mean_of = [[1.0, 2.0], [3.0, 4.0]];
         let mut room = [7.0; 4];
         let to = room.as_mut_ptr();
-        let call = |to, length, computed| unsafe { mean::<[[f64; 2]; 2], 4>((to, length), || computed) };
+        let call = |to, length, computed| unsafe { mean::<[[f64; 2]; 2]>((to, length), || computed) };
         for (to, length, computed, code) in [
             (to, 3, Ok(mean_of), Code::WrongLength),
             (to, 5, Ok(mean_of), Code::WrongLength),
@@ -50,7 +50,7 @@ mod tests {
         assert_eq!(room, [7.0; 4]);
         assert_eq!(call(to, 4, Ok(mean_of)), Code::Ok.number());
         assert_eq!(room, [1.0, 2.0, 3.0, 4.0]);
-        let code = unsafe { mean::<f64, 1>((to, 1), || panic!("this panic belongs to the test")) };
+        let code = unsafe { mean::<f64>((to, 1), || panic!("this panic belongs to the test")) };
         assert_eq!((code, room[0]), (Code::Panic.number(), 1.0));
     }
 }

@@ -53,7 +53,6 @@ fn function(measurement: &PlannedMeasurement) -> TokenStream {
             quote!(#means.iter_mut() #(#flatten)*)
         }
     };
-    let all_again = all.clone();
     quote! {
         #(#[doc = #docs])*
         #[doc = ""]
@@ -66,7 +65,7 @@ fn function(measurement: &PlannedMeasurement) -> TokenStream {
                 #all.zip(#values).for_each(|(mean, value)| *mean += value);
                 #count += 1.0;
             }
-            #all_again.for_each(|mean| *mean /= #count);
+            #all.for_each(|mean| *mean /= #count);
             #means
         }
 
