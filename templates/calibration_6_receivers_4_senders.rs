@@ -1,16 +1,42 @@
-/// Positions of six receivers and four senders from all ranges between them: 38 solutions.
+/// Positions of six receivers and four senders from all ranges between them: 38 solutions, of which
+/// those that can be placed in space are returned.
 ///
 /// Kuang, Burgess, Torstensson, Åström, "A complete characterization and solution to the microphone
 /// position self-calibration problem", ICASSP 2013. Published as `toa_46`.
 ///
-/// Relative to the first sender let G be the Gram matrix of the other three and K its inverse, [k11
-/// v w; v k22 x; w x y]. A receiver with the squares r of its range to the first sender and s of
-/// those to the others satisfies 4 r = c K c + 2 c g + a with c_j = r - s_j, g = K n, a = n K n and
-/// n = diag(G). Six receivers give k11, k22, g and a as combinations, `linear`, of v, w, x, y and
-/// 1. With C = adj(K) and z = det(K), n is diag(C) / z. M = [K g; g a] is K times [1 n] from both
-/// sides: its adjugate is z times the square of (n, -1). The receivers follow from K.
-fn calibration_6_receivers_4_senders(linear: [[f64; 5]; 6]) -> (v, w, x, y, z) {
-    let [k11, k22, g1, g2, g3, a] = linear * [v, w, x, y, 1];
+/// `ranges[i][j]` is the distance between receiver i and sender j. Relative to one of the senders,
+/// which is called the first, let G be the Gram matrix of the other three and K its inverse, [k11 v
+/// w; v k22 x; w x y]. A receiver with the squares r of its range to the first sender and s of those
+/// to the others satisfies 4 r = c K c + 2 c g + a with c_j = r - s_j, g = K n, a = n K n and n =
+/// diag(G). Six receivers give k11, k22, g and a as combinations of v, w, x, y and 1. How well
+/// depends on which sender is the first and which the last: the best of 12 choices is taken. With C
+/// = adj(K) and z = det(K), n is diag(C) / z. M = [K g; g a] is K times [1 n] from both sides: its
+/// adjugate is z times the square of (n, -1).
+///
+/// The first sender is returned as the origin, the second on the positive x axis, the third in the
+/// plane of x and y, and the last one above it.
+fn calibration_6_receivers_4_senders(ranges: [[f64; 4]; 6]) -> (v, w, x, y, z) {
+    let mut squares = ranges;
+    for i in 0..6 {
+        for j in 0..4 {
+            squares[i][j] = ranges[i][j].pow(2);
+        }
+    }
+    let mut sizes = [0; 12];
+    let mut choices = [[[0; 4]; 10]; 12];
+    for first in 0..4 {
+        for last in 1..4 {
+            let order = exchange(3, last) * exchange(0, first);
+            let ordered = squares * order.t();
+            let all = reshape(combinations(ordered), [30]);
+            sizes[3 * first + last - 1] = dot(all, all);
+            choices[3 * first + last - 1] = concat(ordered, order);
+        }
+    }
+    let chosen = least(sizes, choices);
+    let ordered = chosen[0..6];
+    let order = chosen[6..10];
+    let [k11, k22, g1, g2, g3, a] = combinations(ordered) * [v, w, x, y, 1];
     let c11 = k22 * y - x * x;
     let c22 = k11 * y - w * w;
     let c33 = k11 * k22 - v * v;
@@ -35,4 +61,50 @@ fn calibration_6_receivers_4_senders(linear: [[f64; 5]; 6]) -> (v, w, x, y, z) {
             z * det([[p[s], p[t], p[3]], [q[s], q[t], q[3]], [r[s], r[t], r[3]]]) == diagonal[i] * diagonal[j];
         }
     }
+    // K is positive definite.
+    z > 0;
+    c11 > 0;
+    y > 0;
+
+    // With the Gram matrix C / z of the senders, their coordinates are a triangle. Receivers are
+    // combinations of them.
+    let mut parts = [[0; 3]; 6];
+    for i in 0..6 {
+        let [r, s1, s2, s3] = ordered[i];
+        let p = (g + k * [r - s1, r - s2, r - s3]) / 2;
+        parts[i] = [dot([c11, c12, c13], p), y * p[1] - x * p[2], p[2]];
+    }
+    Positions {
+        senders: order.t()
+            * [
+                [0, 0, 0],
+                [c11 / sqrt(c11 * z), 0, 0],
+                [c12 / sqrt(c11 * z), y / sqrt(c11 * y), 0],
+                [c13 / sqrt(c11 * z), -x / sqrt(c11 * y), 1 / sqrt(y)],
+            ],
+        receivers: parts * [[1 / sqrt(c11 * z), 0, 0], [0, 1 / sqrt(c11 * y), 0], [0, 0, 1 / sqrt(y)]],
+    }
+}
+
+/// The coefficients of k11, k22, g and a in v, w, x, y and 1, a row for each.
+fn combinations(squares: [[f64; 4]; 6]) -> [[f64; 5]; 6] {
+    let mut leading = [[0; 6]; 6];
+    let mut others = [[0; 5]; 6];
+    for i in 0..6 {
+        let r = squares[i][0];
+        let [c1, c2, c3] = [r - squares[i][1], r - squares[i][2], r - squares[i][3]];
+        leading[i] = [c1 * c1, c2 * c2, 2 * c1, 2 * c2, 2 * c3, 1];
+        others[i] = [-2 * c1 * c2, -2 * c1 * c3, -2 * c2 * c3, -c3 * c3, 4 * r];
+    }
+    solve(leading, others)
+}
+
+/// The matrix that exchanges two of four.
+fn exchange(i: _, j: _) -> [[f64; 4]; 4] {
+    let mut matrix = identity(4);
+    matrix[i][i] = 0;
+    matrix[j][j] = 0;
+    matrix[i][j] = 1;
+    matrix[j][i] = 1;
+    matrix
 }

@@ -3,18 +3,33 @@
 ///
 /// Larsson, Åström, "Uncovering symmetries in polynomial systems", ECCV 2016. Published as `wpnp`.
 ///
-/// In the principal axes of the points, whose standard deviations are `spread`, the cost is |P
-/// diag(spread) - `image`|^2, with P the first two rows of a rotation times a scale, that is, of
-/// the rotation of a quaternion q that is not normalised. Since q and -q are the same rotation, the
-/// unknowns are the ratios in q = root (w, 1, y, z), and `square`, that of the root.
-fn pose_npt_weak_perspective(spread: [f64; 3], image: [[f64; 3]; 2]) -> (w, square, y, z) {
+/// The image of a point X is P X + t, with P the first two rows of a rotation times a scale, that
+/// is, of the rotation of a quaternion q that is not normalised. With the best t the mean square of
+/// the differences is a quadratic form in P, whose matrix is the covariance of the points. Since q
+/// and -q are the same rotation, the unknowns are the ratios in q = root (w, 1, y, z), and
+/// `square`, that of the root. Published templates take the principal axes of the points instead,
+/// in which the covariance is diagonal.
+///
+/// `means` are those of `of_point` over 4 points or more. Rounding errors are smallest if the
+/// origin is amid the points.
+fn pose_npt_weak_perspective(#[mean(of_point)] means: [f64; 17]) -> (w, square, y, z) {
+    let mean = [means[3], means[6], means[8]];
+    let [xx, xy, xz, yy, yz, zz] = [
+        means[0] - mean[0] * mean[0], means[1] - mean[0] * mean[1], means[2] - mean[0] * mean[2],
+        means[4] - mean[1] * mean[1], means[5] - mean[1] * mean[2], means[7] - mean[2] * mean[2],
+    ];
+    let covariance = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+    let centre = [means[12], means[16]];
+    let target = [
+        [means[9], means[10], means[11]] - centre[0] * mean,
+        [means[13], means[14], means[15]] - centre[1] * mean,
+    ];
     let rows = [
         [w * w + 1 - y * y - z * z, 2 * (y - w * z), 2 * (z + w * y)],
         [2 * (y + w * z), w * w - 1 + y * y - z * z, 2 * (y * z - w)],
     ];
-    let target = [weighted(spread, image[0]), weighted(spread, image[1])];
-    let a = square * weighted(spread, weighted(spread, rows[0])) - target[0];
-    let b = square * weighted(spread, weighted(spread, rows[1])) - target[1];
+    let a = square * (covariance * rows[0]) - target[0];
+    let b = square * (covariance * rows[1]) - target[1];
     // The derivatives by the four entries of q, divided by the root: a and b are those by the
     // entries of P.
     let slope = [
@@ -28,9 +43,20 @@ fn pose_npt_weak_perspective(spread: [f64; 3], image: [[f64; 3]; 2]) -> (w, squa
     dot(target[0], rows[1]) - dot(target[1], rows[0]) == 0;
     let length = w * w + 1 + y * y + z * z;
     let turned = [rows[0], rows[1], [2 * (z - w * y), 2 * (y * z + w), w * w - 1 - y * y + z * z]];
-    WeakPose { rotation: turned / length, scale: square * length }
+    WeakPose {
+        rotation: turned / length,
+        scale: square * length,
+        translation: [
+            centre[0] - square * dot(rows[0], mean), centre[1] - square * dot(rows[1], mean),
+        ],
+    }
 }
 
-fn weighted(weights: _, v: _) -> [f64; 3] {
-    [weights[0] * v[0], weights[1] * v[1], weights[2] * v[2]]
+/// What a point and its image give: the products of two of the point's coordinates and 1, then
+/// those of the coordinates and 1 with those of the image.
+fn of_point(image: [f64; 2], point: [f64; 3]) -> [f64; 17] {
+    let [u, v] = image;
+    let [x, y, z] = point;
+    let with_1 = concat(point, 1);
+    concat([x * x, x * y, x * z, x, y * y, y * z, y, z * z, z], concat(u * with_1, v * with_1))
 }

@@ -4,14 +4,28 @@
 /// Martyushev, "Self-calibration of cameras with Euclidean image plane in case of two views and
 /// known relative rotation angle", ECCV 2018. Published as `relpose_7p_fuv_angle`.
 ///
-/// The fundamental matrix, from seven points or more, is given as `left`\[0\] `right`\[0\]^T +
-/// `left`\[1\] `right`\[1\]^T, for example by its singular value decomposition; `half_angle` holds
+/// `fundamental` comes from seven points or more, in pixels or any other unit; `half_angle` holds
 /// the cosine and the sine of half the angle. The principal point is (x, y), `z` the square of the
-/// focal length. With the matrix K of these K^T F K is an essential matrix: with the products A of
-/// the left vectors in the quadratic form K K^T, and B of the right ones, B A is a multiple of the
-/// identity. With z = 0 all points of a conic are solutions; four combinations of the equations
+/// focal length. With the matrix K of these K^T F K is an essential matrix. Two vectors of each side
+/// make F: it is a multiple of `left`\[0\] `right`\[0\]^T + `left`\[1\] `right`\[1\]^T: with the products A
+/// of the left vectors in the quadratic form K K^T, and B of the right ones, B A is a multiple of
+/// the identity. With z = 0 all points of a conic are solutions; four combinations of the equations
 /// that are divisible by z are stated divided.
-fn relpose_7pt_angle_focal_centre(left: [[f64; 3]; 2], right: [[f64; 3]; 2], #[unit] half_angle: [f64; 2]) -> (x, y, z) {
+fn relpose_7pt_angle_focal_centre(
+    #[rank(2)] fundamental: [[f64; 3]; 3],
+    #[unit] half_angle: [f64; 2],
+) -> (x, y, z) {
+    // The epipole e of the second image is perpendicular to the columns, of which two may be
+    // parallel. Times its largest element F is made of two of its rows.
+    let [p, q, r] = fundamental.t();
+    let e = least([-squared(cross(p, q)), -squared(cross(q, r)), -squared(cross(r, p))],
+        [cross(p, q), cross(q, r), cross(r, p)]);
+    let [p, q, r] = fundamental;
+    let [left, right] = least([-e[0] * e[0], -e[1] * e[1], -e[2] * e[2]], [
+        [[[-e[1], e[0], 0], [-e[2], 0, e[0]]], [q, r]],
+        [[[e[1], -e[0], 0], [0, -e[2], e[1]]], [p, r]],
+        [[[e[2], 0, -e[0]], [0, e[2], -e[1]]], [p, q]],
+    ]);
     let rotation_trace = 4 * half_angle[0].pow(2) - 1;
     let centre = [x, y, 1];
     // Polynomials in z as lists of their coefficients, which are polynomials in x and y.
@@ -62,4 +76,8 @@ fn product_of(p: [f64; 3], q: [f64; 3], centre: [f64; 3]) -> [f64; 2] {
 
 fn times(p: [f64; 2], q: [f64; 2]) -> [f64; 3] {
     [p[0] * q[0], p[0] * q[1] + p[1] * q[0], p[1] * q[1]]
+}
+
+fn squared(v: [f64; 3]) -> f64 {
+    dot(v, v)
 }

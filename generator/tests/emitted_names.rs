@@ -151,8 +151,8 @@ fn no_name_of_a_problem_collides() {
     // Code that is a table.
     let names = [
         ("pose_npt_weak_perspective", "emitted"),
-        ("spread", "data"),
-        ("image", "given"),
+        ("means", "data"),
+        ("covariance", "given"),
         ("square", "solution"),
         ("w", "instance"),
     ];
@@ -160,11 +160,11 @@ fn no_name_of_a_problem_collides() {
     assert!(source.contains("static PROGRAM"), "{source}");
     modules.push(("emitted", source));
     checks.push_str(
-        "    let data = [1.0, 1.5, 0.75];\n    \
-             let given = [[0.5, -0.25, 0.75], [0.125, 1.0, -0.5]];\n    \
-             let found = emitted::solve_complex(&data, &given).expect(\"general data\");\n    \
+        "    let data = [2.0, 0.5, -0.25, 0.125, 1.5, 0.375, 0.25, 1.0, -0.5, 0.5, -0.25, 0.75, 0.125, 1.0, \
+             -0.5, 0.25, 0.0];\n    \
+             let found = emitted::solve_complex(&data).expect(\"general data\");\n    \
              assert_eq!(found.len(), emitted::MAX_SOLUTIONS);\n    \
-             for s in found { assert!(emitted::relative_residual(&data, &given, &s).is_ok_and(|r| r < 1e-9)); }\n",
+             for s in found { assert!(emitted::relative_residual(&data, &s).is_ok_and(|r| r < 1e-9)); }\n",
     );
     run("emitted_names", &modules, &checks);
 }
@@ -338,5 +338,5 @@ fn emitted_code_says_what_is_what() {
     // In a table the coefficients have no names, but their documentation has.
     let source = emitted("pose_npt_weak_perspective", WEAK_PERSPECTIVE[0], WEAK_PERSPECTIVE);
     let line = source.lines().find(|line| line.contains("By name: ")).expect("named coefficients");
-    assert!(line.contains("is `spread[") || line.contains("is `target["), "{line}");
+    assert!(line.contains("is `covariance[") || line.contains("is `target["), "{line}");
 }

@@ -546,6 +546,34 @@ fn null_spaces_of_data() {
     assert_eq!(residuals[..4], differences.map(|Z(value)| value).collect::<Vec<_>>());
 }
 
+/// A choice is a mixture of all values, with weights of sum 1, and what is derived for it alone is
+/// tentative.
+#[test]
+fn choices_among_data() {
+    let sample = Sample::new(
+        "fn chosen(keys: [f64; 3], a: [[[f64; 2]; 2]; 3], b: f64) -> (x, y, z) {
+            let mut values = [[0; 3]; 3];
+            for k in 0..3 {
+                values[k] = concat(solve(a[k], [1, 0]), b);
+            }
+            [x, y, z] == least(keys, values);
+        }",
+    );
+    let derivations = sample.problem.graph.derivations();
+    assert_eq!(derivations.len(), 4);
+    let values = sample.problem.graph.all_inputs(FIELD, &sample.data).unwrap();
+    let (solved, chosen) = values[16..].split_at(6);
+    // All share the last value; the others are on no line with two of them.
+    assert_eq!(chosen[2], values[15]);
+    let difference = |k: usize, of: &[u32]| Z(of[k]) - Z(solved[k]);
+    let cross = |a: &[u32], b: &[u32]| difference(0, a) * difference(1, b) - difference(1, a) * difference(0, b);
+    let (second, third) = (&solved[2..4], &solved[4..6]);
+    let area = cross(second, third);
+    let weights = [over(cross(chosen, third), area), over(cross(second, chosen), area)];
+    assert!(weights.iter().all(|&weight| weight != Z(0) && weight != Z(1)));
+    assert_ne!(weights[0] + weights[1], Z(1));
+}
+
 /// Lengths of many vectors: a point of the data is found at which all roots exist, here and in
 /// instances.
 #[test]

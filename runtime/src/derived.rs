@@ -1,4 +1,5 @@
-//! Data that are derived from data before a solve: square roots, linear systems and null spaces.
+//! Data that are derived from data before a solve: square roots, linear systems, null spaces and
+//! choices.
 
 use crate::error::SolveError;
 use crate::number::Real;
@@ -118,6 +119,29 @@ fn reflect(v: &[f64], x: &mut [f64]) {
 #[inline(always)]
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     sum_of(a.len().min(b.len()), 0.0, |k| a[k] * b[k])
+}
+
+/// Writes the values whose key is least.
+///
+/// ```text
+///   operands:  the keys, then the values of each of them      chosen:  the values of one
+/// ```
+///
+/// A key that is not finite, such as one that was derived from a matrix without full rank, is never
+/// least.
+///
+/// # Errors
+/// [`SolveError::LostRank`] if no key is finite, or the lengths do not belong together,
+/// [`SolveError::Overflow`] if a value that is chosen is not finite.
+pub fn least(operands: &[f64], keys: usize, chosen: &mut [f64]) -> Result<(), SolveError> {
+    if operands.len() != keys * (1 + chosen.len()) {
+        return Err(SolveError::LostRank);
+    }
+    let (keys, values) = operands.split_at(keys);
+    let finite = keys.iter().enumerate().filter(|(_, key)| key.is_finite());
+    let (at, _) = finite.min_by(|(_, a), (_, b)| a.total_cmp(b)).ok_or(SolveError::LostRank)?;
+    chosen.copy_from_slice(&values[at * chosen.len()..][..chosen.len()]);
+    if chosen.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(SolveError::Overflow) }
 }
 
 /// The power of two that takes the largest entry of a row to about 1, so that no digit changes.
@@ -288,6 +312,20 @@ mod tests {
                 assert!((product - right).abs() <= 1e-14 * if row == 1 { scale } else { 1.0 }, "{product} {right}");
             }
         }
+    }
+
+    #[test]
+    fn the_least_key_that_is_finite_chooses() {
+        let chosen = |operands: &[f64], keys: usize, size: usize| {
+            let mut chosen = [0.0; 2];
+            least(operands, keys, &mut chosen[..size]).map(|()| chosen)
+        };
+        assert_eq!(chosen(&[2.0, -1.0, 0.5, 20.0, 10.0, 5.0], 3, 1), Ok([10.0, 0.0]));
+        assert_eq!(chosen(&[f64::NAN, f64::NEG_INFINITY, 9.0, 1.0, 2.0, 3.0], 3, 1), Ok([3.0, 0.0]));
+        assert_eq!(chosen(&[3.0, 3.0, 1.0, 2.0, 4.0, 5.0], 2, 2), Ok([1.0, 2.0]));
+        assert_eq!(chosen(&[f64::NAN, f64::INFINITY, 1.0, 2.0], 2, 1), Err(SolveError::LostRank));
+        assert_eq!(chosen(&[1.0, 2.0, f64::NAN, 2.0], 2, 1), Err(SolveError::Overflow));
+        assert_eq!(chosen(&[1.0, 2.0, 3.0], 2, 1), Err(SolveError::LostRank));
     }
 
     #[test]

@@ -4,7 +4,7 @@
 pub use crate::batch::solve_batch;
 pub use crate::batch::solver::{BatchData, BatchSizes, BatchSizesOf, BatchSolver};
 pub use crate::continuation::family::{Condition, Family};
-pub use crate::derived::{null_space, null_space_small, solve_linear, solve_small, square_root};
+pub use crate::derived::{least, null_space, null_space_small, solve_linear, solve_small, square_root};
 pub use crate::determinant::real_solutions_by_determinant;
 pub use crate::driver::{VANISHING, complex_solutions, real_solutions};
 #[cfg(feature = "alloc")]

@@ -4,12 +4,13 @@ use std::array::from_fn;
 
 use eliminant_generator::algebra::Random;
 use eliminant_solvers::{
-    homography_4pt, pose_1pt_2line, pose_2pt_1line, pose_3line, pose_4pt_focal, pose_5pt_refraction, pose_35pt_focal,
-    pose_npt_direct_least_squares, pose_npt_least_squares_cayley, pose_npt_least_squares_quaternion,
-    relpose_3pt_depths,
+    calibration_6_receivers_4_senders, homography_4pt, pose_1pt_2line, pose_2pt_1line, pose_3line, pose_4pt_focal,
+    pose_5pt_refraction, pose_35pt_focal, pose_npt_direct_least_squares, pose_npt_least_squares_cayley,
+    pose_npt_least_squares_quaternion, pose_npt_weak_perspective, relpose_3pt_depths, relpose_6pt_radial,
+    relpose_7pt_focal_radial,
 };
 use eliminant_tests::ground_truth::{
-    Motion, Underwater, WATER, camera, image, in_ball, projective_error, two_cameras, uniform,
+    Motion, Underwater, WATER, camera, distorted, image, in_ball, projective_error, two_cameras, uniform,
 };
 use nalgebra::{Matrix3, Vector3};
 
@@ -223,5 +224,82 @@ fn poses_come_from_any_number_of_points() {
         by_cayley.iter().any(|pose| view.is_pose(&pose.rotation, &pose.translation))
             && by_direction.iter().any(|pose| view.is_pose(&pose.rotation, &pose.translation))
             && by_depth.iter().any(|pose| view.is_pose(&pose.rotation, &pose.translation))
+    });
+}
+
+/// With a scale of 1 over the depth of all points.
+#[test]
+fn scaled_poses_come_from_any_number_of_points() {
+    check(|random| {
+        let view = View::<50>::draw(random);
+        let points = &rays(&view.points)[..6 + random.below(45) as usize];
+        let scale = 1.0 / view.translation.norm();
+        let images = view.seen.iter().map(|seen| [scale * seen.x, scale * seen.y]);
+        let means = pose_npt_weak_perspective::mean_of_point(images.zip(points.iter().copied()));
+        let found = pose_npt_weak_perspective::solve_for_weak_pose(&means).unwrap_or_default();
+        let translation = scale * view.translation;
+        found.iter().any(|pose| {
+            let [x, y] = pose.translation;
+            is_pose((&view.rotation, &translation), &pose.rotation, &[x, y, translation.z])
+                && (pose.scale - scale).abs() < FOUND * scale
+        })
+    });
+}
+
+/// Images of six points, or seven, by cameras of this focal length with barrel distortion: those of
+/// the first and the second camera, the distortion, and the fundamental matrix, of length 1.
+fn distorted_images<const N: usize>(random: &mut Random, focal: f64) -> ([[[f64; 2]; N]; 2], f64, Matrix3<f64>) {
+    let (rotation, translation, points) = two_cameras((random, Motion::General), N);
+    let radial = -uniform(random, 0.05, 0.5);
+    let points: [Vector3<f64>; N] = points.try_into().expect("so many points");
+    let first = points.map(|x| distorted(image(&x, focal), radial).into());
+    let second = points.map(|x| distorted(image(&(rotation * x + translation), focal), radial).into());
+    let inverse = Matrix3::from_diagonal(&Vector3::new(1.0 / focal, 1.0 / focal, 1.0));
+    ([first, second], radial, (inverse * translation.cross_matrix() * rotation * inverse).normalize())
+}
+
+fn is_same_up_to_scale(rows: &[[f64; 3]; 3], known: &Matrix3<f64>) -> bool {
+    projective_error(rows.as_flattened(), known.transpose().as_slice()) < FOUND
+}
+
+#[test]
+fn essential_matrices_and_distortion_come_from_six_points() {
+    check(|random| {
+        let ([first, second], radial, essential) = distorted_images::<6>(random, 1.0);
+        let found = relpose_6pt_radial::solve_for_radial_pose(&first, &second).unwrap_or_default();
+        let is_known = |radial_of: f64| (radial_of - radial).abs() < FOUND * radial.abs();
+        found.iter().any(|pose| is_known(pose.radial) && is_same_up_to_scale(&pose.essential, &essential))
+    });
+}
+
+#[test]
+fn focal_lengths_and_distortion_come_from_seven_points() {
+    check(|random| {
+        let focal = uniform(random, 2.0, 4.0);
+        let ([first, second], radial, fundamental) = distorted_images::<7>(random, focal);
+        let found = relpose_7pt_focal_radial::solve_for_radial_focal_pose(&first, &second).unwrap_or_default();
+        found.iter().any(|pose| {
+            (pose.radial - radial).abs() < FOUND * radial.abs()
+                && (pose.focal - focal).abs() < FOUND * focal
+                && is_same_up_to_scale(&pose.fundamental, &fundamental)
+        })
+    });
+}
+
+/// Positions are known up to a motion, and a mirror: those with the known distances.
+#[test]
+fn positions_come_from_ranges() {
+    check(|random| {
+        let (senders, receivers): ([_; 4], [_; 6]) = (from_fn(|_| in_ball(random)), from_fn(|_| in_ball(random)));
+        let ranges = receivers.map(|receiver| senders.map(|sender: Vector3<f64>| (receiver - sender).norm()));
+        let found = calibration_6_receivers_4_senders::solve_for_positions(&ranges).unwrap_or_default();
+        let known = [&senders[..], &receivers[..]].concat();
+        found.iter().any(|positions| {
+            let own: Vec<Vector3<f64>> =
+                positions.senders.iter().chain(&positions.receivers).map(|&p| Vector3::from(p)).collect();
+            let pairs = (0..10).flat_map(|i| (0..i).map(move |j| (i, j)));
+            let errors = pairs.map(|(i, j)| ((own[i] - own[j]).norm() - (known[i] - known[j]).norm()).abs());
+            errors.fold(0.0, f64::max) < FOUND
+        })
     });
 }

@@ -59,8 +59,8 @@ pub(super) fn all_data(
 /// Otherwise it would decide how far the data of a solve are from general ones.
 pub(super) fn clear_unread(plan: &Plan, data: &Ident) -> TokenStream {
     let unread = plan.derived.iter().filter(|planned| planned.is_for_results);
-    let statements = unread.map(|PlannedDerivation { derivation, .. }| {
-        let [first, end] = [derivation.inputs().start, derivation.inputs().end].map(Literal::usize_unsuffixed);
+    let statements = unread.map(|planned| {
+        let [first, end] = bounds(planned);
         quote!(#data[#first..#end].fill(0.0);)
     });
     quote!(#(#statements)*)
@@ -135,28 +135,52 @@ fn steps(plan: &Plan, reader: Reader) -> TokenStream {
     // Those of presolve are added to data that are borrowed, in any precision.
     let (one, data) = if presolve { (quote!(R::ONE), quote!(data)) } else { (quote!(1.0), quote!(&data)) };
     let least = Literal::f64_unsuffixed(if presolve { LEAST_PIVOT_OF_PRESOLVE } else { 0.0 });
-    let steps = derivations(plan, reader).map(|(number, PlannedDerivation { derivation, .. })| {
-        let (operands, range) = (name(number), derivation.inputs());
-        let [first, end] = [range.start, range.end].map(Literal::usize_unsuffixed);
+    let steps = derivations(plan, reader).map(|(number, planned)| {
+        let (PlannedDerivation { derivation, .. }, [first, end]) = (planned, bounds(planned));
+        let operands = name(number);
         let (operands, results) = (quote!(self::#operands(#one, #data)), quote!(&mut data[#first..#end]));
         let is_small = derivation.kind.operands() <= MOST_OF_SMALL;
-        match derivation.kind {
-            DerivationKind::SquareRoot => quote!(emitted::square_root(&#operands, #results)?;),
+        let step = match derivation.kind {
+            DerivationKind::SquareRoot => quote!(emitted::square_root(&#operands, #results)),
             DerivationKind::Solve { size, right } => {
                 let [size, right] = [size, right].map(Literal::usize_unsuffixed);
                 match is_small {
-                    true => quote!(emitted::solve_small::<_, #size, #right>(&mut #operands, #least, #results)?;),
-                    false => quote!(emitted::solve_linear(&mut #operands, #size, #least, #results)?;),
+                    true => quote!(emitted::solve_small::<_, #size, #right>(&mut #operands, #least, #results)),
+                    false => quote!(emitted::solve_linear(&mut #operands, #size, #least, #results)),
                 }
             }
             DerivationKind::NullSpace { rows, columns } => {
                 let [rows, columns] = [rows, columns].map(Literal::usize_unsuffixed);
                 match is_small {
-                    true => quote!(emitted::null_space_small::<#rows, #columns>(&mut #operands, #results)?;),
-                    false => quote!(emitted::null_space(&mut #operands, #rows, #results)?;),
+                    true => quote!(emitted::null_space_small::<#rows, #columns>(&mut #operands, #results)),
+                    false => quote!(emitted::null_space(&mut #operands, #rows, #results)),
                 }
             }
+            DerivationKind::Least { keys, .. } => {
+                let keys = Literal::usize_unsuffixed(keys);
+                quote!(emitted::least(&#operands, #keys, #results))
+            }
+        };
+        match planned.is_tentative {
+            // What is derived from it is not chosen.
+            true => quote! {
+                if #step.is_err() {
+                    data[#first..#end].fill(f64::NAN);
+                }
+            },
+            false => quote!(#step?;),
         }
     });
-    quote!(#(#steps)*)
+    let tentative = derivations(plan, reader).filter(|(_, planned)| planned.is_tentative);
+    let cleared = tentative.map(|(_, planned)| {
+        let [first, end] = bounds(planned);
+        quote!(data[#first..#end].fill(0.0);)
+    });
+    quote!(#(#steps)* #(#cleared)*)
+}
+
+/// Where the results of a derivation stand among the data.
+fn bounds(planned: &PlannedDerivation) -> [Literal; 2] {
+    let range = planned.derivation.inputs();
+    [range.start, range.end].map(Literal::usize_unsuffixed)
 }

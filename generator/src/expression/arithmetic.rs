@@ -32,6 +32,11 @@ pub trait Arithmetic: Copy {
         None
     }
 
+    /// What stands for a result that does not exist; `None` where it is drawn anew instead.
+    fn no_number(self) -> Option<Self::Value> {
+        None
+    }
+
     /// 0.
     fn zero(self) -> Self::Value;
     /// 1.
@@ -110,6 +115,9 @@ impl Arithmetic for Float64 {
     #[cfg(feature = "search")]
     fn derive(self, kind: DerivationKind, operands: &[f64], least: f64) -> Option<Vec<f64>> {
         kind.over_reals(operands.to_vec(), least).ok()
+    }
+    fn no_number(self) -> Option<f64> {
+        Some(f64::NAN)
     }
     fn zero(self) -> f64 {
         0.0

@@ -42,6 +42,14 @@ pub enum DerivationKind {
         /// The number of columns.
         columns: usize,
     },
+    /// The values whose key is least. Over Z_p, where nothing is least, a mixture of all values with
+    /// weights of sum 1. Operands: the keys, then the values of each.
+    Least {
+        /// The number of keys.
+        keys: usize,
+        /// The number of values of each.
+        size: usize,
+    },
 }
 
 impl DerivationKind {
@@ -51,6 +59,7 @@ impl DerivationKind {
             Self::SquareRoot => 1,
             Self::Solve { size, right } => size * (size + right),
             Self::NullSpace { rows, columns } => rows * columns,
+            Self::Least { keys, size } => keys * (1 + size),
         }
     }
 
@@ -60,6 +69,7 @@ impl DerivationKind {
             Self::SquareRoot => 1,
             Self::Solve { size, right } => size * right,
             Self::NullSpace { rows, columns } => (columns - rows) * columns,
+            Self::Least { size, .. } => size,
         }
     }
 
@@ -69,6 +79,7 @@ impl DerivationKind {
             Self::SquareRoot => 10,
             Self::Solve { size, right } => 2 * size * size * (size + 3 * right) / 3,
             Self::NullSpace { rows, columns } => 4 * rows * columns * (columns - rows) + 2 * rows * rows * columns,
+            Self::Least { keys, size } => keys + size,
         }
     }
 
@@ -81,6 +92,7 @@ impl DerivationKind {
             Self::SquareRoot => emitted::square_root(&operands, &mut results)?,
             Self::Solve { size, .. } => emitted::solve_linear(&mut operands, size, least, &mut results)?,
             Self::NullSpace { rows, .. } => emitted::null_space(&mut operands, rows, &mut results)?,
+            Self::Least { keys, .. } => emitted::least(&operands, keys, &mut results)?,
         }
         Ok(results)
     }
@@ -110,6 +122,7 @@ impl DerivationKind {
                 let reduced = reduced(f, operands.chunks(columns).map(<[u32]>::to_vec).collect(), columns)?;
                 (reduced.pivots.len() == rows).then(|| mixed_null_space(f, &reduced, columns))
             }
+            Self::Least { size, .. } => Some(mixed_values(f, operands, size)),
         }
     }
 }
@@ -160,18 +173,37 @@ fn reduced(f: PrimeField, mut rows: Vec<Vec<u32>>, columns: usize) -> Option<Red
 /// The seed of the matrices that mix null vectors; any constant does.
 const MIXING_SEED: u64 = 0x6e75_6c6c;
 
+/// Random numbers that depend on these values alone.
+fn random_of(values: impl Iterator<Item = u32>) -> Random {
+    // The multiplier of a linear congruential generator by Knuth, MMIX.
+    let mixed = |seed: u64, value| seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(u64::from(value) + 1);
+    Random::new(values.fold(MIXING_SEED, mixed))
+}
+
+/// A mixture of the values of all keys. Those of one key would be taken for the result of every
+/// choice, and their zeros for structure of the problem. What is the same for all keys stays.
+fn mixed_values(f: PrimeField, operands: &[u32], size: usize) -> Vec<u32> {
+    let mut random = random_of(operands.iter().copied());
+    let (_, values) = operands.split_at(operands.len() / (1 + size));
+    let mut of_keys = values.chunks(size);
+    let mut results = of_keys.next().unwrap_or_default().to_vec();
+    let first = results.clone();
+    for values in of_keys {
+        let weight = random.below(u64::from(f.modulus())) as u32;
+        for ((result, &value), &of_first) in results.iter_mut().zip(values).zip(&first) {
+            *result = f.add(*result, f.mul(weight, f.sub(value, of_first)));
+        }
+    }
+    results
+}
+
 /// A basis of the null space without the zeros and ones of the one that an echelon form gives:
 /// those would be taken for structure of the problem. The mixing matrix depends on the space alone:
 /// equal operands have equal results, and no entry is the same for two different spaces, which
 /// would be taken for one value.
 fn mixed_null_space(f: PrimeField, reduced: &Reduced, columns: usize) -> Vec<u32> {
     let free: Vec<usize> = (0..columns).filter(|column| !reduced.pivots.contains(column)).collect();
-    let entries = reduced.rows.iter().flatten();
-    // The multiplier of a linear congruential generator by Knuth, MMIX.
-    let seed = entries.fold(MIXING_SEED, |seed, &entry| {
-        seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(u64::from(entry) + 1)
-    });
-    let mut random = Random::new(seed);
+    let mut random = random_of(reduced.rows.iter().flatten().copied());
     let mut results = Vec::with_capacity(free.len() * columns);
     for _ in &free {
         let weights: Vec<u32> = free.iter().map(|_| random.below(u64::from(f.modulus())) as u32).collect();
@@ -242,6 +274,15 @@ mod tests {
                 operands.chunks(columns).for_each(|row| assert_eq!(dot(row, vector.iter().copied()), 0));
             }
         }
+    }
+
+    #[test]
+    fn choices_are_mixed_but_for_what_all_share() {
+        let kind = DerivationKind::Least { keys: 3, size: 2 };
+        let chosen = kind.over_prime_field(F, &[5, 6, 7, 10, 9, 20, 9, 30, 9]).unwrap();
+        assert_eq!(chosen[1], 9);
+        assert!(![0, 10, 20, 30].contains(&chosen[0]), "{chosen:?}");
+        assert_eq!((kind.operands(), kind.results()), (9, 2));
     }
 
     #[test]

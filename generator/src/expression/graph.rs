@@ -296,11 +296,15 @@ impl ExpressionGraph {
         self.fingerprints[id.index()]
     }
 
-    /// Which nodes these depend on, also by way of derived data.
-    pub(crate) fn needed_by_way_of_derivations(&self, used: &[ExpressionId]) -> Vec<bool> {
+    /// Which nodes these depend on, also by way of data that are derived in ways that count.
+    pub(crate) fn needed_by_way_of_derivations(
+        &self,
+        used: &[ExpressionId],
+        counts: impl Fn(DerivationKind) -> bool,
+    ) -> Vec<bool> {
         let mut used = used.to_vec();
         // Operands stand before their results: one pass meets all.
-        for derivation in self.derivations.iter().rev() {
+        for derivation in self.derivations.iter().rev().filter(|derivation| counts(derivation.kind)) {
             let needed = self.needed(&used);
             if derivation.inputs().any(|input| needed[self.inputs[input].index()]) {
                 used.extend(&derivation.operands);
@@ -421,7 +425,7 @@ impl ExpressionGraph {
 
     /// Which of the first inputs, up to this number, these values depend on.
     pub(crate) fn given_inputs_of(&self, used: &[ExpressionId], given: usize) -> Vec<bool> {
-        let needed = self.needed_by_way_of_derivations(used);
+        let needed = self.needed_by_way_of_derivations(used, |_| true);
         self.inputs[..given].iter().map(|id| needed[id.index()]).collect()
     }
 

@@ -45,16 +45,22 @@ fn derived_inputs<A: Arithmetic>(
 ) -> Option<Vec<A::Value>> {
     let mut inputs = given.to_vec();
     for planned in &plan.derived {
-        let PlannedDerivation { derivation, program, .. } = planned;
+        let PlannedDerivation { derivation, program, is_tentative, .. } = planned;
         if !is_wanted(planned) {
             inputs.resize(derivation.inputs().end.max(inputs.len()), f.zero());
         } else if inputs.len() == derivation.first_input {
-            let values = program.evaluate(f, &inputs)?;
-            let operands: Vec<A::Value> = derivation.operands.iter().map(|id| values[id.0 as usize]).collect();
             let of_presolve = derivation.first_input >= plan.stated;
             let least = if of_presolve { LEAST_PIVOT_OF_PRESOLVE } else { 0.0 };
-            inputs.extend(f.derive(derivation.kind, &operands, least)?);
+            let results = program.evaluate(f, &inputs).and_then(|values| {
+                let operands: Vec<A::Value> = derivation.operands.iter().map(|id| values[id.0 as usize]).collect();
+                f.derive(derivation.kind, &operands, least)
+            });
+            let nothing = || Some(vec![f.no_number()?; derivation.kind.results()]);
+            inputs.extend(results.or_else(|| if *is_tentative { nothing() } else { None })?);
         }
+    }
+    for planned in plan.derived.iter().filter(|planned| planned.is_tentative) {
+        inputs[planned.derivation.inputs()].fill(f.zero());
     }
     Some(inputs)
 }

@@ -214,6 +214,9 @@ pub struct PlannedDerivation {
     pub program: Program,
     /// Whether only what is returned beside the unknowns depends on them: a solve leaves them 0.
     pub is_for_results: bool,
+    /// Whether only choices read the results: where there are none, a matrix having lost rank, they
+    /// are NaN, and something else is chosen. They are 0 for a solve.
+    pub is_tentative: bool,
 }
 
 /// What one measurement gives, of which data are the mean.

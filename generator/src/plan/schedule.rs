@@ -17,6 +17,7 @@ use crate::presolve::pair::images;
 use crate::presolve::symmetry::Reading;
 use crate::presolve::{LinearBlock, ReducedProblem};
 use crate::problem::Problem;
+use crate::problem::output::Output;
 use crate::template::{EliminationTemplate, Shift};
 
 /// Why a template cannot be turned into a plan.
@@ -132,6 +133,8 @@ impl Scheduler<'_> {
             return Err(ScheduleError::TooLarge("coefficients"));
         }
         let used: Vec<ExpressionId> = coefficients.used.iter().flatten().copied().collect();
+        let of_results = problem.output.iter().flat_map(Output::polynomials).flat_map(|p| p.terms());
+        let by_results: Vec<ExpressionId> = of_results.map(|&(_, coefficient)| coefficient).collect();
         let (mut program, values) = straight_line_program(graph, &used, elimination.rows);
         let (mut values, zero) = (values.into_iter(), coefficients.used.contains(&None).then(|| program.zero()));
         let value = |used: &Option<ExpressionId>| used.map_or(zero, |_| values.next());
@@ -141,7 +144,7 @@ impl Scheduler<'_> {
             name: problem.name.clone(),
             docs: problem.docs.clone(),
             data: problem.data.clone(),
-            derived: planned_derivations(graph, &used),
+            derived: planned_derivations(graph, &used, &by_results),
             measurements: problem.measurements.iter().map(planned_measurement).collect(),
             stated: problem.graph.input_count(),
             unknowns: problem.unknowns.clone(),

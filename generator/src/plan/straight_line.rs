@@ -2,7 +2,7 @@
 
 use super::program::{Operation, Program, ProgramForm, ValueId};
 use super::{PlannedDerivation, PlannedMeasurement};
-use crate::expression::derivation::Derivation;
+use crate::expression::derivation::{Derivation, DerivationKind};
 use crate::expression::{Expression, ExpressionGraph, ExpressionId};
 use crate::problem::Measurement;
 
@@ -30,15 +30,23 @@ pub(crate) fn straight_line_program(
     in_runs(&program, &values)
 }
 
-/// The data that are derived from data, in order. A solve computes what `used` depends on.
-pub(crate) fn planned_derivations(graph: &ExpressionGraph, used: &[ExpressionId]) -> Vec<PlannedDerivation> {
-    let needed = graph.needed_by_way_of_derivations(used);
+/// The data that are derived from data, in order. A solve computes what `used` depends on, results
+/// what `by_results` depends on.
+pub(crate) fn planned_derivations(
+    graph: &ExpressionGraph,
+    used: &[ExpressionId],
+    by_results: &[ExpressionId],
+) -> Vec<PlannedDerivation> {
+    let needed = graph.needed_by_way_of_derivations(used, |_| true);
+    let is_no_choice = |kind: DerivationKind| !matches!(kind, DerivationKind::Least { .. });
+    let without_choices = graph.needed_by_way_of_derivations(&[used, by_results].concat(), is_no_choice);
     let planned = |derivation: &Derivation<ExpressionId>| {
         let (program, operands) = statements_in_order(graph, &derivation.operands);
         let Derivation { kind, first_input, .. } = *derivation;
         let derivation = Derivation { kind, operands, first_input };
-        let is_for_results = !derivation.inputs().any(|input| graph.is_input_among(&needed, input));
-        PlannedDerivation { derivation, program, is_for_results }
+        let is_among = |needed: &[bool]| derivation.inputs().any(|input| graph.is_input_among(needed, input));
+        let (is_for_results, is_tentative) = (!is_among(&needed), !is_among(&without_choices));
+        PlannedDerivation { derivation, program, is_for_results, is_tentative }
     };
     graph.derivations().iter().map(planned).collect()
 }

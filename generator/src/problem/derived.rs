@@ -1,4 +1,4 @@
-//! Data that are derived from data: square roots, linear systems, null spaces.
+//! Data that are derived from data: square roots, linear systems, null spaces, choices.
 
 use syn::{Expr, ExprCall};
 
@@ -20,7 +20,7 @@ const MAX_MOVES: usize = 512;
 /// What it takes to compute all values anew, in units of work.
 const WORK_OF_A_MOVE: usize = 1000;
 
-/// Largest matrix that is derived from: 64 x 64.
+/// Most entries that are derived from: a matrix of 64 x 64.
 const MAX_OPERANDS: usize = 4096;
 
 impl Interpreter<'_> {
@@ -132,6 +132,29 @@ impl Interpreter<'_> {
         self.derive(call, DerivationKind::NullSpace { rows, columns }, &operands, vec![columns - rows, columns])
     }
 
+    /// `least(keys, values)`: the value whose key is least.
+    pub(super) fn least(
+        &mut self,
+        call: &ExprCall,
+        function: &BuiltIn,
+        arguments: &[&Expr],
+        [keys, values]: [&Value; 2],
+    ) -> Outcome<Value> {
+        let count = self.vector(function, arguments[0], keys, None)?;
+        let shape = match values.shape() {
+            [n, shape @ ..] if *n == count => shape.to_vec(),
+            _ => {
+                let diagnostic = Diagnostic::new(format!("`least` needs {count} values here"), place(arguments[1]));
+                let diagnostic = diagnostic.label(format!("this is {}", describe(values.shape())));
+                return Err(self.report(diagnostic.context(place(arguments[0]), "one for each key")));
+            }
+        };
+        let mut operands = self.data_of(function, arguments[0], keys)?;
+        operands.extend(self.data_of(function, arguments[1], values)?);
+        let kind = DerivationKind::Least { keys: count, size: shape.iter().product() };
+        self.derive(call, kind, &operands, shape)
+    }
+
     /// `sqrt(x)`.
     pub(super) fn square_root(
         &mut self,
@@ -227,8 +250,8 @@ impl Interpreter<'_> {
         shape: Vec<usize>,
     ) -> Outcome<Value> {
         if operands.len() > MAX_OPERANDS {
-            let diagnostic = Diagnostic::new("the matrix is too large", place(call));
-            return Err(self.report(diagnostic.label(format!("at most {MAX_OPERANDS} entries are allowed"))));
+            let diagnostic = Diagnostic::new("there are too many entries", place(call));
+            return Err(self.report(diagnostic.label(format!("at most {MAX_OPERANDS} are allowed"))));
         }
         self.charge(kind.operations(), call)?;
         self.limit_elements(kind.results(), kind.results(), call)?;

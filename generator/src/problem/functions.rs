@@ -22,7 +22,7 @@ pub(super) struct BuiltIn {
 }
 
 /// The functions of the language.
-pub(super) const BUILT_IN: [BuiltIn; 17] = [
+pub(super) const BUILT_IN: [BuiltIn; 18] = [
     BuiltIn { name: "det", usage: "det(matrix)", arguments: (1, 1) },
     BuiltIn { name: "trace", usage: "trace(matrix)", arguments: (1, 1) },
     BuiltIn { name: "dot", usage: "dot(a, b)", arguments: (2, 2) },
@@ -35,6 +35,7 @@ pub(super) const BUILT_IN: [BuiltIn; 17] = [
     BuiltIn { name: "solve", usage: "solve(a, b)", arguments: (2, 2) },
     BuiltIn { name: "inverse", usage: "inverse(matrix)", arguments: (1, 1) },
     BuiltIn { name: "null_space", usage: "null_space(matrix)", arguments: (1, 1) },
+    BuiltIn { name: "least", usage: "least(keys, values)", arguments: (2, 2) },
     BuiltIn { name: "sqrt", usage: "sqrt(x)", arguments: (1, 1) },
     BuiltIn { name: "norm", usage: "norm(v)", arguments: (1, 1) },
     BuiltIn { name: "normalise", usage: "normalise(v)", arguments: (1, 1) },
@@ -61,7 +62,8 @@ pub(super) fn non_polynomial(name: &str) -> Option<&'static str> {
         "powi" | "powf" => "a power with a constant integer exponent is written `.pow(2)`",
         "recip" => "write `1 / d` for data; for unknowns multiply the equation by it, and state `it != 0;`",
         "inv" | "try_inverse" => "write `inverse(matrix)`: the matrix holds data only",
-        "exp" | "ln" | "log" | "log2" | "log10" | "min" | "max" | "signum" | "floor" | "ceil" | "round" => {
+        "min" | "argmin" | "min_by" => "of data, `least(keys, values)` is the value whose key is least",
+        "exp" | "ln" | "log" | "log2" | "log10" | "max" | "signum" | "floor" | "ceil" | "round" => {
             "if it depends on data only, pass it as data"
         }
         _ => return None,
@@ -185,6 +187,7 @@ impl Interpreter<'_> {
             ("solve", [a, b]) => self.solve(call, function, arguments, [a, b]),
             ("inverse", [matrix]) => self.inverse(call, function, arguments[0], matrix),
             ("null_space", [matrix]) => self.null_space(call, function, arguments[0], matrix),
+            ("least", [keys, values]) => self.least(call, function, arguments, [keys, values]),
             ("sqrt", [x]) => self.square_root(call, function, arguments[0], x),
             ("norm", [v]) => self.norm(call, function, arguments[0], v),
             ("normalise", [v]) => self.normalise(call, function, arguments[0], v),
@@ -233,7 +236,13 @@ impl Interpreter<'_> {
     }
 
     /// The length of a vector, checked where one is expected.
-    fn vector(&mut self, function: &BuiltIn, argument: &Expr, value: &Value, want: Option<usize>) -> Outcome<usize> {
+    pub(super) fn vector(
+        &mut self,
+        function: &BuiltIn,
+        argument: &Expr,
+        value: &Value,
+        want: Option<usize>,
+    ) -> Outcome<usize> {
         match *value.shape() {
             [n] if want.is_none_or(|want| want == n) => Ok(n),
             _ => {

@@ -392,7 +392,7 @@ fn check_data(body: &mut Interpreter<'_>, data: &[DataParameter]) {
     let polynomials = statements.map(|statement| &statement.polynomial).chain(of_output);
     let coefficients = polynomials.flat_map(|p| p.terms()).map(|&(_, coefficient)| coefficient);
     let coefficients: Vec<ExpressionId> = coefficients.collect();
-    let needed = body.algebra.graph.needed_by_way_of_derivations(&coefficients);
+    let needed = body.algebra.graph.needed_by_way_of_derivations(&coefficients, |_| true);
     let is_read = |input: usize| needed[body.algebra.graph.input(input).index()];
     let is_unused =
         |parameter: &&DataParameter| !(parameter.first_input..parameter.first_input + parameter.len()).any(is_read);

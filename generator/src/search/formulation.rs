@@ -164,7 +164,7 @@ fn operations(reduced: &ReducedProblem) -> f64 {
     let entries = reduced.linear.iter().flat_map(|block| block.rows.iter().flatten());
     let equations = reduced.problem.polynomials().chain(recoveries).chain(entries);
     let used: Vec<ExpressionId> = equations.flat_map(|p| p.terms()).map(|&(_, coefficient)| coefficient).collect();
-    let derived = planned_derivations(&reduced.problem.graph, &used);
+    let derived = planned_derivations(&reduced.problem.graph, &used, &[]);
     let derived = derived.iter().filter(|derived| !derived.is_for_results);
     let of_derived = derived.map(|d| d.program.steps() + d.derivation.kind.operations()).sum::<usize>();
     (straight_line_program(&reduced.problem.graph, &used, 0).0.steps() + of_derived) as f64

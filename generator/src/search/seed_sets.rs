@@ -38,9 +38,12 @@ pub(crate) struct SeedSets {
     pub(crate) is_too_large: bool,
 }
 
-/// Levels to go on growing after the first that solves: larger sets sometimes reduce to smaller
-/// templates.
+/// Levels to go on growing after the first that solves for the tightest bound on |B|: larger sets
+/// sometimes reduce to smaller templates.
 const LEVELS_BEYOND_FIRST: usize = 1;
+/// Where the tightest bound is not met, growing ends at this many times the rows of the first set
+/// that solves for any bound.
+const ROWS_BEYOND_FIRST: usize = 3;
 /// If shifts are added one by one, a set is looked at after it has grown by one row in this many.
 const ROWS_BETWEEN_LOOKS: usize = 20;
 
@@ -53,6 +56,8 @@ pub(crate) fn seed_sets(strategy: &Strategy<'_>, options: &SearchOptions, monito
     let equations = &formulation.instance.equations;
     let mut sets = SeedSets::default();
     let mut levels_left = LEVELS_BEYOND_FIRST;
+    let mut rows_of_first = None;
+    let tightest = formulation.basis_limits().first().copied();
     let mut last_look: usize = 0;
     for shifts in Shifts::new(equations, &formulation.reduced.kept, growth.clone(), options.max_columns) {
         // To look at a set is an elimination, to add a shift is not.
@@ -71,10 +76,13 @@ pub(crate) fn seed_sets(strategy: &Strategy<'_>, options: &SearchOptions, monito
         sets.solving.extend(solving_shifts(formulation, &formulation.actions, &matrix));
         if !sets.solving.is_empty() {
             sets.unsolved = None;
-            if levels_left == 0 {
+            // A large basis may need few rows, and one as small as the number of solutions more.
+            let most = *rows_of_first.get_or_insert(matrix.rows.len()) * ROWS_BEYOND_FIRST;
+            let meets_tightest = sets.solving.iter().any(|shifts| Some(shifts.max_basis) == tightest);
+            if levels_left == 0 || matrix.rows.len() > most {
                 break;
             }
-            levels_left -= 1;
+            levels_left -= usize::from(meets_tightest);
         } else {
             sets.unsolved = Some(matrix);
         }

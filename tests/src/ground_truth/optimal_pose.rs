@@ -1,7 +1,7 @@
 //! Poses of cameras as stationary points of least-squares costs.
 
 use eliminant_generator::algebra::Random;
-use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+use nalgebra::{Matrix3, SVector, Vector3};
 
 use super::cameras::{camera, cayley, image, in_ball, quaternion};
 use super::{KnownInstance, Make, Maker, coordinates, projective_error, relative_error, vector};
@@ -106,32 +106,30 @@ fn images_and_points(random: &mut Random) -> (Vec<f64>, Matrix3<f64>) {
     (means, rotation)
 }
 
-/// Points far away from a camera, in their principal axes: their standard deviations, and their
-/// image times whitened points, on average.
+/// Points far away from a camera, and their images: the means from which the differences of the
+/// images follow for all scaled rotations.
 fn weak_perspective(random: &mut Random) -> KnownInstance {
     let (rotation, translation) = camera(random);
     let scale = 1.0 / translation.norm();
-    let points = points(random);
-    let n = points.len() as f64;
-    let mean = points.iter().sum::<Vector3<f64>>() / n;
-    let covariance = points.iter().map(|x| (x - mean) * (x - mean).transpose()).sum::<Matrix3<f64>>() / n;
-    let principal = covariance.symmetric_eigen();
-    let mut axes = principal.eigenvectors;
-    if axes.determinant() < 0.0 {
-        axes.column_mut(0).neg_mut();
-    }
-    let spread = principal.eigenvalues.map(f64::sqrt);
-    let image = points.iter().map(|x| {
-        let whitened = (axes.transpose() * (x - mean)).component_div(&spread);
-        scale * (rotation * (x - mean)).xy() * whitened.transpose() / n
+    let terms = points(random).into_iter().map(|point| {
+        let q = scale * (rotation * point + translation);
+        let mut summand = [0.0; 18];
+        summand[..10].copy_from_slice(&products(&point));
+        for (row, factor) in summand[10..].chunks_mut(4).zip([q.x, q.y]) {
+            row.copy_from_slice(&[factor * point.x, factor * point.y, factor * point.z, factor]);
+        }
+        summand
     });
-    let image: SMatrix<f64, 2, 3> = image.sum();
-    let data = spread.iter().copied().chain((0..6).map(|at| image[(at / 3, at % 3)])).collect();
-    KnownInstance { data, truths: vec![ratios(&(rotation * axes), scale).to_vec()] }
+    let mut data = mean(terms);
+    // The mean of 1 is no datum.
+    data.remove(9);
+    KnownInstance { data, truths: vec![ratios(&rotation, scale).to_vec()] }
 }
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::SMatrix;
+
     use super::*;
 
     /// The null vector of a form in the entries of [R t]: that is what a true pose is up to scale.

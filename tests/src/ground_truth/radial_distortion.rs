@@ -1,7 +1,5 @@
 //! Two cameras with unknown radial distortion, from points in both images.
 
-use std::f64::consts::PI;
-
 use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
 
@@ -130,79 +128,50 @@ fn fundamental_nine_points(random: &mut Random) -> KnownInstance {
     KnownInstance { data: views.images(), truths: vec![vec![s, f[(2, 0)], f[(2, 1)], f[(1, 2)]]] }
 }
 
-/// Which camera is the first, and how its partner's image is turned, is free, but not every choice
-/// determines the unknowns that the points are solved for well: of 24 choices the one with the
-/// smallest data is taken.
-fn with_smallest_data(views: &Views, normal_form: impl Fn(&Views) -> KnownInstance) -> KnownInstance {
-    let mut best: Option<(f64, KnownInstance)> = None;
-    for views in [views, &views.exchanged()] {
-        for step in 0..12 {
-            let instance = normal_form(&views.turned(PI / 12.0 * f64::from(step)).exchanged());
-            let size = instance.data.iter().map(|x| x.abs().ln_1p()).sum();
-            if best.as_ref().is_none_or(|(smallest, _)| size < *smallest) {
-                best = Some((size, instance));
-            }
-        }
-    }
-    best.expect("one of 24").1
-}
-
-/// A problem that states x1^T F x2 = 0 may turn the first image, and choose the unit of the
-/// distortion, so that f31 = radial f13 + ...: the views of which that is true, and the unit.
-/// `others` lists the monomials d, d first, a, a second, b, b second and further ones, and the last
-/// of the leading unknowns is f31.
-fn with_unit(views: &Views, equation: impl Fn(&Correspondence) -> (Vec<f64>, Vec<f64>)) -> (Views, f64) {
-    let (leading, others) = equation(&views.points[0]);
+/// A solver takes its pick of which image is the first, and how the second one is turned: of eight
+/// choices that with the smallest combinations. Then it turns the first image, and chooses the unit
+/// of the distortion, so that f31 = radial f13 + 0 radial f23 + ...: the views of which that is
+/// true, and the unit. `others` lists the monomials d, d first, a, a second, b, b second and further
+/// ones, and the last of the leading unknowns is f31.
+fn chosen(views: &Views, equation: impl Fn(&Correspondence) -> (Vec<f64>, Vec<f64>)) -> (Views, f64) {
+    let choices = [views.exchanged(), views.exchanged().exchanged()].into_iter().flat_map(|exchanged| {
+        let turns: [[f64; 2]; 4] = [[1.0, 0.0], [0.8, 0.6], [0.0, 1.0], [-0.8, 0.6]];
+        turns.map(|[cos, sin]| exchanged.turned(-sin.atan2(cos)).exchanged())
+    });
+    let squares = |views: &Views| views.affine(&equation).iter().map(|x| x * x).sum::<f64>();
+    let best = choices.min_by(|a, b| squares(a).total_cmp(&squares(b))).expect("one of eight");
+    let (leading, others) = equation(&best.points[0]);
     // The coefficients of radial f13 and radial f23.
-    let f31 = &views.affine(equation)[(leading.len() - 1) * others.len()..];
+    let f31 = &best.affine(&equation)[(leading.len() - 1) * others.len()..];
     let (x, y) = (f31[3], f31[5]);
-    let unit = x.hypot(y);
-    let mut views = views.turned(-y.atan2(x));
-    for point in &mut views.points {
-        point.first /= unit;
-        point.second /= unit;
-    }
-    (views, unit)
-}
-
-/// Without the coefficients that [`with_unit`] makes 1 and 0.
-fn without_unit(mut data: Vec<f64>, others: usize) -> Vec<f64> {
-    let f31 = data.len() - others;
-    data.remove(f31 + 5);
-    data.remove(f31 + 3);
-    data
+    (best.turned(-y.atan2(x)), x.hypot(y))
 }
 
 fn six_points(random: &mut Random) -> KnownInstance {
     let radial = radial(random);
-    let equation = |&Correspondence { a, b, first, c, d, second }: &Correspondence| {
+    let views = Views::draw(random, 6, [1.0; 2], [radial; 2]);
+    let (own, unit) = chosen(&views, |&Correspondence { a, b, first, c, d, second }: &Correspondence| {
         (
             vec![a * c, b * c, a * d, b * d, c * first, c],
             vec![d, d * first, a, a * second, b, b * second, first * second, first + second, 1.0],
         )
-    };
-    with_smallest_data(&Views::draw(random, 6, [1.0; 2], [radial; 2]), |views| {
-        let (views, unit) = with_unit(views, equation);
-        let e = views.fundamental.transpose();
-        let truth = vec![e[(0, 2)], e[(2, 1)], e[(1, 2)], radial * unit];
-        KnownInstance { data: without_unit(views.affine(equation), 9), truths: vec![truth] }
-    })
+    });
+    let e = own.fundamental.transpose();
+    KnownInstance { data: views.images(), truths: vec![vec![e[(0, 2)], e[(2, 1)], e[(1, 2)], radial * unit]] }
 }
 
 fn seven_points(random: &mut Random) -> KnownInstance {
     let (focal, radial) = (focal(random), radial(random));
-    let equation = |&Correspondence { a, b, first, c, d, second }: &Correspondence| {
+    let views = Views::draw(random, 7, [focal; 2], [radial; 2]);
+    let (own, unit) = chosen(&views, |&Correspondence { a, b, first, c, d, second }: &Correspondence| {
         (
             vec![a * c, b * c, a * d, b * d, c * first, first * second, c],
             vec![d, d * first, a, a * second, b, b * second, first + second, 1.0],
         )
-    };
-    with_smallest_data(&Views::draw(random, 7, [focal; 2], [radial; 2]), |views| {
-        let (views, unit) = with_unit(views, equation);
-        let f = views.fundamental.transpose();
-        let truth = vec![1.0 / (focal * focal), f[(2, 1)], f[(0, 2)], f[(1, 2)], radial * unit];
-        KnownInstance { data: without_unit(views.affine(equation), 8), truths: vec![truth] }
-    })
+    });
+    let f = own.fundamental.transpose();
+    let truth = vec![1.0 / (focal * focal), f[(2, 1)], f[(0, 2)], f[(1, 2)], radial * unit];
+    KnownInstance { data: views.images(), truths: vec![truth] }
 }
 
 /// The problem states x1^T F x2 = 0.

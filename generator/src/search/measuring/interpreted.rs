@@ -9,7 +9,6 @@ use std::ops::Range;
 use eliminant::emitted::{self, Dynamic, Product, Sizes, SizesOf, SolverInstance, Tables, Term};
 use eliminant::{Complex, Scalar, SolveError};
 
-use crate::expression::arithmetic::Float64;
 use crate::plan::system_table::SystemTable;
 use crate::plan::value_layout::ValueLayout;
 use crate::plan::{LEAST_PIVOT_OF_PRESOLVE, Plan, PlannedBlock, PlannedDerivation, PlannedRecovery, Zeros};
@@ -158,10 +157,14 @@ impl InterpretedSolver {
         let mut data = given.to_vec();
         for planned in self.derived.iter().take_while(|planned| planned.derivation.first_input < self.stated) {
             emitted::check_coefficients(&[], &[given])?;
-            match planned.is_for_results {
-                true => data.resize(planned.derivation.inputs().end, 0.0),
-                false => data.extend(derived(planned, &data)?),
+            match (planned.is_for_results, derived(planned, &data)) {
+                (true, _) => data.resize(planned.derivation.inputs().end, 0.0),
+                (false, Err(_)) if planned.is_tentative => data.resize(planned.derivation.inputs().end, f64::NAN),
+                (false, results) => data.extend(results?),
             }
+        }
+        for planned in self.derived.iter().filter(|planned| planned.is_tentative) {
+            data[planned.derivation.inputs()].fill(0.0);
         }
         Ok(data)
     }
@@ -213,8 +216,7 @@ fn sum<S: Scalar>(terms: &[crate::plan::Term], coefficients: &[f64], x: &[S]) ->
 /// The results of a derivation of the problem.
 fn derived(planned: &PlannedDerivation, data: &[f64]) -> Result<Vec<f64>, SolveError> {
     let PlannedDerivation { derivation, program, .. } = planned;
-    // A division by zero gives an operand that is not finite in the emitted solver.
-    let values = program.evaluate(Float64, data).ok_or(SolveError::Overflow)?;
+    let values = values(program, data);
     let operands: Vec<f64> = derivation.operands.iter().map(|id| values[id.0 as usize]).collect();
     derivation.kind.over_reals(operands, 0.0)
 }
