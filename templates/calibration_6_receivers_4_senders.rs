@@ -6,15 +6,15 @@
 ///
 /// `ranges[i][j]` is the distance between receiver i and sender j. Relative to one of the senders,
 /// which is called the first, let G be the Gram matrix of the other three and K its inverse, [k11 v
-/// w; v k22 x; w x y]. A receiver with the squares r of its range to the first sender and s of those
-/// to the others satisfies 4 r = c K c + 2 c g + a with c_j = r - s_j, g = K n, a = n K n and n =
-/// diag(G). Six receivers give k11, k22, g and a as combinations of v, w, x, y and 1. How well
+/// w; v k22 x; w x y]. A receiver with the squares r of its range to the first sender and s of
+/// those to the others satisfies 4 r = c K c + 2 c g + a with c_j = r - s_j, g = K n, a = n K n and
+/// n = diag(G). Six receivers give k11, k22, g and a as combinations of v, w, x, y and 1. How well
 /// depends on which sender is the first and which the last: the best of 12 choices is taken. With C
 /// = adj(K) and z = det(K), n is diag(C) / z. M = [K g; g a] is K times [1 n] from both sides: its
 /// adjugate is z times the square of (n, -1).
 ///
-/// The first sender is returned as the origin, the second on the positive x axis, the third in the
-/// plane of x and y, and the last one above it.
+/// Positions are known up to a motion and a mirror: the first of the senders is returned as the
+/// origin, another one on the x axis, and the third in the plane of x and y.
 fn calibration_6_receivers_4_senders(ranges: [[f64; 4]; 6]) -> (v, w, x, y, z) {
     let mut squares = ranges;
     for i in 0..6 {
@@ -29,7 +29,10 @@ fn calibration_6_receivers_4_senders(ranges: [[f64; 4]; 6]) -> (v, w, x, y, z) {
             let order = exchange(3, last) * exchange(0, first);
             let ordered = squares * order.t();
             let all = reshape(combinations(ordered), [30]);
-            sizes[3 * first + last - 1] = dot(all, all);
+            sizes[3 * first + last - 1] = 1;
+            for entry in all {
+                sizes[3 * first + last - 1] *= 1 + entry * entry;
+            }
             choices[3 * first + last - 1] = concat(ordered, order);
         }
     }

@@ -51,9 +51,15 @@ fn solved_shares(family: Family, first_seed: u64) -> Vec<(&'static str, f64)> {
     cases().into_iter().filter_map(share).collect()
 }
 
-/// The coefficients of this problem are squares of its data: data over two orders of magnitude make
-/// coefficients over four, and the template singular to `f64` on 1 of 1000 instances.
-const SQUARED: (&str, f64) = ("pose_5tdoa_two_receivers", 0.999);
+/// Problems whose coefficients are powers of their data, the orders of magnitude of these data, and
+/// the share of instances on which the template is not singular to `f64`.
+const OF_POWERS: [(&str, f64, f64); 3] = [
+    // Squares: data over two orders of magnitude make coefficients over four.
+    ("pose_5tdoa_two_receivers", 1.0, 0.999),
+    // Fourth powers: data over two make coefficients over eight, and over 32 if they are over eight.
+    ("calibration_6_receivers_4_senders", 1.0, 0.9),
+    ("calibration_6_receivers_4_senders", 4.0, 0.05),
+];
 
 /// Asserts that the share of solved instances of every problem is in a range.
 fn assert_shares(shares: &[(&str, f64)], range: std::ops::RangeInclusive<f64>) {
@@ -79,15 +85,21 @@ fn on_scenes() {
 fn on_badly_scaled_data() {
     for (range, each, mean) in [
         (1.0, 1.0..=1.0, 1.0..=1.0),
-        // The least share, 0.33, is that of `calibration_6_receivers_4_senders`.
-        (4.0, 0.3..=1.0, 0.9..=1.0),
+        // The least share, 0.39, is that of `relpose_6pt_focal_points`.
+        (4.0, 0.35..=1.0, 0.9..=1.0),
         (20.0, 0.0..=1.0, 0.3..=0.6),
         (300.0, 0.0..=1.0, 0.0..=0.2),
     ] {
         let shares = solved_shares(Family::Scaled(range), 2_000_000);
-        let is_squared = |share: &(&str, f64)| range == 1.0 && share.0 == SQUARED.0;
-        let (squared, shares): (Vec<_>, Vec<_>) = shares.into_iter().partition(is_squared);
-        assert!(squared.iter().all(|&(_, share)| share >= SQUARED.1), "{squared:?}");
+        let (mut of_powers, mut others) = (Vec::new(), Vec::new());
+        for (name, share) in shares {
+            match OF_POWERS.iter().find(|known| (known.0, known.1) == (name, range)) {
+                Some(known) => of_powers.push((name, share, known.2)),
+                None => others.push((name, share)),
+            }
+        }
+        let shares = others;
+        assert!(of_powers.iter().all(|&(_, share, least)| share >= least), "{of_powers:?}");
         let average = shares.iter().map(|(_, share)| share).sum::<f64>() / shares.len() as f64;
         println!("scaled by up to 1e{range}: {average:.3} solved on average");
         assert_shares(&shares, each);

@@ -42,8 +42,8 @@ pub enum DerivationKind {
         /// The number of columns.
         columns: usize,
     },
-    /// The values whose key is least. Over Z_p, where nothing is least, a mixture of all values with
-    /// weights of sum 1. Operands: the keys, then the values of each.
+    /// The values whose key is least. Over Z_p, where nothing is least, a mixture of all values
+    /// with weights of sum 1. Operands: the keys, then the values of each.
     Least {
         /// The number of keys.
         keys: usize,

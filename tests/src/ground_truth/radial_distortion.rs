@@ -131,8 +131,8 @@ fn fundamental_nine_points(random: &mut Random) -> KnownInstance {
 /// A solver takes its pick of which image is the first, and how the second one is turned: of eight
 /// choices that with the smallest combinations. Then it turns the first image, and chooses the unit
 /// of the distortion, so that f31 = radial f13 + 0 radial f23 + ...: the views of which that is
-/// true, and the unit. `others` lists the monomials d, d first, a, a second, b, b second and further
-/// ones, and the last of the leading unknowns is f31.
+/// true, and the unit. `others` lists the monomials d, d first, a, a second, b, b second and
+/// further ones, and the last of the leading unknowns is f31.
 fn chosen(views: &Views, equation: impl Fn(&Correspondence) -> (Vec<f64>, Vec<f64>)) -> (Views, f64) {
     let choices = [views.exchanged(), views.exchanged().exchanged()].into_iter().flat_map(|exchanged| {
         let turns: [[f64; 2]; 4] = [[1.0, 0.0], [0.8, 0.6], [0.0, 1.0], [-0.8, 0.6]];
