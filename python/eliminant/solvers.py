@@ -53,6 +53,7 @@ __all__ = [
     "pose_npt_least_squares_quaternion",
     "pose_npt_least_squares_quaternion_mean_of_point",
     "pose_npt_weak_perspective",
+    "pose_npt_weak_perspective_mean_of_point",
     "relpose_3pt_angle_zero_screw",
     "relpose_3pt_depths",
     "relpose_3pt_upright",
@@ -81,22 +82,28 @@ __all__ = [
 ]
 
 
-def calibration_6_receivers_4_senders(linear: npt.ArrayLike) -> Solutions:
-    """Positions of six receivers and four senders from all ranges between them: 38 solutions.
+def calibration_6_receivers_4_senders(ranges: npt.ArrayLike) -> Solutions:
+    """Positions of six receivers and four senders from all ranges between them: 38 solutions, of which
+    those that can be placed in space are returned.
 
     Kuang, Burgess, Torstensson, Åström, "A complete characterization and solution to the microphone
     position self-calibration problem", ICASSP 2013. Published as `toa_46`.
 
-    Relative to the first sender let G be the Gram matrix of the other three and K its inverse, [k11
-    v w; v k22 x; w x y]. A receiver with the squares r of its range to the first sender and s of
+    `ranges[i][j]` is the distance between receiver i and sender j. Relative to one of the senders,
+    which is called the first, let G be the Gram matrix of the other three and K its inverse, [k11 v
+    w; v k22 x; w x y]. A receiver with the squares r of its range to the first sender and s of
     those to the others satisfies 4 r = c K c + 2 c g + a with c_j = r - s_j, g = K n, a = n K n and
-    n = diag(G). Six receivers give k11, k22, g and a as combinations, `linear`, of v, w, x, y and
-    1. With C = adj(K) and z = det(K), n is diag(C) / z. M = [K g; g a] is K times [1 n] from both
-    sides: its adjugate is z times the square of (n, -1). The receivers follow from K.
+    n = diag(G). Six receivers give k11, k22, g and a as combinations of v, w, x, y and 1. How well
+    depends on which sender is the first and which the last: the best of 12 choices is taken. With C
+    = adj(K) and z = det(K), n is diag(C) / z. M = [K g; g a] is K times [1 n] from both sides: its
+    adjugate is z times the square of (n, -1).
+
+    Positions are known up to a motion and a mirror: the first of the senders is returned as the
+    origin, another one on the x axis, and the third in the plane of x and y.
 
     Data, for one instance, or with n in front for a batch:
 
-    - `linear`: (6, 5)
+    - `ranges`: (6, 4)
 
     Solutions, of which there are at most 38:
 
@@ -105,8 +112,13 @@ def calibration_6_receivers_4_senders(linear: npt.ArrayLike) -> Solutions:
     - `x`: ()
     - `y`: ()
     - `z`: ()
+
+    Results of each solution:
+
+    - `senders`: (4, 3)
+    - `receivers`: (6, 3)
     """
-    return _solve("calibration_6_receivers_4_senders", linear)
+    return _solve("calibration_6_receivers_4_senders", ranges)
 
 
 def circle_least_squares(gram: npt.ArrayLike) -> Solutions:
@@ -1150,21 +1162,25 @@ def pose_npt_least_squares_quaternion_mean_of_point(
     return _mean("pose_npt_least_squares_quaternion_mean_of_point", image, point)
 
 
-def pose_npt_weak_perspective(spread: npt.ArrayLike, image: npt.ArrayLike) -> Solutions:
+def pose_npt_weak_perspective(means: npt.ArrayLike) -> Solutions:
     """Pose of a weak-perspective camera from n points, all stationary points of the least-squares
     cost: 16 solutions.
 
     Larsson, Åström, "Uncovering symmetries in polynomial systems", ECCV 2016. Published as `wpnp`.
 
-    In the principal axes of the points, whose standard deviations are `spread`, the cost is |P
-    diag(spread) - `image`|^2, with P the first two rows of a rotation times a scale, that is, of
-    the rotation of a quaternion q that is not normalised. Since q and -q are the same rotation, the
-    unknowns are the ratios in q = root (w, 1, y, z), and `square`, that of the root.
+    The image of a point X is P X + t, with P the first two rows of a rotation times a scale, that
+    is, of the rotation of a quaternion q that is not normalised. With the best t the mean square of
+    the differences is a quadratic form in P, whose matrix is the covariance of the points. Since q
+    and -q are the same rotation, the unknowns are the ratios in q = root (w, 1, y, z), and
+    `square`, that of the root. Published templates take the principal axes of the points instead,
+    in which the covariance is diagonal.
+
+    `means` are those of `of_point` over 4 points or more. Rounding errors are smallest if the
+    origin is amid the points.
 
     Data, for one instance, or with n in front for a batch:
 
-    - `spread`: (3,)
-    - `image`: (2, 3)
+    - `means`: (17,)
 
     Solutions, of which there are at most 16:
 
@@ -1177,8 +1193,23 @@ def pose_npt_weak_perspective(spread: npt.ArrayLike, image: npt.ArrayLike) -> So
 
     - `rotation`: (3, 3)
     - `scale`: ()
+    - `translation`: (2,)
     """
-    return _solve("pose_npt_weak_perspective", spread, image)
+    return _solve("pose_npt_weak_perspective", means)
+
+
+def pose_npt_weak_perspective_mean_of_point(image: npt.ArrayLike, point: npt.ArrayLike) -> Array:
+    """What a point and its image give: the products of two of the point's coordinates and 1, then
+    those of the coordinates and 1 with those of the image.
+
+    Data, for one measurement, or with n in front for a mean over n:
+
+    - `image`: (2,)
+    - `point`: (3,)
+
+    The mean has the shape (17,).
+    """
+    return _mean("pose_npt_weak_perspective_mean_of_point", image, point)
 
 
 def relpose_3pt_angle_zero_screw(
@@ -1543,25 +1574,27 @@ def relpose_6pt_generalized(first: npt.ArrayLike, second: npt.ArrayLike) -> Solu
     return _solve("relpose_6pt_generalized", first, second)
 
 
-def relpose_6pt_radial(affine: npt.ArrayLike, affine_e31: npt.ArrayLike) -> Solutions:
-    """Relative pose and the radial distortion common to two otherwise calibrated cameras from six
-    point correspondences: 52 solutions.
+def relpose_6pt_radial(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+    """The essential matrix and the radial distortion common to two otherwise calibrated cameras from
+    six points: 52 solutions.
 
     Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
     problems for cameras with radial distortion", CVIU 114, 2010. Published as `relpose_6p_rad`.
 
-    A point x lies along (x, 1 + radial |x|^2), the division model. Then x1^T E x2 = 0 is, with e33
-    = 1, linear in e11, e21, e12, e22, radial e31, e31 and the monomials e32, radial e32, e13,
-    radial e13, e23, radial e23, radial^2, radial, 1: six points give the former as combinations of
-    these. The first image may be turned about its centre, which turns (e13, e23), and `radial` may
-    have any unit: they are such that in e31 radial e23 has the coefficient 0 and radial e13 the
-    coefficient 1, which is a divisor of all that follows. `affine` holds the coefficients of e11,
-    e21, e12, e22, radial e31, and `affine_e31` the other seven of e31.
+    `first[k]` and `second[k]` are the distorted images of point k, relative to the centre of
+    distortion and in units of the focal length. An image x lies along (x, 1 + radial |x|^2), the
+    division model. Then x1^T E x2 = 0 is, with e33 = 1, linear in e11, e21, e12, e22, radial e31,
+    e31 and the monomials e32, radial e32, e13, radial e13, e23, radial e23, radial^2, radial, 1:
+    six points give the former as combinations of these. How well depends on which image is the
+    first, and on how the second one is turned about its centre: the best of eight choices is taken.
+    The first image may be turned, too, which turns (e13, e23), and `radial` may have any unit: they
+    are such that in e31 radial e23 has the coefficient 0 and radial e13 the coefficient 1, which is
+    a divisor of all that follows.
 
     Data, for one instance, or with n in front for a batch:
 
-    - `affine`: (5, 9)
-    - `affine_e31`: (7,)
+    - `first`: (6, 2)
+    - `second`: (6, 2)
 
     Solutions, of which there are at most 52:
 
@@ -1569,13 +1602,17 @@ def relpose_6pt_radial(affine: npt.ArrayLike, affine_e31: npt.ArrayLike) -> Solu
     - `e_32`: ()
     - `e_23`: ()
     - `radial`: ()
+
+    Results of each solution:
+
+    - `essential`: (3, 3)
+    - `radial`: ()
     """
-    return _solve("relpose_6pt_radial", affine, affine_e31)
+    return _solve("relpose_6pt_radial", first, second)
 
 
 def relpose_7pt_angle_focal_centre(
-    left: npt.ArrayLike,
-    right: npt.ArrayLike,
+    fundamental: npt.ArrayLike,
     half_angle: npt.ArrayLike,
 ) -> Solutions:
     r"""Focal length and principal point common to two cameras from their fundamental matrix and the
@@ -1584,18 +1621,17 @@ def relpose_7pt_angle_focal_centre(
     Martyushev, "Self-calibration of cameras with Euclidean image plane in case of two views and
     known relative rotation angle", ECCV 2018. Published as `relpose_7p_fuv_angle`.
 
-    The fundamental matrix, from seven points or more, is given as `left`\[0\] `right`\[0\]^T +
-    `left`\[1\] `right`\[1\]^T, for example by its singular value decomposition; `half_angle` holds
+    `fundamental` comes from seven points or more, in pixels or any other unit; `half_angle` holds
     the cosine and the sine of half the angle. The principal point is (x, y), `z` the square of the
-    focal length. With the matrix K of these K^T F K is an essential matrix: with the products A of
-    the left vectors in the quadratic form K K^T, and B of the right ones, B A is a multiple of the
-    identity. With z = 0 all points of a conic are solutions; four combinations of the equations
-    that are divisible by z are stated divided.
+    focal length. With the matrix K of these K^T F K is an essential matrix. F is a multiple of
+    `left`\[0\] `right`\[0\]^T + `left`\[1\] `right`\[1\]^T: with the products A of the left vectors in
+    the quadratic form K K^T, and B of the right ones, B A is a multiple of the identity. With z = 0
+    all points of a conic are solutions; four combinations of the equations that are divisible by z
+    are stated divided.
 
     Data, for one instance, or with n in front for a batch:
 
-    - `left`: (2, 3)
-    - `right`: (2, 3)
+    - `fundamental`: (3, 3)
     - `half_angle`: (2,)
 
     Solutions, of which there are at most 6:
@@ -1609,24 +1645,25 @@ def relpose_7pt_angle_focal_centre(
     - `focal`: ()
     - `centre`: (2,)
     """
-    return _solve("relpose_7pt_angle_focal_centre", left, right, half_angle)
+    return _solve("relpose_7pt_angle_focal_centre", fundamental, half_angle)
 
 
-def relpose_7pt_focal_radial(affine: npt.ArrayLike, affine_f31: npt.ArrayLike) -> Solutions:
+def relpose_7pt_focal_radial(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
     """Relative pose, focal length and radial distortion common to two cameras from seven point
-    correspondences: 68 solutions.
+    correspondences: 68 solutions, of which those with a real focal length are returned.
 
     Jiang, Kuang, Solem, Åström, "A minimal solution to relative pose with unknown focal length and
     radial distortion", ACCV 2014. Published as `relpose_7p_fr`.
 
-    A point x lies along (x, 1 + radial |x|^2), the division model. Then x1^T F x2 = 0 is, with f33
+    `first[k]` and `second[k]` are the distorted images of point k, relative to the principal point.
+    An image x lies along (x, 1 + radial |x|^2), the division model. Then x1^T F x2 = 0 is, with f33
     = 1, linear in f11, f21, f12, f22, radial f31, radial^2, f31 and the monomials f32, radial f32,
     f13, radial f13, f23, radial f23, radial, 1: seven points give the former as combinations of
-    these. The first image may be turned about its centre, which turns (f13, f23), and `radial` may
-    have any unit: they are such that in f31 radial f23 has the coefficient 0 and radial f13 the
-    coefficient 1. `affine` holds the coefficients of the first six, and `affine_f31` the other six
-    of f31. With the focal length, diag(focal, focal, 1) F diag(focal, focal, 1) is an essential
-    matrix; `w` is 1 / focal^2.
+    these. How well depends on which image is the first, and on how the second one is turned about
+    its centre: the best of eight choices is taken. The first image may be turned, too, which turns
+    (f13, f23), and `radial` may have any unit: they are such that in f31 radial f23 has the
+    coefficient 0 and radial f13 the coefficient 1. With the focal length, diag(focal, focal, 1) F
+    diag(focal, focal, 1) is an essential matrix; `w` is 1 / focal^2.
 
     Everything is p + radial q, two polynomials without `radial`, modulo the equation that gives
     radial^2, and most equations are stated times `radial`, too. There are points at infinity, near
@@ -1635,8 +1672,8 @@ def relpose_7pt_focal_radial(affine: npt.ArrayLike, affine_f31: npt.ArrayLike) -
 
     Data, for one instance, or with n in front for a batch:
 
-    - `affine`: (6, 8)
-    - `affine_f31`: (6,)
+    - `first`: (7, 2)
+    - `second`: (7, 2)
 
     Solutions, of which there are at most 68:
 
@@ -1645,8 +1682,14 @@ def relpose_7pt_focal_radial(affine: npt.ArrayLike, affine_f31: npt.ArrayLike) -
     - `f_13`: ()
     - `f_23`: ()
     - `radial`: ()
+
+    Results of each solution:
+
+    - `fundamental`: (3, 3)
+    - `focal`: ()
+    - `radial`: ()
     """
-    return _solve("relpose_7pt_focal_radial", affine, affine_f31)
+    return _solve("relpose_7pt_focal_radial", first, second)
 
 
 def relpose_7pt_focal_radial_one_side(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
