@@ -73,28 +73,41 @@ const char *eliminant_version(void);
 /*
  * calibration_6_receivers_4_senders
  *
- * Positions of six receivers and four senders from all ranges between them: 38 solutions.
+ * Positions of six receivers and four senders from all ranges between them: 38 solutions, of which
+ * those that can be placed in space are returned.
  *
  * Kuang, Burgess, Torstensson, Åström, "A complete characterization and solution to the microphone
  * position self-calibration problem", ICASSP 2013. Published as `toa_46`.
  *
- * Relative to the first sender let G be the Gram matrix of the other three and K its inverse, [k11
- * v w; v k22 x; w x y]. A receiver with the squares r of its range to the first sender and s of
+ * `ranges[i][j]` is the distance between receiver i and sender j. Relative to one of the senders,
+ * which is called the first, let G be the Gram matrix of the other three and K its inverse, [k11 v
+ * w; v k22 x; w x y]. A receiver with the squares r of its range to the first sender and s of
  * those to the others satisfies 4 r = c K c + 2 c g + a with c_j = r - s_j, g = K n, a = n K n and
- * n = diag(G). Six receivers give k11, k22, g and a as combinations, `linear`, of v, w, x, y and
- * 1. With C = adj(K) and z = det(K), n is diag(C) / z. M = [K g; g a] is K times [1 n] from both
- * sides: its adjugate is z times the square of (n, -1). The receivers follow from K.
+ * n = diag(G). Six receivers give k11, k22, g and a as combinations of v, w, x, y and 1. How well
+ * depends on which sender is the first and which the last: the best of 12 choices is taken. With C
+ * = adj(K) and z = det(K), n is diag(C) / z. M = [K g; g a] is K times [1 n] from both sides: its
+ * adjugate is z times the square of (n, -1).
  *
- * Data: linear[6][5].
+ * Positions are known up to a motion and a mirror: the first of the senders is returned as the
+ * origin, another one on the x axis, and the third in the plane of x and y.
+ *
+ * Data: ranges[6][4].
  * A row of 5 numbers, the unknowns: v, w, x, y, z.
+ * A row of 30 numbers, the result positions: senders[4][3], receivers[6][3].
  */
-#define ELIMINANT_CALIBRATION_6_RECEIVERS_4_SENDERS_LINEAR_LENGTH 30
+#define ELIMINANT_CALIBRATION_6_RECEIVERS_4_SENDERS_RANGES_LENGTH 24
 #define ELIMINANT_CALIBRATION_6_RECEIVERS_4_SENDERS_UNKNOWNS 5
+#define ELIMINANT_CALIBRATION_6_RECEIVERS_4_SENDERS_LENGTH_OF_POSITIONS 30
 #define ELIMINANT_CALIBRATION_6_RECEIVERS_4_SENDERS_MAX_SOLUTIONS 38
 int32_t eliminant_calibration_6_receivers_4_senders_solve(
-    const double *linear, size_t linear_length, double *solutions, size_t capacity, size_t *count);
+    const double *ranges, size_t ranges_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_calibration_6_receivers_4_senders_solve_batch(
-    size_t instances, const double *linear, size_t linear_length, double *solutions,
+    size_t instances, const double *ranges, size_t ranges_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_calibration_6_receivers_4_senders_solve_for_positions(
+    const double *ranges, size_t ranges_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_calibration_6_receivers_4_senders_solve_batch_for_positions(
+    size_t instances, const double *ranges, size_t ranges_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
 
 /*
@@ -1245,34 +1258,42 @@ int32_t eliminant_pose_npt_least_squares_quaternion_mean_of_point(
  *
  * Larsson, Åström, "Uncovering symmetries in polynomial systems", ECCV 2016. Published as `wpnp`.
  *
- * In the principal axes of the points, whose standard deviations are `spread`, the cost is |P
- * diag(spread) - `image`|^2, with P the first two rows of a rotation times a scale, that is, of
- * the rotation of a quaternion q that is not normalised. Since q and -q are the same rotation, the
- * unknowns are the ratios in q = root (w, 1, y, z), and `square`, that of the root.
+ * The image of a point X is P X + t, with P the first two rows of a rotation times a scale, that
+ * is, of the rotation of a quaternion q that is not normalised. With the best t the mean square of
+ * the differences is a quadratic form in P, whose matrix is the covariance of the points. Since q
+ * and -q are the same rotation, the unknowns are the ratios in q = root (w, 1, y, z), and
+ * `square`, that of the root. Published templates take the principal axes of the points instead,
+ * in which the covariance is diagonal.
  *
- * Data: spread[3], image[2][3].
+ * `means` are those of `of_point` over 4 points or more. Rounding errors are smallest if the
+ * origin is amid the points.
+ *
+ * Data: means[17] (the result of `mean_of_point`).
  * A row of 4 numbers, the unknowns: w, square, y, z.
- * A row of 10 numbers, the result weak_pose: rotation[3][3], scale.
+ * A row of 12 numbers, the result weak_pose: rotation[3][3], scale, translation[2].
  */
-#define ELIMINANT_POSE_NPT_WEAK_PERSPECTIVE_SPREAD_LENGTH 3
-#define ELIMINANT_POSE_NPT_WEAK_PERSPECTIVE_IMAGE_LENGTH 6
+#define ELIMINANT_POSE_NPT_WEAK_PERSPECTIVE_MEANS_LENGTH 17
 #define ELIMINANT_POSE_NPT_WEAK_PERSPECTIVE_UNKNOWNS 4
-#define ELIMINANT_POSE_NPT_WEAK_PERSPECTIVE_LENGTH_OF_WEAK_POSE 10
+#define ELIMINANT_POSE_NPT_WEAK_PERSPECTIVE_LENGTH_OF_WEAK_POSE 12
 #define ELIMINANT_POSE_NPT_WEAK_PERSPECTIVE_MAX_SOLUTIONS 16
 int32_t eliminant_pose_npt_weak_perspective_solve(
-    const double *spread, size_t spread_length, const double *image, size_t image_length,
-    double *solutions, size_t capacity, size_t *count);
+    const double *means, size_t means_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_npt_weak_perspective_solve_batch(
-    size_t instances, const double *spread, size_t spread_length, const double *image,
-    size_t image_length, double *solutions, size_t solutions_length, size_t *counts,
-    int32_t *codes);
+    size_t instances, const double *means, size_t means_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
 int32_t eliminant_pose_npt_weak_perspective_solve_for_weak_pose(
-    const double *spread, size_t spread_length, const double *image, size_t image_length,
-    double *solutions, size_t capacity, size_t *count);
+    const double *means, size_t means_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_npt_weak_perspective_solve_batch_for_weak_pose(
-    size_t instances, const double *spread, size_t spread_length, const double *image,
-    size_t image_length, double *solutions, size_t solutions_length, size_t *counts,
-    int32_t *codes);
+    size_t instances, const double *means, size_t means_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+/*
+ * What a point and its image give: the products of two of the point's coordinates and 1, then
+ * those of the coordinates and 1 with those of the image.
+ * Mean mean[17] over measurements of: image[2], point[3].
+ */
+int32_t eliminant_pose_npt_weak_perspective_mean_of_point(
+    size_t measurements, const double *image, size_t image_length, const double *point,
+    size_t point_length, double *mean, size_t mean_length);
 
 /*
  * relpose_3pt_angle_zero_screw
@@ -1689,33 +1710,44 @@ int32_t eliminant_relpose_6pt_generalized_solve_batch(
 /*
  * relpose_6pt_radial
  *
- * Relative pose and the radial distortion common to two otherwise calibrated cameras from six
- * point correspondences: 52 solutions.
+ * The essential matrix and the radial distortion common to two otherwise calibrated cameras from
+ * six points: 52 solutions.
  *
  * Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
  * problems for cameras with radial distortion", CVIU 114, 2010. Published as `relpose_6p_rad`.
  *
- * A point x lies along (x, 1 + radial |x|^2), the division model. Then x1^T E x2 = 0 is, with e33
- * = 1, linear in e11, e21, e12, e22, radial e31, e31 and the monomials e32, radial e32, e13,
- * radial e13, e23, radial e23, radial^2, radial, 1: six points give the former as combinations of
- * these. The first image may be turned about its centre, which turns (e13, e23), and `radial` may
- * have any unit: they are such that in e31 radial e23 has the coefficient 0 and radial e13 the
- * coefficient 1, which is a divisor of all that follows. `affine` holds the coefficients of e11,
- * e21, e12, e22, radial e31, and `affine_e31` the other seven of e31.
+ * `first[k]` and `second[k]` are the distorted images of point k, relative to the centre of
+ * distortion and in units of the focal length. An image x lies along (x, 1 + radial |x|^2), the
+ * division model. Then x1^T E x2 = 0 is, with e33 = 1, linear in e11, e21, e12, e22, radial e31,
+ * e31 and the monomials e32, radial e32, e13, radial e13, e23, radial e23, radial^2, radial, 1:
+ * six points give the former as combinations of these. How well depends on which image is the
+ * first, and on how the second one is turned about its centre: the best of eight choices is taken.
+ * The first image may be turned, too, which turns (e13, e23), and `radial` may have any unit: they
+ * are such that in e31 radial e23 has the coefficient 0 and radial e13 the coefficient 1, which is
+ * a divisor of all that follows.
  *
- * Data: affine[5][9], affine_e31[7].
+ * Data: first[6][2], second[6][2].
  * A row of 4 numbers, the unknowns: e_13, e_32, e_23, radial.
+ * A row of 10 numbers, the result radial_pose: essential[3][3], radial.
  */
-#define ELIMINANT_RELPOSE_6PT_RADIAL_AFFINE_LENGTH 45
-#define ELIMINANT_RELPOSE_6PT_RADIAL_AFFINE_E31_LENGTH 7
+#define ELIMINANT_RELPOSE_6PT_RADIAL_FIRST_LENGTH 12
+#define ELIMINANT_RELPOSE_6PT_RADIAL_SECOND_LENGTH 12
 #define ELIMINANT_RELPOSE_6PT_RADIAL_UNKNOWNS 4
+#define ELIMINANT_RELPOSE_6PT_RADIAL_LENGTH_OF_RADIAL_POSE 10
 #define ELIMINANT_RELPOSE_6PT_RADIAL_MAX_SOLUTIONS 52
 int32_t eliminant_relpose_6pt_radial_solve(
-    const double *affine, size_t affine_length, const double *affine_e31, size_t affine_e31_length,
+    const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_6pt_radial_solve_batch(
-    size_t instances, const double *affine, size_t affine_length, const double *affine_e31,
-    size_t affine_e31_length, double *solutions, size_t solutions_length, size_t *counts,
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_relpose_6pt_radial_solve_for_radial_pose(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_6pt_radial_solve_batch_for_radial_pose(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
 
 /*
@@ -1727,77 +1759,84 @@ int32_t eliminant_relpose_6pt_radial_solve_batch(
  * Martyushev, "Self-calibration of cameras with Euclidean image plane in case of two views and
  * known relative rotation angle", ECCV 2018. Published as `relpose_7p_fuv_angle`.
  *
- * The fundamental matrix, from seven points or more, is given as `left`\[0\] `right`\[0\]^T +
- * `left`\[1\] `right`\[1\]^T, for example by its singular value decomposition; `half_angle` holds
+ * `fundamental` comes from seven points or more, in pixels or any other unit; `half_angle` holds
  * the cosine and the sine of half the angle. The principal point is (x, y), `z` the square of the
- * focal length. With the matrix K of these K^T F K is an essential matrix: with the products A of
- * the left vectors in the quadratic form K K^T, and B of the right ones, B A is a multiple of the
- * identity. With z = 0 all points of a conic are solutions; four combinations of the equations
- * that are divisible by z are stated divided.
+ * focal length. With the matrix K of these K^T F K is an essential matrix. F is a multiple of
+ * `left`\[0\] `right`\[0\]^T + `left`\[1\] `right`\[1\]^T: with the products A of the left vectors
+ * in the quadratic form K K^T, and B of the right ones, B A is a multiple of the identity. With z =
+ * 0 all points of a conic are solutions; four combinations of the equations that are divisible by
+ * z are stated divided.
  *
- * Data: left[2][3], right[2][3], half_angle[2] (of length 1).
+ * Data: fundamental[3][3] (of lower rank), half_angle[2] (of length 1).
  * A row of 3 numbers, the unknowns: x, y, z.
  * A row of 3 numbers, the result camera: focal, centre[2].
  */
-#define ELIMINANT_RELPOSE_7PT_ANGLE_FOCAL_CENTRE_LEFT_LENGTH 6
-#define ELIMINANT_RELPOSE_7PT_ANGLE_FOCAL_CENTRE_RIGHT_LENGTH 6
+#define ELIMINANT_RELPOSE_7PT_ANGLE_FOCAL_CENTRE_FUNDAMENTAL_LENGTH 9
 #define ELIMINANT_RELPOSE_7PT_ANGLE_FOCAL_CENTRE_HALF_ANGLE_LENGTH 2
 #define ELIMINANT_RELPOSE_7PT_ANGLE_FOCAL_CENTRE_UNKNOWNS 3
 #define ELIMINANT_RELPOSE_7PT_ANGLE_FOCAL_CENTRE_LENGTH_OF_CAMERA 3
 #define ELIMINANT_RELPOSE_7PT_ANGLE_FOCAL_CENTRE_MAX_SOLUTIONS 6
 int32_t eliminant_relpose_7pt_angle_focal_centre_solve(
-    const double *left, size_t left_length, const double *right, size_t right_length,
-    const double *half_angle, size_t half_angle_length, double *solutions, size_t capacity,
-    size_t *count);
+    const double *fundamental, size_t fundamental_length, const double *half_angle,
+    size_t half_angle_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_7pt_angle_focal_centre_solve_batch(
-    size_t instances, const double *left, size_t left_length, const double *right,
-    size_t right_length, const double *half_angle, size_t half_angle_length, double *solutions,
-    size_t solutions_length, size_t *counts, int32_t *codes);
+    size_t instances, const double *fundamental, size_t fundamental_length,
+    const double *half_angle, size_t half_angle_length, double *solutions, size_t solutions_length,
+    size_t *counts, int32_t *codes);
 int32_t eliminant_relpose_7pt_angle_focal_centre_solve_for_camera(
-    const double *left, size_t left_length, const double *right, size_t right_length,
-    const double *half_angle, size_t half_angle_length, double *solutions, size_t capacity,
-    size_t *count);
+    const double *fundamental, size_t fundamental_length, const double *half_angle,
+    size_t half_angle_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_7pt_angle_focal_centre_solve_batch_for_camera(
-    size_t instances, const double *left, size_t left_length, const double *right,
-    size_t right_length, const double *half_angle, size_t half_angle_length, double *solutions,
-    size_t solutions_length, size_t *counts, int32_t *codes);
+    size_t instances, const double *fundamental, size_t fundamental_length,
+    const double *half_angle, size_t half_angle_length, double *solutions, size_t solutions_length,
+    size_t *counts, int32_t *codes);
 
 /*
  * relpose_7pt_focal_radial
  *
  * Relative pose, focal length and radial distortion common to two cameras from seven point
- * correspondences: 68 solutions.
+ * correspondences: 68 solutions, of which those with a real focal length are returned.
  *
  * Jiang, Kuang, Solem, Åström, "A minimal solution to relative pose with unknown focal length and
  * radial distortion", ACCV 2014. Published as `relpose_7p_fr`.
  *
- * A point x lies along (x, 1 + radial |x|^2), the division model. Then x1^T F x2 = 0 is, with f33
+ * `first[k]` and `second[k]` are the distorted images of point k, relative to the principal point.
+ * An image x lies along (x, 1 + radial |x|^2), the division model. Then x1^T F x2 = 0 is, with f33
  * = 1, linear in f11, f21, f12, f22, radial f31, radial^2, f31 and the monomials f32, radial f32,
  * f13, radial f13, f23, radial f23, radial, 1: seven points give the former as combinations of
- * these. The first image may be turned about its centre, which turns (f13, f23), and `radial` may
- * have any unit: they are such that in f31 radial f23 has the coefficient 0 and radial f13 the
- * coefficient 1. `affine` holds the coefficients of the first six, and `affine_f31` the other six
- * of f31. With the focal length, diag(focal, focal, 1) F diag(focal, focal, 1) is an essential
- * matrix; `w` is 1 / focal^2.
+ * these. How well depends on which image is the first, and on how the second one is turned about
+ * its centre: the best of eight choices is taken. The first image may be turned, too, which turns
+ * (f13, f23), and `radial` may have any unit: they are such that in f31 radial f23 has the
+ * coefficient 0 and radial f13 the coefficient 1. With the focal length, diag(focal, focal, 1) F
+ * diag(focal, focal, 1) is an essential matrix; `w` is 1 / focal^2.
  *
  * Everything is p + radial q, two polynomials without `radial`, modulo the equation that gives
  * radial^2, and most equations are stated times `radial`, too. There are points at infinity, near
  * which residuals are small; there the factors that are stated not to vanish are small beside
  * their terms.
  *
- * Data: affine[6][8], affine_f31[6].
+ * Data: first[7][2], second[7][2].
  * A row of 5 numbers, the unknowns: w, f_32, f_13, f_23, radial.
+ * A row of 11 numbers, the result radial_focal_pose: fundamental[3][3], focal, radial.
  */
-#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_AFFINE_LENGTH 48
-#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_AFFINE_F31_LENGTH 6
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_FIRST_LENGTH 14
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_SECOND_LENGTH 14
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_UNKNOWNS 5
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_LENGTH_OF_RADIAL_FOCAL_POSE 11
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_MAX_SOLUTIONS 68
 int32_t eliminant_relpose_7pt_focal_radial_solve(
-    const double *affine, size_t affine_length, const double *affine_f31, size_t affine_f31_length,
+    const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_7pt_focal_radial_solve_batch(
-    size_t instances, const double *affine, size_t affine_length, const double *affine_f31,
-    size_t affine_f31_length, double *solutions, size_t solutions_length, size_t *counts,
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_relpose_7pt_focal_radial_solve_for_radial_focal_pose(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_7pt_focal_radial_solve_batch_for_radial_focal_pose(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
 
 /*

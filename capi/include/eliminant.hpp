@@ -222,17 +222,23 @@ template <class D> auto by_rows(const Eigen::MatrixBase<D> &matrix) {
 }
 #endif
 
-/// Positions of six receivers and four senders from all ranges between them: 38 solutions.
+/// Positions of six receivers and four senders from all ranges between them: 38 solutions, of which
+/// those that can be placed in space are returned.
 ///
 /// Kuang, Burgess, Torstensson, Åström, "A complete characterization and solution to the microphone
 /// position self-calibration problem", ICASSP 2013. Published as `toa_46`.
 ///
-/// Relative to the first sender let G be the Gram matrix of the other three and K its inverse, [k11
-/// v w; v k22 x; w x y]. A receiver with the squares r of its range to the first sender and s of
+/// `ranges[i][j]` is the distance between receiver i and sender j. Relative to one of the senders,
+/// which is called the first, let G be the Gram matrix of the other three and K its inverse, [k11 v
+/// w; v k22 x; w x y]. A receiver with the squares r of its range to the first sender and s of
 /// those to the others satisfies 4 r = c K c + 2 c g + a with c_j = r - s_j, g = K n, a = n K n and
-/// n = diag(G). Six receivers give k11, k22, g and a as combinations, `linear`, of v, w, x, y and
-/// 1. With C = adj(K) and z = det(K), n is diag(C) / z. M = [K g; g a] is K times [1 n] from both
-/// sides: its adjugate is z times the square of (n, -1). The receivers follow from K.
+/// n = diag(G). Six receivers give k11, k22, g and a as combinations of v, w, x, y and 1. How well
+/// depends on which sender is the first and which the last: the best of 12 choices is taken. With C
+/// = adj(K) and z = det(K), n is diag(C) / z. M = [K g; g a] is K times [1 n] from both sides: its
+/// adjugate is z times the square of (n, -1).
+///
+/// Positions are known up to a motion and a mirror: the first of the senders is returned as the
+/// origin, another one on the x axis, and the third in the plane of x and y.
 namespace calibration_6_receivers_4_senders {
 
 /// No call returns more solutions.
@@ -249,24 +255,53 @@ struct Solution {
 static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<30> linear) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<24> ranges) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_calibration_6_receivers_4_senders_solve(linear.data(), linear.size(), to_solutions, max_solutions, to_count);
+        return eliminant_calibration_6_receivers_4_senders_solve(ranges.data(), ranges.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<30> linear) {
-    return try_solve(linear).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<24> ranges) {
+    return try_solve(ranges).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many linear, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many ranges, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_calibration_6_receivers_4_senders_solve_batch(
-            instances, linear.data(), linear.size(), to_solutions, solutions_length, counts, codes);
+            instances, ranges.data(), ranges.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `calibration_6_receivers_4_senders` returns beside its unknowns.
+struct Positions {
+    std::array<std::array<double, 3>, 4> senders;
+    std::array<std::array<double, 3>, 6> receivers;
+};
+static_assert(sizeof(Positions) == 30 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each positions, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Positions, max_solutions>> try_solve_for_positions(Values<24> ranges) noexcept {
+    return Result<Solutions<Positions, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_calibration_6_receivers_4_senders_solve_for_positions(ranges.data(), ranges.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each positions. Throws `Error`.
+[[nodiscard]] inline Solutions<Positions, max_solutions> solve_for_positions(Values<24> ranges) {
+    return try_solve_for_positions(ranges).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_positions(
+    std::size_t instances, Many ranges, Batch<Positions, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_calibration_6_receivers_4_senders_solve_batch_for_positions(
+            instances, ranges.data(), ranges.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
@@ -2407,10 +2442,15 @@ inline void solve_batch_for_pose(
 ///
 /// Larsson, Åström, "Uncovering symmetries in polynomial systems", ECCV 2016. Published as `wpnp`.
 ///
-/// In the principal axes of the points, whose standard deviations are `spread`, the cost is |P
-/// diag(spread) - `image`|^2, with P the first two rows of a rotation times a scale, that is, of
-/// the rotation of a quaternion q that is not normalised. Since q and -q are the same rotation, the
-/// unknowns are the ratios in q = root (w, 1, y, z), and `square`, that of the root.
+/// The image of a point X is P X + t, with P the first two rows of a rotation times a scale, that
+/// is, of the rotation of a quaternion q that is not normalised. With the best t the mean square of
+/// the differences is a quadratic form in P, whose matrix is the covariance of the points. Since q
+/// and -q are the same rotation, the unknowns are the ratios in q = root (w, 1, y, z), and
+/// `square`, that of the root. Published templates take the principal axes of the points instead,
+/// in which the covariance is diagonal.
+///
+/// `means` are those of `of_point` over 4 points or more. Rounding errors are smallest if the
+/// origin is amid the points.
 namespace pose_npt_weak_perspective {
 
 /// No call returns more solutions.
@@ -2426,24 +2466,24 @@ struct Solution {
 static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<3> spread, Values<6> image) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<17> means) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_pose_npt_weak_perspective_solve(spread.data(), spread.size(), image.data(), image.size(), to_solutions, max_solutions, to_count);
+        return eliminant_pose_npt_weak_perspective_solve(means.data(), means.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<3> spread, Values<6> image) {
-    return try_solve(spread, image).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<17> means) {
+    return try_solve(means).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many spread, Many image, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many means, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_pose_npt_weak_perspective_solve_batch(
-            instances, spread.data(), spread.size(), image.data(), image.size(), to_solutions, solutions_length, counts, codes);
+            instances, means.data(), means.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
@@ -2451,29 +2491,43 @@ inline void solve_batch(
 struct WeakPose {
     std::array<std::array<double, 3>, 3> rotation;
     double scale;
+    std::array<double, 2> translation;
 };
-static_assert(sizeof(WeakPose) == 10 * sizeof(double), "a row");
+static_assert(sizeof(WeakPose) == 12 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each weak_pose, or the code of an error.
-[[nodiscard]] inline Result<Solutions<WeakPose, max_solutions>> try_solve_for_weak_pose(Values<3> spread, Values<6> image) noexcept {
+[[nodiscard]] inline Result<Solutions<WeakPose, max_solutions>> try_solve_for_weak_pose(Values<17> means) noexcept {
     return Result<Solutions<WeakPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_pose_npt_weak_perspective_solve_for_weak_pose(spread.data(), spread.size(), image.data(), image.size(), to_solutions, max_solutions, to_count);
+        return eliminant_pose_npt_weak_perspective_solve_for_weak_pose(means.data(), means.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each weak_pose. Throws `Error`.
-[[nodiscard]] inline Solutions<WeakPose, max_solutions> solve_for_weak_pose(Values<3> spread, Values<6> image) {
-    return try_solve_for_weak_pose(spread, image).value();
+[[nodiscard]] inline Solutions<WeakPose, max_solutions> solve_for_weak_pose(Values<17> means) {
+    return try_solve_for_weak_pose(means).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_weak_pose(
-    std::size_t instances, Many spread, Many image, Batch<WeakPose, max_solutions> &batch) {
+    std::size_t instances, Many means, Batch<WeakPose, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_pose_npt_weak_perspective_solve_batch_for_weak_pose(
-            instances, spread.data(), spread.size(), image.data(), image.size(), to_solutions, solutions_length, counts, codes);
+            instances, means.data(), means.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// What a point and its image give: the products of two of the point's coordinates and 1, then
+/// those of the coordinates and 1 with those of the image.
+/// The mean over so many measurements, one after another in each list. Throws `Error` if a list
+/// does not fit.
+[[nodiscard]] inline std::array<double, 17> mean_of_point(std::size_t measurements, Many image, Many point) {
+    std::array<double, 17> mean{};
+    static_assert(sizeof(mean) == 17 * sizeof(double), "an array of numbers");
+    const std::int32_t code =
+        eliminant_pose_npt_weak_perspective_mean_of_point(measurements, image.data(), image.size(), point.data(), point.size(), reinterpret_cast<double *>(&mean), 17);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return mean;
 }
 
 } // namespace pose_npt_weak_perspective
@@ -3187,19 +3241,21 @@ inline void solve_batch(
 
 } // namespace relpose_6pt_generalized
 
-/// Relative pose and the radial distortion common to two otherwise calibrated cameras from six
-/// point correspondences: 52 solutions.
+/// The essential matrix and the radial distortion common to two otherwise calibrated cameras from
+/// six points: 52 solutions.
 ///
 /// Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
 /// problems for cameras with radial distortion", CVIU 114, 2010. Published as `relpose_6p_rad`.
 ///
-/// A point x lies along (x, 1 + radial |x|^2), the division model. Then x1^T E x2 = 0 is, with e33
-/// = 1, linear in e11, e21, e12, e22, radial e31, e31 and the monomials e32, radial e32, e13,
-/// radial e13, e23, radial e23, radial^2, radial, 1: six points give the former as combinations of
-/// these. The first image may be turned about its centre, which turns (e13, e23), and `radial` may
-/// have any unit: they are such that in e31 radial e23 has the coefficient 0 and radial e13 the
-/// coefficient 1, which is a divisor of all that follows. `affine` holds the coefficients of e11,
-/// e21, e12, e22, radial e31, and `affine_e31` the other seven of e31.
+/// `first[k]` and `second[k]` are the distorted images of point k, relative to the centre of
+/// distortion and in units of the focal length. An image x lies along (x, 1 + radial |x|^2), the
+/// division model. Then x1^T E x2 = 0 is, with e33 = 1, linear in e11, e21, e12, e22, radial e31,
+/// e31 and the monomials e32, radial e32, e13, radial e13, e23, radial e23, radial^2, radial, 1:
+/// six points give the former as combinations of these. How well depends on which image is the
+/// first, and on how the second one is turned about its centre: the best of eight choices is taken.
+/// The first image may be turned, too, which turns (e13, e23), and `radial` may have any unit: they
+/// are such that in e31 radial e23 has the coefficient 0 and radial e13 the coefficient 1, which is
+/// a divisor of all that follows.
 namespace relpose_6pt_radial {
 
 /// No call returns more solutions.
@@ -3215,24 +3271,53 @@ struct Solution {
 static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<45> affine, Values<7> affine_e31) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<12> first, Values<12> second) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_relpose_6pt_radial_solve(affine.data(), affine.size(), affine_e31.data(), affine_e31.size(), to_solutions, max_solutions, to_count);
+        return eliminant_relpose_6pt_radial_solve(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<45> affine, Values<7> affine_e31) {
-    return try_solve(affine, affine_e31).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<12> first, Values<12> second) {
+    return try_solve(first, second).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many affine, Many affine_e31, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_relpose_6pt_radial_solve_batch(
-            instances, affine.data(), affine.size(), affine_e31.data(), affine_e31.size(), to_solutions, solutions_length, counts, codes);
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `relpose_6pt_radial` returns beside its unknowns.
+struct RadialPose {
+    std::array<std::array<double, 3>, 3> essential;
+    double radial;
+};
+static_assert(sizeof(RadialPose) == 10 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each radial_pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<RadialPose, max_solutions>> try_solve_for_radial_pose(Values<12> first, Values<12> second) noexcept {
+    return Result<Solutions<RadialPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_6pt_radial_solve_for_radial_pose(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each radial_pose. Throws `Error`.
+[[nodiscard]] inline Solutions<RadialPose, max_solutions> solve_for_radial_pose(Values<12> first, Values<12> second) {
+    return try_solve_for_radial_pose(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_radial_pose(
+    std::size_t instances, Many first, Many second, Batch<RadialPose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_6pt_radial_solve_batch_for_radial_pose(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
@@ -3244,13 +3329,13 @@ inline void solve_batch(
 /// Martyushev, "Self-calibration of cameras with Euclidean image plane in case of two views and
 /// known relative rotation angle", ECCV 2018. Published as `relpose_7p_fuv_angle`.
 ///
-/// The fundamental matrix, from seven points or more, is given as `left`\[0\] `right`\[0\]^T +
-/// `left`\[1\] `right`\[1\]^T, for example by its singular value decomposition; `half_angle` holds
+/// `fundamental` comes from seven points or more, in pixels or any other unit; `half_angle` holds
 /// the cosine and the sine of half the angle. The principal point is (x, y), `z` the square of the
-/// focal length. With the matrix K of these K^T F K is an essential matrix: with the products A of
-/// the left vectors in the quadratic form K K^T, and B of the right ones, B A is a multiple of the
-/// identity. With z = 0 all points of a conic are solutions; four combinations of the equations
-/// that are divisible by z are stated divided.
+/// focal length. With the matrix K of these K^T F K is an essential matrix. F is a multiple of
+/// `left`\[0\] `right`\[0\]^T + `left`\[1\] `right`\[1\]^T: with the products A of the left vectors
+/// in the quadratic form K K^T, and B of the right ones, B A is a multiple of the identity. With z =
+/// 0 all points of a conic are solutions; four combinations of the equations that are divisible by
+/// z are stated divided.
 namespace relpose_7pt_angle_focal_centre {
 
 /// No call returns more solutions.
@@ -3265,24 +3350,24 @@ struct Solution {
 static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<6> left, Values<6> right, Values<2> half_angle) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<9> fundamental, Values<2> half_angle) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_relpose_7pt_angle_focal_centre_solve(left.data(), left.size(), right.data(), right.size(), half_angle.data(), half_angle.size(), to_solutions, max_solutions, to_count);
+        return eliminant_relpose_7pt_angle_focal_centre_solve(fundamental.data(), fundamental.size(), half_angle.data(), half_angle.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<6> left, Values<6> right, Values<2> half_angle) {
-    return try_solve(left, right, half_angle).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<9> fundamental, Values<2> half_angle) {
+    return try_solve(fundamental, half_angle).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many left, Many right, Many half_angle, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many fundamental, Many half_angle, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_relpose_7pt_angle_focal_centre_solve_batch(
-            instances, left.data(), left.size(), right.data(), right.size(), half_angle.data(), half_angle.size(), to_solutions, solutions_length, counts, codes);
+            instances, fundamental.data(), fundamental.size(), half_angle.data(), half_angle.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
@@ -3294,43 +3379,44 @@ struct Camera {
 static_assert(sizeof(Camera) == 3 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each camera, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Camera, max_solutions>> try_solve_for_camera(Values<6> left, Values<6> right, Values<2> half_angle) noexcept {
+[[nodiscard]] inline Result<Solutions<Camera, max_solutions>> try_solve_for_camera(Values<9> fundamental, Values<2> half_angle) noexcept {
     return Result<Solutions<Camera, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_relpose_7pt_angle_focal_centre_solve_for_camera(left.data(), left.size(), right.data(), right.size(), half_angle.data(), half_angle.size(), to_solutions, max_solutions, to_count);
+        return eliminant_relpose_7pt_angle_focal_centre_solve_for_camera(fundamental.data(), fundamental.size(), half_angle.data(), half_angle.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each camera. Throws `Error`.
-[[nodiscard]] inline Solutions<Camera, max_solutions> solve_for_camera(Values<6> left, Values<6> right, Values<2> half_angle) {
-    return try_solve_for_camera(left, right, half_angle).value();
+[[nodiscard]] inline Solutions<Camera, max_solutions> solve_for_camera(Values<9> fundamental, Values<2> half_angle) {
+    return try_solve_for_camera(fundamental, half_angle).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_camera(
-    std::size_t instances, Many left, Many right, Many half_angle, Batch<Camera, max_solutions> &batch) {
+    std::size_t instances, Many fundamental, Many half_angle, Batch<Camera, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_relpose_7pt_angle_focal_centre_solve_batch_for_camera(
-            instances, left.data(), left.size(), right.data(), right.size(), half_angle.data(), half_angle.size(), to_solutions, solutions_length, counts, codes);
+            instances, fundamental.data(), fundamental.size(), half_angle.data(), half_angle.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
 } // namespace relpose_7pt_angle_focal_centre
 
 /// Relative pose, focal length and radial distortion common to two cameras from seven point
-/// correspondences: 68 solutions.
+/// correspondences: 68 solutions, of which those with a real focal length are returned.
 ///
 /// Jiang, Kuang, Solem, Åström, "A minimal solution to relative pose with unknown focal length and
 /// radial distortion", ACCV 2014. Published as `relpose_7p_fr`.
 ///
-/// A point x lies along (x, 1 + radial |x|^2), the division model. Then x1^T F x2 = 0 is, with f33
+/// `first[k]` and `second[k]` are the distorted images of point k, relative to the principal point.
+/// An image x lies along (x, 1 + radial |x|^2), the division model. Then x1^T F x2 = 0 is, with f33
 /// = 1, linear in f11, f21, f12, f22, radial f31, radial^2, f31 and the monomials f32, radial f32,
 /// f13, radial f13, f23, radial f23, radial, 1: seven points give the former as combinations of
-/// these. The first image may be turned about its centre, which turns (f13, f23), and `radial` may
-/// have any unit: they are such that in f31 radial f23 has the coefficient 0 and radial f13 the
-/// coefficient 1. `affine` holds the coefficients of the first six, and `affine_f31` the other six
-/// of f31. With the focal length, diag(focal, focal, 1) F diag(focal, focal, 1) is an essential
-/// matrix; `w` is 1 / focal^2.
+/// these. How well depends on which image is the first, and on how the second one is turned about
+/// its centre: the best of eight choices is taken. The first image may be turned, too, which turns
+/// (f13, f23), and `radial` may have any unit: they are such that in f31 radial f23 has the
+/// coefficient 0 and radial f13 the coefficient 1. With the focal length, diag(focal, focal, 1) F
+/// diag(focal, focal, 1) is an essential matrix; `w` is 1 / focal^2.
 ///
 /// Everything is p + radial q, two polynomials without `radial`, modulo the equation that gives
 /// radial^2, and most equations are stated times `radial`, too. There are points at infinity, near
@@ -3352,24 +3438,54 @@ struct Solution {
 static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<48> affine, Values<6> affine_f31) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<14> first, Values<14> second) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_relpose_7pt_focal_radial_solve(affine.data(), affine.size(), affine_f31.data(), affine_f31.size(), to_solutions, max_solutions, to_count);
+        return eliminant_relpose_7pt_focal_radial_solve(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<48> affine, Values<6> affine_f31) {
-    return try_solve(affine, affine_f31).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<14> first, Values<14> second) {
+    return try_solve(first, second).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many affine, Many affine_f31, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_relpose_7pt_focal_radial_solve_batch(
-            instances, affine.data(), affine.size(), affine_f31.data(), affine_f31.size(), to_solutions, solutions_length, counts, codes);
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `relpose_7pt_focal_radial` returns beside its unknowns.
+struct RadialFocalPose {
+    std::array<std::array<double, 3>, 3> fundamental;
+    double focal;
+    double radial;
+};
+static_assert(sizeof(RadialFocalPose) == 11 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each radial_focal_pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<RadialFocalPose, max_solutions>> try_solve_for_radial_focal_pose(Values<14> first, Values<14> second) noexcept {
+    return Result<Solutions<RadialFocalPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_7pt_focal_radial_solve_for_radial_focal_pose(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each radial_focal_pose. Throws `Error`.
+[[nodiscard]] inline Solutions<RadialFocalPose, max_solutions> solve_for_radial_focal_pose(Values<14> first, Values<14> second) {
+    return try_solve_for_radial_focal_pose(first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_radial_focal_pose(
+    std::size_t instances, Many first, Many second, Batch<RadialFocalPose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_7pt_focal_radial_solve_batch_for_radial_focal_pose(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
