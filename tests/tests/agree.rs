@@ -56,9 +56,10 @@ fn solved_shares(family: Family, first_seed: u64) -> Vec<(&'static str, f64)> {
 const OF_POWERS: [(&str, f64, f64); 3] = [
     // Squares: data over two orders of magnitude make coefficients over four.
     ("pose_5tdoa_two_receivers", 1.0, 0.999),
-    // Fourth powers: data over two make coefficients over eight, and over 32 if they are over eight.
+    // Fourth powers: data over two make coefficients over eight. Ranges over eight are none of any
+    // receivers, and make coefficients over 32, twice the digits of `f64`.
     ("calibration_6_receivers_4_senders", 1.0, 0.9),
-    ("calibration_6_receivers_4_senders", 4.0, 0.05),
+    ("calibration_6_receivers_4_senders", 4.0, 0.0),
 ];
 
 /// Asserts that the share of solved instances of every problem is in a range.
