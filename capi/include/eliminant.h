@@ -1763,9 +1763,9 @@ int32_t eliminant_relpose_6pt_radial_solve_batch_for_radial_pose(
  * the cosine and the sine of half the angle. The principal point is (x, y), `z` the square of the
  * focal length. With the matrix K of these K^T F K is an essential matrix. F is a multiple of
  * `left`\[0\] `right`\[0\]^T + `left`\[1\] `right`\[1\]^T: with the products A of the left vectors
- * in the quadratic form K K^T, and B of the right ones, B A is a multiple of the identity. With z =
- * 0 all points of a conic are solutions; four combinations of the equations that are divisible by
- * z are stated divided.
+ * in the quadratic form K K^T, and B of the right ones, B A is a multiple of the identity. With
+ * z = 0 all points of a conic are solutions; four combinations of the equations that are divisible
+ * by z are stated divided.
  *
  * Data: fundamental[3][3] (of lower rank), half_angle[2] (of length 1).
  * A row of 3 numbers, the unknowns: x, y, z.

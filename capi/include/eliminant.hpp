@@ -3333,9 +3333,9 @@ inline void solve_batch_for_radial_pose(
 /// the cosine and the sine of half the angle. The principal point is (x, y), `z` the square of the
 /// focal length. With the matrix K of these K^T F K is an essential matrix. F is a multiple of
 /// `left`\[0\] `right`\[0\]^T + `left`\[1\] `right`\[1\]^T: with the products A of the left vectors
-/// in the quadratic form K K^T, and B of the right ones, B A is a multiple of the identity. With z =
-/// 0 all points of a conic are solutions; four combinations of the equations that are divisible by
-/// z are stated divided.
+/// in the quadratic form K K^T, and B of the right ones, B A is a multiple of the identity. With
+/// z = 0 all points of a conic are solutions; four combinations of the equations that are divisible
+/// by z are stated divided.
 namespace relpose_7pt_angle_focal_centre {
 
 /// No call returns more solutions.
