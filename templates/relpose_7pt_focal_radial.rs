@@ -112,11 +112,10 @@ fn relpose_7pt_focal_radial(first: [[f64; 2]; 7], second: [[f64; 2]; 7]) -> (w, 
     dot([t[0] + radial * t[1], t[2] + radial * t[3], t[4] + radial * t[5]], [f_32, f_13, f_23]) != 0;
 
     w > 0;
-    let same = f31[0] + radial * f31[1];
     let whole = [
         [f11[0] + radial * f11[1], f12[0] + radial * f12[1], f_13],
         [f21[0] + radial * f21[1], f22[0] + radial * f22[1], f_23],
-        [same, f_32, 1],
+        [f31[0] + radial * f31[1], f_32, 1],
     ];
     let fundamental = about_axis([cos, sin]) * whole * about_axis(turn).t();
     RadialFocalPose {

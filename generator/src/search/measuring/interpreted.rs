@@ -157,10 +157,13 @@ impl InterpretedSolver {
         let mut data = given.to_vec();
         for planned in self.derived.iter().take_while(|planned| planned.derivation.first_input < self.stated) {
             emitted::check_coefficients(&[], &[given])?;
-            match (planned.is_for_results, derived(planned, &data)) {
-                (true, _) => data.resize(planned.derivation.inputs().end, 0.0),
-                (false, Err(_)) if planned.is_tentative => data.resize(planned.derivation.inputs().end, f64::NAN),
-                (false, results) => data.extend(results?),
+            if planned.is_for_results {
+                data.resize(planned.derivation.inputs().end, 0.0);
+                continue;
+            }
+            match derived(planned, &data) {
+                Err(_) if planned.is_tentative => data.resize(planned.derivation.inputs().end, f64::NAN),
+                results => data.extend(results?),
             }
         }
         for planned in self.derived.iter().filter(|planned| planned.is_tentative) {
