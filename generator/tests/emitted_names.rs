@@ -173,53 +173,75 @@ fn no_name_of_a_problem_collides() {
     run("emitted_names", &modules, &checks);
 }
 
-/// Where one of two systems has no solution the other one is chosen, though its key is larger, in
-/// emitted code and by the interpreted solver. Where both have none it is an error.
+/// Where one of two systems has no solution the other one is chosen, in emitted code and in both
+/// interpreters, whether the key tells or only the values. Where both have none it is an error.
 #[test]
 fn what_only_choices_read_may_fail() {
-    let text = "fn chosen(a: [[[f64; 2]; 2]; 2], b: [f64; 2], p: [f64; 5], q: [f64; 5]) -> (x, y) {
-        let mut solved = [[0; 2]; 2];
-        let mut keys = [0; 2];
-        for k in 0..2 {
-            solved[k] = solve(a[k], b);
-            keys[k] = dot(solved[k], solved[k]);
-        }
-        let [first, second] = least(keys, solved);
-        dot(concat(first, p), [x * x, x * y, y * y, x, y, 1]) == 0;
-        dot(concat(second, q), [x * x, x * y, y * y, x, y, 1]) == 0;
-    }";
-    let source = emitted("chosen", text, TWO_CONICS);
-    // The first solves for coefficients of P and Q, the second for larger numbers, the third for none.
+    let text = |name: &str, key: &str| {
+        format!(
+            "fn {name}(a: [[[f64; 2]; 2]; 2], b: [f64; 2], p: [f64; 5], q: [f64; 5]) -> (x, y) {{
+                let mut solved = [[0; 2]; 2];
+                let mut keys = [0; 2];
+                for k in 0..2 {{
+                    solved[k] = solve(a[k], b);
+                    keys[k] = {key};
+                }}
+                let [first, second] = least(keys, solved);
+                dot(concat(first, p), [x * x, x * y, y * y, x, y, 1]) == 0;
+                dot(concat(second, q), [x * x, x * y, y * y, x, y, 1]) == 0;
+            }}"
+        )
+    };
+    let (by_size, by_entry) = (text("by_size", "dot(solved[k], solved[k])"), text("by_entry", "-a[k][0][1]"));
+    // The first solves for coefficients of P and Q, the second for larger numbers, the third, which
+    // has the larger entry, for none.
     let (good, larger, singular) =
         ("[[1.0, 0.0], [0.0, 1.0]]", "[[0.5, 0.0], [0.0, 0.25]]", "[[1.0, 2.0], [0.5, 1.0]]");
     let (b, others) = (format!("&[{:?}, {:?}]", P[0], Q[0]), format!("&{:?}, &{:?}", &P[1..], &Q[1..]));
     let mut checks = String::new();
-    for (first, second) in [(good, larger), (larger, good), (good, singular), (singular, good)] {
-        checks.push_str(&check("chosen", &format!("&[{first}, {second}], {b}, {others}"), ["x", "y"]));
+    for (module, first, second) in [
+        ("by_size", good, larger),
+        ("by_size", larger, good),
+        ("by_size", good, singular),
+        ("by_size", singular, good),
+        ("by_entry", good, singular),
+        ("by_entry", singular, good),
+    ] {
+        checks.push_str(&check(module, &format!("&[{first}, {second}], {b}, {others}"), ["x", "y"]));
     }
-    checks.push_str(&format!(
-        "    assert_eq!(chosen::solve(&[{singular}, {singular}], {b}, {others}).unwrap_err(), \
-             eliminant::SolveError::LostRank);\n"
-    ));
-    run("emitted_choices", &[("chosen", source)], &checks);
+    for module in ["by_size", "by_entry"] {
+        checks.push_str(&format!(
+            "    assert_eq!({module}::solve(&[{singular}, {singular}], {b}, {others}).unwrap_err(), \
+                 eliminant::SolveError::LostRank);\n"
+        ));
+    }
+    let modules = [("by_size", &by_size), ("by_entry", &by_entry)];
+    let emit = |(name, text): (&'static str, &String)| (name, emitted(name, text, TWO_CONICS));
+    run("emitted_choices", &modules.map(emit), &checks);
+    chosen_by_interpreters(&[by_size, by_entry]);
+}
 
-    let problem = Problem::parse("chosen.rs", text).unwrap();
-    let original = Problem::parse("original.rs", TWO_CONICS[0]).unwrap();
-    let mut file = TemplateFile::parse(TWO_CONICS[1], &original.unknowns).unwrap();
-    (file.problem, file.fingerprint) = (problem.name.clone(), problem.fingerprint());
-    let plan = plan(&problem, &file).unwrap().plan;
-    assert_eq!(plan.derived.iter().map(|derived| derived.is_tentative).collect::<Vec<_>>(), [true, true, false]);
-    let solver = InterpretedSolver::of(&plan);
-    let (good, singular) = ([1.0, 0.0, 0.0, 1.0], [1.0, 2.0, 0.5, 1.0]);
-    for [first, second] in [[good, singular], [singular, good]] {
-        let data = [&first[..], &second, &[P[0], Q[0]], &P[1..], &Q[1..]].concat();
-        let found = solver.solve(&data).expect("the other system has a solution");
-        assert!(found.iter().any(|s| (s[0] - 1.0).abs() < 1e-9 && (s[1] - 2.0).abs() < 1e-9), "{found:?}");
-        assert!(interpret::coefficients(&plan, Float64, &data).is_some());
+/// As [`what_only_choices_read_may_fail`], without compiling.
+fn chosen_by_interpreters(texts: &[String]) {
+    for text in texts {
+        let problem = Problem::parse("chosen.rs", text).unwrap();
+        let original = Problem::parse("original.rs", TWO_CONICS[0]).unwrap();
+        let mut file = TemplateFile::parse(TWO_CONICS[1], &original.unknowns).unwrap();
+        (file.problem, file.fingerprint) = (problem.name.clone(), problem.fingerprint());
+        let plan = plan(&problem, &file).unwrap().plan;
+        assert_eq!(plan.derived.iter().map(|derived| derived.is_tentative).collect::<Vec<_>>(), [true, true, false]);
+        let solver = InterpretedSolver::of(&plan);
+        let (good, singular) = ([1.0, 0.0, 0.0, 1.0], [1.0, 2.0, 0.5, 1.0]);
+        for [first, second] in [[good, singular], [singular, good]] {
+            let data = [&first[..], &second, &[P[0], Q[0]], &P[1..], &Q[1..]].concat();
+            let found = solver.solve(&data).expect("the other system has a solution");
+            assert!(found.iter().any(|s| (s[0] - 1.0).abs() < 1e-9 && (s[1] - 2.0).abs() < 1e-9), "{found:?}");
+            assert!(interpret::coefficients(&plan, Float64, &data).is_some());
+        }
+        let data = [&singular[..], &singular, &[P[0], Q[0]], &P[1..], &Q[1..]].concat();
+        assert_eq!(solver.solve(&data).unwrap_err(), SolveError::LostRank);
+        assert_eq!(interpret::coefficients(&plan, Float64, &data), None);
     }
-    let data = [&singular[..], &singular, &[P[0], Q[0]], &P[1..], &Q[1..]].concat();
-    assert_eq!(solver.solve(&data).unwrap_err(), SolveError::LostRank);
-    assert_eq!(interpret::coefficients(&plan, Float64, &data), None);
 }
 
 /// Parameters of measurements have names that the functions of means use themselves.

@@ -127,21 +127,22 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 ///   operands:  the keys, then the values of each of them      chosen:  the values of one
 /// ```
 ///
-/// A key that is not finite, such as one that was derived from a matrix without full rank, is never
-/// least.
+/// What is not finite, key or value, is not chosen, such as what was derived from a matrix without
+/// full rank.
 ///
 /// # Errors
-/// [`SolveError::LostRank`] if no key is finite, or the lengths do not belong together,
-/// [`SolveError::Overflow`] if a value that is chosen is not finite.
+/// [`SolveError::LostRank`] if there is no key that is finite with its values, or the lengths do not
+/// belong together.
 pub fn least(operands: &[f64], keys: usize, chosen: &mut [f64]) -> Result<(), SolveError> {
-    if operands.len() != keys * (1 + chosen.len()) {
+    if chosen.is_empty() || operands.len() != keys * (1 + chosen.len()) {
         return Err(SolveError::LostRank);
     }
     let (keys, values) = operands.split_at(keys);
-    let finite = keys.iter().enumerate().filter(|(_, key)| key.is_finite());
-    let (at, _) = finite.min_by(|(_, a), (_, b)| a.total_cmp(b)).ok_or(SolveError::LostRank)?;
-    chosen.copy_from_slice(&values[at * chosen.len()..][..chosen.len()]);
-    if chosen.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(SolveError::Overflow) }
+    let of_keys = keys.iter().zip(values.chunks_exact(chosen.len()));
+    let finite = of_keys.filter(|(key, values)| key.is_finite() && values.iter().all(|x| x.is_finite()));
+    let (_, least) = finite.min_by(|(a, _), (b, _)| a.total_cmp(b)).ok_or(SolveError::LostRank)?;
+    chosen.copy_from_slice(least);
+    Ok(())
 }
 
 /// The power of two that takes the largest entry of a row to about 1, so that no digit changes.
@@ -324,8 +325,11 @@ mod tests {
         assert_eq!(chosen(&[f64::NAN, f64::NEG_INFINITY, 9.0, 1.0, 2.0, 3.0], 3, 1), Ok([3.0, 0.0]));
         assert_eq!(chosen(&[3.0, 3.0, 1.0, 2.0, 4.0, 5.0], 2, 2), Ok([1.0, 2.0]));
         assert_eq!(chosen(&[f64::NAN, f64::INFINITY, 1.0, 2.0], 2, 1), Err(SolveError::LostRank));
-        assert_eq!(chosen(&[1.0, 2.0, f64::NAN, 2.0], 2, 1), Err(SolveError::Overflow));
+        assert_eq!(chosen(&[1.0, 2.0, f64::NAN, 5.0], 2, 1), Ok([5.0, 0.0]));
+        assert_eq!(chosen(&[1.0, 2.0, 4.0, 3.0, 5.0, f64::INFINITY], 2, 2), Ok([4.0, 3.0]));
+        assert_eq!(chosen(&[1.0, f64::NAN], 1, 1), Err(SolveError::LostRank));
         assert_eq!(chosen(&[1.0, 2.0, 3.0], 2, 1), Err(SolveError::LostRank));
+        assert_eq!(chosen(&[1.0], 1, 0), Err(SolveError::LostRank));
     }
 
     #[test]
