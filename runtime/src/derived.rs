@@ -131,8 +131,8 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 /// full rank.
 ///
 /// # Errors
-/// [`SolveError::LostRank`] if there is no key that is finite with its values, or the lengths do not
-/// belong together.
+/// [`SolveError::LostRank`] if no key is finite with its values, or the lengths do not belong
+/// together.
 pub fn least(operands: &[f64], keys: usize, chosen: &mut [f64]) -> Result<(), SolveError> {
     if chosen.is_empty() || operands.len() != keys * (1 + chosen.len()) {
         return Err(SolveError::LostRank);
