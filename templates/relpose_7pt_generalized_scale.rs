@@ -10,9 +10,6 @@
 /// That the rays of one point meet gives the translation up to the depths of that point along
 /// either ray and the scale; that the rays of any four others meet, too, are linear equations for
 /// these three. What is stated depends on these five points, not on which is the first.
-///
-/// Call it in a thread with a stack of more than 2 MiB: a second attempt, at twice the precision,
-/// takes 2.3.
 fn relpose_7pt_generalized_scale(first: [[[f64; 3]; 2]; 7], second: [[[f64; 3]; 2]; 7]) -> (#[projective] q: [f64; 4]) {
     let r = rotation(q);
     for i in 0..3 {
