@@ -6,7 +6,8 @@
 ///
 /// `gram` is the mean over all lines l = (a, b, c) of r r^T with r = (a^2, ab, ac, b^2, bc, c^2).
 /// The dual conic is [d1 d2 d3; d2 d4 d5; d3 d5 -1]: a circle with centre (-d3, -d5) and squared
-/// radius d1 + d3^2 = d4 + d5^2.
+/// radius d1 + d3^2 = d4 + d5^2, which is negative at some stationary points. The cost is the mean
+/// of (l^T D l)^2.
 fn circle_least_squares(#[mean(of_line)] #[symmetric] gram: [[f64; 6]; 6]) -> (d1, d2, d3, d4, d5, lambda1, lambda2) {
     let d6 = -1;
     let d = [d1, 2 * d2, 2 * d3, d4, 2 * d5, d6];
@@ -15,6 +16,7 @@ fn circle_least_squares(#[mean(of_line)] #[symmetric] gram: [[f64; 6]; 6]) -> (d
         + lambda1 * (d3 * d5 - d2 * d6)
         + lambda2 * (d5 * d5 - d3 * d3 + d1 * d6 - d4 * d6);
     gradient(lagrangian) == 0;
+    Circle { centre: [-d3, -d5], squared_radius: d1 + d3 * d3, cost: cost }
 }
 
 /// What a line a x + b y + c = 0 gives.

@@ -8,7 +8,9 @@ fn circle_least_squares_dual(#[mean(of_line)] #[symmetric] gram: [[f64; 6]; 6]) 
     let d1 = d4 + d5 * d5 - d3 * d3;
     let d2 = -d3 * d5;
     let d = [d1, 2 * d2, 2 * d3, d4, 2 * d5, -1];
-    gradient(dot(d, gram * d)) == 0;
+    let cost = dot(d, gram * d);
+    gradient(cost) == 0;
+    Circle { centre: [-d3, -d5], squared_radius: d1 + d3 * d3, cost: cost }
 }
 
 /// What a line a x + b y + c = 0 gives.

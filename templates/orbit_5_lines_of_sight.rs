@@ -11,6 +11,8 @@
 /// h up to a multiple of n, this is (n.d + w.m)^2 = |n x m|^2 / h^2, and `square` is 1 / h^2. The
 /// published unknowns are the entries of the orbit's dual quadric.
 ///
+/// Returned are the normal of the plane, of length 1, e and h, which is the semi-latus rectum.
+///
 /// With directions and moments exchanged these are the cylinders that touch five lines: n is the
 /// direction of the axis, w its moment, and `square` that of the radius.
 fn orbit_5_lines_of_sight(sights: [[[f64; 3]; 2]; 5]) -> (a, b, p, q, r, square) {
@@ -23,4 +25,7 @@ fn orbit_5_lines_of_sight(sights: [[[f64; 3]; 2]; 5]) -> (a, b, p, q, r, square)
         let distance = cross(n, moment);
         root * root == square * dot(distance, distance);
     }
+    let h = sqrt(1 / square);
+    let in_plane = [p, q, 0] - dot(n, [p, q, 0]) / dot(n, n) * n;
+    Orbit { normal: n / sqrt(dot(n, n)), eccentricity: h * in_plane, semi_latus_rectum: h }
 }

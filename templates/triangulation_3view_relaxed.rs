@@ -7,7 +7,7 @@
 ///
 /// `image` holds the measured image points, one a row. The corrected ones (x1, x2), (x3, x4) and
 /// (x5, x6) are the closest to these that satisfy p1^T `first` p2 = 0 and p2^T `second` p3 = 0,
-/// with the multipliers x7 and x8.
+/// with the multipliers x7 and x8. The cost is the sum of the squared distances.
 fn triangulation_3view_relaxed(
     #[rank(2)]
     first: [[f64; 3]; 3],
@@ -20,4 +20,5 @@ fn triangulation_3view_relaxed(
     let cost = dot(offset[0], offset[0]) + dot(offset[1], offset[1]) + dot(offset[2], offset[2]);
     let [p1, p2, p3] = [[x1, x2, 1], [x3, x4, 1], [x5, x6, 1]];
     gradient(cost + x7 * dot(p1, first * p2) + x8 * dot(p2, second * p3)) == 0;
+    Corrected { images: corrected, cost: cost }
 }

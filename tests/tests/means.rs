@@ -20,6 +20,27 @@ fn the_mean_over_lines_is_their_gram_matrix() {
     }
 }
 
+/// The circle that touches all lines is among the stationary points, with a cost of zero.
+#[test]
+fn circles_come_from_any_number_of_lines() {
+    for count in [5, 20, 100] {
+        let mut random = Random::new(82_000_000 + count as u64);
+        let circle = Circle::draw(&mut random);
+        let lines = circle.tangents(&mut random, count);
+        let lines: Vec<[f64; 3]> = lines.iter().map(|line| [line.normal.x, line.normal.y, line.offset]).collect();
+        let (gram, dual) =
+            (circle_least_squares::mean_of_line(&lines), circle_least_squares_dual::mean_of_line(&lines));
+        let is_near = |centre: [f64; 2], squared_radius: f64, cost: f64| {
+            let off = (centre[0] - circle.centre.x).hypot(centre[1] - circle.centre.y);
+            off < 1e-9 && (squared_radius - circle.radius * circle.radius).abs() < 1e-9 && cost.abs() < 1e-15
+        };
+        let found = circle_least_squares::solve_for_circle(&gram).unwrap();
+        assert!(found.iter().any(|it| is_near(it.centre, it.squared_radius, it.cost)), "{found:?}");
+        let found = circle_least_squares_dual::solve_for_circle(&dual).unwrap();
+        assert!(found.iter().any(|it| is_near(it.centre, it.squared_radius, it.cost)), "{found:?}");
+    }
+}
+
 #[test]
 fn the_mean_of_nothing_is_refused() {
     let none = circle_least_squares::mean_of_line(std::iter::empty::<[f64; 3]>());

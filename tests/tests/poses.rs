@@ -1,13 +1,14 @@
 //! Solvers that return rotations and translations: these are those of scenes.
 
 use std::array::from_fn;
+use std::f64::consts::PI;
 
 use eliminant_generator::algebra::Random;
 use eliminant_solvers::{
-    calibration_6_receivers_4_senders, homography_4pt, pose_1pt_2line, pose_2pt_1line, pose_3line, pose_4pt_focal,
-    pose_5pt_refraction, pose_35pt_focal, pose_npt_direct_least_squares, pose_npt_least_squares_cayley,
-    pose_npt_least_squares_quaternion, pose_npt_weak_perspective, relpose_3pt_depths, relpose_6pt_radial,
-    relpose_7pt_focal_radial,
+    calibration_6_receivers_4_senders, homography_4pt, orbit_5_lines_of_sight, pose_1pt_2line, pose_2pt_1line,
+    pose_3line, pose_4pt_focal, pose_5pt_refraction, pose_35pt_focal, pose_npt_direct_least_squares,
+    pose_npt_least_squares_cayley, pose_npt_least_squares_quaternion, pose_npt_weak_perspective, relpose_3pt_depths,
+    relpose_6pt_radial, relpose_7pt_focal_radial,
 };
 use eliminant_tests::ground_truth::{
     Motion, Underwater, WATER, camera, distorted, image, in_ball, projective_error, two_cameras, uniform,
@@ -176,6 +177,30 @@ fn homographies_come_from_four_points() {
         found.iter().any(|found| {
             let taken = Matrix3::from(found.homography).transpose() * seen[4][0].push(1.0);
             projective_error(taken.as_slice(), seen[4][1].push(1.0).as_slice()) < FOUND
+        })
+    });
+}
+
+/// The true orbit, which each line of sight meets at the true distance, and its shape.
+#[test]
+fn orbits_come_from_lines_of_sight() {
+    check(|random| {
+        let normal = in_ball(random).normalize();
+        let (h, eccentricity) = (uniform(random, 0.5, 2.0), uniform(random, 0.0, 0.6));
+        let pericentre = normal.cross(&in_ball(random)).normalize();
+        let across = normal.cross(&pericentre);
+        let sights = from_fn(|_| {
+            let anomaly = uniform(random, -PI, PI);
+            let direction = pericentre * anomaly.cos() + across * anomaly.sin();
+            let body = direction * (h / (1.0 + eccentricity * anomaly.cos()));
+            let observer = in_ball(random);
+            [observer.into(), (body - observer).into()]
+        });
+        let found = orbit_5_lines_of_sight::solve_for_orbit(&sights).unwrap_or_default();
+        found.iter().any(|orbit| {
+            let of_sun = Vector3::from(orbit.eccentricity) - eccentricity * pericentre;
+            let plane = Vector3::from(orbit.normal);
+            of_sun.norm() < FOUND && plane.cross(&normal).norm() < FOUND && (orbit.semi_latus_rectum - h).abs() < FOUND
         })
     });
 }

@@ -29,6 +29,11 @@ pub(super) fn makers() -> Vec<Maker> {
             error: |data, s, truth| epipolar_error(&null_space_of_points(data, 7), s, truth),
         },
         Maker {
+            name: "fundamental_8pt",
+            make: Make::TwoCameras(eight_points),
+            error: |data, s, truth| epipolar_error(&null_space_of_points(data, 8), s, truth),
+        },
+        Maker {
             name: "relpose_6pt_focal_points",
             make: Make::TwoCameras(six_measured_points),
             error: |data, s, truth| {
@@ -91,10 +96,11 @@ fn unit_of(data: &[f64]) -> f64 {
     data.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
+/// The null space of the equations of all points, of at most the first seven.
 fn null_space_of_points(data: &[f64], count: usize) -> Vec<f64> {
     let unit = unit_of(data);
     let point = |k: usize| Vector3::new(data[2 * k], data[2 * k + 1], unit);
-    let rows: Vec<Vec<f64>> = (0..count).map(|k| epipolar_row(&point(k), &point(count + k))).collect();
+    let rows: Vec<Vec<f64>> = (0..count.min(7)).map(|k| epipolar_row(&point(k), &point(count + k))).collect();
     derived_null_space(&rows)
 }
 
@@ -136,6 +142,11 @@ fn image_points(seed: (&mut Random, Motion), count: usize, focal: f64) -> (Vec<f
 
 fn seven_points(random: &mut Random, motion: Motion) -> KnownInstance {
     let (data, truth) = image_points((random, motion), 7, 1.0);
+    KnownInstance { data, truths: vec![truth] }
+}
+
+fn eight_points(random: &mut Random, motion: Motion) -> KnownInstance {
+    let (data, truth) = image_points((random, motion), 8, 1.0);
     KnownInstance { data, truths: vec![truth] }
 }
 
