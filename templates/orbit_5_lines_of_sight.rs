@@ -25,7 +25,10 @@ fn orbit_5_lines_of_sight(sights: [[[f64; 3]; 2]; 5]) -> (a, b, p, q, r, square)
         let distance = cross(n, moment);
         root * root == square * dot(distance, distance);
     }
-    let h = sqrt(1 / square);
-    let in_plane = [p, q, 0] - dot(n, [p, q, 0]) / dot(n, n) * n;
-    Orbit { normal: n / sqrt(dot(n, n)), eccentricity: h * in_plane, semi_latus_rectum: h }
+    let shape = [p, q, 0];
+    Orbit {
+        normal: n / sqrt(dot(n, n)),
+        eccentricity: sqrt(1 / square) * (shape - dot(n, shape) / dot(n, n) * n),
+        semi_latus_rectum: sqrt(1 / square),
+    }
 }
