@@ -1,6 +1,6 @@
 //! Whether a problem has finitely many solutions for general data, and how many.
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::algebra::Random;
 use crate::algebra::{
@@ -72,11 +72,11 @@ pub fn check(problem: &Problem) -> Result<SolutionCount, Diagnostics> {
     check_until(problem, &AtomicBool::new(false))
 }
 
-/// Like [`check`]. It ends early where another thread sets the flag: the algebra of a problem may
-/// take minutes.
+/// Like [`check`]. It ends within a second where another thread sets the flag: the algebra of a
+/// problem may take minutes.
 ///
 /// # Errors
-/// As [`check`], or it was ended.
+/// As [`check`], or it was interrupted.
 pub fn check_until(problem: &Problem, is_over: &AtomicBool) -> Result<SolutionCount, Diagnostics> {
     let mut counts = Vec::new();
     for (prime, seed) in COUNTS {
@@ -110,10 +110,7 @@ fn count(problem: &Problem, field: PrimeField, seed: u64, is_over: &AtomicBool) 
             .hint("data that are drawn from few values (`#[integer]`) may cancel; state the coefficient as a constant instead")
     })?;
     let unknowns = problem.unknowns.len();
-    let too_large = |error: GroebnerError| {
-        Diagnostic::new(format!("the algebra of the problem is too large: {error}"), at())
-            .hint("fewer unknowns or lower degrees help: eliminate what can be eliminated by hand, or divide a common factor out")
-    };
+    let too_large = |error: GroebnerError| too_large(problem, &error);
     let basis = ideal_until(&instance, unknowns, Some(is_over)).map_err(too_large)?;
     match basis.dimension(unknowns) {
         None => return Err(no_solution(problem)),
@@ -125,7 +122,7 @@ fn count(problem: &Problem, field: PrimeField, seed: u64, is_over: &AtomicBool) 
             .hint("no elimination template of use has so many; look for a formulation of lower degree")
     })?;
     let solutions = solutions.len();
-    let points = Points::of(&basis, problem, seed);
+    let points = Points::of(&basis, problem, seed, is_over).map_err(too_large)?;
     let different = points.as_ref().map_or(solutions, |points| points.different);
     let at_origin = match problem.has_origin() {
         true => solutions.saturating_sub(count_elsewhere(&instance, unknowns, seed, Some(is_over)).map_err(too_large)?),
@@ -144,6 +141,17 @@ fn count(problem: &Problem, field: PrimeField, seed: u64, is_over: &AtomicBool) 
         at_origin,
         basis_elements: basis.elements().len(),
     })
+}
+
+/// The message where the algebra does not come to its end.
+fn too_large(problem: &Problem, error: &GroebnerError) -> Diagnostic {
+    if *error == GroebnerError::Ended {
+        return Diagnostic::new("interrupted before the solutions were counted", problem.span.clone());
+    }
+    let title = format!("the algebra of the problem is too large: {error}");
+    Diagnostic::new(title, problem.span.clone()).hint(
+        "fewer unknowns or lower degrees help: eliminate what can be eliminated by hand, or divide a common factor out",
+    )
 }
 
 fn no_solution(problem: &Problem) -> Diagnostic {
@@ -171,13 +179,17 @@ fn scaled_vector(problem: &Problem) -> Option<&SolutionField> {
 /// The message for a set of solutions of this dimension, with the statements that would leave
 /// finitely many.
 fn infinitely_many(problem: &Problem, instance: &Instance, dimension: usize, is_over: &AtomicBool) -> Diagnostic {
+    let sets = excluding_unknowns(instance, &problem.unknowns, is_over);
+    if is_over.load(Ordering::Relaxed) {
+        return too_large(problem, &GroebnerError::Ended);
+    }
     let title = format!("infinitely many solutions: a set of dimension {dimension}");
     let mut message = Diagnostic::new(title, problem.span.clone()).label(format!(
         "{} equations in {} unknowns",
         problem.equations.len(),
         problem.unknowns.len()
     ));
-    for names in excluding_unknowns(instance, &problem.unknowns, is_over) {
+    for names in sets {
         let list = names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
         let are = if names.len() == 1 { "is" } else { "are all" };
         let statements = names.iter().map(|name| format!("{name} != 0;")).collect::<Vec<_>>().join(" ");
@@ -199,19 +211,20 @@ fn infinitely_many(problem: &Problem, instance: &Instance, dimension: usize, is_
 /// with their multiplicity. `instance` is one of the presolved problem.
 ///
 /// # Errors
-/// As [`ideal`].
+/// As [`ideal`], and [`GroebnerError::Ended`] where the flag is set.
 #[cfg(feature = "search")]
 pub(crate) fn count_elsewhere_on(
     instance: &Instance,
     kept: &[usize],
     unknowns: usize,
     seed: u64,
+    is_over: Option<&AtomicBool>,
 ) -> Result<usize, GroebnerError> {
     let mut fixed = instance.clone();
     // The others do not occur.
     let others = (0..unknowns).filter(|x| !kept.contains(x));
     fixed.equations.extend(others.map(|x| Polynomial::from_terms(vec![(Monomial::unknown(x), 1)])));
-    count_elsewhere(&fixed, unknowns, seed, None)
+    count_elsewhere(&fixed, unknowns, seed, is_over)
 }
 
 /// The number of solutions except the origin, with their multiplicity.
@@ -244,21 +257,37 @@ struct Points {
 
 impl Points {
     /// `None` if there are more than [`MOST_TOLD_APART`].
-    fn of(basis: &GroebnerBasis, problem: &Problem, seed: u64) -> Option<Self> {
-        let limits = Limits { max_quotient_dimension: MOST_TOLD_APART, ..Limits::default() };
+    ///
+    /// # Errors
+    /// [`GroebnerError::Ended`] where the flag is set.
+    fn of(
+        basis: &GroebnerBasis,
+        problem: &Problem,
+        seed: u64,
+        is_over: &AtomicBool,
+    ) -> Result<Option<Self>, GroebnerError> {
+        let limits = Limits { max_quotient_dimension: MOST_TOLD_APART, is_over: Some(is_over), ..Limits::default() };
         let unknowns = problem.unknowns.len();
-        let ring = QuotientRing::new(basis, unknowns, &limits).ok()?;
+        let ring = match QuotientRing::new(basis, unknowns, &limits) {
+            Err(GroebnerError::Ended) => return Err(GroebnerError::Ended),
+            Err(_) => return Ok(None),
+            Ok(ring) => ring,
+        };
         let mut random = Random::new(seed);
         let form: Vec<u32> = (0..unknowns).map(|_| basis.field().draw(&mut random)).collect();
-        let different = count_points(&ring, &form);
+        let different = count_points(&ring, &form, &limits)?;
         let to_tell_apart = different - usize::from(problem.has_origin());
         let order = Symmetry::of_problem(problem).order();
-        let is_enough = |unknown: usize| {
+        let mut share_values = true;
+        for unknown in 0..unknowns {
             let form: Vec<u32> = (0..unknowns).map(|at| u32::from(at == unknown)).collect();
-            count_points(&ring, &form) * order >= to_tell_apart
-        };
-        let share_values = !(0..unknowns).any(is_enough);
-        Some(Self { different, share_values, zero_sets: zero_sets(&ring, MOST_ZERO_SETS).into_iter().collect() })
+            if count_points(&ring, &form, &limits)? * order >= to_tell_apart {
+                share_values = false;
+                break;
+            }
+        }
+        let zero_sets = zero_sets(&ring, MOST_ZERO_SETS, &limits)?.into_iter().collect();
+        Ok(Some(Self { different, share_values, zero_sets }))
     }
 }
 

@@ -9,7 +9,7 @@ use std::sync::atomic::AtomicBool;
 
 use eliminant_generator::algebra::{
     DenseMatrix, Echelon, GroebnerBasis, GroebnerError, Limits, Monomial, MonomialOrder, PRIMES, Polynomial,
-    PrimeField, QuotientRing, change_order, groebner_basis, saturate,
+    PrimeField, QuotientRing, TracedBasis, change_order, count_points, groebner_basis, saturate, zero_sets,
 };
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -263,7 +263,7 @@ fn solution_counts_do_not_depend_on_the_order() {
             let direct = basis(&system.polynomials, &order);
             assert_eq!(direct.quotient_basis(unknowns, 100).map(|b| b.len()), Some(solutions), "{}", system.name);
             // For graded orders the two share no step after the grevlex basis.
-            assert_eq!(change_order(&ring, unknowns, &order).unwrap(), direct);
+            assert_eq!(change_order(&ring, unknowns, &order, &Limits::default()).unwrap(), direct);
         }
     }
     let quotient = basis(&cyclic(5).polynomials, &MonomialOrder::GrevLex).quotient_basis(5, 100);
@@ -401,6 +401,22 @@ fn limits_end_the_work() {
     let basis = basis(&system, &MonomialOrder::GrevLex);
     let error = QuotientRing::new(&basis, 5, &Limits { max_quotient_dimension: 69, ..standard() }).err();
     assert_eq!(error, Some(GroebnerError::LimitReached { what: "solutions", limit: 69 }));
+}
+
+#[test]
+fn all_work_on_a_basis_ends_where_the_flag_is_set() {
+    let basis = basis(&cyclic(5).polynomials, &MonomialOrder::GrevLex);
+    let ring = QuotientRing::new(&basis, 5, &Limits::default()).unwrap();
+    let set = AtomicBool::new(true);
+    let limits = Limits { is_over: Some(&set), ..Limits::default() };
+    let ended = Some(GroebnerError::Ended);
+    assert_eq!(QuotientRing::new(&basis, 5, &limits).err(), ended);
+    assert_eq!(change_order(&ring, 5, &MonomialOrder::Lex, &limits).err(), ended);
+    assert_eq!(count_points(&ring, &[1, 2, 3, 4, 5], &limits).err(), ended);
+    assert_eq!(zero_sets(&ring, 10, &limits).err(), ended);
+    let traced = TracedBasis::new(FIELD, &cyclic(5).polynomials, &Limits::default()).unwrap();
+    assert_eq!(traced.multiples_for(basis.leading_monomials(), &limits).err(), ended);
+    assert!(traced.multiples_for(basis.leading_monomials(), &Limits::default()).is_ok());
 }
 
 #[test]

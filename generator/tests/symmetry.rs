@@ -82,7 +82,7 @@ fn a_basis_of_the_solutions_up_to_sign_finds_all() {
         let best = &found.candidates[0];
         assert_eq!((best.plan.images.len() + 1, best.template.basis.len()), (order, solutions / order), "{name}");
         assert_counted(&problem, best, &SearchOptions::default());
-        let measured = stability(&best.plan, 500, 1, &|| ());
+        let measured = stability(&best.plan, 500, 1);
         assert_eq!(
             (measured.failures, measured.incomplete),
             (0, 0),
@@ -145,7 +145,7 @@ fn a_basis_of_the_solutions_up_to_exchanges_finds_all() {
         assert_eq!(sizes, (Presolve::Paired, order, solutions / order), "{name}");
         assert!(best.template.columns() >= count.least_columns(&problem), "{name}");
         assert_counted(&problem, best, &SearchOptions::default());
-        let measured = stability(&best.plan, 500, 1, &|| ());
+        let measured = stability(&best.plan, 500, 1);
         let of = (measured.found, measured.expected);
         assert_eq!((measured.failures, measured.incomplete), (0, 0), "{name}: {of:?}");
     }
@@ -165,7 +165,7 @@ fn solutions_that_an_exchange_does_not_move_are_not_lost() {
         let measuring = Measuring { trials: 300, confirm: 1000, seed: 1 };
         let choice = choose(&found.candidates, options.prefer, measuring, &|_| None, &Unmonitored).unwrap();
         let chosen = &choice.measured[choice.chosen];
-        let measured = stability(&chosen.candidate.plan, 500, 1, &|| ());
+        let measured = stability(&chosen.candidate.plan, 500, 1);
         assert_eq!((measured.failures, measured.incomplete), (0, 0), "{}", problem.name);
     }
 }
@@ -194,7 +194,7 @@ fn the_origin_takes_no_basis_monomial() {
         let best = &found.candidates[0];
         assert_eq!((best.plan.solutions, best.template.basis.len()), (different, basis), "{}", problem.name);
         assert_counted(&problem, best, &SearchOptions::default());
-        let measured = stability(&best.plan, 500, 1, &|| ());
+        let measured = stability(&best.plan, 500, 1);
         let of = (measured.found, measured.expected);
         assert_eq!((measured.failures, measured.incomplete), (0, 0), "{}: {of:?}", problem.name);
     }

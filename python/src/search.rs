@@ -53,10 +53,14 @@ impl Monitor for Watch<'_> {
     fn is_over(&self, stage: Stage) -> bool {
         let part = match stage {
             Stage::Searching => SEARCHING,
-            Stage::Measuring => 1.0,
+            Stage::Planning | Stage::Measuring => 1.0,
         };
         self.is_over.load(Ordering::Relaxed)
             || self.budget.is_some_and(|budget| self.start.elapsed() >= budget.mul_f64(part))
+    }
+
+    fn interruption(&self) -> Option<&AtomicBool> {
+        Some(self.is_over)
     }
 }
 
@@ -87,7 +91,12 @@ pub(crate) fn search(
     let work = |is_over: &AtomicBool| {
         let watch = Watch { start, budget, is_over, message: &message };
         let count = check_until(problem, is_over).map_err(|messages| messages.to_string())?;
-        settings.within_limits(problem, &count, options, &watch)
+        let outcome = settings.within_limits(problem, &count, options, &watch)?;
+        match is_over.load(Ordering::Relaxed) {
+            // Python raises its own error.
+            true => Err("interrupted".to_owned()),
+            false => outcome.file(problem),
+        }
     };
     interruptible(py, work, report)?.map_err(ProblemError::new_err)
 }
@@ -141,17 +150,17 @@ impl Settings {
         count: &SolutionCount,
         options: SearchOptions,
         watch: &Watch<'_>,
-    ) -> Result<(String, bool), String> {
+    ) -> Result<Outcome, String> {
         let first = self.within(problem, count, options.clone(), watch);
         let is_good = first.as_ref().is_ok_and(Outcome::solves_well);
         if is_good || self.max_columns.is_some() || watch.is_over(Stage::Searching) {
-            return first.map_err(|error| text(&error))?.file(problem);
+            return first.map_err(|error| text(&error));
         }
         watch.say(&format!("nothing good within {} columns; trying {MORE_COLUMNS}", options.max_columns));
         let second = self.within(problem, count, SearchOptions { max_columns: MORE_COLUMNS, ..options }, watch);
         match first {
-            Ok(first) if !second.as_ref().is_ok_and(Outcome::solves_well) => first.file(problem),
-            _ => second.map_err(|error| text(&error))?.file(problem),
+            Ok(first) if !second.as_ref().is_ok_and(Outcome::solves_well) => Ok(first),
+            _ => second.map_err(|error| text(&error)),
         }
     }
 

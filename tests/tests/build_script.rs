@@ -237,7 +237,7 @@ fn a_problem_without_template_is_searched() {
     let found = candidates(&problem, &algebra, &solves, &Unmonitored).expect("a template").candidates;
     let emitted =
         found.iter().find(|c| generate(&problem, &c.to_file(&problem, &solves)).is_ok_and(|text| text == solver));
-    let measured = stability(&emitted.expect("one of the candidates").plan, 1000, 1, &|| ());
+    let measured = stability(&emitted.expect("one of the candidates").plan, 1000, 1);
     assert_eq!((measured.failures, measured.found), (0, measured.expected));
     // The search at the next build gives the same.
     let modified = project.modified("meet");

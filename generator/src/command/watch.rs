@@ -1,24 +1,36 @@
 //! Watches a search: shows what it does, and ends it when its time is up or Ctrl-C is pressed.
 
-use std::sync::OnceLock;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, OnceLock, PoisonError};
+use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 use indicatif::ProgressBar;
 
 use super::progress::spinner;
-use crate::search::monitor::{Monitor, Stage};
+use crate::search::monitor::{Monitor, Stage, is_set};
 
-/// How often Ctrl-C was pressed since the last search began.
-static INTERRUPTS: AtomicUsize = AtomicUsize::new(0);
+/// Whether Ctrl-C was pressed since the last search began. The search is over then.
+static IS_OVER: AtomicBool = AtomicBool::new(false);
+/// Whether the time for what follows a search is up, too.
+static IS_INTERRUPTED: AtomicBool = AtomicBool::new(false);
+/// Whether the search came to its end. The lock is held while a file is written.
+static IS_CONCLUDED: Mutex<bool> = Mutex::new(false);
+const TOO_LATE: &str = "error: Ctrl-C ended the search, and what it found takes longer than two seconds to be verified: nothing is written\n";
 /// The exit status of a process that Ctrl-C ended.
 const INTERRUPTED: i32 = 130;
 /// The part of a budget that is for searching. The rest is for measuring.
 const SEARCHING: f64 = 0.7;
 /// The same where a template is made by the trace of a Gröbner basis, after growing found nothing.
 const TRACING: f64 = 0.9;
-/// After Ctrl-C the best candidates so far are still measured, for this time at most.
-const LAST_MEASUREMENTS: Duration = Duration::from_secs(10);
+/// After Ctrl-C templates that were found are still planned, for this time at most.
+const LAST_PLANS: Duration = Duration::from_millis(500);
+/// After Ctrl-C the best candidates so far are still measured, until this time. Then all steps are
+/// given up.
+const LAST_MEASUREMENTS: Duration = Duration::from_secs(1);
+/// The time from then on in which the chosen template is verified and written. The process ends
+/// after it.
+const LAST_STEPS: Duration = Duration::from_millis(900);
 
 /// Why a search stopped early.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,26 +64,46 @@ pub(super) struct Watch {
 }
 
 impl Watch {
-    /// Begins to listen to Ctrl-C. The first one ends the search, which keeps the best found so
-    /// far. The second one ends the process, and no file is touched.
+    /// Begins to listen to Ctrl-C. The first one ends the search, which keeps the best found so far
+    /// if it can be planned, measured and written within two seconds. Else, and at the second one,
+    /// the process ends, and no file is touched.
     pub(super) fn new(budget: Option<Duration>) -> Self {
         static LISTENS: OnceLock<bool> = OnceLock::new();
         // If no handler can be set, Ctrl-C ends the process as usual.
         LISTENS.get_or_init(|| {
-            let interrupt = || {
-                if INTERRUPTS.fetch_add(1, Ordering::SeqCst) > 0 {
-                    std::process::exit(INTERRUPTED);
-                }
+            let interrupt = || match IS_OVER.swap(true, Ordering::SeqCst) {
+                true => give_up(|_| true, ""),
+                // The handler returns, so that it hears the second Ctrl-C.
+                false => drop(std::thread::spawn(|| {
+                    sleep(LAST_MEASUREMENTS);
+                    IS_INTERRUPTED.store(true, Ordering::SeqCst);
+                    sleep(LAST_STEPS);
+                    give_up(|is_concluded| !is_concluded, TOO_LATE);
+                })),
             };
             ctrlc::set_handler(interrupt).is_ok()
         });
-        INTERRUPTS.store(0, Ordering::SeqCst);
+        [&IS_OVER, &IS_INTERRUPTED].into_iter().for_each(|flag| flag.store(false, Ordering::SeqCst));
+        *concluded() = false;
         Self { spinner: spinner(), start: Instant::now(), budget, interrupted: OnceLock::new() }
     }
 
     /// Clears the display.
     pub(super) fn finish(&self) {
         self.spinner.finish_and_clear();
+    }
+
+    /// Writes what the search came to. Ctrl-C waits for its end.
+    pub(super) fn conclude<T>(&self, write: impl FnOnce() -> T) -> T {
+        let mut is_concluded = concluded();
+        let written = write();
+        *is_concluded = true;
+        written
+    }
+
+    /// Set where Ctrl-C was pressed.
+    pub(super) fn ctrl_c(&self) -> &AtomicBool {
+        &IS_OVER
     }
 
     /// Seconds since the search began.
@@ -88,7 +120,29 @@ impl Watch {
     }
 
     fn interrupted_at(&self) -> Option<Instant> {
-        (INTERRUPTS.load(Ordering::SeqCst) > 0).then(|| *self.interrupted.get_or_init(Instant::now))
+        is_set(Some(&IS_OVER)).then(|| *self.interrupted.get_or_init(Instant::now))
+    }
+}
+
+impl Drop for Watch {
+    /// What is left is to tell what the search came to.
+    fn drop(&mut self) {
+        *concluded() = true;
+        self.finish();
+    }
+}
+
+fn concluded() -> std::sync::MutexGuard<'static, bool> {
+    IS_CONCLUDED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Ends the process, depending on whether the search came to its end. No file is being written
+/// then.
+fn give_up(must_end: fn(bool) -> bool, message: &str) {
+    let is_concluded = concluded();
+    if must_end(*is_concluded) {
+        eprint!("{message}");
+        std::process::exit(INTERRUPTED);
     }
 }
 
@@ -102,6 +156,10 @@ impl Monitor for Watch {
 
     fn is_over(&self, stage: Stage) -> bool {
         self.is_over_at(stage, SEARCHING)
+    }
+
+    fn interruption(&self) -> Option<&AtomicBool> {
+        Some(&IS_INTERRUPTED)
     }
 }
 
@@ -117,6 +175,10 @@ impl Monitor for OfTrace<'_> {
     fn is_over(&self, stage: Stage) -> bool {
         self.0.is_over_at(stage, TRACING)
     }
+
+    fn interruption(&self) -> Option<&AtomicBool> {
+        self.0.interruption()
+    }
 }
 
 impl Watch {
@@ -124,12 +186,15 @@ impl Watch {
     fn is_over_at(&self, stage: Stage, searching: f64) -> bool {
         let part = match stage {
             Stage::Searching => searching,
-            Stage::Measuring => 1.0,
+            Stage::Planning | Stage::Measuring => 1.0,
         };
         let interrupted = self.interrupted_at().is_some_and(|at| match stage {
             Stage::Searching => true,
-            Stage::Measuring => at.elapsed() >= LAST_MEASUREMENTS,
+            Stage::Planning => at.elapsed() >= LAST_PLANS,
+            Stage::Measuring => false,
         });
-        interrupted || self.budget.is_some_and(|budget| self.start.elapsed() >= budget.mul_f64(part))
+        interrupted
+            || is_set(self.interruption())
+            || self.budget.is_some_and(|budget| self.start.elapsed() >= budget.mul_f64(part))
     }
 }

@@ -9,7 +9,7 @@ use super::candidate::TemplateCandidate;
 use super::error::SearchError;
 use super::failed_strategy::FailedStrategy;
 use super::formulation::formulations;
-use super::monitor::{Monitor, Stage};
+use super::monitor::{Monitor, Stage, is_set};
 use super::options::SearchOptions;
 use super::preference::Preference;
 use super::reduce_strategy::{StrategyContext, StrategyTemplates, reduce_strategy};
@@ -56,7 +56,7 @@ pub fn candidates(
     if least > options.max_columns {
         return Err(SearchError::TooFewColumns { max_columns: options.max_columns, least });
     }
-    let formulations = formulations(problem, count, options)?;
+    let formulations = formulations(problem, count, options, monitor)?;
     let all = strategies(&formulations).into_iter().enumerate();
     let strategies: Vec<Numbered<'_>> =
         all.filter(|(at, _)| options.shard.holds(*at)).map(|(at, strategy)| Numbered { at, strategy }).collect();
@@ -74,17 +74,17 @@ const TRACED_IN_ANY_CASE: usize = 2;
 /// A template exists if the equations have finitely many solutions even where factors that must not
 /// vanish do. The formulations are tried one after another until one gives candidates. If the
 /// monitor says that the search is over it cuts short how templates are reduced, and no more than
-/// `TRACED_IN_ANY_CASE` formulations are tried.
+/// `TRACED_IN_ANY_CASE` formulations are tried. If it interrupts the search, none is.
 pub fn traced_candidates(
     problem: &Problem,
     count: &SolutionCount,
     options: &SearchOptions,
     monitor: &dyn Monitor,
 ) -> Result<Found, SearchError> {
-    let formulations = formulations(problem, count, options)?;
+    let formulations = formulations(problem, count, options, monitor)?;
     let mut failed = Vec::new();
     for (at, strategy) in traced_strategies(&formulations).into_iter().enumerate() {
-        if at >= TRACED_IN_ANY_CASE && monitor.is_over(Stage::Searching) {
+        if is_set(monitor.interruption()) || (at >= TRACED_IN_ANY_CASE && monitor.is_over(Stage::Searching)) {
             break;
         }
         monitor.say(&format!("{} solutions; the trace of a Gröbner basis", count.solutions));
@@ -117,13 +117,14 @@ fn candidates_of(
     work.sort_by_key(|(_, template)| (template.rows(), template.basis.len()));
     monitor.say(&format!("planning {} templates", work.len()));
     let plan = |&(numbered, template): &(&Numbered<'_>, &EliminationTemplate)| {
-        candidate(problem, numbered, template, count.different)
+        // What began before is given up between its steps.
+        candidate(problem, numbered, template, count.different, &|| !is_set(monitor.interruption()))
     };
-    let planned = map(&work, plan, &|| monitor.is_over(Stage::Measuring));
+    let planned = map(&work, plan, &|| monitor.is_over(Stage::Planning));
     let unplanned = planned.iter().filter(|planned| planned.is_none()).count();
     let candidates = in_order(planned.into_iter().flatten().flatten().collect(), options.prefer);
     if candidates.is_empty() {
-        let failed = failed_strategies(strategies, reduced, &problem.unknowns);
+        let failed = failed_strategies(strategies, reduced, &problem.unknowns, monitor);
         return Err(SearchError::NotFound { max_columns: options.max_columns, failed, untried, is_over: is_over() });
     }
     monitor.say(&format!("{} different templates", candidates.len()));
@@ -144,38 +145,53 @@ pub fn in_order(mut candidates: Vec<TemplateCandidate>, preference: Preference) 
 }
 
 /// A template with its plan, for a solver that finds this number of solutions. `None` if the
-/// template does not hold at the other prime, an unknown cannot be read, or a solution is lost.
+/// template does not hold at the other prime, an unknown cannot be read, or a solution is lost, or
+/// if it must not go on.
 fn candidate(
     problem: &Problem,
     numbered: &Numbered<'_>,
     template: &EliminationTemplate,
     solutions: usize,
+    goes_on: &dyn Fn() -> bool,
 ) -> Option<TemplateCandidate> {
+    let step = || goes_on().then_some(());
     let Numbered { at, strategy } = numbered;
     let formulation = strategy.formulation;
+    step()?;
     verify(template, formulation.check.field, &formulation.check.equations).ok()?;
+    step()?;
     let zero_sets = formulation.zero_sets.clone();
     let plan = schedule(problem, &formulation.reduced, template, (solutions, &zero_sets));
     debug_assert!(!matches!(plan, Err(ScheduleError::Plan(_))), "{plan:?}");
+    step()?;
     let mut plan = plan.ok().filter(|plan| gives_its_solutions(plan, &template.action, &formulation.reduced))?;
+    step()?;
     plan.chains = determinant_chains(&plan, &formulation.reduced);
     let (growth, template) = (strategy.growth.to_string(), template.clone());
     Some(TemplateCandidate { presolve: formulation.presolve, strategy: *at, growth, template, plan, zero_sets })
 }
 
-/// The strategies that began, none of which found a template.
+/// The strategies that began, none of which found a template. If the search is interrupted nothing
+/// is said of those that are left.
 fn failed_strategies(
     strategies: &[Numbered<'_>],
     reduced: Vec<Option<StrategyTemplates>>,
     unknowns: &[String],
+    monitor: &dyn Monitor,
 ) -> Vec<FailedStrategy> {
     let failed = |(numbered, reduced): (&Numbered<'_>, Option<StrategyTemplates>)| {
         let StrategyTemplates { tried, largest, unsolved, is_too_large, .. } = reduced?;
         let strategy = &numbered.strategy;
+        if is_set(monitor.interruption()) {
+            return None;
+        }
         if is_too_large {
             return Some(FailedStrategy::too_large(strategy.describe(), tried, largest));
         }
-        let obstacle = unsolved.map(|matrix| obstacle(strategy.formulation, &matrix));
+        let obstacle = match unsolved {
+            Some(matrix) => Some(obstacle(strategy.formulation, &matrix, monitor)?),
+            None => None,
+        };
         Some(FailedStrategy::new(strategy.describe(), tried, largest, obstacle.as_ref(), unknowns))
     };
     strategies.iter().zip(reduced).filter_map(failed).collect()

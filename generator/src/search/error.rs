@@ -1,6 +1,7 @@
 //! Why a search finds nothing.
 
 use super::failed_strategy::{FailedStrategies, FailedStrategy};
+use super::options::SearchOptions;
 
 /// Why a search found nothing.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -35,6 +36,13 @@ pub enum SearchError {
         /// Whether the monitor ended the search.
         is_over: bool,
     },
+}
+
+impl SearchError {
+    /// A search that was interrupted before a strategy began.
+    pub(super) fn interrupted(options: &SearchOptions) -> Self {
+        Self::NotFound { max_columns: options.max_columns, failed: Vec::new(), untried: 0, is_over: true }
+    }
 }
 
 fn ended(untried: usize, is_over: bool) -> String {

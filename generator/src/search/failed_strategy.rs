@@ -92,6 +92,7 @@ impl fmt::Display for FailedStrategies<'_> {
         let sets: usize = self.0.iter().map(|failed| failed.sets).sum();
         let largest = self.0.iter().map(|failed| (failed.columns, failed.rows)).max().unwrap_or_default();
         match sets {
+            0 if self.0.is_empty() => write!(f, "no strategy came to its end")?,
             0 => write!(f, "no set of shifts was small enough to try")?,
             _ => write!(f, "tried {sets} sets of shifts, the largest {} x {}", largest.1, largest.0)?,
         }

@@ -1,6 +1,7 @@
 //! The formulations of a problem: what presolve leaves, with or without the use of sign changes.
 
 use super::error::SearchError;
+use super::monitor::{Monitor, is_set};
 use super::options::SearchOptions;
 use super::preference::BURDEN_OF_PRESOLVE;
 use super::solving_set::Requirements;
@@ -85,14 +86,22 @@ impl Formulation {
 ///
 /// If signs can be changed there are two of each presolved form, because a template that uses the
 /// sign changes loses the solutions that no sign change moves.
+///
+/// # Errors
+/// No instance can be drawn, or the search is interrupted.
 pub(crate) fn formulations(
     problem: &Problem,
     count: &SolutionCount,
     options: &SearchOptions,
+    monitor: &dyn Monitor,
 ) -> Result<Vec<Formulation>, SearchError> {
     let mut formulations: Vec<Formulation> = Vec::new();
+    let interruption = monitor.interruption();
     let kinds = Presolve::all(problem.unknowns.len()).into_iter();
     for kind in kinds.filter(|&kind| kind != Presolve::Separated || count.shares_values) {
+        if is_set(interruption) {
+            return Err(SearchError::interrupted(options));
+        }
         let reduced = presolve(problem, kind);
         let known = formulations.iter().position(|known| is_same(&known.reduced, &reduced));
         if let Some(known) = known {
@@ -107,8 +116,11 @@ pub(crate) fn formulations(
         let solutions = match (reduced.problem.has_origin(), same_unknowns) {
             (false, _) => count.solutions,
             (true, Some(other)) => other.solutions,
-            (true, None) => count_elsewhere_on(&instance, &reduced.kept, problem.unknowns.len(), options.seed)
-                .unwrap_or(count.solutions - count.at_origin),
+            (true, None) => {
+                let all = problem.unknowns.len();
+                let elsewhere = count_elsewhere_on(&instance, &reduced.kept, all, options.seed, interruption);
+                elsewhere.unwrap_or(count.solutions - count.at_origin)
+            }
         };
         let zero_sets = zero_sets(count, &reduced);
         let symmetry = reduced.symmetry.on(&reduced.kept);
@@ -136,7 +148,10 @@ pub(crate) fn formulations(
             });
         }
     }
-    Ok(formulations)
+    match is_set(interruption) {
+        true => Err(SearchError::interrupted(options)),
+        false => Ok(formulations),
+    }
 }
 
 /// The sets of unknowns that presolve kept that are 0 together at a solution. A linear form that

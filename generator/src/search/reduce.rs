@@ -17,8 +17,9 @@
 //! monomials that no other row has, so they are offered first.
 
 use std::rc::Rc;
+use std::sync::atomic::AtomicBool;
 
-use super::monitor::{Monitor, Stage};
+use super::monitor::{Monitor, Stage, is_set};
 use super::solving_set::{Dependencies, Requirements, SolvingSet};
 use crate::algebra::{Echelon, Monomial, Random};
 use crate::template::shift_matrix::ShiftMatrix;
@@ -39,7 +40,8 @@ pub enum DeletionOrder {
 /// `requirements.max_basis`.
 ///
 /// Ends after a full pass over the rows without a deletion: no single row of the template can then
-/// be deleted, unless the monitor ended the search. Returns `None` if the shifts do not solve.
+/// be deleted, unless the monitor ended the search. Returns `None` if the shifts do not solve, or if
+/// the search is interrupted.
 pub fn reduce(
     matrix: &ShiftMatrix,
     action: &Monomial,
@@ -47,7 +49,8 @@ pub fn reduce(
     order: DeletionOrder,
     monitor: &dyn Monitor,
 ) -> Option<EliminationTemplate> {
-    let mut current = Reduction::start(matrix.clone(), action, requirements, order)?;
+    let interruption = monitor.interruption();
+    let mut current = Reduction::start(matrix.clone(), action, requirements, order, interruption)?;
     let mut queue = deletion_queue(&current.matrix, order);
     // Blocks of rows first, halved after each pass: a large set loses most rows in a few trials.
     let mut block = (queue.len() / 8).max(1);
@@ -97,15 +100,16 @@ pub fn reduce(
 /// Invariant: the alive rows are independent, the solving set (B, R) meets the requirements, and
 /// every alive row has a part in expressing R in B.
 #[derive(Clone)]
-struct Reduction {
+struct Reduction<'a> {
     matrix: Rc<ShiftMatrix>,
     /// Whether each row of the matrix is left.
     alive: Vec<bool>,
-    dependencies: Dependencies,
+    dependencies: Dependencies<'a>,
     set: SolvingSet,
+    interruption: Option<&'a AtomicBool>,
 }
 
-impl Reduction {
+impl<'a> Reduction<'a> {
     /// Starts with the rows that the best solving set needs. Of dependent rows, those are left out
     /// that would be offered for deletion first.
     fn start(
@@ -113,16 +117,17 @@ impl Reduction {
         action: &Monomial,
         requirements: &Requirements<'_>,
         order: DeletionOrder,
+        interruption: Option<&'a AtomicBool>,
     ) -> Option<Self> {
         loop {
-            let rows = independent_rows(&matrix, order);
-            let dependencies = Dependencies::new(&matrix, action, &rows, requirements.readings)?;
+            let rows = independent_rows(&matrix, order, interruption);
+            let dependencies = Dependencies::new(&matrix, action, &rows, requirements.readings, interruption)?;
             let set = dependencies.best(&matrix, requirements)?;
             let needed = dependencies.rows_of(&set);
             // On fewer rows another set may be best, which needs fewer rows still.
             if needed.len() == matrix.rows.len() {
                 let alive = vec![true; needed.len()];
-                return Some(Self { matrix: Rc::new(matrix), alive, dependencies, set });
+                return Some(Self { matrix: Rc::new(matrix), alive, dependencies, set, interruption });
             }
             matrix = matrix.retain_rows(&set.basis, |row| needed.binary_search(&row).is_ok());
         }
@@ -153,7 +158,8 @@ impl Reduction {
 
     /// The same reduction on a matrix of the rows that are left.
     fn compacted(&self, action: &Monomial, requirements: &Requirements<'_>, order: DeletionOrder) -> Option<Self> {
-        Self::start(self.matrix.retain_rows(&self.set.basis, |row| self.alive[row]), action, requirements, order)
+        let matrix = self.matrix.retain_rows(&self.set.basis, |row| self.alive[row]);
+        Self::start(matrix, action, requirements, order, self.interruption)
     }
 
     fn delete(&mut self, row: usize) {
@@ -165,6 +171,9 @@ impl Reduction {
     /// pivot cancel in the rows that express R, so that only those with a pivot are columns of the
     /// template.
     fn template(&self, action: &Monomial) -> Option<EliminationTemplate> {
+        if is_set(self.interruption) {
+            return None;
+        }
         let matrix = self.matrix.retain_rows(&self.set.basis, |row| self.alive[row]);
         let monomials = |columns: &[usize]| -> Vec<Monomial> {
             columns.iter().map(|&column| self.matrix.monomials[column]).collect()
@@ -186,12 +195,14 @@ impl Reduction {
 /// A largest set of independent rows. Rows that are offered for deletion late are preferred.
 ///
 /// The row space is all that decides what solves, so the other rows are of no use. Greedy choice
-/// gives a largest set because independent rows form a matroid.
-pub fn independent_rows(matrix: &ShiftMatrix, order: DeletionOrder) -> Vec<usize> {
+/// gives a largest set because independent rows form a matroid. Where the flag is set no further row
+/// is taken.
+pub fn independent_rows(matrix: &ShiftMatrix, order: DeletionOrder, interruption: Option<&AtomicBool>) -> Vec<usize> {
     let mut echelon = Echelon::new(matrix.field, matrix.monomials.len());
     let mut rows: Vec<usize> = deletion_queue(matrix, order)
         .into_iter()
         .rev()
+        .take_while(|_| !is_set(interruption))
         .filter(|&row| {
             let entries: Vec<(u32, u32)> =
                 matrix.rows[row].iter().map(|&(column, value)| (column as u32, value)).collect();

@@ -144,7 +144,7 @@ mod tests {
         let problem = Problem::parse("conics.rs", text).unwrap();
         let options = SearchOptions::default();
         let count = check(&problem).unwrap();
-        let formulations = formulations(&problem, &count, &options).unwrap();
+        let formulations = formulations(&problem, &count, &options, &Unmonitored).unwrap();
         let shared = Cache::default();
         for growth in [Growth::Degree(vec![1, 1]), Growth::Neighbours, Growth::BestShift(0), Growth::Degree(vec![1, 1])]
         {

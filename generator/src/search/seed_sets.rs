@@ -6,7 +6,7 @@
 use super::failed_strategy::MOST_TRACED_ROWS;
 use super::formulation::Formulation;
 use super::grow::{Growth, Shifts};
-use super::monitor::{Monitor, Stage};
+use super::monitor::{Monitor, Stage, is_set};
 use super::options::SearchOptions;
 use super::reduce::{DeletionOrder, independent_rows};
 use super::solving_set::{Dependencies, Obstacle};
@@ -60,6 +60,9 @@ pub(crate) fn seed_sets(strategy: &Strategy<'_>, options: &SearchOptions, monito
     let tightest = formulation.basis_limits().first().copied();
     let mut last_look: usize = 0;
     for shifts in Shifts::new(equations, &formulation.reduced.kept, growth.clone(), options.max_columns) {
+        if is_set(monitor.interruption()) {
+            break;
+        }
         // To look at a set is an elimination, to add a shift is not.
         if matches!(growth, Growth::BestShift(_) | Growth::Laurent(_))
             && shifts.len() < last_look + last_look.div_ceil(ROWS_BETWEEN_LOOKS)
@@ -73,7 +76,7 @@ pub(crate) fn seed_sets(strategy: &Strategy<'_>, options: &SearchOptions, monito
         let matrix = ShiftMatrix::new(formulation.instance.field, equations, &shifts);
         sets.tried += 1;
         sets.largest = sets.largest.max((matrix.monomials.len(), matrix.rows.len()));
-        sets.solving.extend(solving_shifts(formulation, &formulation.actions, &matrix));
+        sets.solving.extend(solving_shifts(formulation, &formulation.actions, &matrix, monitor));
         if !sets.solving.is_empty() {
             sets.unsolved = None;
             // A large basis may need few rows, and one as small as the number of solutions more.
@@ -98,7 +101,7 @@ const TRACED_SETS: usize = 2;
 fn traced_seed_sets(formulation: &Formulation, monitor: &dyn Monitor) -> SeedSets {
     let mut sets = SeedSets::default();
     let mut found = 0;
-    let of_trace = traced_shifts(formulation);
+    let of_trace = traced_shifts(formulation, monitor.interruption());
     sets.is_too_large = of_trace.is_err();
     for traced in of_trace.unwrap_or_default() {
         // The first set is looked at in any case.
@@ -114,7 +117,7 @@ fn traced_seed_sets(formulation: &Formulation, monitor: &dyn Monitor) -> SeedSet
         monitor.say(&format!("{rows} x {columns} by the trace of a Gröbner basis"));
         sets.tried += 1;
         sets.largest = sets.largest.max((columns, rows));
-        let solving = solving_shifts(formulation, &[traced.action], &matrix);
+        let solving = solving_shifts(formulation, &[traced.action], &matrix, monitor);
         found += usize::from(!solving.is_empty());
         sets.solving.extend(solving);
         sets.unsolved = sets.solving.is_empty().then_some(matrix);
@@ -123,15 +126,20 @@ fn traced_seed_sets(formulation: &Formulation, monitor: &dyn Monitor) -> SeedSet
 }
 
 /// For each action monomial and each bound on |B| the rows that the best solving set needs.
-fn solving_shifts(formulation: &Formulation, actions: &[Monomial], matrix: &ShiftMatrix) -> Vec<SolvingShifts> {
+fn solving_shifts(
+    formulation: &Formulation,
+    actions: &[Monomial],
+    matrix: &ShiftMatrix,
+    monitor: &dyn Monitor,
+) -> Vec<SolvingShifts> {
     let mut solving = Vec::new();
     let limits = formulation.basis_limits();
     // Which rows are independent depends on no action monomial.
-    let independent = independent_rows(matrix, DeletionOrder::HighestFirst);
+    let interruption = monitor.interruption();
+    let independent = independent_rows(matrix, DeletionOrder::HighestFirst, interruption);
     for &action in actions {
-        let Some(dependencies) = Dependencies::new(matrix, &action, &independent, &formulation.readings) else {
-            continue;
-        };
+        let dependencies = Dependencies::new(matrix, &action, &independent, &formulation.readings, interruption);
+        let Some(dependencies) = dependencies else { continue };
         for &max_basis in &limits {
             let requirements = formulation.requirements(max_basis);
             let Some(set) = dependencies.best(matrix, &requirements) else { continue };
@@ -143,13 +151,16 @@ fn solving_shifts(formulation: &Formulation, actions: &[Monomial], matrix: &Shif
     solving
 }
 
-/// What keeps the rows from solving, for the action monomial that comes closest.
-pub(crate) fn obstacle(formulation: &Formulation, matrix: &ShiftMatrix) -> Obstacle {
+/// What keeps the rows from solving, for the action monomial that comes closest; `None` if the
+/// search is interrupted.
+pub(crate) fn obstacle(formulation: &Formulation, matrix: &ShiftMatrix, monitor: &dyn Monitor) -> Option<Obstacle> {
     let max_basis = formulation.basis_limits().last().copied().unwrap_or(formulation.solutions);
     let requirements = formulation.requirements(max_basis);
-    let rows = independent_rows(matrix, DeletionOrder::HighestFirst);
-    let of = |action: &Monomial| Dependencies::new(matrix, action, &rows, &formulation.readings);
+    let interruption = monitor.interruption();
+    let rows = independent_rows(matrix, DeletionOrder::HighestFirst, interruption);
+    let of = |action: &Monomial| Dependencies::new(matrix, action, &rows, &formulation.readings, interruption);
     let dependencies = formulation.actions.iter().filter_map(of);
     let obstacles = dependencies.map(|dependencies| dependencies.obstacle(matrix, &requirements));
-    obstacles.min_by_key(Obstacle::distance).unwrap_or(Obstacle::NoClosedSet)
+    let closest = obstacles.min_by_key(Obstacle::distance).unwrap_or(Obstacle::NoClosedSet);
+    (!is_set(interruption)).then_some(closest)
 }

@@ -4,7 +4,10 @@
 //! Each change costs one row operation for each row that is kept. A new elimination would cost one
 //! for each pair of rows of the matrix.
 
+use std::sync::atomic::AtomicBool;
+
 use super::index_set::IndexSet;
+use super::monitor::is_set;
 use crate::algebra::{Echelon, PrimeField};
 use crate::template::shift_matrix::ShiftMatrix;
 
@@ -54,8 +57,14 @@ pub struct Tableau {
 
 impl Tableau {
     /// The tableau of some rows of the matrix, which must be independent. Ranks must differ;
-    /// columns of rank below `excess` are the excess.
-    pub fn new(matrix: &ShiftMatrix, rows: &[usize], ranks: Vec<usize>, excess: usize) -> Self {
+    /// columns of rank below `excess` are the excess. `None` if the flag was set meanwhile.
+    pub fn new(
+        matrix: &ShiftMatrix,
+        rows: &[usize],
+        ranks: Vec<usize>,
+        excess: usize,
+        interruption: Option<&AtomicBool>,
+    ) -> Option<Self> {
         let count = matrix.monomials.len();
         let mut order: Vec<usize> = (0..count).collect();
         order.sort_unstable_by_key(|&column| ranks[column]);
@@ -66,6 +75,9 @@ impl Tableau {
         let width = count + rows.len();
         let mut echelon = Echelon::new(matrix.field, width);
         for (at, &row) in rows.iter().enumerate() {
+            if is_set(interruption) {
+                return None;
+            }
             let mut entries: Vec<(u32, u32)> =
                 matrix.rows[row].iter().map(|&(column, value)| (position[column] as u32, value)).collect();
             entries.push(((count + at) as u32, 1));
@@ -77,6 +89,9 @@ impl Tableau {
         // Only kept rows take part, which is what makes it cheap.
         let mut reduced = Echelon::new(matrix.field, width);
         for &at in leading.iter().rev() {
+            if is_set(interruption) {
+                return None;
+            }
             reduced.insert_sparse_reduced(&echelon.row(at));
         }
         let kept: Vec<(usize, Vec<(u32, u32)>)> = leading.iter().map(|&at| (order[at], reduced.row(at))).collect();
@@ -107,7 +122,7 @@ impl Tableau {
                 }
             }
         }
-        tableau
+        Some(tableau)
     }
 
     /// The same tableau with the combinations of these shifts only.
@@ -321,7 +336,7 @@ mod tests {
             // have not moved yet.
             let mut ranks: Vec<usize> =
                 (0..columns).map(|at| if at % 7 == 0 { at } else { 2 * columns + at }).collect();
-            let mut tableau = Tableau::new(&matrix, &all, ranks.clone(), columns);
+            let mut tableau = Tableau::new(&matrix, &all, ranks.clone(), columns, None).unwrap();
             let mut kept = vec![true; matrix.rows.len()];
             for step in 0..4 {
                 let column = random.below(columns as u64) as usize;
@@ -337,7 +352,7 @@ mod tests {
                 tableau.give_up(column);
             }
             matrix.rows.iter_mut().zip(&kept).filter(|(_, kept)| !**kept).for_each(|(row, _)| row.clear());
-            assert_eq!(content(&tableau), content(&Tableau::new(&matrix, &all, ranks, columns)));
+            assert_eq!(content(&tableau), content(&Tableau::new(&matrix, &all, ranks, columns, None).unwrap()));
         }
     }
 
@@ -346,7 +361,7 @@ mod tests {
         let matrix = matrix(&mut Random::new(2));
         let columns = matrix.monomials.len();
         let all: Vec<usize> = (0..matrix.rows.len()).collect();
-        let mut tableau = Tableau::new(&matrix, &all, (columns + 1..2 * columns + 1).collect(), columns);
+        let mut tableau = Tableau::new(&matrix, &all, (columns + 1..2 * columns + 1).collect(), columns, None).unwrap();
         tableau.delete_shift(3);
         tableau.give_up(1);
         tableau.move_forward(columns - 1, columns);

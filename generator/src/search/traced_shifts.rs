@@ -10,14 +10,11 @@
 //! itself. One class then suffices.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::atomic::AtomicBool;
 
 use super::formulation::Formulation;
 use crate::algebra::{GeneratorMultiple, GroebnerError, Limits, Monomial, TracedBasis};
 use crate::template::Shift;
-
-/// Multiples of elements of a trace that are looked at for one set of shifts; there are at most as
-/// many rows.
-const MOST_MULTIPLES: usize = 1_000_000;
 
 /// No further set is looked at after this many were too large.
 const MOST_TOO_LARGE: usize = 3;
@@ -36,9 +33,12 @@ pub(crate) struct TracedShifts {
 /// out.
 ///
 /// # Errors
-/// The Gröbner basis is too large.
-pub(crate) fn traced_shifts(formulation: &Formulation) -> Result<Vec<TracedShifts>, GroebnerError> {
-    let limits = Limits::default();
+/// The Gröbner basis is too large, or the flag was set meanwhile.
+pub(crate) fn traced_shifts(
+    formulation: &Formulation,
+    interruption: Option<&AtomicBool>,
+) -> Result<Vec<TracedShifts>, GroebnerError> {
+    let limits = Limits { is_over: interruption, ..Limits::default() };
     let traced = TracedBasis::new(formulation.instance.field, &formulation.instance.equations, &limits)?;
     let width = formulation.reduced.problem.unknowns.len();
     let standard = on_kept(formulation, &traced, width, limits.max_quotient_dimension);
@@ -50,7 +50,7 @@ pub(crate) fn traced_shifts(formulation: &Formulation) -> Result<Vec<TracedShift
         }
         for &action in formulation.actions.iter().filter(|action| action.is_polynomial()) {
             let image = class.iter().map(|m| m.times(&action)).chain(to_read(formulation, &class));
-            match traced.multiples_for(image, MOST_MULTIPLES) {
+            match traced.multiples_for(image, &limits) {
                 Ok(multiples) => sets.push(TracedShifts { action, shifts: shifts_of(multiples) }),
                 Err(error) => too_large.push(error),
             }

@@ -136,7 +136,7 @@ impl<'a> F4<'a> {
                     limit: limits.max_degree.unsigned_abs() as usize,
                 });
             }
-            let mut symbolic = Symbolic::new(&mut self.table, &self.supports, &self.leads, limits.max_matrix_entries);
+            let mut symbolic = Symbolic::new(&mut self.table, &self.supports, &self.leads, limits);
             symbolic.add_pairs(&pairs)?;
             symbolic.close()?;
             let Symbolic { pivots, to_reduce, columns, .. } = symbolic;
@@ -196,10 +196,12 @@ impl<'a> F4<'a> {
         for (at, row) in rows.into_iter().enumerate() {
             let mut row: Vec<(u32, u32)> =
                 row.into_iter().map(|(id, value)| (columns.positions[id.index()], value)).collect();
+            self.limits.go_on()?;
             row.extend(self.mark(&columns, at));
             leading.extend(echelon.insert_sparse_reduced(&row));
         }
-        let (rows, parts): (Vec<_>, Vec<_>) = interreduced(&mut echelon, leading, &columns).into_iter().unzip();
+        let (rows, parts): (Vec<_>, Vec<_>) =
+            interreduced(&mut echelon, leading, &columns, self.limits)?.into_iter().unzip();
         if let Some(trace) = &mut self.trace {
             parts.into_iter().for_each(|parts| trace.add_combination_of_generators(parts));
         }
@@ -228,7 +230,8 @@ impl<'a> F4<'a> {
             entries.extend(self.mark(&columns, pivots.len() + at));
             leading.extend(echelon.insert_sparse_reduced(&entries));
         }
-        let (rows, parts): (Vec<_>, Vec<_>) = interreduced(&mut echelon, leading, &columns).into_iter().unzip();
+        let (rows, parts): (Vec<_>, Vec<_>) =
+            interreduced(&mut echelon, leading, &columns, self.limits)?.into_iter().unzip();
         self.trace_rows(&[pivots, to_reduce].concat(), parts);
         self.add_elements(rows, |_| sugar)
     }
@@ -252,6 +255,7 @@ impl<'a> F4<'a> {
         sugar: impl Fn(&[Monomial]) -> i32,
     ) -> Result<(), GroebnerError> {
         for (support, values) in polynomials {
+            self.limits.go_on()?;
             let monomials: Vec<Monomial> = support.iter().map(|&id| *self.table.monomial(id)).collect();
             let Some(&monomial) = monomials.first() else {
                 continue;
@@ -277,7 +281,7 @@ impl<'a> F4<'a> {
             }
             return Ok(vec![BasisElement::one()]);
         }
-        let mut symbolic = Symbolic::new(&mut self.table, &self.supports, &self.leads, self.limits.max_matrix_entries);
+        let mut symbolic = Symbolic::new(&mut self.table, &self.supports, &self.leads, self.limits);
         symbolic.add_active_elements()?;
         symbolic.close()?;
         let Symbolic { pivots, columns, .. } = symbolic;
@@ -292,7 +296,8 @@ impl<'a> F4<'a> {
             }
             self.push_multiple(&mut echelon, &columns, row, i);
         }
-        let (rows, parts): (Vec<_>, Vec<_>) = interreduced(&mut echelon, leading, &columns).into_iter().unzip();
+        let (rows, parts): (Vec<_>, Vec<_>) =
+            interreduced(&mut echelon, leading, &columns, self.limits)?.into_iter().unzip();
         self.trace_rows(&pivots, parts);
         let elements = rows.into_iter().map(|(support, values): InternedPolynomial| {
             BasisElement::new(support.into_iter().map(|id| *self.table.monomial(id)).zip(values).collect())
@@ -303,15 +308,21 @@ impl<'a> F4<'a> {
 
 /// The rows that lead in the given columns, reduced by all rows, by increasing leading monomial.
 /// Rows of which only marks are left are combinations that vanish: they are left out.
-fn interreduced(echelon: &mut Echelon, mut leading: Vec<usize>, columns: &Columns) -> Vec<Combination> {
+fn interreduced(
+    echelon: &mut Echelon,
+    mut leading: Vec<usize>,
+    columns: &Columns,
+    limits: &Limits,
+) -> Result<Vec<Combination>, GroebnerError> {
     leading.retain(|&column| column < columns.count());
     leading.sort_unstable_by(|a, b| b.cmp(a));
     // From right to left, so that each row is reduced by rows that are reduced themselves.
     leading
         .into_iter()
         .map(|column| {
+            limits.go_on()?;
             echelon.back_reduce_row(column);
-            columns.combination(&echelon.row(column))
+            Ok(columns.combination(&echelon.row(column)))
         })
         .collect()
 }

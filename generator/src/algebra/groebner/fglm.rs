@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{BasisElement, GroebnerBasis, GroebnerError, MonomialOrder, QuotientRing};
+use super::{BasisElement, GroebnerBasis, GroebnerError, Limits, MonomialOrder, QuotientRing};
 use crate::algebra::{Echelon, Monomial};
 
 /// The reduced Gröbner basis, in another order, of the polynomials of the ideal in the first
@@ -20,11 +20,13 @@ use crate::algebra::{Echelon, Monomial};
 /// ```
 ///
 /// # Errors
-/// [`GroebnerError::ExponentOutOfRange`] if a leading monomial needs an exponent beyond 127.
+/// [`GroebnerError::ExponentOutOfRange`] if a leading monomial needs an exponent beyond 127, and
+/// [`GroebnerError::Ended`].
 pub fn change_order(
     ring: &QuotientRing,
     unknowns: usize,
     order: &MonomialOrder,
+    limits: &Limits,
 ) -> Result<GroebnerBasis, GroebnerError> {
     let dimension = ring.dimension();
     let field = ring.field();
@@ -38,6 +40,7 @@ pub fn change_order(
     one.iter_mut().take(1).for_each(|value| *value = 1);
     let mut waiting = BTreeMap::from([(order.key(&Monomial::ONE), (Monomial::ONE, one))]);
     while let Some((_, (monomial, form))) = waiting.pop_first() {
+        limits.go_on()?;
         if elements.iter().any(|element| element.leading_monomial().divides(&monomial)) {
             continue;
         }
@@ -57,6 +60,7 @@ pub fn change_order(
         echelon.insert_dense(&row);
         standard.push(monomial);
         for unknown in 0..unknowns {
+            limits.go_on()?;
             let product = monomial.checked_mul(&Monomial::unknown(unknown)).ok_or(GroebnerError::ExponentOutOfRange)?;
             waiting.entry(order.key(&product)).or_insert_with(|| (product, ring.times_unknown(&form, unknown)));
         }

@@ -17,6 +17,8 @@ pub struct Limits<'a> {
     pub max_rounds: usize,
     /// The dimension of a quotient ring: the number of solutions.
     pub max_quotient_dimension: usize,
+    /// Multiples of elements of a trace that are looked at for one set of monomials.
+    pub max_multiples: usize,
     /// Another thread sets this flag where the work must end before its end.
     pub is_over: Option<&'a AtomicBool>,
 }
@@ -41,6 +43,7 @@ impl Default for Limits<'_> {
             max_matrix_entries: 20_000_000,
             max_rounds: 5_000,
             max_quotient_dimension: 2_000,
+            max_multiples: 1_000_000,
             is_over: None,
         }
     }

@@ -1,6 +1,6 @@
 //! How many of the solutions of a zero-dimensional ideal are different.
 
-use super::QuotientRing;
+use super::{GroebnerError, Limits, QuotientRing};
 use crate::algebra::{Echelon, Univariate};
 
 /// The number of different solutions, in an extension of the field.
@@ -8,25 +8,29 @@ use crate::algebra::{Echelon, Univariate};
 /// At different solutions the linear form with the given coefficients, one per unknown, takes
 /// different values for all but few choices of them. The different roots of its minimal polynomial
 /// in the quotient ring are then as many as the solutions.
-pub fn count_points(ring: &QuotientRing, form: &[u32]) -> usize {
-    minimal_polynomial(ring, form).squarefree_part(ring.field()).degree()
+///
+/// # Errors
+/// [`GroebnerError::Ended`].
+pub fn count_points(ring: &QuotientRing, form: &[u32], limits: &Limits) -> Result<usize, GroebnerError> {
+    Ok(minimal_polynomial(ring, form, limits)?.squarefree_part(ring.field()).degree())
 }
 
 /// The minimal polynomial of a linear form: its first power that depends linearly on lower ones,
 /// less the combination.
-fn minimal_polynomial(ring: &QuotientRing, form: &[u32]) -> Univariate {
+fn minimal_polynomial(ring: &QuotientRing, form: &[u32], limits: &Limits) -> Result<Univariate, GroebnerError> {
     let (field, dimension) = (ring.field(), ring.dimension());
     // Rows [ normal form of a combination of powers | the combination ].
     let mut echelon = Echelon::new(field, 2 * dimension + 1);
     let mut power = vec![0; dimension];
     power.iter_mut().take(1).for_each(|value| *value = 1);
     for exponent in 0..=dimension {
+        limits.go_on()?;
         let mut row = power.clone();
         row.resize(2 * dimension + 1, 0);
         row[dimension + exponent] = 1;
         echelon.reduce_dense(&mut row);
         if row[..dimension].iter().all(|&value| value == 0) {
-            return Univariate::new(row.split_off(dimension));
+            return Ok(Univariate::new(row.split_off(dimension)));
         }
         echelon.insert_dense(&row);
         let mut next = vec![0; dimension];
@@ -36,7 +40,7 @@ fn minimal_polynomial(ring: &QuotientRing, form: &[u32]) -> Univariate {
         power = next;
     }
     // Not reached: d + 1 vectors of d entries are dependent.
-    Univariate::constant(1)
+    Ok(Univariate::constant(1))
 }
 
 #[cfg(test)]
@@ -56,7 +60,7 @@ mod tests {
         let limits = Limits::default();
         let basis = groebner_basis(field, &polynomials, &MonomialOrder::GrevLex, &limits).unwrap();
         let ring = QuotientRing::new(&basis, 2, &limits).unwrap();
-        (ring.dimension(), count_points(&ring, &[12_345, 678_901]))
+        (ring.dimension(), count_points(&ring, &[12_345, 678_901], &limits).unwrap())
     }
 
     #[test]

@@ -40,8 +40,8 @@ impl QuotientRing {
     /// order, each from earlier ones (Faugère, Gianni, Lazard & Mora, JSC 1993, section 2).
     ///
     /// # Errors
-    /// [`GroebnerError::NotZeroDimensional`], or [`GroebnerError::LimitReached`] for more than
-    /// [`Limits::max_quotient_dimension`] solutions.
+    /// [`GroebnerError::NotZeroDimensional`], [`GroebnerError::LimitReached`] for more than
+    /// [`Limits::max_quotient_dimension`] solutions, or [`GroebnerError::Ended`].
     pub fn new(basis: &GroebnerBasis, unknowns: usize, limits: &Limits) -> Result<Self, GroebnerError> {
         let unknowns = basis.count_unknowns(unknowns);
         if let Some(dimension @ 1..) = basis.dimension(unknowns) {
@@ -50,7 +50,7 @@ impl QuotientRing {
         let limit = limits.max_quotient_dimension;
         let too_large = GroebnerError::LimitReached { what: "solutions", limit };
         let standard = basis.quotient_basis(unknowns, limit).ok_or(too_large)?;
-        let multiplication = multiplication_by_unknowns(basis, unknowns, &standard);
+        let multiplication = multiplication_by_unknowns(basis, unknowns, &standard, limits)?;
         let inverses = vec![OnceLock::new(); unknowns];
         Ok(Self { field: basis.field(), standard, multiplication, inverses })
     }
@@ -156,7 +156,12 @@ impl Step {
 }
 
 /// M_x for every unknown x.
-fn multiplication_by_unknowns(basis: &GroebnerBasis, unknowns: usize, standard: &[Monomial]) -> Vec<DenseMatrix> {
+fn multiplication_by_unknowns(
+    basis: &GroebnerBasis,
+    unknowns: usize,
+    standard: &[Monomial],
+    limits: &Limits,
+) -> Result<Vec<DenseMatrix>, GroebnerError> {
     let field = basis.field();
     let dimension = standard.len();
     let index: HashMap<Monomial, usize> = standard.iter().enumerate().map(|(k, &monomial)| (monomial, k)).collect();
@@ -172,6 +177,7 @@ fn multiplication_by_unknowns(basis: &GroebnerBasis, unknowns: usize, standard: 
     }
     let mut matrices = vec![DenseMatrix::zeros(field, dimension, dimension); unknowns];
     for (product, factorisations) in products.into_values() {
+        limits.go_on()?;
         let mut form = vec![0; dimension];
         if let Some(&k) = index.get(&product) {
             form[k] = 1;
@@ -191,7 +197,7 @@ fn multiplication_by_unknowns(basis: &GroebnerBasis, unknowns: usize, standard: 
             matrices[i].row_mut(k).copy_from_slice(&form);
         }
     }
-    matrices
+    Ok(matrices)
 }
 
 /// For a product x_i b_k that a leading monomial divides properly: an unknown x_j such that x_i b_k

@@ -29,5 +29,5 @@ pub fn groebner_basis(
         let elements = f4::reduced_basis(field, &grevlex.polynomials(), order, limits)?;
         return Ok(GroebnerBasis::from_elements(field, order.clone(), elements));
     }
-    change_order(&QuotientRing::new(&grevlex, unknowns, limits)?, unknowns, order)
+    change_order(&QuotientRing::new(&grevlex, unknowns, limits)?, unknowns, order, limits)
 }

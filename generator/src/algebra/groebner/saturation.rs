@@ -37,7 +37,7 @@ pub fn saturate(
     if let Some(1..) = basis.dimension(all_unknowns) {
         return eliminate(&basis, unknowns..all_unknowns, order, limits);
     }
-    change_order(&QuotientRing::new(&basis, all_unknowns, limits)?, unknowns, order)
+    change_order(&QuotientRing::new(&basis, all_unknowns, limits)?, unknowns, order, limits)
 }
 
 /// The basis of the polynomials of an ideal that are free of the given unknowns.

@@ -1,8 +1,8 @@
 //! Symbolic preprocessing: the multiples of basis elements that make up an F4 matrix.
 
-use super::GroebnerError;
 use super::monomial_table::{MonomialId, MonomialTable};
 use super::pairs::{Lead, Pair};
+use super::{GroebnerError, Limits};
 use crate::algebra::Monomial;
 
 /// A monomial multiple of a basis element, as a matrix row; its values are those of the element.
@@ -35,7 +35,7 @@ pub(super) struct Symbolic<'a> {
     /// Per interned monomial: whether it is a column of the matrix, and leads a pivot row.
     states: Vec<State>,
     entries: usize,
-    max_entries: usize,
+    limits: &'a Limits<'a>,
     /// Rows that lead in a column of their own.
     pub(super) pivots: Vec<Multiple>,
     /// The remaining rows.
@@ -52,17 +52,17 @@ enum State {
 }
 
 impl<'a> Symbolic<'a> {
-    /// An empty matrix of at most `max_entries` nonzero entries.
+    /// An empty matrix.
     pub(super) fn new(
         table: &'a mut MonomialTable,
         supports: &'a [Vec<MonomialId>],
         leads: &'a [Lead],
-        max_entries: usize,
+        limits: &'a Limits<'a>,
     ) -> Self {
         let active = (0..leads.len()).filter(|&i| !leads[i].redundant).collect();
         let states = vec![State::Absent; table.len()];
         let (pivots, to_reduce, columns) = (Vec::new(), Vec::new(), Vec::new());
-        Self { table, supports, leads, active, states, entries: 0, max_entries, pivots, to_reduce, columns }
+        Self { table, supports, leads, active, states, entries: 0, limits, pivots, to_reduce, columns }
     }
 
     /// Adds both halves of the S-polynomials of pairs: of all multiples with the same leading
@@ -100,6 +100,7 @@ impl<'a> Symbolic<'a> {
     pub(super) fn close(&mut self) -> Result<(), GroebnerError> {
         let mut next = 0;
         while let Some(&id) = self.columns.get(next) {
+            self.limits.go_on()?;
             next += 1;
             if self.states[id.index()] == State::PivotColumn {
                 continue;
@@ -124,8 +125,9 @@ impl<'a> Symbolic<'a> {
     fn multiple(&mut self, element: usize, multiplier: &Monomial) -> Result<Multiple, GroebnerError> {
         let support = &self.supports[element];
         self.entries += support.len();
-        if self.entries > self.max_entries {
-            return Err(GroebnerError::LimitReached { what: "matrix entries", limit: self.max_entries });
+        let limit = self.limits.max_matrix_entries;
+        if self.entries > limit {
+            return Err(GroebnerError::LimitReached { what: "matrix entries", limit });
         }
         let hash = MonomialTable::hash(multiplier);
         let mut monomials = Vec::with_capacity(support.len());

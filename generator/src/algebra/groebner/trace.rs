@@ -7,7 +7,7 @@
 
 use std::collections::BTreeSet;
 
-use super::GroebnerError;
+use super::{GroebnerError, Limits};
 use crate::algebra::{Monomial, MonomialSet};
 
 /// A multiple of a generator: its position and the multiplier.
@@ -49,13 +49,14 @@ impl Trace {
     pub(super) fn expanded(
         &self,
         mut waiting: Vec<(usize, Monomial)>,
-        limit: usize,
+        limits: &Limits,
     ) -> Result<BTreeSet<GeneratorMultiple>, GroebnerError> {
         let mut seen = vec![MonomialSet::default(); self.elements.len()];
         waiting.retain(|&(element, multiplier)| seen[element].insert(multiplier));
         let mut count = waiting.len();
         let mut multiples = BTreeSet::new();
         while let Some((element, multiplier)) = waiting.pop() {
+            limits.go_on()?;
             match &self.elements[element] {
                 Combination::Generators(generators) => multiples.extend(generators.iter().map(|&at| (at, multiplier))),
                 Combination::Multiples(parts) => {
@@ -68,6 +69,7 @@ impl Trace {
                     }
                 }
             }
+            let limit = limits.max_multiples;
             if count > limit {
                 return Err(GroebnerError::LimitReached { what: "multiples of elements", limit });
             }

@@ -37,12 +37,12 @@ impl TracedBasis {
     ///
     /// # Errors
     /// [`GroebnerError::ExponentOutOfRange`] if a monomial has a negative exponent, or an exponent
-    /// grows beyond 127; [`GroebnerError::LimitReached`] if more than `limit` multiples of elements
-    /// of the trace take part.
+    /// grows beyond 127; [`GroebnerError::LimitReached`] if more than [`Limits::max_multiples`] of
+    /// elements of the trace take part; [`GroebnerError::Ended`].
     pub fn multiples_for(
         &self,
         monomials: impl IntoIterator<Item = Monomial>,
-        limit: usize,
+        limits: &Limits,
     ) -> Result<BTreeSet<GeneratorMultiple>, GroebnerError> {
         let mut waiting: Vec<Monomial> = monomials.into_iter().collect();
         let mut seen: MonomialSet = waiting.iter().copied().collect();
@@ -50,6 +50,7 @@ impl TracedBasis {
         // Elements of the basis are the last ones of the trace.
         let first = self.trace.len() - self.basis.elements().len();
         while let Some(monomial) = waiting.pop() {
+            limits.go_on()?;
             if !monomial.is_polynomial() {
                 return Err(GroebnerError::ExponentOutOfRange);
             }
@@ -65,7 +66,7 @@ impl TracedBasis {
                 }
             }
         }
-        self.trace.expanded(wanted, limit)
+        self.trace.expanded(wanted, limits)
     }
 }
 
@@ -114,7 +115,7 @@ mod tests {
             );
             let wanted: Vec<Monomial> =
                 basis.leading_monomials().iter().map(|m| m.times(&Monomial::unknown(system % unknowns))).collect();
-            let multiples = traced.multiples_for(wanted.iter().copied(), 1_000_000).unwrap();
+            let multiples = traced.multiples_for(wanted.iter().copied(), &Limits::default()).unwrap();
             let times = |&(at, m): &GeneratorMultiple| generators[at].times_term(field, &m, 1).unwrap();
             let rows: Vec<Polynomial<u32>> = multiples.iter().map(times).collect();
             let relation = |m: &Monomial| {
@@ -127,7 +128,8 @@ mod tests {
             };
             let relations: Vec<Polynomial<u32>> = wanted.iter().map(relation).collect();
             assert!(spans(field, &rows, &relations), "system {system}");
-            assert!(traced.multiples_for(wanted.iter().copied(), 1).is_err() || multiples.len() <= unknowns);
+            let one = Limits { max_multiples: 1, ..Limits::default() };
+            assert!(traced.multiples_for(wanted.iter().copied(), &one).is_err() || multiples.len() <= unknowns);
             // A test that cannot fail would be of no use: the generators alone do not span them.
             assert!(basis.elements().len() <= unknowns || !spans(field, &generators, &relations));
         }

@@ -2,49 +2,56 @@
 
 use std::collections::BTreeSet;
 
-use super::QuotientRing;
+use super::{GroebnerError, Limits, QuotientRing};
 use crate::algebra::Echelon;
 
 /// The sets of unknowns that are 0 at some solution while all other unknowns are not, increasing.
-/// The empty set is left out, as are further sets after `limit`.
+/// The empty set is left out, as are further sets after `most`.
 ///
 /// The quotient ring is a product of rings, one for each solution. For an unknown x, the powers of
 /// x generate the part of it that belongs to the solutions where x is not 0, and annihilate the
 /// other part. Both parts are split by the next unknown.
-pub fn zero_sets(ring: &QuotientRing, limit: usize) -> BTreeSet<Vec<usize>> {
+///
+/// # Errors
+/// [`GroebnerError::Ended`].
+pub fn zero_sets(ring: &QuotientRing, most: usize, limits: &Limits) -> Result<BTreeSet<Vec<usize>>, GroebnerError> {
     let dimension = ring.dimension();
     let unit = |at: usize| (0..dimension).map(|column| u32::from(column == at)).collect::<Vec<u32>>();
     let mut parts: Vec<(Vec<usize>, Vec<Vec<u32>>)> = vec![(Vec::new(), (0..dimension).map(unit).collect())];
     for unknown in 0..ring.unknowns() {
         let mut next = Vec::new();
         for (zeros, part) in parts {
-            let (vanishing, other) = split(ring, part, unknown);
+            let (vanishing, other) = split(ring, part, unknown, limits)?;
             if !other.is_empty() {
                 next.push((zeros.clone(), other));
             }
-            if !vanishing.is_empty() && next.len() <= limit {
+            if !vanishing.is_empty() && next.len() <= most {
                 next.push(([zeros, vec![unknown]].concat(), vanishing));
             }
         }
         parts = next;
     }
-    parts.into_iter().map(|(zeros, _)| zeros).filter(|zeros| !zeros.is_empty()).take(limit).collect()
+    Ok(parts.into_iter().map(|(zeros, _)| zeros).filter(|zeros| !zeros.is_empty()).take(most).collect())
 }
+
+/// Vectors that span two ideals of the ring.
+type Parts = (Vec<Vec<u32>>, Vec<Vec<u32>>);
 
 /// The parts of an ideal of the ring that belong to the solutions where the unknown is 0, and to
 /// the others. An ideal is given by vectors that span it.
-fn split(ring: &QuotientRing, part: Vec<Vec<u32>>, unknown: usize) -> (Vec<Vec<u32>>, Vec<Vec<u32>>) {
+fn split(ring: &QuotientRing, part: Vec<Vec<u32>>, unknown: usize, limits: &Limits) -> Result<Parts, GroebnerError> {
     let dimension = ring.dimension();
     let mut images = part.clone();
     let mut rank = part.len();
     loop {
         images.iter_mut().for_each(|image| *image = ring.times_unknown(image, unknown));
         let mut span = Echelon::new(ring.field(), dimension);
-        images.iter().for_each(|image| {
+        for image in &images {
+            limits.go_on()?;
             span.insert_dense(image);
-        });
+        }
         if span.rank() == part.len() {
-            return (Vec::new(), part);
+            return Ok((Vec::new(), part));
         }
         if span.rank() == rank || span.rank() == 0 {
             break;
@@ -55,6 +62,7 @@ fn split(ring: &QuotientRing, part: Vec<Vec<u32>>, unknown: usize) -> (Vec<Vec<u
     let mut echelon = Echelon::new(ring.field(), 2 * dimension);
     let (mut vanishing, mut other) = (Vec::new(), Vec::new());
     for (image, vector) in images.iter().zip(&part) {
+        limits.go_on()?;
         let mut row = [image.as_slice(), vector].concat();
         echelon.reduce_dense(&mut row);
         if row[..dimension].iter().all(|&value| value == 0) {
@@ -64,7 +72,7 @@ fn split(ring: &QuotientRing, part: Vec<Vec<u32>>, unknown: usize) -> (Vec<Vec<u
             echelon.insert_dense(&row);
         }
     }
-    (vanishing, other)
+    Ok((vanishing, other))
 }
 
 #[cfg(test)]
@@ -82,7 +90,7 @@ mod tests {
             equations.iter().map(|terms| Polynomial::from_terms(terms.iter().map(term).collect())).collect();
         let limits = Limits::default();
         let basis = groebner_basis(field, &polynomials, &MonomialOrder::GrevLex, &limits).unwrap();
-        zero_sets(&QuotientRing::new(&basis, 3, &limits).unwrap(), 10).into_iter().collect()
+        zero_sets(&QuotientRing::new(&basis, 3, &limits).unwrap(), 10, &limits).unwrap().into_iter().collect()
     }
 
     #[test]

@@ -106,7 +106,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
         let operations = plan.operations().total();
         let count = arguments.instances as usize;
         let counted = count.min((COUNTING_WORK / operations.max(1)).max(FEWEST_COUNTED));
-        let repeated = stability(plan, counted, arguments.seed, &|| ()).repeated as f64 / counted as f64;
+        let repeated = stability(plan, counted, arguments.seed).repeated as f64 / counted as f64;
         all_counts.push(counts(plan, repeated));
         reports.push(SolverReport {
             file: file.display().to_string(),

@@ -17,8 +17,8 @@ const MORE_COLUMNS: usize = 1500;
 The candidates are measured on random real instances, in the order of the preference. The first
 one is chosen that fails on none of --confirm instances, lacks a solution on at most one in 1000,
 and has small residuals. The same problem and options give the same file, on any number of threads.
-Ctrl-C ends the search with the best template found so far. Ctrl-C again leaves all files as they
-were.
+Ctrl-C ends the search within two seconds, with the best template found so far if it can be planned
+and verified in that time. Otherwise, or on Ctrl-C again, all files are left as they were.
 
 Example:
   eliminant search problems/two_circles.rs    writes problems/two_circles.template.toml

@@ -14,7 +14,7 @@ use super::error::CommandError;
 use super::files::{read_named_problem, template_path, write};
 use super::report::Output;
 use super::watch::Watch;
-use crate::check::check;
+use crate::check::check_until;
 use crate::search::candidates;
 use crate::search::monitor::Monitor;
 use crate::search::shard::Shard;
@@ -45,7 +45,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Output, CommandError> {
 
 /// Writes the chosen template.
 fn finish(task: Task<'_>, outcome: &Outcome, out: &Path) -> Result<Output, CommandError> {
-    write(out, &outcome.file.to_text(&task.problem.unknowns))?;
+    let text = outcome.file.to_text(&task.problem.unknowns);
+    task.watch.conclude(|| write(out, &text))?;
     task.watch.finish();
     Ok(Output::of(&SearchReport::new(task.problem, outcome, out.display().to_string(), task.watch.seconds())))
 }
@@ -55,11 +56,12 @@ fn finish(task: Task<'_>, outcome: &Outcome, out: &Path) -> Result<Output, Comma
 fn hand_over(task: Task<'_>, settings: Settings, shard: Shard, out: Option<&Path>) -> Result<Output, CommandError> {
     let Task { path, problem, watch } = task;
     watch.say("counting solutions");
-    let found = candidates(problem, &check(problem)?, &settings.options, watch);
+    let found = candidates(problem, &check_until(problem, watch.ctrl_c())?, &settings.options, watch);
     let file = ShardFile::new(task, &settings, found)?;
     let name = format!("{}.shard-{}-of-{}.json", problem.name, shard.number(), shard.of());
     let out = out.map_or_else(|| path.with_file_name(name), Path::to_owned);
-    write(&out, &file.to_text())?;
+    let text = file.to_text();
+    watch.conclude(|| write(&out, &text))?;
     watch.finish();
     Ok(Output::of(&ShardReport::new(&file, out.display().to_string(), watch.seconds())))
 }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::provenance;
 use super::settings::{Settings, Tracing};
-use crate::check::check;
+use crate::check::check_until;
 use crate::command::error::CommandError;
 use crate::command::watch::{End, OfTrace, Watch};
 use crate::generate::plan;
@@ -67,7 +67,7 @@ pub(super) struct Outcome {
 pub(super) fn search(task: Task<'_>, settings: Settings) -> Result<Outcome, CommandError> {
     let Task { path, problem, watch } = task;
     watch.say("counting solutions");
-    let count = check(problem)?;
+    let count = check_until(problem, watch.ctrl_c())?;
     let within = |settings: Settings| match candidates(problem, &count, &settings.options, watch) {
         Ok(found) => conclude(task, settings, Candidates::of(found)).map(Ok),
         Err(error) => Ok(Err(error)),

@@ -53,9 +53,9 @@ impl ShardFile {
         let Task { path, problem, watch } = task;
         let (found, failed) = match found {
             Ok(found) => (found, Vec::new()),
-            Err(SearchError::NotFound { failed, untried, .. }) => {
+            Err(SearchError::NotFound { failed, untried, is_over, .. }) => {
                 let strategies = failed.len() + untried;
-                (Found { candidates: Vec::new(), strategies, untried, unplanned: 0, is_cut: untried > 0 }, failed)
+                (Found { candidates: Vec::new(), strategies, untried, unplanned: 0, is_cut: is_over }, failed)
             }
             Err(error) => return Err(CommandError::of_search(path, problem, error)),
         };
@@ -206,7 +206,7 @@ pub(super) fn merge(path: &Path, problem: &Problem, files: &[PathBuf]) -> Result
     let candidates = in_order(candidates, settings.options.prefer);
     if candidates.is_empty() {
         let max_columns = settings.options.max_columns;
-        let error = SearchError::NotFound { max_columns, failed, untried, is_over: untried > 0 };
+        let error = SearchError::NotFound { max_columns, failed, untried, is_over: is_cut };
         return Err(CommandError::of_search(path, problem, error));
     }
     let found = Found { candidates, strategies, untried, unplanned, is_cut };

@@ -151,7 +151,7 @@ fn in_tournament<R>(
         let t = &candidates[at].template;
         let (rows, columns) = (t.rows(), t.columns());
         monitor.say(&format!("measuring template {} ({rows} x {columns}) on {} instances", at + 1, instances.end));
-        measure(&candidates[at].plan, instances, measuring.seed, &|| ())
+        measure(&candidates[at].plan, instances, measuring.seed, monitor.interruption())
     };
     let has_data = candidates.iter().any(|candidate| !candidate.plan.data.is_empty());
     let measuring = if has_data { measuring } else { Measuring { trials: 1, confirm: 1, ..measuring } };

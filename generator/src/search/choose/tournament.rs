@@ -204,8 +204,13 @@ impl Tournament<'_> {
             }
             let most = (BLOCK_WORK / self.costs[at].operations.max(1)).clamp(1, BLOCK);
             let block = (self.measure)(at, from..(from + most).min(trials));
+            // A search that is interrupted may not have measured anything.
+            let is_cut = block.trials == 0;
             self.entries[at].stability.join(block);
             self.entries[at].verdict = self.verdict(at, &self.entries[at].stability);
+            if is_cut {
+                return false;
+            }
         }
     }
 

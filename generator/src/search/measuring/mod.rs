@@ -8,6 +8,7 @@ mod interpreted_program;
 
 use std::ops::Range;
 use std::sync::OnceLock;
+use std::sync::atomic::AtomicBool;
 
 use rayon::ThreadPool;
 
@@ -15,6 +16,7 @@ use crate::algebra::Random;
 use crate::expression::arithmetic::Float64;
 use crate::plan::Plan;
 use crate::problem::instance::draw_inputs;
+use crate::search::monitor::is_set;
 use interpreted::InterpretedSolver;
 
 /// What a solver does on many instances.
@@ -73,23 +75,20 @@ impl Stability {
 }
 
 /// Solves the first `trials` instances; see [`measure`].
-pub fn stability(plan: &Plan, trials: usize, seed: u64, each: &(dyn Fn() + Sync)) -> Stability {
-    measure(plan, 0..trials, seed, each)
+pub fn stability(plan: &Plan, trials: usize, seed: u64) -> Stability {
+    measure(plan, 0..trials, seed, None)
 }
 
-/// Solves instances drawn on the data's variety; instance k depends on (seed, k) only. `each` is
-/// called after each.
-pub fn measure(plan: &Plan, instances: Range<usize>, seed: u64, each: &(dyn Fn() + Sync)) -> Stability {
+/// Solves instances drawn on the data's variety; instance k depends on (seed, k) only. Where the
+/// flag is set no further instance is begun, and only those before the first that was not begun are
+/// counted.
+pub fn measure(plan: &Plan, instances: Range<usize>, seed: u64, interruption: Option<&AtomicBool>) -> Stability {
     use rayon::prelude::*;
     let solver = InterpretedSolver::of(plan);
-    let solve = |k: usize| {
-        let solved = Solved::of(&solver, &random_instance(plan, seed, k));
-        each();
-        solved
-    };
-    let results: Vec<Solved> = in_pool(|| instances.into_par_iter().map(solve).collect());
+    let solve = |k: usize| (!is_set(interruption)).then(|| Solved::of(&solver, &random_instance(plan, seed, k)));
+    let results: Vec<Option<Solved>> = in_pool(|| instances.into_par_iter().map(solve).collect());
     let mut stability = Stability::default();
-    results.into_iter().for_each(|solved| stability.add(plan.solutions, solved));
+    results.into_iter().map_while(|solved| solved).for_each(|solved| stability.add(plan.solutions, solved));
     stability.residuals_log10.sort_by(f64::total_cmp);
     stability
 }

@@ -22,10 +22,12 @@ mod obstacle;
 mod vanishing;
 
 use std::collections::BTreeSet;
+use std::sync::atomic::AtomicBool;
 
 use crate::algebra::Monomial;
 use crate::presolve::symmetry::Reading;
 use crate::search::index_set::IndexSet;
+use crate::search::monitor::is_set;
 use crate::search::tableau::Tableau;
 use crate::template::shift_matrix::ShiftMatrix;
 
@@ -90,26 +92,41 @@ enum Part {
 /// column only ever moves from P to R and from either to the excess. This is what allows one
 /// tableau to be updated through a whole reduction.
 #[derive(Clone, Debug)]
-pub struct Dependencies {
+pub struct Dependencies<'a> {
     tableau: Tableau,
     /// The column of a m for the monomial m of each column.
     image: Vec<Option<usize>>,
     part: Vec<Part>,
+    /// Once this flag is set nothing solves any more.
+    interruption: Option<&'a AtomicBool>,
 }
 
-impl Dependencies {
+impl<'a> Dependencies<'a> {
     /// The dependencies by some rows of `matrix`, which must be independent. `readings` are the
-    /// ways in which unknowns will be read. Returns `None` if no column is permissible.
-    pub fn new(matrix: &ShiftMatrix, action: &Monomial, rows: &[usize], readings: &[Vec<Reading>]) -> Option<Self> {
-        let dependencies = Self::with_reading(matrix, action, rows, &[])?;
+    /// ways in which unknowns will be read. Returns `None` if no column is permissible, or where
+    /// the flag is set.
+    pub fn new(
+        matrix: &ShiftMatrix,
+        action: &Monomial,
+        rows: &[usize],
+        readings: &[Vec<Reading>],
+        interruption: Option<&'a AtomicBool>,
+    ) -> Option<Self> {
+        let dependencies = Self::with_reading(matrix, action, rows, &[], interruption)?;
         match dependencies.columns_to_read(matrix, readings) {
             none if none.is_empty() => Some(dependencies),
-            reading => Self::with_reading(matrix, action, rows, &reading),
+            reading => Self::with_reading(matrix, action, rows, &reading, interruption),
         }
     }
 
     /// The dependencies with these columns kept outside of the excess.
-    fn with_reading(matrix: &ShiftMatrix, action: &Monomial, rows: &[usize], reading: &[usize]) -> Option<Self> {
+    fn with_reading(
+        matrix: &ShiftMatrix,
+        action: &Monomial,
+        rows: &[usize],
+        reading: &[usize],
+        interruption: Option<&'a AtomicBool>,
+    ) -> Option<Self> {
         let columns = matrix.monomials.len();
         let image: Vec<Option<usize>> =
             matrix.monomials.iter().map(|m| matrix.column_of.get(&m.times(action)).copied()).collect();
@@ -120,7 +137,8 @@ impl Dependencies {
             return None;
         }
         let ranks = (0..columns).map(|column| rank(part[column], column, columns)).collect();
-        let mut dependencies = Self { tableau: Tableau::new(matrix, rows, ranks, columns), image, part };
+        let tableau = Tableau::new(matrix, rows, ranks, columns, interruption)?;
+        let mut dependencies = Self { tableau, image, part, interruption };
         dependencies.settle(1).then_some(dependencies)
     }
 
@@ -153,8 +171,8 @@ impl Dependencies {
     /// Whether there is a solving set without some rows. The row operations carry along only what
     /// belongs to these rows.
     pub fn solves_without(&self, rows: &[usize], matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> bool {
-        let mut rest =
-            Self { tableau: self.tableau.narrowed(rows), image: self.image.clone(), part: self.part.clone() };
+        let (image, part) = (self.image.clone(), self.part.clone());
+        let mut rest = Self { tableau: self.tableau.narrowed(rows), image, part, interruption: self.interruption };
         rows.iter().for_each(|&row| rest.delete_row(row));
         if !rest.settle(requirements.solutions) {
             return false;
@@ -167,8 +185,8 @@ impl Dependencies {
     }
 
     /// Moves columns that are no longer expressible to the excess, and their preimages with them,
-    /// until nothing changes. Returns false if fewer than `least` permissible columns are left; the
-    /// dependencies are then of no further use.
+    /// until nothing changes. Returns false if fewer than `least` permissible columns are left, or
+    /// where the flag is set; the dependencies are then of no further use.
     ///
     /// Each round moves at least one column, and a column moves at most twice, so there are at most
     /// twice as many rounds as columns. In practice there are two or three.
@@ -192,6 +210,9 @@ impl Dependencies {
             for column in 0..part.len() {
                 if part[column] == self.part[column] {
                     continue;
+                }
+                if is_set(self.interruption) {
+                    return false;
                 }
                 self.part[column] = part[column];
                 match part[column] {
@@ -231,6 +252,7 @@ impl Dependencies {
         let mut closed: Vec<(usize, usize, Vec<usize>)> = self
             .closed_sets(requirements, &vanishing)
             .into_iter()
+            .take_while(|_| !is_set(self.interruption))
             .map(|basis| (self.shifts_of(&self.image_outside(&basis)).len(), basis.len(), basis))
             .collect();
         closed.sort_unstable();
@@ -240,6 +262,9 @@ impl Dependencies {
             // rows, never fewer, so no later set can be better.
             if best.as_ref().is_some_and(|best| (best.rows, best.basis.len()) <= (rows, size)) {
                 break;
+            }
+            if is_set(self.interruption) {
+                return None;
             }
             let ways =
                 requirements.readings.iter().filter_map(|readings| self.readable(matrix, &basis, readings, &vanishing));
@@ -263,7 +288,7 @@ impl Dependencies {
     /// ```
     ///
     /// A closed set is a set of vertices that no edge leaves. With k free columns the transitive
-    /// closure costs k^3 / 64 word operations.
+    /// closure costs k^3 / 64 word operations. There is none where the flag is set.
     fn closed_sets(&self, requirements: &Requirements<'_>, vanishing: &Vanishing<'_>) -> BTreeSet<Vec<usize>> {
         let free: Vec<usize> = (0..self.part.len()).filter(|&column| self.is_free(column)).collect();
         let mut index_of = vec![usize::MAX; self.part.len()];
@@ -288,14 +313,18 @@ impl Dependencies {
                 None => IndexSet::new(free.len()),
             })
             .collect();
-        let closures = closures(next);
+        let goes_on = || !is_set(self.interruption);
+        let closures = closures(next, &goes_on);
         let is_expressed = |column: &&usize| matches!(self.part[**column], Part::Reducible | Part::Permissible);
-        let of_rows = self.tableau.pivots().iter().filter(is_expressed).map(|&column| {
+        let of_rows = self.tableau.pivots().iter().filter(is_expressed).take_while(|_| goes_on()).map(|&column| {
             let mut union = IndexSet::new(free.len());
             dependence(column).iter().for_each(|at| union.extend(&closures[at]));
             union
         });
         let sets: BTreeSet<IndexSet> = closures.iter().cloned().chain(of_rows).collect();
+        if !goes_on() {
+            return BTreeSet::new();
+        }
         let sizes = requirements.solutions..=requirements.max_basis;
         let columns = |set: IndexSet| set.iter().map(|at| free[at]).collect();
         let sets = sets.into_iter().filter(|set| sizes.contains(&set.len())).map(columns);
@@ -365,12 +394,12 @@ impl Dependencies {
 /// (Warshall's algorithm).
 ///
 /// After step k the set of each index holds all indices that are reached over intermediate indices
-/// up to k.
-fn closures(mut next: Vec<IndexSet>) -> Vec<IndexSet> {
+/// up to k. No step is taken any more where `goes_on` is false; the sets are then of no use.
+fn closures(mut next: Vec<IndexSet>, goes_on: &dyn Fn() -> bool) -> Vec<IndexSet> {
     (0..next.len()).for_each(|at| {
         next[at].insert(at);
     });
-    for over in 0..next.len() {
+    for over in (0..next.len()).take_while(|_| goes_on()) {
         let reached = next[over].clone();
         next.iter_mut().filter(|set| set.contains(over)).for_each(|set| set.extend(&reached));
     }

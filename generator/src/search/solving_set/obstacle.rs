@@ -50,7 +50,7 @@ impl Obstacle {
     }
 }
 
-impl Dependencies {
+impl Dependencies<'_> {
     /// What keeps the closest closed set from meeting the requirements. The answer is of use only
     /// if no set meets them.
     pub fn obstacle(&self, matrix: &ShiftMatrix, requirements: &Requirements<'_>) -> Obstacle {
