@@ -18,7 +18,9 @@
 //! it depends on was accepted.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::atomic::AtomicBool;
 
+use super::monitor::is_set;
 use crate::algebra::{Monomial, MonomialMap, MonomialSet, Polynomial};
 use crate::template::Shift;
 
@@ -119,9 +121,12 @@ impl Neighbours {
         }
     }
 
-    /// Accepts the best neighbour with all shifts that it frees.
-    pub(super) fn accept_best(&mut self, accepted: &mut Accepted<'_>) {
+    /// Accepts the best neighbour with all shifts that it frees; none where the flag is set.
+    pub(super) fn accept_best(&mut self, accepted: &mut Accepted<'_>, interruption: Option<&AtomicBool>) {
         for neighbour in self.all.values_mut().filter(|neighbour| neighbour.freed.is_none()) {
+            if is_set(interruption) {
+                return;
+            }
             // A neighbour that brings nothing is a row by itself, which `freed_by` does not count.
             neighbour.freed = Some(accepted.freed_by(&neighbour.brought).count().max(1));
         }
@@ -216,7 +221,7 @@ mod tests {
             let mut anew = kept.clone();
             let mut neighbours = Neighbours::new(&kept, steps.clone());
             for step in 0..40 {
-                neighbours.accept_best(&mut kept);
+                neighbours.accept_best(&mut kept, None);
                 accept_best(&mut anew, &steps);
                 assert_eq!(kept.shifts, anew.shifts, "step {step} of {equations:?}");
                 assert_eq!(kept.support, anew.support);

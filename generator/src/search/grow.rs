@@ -14,8 +14,10 @@
 //! columns for that, which is why the number of columns per row is what the last two ways watch.
 
 use std::collections::BTreeSet;
+use std::sync::atomic::AtomicBool;
 
 use super::best_shift::{Accepted, Neighbours};
+use super::monitor::is_set;
 use crate::algebra::{MAX_UNKNOWNS, Monomial, MonomialSet, Polynomial};
 use crate::template::Shift;
 
@@ -74,6 +76,7 @@ pub struct Shifts<'a> {
     level: i32,
     /// The neighbours of the accepted shifts, once shifts are added one at a time.
     neighbours: Option<Neighbours>,
+    interruption: Option<&'a AtomicBool>,
 }
 
 impl<'a> Shifts<'a> {
@@ -93,7 +96,13 @@ impl<'a> Shifts<'a> {
         let shifts = equations.iter().enumerate().map(|(equation, f)| Shift { equation, multiplier: first(f) });
         let support = shifts.flat_map(|shift| shift.monomials(equations)).collect();
         let accepted = Accepted { equations, shifts: BTreeSet::new(), support };
-        Self { accepted, unknowns, growth, limit, level, neighbours: None }
+        Self { accepted, unknowns, growth, limit, level, neighbours: None, interruption: None }
+    }
+
+    /// The same sets, none of which is begun or completed any more once the flag is set.
+    #[must_use]
+    pub fn until(self, interruption: Option<&'a AtomicBool>) -> Self {
+        Self { interruption, ..self }
     }
 
     fn grow_by_degree(&mut self, weights: &[i32]) {
@@ -139,7 +148,7 @@ impl<'a> Shifts<'a> {
     fn grow_by_best_shift(&mut self) {
         let steps = self.steps();
         let neighbours = self.neighbours.get_or_insert_with(|| Neighbours::new(&self.accepted, steps));
-        neighbours.accept_best(&mut self.accepted);
+        neighbours.accept_best(&mut self.accepted, self.interruption);
     }
 }
 
@@ -169,7 +178,8 @@ impl Iterator for Shifts<'_> {
         // Exponents are i8. No template of use comes near this bound.
         let in_range =
             support.iter().all(|m| m.exponents().iter().all(|&e| (-60..60).contains(&e))) && self.level < 1000;
-        (grown && in_range && support.len() <= self.limit).then(|| shifts.iter().copied().collect())
+        (grown && in_range && !is_set(self.interruption) && support.len() <= self.limit)
+            .then(|| shifts.iter().copied().collect())
     }
 }
 

@@ -40,7 +40,7 @@ pub enum DeletionOrder {
 /// `requirements.max_basis`.
 ///
 /// Ends after a full pass over the rows without a deletion: no single row of the template can then
-/// be deleted, unless the monitor ended the search. Returns `None` if the shifts do not solve, or if
+/// be deleted, unless the monitor ended the search. Returns `None` if the shifts do not solve, or
 /// the search is interrupted.
 pub fn reduce(
     matrix: &ShiftMatrix,
@@ -195,8 +195,8 @@ impl<'a> Reduction<'a> {
 /// A largest set of independent rows. Rows that are offered for deletion late are preferred.
 ///
 /// The row space is all that decides what solves, so the other rows are of no use. Greedy choice
-/// gives a largest set because independent rows form a matroid. Where the flag is set no further row
-/// is taken.
+/// gives a largest set because independent rows form a matroid. No further row is taken where the
+/// flag is set.
 pub fn independent_rows(matrix: &ShiftMatrix, order: DeletionOrder, interruption: Option<&AtomicBool>) -> Vec<usize> {
     let mut echelon = Echelon::new(matrix.field, matrix.monomials.len());
     let mut rows: Vec<usize> = deletion_queue(matrix, order)

@@ -59,10 +59,8 @@ pub(crate) fn seed_sets(strategy: &Strategy<'_>, options: &SearchOptions, monito
     let mut rows_of_first = None;
     let tightest = formulation.basis_limits().first().copied();
     let mut last_look: usize = 0;
-    for shifts in Shifts::new(equations, &formulation.reduced.kept, growth.clone(), options.max_columns) {
-        if is_set(monitor.interruption()) {
-            break;
-        }
+    let grown = Shifts::new(equations, &formulation.reduced.kept, growth.clone(), options.max_columns);
+    for shifts in grown.until(monitor.interruption()) {
         // To look at a set is an elimination, to add a shift is not.
         if matches!(growth, Growth::BestShift(_) | Growth::Laurent(_))
             && shifts.len() < last_look + last_look.div_ceil(ROWS_BETWEEN_LOOKS)
