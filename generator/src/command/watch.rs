@@ -16,7 +16,8 @@ static IS_OVER: AtomicBool = AtomicBool::new(false);
 static IS_INTERRUPTED: AtomicBool = AtomicBool::new(false);
 /// Whether the search came to its end. The lock is held while a file is written.
 static IS_CONCLUDED: Mutex<bool> = Mutex::new(false);
-const TOO_LATE: &str = "error: Ctrl-C ended the search, and what it found takes longer than two seconds to be verified: nothing is written\n";
+/// What is said if the time is up.
+const TOO_LATE: &str = "error: Ctrl-C ended the search; nothing could be verified and written within two seconds\n";
 /// The exit status of a process that Ctrl-C ended.
 const INTERRUPTED: i32 = 130;
 /// The part of a budget that is for searching. The rest is for measuring.
