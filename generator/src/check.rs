@@ -41,8 +41,19 @@ impl SolutionCount {
     /// sign and the exchanges that the problem allows. And no finite set of monomials holds all its
     /// products aB with an action monomial a: there is a column outside of B.
     pub fn least_columns(&self, problem: &Problem) -> usize {
-        let forms: Vec<ReducedProblem> =
-            Presolve::all(problem.unknowns.len()).into_iter().map(|how| presolve(problem, how)).collect();
+        let forms = Presolve::all(problem.unknowns.len()).into_iter().map(|how| presolve(problem, how));
+        self.least_columns_of(&forms.collect::<Vec<_>>())
+    }
+
+    /// As [`SolutionCount::least_columns`]; `None` where the flag is set.
+    pub(crate) fn least_columns_until(&self, problem: &Problem, is_over: Option<&AtomicBool>) -> Option<usize> {
+        let goes_on = || !is_over.is_some_and(|is_over| is_over.load(Ordering::Relaxed));
+        let forms = Presolve::all(problem.unknowns.len()).into_iter();
+        let forms: Option<Vec<ReducedProblem>> = forms.map(|how| goes_on().then(|| presolve(problem, how))).collect();
+        Some(self.least_columns_of(&forms?))
+    }
+
+    fn least_columns_of(&self, forms: &[ReducedProblem]) -> usize {
         let at_a_point = self.solutions - self.different + 1;
         // Presolve may leave a problem of which the origin is a solution, which is known, too.
         let known = match forms.iter().any(|form| form.problem.has_origin()) {

@@ -52,7 +52,8 @@ pub fn candidates(
     options: &SearchOptions,
     monitor: &dyn Monitor,
 ) -> Result<Found, SearchError> {
-    let least = count.least_columns(problem);
+    let least = count.least_columns_until(problem, monitor.interruption());
+    let Some(least) = least else { return Err(SearchError::interrupted(options)) };
     if least > options.max_columns {
         return Err(SearchError::TooFewColumns { max_columns: options.max_columns, least });
     }
