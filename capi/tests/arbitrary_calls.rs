@@ -3,53 +3,24 @@
 
 mod common;
 
-use common::{Buffer, Case, Room, cases};
+use common::faults::{Fault, MARGIN, UNTOUCHED, faults, numbers, same};
+use common::{Buffer, Case, Measure, Room, cases};
+use eliminant::SecondAttempts;
 use eliminant_capi_runtime::Code;
 use proptest::prelude::*;
 use proptest::test_runner::{RngSeed, TestRunner};
 
-/// What a test writes into room before a call.
-const UNTOUCHED: f64 = 12345.678;
-/// Numbers of room around what a call may touch.
-const MARGIN: usize = 8;
 const UNTOUCHED_COUNT: usize = 77;
 const UNTOUCHED_CODE: i32 = -77;
 /// The most numbers of a result up to which a solver counts as small.
 const SMALL: usize = 100;
 
-/// How a caller passes a pointer and a length.
-#[derive(Clone, Copy, Debug)]
-enum Fault {
-    None,
-    Null,
-    Misaligned,
-    /// Another length than the right one.
-    Length(usize),
-}
-
-fn faults() -> impl Strategy<Value = Fault> {
-    prop_oneof![
-        20 => Just(Fault::None),
-        1 => Just(Fault::Null),
-        1 => Just(Fault::Misaligned),
-        1 => prop_oneof![0..300usize, Just(usize::MAX), Just(usize::MAX / 8), any::<usize>()].prop_map(Fault::Length),
-    ]
-}
-
-/// Mostly numbers of usual size, sometimes any bytes.
-fn numbers() -> impl Strategy<Value = f64> {
-    prop_oneof![
-        60 => -2.0..2.0,
-        4 => (-3..4).prop_map(f64::from),
-        1 => any::<u64>().prop_map(f64::from_bits),
-        1 => prop_oneof![Just(f64::NAN), Just(f64::INFINITY), Just(1e300), Just(1e-300), Just(-0.0)],
-    ]
-}
-
 /// All that a caller chooses.
 #[derive(Clone, Debug)]
 struct Call {
     instances: usize,
+    /// The bound on second attempts.
+    second_attempts: u64,
     /// Numbers, from which all lists are cut.
     numbers: Vec<f64>,
     faults: Vec<Fault>,
@@ -68,15 +39,20 @@ fn most_instances(case: &Case) -> usize {
     if is_small(case) { 70 } else { 2 }
 }
 
+fn second_attempts() -> impl Strategy<Value = u64> {
+    prop_oneof![Just(0), Just(u64::MAX), 1..1_000_000_000u64]
+}
+
 fn calls(case: &Case) -> impl Strategy<Value = Call> + use<> {
     let lists = case.data.len();
     let numbers_of_instance: usize = case.data.iter().map(|(length, _)| length).sum();
     (0..=most_instances(case)).prop_flat_map(move |instances| {
         let numbers = prop::collection::vec(numbers(), numbers_of_instance * instances.max(1));
         let faults_of_data = prop::collection::vec(faults(), lists);
-        (numbers, faults_of_data, faults(), faults(), faults()).prop_map(
-            move |(numbers, faults, of_solutions, of_counts, of_codes)| Call {
+        (second_attempts(), numbers, faults_of_data, faults(), faults(), faults()).prop_map(
+            move |(second_attempts, numbers, faults, of_solutions, of_counts, of_codes)| Call {
                 instances,
+                second_attempts,
                 numbers,
                 faults,
                 of_solutions,
@@ -87,26 +63,13 @@ fn calls(case: &Case) -> impl Strategy<Value = Call> + use<> {
     })
 }
 
-/// The pointer with its fault.
-fn pointer<T>(right: *mut T, fault: Fault) -> *mut T {
-    match fault {
-        Fault::Null => std::ptr::null_mut(),
-        Fault::Misaligned => right.cast::<u8>().wrapping_add(1).cast(),
-        Fault::None | Fault::Length(_) => right,
-    }
-}
-
-fn length(right: usize, fault: Fault) -> usize {
-    if let Fault::Length(length) = fault { length } else { right }
-}
-
 /// The lists of data for so many instances, with their faults.
 fn buffers(case: &Case, call: &Call, instances: usize) -> Vec<Buffer> {
     let mut rest = &call.numbers[..];
     let lists = case.data.iter().zip(&call.faults).map(|(&(of_instance, _), &fault)| {
         let (list, after) = rest.split_at(of_instance * instances);
         rest = after;
-        Buffer { pointer: pointer(list.as_ptr().cast_mut(), fault), length: length(list.len(), fault) }
+        Buffer { pointer: fault.pointer(list.as_ptr().cast_mut()), length: fault.length(list.len()) }
     });
     lists.collect()
 }
@@ -126,48 +89,62 @@ fn is_code(number: i32) -> bool {
     Code::ALL.iter().any(|code| code.number() == number)
 }
 
-/// Equal bits; a NaN is any NaN.
-fn same(a: &[f64], b: &[f64]) -> bool {
-    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan())
-}
-
 /// One instance.
 fn check_solve(case: &Case, call: &Call) -> Result<(), TestCaseError> {
-    let faults_of_lists = call.faults.iter().zip(case.data).filter(|(_, (_, is_number))| !is_number);
-    let is_faulty = |fault: &Fault, right: usize| match fault {
-        Fault::None => false,
-        Fault::Length(length) => *length != right,
-        Fault::Null | Fault::Misaligned => right > 0,
-    };
-    let faulty_data = faults_of_lists.clone().any(|(fault, (right, _))| is_faulty(fault, *right));
     // Numbers are by value: the faults of their lists are none.
     let mut sound = call.clone();
     for (fault, (_, is_number)) in sound.faults.iter_mut().zip(case.data) {
         *fault = if *is_number { Fault::None } else { *fault };
     }
-    let data = buffers(case, &sound, 1);
+    check_rows(case, &sound, case.solve, case.in_rust)?;
+    let second_attempts = match call.second_attempts {
+        0 => SecondAttempts::Never,
+        u64::MAX => SecondAttempts::Always,
+        operations => SecondAttempts::AtMost(operations),
+    };
+    check_rows(
+        case,
+        &sound,
+        |data, room| (case.solve_with)(call.second_attempts, data, room),
+        |data| (case.in_rust_with)(second_attempts, data),
+    )?;
+    prop_assert_eq!(case.operations.0, case.operations.1);
+    case.measures.iter().try_for_each(|measure| check_measure(case, &sound, measure))
+}
+
+/// Whether a list of the data of one instance does not fit.
+fn has_faulty_data(case: &Case, call: &Call) -> bool {
+    call.faults.iter().zip(case.data).any(|(fault, (length, _))| fault.is_fault(*length))
+}
+
+/// What a function writes for one instance.
+fn check_rows(
+    case: &Case,
+    call: &Call,
+    solve: impl Fn(&[Buffer], Room) -> i32,
+    in_rust: impl Fn(&[Buffer]) -> Result<Vec<f64>, Code>,
+) -> Result<(), TestCaseError> {
     // A capacity above the true one would be a lie of the caller, so that no length is above it.
-    let capacity = length(case.most, call.of_solutions).min(case.most);
+    let capacity = call.of_solutions.length(case.most).min(case.most);
     let mut solutions = vec![UNTOUCHED; case.most * case.row + MARGIN];
     let mut count = UNTOUCHED_COUNT;
     let room = Room {
-        solutions: pointer(solutions.as_mut_ptr(), call.of_solutions),
+        solutions: call.of_solutions.pointer(solutions.as_mut_ptr()),
         length: capacity,
-        counts: pointer(&raw mut count, call.of_counts),
+        counts: call.of_counts.pointer(&raw mut count),
         codes: std::ptr::null_mut(),
     };
-    let code = (case.solve)(&data, room);
+    let code = solve(&buffers(case, call, 1), room);
     prop_assert!(is_code(code), "{code}");
-    let bad_room = capacity > 0 && matches!(call.of_solutions, Fault::Null | Fault::Misaligned);
-    let bad_count = matches!(call.of_counts, Fault::Null | Fault::Misaligned);
-    let wrong = faulty_data || bad_room || bad_count;
-    if wrong {
+    let bad_room = capacity > 0 && call.of_solutions.is_of_pointer();
+    let bad_count = call.of_counts.is_of_pointer();
+    if has_faulty_data(case, call) || bad_room || bad_count {
         prop_assert!((1..=3).contains(&code), "{code}");
         prop_assert!(solutions.iter().all(|&number| number == UNTOUCHED));
         prop_assert_eq!(count, if bad_count { UNTOUCHED_COUNT } else { 0 });
         return Ok(());
     }
-    match (case.in_rust)(&of_instance(case, &sound, 0, 1)) {
+    match in_rust(&of_instance(case, call, 0, 1)) {
         Ok(rows) => {
             let written = rows.len().min(capacity * case.row);
             let expected = if written < rows.len() { Code::ShortBuffer } else { Code::Ok };
@@ -177,6 +154,32 @@ fn check_solve(case: &Case, call: &Call) -> Result<(), TestCaseError> {
             prop_assert!(solutions[written..].iter().all(|&number| number == UNTOUCHED));
         }
         Err(expected) => prop_assert_eq!((code, count), (expected.number(), 0)),
+    }
+    Ok(())
+}
+
+/// What measures the first solution, or the first numbers where there is none.
+fn check_measure(case: &Case, call: &Call, measure: &Measure) -> Result<(), TestCaseError> {
+    let sound = of_instance(case, call, 0, 1);
+    let found = (case.in_rust)(&sound).unwrap_or_default();
+    let solution: Vec<f64> = found.iter().chain(call.numbers.iter().cycle()).copied().take(case.row).collect();
+    let pointer = solution.as_ptr();
+    let given =
+        Buffer { pointer: call.of_solutions.pointer(pointer.cast_mut()), length: call.of_solutions.length(case.row) };
+    let mut number = UNTOUCHED;
+    let code = (measure.in_c)(&buffers(case, call, 1), given, call.of_counts.pointer(&raw mut number));
+    let bad_solution = call.of_solutions.is_fault(case.row);
+    if has_faulty_data(case, call) || bad_solution || call.of_counts.is_of_pointer() {
+        prop_assert!((1..=3).contains(&code), "{code}");
+        prop_assert!(number == UNTOUCHED);
+        return Ok(());
+    }
+    match (measure.in_rust)(&sound, Buffer { pointer, length: case.row }) {
+        Ok(expected) => {
+            prop_assert_eq!(code, Code::Ok.number());
+            prop_assert!(same(&[number], &[expected]), "{} {}", number, expected);
+        }
+        Err(expected) => prop_assert_eq!((code, number), (expected.number(), UNTOUCHED)),
     }
     Ok(())
 }
@@ -203,22 +206,18 @@ fn check_batch(case: &Case, call: &Call) -> Result<(), TestCaseError> {
         instances,
         &data,
         Room {
-            solutions: pointer(room.solutions.as_mut_ptr(), call.of_solutions),
-            length: length(numbers, call.of_solutions).min(numbers),
-            counts: pointer(room.counts.as_mut_ptr(), call.of_counts),
-            codes: pointer(room.codes.as_mut_ptr(), call.of_codes),
+            solutions: call.of_solutions.pointer(room.solutions.as_mut_ptr()),
+            length: call.of_solutions.length(numbers).min(numbers),
+            counts: call.of_counts.pointer(room.counts.as_mut_ptr()),
+            codes: call.of_codes.pointer(room.codes.as_mut_ptr()),
         },
     );
     prop_assert!((0..=4).contains(&code), "{code}");
     prop_assert!(room.solutions[numbers..].iter().all(|&number| number == UNTOUCHED));
     prop_assert!(room.counts[instances..].iter().all(|&count| count == UNTOUCHED_COUNT));
     prop_assert!(room.codes[instances..].iter().all(|&code| code == UNTOUCHED_CODE));
-    let is_bad = |fault: &Fault| matches!(fault, Fault::Null | Fault::Misaligned);
-    let faulty_room = [&call.of_solutions, &call.of_counts, &call.of_codes].into_iter().any(is_bad);
-    let faulty_lists = call.faults.iter().zip(case.data).any(|(fault, (length, _))| match fault {
-        Fault::Length(given) => *given != length * instances,
-        fault => is_bad(fault) && instances > 0,
-    });
+    let faulty_room = [call.of_solutions, call.of_counts, call.of_codes].into_iter().any(Fault::is_of_pointer);
+    let faulty_lists = call.faults.iter().zip(case.data).any(|(fault, (length, _))| fault.is_fault(length * instances));
     let short = matches!(call.of_solutions, Fault::Length(length) if length < numbers);
     if faulty_lists || short || faulty_room && instances > 0 {
         prop_assert!(code != Code::Ok.number());

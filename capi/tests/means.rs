@@ -1,38 +1,83 @@
-//! Means over measurements.
-#![cfg(feature = "pose_npt_direct_least_squares")]
+//! Means over arbitrary measurements with arbitrary pointers and lengths: no crash, no write beyond
+//! the mean, none where a list does not fit, and the means of the Rust functions.
 
-use eliminant_c::functions::pose_npt_direct_least_squares::eliminant_pose_npt_direct_least_squares_mean_of_point as c;
-use eliminant_c::pose_npt_direct_least_squares::mean_of_point;
+mod common;
+
+use common::faults::{Fault, MARGIN, UNTOUCHED, faults, numbers, same};
+use common::{Buffer, MeanCase, mean_cases};
 use eliminant_capi_runtime::Code;
+use proptest::prelude::*;
+use proptest::test_runner::{RngSeed, TestRunner};
 
-const RAYS: [[f64; 3]; 3] = [[0.1, 0.2, 1.0], [-0.3, 0.1, 1.0], [0.2, -0.4, 1.0]];
-const POINTS: [[f64; 3]; 3] = [[1.0, 2.0, 3.0], [-1.0, 0.5, 2.0], [0.3, 0.7, -1.0]];
+const MOST_MEASUREMENTS: usize = 20;
 
-/// The code of a call with lists of these lengths, and what was written.
-fn call(measurements: usize, [rays, points, mean]: [usize; 3]) -> (i32, [[f64; 10]; 6]) {
-    let mut room = [[7.0; 10]; 6];
-    let (first, second) = (RAYS.as_flattened().as_ptr(), POINTS.as_flattened().as_ptr());
-    // SAFETY: the lists are as long as the lengths that are right, and no other is read or written.
-    let code = unsafe { c(measurements, first, rays, second, points, room.as_flattened_mut().as_mut_ptr(), mean) };
-    (code, room)
+/// All that a caller chooses.
+#[derive(Clone, Debug)]
+struct Call {
+    measurements: usize,
+    /// How many measurements the caller says there are.
+    of_measurements: Fault,
+    lists: Vec<Vec<f64>>,
+    faults: Vec<Fault>,
+    of_mean: Fault,
 }
 
-#[test]
-fn a_mean_is_that_of_rust() {
-    assert_eq!(call(3, [9, 9, 60]), (0, mean_of_point(RAYS.iter().zip(&POINTS))));
-    assert_eq!(call(1, [3, 3, 60]), (0, mean_of_point([(RAYS[0], POINTS[0])])));
-    let (code, of_none) = call(0, [0, 0, 60]);
-    assert!(code == 0 && of_none.as_flattened().iter().all(|number| number.is_nan()));
+fn calls(case: &MeanCase) -> impl Strategy<Value = Call> + use<> {
+    let data = case.data;
+    (0..=MOST_MEASUREMENTS).prop_flat_map(move |measurements| {
+        let lists: Vec<_> = data.iter().map(|length| prop::collection::vec(numbers(), length * measurements)).collect();
+        let faults_of_lists = prop::collection::vec(faults(), data.len());
+        (faults(), lists, faults_of_lists, faults()).prop_map(move |(of_measurements, lists, faults, of_mean)| Call {
+            measurements,
+            of_measurements,
+            lists,
+            faults,
+            of_mean,
+        })
+    })
 }
 
-#[test]
-fn nothing_is_written_where_a_list_does_not_fit() {
-    for (measurements, lengths) in [(3, [9, 6, 60]), (3, [6, 9, 60]), (2, [9, 9, 60]), (3, [9, 9, 59])] {
-        assert_eq!(call(measurements, lengths), (Code::WrongLength.number(), [[7.0; 10]; 6]));
+fn check(case: &MeanCase, call: &Call) -> Result<(), TestCaseError> {
+    let with_faults = |(list, fault): (&Vec<f64>, &Fault)| Buffer {
+        pointer: fault.pointer(list.as_ptr().cast_mut()),
+        length: fault.length(list.len()),
+    };
+    let lists: Vec<Buffer> = call.lists.iter().zip(&call.faults).map(with_faults).collect();
+    // A count has no pointer.
+    let measurements = call.of_measurements.length(call.measurements);
+    let mut room = vec![UNTOUCHED; case.mean + MARGIN];
+    let mean = Buffer { pointer: call.of_mean.pointer(room.as_mut_ptr()), length: call.of_mean.length(case.mean) };
+    let code = (case.in_c)(measurements, &lists, mean);
+    let is_faulty = |(list, (fault, length)): (&Buffer, (&Fault, &usize))| {
+        length.checked_mul(measurements) != Some(list.length) || fault.is_of_pointer() && list.length > 0
+    };
+    let faulty_list = lists.iter().zip(call.faults.iter().zip(case.data)).any(is_faulty);
+    if faulty_list || call.of_mean.is_fault(case.mean) {
+        let codes = [Code::NullPointer, Code::MisalignedPointer, Code::WrongLength].map(Code::number);
+        prop_assert!(codes.contains(&code), "{code}");
+        prop_assert!(room.iter().all(|&number| number == UNTOUCHED));
+        return Ok(());
     }
-    let mut room = [7.0; 60];
-    let points = POINTS.as_flattened().as_ptr();
-    // SAFETY: null is refused.
-    let code = unsafe { c(3, std::ptr::null(), 9, points, 9, room.as_mut_ptr(), 60) };
-    assert_eq!((code, room), (Code::NullPointer.number(), [7.0; 60]));
+    prop_assert_eq!(code, Code::Ok.number());
+    let expected = (case.in_rust)(measurements, &lists);
+    prop_assert!(same(&room[..case.mean], &expected), "{:?} {:?}", room, expected);
+    prop_assert!(room[case.mean..].iter().all(|&number| number == UNTOUCHED));
+    prop_assert!(measurements > 0 || expected.iter().all(|number| number.is_nan()));
+    Ok(())
+}
+
+#[test]
+fn arbitrary_calls_of_means() {
+    let cases = mean_cases();
+    assert!(!cases.is_empty(), "enable a problem with means: `--features pose_npt_direct_least_squares`");
+    for case in cases {
+        let config = ProptestConfig {
+            cases: 1000,
+            rng_seed: RngSeed::Fixed(1),
+            failure_persistence: None,
+            ..Default::default()
+        };
+        let outcome = TestRunner::new(config).run(&calls(&case), |call| check(&case, &call));
+        outcome.unwrap_or_else(|error| panic!("{}: {error}", case.name));
+    }
 }

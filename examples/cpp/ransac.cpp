@@ -104,8 +104,10 @@ int main() {
             first[k] = scene.first[index];
             second[k] = scene.second[index];
         }
-        // A sample with a point twice is degenerate: its code says so, and its list is empty.
-        const auto result = five_point::try_solve_for_relative_pose(first, second);
+        // A sample with a point twice is degenerate: its code says so, and its list is empty. One that
+        // would need a second attempt is not worth it: there are others.
+        const auto result =
+            five_point::try_solve_with_for_relative_pose(eliminant::SecondAttempts::never(), first, second);
         for (const five_point::RelativePose &pose : *result) {
             ++solutions;
             const std::size_t count = inliers(pose.essential, scene);

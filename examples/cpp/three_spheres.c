@@ -17,7 +17,15 @@ int main(void) {
         return 1;
     }
     for (k = 0; k < count; ++k) {
-        printf("%.6f %.6f %.6f\n", solutions[k][0], solutions[k][1], solutions[k][2]);
+        double bound = 1.0;
+        code = eliminant_trilateration_error_bound(
+            &centres[0][0], ELIMINANT_TRILATERATION_CENTRES_LENGTH, distances,
+            ELIMINANT_TRILATERATION_DISTANCES_LENGTH, solutions[k], ELIMINANT_TRILATERATION_UNKNOWNS, &bound);
+        printf("%.6f %.6f %.6f, known to %.1e\n", solutions[k][0], solutions[k][1], solutions[k][2], bound);
+        if (code != ELIMINANT_OK || !(bound < 1e-12)) {
+            fprintf(stderr, "error: solution %u is not known well: %s\n", (unsigned)k, eliminant_error_text(code));
+            return 1;
+        }
         for (i = 0; i < 3; ++i) {
             const double dx = solutions[k][0] - centres[i][0], dy = solutions[k][1] - centres[i][1],
                          dz = solutions[k][2] - centres[i][2];

@@ -18,8 +18,10 @@ static bool finds_the_bar() {
         shifts[k][0] = shift.real(), shifts[k][1] = shift.imag();
     }
     double error = INFINITY;
-    for (const auto &found : own::linkage_5_poses::solve(turns, shifts)) {
-        std::printf("a bar from %.6f %.6f\n", found.on_frame[0], found.on_frame[1]);
+    // Five poses in general: one attempt suffices.
+    for (const auto &found : own::linkage_5_poses::solve_with(own::SecondAttempts::never(), turns, shifts)) {
+        std::printf("a bar from %.6f %.6f, known to %.1e\n", found.on_frame[0], found.on_frame[1],
+                    own::linkage_5_poses::error_bound(turns, shifts, found));
         error = std::fmin(error, std::abs(Complex(found.on_frame[0], found.on_frame[1]) - on_frame));
     }
     return error < 1e-9;

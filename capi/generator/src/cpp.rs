@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::header::with_prefix;
-use crate::interface::{Field, Interface, Mean, Row};
+use crate::interface::{Field, Interface, MEASURES, Mean, Row};
 use crate::names::free_name;
 
 /// What all libraries have; `@name@` and `@NAME@` stand for the prefix.
@@ -27,6 +27,7 @@ fn problem(prefix: &str, interface: &Interface) -> String {
         text.push_str(&structure(interface, row));
         text.push_str(&functions(prefix, interface, row));
     }
+    text.push_str(&measures(prefix, interface));
     for of in &interface.means {
         text.push_str(&mean(prefix, interface, of));
     }
@@ -86,22 +87,87 @@ fn mean(prefix: &str, interface: &Interface, mean: &Mean) -> String {
     text
 }
 
+/// The data of one instance: as parameters, by their names, and as arguments of a C function.
+struct DataOfOne {
+    parameters: Vec<String>,
+    names: Vec<String>,
+    arguments: String,
+}
+
+impl DataOfOne {
+    fn of(interface: &Interface) -> Self {
+        let parameter = |field: &Field| match field.shape.is_empty() {
+            true => format!("double {}", field.c_name),
+            false => format!("Values<{}> {}", field.len(), field.c_name),
+        };
+        let argument = |field: &Field| match field.shape.is_empty() {
+            true => format!("{}, ", field.c_name),
+            false => list(field),
+        };
+        Self {
+            parameters: interface.data.iter().map(parameter).collect(),
+            names: interface.data.iter().map(|field| field.c_name.clone()).collect(),
+            arguments: interface.data.iter().map(argument).collect(),
+        }
+    }
+}
+
+/// A list of data as arguments of a C function.
+fn list(field: &Field) -> String {
+    format!("{0}.data(), {0}.size(), ", field.c_name)
+}
+
+/// The calls that measure a solution, and the one that tells the work of a second attempt.
+fn measures(prefix: &str, interface: &Interface) -> String {
+    let DataOfOne { parameters, arguments, .. } = DataOfOne::of(interface);
+    let parameters: String = parameters.iter().map(|parameter| format!("{parameter}, ")).collect();
+    let docs = [
+        "/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a solution.",
+        "/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is\n\
+         /// known to be near.",
+    ];
+    let upper = prefix.to_uppercase();
+    let measure = |(measure, doc): (&str, &str)| {
+        let function = interface.measure(measure).0;
+        format!(
+            "\
+{doc} Throws `Error`.
+[[nodiscard]] inline double {measure}({parameters}const Solution &solution) {{
+    double number = 0.0;
+    const std::int32_t code = {prefix}_{function}(
+        {arguments}reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != {upper}_OK) throw Error(code);
+    return number;
+}}
+
+"
+        )
+    };
+    let measures: String = MEASURES.into_iter().zip(docs).map(measure).collect();
+    format!(
+        "\
+{measures}/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {{
+    return {prefix}_{}();
+}}
+
+",
+        interface.second_attempt_operations()
+    )
+}
+
 /// The calls that return rows of a kind.
 fn functions(prefix: &str, interface: &Interface, row: &Row) -> String {
     let Row { name, suffix, what, .. } = row;
-    let joined = |parts: Vec<String>| parts.join(", ");
-    let single = |field: &Field| match field.shape.is_empty() {
-        true => format!("double {}", field.c_name),
-        false => format!("Values<{}> {}", field.len(), field.c_name),
-    };
-    let list = |field: &Field| format!("{0}.data(), {0}.size(), ", field.c_name);
-    let given = |field: &Field| if field.shape.is_empty() { format!("{}, ", field.c_name) } else { list(field) };
-    let parameters = joined(interface.data.iter().map(single).collect());
-    let names = joined(interface.data.iter().map(|field| field.c_name.clone()).collect());
-    let arguments: String = interface.data.iter().map(given).collect();
+    let DataOfOne { parameters, names, arguments } = DataOfOne::of(interface);
+    let with = |first: &str, others: &[String]| [&[first.to_owned()], others].concat().join(", ");
+    let (with_parameters, with_names) =
+        (with("SecondAttempts second_attempts", &parameters), with("second_attempts", &names));
+    let (parameters, names) = (parameters.join(", "), names.join(", "));
     let lists: String = interface.data.iter().map(|field| format!("Many {}, ", field.c_name)).collect();
     let of_lists: String = interface.data.iter().map(list).collect();
-    let ((solve, _), (solve_batch, _)) = (interface.solve(row), interface.solve_batch(row));
+    let [(solve, _), (solve_with, _), (solve_batch, _)] =
+        [interface.solve(row), interface.solve_with(row), interface.solve_batch(row)];
     let returned = format!("Solutions<{name}, max_solutions>");
     format!(
         "\
@@ -115,6 +181,19 @@ fn functions(prefix: &str, interface: &Interface, row: &Row) -> String {
 /// Real solutions of one instance: each {what}. Throws `Error`.
 [[nodiscard]] inline {returned} solve{suffix}({parameters}) {{
     return try_solve{suffix}({names}).value();
+}}
+
+/// As `try_solve{suffix}`, with a bound on second attempts.
+[[nodiscard]] inline Result<{returned}> try_solve_with{suffix}({with_parameters}) noexcept {{
+    return Result<{returned}>::of([&](double *to_solutions, std::size_t *to_count) {{
+        return {prefix}_{solve_with}(
+            second_attempts.operations(), {arguments}to_solutions, max_solutions, to_count);
+    }});
+}}
+
+/// As `solve{suffix}`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline {returned} solve_with{suffix}({with_parameters}) {{
+    return try_solve_with{suffix}({with_names}).value();
 }}
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::interface::{Field, Interface, Mean, Parameter, Row};
+use crate::interface::{Field, Interface, MEASURES, Mean, Parameter, Row};
 
 /// The functions of a library. The solvers stand beside the module `functions` that this is.
 pub(crate) fn functions(prefix: &str, interfaces: &[Interface]) -> String {
@@ -41,11 +41,12 @@ fn problem(prefix: &str, interface: &Interface) -> String {
     let list = |print: &dyn Fn(&Field) -> String| data.iter().map(print).collect::<String>();
     let buffers = list(&|field| format!("{}: border::Input, ", field.c_name));
     let checks = list(&|field| {
-        let ty = rust_type(field);
+        let ty = field.in_rust();
         format!("        self.{0}.check::<{ty}>(instances)?;\n", field.c_name)
     });
     let reads = list(&|field| format!("{}: unsafe {{ self.{}.read(at) }}, ", field.name, field.c_name));
     let rows: String = interface.rows.iter().map(|row| functions_of_row(prefix, interface, row)).collect();
+    let measures: String = MEASURES.iter().map(|measure| function_of_measure(prefix, interface, measure)).collect();
     let means: String = interface.means.iter().map(|mean| function_of_mean(prefix, interface, mean)).collect();
     format!(
         r#"
@@ -73,8 +74,39 @@ impl Inputs {{
         solver::Data {{ {reads} }}
     }}
 }}
-{rows}{means}}}
-"#
+
+/// How many operations a second attempt is.
+#[unsafe(no_mangle)]
+pub extern "C" fn {prefix}_{operations}() -> u64 {{
+    solver::SECOND_ATTEMPT_OPERATIONS
+}}
+{rows}{measures}{means}}}
+"#,
+        operations = interface.second_attempt_operations(),
+    )
+}
+
+/// The function that measures a solution.
+fn function_of_measure(prefix: &str, interface: &Interface, measure: &str) -> String {
+    let (name, parameters) = interface.measure(measure);
+    format!(
+        r#"
+{doc}pub unsafe extern "C" fn {prefix}_{name}({parameters}) -> i32 {{
+    // SAFETY: the caller promises what the functions of the border need.
+    unsafe {{
+        border::value(({measure}, 1), || {{
+            {data}
+            let solution = border::Input::new(solution, solution_length).read_one::<[f64; {length}]>()?;
+            Ok(solver::{measure}({arguments}&solver::Solution::from(solution))?)
+        }})
+    }}
+}}
+"#,
+        doc = doc("Measures a solution."),
+        parameters = rust_parameters(&parameters),
+        data = data_of_one(interface),
+        length = interface.rows.first().map_or(0, Row::len),
+        arguments = arguments(interface),
     )
 }
 
@@ -83,7 +115,7 @@ fn function_of_mean(prefix: &str, interface: &Interface, mean: &Mean) -> String 
     let (name, parameters) = interface.mean(mean);
     let (mut inputs, mut checks, mut reads) = (String::new(), String::new(), Vec::new());
     for field in &mean.measurement {
-        let (list, ty) = (&field.c_name, rust_type(field));
+        let (list, ty) = (&field.c_name, field.in_rust());
         let _ = write!(inputs, "let {list} = border::Input::new({list}, {list}_length);\n    ");
         let _ = write!(checks, "{list}.check::<{ty}>(measurements)?;\n            ");
         reads.push(format!("{list}.read::<{ty}>(at)"));
@@ -97,7 +129,7 @@ fn function_of_mean(prefix: &str, interface: &Interface, mean: &Mean) -> String 
 {doc}pub unsafe extern "C" fn {prefix}_{name}({parameters}) -> i32 {{
     {inputs}// SAFETY: the caller promises what the functions of the border need; what is read was checked.
     unsafe {{
-        border::mean((mean, mean_length), || {{
+        border::value((mean, mean_length), || {{
             {checks}Ok(solver::{function}((0..measurements).map(|at| {item})))
         }})
     }}
@@ -109,12 +141,12 @@ fn function_of_mean(prefix: &str, interface: &Interface, mean: &Mean) -> String 
     )
 }
 
-/// The two functions that return rows of a kind.
+/// The functions that return rows of a kind.
 fn functions_of_row(prefix: &str, interface: &Interface, row: &Row) -> String {
     let (batch, rows) = (format!("BatchOf{}", row.name), rows(interface, row));
     let (length, solutions) = (row.len(), interface.solutions);
     let result = if row.suffix.is_empty() { "solution" } else { "result" };
-    let single = single(prefix, interface, row);
+    let single = single(prefix, interface, row) + &with_options(prefix, interface, row);
     let of_batch = of_batch(prefix, interface, row);
     format!(
         r#"
@@ -190,8 +222,8 @@ fn arguments(interface: &Interface) -> String {
     interface.data.iter().map(argument).collect()
 }
 
-fn single(prefix: &str, interface: &Interface, row: &Row) -> String {
-    let (name, parameters) = interface.solve(row);
+/// The statement that reads the data of one instance.
+fn data_of_one(interface: &Interface) -> String {
     let read = |field: &Field| match field.shape.is_empty() {
         true if field.name == field.c_name => format!("{}, ", field.name),
         true => format!("{}: {}, ", field.name, field.c_name),
@@ -201,7 +233,36 @@ fn single(prefix: &str, interface: &Interface, row: &Row) -> String {
         }
     };
     let reads: String = interface.data.iter().map(read).collect();
-    let (to_array, arguments) = (to_array(row), arguments(interface));
+    format!("#[allow(unused_variables)]\n            let data = solver::Data {{ {reads} }};")
+}
+
+/// The function that solves one instance.
+fn single(prefix: &str, interface: &Interface, row: &Row) -> String {
+    let (suffix, arguments, to_array) = (&row.suffix, arguments(interface), to_array(row));
+    let rows = format!("Ok(solver::solve{suffix}({arguments})?.map({to_array}))");
+    function_of_one(prefix, interface, row, (interface.solve(row), "Solves one instance.", &rows))
+}
+
+/// The function that solves one instance with a bound on second attempts.
+fn with_options(prefix: &str, interface: &Interface, row: &Row) -> String {
+    let (arguments, rows) = (arguments(interface), rows(interface, row));
+    let rows = format!(
+        "let workspace = &mut border::workspace(second_attempts);
+            let solutions = &solver::solve_in(workspace, {arguments})?;
+            {rows}"
+    );
+    let doc = "Solves one instance with a bound on second attempts.";
+    function_of_one(prefix, interface, row, (interface.solve_with(row), doc, &rows))
+}
+
+/// A function that writes rows of one instance: its name and parameters, what it does, and the rows
+/// that it computes from `data`.
+fn function_of_one(
+    prefix: &str,
+    interface: &Interface,
+    row: &Row,
+    ((name, parameters), what, rows): ((String, Vec<Parameter>), &str, &str),
+) -> String {
     format!(
         r#"
 {doc}pub unsafe extern "C" fn {prefix}_{name}({parameters}) -> i32 {{
@@ -209,18 +270,17 @@ fn single(prefix: &str, interface: &Interface, row: &Row) -> String {
     // SAFETY: the caller promises what the functions of the border need.
     unsafe {{
         border::solve::<{length}, {solutions}>(output, || {{
-            #[allow(unused_variables)]
-            let data = solver::Data {{ {reads} }};
-            Ok(solver::solve{suffix}({arguments})?.map({to_array}))
+            {data}
+            {rows}
         }})
     }}
 }}
 "#,
-        doc = doc("Solves one instance."),
+        doc = doc(what),
         parameters = rust_parameters(&parameters),
         length = row.len(),
         solutions = interface.solutions,
-        suffix = row.suffix,
+        data = data_of_one(interface),
     )
 }
 
@@ -255,13 +315,4 @@ fn doc(what: &str) -> String {
 
 fn rust_parameters(parameters: &[Parameter]) -> String {
     parameters.iter().map(Parameter::in_rust).collect::<Vec<_>>().join(", ")
-}
-
-/// `[[f64; 3]; 5]`.
-fn rust_type(field: &Field) -> String {
-    let (number, dimensions) = match &field.shape[..] {
-        [dimensions @ .., _] if field.is_complex => ("::eliminant::Complex<f64>", dimensions),
-        dimensions => ("f64", dimensions),
-    };
-    dimensions.iter().rev().fold(number.to_owned(), |inner, length| format!("[{inner}; {length}]"))
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::interface::{Field, Interface, Mean, Parameter, Row};
+use crate::interface::{Field, Interface, MEASURES, Mean, Parameter, Row};
 
 /// What all libraries declare; `@name@` and `@NAME@` stand for the prefix.
 const PRELUDE: &str = include_str!("prelude.h");
@@ -41,10 +41,15 @@ fn problem(prefix: &str, interface: &Interface) -> String {
         let _ = writeln!(text, "#define {name} {value}");
     }
     for row in &interface.rows {
-        for (name, parameters) in [interface.solve(row), interface.solve_batch(row)] {
+        for (name, parameters) in [interface.solve(row), interface.solve_with(row), interface.solve_batch(row)] {
             text.push_str(&declaration(prefix, &name, &parameters));
         }
     }
+    for measure in MEASURES {
+        let (name, parameters) = interface.measure(measure);
+        text.push_str(&declaration(prefix, &name, &parameters));
+    }
+    let _ = writeln!(text, "uint64_t {prefix}_{}(void);", interface.second_attempt_operations());
     for mean in &interface.means {
         let (name, parameters) = interface.mean(mean);
         text.push_str(&mean_comment(mean));

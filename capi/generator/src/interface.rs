@@ -12,6 +12,9 @@ const MOST_INSTANCES: usize = 64;
 /// As many instances as the widest registers hold.
 const LANES: usize = 8;
 
+/// What measures a solution: the names of the functions of solvers.
+pub const MEASURES: [&str; 2] = ["relative_residual", "error_bound"];
+
 /// A named array of numbers, or a number.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Field {
@@ -41,6 +44,15 @@ impl Field {
     /// Whether it is an array of length 0.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+
+    /// Its type in Rust: `[[f64; 3]; 5]`.
+    pub fn in_rust(&self) -> String {
+        let (number, dimensions) = match &self.shape[..] {
+            [dimensions @ .., _] if self.is_complex => ("::eliminant::Complex<f64>", dimensions),
+            dimensions => ("f64", dimensions),
+        };
+        dimensions.iter().rev().fold(number.to_owned(), |inner, length| format!("[{inner}; {length}]"))
     }
 
     /// As C declares it: `first[5][3]`.
@@ -109,6 +121,8 @@ pub enum Type {
     Data,
     /// A length.
     Size,
+    /// A number of operations.
+    Operations,
     /// Room for solutions.
     Numbers,
     /// Room for counts.
@@ -137,6 +151,7 @@ impl Parameter {
             Type::Number => "double ",
             Type::Data => "const double *",
             Type::Size => "size_t ",
+            Type::Operations => "uint64_t ",
             Type::Numbers => "double *",
             Type::Sizes => "size_t *",
             Type::Codes => "int32_t *",
@@ -150,6 +165,7 @@ impl Parameter {
             Type::Number => "f64",
             Type::Data => "*const f64",
             Type::Size => "usize",
+            Type::Operations => "u64",
             Type::Numbers => "*mut f64",
             Type::Sizes => "*mut usize",
             Type::Codes => "*mut i32",
@@ -198,6 +214,36 @@ impl Interface {
 
     /// The function that solves one instance: its name without the prefix, and its parameters.
     pub fn solve(&self, row: &Row) -> (String, Vec<Parameter>) {
+        let mut parameters = self.data_of_one();
+        parameters.push(Parameter::new("solutions", Type::Numbers));
+        parameters.push(Parameter::new("capacity", Type::Size));
+        parameters.push(Parameter::new("count", Type::Sizes));
+        (format!("{}_solve{}", self.name, row.suffix), parameters)
+    }
+
+    /// The function that solves one instance with a bound on second attempts.
+    pub fn solve_with(&self, row: &Row) -> (String, Vec<Parameter>) {
+        let mut parameters = vec![Parameter::new("second_attempts", Type::Operations)];
+        parameters.extend(self.solve(row).1);
+        (format!("{}_solve_with{}", self.name, row.suffix), parameters)
+    }
+
+    /// The function that returns how many operations a second attempt is.
+    pub fn second_attempt_operations(&self) -> String {
+        format!("{}_second_attempt_operations", self.name)
+    }
+
+    /// The function that computes one of [`MEASURES`] of a solution.
+    pub fn measure(&self, measure: &str) -> (String, Vec<Parameter>) {
+        let mut parameters = self.data_of_one();
+        parameters.push(Parameter::new("solution", Type::Data));
+        parameters.push(Parameter::new("solution_length", Type::Size));
+        parameters.push(Parameter::new(measure, Type::Numbers));
+        (format!("{}_{measure}", self.name), parameters)
+    }
+
+    /// The parameters that are the data of one instance.
+    fn data_of_one(&self) -> Vec<Parameter> {
         let mut parameters = Vec::new();
         for field in &self.data {
             match field.shape.is_empty() {
@@ -205,10 +251,16 @@ impl Interface {
                 false => parameters.extend(list(field)),
             }
         }
-        parameters.push(Parameter::new("solutions", Type::Numbers));
-        parameters.push(Parameter::new("capacity", Type::Size));
-        parameters.push(Parameter::new("count", Type::Sizes));
-        (format!("{}_solve{}", self.name, row.suffix), parameters)
+        parameters
+    }
+
+    /// The names of all functions, without the prefix.
+    pub fn functions(&self) -> Vec<String> {
+        let of_rows = self.rows.iter();
+        let of_rows = of_rows.flat_map(|row| [self.solve(row).0, self.solve_with(row).0, self.solve_batch(row).0]);
+        let measures = MEASURES.iter().map(|measure| self.measure(measure).0);
+        let means = self.means.iter().map(|mean| self.mean(mean).0);
+        of_rows.chain([self.second_attempt_operations()]).chain(measures).chain(means).collect()
     }
 
     /// The function that solves many instances.

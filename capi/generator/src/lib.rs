@@ -30,5 +30,5 @@ mod library;
 
 pub use cpp::cpp_header;
 pub use header::header;
-pub use interface::{Field, Interface, Parameter, Row};
+pub use interface::{Field, Interface, MEASURES, Mean, Parameter, Row};
 pub use library::{Library, LibraryError, interfaces};

@@ -14,13 +14,14 @@ use crate::names::is_prefix;
 use crate::{cpp_header, functions, header};
 
 /// Classes of the C++ header, which a result of the same name would hide.
-const CLASSES: [&str; 7] = ["Error", "Span", "Many", "Values", "Solutions", "Result", "Batch"];
+const CLASSES: [&str; 8] = ["Error", "Span", "Many", "Values", "Solutions", "Result", "Batch", "SecondAttempts"];
 
 /// Emits solvers and C functions for every problem of a folder.
 ///
 /// `problems/NAME.rs` and its template `problems/NAME.template.toml` become the functions
-/// `PREFIX_NAME_solve`, `PREFIX_NAME_solve_batch`, and for a problem that returns a struct `Pose`
-/// `PREFIX_NAME_solve_for_pose` and `PREFIX_NAME_solve_batch_for_pose`. In the library,
+/// `PREFIX_NAME_solve`, `PREFIX_NAME_solve_with`, `PREFIX_NAME_solve_batch`, for a problem that
+/// returns a struct `Pose` the same with `_for_pose` behind, and functions that measure solutions
+/// and compute means. In the library,
 /// `eliminant::include_solver!("PREFIX")` includes them with the solvers, and `HEADERS`, the texts
 /// of `PREFIX.h` and `PREFIX.hpp`.
 #[derive(Clone, Debug)]
@@ -116,9 +117,8 @@ fn interface(file: &Path) -> Result<Interface, LibraryError> {
 /// Whether all functions and macros have names of their own.
 fn check_names(prefix: &str, interfaces: &[Interface]) -> Result<(), LibraryError> {
     let of_interface = |interface: &Interface| {
-        let functions = interface.rows.iter().flat_map(|row| [interface.solve(row).0, interface.solve_batch(row).0]);
         let constants = constants(prefix, interface).into_iter().map(|(name, _)| name);
-        functions.chain(constants).collect::<Vec<_>>()
+        interface.functions().into_iter().chain(constants).collect::<Vec<_>>()
     };
     let mut names: Vec<String> = interfaces.iter().flat_map(of_interface).collect();
     names.sort();

@@ -2,7 +2,7 @@
 
 /// Keywords of C and C++ that are names in a problem file, macros of headers that are included, and
 /// names that the functions use themselves.
-const TAKEN: [&str; 87] = [
+const TAKEN: [&str; 93] = [
     "alignas",
     "alignof",
     "and",
@@ -90,6 +90,12 @@ const TAKEN: [&str; 87] = [
     "mean",
     "mean_length",
     "code",
+    "output",
+    "second_attempts",
+    "solution",
+    "solution_length",
+    "relative_residual",
+    "error_bound",
 ];
 
 /// The name, with underscores after it until neither a language nor another name has it.

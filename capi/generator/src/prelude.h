@@ -11,6 +11,17 @@
  * rows always suffices. If there are more solutions than room, the code is @NAME@_SHORT_BUFFER,
  * and `count` their number. No solution is no error: `count` is then 0.
  *
+ * `.._solve_with` is `.._solve` with a bound on second attempts. They are made at twice the
+ * precision where solutions are missing, and take some twenty times as long. `second_attempts` is
+ * @NAME@_ALWAYS, as in `.._solve`, @NAME@_NEVER, or the most operations that a second attempt may
+ * have; `.._second_attempt_operations` returns how many it has. Where none is made, solutions that
+ * only it would find are missing, and an elimination that fails is an error.
+ *
+ * `.._relative_residual` and `.._error_bound` measure a solution, a row of unknowns, and write a
+ * number. The first is the largest |f| / (sum of the moduli of the terms of f) of all equations
+ * f = 0. The second bounds the error of a solution, relative to its largest unknown; it is infinite
+ * if no solution is known to be near.
+ *
  * `.._solve_batch` solves many instances. Each list of data holds those of all instances, one after
  * another, and numbers are lists, too. `solutions` has room for MAX_SOLUTIONS rows for each
  * instance, and is as long as `solutions_length` says or longer; rows without a solution are NaN.
@@ -60,6 +71,11 @@ extern "C" {
 #define @NAME@_PANIC 11
 /* An error that this version does not know. */
 #define @NAME@_OTHER 12
+
+/* Second attempts wherever solutions are missing, and paths from data nearby. */
+#define @NAME@_ALWAYS UINT64_MAX
+/* No second attempts. */
+#define @NAME@_NEVER 0
 
 /* The version that wrote this header. */
 #define @NAME@_VERSION "@version@"

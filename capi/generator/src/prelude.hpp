@@ -7,7 +7,9 @@
 //     using namespace @name@;
 //     const auto found = NAME::solve(data, ..);          // throws @name@::Error
 //     const auto result = NAME::try_solve(data, ..);     // result.code(), result.text()
-//     for (const NAME::Solution &solution : found) { .. }
+//     for (const NAME::Solution &solution : found)
+//         use(solution, NAME::error_bound(data, .., solution));
+//     const auto quick = NAME::solve_with(SecondAttempts::never(), data, ..);
 //
 // Data are numbers, or arrays row by row: `double[5][3]`, nested `std::array`, `std::vector` of
 // such, a `Span` of numbers, and with Eigen matrices of fixed size that are stored by rows, vectors,
@@ -41,6 +43,25 @@ public:
 
 private:
     std::int32_t code_;
+};
+
+/// When a solve that misses solutions is repeated at twice the precision, which takes some twenty
+/// times as long.
+class SecondAttempts {
+public:
+    /// Wherever solutions are missing, as `solve` does. Only so are solutions followed from data nearby.
+    static constexpr SecondAttempts always() noexcept { return SecondAttempts(@NAME@_ALWAYS); }
+    /// Never: solutions that only a second attempt finds are missing, and an elimination that fails is
+    /// an error.
+    static constexpr SecondAttempts never() noexcept { return SecondAttempts(@NAME@_NEVER); }
+    /// If it has at most so many operations. A problem has `second_attempt_operations()`.
+    static constexpr SecondAttempts at_most(std::uint64_t operations) noexcept { return SecondAttempts(operations); }
+    /// As the C functions take it.
+    constexpr std::uint64_t operations() const noexcept { return operations_; }
+
+private:
+    explicit constexpr SecondAttempts(std::uint64_t operations) noexcept : operations_(operations) {}
+    std::uint64_t operations_;
 };
 
 /// A list that belongs to somebody else.

@@ -23,8 +23,11 @@ mod single;
 /// Many instances.
 mod batch;
 
-/// Means over measurements.
-mod mean;
+/// One value.
+mod value;
+
+/// Options of a solve.
+mod options;
 
 /// Files of a library's headers.
 mod headers;
@@ -33,6 +36,7 @@ pub use batch::{Batch, BatchOutput, solve_batch};
 pub use buffer::Input;
 pub use code::{Code, error_text};
 pub use headers::write_headers;
-pub use mean::mean;
 pub use numbers::{Numbers, row};
+pub use options::workspace;
 pub use single::{Output, solve};
+pub use value::value;
