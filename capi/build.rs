@@ -116,6 +116,7 @@ fn case_of_row(interface: &Interface, row: &Row) -> String {
 fn case_of_measure(interface: &Interface, measure: &str) -> String {
     let (name, function) = (&interface.name, interface.measure(measure).0);
     let (single, reads) = (arguments_in_c(interface), arguments_in_rust(interface));
+    let unknowns = interface.rows.first().map_or(0, Row::len);
     format!(
         "Measure {{
         in_c: |data, solution, to| unsafe {{
@@ -124,7 +125,7 @@ fn case_of_measure(interface: &Interface, measure: &str) -> String {
         }},
         in_rust: |data, solution| {{
             let _ = data;
-            let solution = eliminant_c::{name}::Solution::<f64>::from(take(solution));
+            let solution = eliminant_c::{name}::Solution::from(take::<[f64; {unknowns}]>(solution));
             eliminant_c::{name}::{measure}({reads}&solution).map_err(Code::from)
         }},
     }}, "

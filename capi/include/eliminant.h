@@ -11,6 +11,17 @@
  * rows always suffices. If there are more solutions than room, the code is ELIMINANT_SHORT_BUFFER,
  * and `count` their number. No solution is no error: `count` is then 0.
  *
+ * `.._solve_with` is `.._solve` with a bound on second attempts. They are made at twice the
+ * precision where solutions are missing, and take some twenty times as long. `second_attempts` is
+ * ELIMINANT_ALWAYS, as in `.._solve`, ELIMINANT_NEVER, or the most operations that a second attempt may
+ * have; `.._second_attempt_operations` returns how many it has. Where none is made, solutions that
+ * only it would find are missing, and an elimination that fails is an error.
+ *
+ * `.._relative_residual` and `.._error_bound` measure a solution, a row of unknowns, and write a
+ * number. The first is the largest |f| / (sum of the moduli of the terms of f) of all equations
+ * f = 0. The second bounds the error of a solution, relative to its largest unknown; it is infinite
+ * if no solution is known to be near.
+ *
  * `.._solve_batch` solves many instances. Each list of data holds those of all instances, one after
  * another, and numbers are lists, too. `solutions` has room for MAX_SOLUTIONS rows for each
  * instance, and is as long as `solutions_length` says or longer; rows without a solution are NaN.
@@ -61,6 +72,11 @@ extern "C" {
 /* An error that this version does not know. */
 #define ELIMINANT_OTHER 12
 
+/* Second attempts wherever solutions are missing, and paths from data nearby. */
+#define ELIMINANT_ALWAYS UINT64_MAX
+/* No second attempts. */
+#define ELIMINANT_NEVER 0
+
 /* The version that wrote this header. */
 #define ELIMINANT_VERSION "0.1.0"
 
@@ -101,14 +117,27 @@ const char *eliminant_version(void);
 #define ELIMINANT_CALIBRATION_6_RECEIVERS_4_SENDERS_MAX_SOLUTIONS 38
 int32_t eliminant_calibration_6_receivers_4_senders_solve(
     const double *ranges, size_t ranges_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_calibration_6_receivers_4_senders_solve_with(
+    uint64_t second_attempts, const double *ranges, size_t ranges_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_calibration_6_receivers_4_senders_solve_batch(
     size_t instances, const double *ranges, size_t ranges_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
 int32_t eliminant_calibration_6_receivers_4_senders_solve_for_positions(
     const double *ranges, size_t ranges_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_calibration_6_receivers_4_senders_solve_with_for_positions(
+    uint64_t second_attempts, const double *ranges, size_t ranges_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_calibration_6_receivers_4_senders_solve_batch_for_positions(
     size_t instances, const double *ranges, size_t ranges_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_calibration_6_receivers_4_senders_relative_residual(
+    const double *ranges, size_t ranges_length, const double *solution, size_t solution_length,
+    double *relative_residual);
+int32_t eliminant_calibration_6_receivers_4_senders_error_bound(
+    const double *ranges, size_t ranges_length, const double *solution, size_t solution_length,
+    double *error_bound);
+uint64_t eliminant_calibration_6_receivers_4_senders_second_attempt_operations(void);
 
 /*
  * circle_least_squares
@@ -131,9 +160,19 @@ int32_t eliminant_calibration_6_receivers_4_senders_solve_batch_for_positions(
 #define ELIMINANT_CIRCLE_LEAST_SQUARES_MAX_SOLUTIONS 9
 int32_t eliminant_circle_least_squares_solve(
     const double *gram, size_t gram_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_circle_least_squares_solve_with(
+    uint64_t second_attempts, const double *gram, size_t gram_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_circle_least_squares_solve_batch(
     size_t instances, const double *gram, size_t gram_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_circle_least_squares_relative_residual(
+    const double *gram, size_t gram_length, const double *solution, size_t solution_length,
+    double *relative_residual);
+int32_t eliminant_circle_least_squares_error_bound(
+    const double *gram, size_t gram_length, const double *solution, size_t solution_length,
+    double *error_bound);
+uint64_t eliminant_circle_least_squares_second_attempt_operations(void);
 /*
  * What a line a x + b y + c = 0 gives.
  * Mean mean[6][6] over measurements of: line[3].
@@ -159,9 +198,19 @@ int32_t eliminant_circle_least_squares_mean_of_line(
 #define ELIMINANT_CIRCLE_LEAST_SQUARES_DUAL_MAX_SOLUTIONS 9
 int32_t eliminant_circle_least_squares_dual_solve(
     const double *gram, size_t gram_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_circle_least_squares_dual_solve_with(
+    uint64_t second_attempts, const double *gram, size_t gram_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_circle_least_squares_dual_solve_batch(
     size_t instances, const double *gram, size_t gram_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_circle_least_squares_dual_relative_residual(
+    const double *gram, size_t gram_length, const double *solution, size_t solution_length,
+    double *relative_residual);
+int32_t eliminant_circle_least_squares_dual_error_bound(
+    const double *gram, size_t gram_length, const double *solution, size_t solution_length,
+    double *error_bound);
+uint64_t eliminant_circle_least_squares_dual_second_attempt_operations(void);
 /*
  * What a line a x + b y + c = 0 gives.
  * Mean mean[6][6] over measurements of: line[3].
@@ -195,10 +244,23 @@ int32_t eliminant_circle_minimal_solve(
     const double *d_alpha, size_t d_alpha_length, const double *d_beta, size_t d_beta_length,
     const double *d_gamma, size_t d_gamma_length, double *solutions, size_t capacity,
     size_t *count);
+int32_t eliminant_circle_minimal_solve_with(
+    uint64_t second_attempts, const double *d_alpha, size_t d_alpha_length, const double *d_beta,
+    size_t d_beta_length, const double *d_gamma, size_t d_gamma_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_circle_minimal_solve_batch(
     size_t instances, const double *d_alpha, size_t d_alpha_length, const double *d_beta,
     size_t d_beta_length, const double *d_gamma, size_t d_gamma_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_circle_minimal_relative_residual(
+    const double *d_alpha, size_t d_alpha_length, const double *d_beta, size_t d_beta_length,
+    const double *d_gamma, size_t d_gamma_length, const double *solution, size_t solution_length,
+    double *relative_residual);
+int32_t eliminant_circle_minimal_error_bound(
+    const double *d_alpha, size_t d_alpha_length, const double *d_beta, size_t d_beta_length,
+    const double *d_gamma, size_t d_gamma_length, const double *solution, size_t solution_length,
+    double *error_bound);
+uint64_t eliminant_circle_minimal_second_attempt_operations(void);
 
 /*
  * fundamental_7pt
@@ -223,6 +285,9 @@ int32_t eliminant_circle_minimal_solve_batch(
 int32_t eliminant_fundamental_7pt_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_fundamental_7pt_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_fundamental_7pt_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -230,10 +295,20 @@ int32_t eliminant_fundamental_7pt_solve_batch(
 int32_t eliminant_fundamental_7pt_solve_for_epipolar(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_fundamental_7pt_solve_with_for_epipolar(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_fundamental_7pt_solve_batch_for_epipolar(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_fundamental_7pt_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_fundamental_7pt_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_fundamental_7pt_second_attempt_operations(void);
 
 /*
  * fundamental_8pt_radial
@@ -262,6 +337,9 @@ int32_t eliminant_fundamental_7pt_solve_batch_for_epipolar(
 int32_t eliminant_fundamental_8pt_radial_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_fundamental_8pt_radial_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_fundamental_8pt_radial_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -269,10 +347,20 @@ int32_t eliminant_fundamental_8pt_radial_solve_batch(
 int32_t eliminant_fundamental_8pt_radial_solve_for_radial_epipolar(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_fundamental_8pt_radial_solve_with_for_radial_epipolar(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_fundamental_8pt_radial_solve_batch_for_radial_epipolar(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_fundamental_8pt_radial_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_fundamental_8pt_radial_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_fundamental_8pt_radial_second_attempt_operations(void);
 
 /*
  * fundamental_8pt_radial_one_side
@@ -300,6 +388,9 @@ int32_t eliminant_fundamental_8pt_radial_solve_batch_for_radial_epipolar(
 int32_t eliminant_fundamental_8pt_radial_one_side_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_fundamental_8pt_radial_one_side_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_fundamental_8pt_radial_one_side_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -307,10 +398,20 @@ int32_t eliminant_fundamental_8pt_radial_one_side_solve_batch(
 int32_t eliminant_fundamental_8pt_radial_one_side_solve_for_radial_epipolar(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_fundamental_8pt_radial_one_side_solve_with_for_radial_epipolar(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_fundamental_8pt_radial_one_side_solve_batch_for_radial_epipolar(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_fundamental_8pt_radial_one_side_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_fundamental_8pt_radial_one_side_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_fundamental_8pt_radial_one_side_second_attempt_operations(void);
 
 /*
  * fundamental_9pt_two_radials
@@ -340,6 +441,9 @@ int32_t eliminant_fundamental_8pt_radial_one_side_solve_batch_for_radial_epipola
 int32_t eliminant_fundamental_9pt_two_radials_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_fundamental_9pt_two_radials_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_fundamental_9pt_two_radials_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -347,10 +451,20 @@ int32_t eliminant_fundamental_9pt_two_radials_solve_batch(
 int32_t eliminant_fundamental_9pt_two_radials_solve_for_radial_epipolar(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_fundamental_9pt_two_radials_solve_with_for_radial_epipolar(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_fundamental_9pt_two_radials_solve_batch_for_radial_epipolar(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_fundamental_9pt_two_radials_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_fundamental_9pt_two_radials_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_fundamental_9pt_two_radials_second_attempt_operations(void);
 
 /*
  * homography_4pt
@@ -379,6 +493,9 @@ int32_t eliminant_fundamental_9pt_two_radials_solve_batch_for_radial_epipolar(
 int32_t eliminant_homography_4pt_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_homography_4pt_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_homography_4pt_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -386,10 +503,20 @@ int32_t eliminant_homography_4pt_solve_batch(
 int32_t eliminant_homography_4pt_solve_for_homography(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_homography_4pt_solve_with_for_homography(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_homography_4pt_solve_batch_for_homography(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_homography_4pt_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_homography_4pt_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_homography_4pt_second_attempt_operations(void);
 
 /*
  * katsura_5
@@ -408,8 +535,15 @@ int32_t eliminant_homography_4pt_solve_batch_for_homography(
 #define ELIMINANT_KATSURA_5_MAX_SOLUTIONS 32
 int32_t eliminant_katsura_5_solve(
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_katsura_5_solve_with(
+    uint64_t second_attempts, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_katsura_5_solve_batch(
     size_t instances, double *solutions, size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_katsura_5_relative_residual(
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_katsura_5_error_bound(
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_katsura_5_second_attempt_operations(void);
 
 /*
  * orbit_5_lines_of_sight
@@ -438,9 +572,19 @@ int32_t eliminant_katsura_5_solve_batch(
 #define ELIMINANT_ORBIT_5_LINES_OF_SIGHT_MAX_SOLUTIONS 66
 int32_t eliminant_orbit_5_lines_of_sight_solve(
     const double *sights, size_t sights_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_orbit_5_lines_of_sight_solve_with(
+    uint64_t second_attempts, const double *sights, size_t sights_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_orbit_5_lines_of_sight_solve_batch(
     size_t instances, const double *sights, size_t sights_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_orbit_5_lines_of_sight_relative_residual(
+    const double *sights, size_t sights_length, const double *solution, size_t solution_length,
+    double *relative_residual);
+int32_t eliminant_orbit_5_lines_of_sight_error_bound(
+    const double *sights, size_t sights_length, const double *solution, size_t solution_length,
+    double *error_bound);
+uint64_t eliminant_orbit_5_lines_of_sight_second_attempt_operations(void);
 
 /*
  * platform_forward_kinematics
@@ -478,11 +622,24 @@ int32_t eliminant_platform_forward_kinematics_solve(
     const double *sums, size_t sums_length, const double *differences, size_t differences_length,
     const double *shift, size_t shift_length, double excess, double square, double *solutions,
     size_t capacity, size_t *count);
+int32_t eliminant_platform_forward_kinematics_solve_with(
+    uint64_t second_attempts, const double *sums, size_t sums_length, const double *differences,
+    size_t differences_length, const double *shift, size_t shift_length, double excess,
+    double square, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_platform_forward_kinematics_solve_batch(
     size_t instances, const double *sums, size_t sums_length, const double *differences,
     size_t differences_length, const double *shift, size_t shift_length, const double *excess,
     size_t excess_length, const double *square, size_t square_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_platform_forward_kinematics_relative_residual(
+    const double *sums, size_t sums_length, const double *differences, size_t differences_length,
+    const double *shift, size_t shift_length, double excess, double square, const double *solution,
+    size_t solution_length, double *relative_residual);
+int32_t eliminant_platform_forward_kinematics_error_bound(
+    const double *sums, size_t sums_length, const double *differences, size_t differences_length,
+    const double *shift, size_t shift_length, double excess, double square, const double *solution,
+    size_t solution_length, double *error_bound);
+uint64_t eliminant_platform_forward_kinematics_second_attempt_operations(void);
 
 /*
  * pose_1pt_2line
@@ -516,6 +673,10 @@ int32_t eliminant_pose_1pt_2line_solve(
     const double *ray, size_t ray_length, const double *point, size_t point_length,
     const double *normals, size_t normals_length, const double *lines, size_t lines_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_1pt_2line_solve_with(
+    uint64_t second_attempts, const double *ray, size_t ray_length, const double *point,
+    size_t point_length, const double *normals, size_t normals_length, const double *lines,
+    size_t lines_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_1pt_2line_solve_batch(
     size_t instances, const double *ray, size_t ray_length, const double *point,
     size_t point_length, const double *normals, size_t normals_length, const double *lines,
@@ -525,11 +686,24 @@ int32_t eliminant_pose_1pt_2line_solve_for_pose(
     const double *ray, size_t ray_length, const double *point, size_t point_length,
     const double *normals, size_t normals_length, const double *lines, size_t lines_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_1pt_2line_solve_with_for_pose(
+    uint64_t second_attempts, const double *ray, size_t ray_length, const double *point,
+    size_t point_length, const double *normals, size_t normals_length, const double *lines,
+    size_t lines_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_1pt_2line_solve_batch_for_pose(
     size_t instances, const double *ray, size_t ray_length, const double *point,
     size_t point_length, const double *normals, size_t normals_length, const double *lines,
     size_t lines_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_pose_1pt_2line_relative_residual(
+    const double *ray, size_t ray_length, const double *point, size_t point_length,
+    const double *normals, size_t normals_length, const double *lines, size_t lines_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_pose_1pt_2line_error_bound(
+    const double *ray, size_t ray_length, const double *point, size_t point_length,
+    const double *normals, size_t normals_length, const double *lines, size_t lines_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_pose_1pt_2line_second_attempt_operations(void);
 
 /*
  * pose_2pt_1line
@@ -565,6 +739,10 @@ int32_t eliminant_pose_2pt_1line_solve(
     const double *rays, size_t rays_length, const double *points, size_t points_length,
     const double *normal, size_t normal_length, const double *line, size_t line_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_2pt_1line_solve_with(
+    uint64_t second_attempts, const double *rays, size_t rays_length, const double *points,
+    size_t points_length, const double *normal, size_t normal_length, const double *line,
+    size_t line_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_2pt_1line_solve_batch(
     size_t instances, const double *rays, size_t rays_length, const double *points,
     size_t points_length, const double *normal, size_t normal_length, const double *line,
@@ -573,10 +751,23 @@ int32_t eliminant_pose_2pt_1line_solve_for_pose(
     const double *rays, size_t rays_length, const double *points, size_t points_length,
     const double *normal, size_t normal_length, const double *line, size_t line_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_2pt_1line_solve_with_for_pose(
+    uint64_t second_attempts, const double *rays, size_t rays_length, const double *points,
+    size_t points_length, const double *normal, size_t normal_length, const double *line,
+    size_t line_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_2pt_1line_solve_batch_for_pose(
     size_t instances, const double *rays, size_t rays_length, const double *points,
     size_t points_length, const double *normal, size_t normal_length, const double *line,
     size_t line_length, double *solutions, size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_pose_2pt_1line_relative_residual(
+    const double *rays, size_t rays_length, const double *points, size_t points_length,
+    const double *normal, size_t normal_length, const double *line, size_t line_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_pose_2pt_1line_error_bound(
+    const double *rays, size_t rays_length, const double *points, size_t points_length,
+    const double *normal, size_t normal_length, const double *line, size_t line_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_pose_2pt_1line_second_attempt_operations(void);
 
 /*
  * pose_2pt_upright
@@ -606,6 +797,9 @@ int32_t eliminant_pose_2pt_1line_solve_batch_for_pose(
 int32_t eliminant_pose_2pt_upright_solve(
     const double *rays, size_t rays_length, const double *points, size_t points_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_2pt_upright_solve_with(
+    uint64_t second_attempts, const double *rays, size_t rays_length, const double *points,
+    size_t points_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_2pt_upright_solve_batch(
     size_t instances, const double *rays, size_t rays_length, const double *points,
     size_t points_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -613,10 +807,20 @@ int32_t eliminant_pose_2pt_upright_solve_batch(
 int32_t eliminant_pose_2pt_upright_solve_for_pose(
     const double *rays, size_t rays_length, const double *points, size_t points_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_2pt_upright_solve_with_for_pose(
+    uint64_t second_attempts, const double *rays, size_t rays_length, const double *points,
+    size_t points_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_2pt_upright_solve_batch_for_pose(
     size_t instances, const double *rays, size_t rays_length, const double *points,
     size_t points_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_pose_2pt_upright_relative_residual(
+    const double *rays, size_t rays_length, const double *points, size_t points_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_pose_2pt_upright_error_bound(
+    const double *rays, size_t rays_length, const double *points, size_t points_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_pose_2pt_upright_second_attempt_operations(void);
 
 /*
  * pose_35pt_focal
@@ -646,6 +850,10 @@ int32_t eliminant_pose_35pt_focal_solve(
     const double *points, size_t points_length, const double *horizontal, size_t horizontal_length,
     const double *vertical, size_t vertical_length, double *solutions, size_t capacity,
     size_t *count);
+int32_t eliminant_pose_35pt_focal_solve_with(
+    uint64_t second_attempts, const double *points, size_t points_length, const double *horizontal,
+    size_t horizontal_length, const double *vertical, size_t vertical_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_pose_35pt_focal_solve_batch(
     size_t instances, const double *points, size_t points_length, const double *horizontal,
     size_t horizontal_length, const double *vertical, size_t vertical_length, double *solutions,
@@ -654,10 +862,23 @@ int32_t eliminant_pose_35pt_focal_solve_for_pose(
     const double *points, size_t points_length, const double *horizontal, size_t horizontal_length,
     const double *vertical, size_t vertical_length, double *solutions, size_t capacity,
     size_t *count);
+int32_t eliminant_pose_35pt_focal_solve_with_for_pose(
+    uint64_t second_attempts, const double *points, size_t points_length, const double *horizontal,
+    size_t horizontal_length, const double *vertical, size_t vertical_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_pose_35pt_focal_solve_batch_for_pose(
     size_t instances, const double *points, size_t points_length, const double *horizontal,
     size_t horizontal_length, const double *vertical, size_t vertical_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_pose_35pt_focal_relative_residual(
+    const double *points, size_t points_length, const double *horizontal, size_t horizontal_length,
+    const double *vertical, size_t vertical_length, const double *solution, size_t solution_length,
+    double *relative_residual);
+int32_t eliminant_pose_35pt_focal_error_bound(
+    const double *points, size_t points_length, const double *horizontal, size_t horizontal_length,
+    const double *vertical, size_t vertical_length, const double *solution, size_t solution_length,
+    double *error_bound);
+uint64_t eliminant_pose_35pt_focal_second_attempt_operations(void);
 
 /*
  * pose_3line
@@ -688,6 +909,9 @@ int32_t eliminant_pose_35pt_focal_solve_batch_for_pose(
 int32_t eliminant_pose_3line_solve(
     const double *normals, size_t normals_length, const double *lines, size_t lines_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_3line_solve_with(
+    uint64_t second_attempts, const double *normals, size_t normals_length, const double *lines,
+    size_t lines_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_3line_solve_batch(
     size_t instances, const double *normals, size_t normals_length, const double *lines,
     size_t lines_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -695,10 +919,20 @@ int32_t eliminant_pose_3line_solve_batch(
 int32_t eliminant_pose_3line_solve_for_pose(
     const double *normals, size_t normals_length, const double *lines, size_t lines_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_3line_solve_with_for_pose(
+    uint64_t second_attempts, const double *normals, size_t normals_length, const double *lines,
+    size_t lines_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_3line_solve_batch_for_pose(
     size_t instances, const double *normals, size_t normals_length, const double *lines,
     size_t lines_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_pose_3line_relative_residual(
+    const double *normals, size_t normals_length, const double *lines, size_t lines_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_pose_3line_error_bound(
+    const double *normals, size_t normals_length, const double *lines, size_t lines_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_pose_3line_second_attempt_operations(void);
 
 /*
  * pose_3pt
@@ -723,6 +957,9 @@ int32_t eliminant_pose_3line_solve_batch_for_pose(
 int32_t eliminant_pose_3pt_solve(
     const double *rays, size_t rays_length, const double *points, size_t points_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_3pt_solve_with(
+    uint64_t second_attempts, const double *rays, size_t rays_length, const double *points,
+    size_t points_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_3pt_solve_batch(
     size_t instances, const double *rays, size_t rays_length, const double *points,
     size_t points_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -730,10 +967,20 @@ int32_t eliminant_pose_3pt_solve_batch(
 int32_t eliminant_pose_3pt_solve_for_pose(
     const double *rays, size_t rays_length, const double *points, size_t points_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_3pt_solve_with_for_pose(
+    uint64_t second_attempts, const double *rays, size_t rays_length, const double *points,
+    size_t points_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_3pt_solve_batch_for_pose(
     size_t instances, const double *rays, size_t rays_length, const double *points,
     size_t points_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_pose_3pt_relative_residual(
+    const double *rays, size_t rays_length, const double *points, size_t points_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_pose_3pt_error_bound(
+    const double *rays, size_t rays_length, const double *points, size_t points_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_pose_3pt_second_attempt_operations(void);
 
 /*
  * pose_3pt_depths
@@ -759,10 +1006,20 @@ int32_t eliminant_pose_3pt_solve_batch_for_pose(
 int32_t eliminant_pose_3pt_depths_solve(
     const double *cosines, size_t cosines_length, const double *squares, size_t squares_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_3pt_depths_solve_with(
+    uint64_t second_attempts, const double *cosines, size_t cosines_length, const double *squares,
+    size_t squares_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_3pt_depths_solve_batch(
     size_t instances, const double *cosines, size_t cosines_length, const double *squares,
     size_t squares_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_pose_3pt_depths_relative_residual(
+    const double *cosines, size_t cosines_length, const double *squares, size_t squares_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_pose_3pt_depths_error_bound(
+    const double *cosines, size_t cosines_length, const double *squares, size_t squares_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_pose_3pt_depths_second_attempt_operations(void);
 
 /*
  * pose_3pt_upright_error_bound
@@ -791,10 +1048,20 @@ int32_t eliminant_pose_3pt_depths_solve_batch(
 int32_t eliminant_pose_3pt_upright_error_bound_solve(
     const double *points, size_t points_length, const double *cones, size_t cones_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_3pt_upright_error_bound_solve_with(
+    uint64_t second_attempts, const double *points, size_t points_length, const double *cones,
+    size_t cones_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_3pt_upright_error_bound_solve_batch(
     size_t instances, const double *points, size_t points_length, const double *cones,
     size_t cones_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_pose_3pt_upright_error_bound_relative_residual(
+    const double *points, size_t points_length, const double *cones, size_t cones_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_pose_3pt_upright_error_bound_error_bound(
+    const double *points, size_t points_length, const double *cones, size_t cones_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_pose_3pt_upright_error_bound_second_attempt_operations(void);
 
 /*
  * pose_4pt_focal
@@ -825,6 +1092,9 @@ int32_t eliminant_pose_3pt_upright_error_bound_solve_batch(
 int32_t eliminant_pose_4pt_focal_solve(
     const double *points, size_t points_length, const double *images, size_t images_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_4pt_focal_solve_with(
+    uint64_t second_attempts, const double *points, size_t points_length, const double *images,
+    size_t images_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_4pt_focal_solve_batch(
     size_t instances, const double *points, size_t points_length, const double *images,
     size_t images_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -832,10 +1102,20 @@ int32_t eliminant_pose_4pt_focal_solve_batch(
 int32_t eliminant_pose_4pt_focal_solve_for_focal_pose(
     const double *points, size_t points_length, const double *images, size_t images_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_4pt_focal_solve_with_for_focal_pose(
+    uint64_t second_attempts, const double *points, size_t points_length, const double *images,
+    size_t images_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_4pt_focal_solve_batch_for_focal_pose(
     size_t instances, const double *points, size_t points_length, const double *images,
     size_t images_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_pose_4pt_focal_relative_residual(
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_pose_4pt_focal_error_bound(
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_pose_4pt_focal_second_attempt_operations(void);
 
 /*
  * pose_4pt_focal_radial
@@ -865,6 +1145,9 @@ int32_t eliminant_pose_4pt_focal_solve_batch_for_focal_pose(
 int32_t eliminant_pose_4pt_focal_radial_solve(
     const double *points, size_t points_length, const double *images, size_t images_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_4pt_focal_radial_solve_with(
+    uint64_t second_attempts, const double *points, size_t points_length, const double *images,
+    size_t images_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_4pt_focal_radial_solve_batch(
     size_t instances, const double *points, size_t points_length, const double *images,
     size_t images_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -872,10 +1155,20 @@ int32_t eliminant_pose_4pt_focal_radial_solve_batch(
 int32_t eliminant_pose_4pt_focal_radial_solve_for_radial_pose(
     const double *points, size_t points_length, const double *images, size_t images_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_4pt_focal_radial_solve_with_for_radial_pose(
+    uint64_t second_attempts, const double *points, size_t points_length, const double *images,
+    size_t images_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_4pt_focal_radial_solve_batch_for_radial_pose(
     size_t instances, const double *points, size_t points_length, const double *images,
     size_t images_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_pose_4pt_focal_radial_relative_residual(
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_pose_4pt_focal_radial_error_bound(
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_pose_4pt_focal_radial_second_attempt_operations(void);
 
 /*
  * pose_4pt_focal_radial_cut
@@ -906,6 +1199,9 @@ int32_t eliminant_pose_4pt_focal_radial_solve_batch_for_radial_pose(
 int32_t eliminant_pose_4pt_focal_radial_cut_solve(
     const double *points, size_t points_length, const double *images, size_t images_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_4pt_focal_radial_cut_solve_with(
+    uint64_t second_attempts, const double *points, size_t points_length, const double *images,
+    size_t images_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_4pt_focal_radial_cut_solve_batch(
     size_t instances, const double *points, size_t points_length, const double *images,
     size_t images_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -913,10 +1209,20 @@ int32_t eliminant_pose_4pt_focal_radial_cut_solve_batch(
 int32_t eliminant_pose_4pt_focal_radial_cut_solve_for_radial_pose(
     const double *points, size_t points_length, const double *images, size_t images_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_4pt_focal_radial_cut_solve_with_for_radial_pose(
+    uint64_t second_attempts, const double *points, size_t points_length, const double *images,
+    size_t images_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_4pt_focal_radial_cut_solve_batch_for_radial_pose(
     size_t instances, const double *points, size_t points_length, const double *images,
     size_t images_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_pose_4pt_focal_radial_cut_relative_residual(
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_pose_4pt_focal_radial_cut_error_bound(
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_pose_4pt_focal_radial_cut_second_attempt_operations(void);
 
 /*
  * pose_4pt_generalized_scale
@@ -947,6 +1253,10 @@ int32_t eliminant_pose_4pt_focal_radial_cut_solve_batch_for_radial_pose(
 int32_t eliminant_pose_4pt_generalized_scale_solve(
     const double *centres, size_t centres_length, const double *rays, size_t rays_length,
     const double *points, size_t points_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_4pt_generalized_scale_solve_with(
+    uint64_t second_attempts, const double *centres, size_t centres_length, const double *rays,
+    size_t rays_length, const double *points, size_t points_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_pose_4pt_generalized_scale_solve_batch(
     size_t instances, const double *centres, size_t centres_length, const double *rays,
     size_t rays_length, const double *points, size_t points_length, double *solutions,
@@ -954,10 +1264,23 @@ int32_t eliminant_pose_4pt_generalized_scale_solve_batch(
 int32_t eliminant_pose_4pt_generalized_scale_solve_for_scaled_pose(
     const double *centres, size_t centres_length, const double *rays, size_t rays_length,
     const double *points, size_t points_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_4pt_generalized_scale_solve_with_for_scaled_pose(
+    uint64_t second_attempts, const double *centres, size_t centres_length, const double *rays,
+    size_t rays_length, const double *points, size_t points_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_pose_4pt_generalized_scale_solve_batch_for_scaled_pose(
     size_t instances, const double *centres, size_t centres_length, const double *rays,
     size_t rays_length, const double *points, size_t points_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_pose_4pt_generalized_scale_relative_residual(
+    const double *centres, size_t centres_length, const double *rays, size_t rays_length,
+    const double *points, size_t points_length, const double *solution, size_t solution_length,
+    double *relative_residual);
+int32_t eliminant_pose_4pt_generalized_scale_error_bound(
+    const double *centres, size_t centres_length, const double *rays, size_t rays_length,
+    const double *points, size_t points_length, const double *solution, size_t solution_length,
+    double *error_bound);
+uint64_t eliminant_pose_4pt_generalized_scale_second_attempt_operations(void);
 
 /*
  * pose_4pt_upright_error_bound
@@ -984,10 +1307,20 @@ int32_t eliminant_pose_4pt_generalized_scale_solve_batch_for_scaled_pose(
 int32_t eliminant_pose_4pt_upright_error_bound_solve(
     const double *points, size_t points_length, const double *cones, size_t cones_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_4pt_upright_error_bound_solve_with(
+    uint64_t second_attempts, const double *points, size_t points_length, const double *cones,
+    size_t cones_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_4pt_upright_error_bound_solve_batch(
     size_t instances, const double *points, size_t points_length, const double *cones,
     size_t cones_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_pose_4pt_upright_error_bound_relative_residual(
+    const double *points, size_t points_length, const double *cones, size_t cones_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_pose_4pt_upright_error_bound_error_bound(
+    const double *points, size_t points_length, const double *cones, size_t cones_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_pose_4pt_upright_error_bound_second_attempt_operations(void);
 
 /*
  * pose_5pt_refraction
@@ -1023,6 +1356,9 @@ int32_t eliminant_pose_4pt_upright_error_bound_solve_batch(
 int32_t eliminant_pose_5pt_refraction_solve(
     const double *rays, size_t rays_length, const double *points, size_t points_length,
     double index, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_5pt_refraction_solve_with(
+    uint64_t second_attempts, const double *rays, size_t rays_length, const double *points,
+    size_t points_length, double index, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_5pt_refraction_solve_batch(
     size_t instances, const double *rays, size_t rays_length, const double *points,
     size_t points_length, const double *index, size_t index_length, double *solutions,
@@ -1030,10 +1366,20 @@ int32_t eliminant_pose_5pt_refraction_solve_batch(
 int32_t eliminant_pose_5pt_refraction_solve_for_refracted_pose(
     const double *rays, size_t rays_length, const double *points, size_t points_length,
     double index, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_5pt_refraction_solve_with_for_refracted_pose(
+    uint64_t second_attempts, const double *rays, size_t rays_length, const double *points,
+    size_t points_length, double index, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_5pt_refraction_solve_batch_for_refracted_pose(
     size_t instances, const double *rays, size_t rays_length, const double *points,
     size_t points_length, const double *index, size_t index_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_pose_5pt_refraction_relative_residual(
+    const double *rays, size_t rays_length, const double *points, size_t points_length,
+    double index, const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_pose_5pt_refraction_error_bound(
+    const double *rays, size_t rays_length, const double *points, size_t points_length,
+    double index, const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_pose_5pt_refraction_second_attempt_operations(void);
 
 /*
  * pose_5tdoa_two_receivers
@@ -1065,6 +1411,10 @@ int32_t eliminant_pose_5pt_refraction_solve_batch_for_refracted_pose(
 int32_t eliminant_pose_5tdoa_two_receivers_solve(
     const double *senders, size_t senders_length, const double *differences,
     size_t differences_length, double distance, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_5tdoa_two_receivers_solve_with(
+    uint64_t second_attempts, const double *senders, size_t senders_length,
+    const double *differences, size_t differences_length, double distance, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_pose_5tdoa_two_receivers_solve_batch(
     size_t instances, const double *senders, size_t senders_length, const double *differences,
     size_t differences_length, const double *distance, size_t distance_length, double *solutions,
@@ -1072,10 +1422,23 @@ int32_t eliminant_pose_5tdoa_two_receivers_solve_batch(
 int32_t eliminant_pose_5tdoa_two_receivers_solve_for_receiver_pair(
     const double *senders, size_t senders_length, const double *differences,
     size_t differences_length, double distance, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_5tdoa_two_receivers_solve_with_for_receiver_pair(
+    uint64_t second_attempts, const double *senders, size_t senders_length,
+    const double *differences, size_t differences_length, double distance, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_pose_5tdoa_two_receivers_solve_batch_for_receiver_pair(
     size_t instances, const double *senders, size_t senders_length, const double *differences,
     size_t differences_length, const double *distance, size_t distance_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_pose_5tdoa_two_receivers_relative_residual(
+    const double *senders, size_t senders_length, const double *differences,
+    size_t differences_length, double distance, const double *solution, size_t solution_length,
+    double *relative_residual);
+int32_t eliminant_pose_5tdoa_two_receivers_error_bound(
+    const double *senders, size_t senders_length, const double *differences,
+    size_t differences_length, double distance, const double *solution, size_t solution_length,
+    double *error_bound);
+uint64_t eliminant_pose_5tdoa_two_receivers_second_attempt_operations(void);
 
 /*
  * pose_6pt_rolling_shutter
@@ -1105,6 +1468,9 @@ int32_t eliminant_pose_5tdoa_two_receivers_solve_batch_for_receiver_pair(
 int32_t eliminant_pose_6pt_rolling_shutter_solve(
     const double *points, size_t points_length, const double *images, size_t images_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_6pt_rolling_shutter_solve_with(
+    uint64_t second_attempts, const double *points, size_t points_length, const double *images,
+    size_t images_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_6pt_rolling_shutter_solve_batch(
     size_t instances, const double *points, size_t points_length, const double *images,
     size_t images_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -1112,10 +1478,20 @@ int32_t eliminant_pose_6pt_rolling_shutter_solve_batch(
 int32_t eliminant_pose_6pt_rolling_shutter_solve_for_rolling_pose(
     const double *points, size_t points_length, const double *images, size_t images_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_6pt_rolling_shutter_solve_with_for_rolling_pose(
+    uint64_t second_attempts, const double *points, size_t points_length, const double *images,
+    size_t images_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_6pt_rolling_shutter_solve_batch_for_rolling_pose(
     size_t instances, const double *points, size_t points_length, const double *images,
     size_t images_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_pose_6pt_rolling_shutter_relative_residual(
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_pose_6pt_rolling_shutter_error_bound(
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_pose_6pt_rolling_shutter_second_attempt_operations(void);
 
 /*
  * pose_npt_direct_least_squares
@@ -1142,14 +1518,27 @@ int32_t eliminant_pose_6pt_rolling_shutter_solve_batch_for_rolling_pose(
 #define ELIMINANT_POSE_NPT_DIRECT_LEAST_SQUARES_MAX_SOLUTIONS 27
 int32_t eliminant_pose_npt_direct_least_squares_solve(
     const double *means, size_t means_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_npt_direct_least_squares_solve_with(
+    uint64_t second_attempts, const double *means, size_t means_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_pose_npt_direct_least_squares_solve_batch(
     size_t instances, const double *means, size_t means_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
 int32_t eliminant_pose_npt_direct_least_squares_solve_for_pose(
     const double *means, size_t means_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_npt_direct_least_squares_solve_with_for_pose(
+    uint64_t second_attempts, const double *means, size_t means_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_pose_npt_direct_least_squares_solve_batch_for_pose(
     size_t instances, const double *means, size_t means_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_pose_npt_direct_least_squares_relative_residual(
+    const double *means, size_t means_length, const double *solution, size_t solution_length,
+    double *relative_residual);
+int32_t eliminant_pose_npt_direct_least_squares_error_bound(
+    const double *means, size_t means_length, const double *solution, size_t solution_length,
+    double *error_bound);
+uint64_t eliminant_pose_npt_direct_least_squares_second_attempt_operations(void);
 /*
  * What a point gives: the products of its coordinates and 1, times the entries of the projection
  * across its ray. `ray` is the ray of the point in the camera, of any length.
@@ -1185,14 +1574,27 @@ int32_t eliminant_pose_npt_direct_least_squares_mean_of_point(
 #define ELIMINANT_POSE_NPT_LEAST_SQUARES_CAYLEY_MAX_SOLUTIONS 40
 int32_t eliminant_pose_npt_least_squares_cayley_solve(
     const double *means, size_t means_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_npt_least_squares_cayley_solve_with(
+    uint64_t second_attempts, const double *means, size_t means_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_pose_npt_least_squares_cayley_solve_batch(
     size_t instances, const double *means, size_t means_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
 int32_t eliminant_pose_npt_least_squares_cayley_solve_for_pose(
     const double *means, size_t means_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_npt_least_squares_cayley_solve_with_for_pose(
+    uint64_t second_attempts, const double *means, size_t means_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_pose_npt_least_squares_cayley_solve_batch_for_pose(
     size_t instances, const double *means, size_t means_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_pose_npt_least_squares_cayley_relative_residual(
+    const double *means, size_t means_length, const double *solution, size_t solution_length,
+    double *relative_residual);
+int32_t eliminant_pose_npt_least_squares_cayley_error_bound(
+    const double *means, size_t means_length, const double *solution, size_t solution_length,
+    double *error_bound);
+uint64_t eliminant_pose_npt_least_squares_cayley_second_attempt_operations(void);
 /*
  * What a point gives: the products of its coordinates and 1, times the entries of the projection
  * across its ray. `ray` is the ray of the point in the camera, of any length.
@@ -1232,14 +1634,27 @@ int32_t eliminant_pose_npt_least_squares_cayley_mean_of_point(
 #define ELIMINANT_POSE_NPT_LEAST_SQUARES_QUATERNION_MAX_SOLUTIONS 40
 int32_t eliminant_pose_npt_least_squares_quaternion_solve(
     const double *means, size_t means_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_npt_least_squares_quaternion_solve_with(
+    uint64_t second_attempts, const double *means, size_t means_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_pose_npt_least_squares_quaternion_solve_batch(
     size_t instances, const double *means, size_t means_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
 int32_t eliminant_pose_npt_least_squares_quaternion_solve_for_pose(
     const double *means, size_t means_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_npt_least_squares_quaternion_solve_with_for_pose(
+    uint64_t second_attempts, const double *means, size_t means_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_pose_npt_least_squares_quaternion_solve_batch_for_pose(
     size_t instances, const double *means, size_t means_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_pose_npt_least_squares_quaternion_relative_residual(
+    const double *means, size_t means_length, const double *solution, size_t solution_length,
+    double *relative_residual);
+int32_t eliminant_pose_npt_least_squares_quaternion_error_bound(
+    const double *means, size_t means_length, const double *solution, size_t solution_length,
+    double *error_bound);
+uint64_t eliminant_pose_npt_least_squares_quaternion_second_attempt_operations(void);
 /*
  * What a point and its image give: the products of two of the point's coordinates and 1, then
  * those with 1 times the coordinates of the image and times the square of its distance from the
@@ -1278,14 +1693,27 @@ int32_t eliminant_pose_npt_least_squares_quaternion_mean_of_point(
 #define ELIMINANT_POSE_NPT_WEAK_PERSPECTIVE_MAX_SOLUTIONS 16
 int32_t eliminant_pose_npt_weak_perspective_solve(
     const double *means, size_t means_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_npt_weak_perspective_solve_with(
+    uint64_t second_attempts, const double *means, size_t means_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_pose_npt_weak_perspective_solve_batch(
     size_t instances, const double *means, size_t means_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
 int32_t eliminant_pose_npt_weak_perspective_solve_for_weak_pose(
     const double *means, size_t means_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_npt_weak_perspective_solve_with_for_weak_pose(
+    uint64_t second_attempts, const double *means, size_t means_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_pose_npt_weak_perspective_solve_batch_for_weak_pose(
     size_t instances, const double *means, size_t means_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_pose_npt_weak_perspective_relative_residual(
+    const double *means, size_t means_length, const double *solution, size_t solution_length,
+    double *relative_residual);
+int32_t eliminant_pose_npt_weak_perspective_error_bound(
+    const double *means, size_t means_length, const double *solution, size_t solution_length,
+    double *error_bound);
+uint64_t eliminant_pose_npt_weak_perspective_second_attempt_operations(void);
 /*
  * What a point and its image give: the products of two of the point's coordinates and 1, then
  * those of the coordinates and 1 with those of the image.
@@ -1323,10 +1751,23 @@ int32_t eliminant_relpose_3pt_angle_zero_screw_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     const double *half_angle, size_t half_angle_length, double *solutions, size_t capacity,
     size_t *count);
+int32_t eliminant_relpose_3pt_angle_zero_screw_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_relpose_3pt_angle_zero_screw_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_relpose_3pt_angle_zero_screw_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *half_angle, size_t half_angle_length, const double *solution,
+    size_t solution_length, double *relative_residual);
+int32_t eliminant_relpose_3pt_angle_zero_screw_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *half_angle, size_t half_angle_length, const double *solution,
+    size_t solution_length, double *error_bound);
+uint64_t eliminant_relpose_3pt_angle_zero_screw_second_attempt_operations(void);
 
 /*
  * relpose_3pt_depths
@@ -1363,6 +1804,11 @@ int32_t eliminant_relpose_3pt_depths_solve(
     size_t first_depths_length, const double *second, size_t second_length,
     const double *second_depths, size_t second_depths_length, double *solutions, size_t capacity,
     size_t *count);
+int32_t eliminant_relpose_3pt_depths_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *first_depths,
+    size_t first_depths_length, const double *second, size_t second_length,
+    const double *second_depths, size_t second_depths_length, double *solutions, size_t capacity,
+    size_t *count);
 int32_t eliminant_relpose_3pt_depths_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *first_depths,
     size_t first_depths_length, const double *second, size_t second_length,
@@ -1373,11 +1819,27 @@ int32_t eliminant_relpose_3pt_depths_solve_for_depth_pose(
     size_t first_depths_length, const double *second, size_t second_length,
     const double *second_depths, size_t second_depths_length, double *solutions, size_t capacity,
     size_t *count);
+int32_t eliminant_relpose_3pt_depths_solve_with_for_depth_pose(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *first_depths,
+    size_t first_depths_length, const double *second, size_t second_length,
+    const double *second_depths, size_t second_depths_length, double *solutions, size_t capacity,
+    size_t *count);
 int32_t eliminant_relpose_3pt_depths_solve_batch_for_depth_pose(
     size_t instances, const double *first, size_t first_length, const double *first_depths,
     size_t first_depths_length, const double *second, size_t second_length,
     const double *second_depths, size_t second_depths_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_relpose_3pt_depths_relative_residual(
+    const double *first, size_t first_length, const double *first_depths,
+    size_t first_depths_length, const double *second, size_t second_length,
+    const double *second_depths, size_t second_depths_length, const double *solution,
+    size_t solution_length, double *relative_residual);
+int32_t eliminant_relpose_3pt_depths_error_bound(
+    const double *first, size_t first_length, const double *first_depths,
+    size_t first_depths_length, const double *second, size_t second_length,
+    const double *second_depths, size_t second_depths_length, const double *solution,
+    size_t solution_length, double *error_bound);
+uint64_t eliminant_relpose_3pt_depths_second_attempt_operations(void);
 
 /*
  * relpose_3pt_upright
@@ -1405,6 +1867,9 @@ int32_t eliminant_relpose_3pt_depths_solve_batch_for_depth_pose(
 int32_t eliminant_relpose_3pt_upright_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_3pt_upright_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_3pt_upright_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -1412,10 +1877,20 @@ int32_t eliminant_relpose_3pt_upright_solve_batch(
 int32_t eliminant_relpose_3pt_upright_solve_for_relative_pose(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_3pt_upright_solve_with_for_relative_pose(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_3pt_upright_solve_batch_for_relative_pose(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_relpose_3pt_upright_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_relpose_3pt_upright_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_relpose_3pt_upright_second_attempt_operations(void);
 
 /*
  * relpose_4pt_angle
@@ -1447,10 +1922,23 @@ int32_t eliminant_relpose_4pt_angle_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     const double *half_angle, size_t half_angle_length, double *solutions, size_t capacity,
     size_t *count);
+int32_t eliminant_relpose_4pt_angle_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_relpose_4pt_angle_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_relpose_4pt_angle_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *half_angle, size_t half_angle_length, const double *solution,
+    size_t solution_length, double *relative_residual);
+int32_t eliminant_relpose_4pt_angle_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *half_angle, size_t half_angle_length, const double *solution,
+    size_t solution_length, double *error_bound);
+uint64_t eliminant_relpose_4pt_angle_second_attempt_operations(void);
 
 /*
  * relpose_5pt
@@ -1472,9 +1960,19 @@ int32_t eliminant_relpose_4pt_angle_solve_batch(
 #define ELIMINANT_RELPOSE_5PT_MAX_SOLUTIONS 10
 int32_t eliminant_relpose_5pt_solve(
     const double *basis, size_t basis_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_5pt_solve_with(
+    uint64_t second_attempts, const double *basis, size_t basis_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_relpose_5pt_solve_batch(
     size_t instances, const double *basis, size_t basis_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_relpose_5pt_relative_residual(
+    const double *basis, size_t basis_length, const double *solution, size_t solution_length,
+    double *relative_residual);
+int32_t eliminant_relpose_5pt_error_bound(
+    const double *basis, size_t basis_length, const double *solution, size_t solution_length,
+    double *error_bound);
+uint64_t eliminant_relpose_5pt_second_attempt_operations(void);
 
 /*
  * relpose_5pt_generalized_angle
@@ -1505,10 +2003,23 @@ int32_t eliminant_relpose_5pt_generalized_angle_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     const double *half_angle, size_t half_angle_length, double *solutions, size_t capacity,
     size_t *count);
+int32_t eliminant_relpose_5pt_generalized_angle_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_relpose_5pt_generalized_angle_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_relpose_5pt_generalized_angle_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *half_angle, size_t half_angle_length, const double *solution,
+    size_t solution_length, double *relative_residual);
+int32_t eliminant_relpose_5pt_generalized_angle_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *half_angle, size_t half_angle_length, const double *solution,
+    size_t solution_length, double *error_bound);
+uint64_t eliminant_relpose_5pt_generalized_angle_second_attempt_operations(void);
 
 /*
  * relpose_5pt_rays
@@ -1531,6 +2042,9 @@ int32_t eliminant_relpose_5pt_generalized_angle_solve_batch(
 int32_t eliminant_relpose_5pt_rays_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_5pt_rays_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_5pt_rays_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -1538,10 +2052,20 @@ int32_t eliminant_relpose_5pt_rays_solve_batch(
 int32_t eliminant_relpose_5pt_rays_solve_for_relative_pose(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_5pt_rays_solve_with_for_relative_pose(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_5pt_rays_solve_batch_for_relative_pose(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_relpose_5pt_rays_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_relpose_5pt_rays_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_relpose_5pt_rays_second_attempt_operations(void);
 
 /*
  * relpose_5pt_semi_generalized_focal
@@ -1573,10 +2097,23 @@ int32_t eliminant_relpose_5pt_semi_generalized_focal_solve(
     const double *images, size_t images_length, const double *directions, size_t directions_length,
     const double *centres, size_t centres_length, double *solutions, size_t capacity,
     size_t *count);
+int32_t eliminant_relpose_5pt_semi_generalized_focal_solve_with(
+    uint64_t second_attempts, const double *images, size_t images_length, const double *directions,
+    size_t directions_length, const double *centres, size_t centres_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_relpose_5pt_semi_generalized_focal_solve_batch(
     size_t instances, const double *images, size_t images_length, const double *directions,
     size_t directions_length, const double *centres, size_t centres_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_relpose_5pt_semi_generalized_focal_relative_residual(
+    const double *images, size_t images_length, const double *directions, size_t directions_length,
+    const double *centres, size_t centres_length, const double *solution, size_t solution_length,
+    double *relative_residual);
+int32_t eliminant_relpose_5pt_semi_generalized_focal_error_bound(
+    const double *images, size_t images_length, const double *directions, size_t directions_length,
+    const double *centres, size_t centres_length, const double *solution, size_t solution_length,
+    double *error_bound);
+uint64_t eliminant_relpose_5pt_semi_generalized_focal_second_attempt_operations(void);
 
 /*
  * relpose_6pt_focal
@@ -1600,9 +2137,19 @@ int32_t eliminant_relpose_5pt_semi_generalized_focal_solve_batch(
 #define ELIMINANT_RELPOSE_6PT_FOCAL_MAX_SOLUTIONS 15
 int32_t eliminant_relpose_6pt_focal_solve(
     const double *basis, size_t basis_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_6pt_focal_solve_with(
+    uint64_t second_attempts, const double *basis, size_t basis_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_relpose_6pt_focal_solve_batch(
     size_t instances, const double *basis, size_t basis_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_relpose_6pt_focal_relative_residual(
+    const double *basis, size_t basis_length, const double *solution, size_t solution_length,
+    double *relative_residual);
+int32_t eliminant_relpose_6pt_focal_error_bound(
+    const double *basis, size_t basis_length, const double *solution, size_t solution_length,
+    double *error_bound);
+uint64_t eliminant_relpose_6pt_focal_second_attempt_operations(void);
 
 /*
  * relpose_6pt_focal_one_side
@@ -1631,6 +2178,9 @@ int32_t eliminant_relpose_6pt_focal_solve_batch(
 int32_t eliminant_relpose_6pt_focal_one_side_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_6pt_focal_one_side_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_6pt_focal_one_side_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -1638,10 +2188,20 @@ int32_t eliminant_relpose_6pt_focal_one_side_solve_batch(
 int32_t eliminant_relpose_6pt_focal_one_side_solve_for_focal_pose(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_6pt_focal_one_side_solve_with_for_focal_pose(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_6pt_focal_one_side_solve_batch_for_focal_pose(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_relpose_6pt_focal_one_side_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_relpose_6pt_focal_one_side_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_relpose_6pt_focal_one_side_second_attempt_operations(void);
 
 /*
  * relpose_6pt_focal_points
@@ -1666,6 +2226,9 @@ int32_t eliminant_relpose_6pt_focal_one_side_solve_batch_for_focal_pose(
 int32_t eliminant_relpose_6pt_focal_points_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_6pt_focal_points_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_6pt_focal_points_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -1673,10 +2236,20 @@ int32_t eliminant_relpose_6pt_focal_points_solve_batch(
 int32_t eliminant_relpose_6pt_focal_points_solve_for_focal_pose(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_6pt_focal_points_solve_with_for_focal_pose(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_6pt_focal_points_solve_batch_for_focal_pose(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_relpose_6pt_focal_points_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_relpose_6pt_focal_points_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_relpose_6pt_focal_points_second_attempt_operations(void);
 
 /*
  * relpose_6pt_generalized
@@ -1702,10 +2275,20 @@ int32_t eliminant_relpose_6pt_focal_points_solve_batch_for_focal_pose(
 int32_t eliminant_relpose_6pt_generalized_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_6pt_generalized_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_6pt_generalized_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_relpose_6pt_generalized_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_relpose_6pt_generalized_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_relpose_6pt_generalized_second_attempt_operations(void);
 
 /*
  * relpose_6pt_radial
@@ -1738,6 +2321,9 @@ int32_t eliminant_relpose_6pt_generalized_solve_batch(
 int32_t eliminant_relpose_6pt_radial_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_6pt_radial_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_6pt_radial_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -1745,10 +2331,20 @@ int32_t eliminant_relpose_6pt_radial_solve_batch(
 int32_t eliminant_relpose_6pt_radial_solve_for_radial_pose(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_6pt_radial_solve_with_for_radial_pose(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_6pt_radial_solve_batch_for_radial_pose(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_relpose_6pt_radial_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_relpose_6pt_radial_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_relpose_6pt_radial_second_attempt_operations(void);
 
 /*
  * relpose_7pt_angle_focal_centre
@@ -1779,6 +2375,10 @@ int32_t eliminant_relpose_6pt_radial_solve_batch_for_radial_pose(
 int32_t eliminant_relpose_7pt_angle_focal_centre_solve(
     const double *fundamental, size_t fundamental_length, const double *half_angle,
     size_t half_angle_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_7pt_angle_focal_centre_solve_with(
+    uint64_t second_attempts, const double *fundamental, size_t fundamental_length,
+    const double *half_angle, size_t half_angle_length, double *solutions, size_t capacity,
+    size_t *count);
 int32_t eliminant_relpose_7pt_angle_focal_centre_solve_batch(
     size_t instances, const double *fundamental, size_t fundamental_length,
     const double *half_angle, size_t half_angle_length, double *solutions, size_t solutions_length,
@@ -1786,10 +2386,22 @@ int32_t eliminant_relpose_7pt_angle_focal_centre_solve_batch(
 int32_t eliminant_relpose_7pt_angle_focal_centre_solve_for_camera(
     const double *fundamental, size_t fundamental_length, const double *half_angle,
     size_t half_angle_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_7pt_angle_focal_centre_solve_with_for_camera(
+    uint64_t second_attempts, const double *fundamental, size_t fundamental_length,
+    const double *half_angle, size_t half_angle_length, double *solutions, size_t capacity,
+    size_t *count);
 int32_t eliminant_relpose_7pt_angle_focal_centre_solve_batch_for_camera(
     size_t instances, const double *fundamental, size_t fundamental_length,
     const double *half_angle, size_t half_angle_length, double *solutions, size_t solutions_length,
     size_t *counts, int32_t *codes);
+int32_t eliminant_relpose_7pt_angle_focal_centre_relative_residual(
+    const double *fundamental, size_t fundamental_length, const double *half_angle,
+    size_t half_angle_length, const double *solution, size_t solution_length,
+    double *relative_residual);
+int32_t eliminant_relpose_7pt_angle_focal_centre_error_bound(
+    const double *fundamental, size_t fundamental_length, const double *half_angle,
+    size_t half_angle_length, const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_relpose_7pt_angle_focal_centre_second_attempt_operations(void);
 
 /*
  * relpose_7pt_focal_radial
@@ -1827,6 +2439,9 @@ int32_t eliminant_relpose_7pt_angle_focal_centre_solve_batch_for_camera(
 int32_t eliminant_relpose_7pt_focal_radial_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_7pt_focal_radial_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_7pt_focal_radial_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -1834,10 +2449,20 @@ int32_t eliminant_relpose_7pt_focal_radial_solve_batch(
 int32_t eliminant_relpose_7pt_focal_radial_solve_for_radial_focal_pose(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_7pt_focal_radial_solve_with_for_radial_focal_pose(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_7pt_focal_radial_solve_batch_for_radial_focal_pose(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_relpose_7pt_focal_radial_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_relpose_7pt_focal_radial_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_relpose_7pt_focal_radial_second_attempt_operations(void);
 
 /*
  * relpose_7pt_focal_radial_one_side
@@ -1868,6 +2493,9 @@ int32_t eliminant_relpose_7pt_focal_radial_solve_batch_for_radial_focal_pose(
 int32_t eliminant_relpose_7pt_focal_radial_one_side_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_7pt_focal_radial_one_side_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_7pt_focal_radial_one_side_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -1875,10 +2503,20 @@ int32_t eliminant_relpose_7pt_focal_radial_one_side_solve_batch(
 int32_t eliminant_relpose_7pt_focal_radial_one_side_solve_for_radial_focal_pose(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_7pt_focal_radial_one_side_solve_with_for_radial_focal_pose(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_7pt_focal_radial_one_side_solve_batch_for_radial_focal_pose(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_relpose_7pt_focal_radial_one_side_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_relpose_7pt_focal_radial_one_side_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_relpose_7pt_focal_radial_one_side_second_attempt_operations(void);
 
 /*
  * relpose_7pt_focal_radial_one_side_eliminated
@@ -1910,6 +2548,9 @@ int32_t eliminant_relpose_7pt_focal_radial_one_side_solve_batch_for_radial_focal
 int32_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -1917,10 +2558,20 @@ int32_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve_batch(
 int32_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve_for_radial_epipolar(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve_with_for_radial_epipolar(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve_batch_for_radial_epipolar(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_second_attempt_operations(void);
 
 /*
  * relpose_7pt_generalized_scale
@@ -1951,10 +2602,20 @@ int32_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve_batch_for_r
 int32_t eliminant_relpose_7pt_generalized_scale_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_7pt_generalized_scale_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_7pt_generalized_scale_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_relpose_7pt_generalized_scale_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_relpose_7pt_generalized_scale_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_relpose_7pt_generalized_scale_second_attempt_operations(void);
 
 /*
  * stitching_3pt_radial_focal
@@ -1984,6 +2645,9 @@ int32_t eliminant_relpose_7pt_generalized_scale_solve_batch(
 int32_t eliminant_stitching_3pt_radial_focal_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_stitching_3pt_radial_focal_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_stitching_3pt_radial_focal_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -1991,10 +2655,20 @@ int32_t eliminant_stitching_3pt_radial_focal_solve_batch(
 int32_t eliminant_stitching_3pt_radial_focal_solve_for_panorama(
     const double *first, size_t first_length, const double *second, size_t second_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_stitching_3pt_radial_focal_solve_with_for_panorama(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_stitching_3pt_radial_focal_solve_batch_for_panorama(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_stitching_3pt_radial_focal_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_stitching_3pt_radial_focal_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_stitching_3pt_radial_focal_second_attempt_operations(void);
 
 /*
  * tensor_eigenvectors
@@ -2015,9 +2689,19 @@ int32_t eliminant_stitching_3pt_radial_focal_solve_batch_for_panorama(
 #define ELIMINANT_TENSOR_EIGENVECTORS_MAX_SOLUTIONS 8
 int32_t eliminant_tensor_eigenvectors_solve(
     const double *a, size_t a_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_tensor_eigenvectors_solve_with(
+    uint64_t second_attempts, const double *a, size_t a_length, double *solutions, size_t capacity,
+    size_t *count);
 int32_t eliminant_tensor_eigenvectors_solve_batch(
     size_t instances, const double *a, size_t a_length, double *solutions, size_t solutions_length,
     size_t *counts, int32_t *codes);
+int32_t eliminant_tensor_eigenvectors_relative_residual(
+    const double *a, size_t a_length, const double *solution, size_t solution_length,
+    double *relative_residual);
+int32_t eliminant_tensor_eigenvectors_error_bound(
+    const double *a, size_t a_length, const double *solution, size_t solution_length,
+    double *error_bound);
+uint64_t eliminant_tensor_eigenvectors_second_attempt_operations(void);
 
 /*
  * three_quadrics
@@ -2039,9 +2723,19 @@ int32_t eliminant_tensor_eigenvectors_solve_batch(
 int32_t eliminant_three_quadrics_solve(
     const double *quadrics, size_t quadrics_length, double *solutions, size_t capacity,
     size_t *count);
+int32_t eliminant_three_quadrics_solve_with(
+    uint64_t second_attempts, const double *quadrics, size_t quadrics_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_three_quadrics_solve_batch(
     size_t instances, const double *quadrics, size_t quadrics_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_three_quadrics_relative_residual(
+    const double *quadrics, size_t quadrics_length, const double *solution, size_t solution_length,
+    double *relative_residual);
+int32_t eliminant_three_quadrics_error_bound(
+    const double *quadrics, size_t quadrics_length, const double *solution, size_t solution_length,
+    double *error_bound);
+uint64_t eliminant_three_quadrics_second_attempt_operations(void);
 
 /*
  * triangulation_3view
@@ -2075,6 +2769,9 @@ int32_t eliminant_three_quadrics_solve_batch(
 int32_t eliminant_triangulation_3view_solve(
     const double *cameras, size_t cameras_length, const double *images, size_t images_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_triangulation_3view_solve_with(
+    uint64_t second_attempts, const double *cameras, size_t cameras_length, const double *images,
+    size_t images_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_triangulation_3view_solve_batch(
     size_t instances, const double *cameras, size_t cameras_length, const double *images,
     size_t images_length, double *solutions, size_t solutions_length, size_t *counts,
@@ -2082,10 +2779,20 @@ int32_t eliminant_triangulation_3view_solve_batch(
 int32_t eliminant_triangulation_3view_solve_for_point(
     const double *cameras, size_t cameras_length, const double *images, size_t images_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_triangulation_3view_solve_with_for_point(
+    uint64_t second_attempts, const double *cameras, size_t cameras_length, const double *images,
+    size_t images_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_triangulation_3view_solve_batch_for_point(
     size_t instances, const double *cameras, size_t cameras_length, const double *images,
     size_t images_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_triangulation_3view_relative_residual(
+    const double *cameras, size_t cameras_length, const double *images, size_t images_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_triangulation_3view_error_bound(
+    const double *cameras, size_t cameras_length, const double *images, size_t images_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_triangulation_3view_second_attempt_operations(void);
 
 /*
  * triangulation_3view_relaxed
@@ -2112,10 +2819,23 @@ int32_t eliminant_triangulation_3view_solve_batch_for_point(
 int32_t eliminant_triangulation_3view_relaxed_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
     const double *image, size_t image_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_triangulation_3view_relaxed_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, const double *image, size_t image_length, double *solutions,
+    size_t capacity, size_t *count);
 int32_t eliminant_triangulation_3view_relaxed_solve_batch(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, const double *image, size_t image_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_triangulation_3view_relaxed_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *image, size_t image_length, const double *solution, size_t solution_length,
+    double *relative_residual);
+int32_t eliminant_triangulation_3view_relaxed_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *image, size_t image_length, const double *solution, size_t solution_length,
+    double *error_bound);
+uint64_t eliminant_triangulation_3view_relaxed_second_attempt_operations(void);
 
 /*
  * trilateration
@@ -2139,10 +2859,20 @@ int32_t eliminant_triangulation_3view_relaxed_solve_batch(
 int32_t eliminant_trilateration_solve(
     const double *centres, size_t centres_length, const double *distances, size_t distances_length,
     double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_trilateration_solve_with(
+    uint64_t second_attempts, const double *centres, size_t centres_length, const double *distances,
+    size_t distances_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_trilateration_solve_batch(
     size_t instances, const double *centres, size_t centres_length, const double *distances,
     size_t distances_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
+int32_t eliminant_trilateration_relative_residual(
+    const double *centres, size_t centres_length, const double *distances, size_t distances_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_trilateration_error_bound(
+    const double *centres, size_t centres_length, const double *distances, size_t distances_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_trilateration_second_attempt_operations(void);
 
 /*
  * two_conics
@@ -2164,9 +2894,19 @@ int32_t eliminant_trilateration_solve_batch(
 int32_t eliminant_two_conics_solve(
     const double *p, size_t p_length, const double *q, size_t q_length, double *solutions,
     size_t capacity, size_t *count);
+int32_t eliminant_two_conics_solve_with(
+    uint64_t second_attempts, const double *p, size_t p_length, const double *q, size_t q_length,
+    double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_two_conics_solve_batch(
     size_t instances, const double *p, size_t p_length, const double *q, size_t q_length,
     double *solutions, size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_two_conics_relative_residual(
+    const double *p, size_t p_length, const double *q, size_t q_length, const double *solution,
+    size_t solution_length, double *relative_residual);
+int32_t eliminant_two_conics_error_bound(
+    const double *p, size_t p_length, const double *q, size_t q_length, const double *solution,
+    size_t solution_length, double *error_bound);
+uint64_t eliminant_two_conics_second_attempt_operations(void);
 
 #ifdef __cplusplus
 }

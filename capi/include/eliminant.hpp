@@ -7,7 +7,9 @@
 //     using namespace eliminant;
 //     const auto found = NAME::solve(data, ..);          // throws eliminant::Error
 //     const auto result = NAME::try_solve(data, ..);     // result.code(), result.text()
-//     for (const NAME::Solution &solution : found) { .. }
+//     for (const NAME::Solution &solution : found)
+//         use(solution, NAME::error_bound(data, .., solution));
+//     const auto quick = NAME::solve_with(SecondAttempts::never(), data, ..);
 //
 // Data are numbers, or arrays row by row: `double[5][3]`, nested `std::array`, `std::vector` of
 // such, a `Span` of numbers, and with Eigen matrices of fixed size that are stored by rows, vectors,
@@ -41,6 +43,25 @@ public:
 
 private:
     std::int32_t code_;
+};
+
+/// When a solve that misses solutions is repeated at twice the precision, which takes some twenty
+/// times as long.
+class SecondAttempts {
+public:
+    /// Wherever solutions are missing, as `solve` does. Only so are they followed from data nearby.
+    static constexpr SecondAttempts always() noexcept { return SecondAttempts(ELIMINANT_ALWAYS); }
+    /// Never: solutions that only a second attempt finds are missing, and an elimination that fails
+    /// is an error.
+    static constexpr SecondAttempts never() noexcept { return SecondAttempts(ELIMINANT_NEVER); }
+    /// If it has at most so many operations. A problem has `second_attempt_operations()`.
+    static constexpr SecondAttempts at_most(std::uint64_t operations) noexcept { return SecondAttempts(operations); }
+    /// As the C functions take it.
+    constexpr std::uint64_t operations() const noexcept { return operations_; }
+
+private:
+    explicit constexpr SecondAttempts(std::uint64_t operations) noexcept : operations_(operations) {}
+    std::uint64_t operations_;
 };
 
 /// A list that belongs to somebody else.
@@ -266,6 +287,19 @@ static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
     return try_solve(ranges).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<24> ranges) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_calibration_6_receivers_4_senders_solve_with(
+            second_attempts.operations(), ranges.data(), ranges.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<24> ranges) {
+    return try_solve_with(second_attempts, ranges).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many ranges, Batch<Solution, max_solutions> &batch) {
@@ -295,6 +329,19 @@ static_assert(sizeof(Positions) == 30 * sizeof(double), "a row");
     return try_solve_for_positions(ranges).value();
 }
 
+/// As `try_solve_for_positions`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Positions, max_solutions>> try_solve_with_for_positions(SecondAttempts second_attempts, Values<24> ranges) noexcept {
+    return Result<Solutions<Positions, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_calibration_6_receivers_4_senders_solve_with_for_positions(
+            second_attempts.operations(), ranges.data(), ranges.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_positions`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Positions, max_solutions> solve_with_for_positions(SecondAttempts second_attempts, Values<24> ranges) {
+    return try_solve_with_for_positions(second_attempts, ranges).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_positions(
     std::size_t instances, Many ranges, Batch<Positions, max_solutions> &batch) {
@@ -303,6 +350,31 @@ inline void solve_batch_for_positions(
         return eliminant_calibration_6_receivers_4_senders_solve_batch_for_positions(
             instances, ranges.data(), ranges.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<24> ranges, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_calibration_6_receivers_4_senders_relative_residual(
+        ranges.data(), ranges.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<24> ranges, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_calibration_6_receivers_4_senders_error_bound(
+        ranges.data(), ranges.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_calibration_6_receivers_4_senders_second_attempt_operations();
 }
 
 } // namespace calibration_6_receivers_4_senders
@@ -345,6 +417,19 @@ static_assert(sizeof(Solution) == 7 * sizeof(double), "a row");
     return try_solve(gram).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<36> gram) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_circle_least_squares_solve_with(
+            second_attempts.operations(), gram.data(), gram.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<36> gram) {
+    return try_solve_with(second_attempts, gram).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many gram, Batch<Solution, max_solutions> &batch) {
@@ -353,6 +438,31 @@ inline void solve_batch(
         return eliminant_circle_least_squares_solve_batch(
             instances, gram.data(), gram.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<36> gram, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_circle_least_squares_relative_residual(
+        gram.data(), gram.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<36> gram, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_circle_least_squares_error_bound(
+        gram.data(), gram.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_circle_least_squares_second_attempt_operations();
 }
 
 /// What a line a x + b y + c = 0 gives.
@@ -400,6 +510,19 @@ static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
     return try_solve(gram).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<36> gram) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_circle_least_squares_dual_solve_with(
+            second_attempts.operations(), gram.data(), gram.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<36> gram) {
+    return try_solve_with(second_attempts, gram).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many gram, Batch<Solution, max_solutions> &batch) {
@@ -408,6 +531,31 @@ inline void solve_batch(
         return eliminant_circle_least_squares_dual_solve_batch(
             instances, gram.data(), gram.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<36> gram, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_circle_least_squares_dual_relative_residual(
+        gram.data(), gram.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<36> gram, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_circle_least_squares_dual_error_bound(
+        gram.data(), gram.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_circle_least_squares_dual_second_attempt_operations();
 }
 
 /// What a line a x + b y + c = 0 gives.
@@ -458,6 +606,19 @@ static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
     return try_solve(d_alpha, d_beta, d_gamma).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<6> d_alpha, Values<6> d_beta, Values<6> d_gamma) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_circle_minimal_solve_with(
+            second_attempts.operations(), d_alpha.data(), d_alpha.size(), d_beta.data(), d_beta.size(), d_gamma.data(), d_gamma.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<6> d_alpha, Values<6> d_beta, Values<6> d_gamma) {
+    return try_solve_with(second_attempts, d_alpha, d_beta, d_gamma).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many d_alpha, Many d_beta, Many d_gamma, Batch<Solution, max_solutions> &batch) {
@@ -466,6 +627,31 @@ inline void solve_batch(
         return eliminant_circle_minimal_solve_batch(
             instances, d_alpha.data(), d_alpha.size(), d_beta.data(), d_beta.size(), d_gamma.data(), d_gamma.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<6> d_alpha, Values<6> d_beta, Values<6> d_gamma, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_circle_minimal_relative_residual(
+        d_alpha.data(), d_alpha.size(), d_beta.data(), d_beta.size(), d_gamma.data(), d_gamma.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<6> d_alpha, Values<6> d_beta, Values<6> d_gamma, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_circle_minimal_error_bound(
+        d_alpha.data(), d_alpha.size(), d_beta.data(), d_beta.size(), d_gamma.data(), d_gamma.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_circle_minimal_second_attempt_operations();
 }
 
 } // namespace circle_minimal
@@ -500,6 +686,19 @@ static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
     return try_solve(first, second).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<14> first, Values<14> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_fundamental_7pt_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<14> first, Values<14> second) {
+    return try_solve_with(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
@@ -528,6 +727,19 @@ static_assert(sizeof(Epipolar) == 9 * sizeof(double), "a row");
     return try_solve_for_epipolar(first, second).value();
 }
 
+/// As `try_solve_for_epipolar`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Epipolar, max_solutions>> try_solve_with_for_epipolar(SecondAttempts second_attempts, Values<14> first, Values<14> second) noexcept {
+    return Result<Solutions<Epipolar, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_fundamental_7pt_solve_with_for_epipolar(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_epipolar`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Epipolar, max_solutions> solve_with_for_epipolar(SecondAttempts second_attempts, Values<14> first, Values<14> second) {
+    return try_solve_with_for_epipolar(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_epipolar(
     std::size_t instances, Many first, Many second, Batch<Epipolar, max_solutions> &batch) {
@@ -536,6 +748,31 @@ inline void solve_batch_for_epipolar(
         return eliminant_fundamental_7pt_solve_batch_for_epipolar(
             instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<14> first, Values<14> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_fundamental_7pt_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<14> first, Values<14> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_fundamental_7pt_error_bound(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_fundamental_7pt_second_attempt_operations();
 }
 
 } // namespace fundamental_7pt
@@ -576,6 +813,19 @@ static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
     return try_solve(first, second).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<16> first, Values<16> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_fundamental_8pt_radial_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<16> first, Values<16> second) {
+    return try_solve_with(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
@@ -605,6 +855,19 @@ static_assert(sizeof(RadialEpipolar) == 10 * sizeof(double), "a row");
     return try_solve_for_radial_epipolar(first, second).value();
 }
 
+/// As `try_solve_for_radial_epipolar`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<RadialEpipolar, max_solutions>> try_solve_with_for_radial_epipolar(SecondAttempts second_attempts, Values<16> first, Values<16> second) noexcept {
+    return Result<Solutions<RadialEpipolar, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_fundamental_8pt_radial_solve_with_for_radial_epipolar(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_radial_epipolar`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<RadialEpipolar, max_solutions> solve_with_for_radial_epipolar(SecondAttempts second_attempts, Values<16> first, Values<16> second) {
+    return try_solve_with_for_radial_epipolar(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_radial_epipolar(
     std::size_t instances, Many first, Many second, Batch<RadialEpipolar, max_solutions> &batch) {
@@ -613,6 +876,31 @@ inline void solve_batch_for_radial_epipolar(
         return eliminant_fundamental_8pt_radial_solve_batch_for_radial_epipolar(
             instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<16> first, Values<16> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_fundamental_8pt_radial_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<16> first, Values<16> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_fundamental_8pt_radial_error_bound(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_fundamental_8pt_radial_second_attempt_operations();
 }
 
 } // namespace fundamental_8pt_radial
@@ -651,6 +939,19 @@ static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
     return try_solve(first, second).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<16> first, Values<16> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_fundamental_8pt_radial_one_side_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<16> first, Values<16> second) {
+    return try_solve_with(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
@@ -680,6 +981,19 @@ static_assert(sizeof(RadialEpipolar) == 10 * sizeof(double), "a row");
     return try_solve_for_radial_epipolar(first, second).value();
 }
 
+/// As `try_solve_for_radial_epipolar`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<RadialEpipolar, max_solutions>> try_solve_with_for_radial_epipolar(SecondAttempts second_attempts, Values<16> first, Values<16> second) noexcept {
+    return Result<Solutions<RadialEpipolar, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_fundamental_8pt_radial_one_side_solve_with_for_radial_epipolar(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_radial_epipolar`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<RadialEpipolar, max_solutions> solve_with_for_radial_epipolar(SecondAttempts second_attempts, Values<16> first, Values<16> second) {
+    return try_solve_with_for_radial_epipolar(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_radial_epipolar(
     std::size_t instances, Many first, Many second, Batch<RadialEpipolar, max_solutions> &batch) {
@@ -688,6 +1002,31 @@ inline void solve_batch_for_radial_epipolar(
         return eliminant_fundamental_8pt_radial_one_side_solve_batch_for_radial_epipolar(
             instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<16> first, Values<16> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_fundamental_8pt_radial_one_side_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<16> first, Values<16> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_fundamental_8pt_radial_one_side_error_bound(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_fundamental_8pt_radial_one_side_second_attempt_operations();
 }
 
 } // namespace fundamental_8pt_radial_one_side
@@ -730,6 +1069,19 @@ static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
     return try_solve(first, second).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<18> first, Values<18> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_fundamental_9pt_two_radials_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<18> first, Values<18> second) {
+    return try_solve_with(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
@@ -759,6 +1111,19 @@ static_assert(sizeof(RadialEpipolar) == 11 * sizeof(double), "a row");
     return try_solve_for_radial_epipolar(first, second).value();
 }
 
+/// As `try_solve_for_radial_epipolar`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<RadialEpipolar, max_solutions>> try_solve_with_for_radial_epipolar(SecondAttempts second_attempts, Values<18> first, Values<18> second) noexcept {
+    return Result<Solutions<RadialEpipolar, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_fundamental_9pt_two_radials_solve_with_for_radial_epipolar(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_radial_epipolar`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<RadialEpipolar, max_solutions> solve_with_for_radial_epipolar(SecondAttempts second_attempts, Values<18> first, Values<18> second) {
+    return try_solve_with_for_radial_epipolar(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_radial_epipolar(
     std::size_t instances, Many first, Many second, Batch<RadialEpipolar, max_solutions> &batch) {
@@ -767,6 +1132,31 @@ inline void solve_batch_for_radial_epipolar(
         return eliminant_fundamental_9pt_two_radials_solve_batch_for_radial_epipolar(
             instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<18> first, Values<18> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_fundamental_9pt_two_radials_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<18> first, Values<18> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_fundamental_9pt_two_radials_error_bound(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_fundamental_9pt_two_radials_second_attempt_operations();
 }
 
 } // namespace fundamental_9pt_two_radials
@@ -805,6 +1195,19 @@ static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
     return try_solve(first, second).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<8> first, Values<8> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_homography_4pt_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<8> first, Values<8> second) {
+    return try_solve_with(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
@@ -833,6 +1236,19 @@ static_assert(sizeof(Homography) == 9 * sizeof(double), "a row");
     return try_solve_for_homography(first, second).value();
 }
 
+/// As `try_solve_for_homography`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Homography, max_solutions>> try_solve_with_for_homography(SecondAttempts second_attempts, Values<8> first, Values<8> second) noexcept {
+    return Result<Solutions<Homography, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_homography_4pt_solve_with_for_homography(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_homography`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Homography, max_solutions> solve_with_for_homography(SecondAttempts second_attempts, Values<8> first, Values<8> second) {
+    return try_solve_with_for_homography(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_homography(
     std::size_t instances, Many first, Many second, Batch<Homography, max_solutions> &batch) {
@@ -841,6 +1257,31 @@ inline void solve_batch_for_homography(
         return eliminant_homography_4pt_solve_batch_for_homography(
             instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<8> first, Values<8> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_homography_4pt_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<8> first, Values<8> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_homography_4pt_error_bound(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_homography_4pt_second_attempt_operations();
 }
 
 } // namespace homography_4pt
@@ -879,6 +1320,19 @@ static_assert(sizeof(Solution) == 6 * sizeof(double), "a row");
     return try_solve().value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_katsura_5_solve_with(
+            second_attempts.operations(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts) {
+    return try_solve_with(second_attempts).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Batch<Solution, max_solutions> &batch) {
@@ -887,6 +1341,31 @@ inline void solve_batch(
         return eliminant_katsura_5_solve_batch(
             instances, to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_katsura_5_relative_residual(
+        reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_katsura_5_error_bound(
+        reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_katsura_5_second_attempt_operations();
 }
 
 } // namespace katsura_5
@@ -934,6 +1413,19 @@ static_assert(sizeof(Solution) == 6 * sizeof(double), "a row");
     return try_solve(sights).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<30> sights) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_orbit_5_lines_of_sight_solve_with(
+            second_attempts.operations(), sights.data(), sights.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<30> sights) {
+    return try_solve_with(second_attempts, sights).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many sights, Batch<Solution, max_solutions> &batch) {
@@ -942,6 +1434,31 @@ inline void solve_batch(
         return eliminant_orbit_5_lines_of_sight_solve_batch(
             instances, sights.data(), sights.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<30> sights, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_orbit_5_lines_of_sight_relative_residual(
+        sights.data(), sights.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<30> sights, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_orbit_5_lines_of_sight_error_bound(
+        sights.data(), sights.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_orbit_5_lines_of_sight_second_attempt_operations();
 }
 
 } // namespace orbit_5_lines_of_sight
@@ -991,6 +1508,19 @@ static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
     return try_solve(sums, differences, shift, excess, square).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<20> sums, Values<20> differences, Values<10> shift, double excess, double square) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_platform_forward_kinematics_solve_with(
+            second_attempts.operations(), sums.data(), sums.size(), differences.data(), differences.size(), shift.data(), shift.size(), excess, square, to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<20> sums, Values<20> differences, Values<10> shift, double excess, double square) {
+    return try_solve_with(second_attempts, sums, differences, shift, excess, square).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many sums, Many differences, Many shift, Many excess, Many square, Batch<Solution, max_solutions> &batch) {
@@ -999,6 +1529,31 @@ inline void solve_batch(
         return eliminant_platform_forward_kinematics_solve_batch(
             instances, sums.data(), sums.size(), differences.data(), differences.size(), shift.data(), shift.size(), excess.data(), excess.size(), square.data(), square.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<20> sums, Values<20> differences, Values<10> shift, double excess, double square, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_platform_forward_kinematics_relative_residual(
+        sums.data(), sums.size(), differences.data(), differences.size(), shift.data(), shift.size(), excess, square, reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<20> sums, Values<20> differences, Values<10> shift, double excess, double square, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_platform_forward_kinematics_error_bound(
+        sums.data(), sums.size(), differences.data(), differences.size(), shift.data(), shift.size(), excess, square, reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_platform_forward_kinematics_second_attempt_operations();
 }
 
 } // namespace platform_forward_kinematics
@@ -1039,6 +1594,19 @@ static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
     return try_solve(ray, point, normals, lines).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<3> ray, Values<3> point, Values<6> normals, Values<12> lines) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_1pt_2line_solve_with(
+            second_attempts.operations(), ray.data(), ray.size(), point.data(), point.size(), normals.data(), normals.size(), lines.data(), lines.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<3> ray, Values<3> point, Values<6> normals, Values<12> lines) {
+    return try_solve_with(second_attempts, ray, point, normals, lines).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many ray, Many point, Many normals, Many lines, Batch<Solution, max_solutions> &batch) {
@@ -1068,6 +1636,19 @@ static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
     return try_solve_for_pose(ray, point, normals, lines).value();
 }
 
+/// As `try_solve_for_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_with_for_pose(SecondAttempts second_attempts, Values<3> ray, Values<3> point, Values<6> normals, Values<12> lines) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_1pt_2line_solve_with_for_pose(
+            second_attempts.operations(), ray.data(), ray.size(), point.data(), point.size(), normals.data(), normals.size(), lines.data(), lines.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_with_for_pose(SecondAttempts second_attempts, Values<3> ray, Values<3> point, Values<6> normals, Values<12> lines) {
+    return try_solve_with_for_pose(second_attempts, ray, point, normals, lines).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_pose(
     std::size_t instances, Many ray, Many point, Many normals, Many lines, Batch<Pose, max_solutions> &batch) {
@@ -1076,6 +1657,31 @@ inline void solve_batch_for_pose(
         return eliminant_pose_1pt_2line_solve_batch_for_pose(
             instances, ray.data(), ray.size(), point.data(), point.size(), normals.data(), normals.size(), lines.data(), lines.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<3> ray, Values<3> point, Values<6> normals, Values<12> lines, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_1pt_2line_relative_residual(
+        ray.data(), ray.size(), point.data(), point.size(), normals.data(), normals.size(), lines.data(), lines.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<3> ray, Values<3> point, Values<6> normals, Values<12> lines, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_1pt_2line_error_bound(
+        ray.data(), ray.size(), point.data(), point.size(), normals.data(), normals.size(), lines.data(), lines.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_pose_1pt_2line_second_attempt_operations();
 }
 
 } // namespace pose_1pt_2line
@@ -1118,6 +1724,19 @@ static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
     return try_solve(rays, points, normal, line).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<6> rays, Values<6> points, Values<3> normal, Values<6> line) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_2pt_1line_solve_with(
+            second_attempts.operations(), rays.data(), rays.size(), points.data(), points.size(), normal.data(), normal.size(), line.data(), line.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<6> rays, Values<6> points, Values<3> normal, Values<6> line) {
+    return try_solve_with(second_attempts, rays, points, normal, line).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many rays, Many points, Many normal, Many line, Batch<Solution, max_solutions> &batch) {
@@ -1147,6 +1766,19 @@ static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
     return try_solve_for_pose(rays, points, normal, line).value();
 }
 
+/// As `try_solve_for_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_with_for_pose(SecondAttempts second_attempts, Values<6> rays, Values<6> points, Values<3> normal, Values<6> line) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_2pt_1line_solve_with_for_pose(
+            second_attempts.operations(), rays.data(), rays.size(), points.data(), points.size(), normal.data(), normal.size(), line.data(), line.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_with_for_pose(SecondAttempts second_attempts, Values<6> rays, Values<6> points, Values<3> normal, Values<6> line) {
+    return try_solve_with_for_pose(second_attempts, rays, points, normal, line).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_pose(
     std::size_t instances, Many rays, Many points, Many normal, Many line, Batch<Pose, max_solutions> &batch) {
@@ -1155,6 +1787,31 @@ inline void solve_batch_for_pose(
         return eliminant_pose_2pt_1line_solve_batch_for_pose(
             instances, rays.data(), rays.size(), points.data(), points.size(), normal.data(), normal.size(), line.data(), line.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<6> rays, Values<6> points, Values<3> normal, Values<6> line, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_2pt_1line_relative_residual(
+        rays.data(), rays.size(), points.data(), points.size(), normal.data(), normal.size(), line.data(), line.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<6> rays, Values<6> points, Values<3> normal, Values<6> line, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_2pt_1line_error_bound(
+        rays.data(), rays.size(), points.data(), points.size(), normal.data(), normal.size(), line.data(), line.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_pose_2pt_1line_second_attempt_operations();
 }
 
 } // namespace pose_2pt_1line
@@ -1195,6 +1852,19 @@ static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
     return try_solve(rays, points).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<6> rays, Values<6> points) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_2pt_upright_solve_with(
+            second_attempts.operations(), rays.data(), rays.size(), points.data(), points.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<6> rays, Values<6> points) {
+    return try_solve_with(second_attempts, rays, points).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many rays, Many points, Batch<Solution, max_solutions> &batch) {
@@ -1224,6 +1894,19 @@ static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
     return try_solve_for_pose(rays, points).value();
 }
 
+/// As `try_solve_for_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_with_for_pose(SecondAttempts second_attempts, Values<6> rays, Values<6> points) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_2pt_upright_solve_with_for_pose(
+            second_attempts.operations(), rays.data(), rays.size(), points.data(), points.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_with_for_pose(SecondAttempts second_attempts, Values<6> rays, Values<6> points) {
+    return try_solve_with_for_pose(second_attempts, rays, points).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_pose(
     std::size_t instances, Many rays, Many points, Batch<Pose, max_solutions> &batch) {
@@ -1232,6 +1915,31 @@ inline void solve_batch_for_pose(
         return eliminant_pose_2pt_upright_solve_batch_for_pose(
             instances, rays.data(), rays.size(), points.data(), points.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<6> rays, Values<6> points, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_2pt_upright_relative_residual(
+        rays.data(), rays.size(), points.data(), points.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<6> rays, Values<6> points, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_2pt_upright_error_bound(
+        rays.data(), rays.size(), points.data(), points.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_pose_2pt_upright_second_attempt_operations();
 }
 
 } // namespace pose_2pt_upright
@@ -1270,6 +1978,19 @@ static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
     return try_solve(points, horizontal, vertical).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<12> points, Values<4> horizontal, Values<3> vertical) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_35pt_focal_solve_with(
+            second_attempts.operations(), points.data(), points.size(), horizontal.data(), horizontal.size(), vertical.data(), vertical.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<12> points, Values<4> horizontal, Values<3> vertical) {
+    return try_solve_with(second_attempts, points, horizontal, vertical).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many points, Many horizontal, Many vertical, Batch<Solution, max_solutions> &batch) {
@@ -1300,6 +2021,19 @@ static_assert(sizeof(Pose) == 13 * sizeof(double), "a row");
     return try_solve_for_pose(points, horizontal, vertical).value();
 }
 
+/// As `try_solve_for_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_with_for_pose(SecondAttempts second_attempts, Values<12> points, Values<4> horizontal, Values<3> vertical) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_35pt_focal_solve_with_for_pose(
+            second_attempts.operations(), points.data(), points.size(), horizontal.data(), horizontal.size(), vertical.data(), vertical.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_with_for_pose(SecondAttempts second_attempts, Values<12> points, Values<4> horizontal, Values<3> vertical) {
+    return try_solve_with_for_pose(second_attempts, points, horizontal, vertical).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_pose(
     std::size_t instances, Many points, Many horizontal, Many vertical, Batch<Pose, max_solutions> &batch) {
@@ -1308,6 +2042,31 @@ inline void solve_batch_for_pose(
         return eliminant_pose_35pt_focal_solve_batch_for_pose(
             instances, points.data(), points.size(), horizontal.data(), horizontal.size(), vertical.data(), vertical.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<12> points, Values<4> horizontal, Values<3> vertical, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_35pt_focal_relative_residual(
+        points.data(), points.size(), horizontal.data(), horizontal.size(), vertical.data(), vertical.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<12> points, Values<4> horizontal, Values<3> vertical, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_35pt_focal_error_bound(
+        points.data(), points.size(), horizontal.data(), horizontal.size(), vertical.data(), vertical.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_pose_35pt_focal_second_attempt_operations();
 }
 
 } // namespace pose_35pt_focal
@@ -1348,6 +2107,19 @@ static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
     return try_solve(normals, lines).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<9> normals, Values<18> lines) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_3line_solve_with(
+            second_attempts.operations(), normals.data(), normals.size(), lines.data(), lines.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<9> normals, Values<18> lines) {
+    return try_solve_with(second_attempts, normals, lines).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many normals, Many lines, Batch<Solution, max_solutions> &batch) {
@@ -1377,6 +2149,19 @@ static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
     return try_solve_for_pose(normals, lines).value();
 }
 
+/// As `try_solve_for_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_with_for_pose(SecondAttempts second_attempts, Values<9> normals, Values<18> lines) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_3line_solve_with_for_pose(
+            second_attempts.operations(), normals.data(), normals.size(), lines.data(), lines.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_with_for_pose(SecondAttempts second_attempts, Values<9> normals, Values<18> lines) {
+    return try_solve_with_for_pose(second_attempts, normals, lines).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_pose(
     std::size_t instances, Many normals, Many lines, Batch<Pose, max_solutions> &batch) {
@@ -1385,6 +2170,31 @@ inline void solve_batch_for_pose(
         return eliminant_pose_3line_solve_batch_for_pose(
             instances, normals.data(), normals.size(), lines.data(), lines.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<9> normals, Values<18> lines, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_3line_relative_residual(
+        normals.data(), normals.size(), lines.data(), lines.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<9> normals, Values<18> lines, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_3line_error_bound(
+        normals.data(), normals.size(), lines.data(), lines.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_pose_3line_second_attempt_operations();
 }
 
 } // namespace pose_3line
@@ -1419,6 +2229,19 @@ static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
     return try_solve(rays, points).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<9> rays, Values<9> points) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_3pt_solve_with(
+            second_attempts.operations(), rays.data(), rays.size(), points.data(), points.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<9> rays, Values<9> points) {
+    return try_solve_with(second_attempts, rays, points).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many rays, Many points, Batch<Solution, max_solutions> &batch) {
@@ -1448,6 +2271,19 @@ static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
     return try_solve_for_pose(rays, points).value();
 }
 
+/// As `try_solve_for_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_with_for_pose(SecondAttempts second_attempts, Values<9> rays, Values<9> points) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_3pt_solve_with_for_pose(
+            second_attempts.operations(), rays.data(), rays.size(), points.data(), points.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_with_for_pose(SecondAttempts second_attempts, Values<9> rays, Values<9> points) {
+    return try_solve_with_for_pose(second_attempts, rays, points).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_pose(
     std::size_t instances, Many rays, Many points, Batch<Pose, max_solutions> &batch) {
@@ -1456,6 +2292,31 @@ inline void solve_batch_for_pose(
         return eliminant_pose_3pt_solve_batch_for_pose(
             instances, rays.data(), rays.size(), points.data(), points.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<9> rays, Values<9> points, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_3pt_relative_residual(
+        rays.data(), rays.size(), points.data(), points.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<9> rays, Values<9> points, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_3pt_error_bound(
+        rays.data(), rays.size(), points.data(), points.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_pose_3pt_second_attempt_operations();
 }
 
 } // namespace pose_3pt
@@ -1495,6 +2356,19 @@ static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
     return try_solve(cosines, squares).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<3> cosines, Values<3> squares) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_3pt_depths_solve_with(
+            second_attempts.operations(), cosines.data(), cosines.size(), squares.data(), squares.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<3> cosines, Values<3> squares) {
+    return try_solve_with(second_attempts, cosines, squares).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many cosines, Many squares, Batch<Solution, max_solutions> &batch) {
@@ -1503,6 +2377,31 @@ inline void solve_batch(
         return eliminant_pose_3pt_depths_solve_batch(
             instances, cosines.data(), cosines.size(), squares.data(), squares.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<3> cosines, Values<3> squares, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_3pt_depths_relative_residual(
+        cosines.data(), cosines.size(), squares.data(), squares.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<3> cosines, Values<3> squares, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_3pt_depths_error_bound(
+        cosines.data(), cosines.size(), squares.data(), squares.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_pose_3pt_depths_second_attempt_operations();
 }
 
 } // namespace pose_3pt_depths
@@ -1547,6 +2446,19 @@ static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
     return try_solve(points, cones).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<9> points, Values<12> cones) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_3pt_upright_error_bound_solve_with(
+            second_attempts.operations(), points.data(), points.size(), cones.data(), cones.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<9> points, Values<12> cones) {
+    return try_solve_with(second_attempts, points, cones).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many points, Many cones, Batch<Solution, max_solutions> &batch) {
@@ -1555,6 +2467,31 @@ inline void solve_batch(
         return eliminant_pose_3pt_upright_error_bound_solve_batch(
             instances, points.data(), points.size(), cones.data(), cones.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<9> points, Values<12> cones, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_3pt_upright_error_bound_relative_residual(
+        points.data(), points.size(), cones.data(), cones.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<9> points, Values<12> cones, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_3pt_upright_error_bound_error_bound(
+        points.data(), points.size(), cones.data(), cones.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_pose_3pt_upright_error_bound_second_attempt_operations();
 }
 
 } // namespace pose_3pt_upright_error_bound
@@ -1595,6 +2532,19 @@ static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
     return try_solve(points, images).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<12> points, Values<8> images) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_4pt_focal_solve_with(
+            second_attempts.operations(), points.data(), points.size(), images.data(), images.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<12> points, Values<8> images) {
+    return try_solve_with(second_attempts, points, images).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many points, Many images, Batch<Solution, max_solutions> &batch) {
@@ -1625,6 +2575,19 @@ static_assert(sizeof(FocalPose) == 14 * sizeof(double), "a row");
     return try_solve_for_focal_pose(points, images).value();
 }
 
+/// As `try_solve_for_focal_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<FocalPose, max_solutions>> try_solve_with_for_focal_pose(SecondAttempts second_attempts, Values<12> points, Values<8> images) noexcept {
+    return Result<Solutions<FocalPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_4pt_focal_solve_with_for_focal_pose(
+            second_attempts.operations(), points.data(), points.size(), images.data(), images.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_focal_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<FocalPose, max_solutions> solve_with_for_focal_pose(SecondAttempts second_attempts, Values<12> points, Values<8> images) {
+    return try_solve_with_for_focal_pose(second_attempts, points, images).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_focal_pose(
     std::size_t instances, Many points, Many images, Batch<FocalPose, max_solutions> &batch) {
@@ -1633,6 +2596,31 @@ inline void solve_batch_for_focal_pose(
         return eliminant_pose_4pt_focal_solve_batch_for_focal_pose(
             instances, points.data(), points.size(), images.data(), images.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<12> points, Values<8> images, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_4pt_focal_relative_residual(
+        points.data(), points.size(), images.data(), images.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<12> points, Values<8> images, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_4pt_focal_error_bound(
+        points.data(), points.size(), images.data(), images.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_pose_4pt_focal_second_attempt_operations();
 }
 
 } // namespace pose_4pt_focal
@@ -1673,6 +2661,19 @@ static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
     return try_solve(points, images).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<12> points, Values<8> images) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_4pt_focal_radial_solve_with(
+            second_attempts.operations(), points.data(), points.size(), images.data(), images.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<12> points, Values<8> images) {
+    return try_solve_with(second_attempts, points, images).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many points, Many images, Batch<Solution, max_solutions> &batch) {
@@ -1703,6 +2704,19 @@ static_assert(sizeof(RadialPose) == 14 * sizeof(double), "a row");
     return try_solve_for_radial_pose(points, images).value();
 }
 
+/// As `try_solve_for_radial_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<RadialPose, max_solutions>> try_solve_with_for_radial_pose(SecondAttempts second_attempts, Values<12> points, Values<8> images) noexcept {
+    return Result<Solutions<RadialPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_4pt_focal_radial_solve_with_for_radial_pose(
+            second_attempts.operations(), points.data(), points.size(), images.data(), images.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_radial_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<RadialPose, max_solutions> solve_with_for_radial_pose(SecondAttempts second_attempts, Values<12> points, Values<8> images) {
+    return try_solve_with_for_radial_pose(second_attempts, points, images).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_radial_pose(
     std::size_t instances, Many points, Many images, Batch<RadialPose, max_solutions> &batch) {
@@ -1711,6 +2725,31 @@ inline void solve_batch_for_radial_pose(
         return eliminant_pose_4pt_focal_radial_solve_batch_for_radial_pose(
             instances, points.data(), points.size(), images.data(), images.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<12> points, Values<8> images, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_4pt_focal_radial_relative_residual(
+        points.data(), points.size(), images.data(), images.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<12> points, Values<8> images, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_4pt_focal_radial_error_bound(
+        points.data(), points.size(), images.data(), images.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_pose_4pt_focal_radial_second_attempt_operations();
 }
 
 } // namespace pose_4pt_focal_radial
@@ -1752,6 +2791,19 @@ static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
     return try_solve(points, images).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<12> points, Values<8> images) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_4pt_focal_radial_cut_solve_with(
+            second_attempts.operations(), points.data(), points.size(), images.data(), images.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<12> points, Values<8> images) {
+    return try_solve_with(second_attempts, points, images).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many points, Many images, Batch<Solution, max_solutions> &batch) {
@@ -1782,6 +2834,19 @@ static_assert(sizeof(RadialPose) == 14 * sizeof(double), "a row");
     return try_solve_for_radial_pose(points, images).value();
 }
 
+/// As `try_solve_for_radial_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<RadialPose, max_solutions>> try_solve_with_for_radial_pose(SecondAttempts second_attempts, Values<12> points, Values<8> images) noexcept {
+    return Result<Solutions<RadialPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_4pt_focal_radial_cut_solve_with_for_radial_pose(
+            second_attempts.operations(), points.data(), points.size(), images.data(), images.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_radial_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<RadialPose, max_solutions> solve_with_for_radial_pose(SecondAttempts second_attempts, Values<12> points, Values<8> images) {
+    return try_solve_with_for_radial_pose(second_attempts, points, images).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_radial_pose(
     std::size_t instances, Many points, Many images, Batch<RadialPose, max_solutions> &batch) {
@@ -1790,6 +2855,31 @@ inline void solve_batch_for_radial_pose(
         return eliminant_pose_4pt_focal_radial_cut_solve_batch_for_radial_pose(
             instances, points.data(), points.size(), images.data(), images.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<12> points, Values<8> images, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_4pt_focal_radial_cut_relative_residual(
+        points.data(), points.size(), images.data(), images.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<12> points, Values<8> images, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_4pt_focal_radial_cut_error_bound(
+        points.data(), points.size(), images.data(), images.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_pose_4pt_focal_radial_cut_second_attempt_operations();
 }
 
 } // namespace pose_4pt_focal_radial_cut
@@ -1829,6 +2919,19 @@ static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
     return try_solve(centres, rays, points).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<12> centres, Values<12> rays, Values<12> points) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_4pt_generalized_scale_solve_with(
+            second_attempts.operations(), centres.data(), centres.size(), rays.data(), rays.size(), points.data(), points.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<12> centres, Values<12> rays, Values<12> points) {
+    return try_solve_with(second_attempts, centres, rays, points).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many centres, Many rays, Many points, Batch<Solution, max_solutions> &batch) {
@@ -1860,6 +2963,19 @@ static_assert(sizeof(ScaledPose) == 14 * sizeof(double), "a row");
     return try_solve_for_scaled_pose(centres, rays, points).value();
 }
 
+/// As `try_solve_for_scaled_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<ScaledPose, max_solutions>> try_solve_with_for_scaled_pose(SecondAttempts second_attempts, Values<12> centres, Values<12> rays, Values<12> points) noexcept {
+    return Result<Solutions<ScaledPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_4pt_generalized_scale_solve_with_for_scaled_pose(
+            second_attempts.operations(), centres.data(), centres.size(), rays.data(), rays.size(), points.data(), points.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_scaled_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<ScaledPose, max_solutions> solve_with_for_scaled_pose(SecondAttempts second_attempts, Values<12> centres, Values<12> rays, Values<12> points) {
+    return try_solve_with_for_scaled_pose(second_attempts, centres, rays, points).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_scaled_pose(
     std::size_t instances, Many centres, Many rays, Many points, Batch<ScaledPose, max_solutions> &batch) {
@@ -1868,6 +2984,31 @@ inline void solve_batch_for_scaled_pose(
         return eliminant_pose_4pt_generalized_scale_solve_batch_for_scaled_pose(
             instances, centres.data(), centres.size(), rays.data(), rays.size(), points.data(), points.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<12> centres, Values<12> rays, Values<12> points, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_4pt_generalized_scale_relative_residual(
+        centres.data(), centres.size(), rays.data(), rays.size(), points.data(), points.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<12> centres, Values<12> rays, Values<12> points, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_4pt_generalized_scale_error_bound(
+        centres.data(), centres.size(), rays.data(), rays.size(), points.data(), points.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_pose_4pt_generalized_scale_second_attempt_operations();
 }
 
 } // namespace pose_4pt_generalized_scale
@@ -1910,6 +3051,19 @@ static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
     return try_solve(points, cones).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<12> points, Values<16> cones) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_4pt_upright_error_bound_solve_with(
+            second_attempts.operations(), points.data(), points.size(), cones.data(), cones.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<12> points, Values<16> cones) {
+    return try_solve_with(second_attempts, points, cones).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many points, Many cones, Batch<Solution, max_solutions> &batch) {
@@ -1918,6 +3072,31 @@ inline void solve_batch(
         return eliminant_pose_4pt_upright_error_bound_solve_batch(
             instances, points.data(), points.size(), cones.data(), cones.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<12> points, Values<16> cones, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_4pt_upright_error_bound_relative_residual(
+        points.data(), points.size(), cones.data(), cones.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<12> points, Values<16> cones, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_4pt_upright_error_bound_error_bound(
+        points.data(), points.size(), cones.data(), cones.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_pose_4pt_upright_error_bound_second_attempt_operations();
 }
 
 } // namespace pose_4pt_upright_error_bound
@@ -1963,6 +3142,19 @@ static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
     return try_solve(rays, points, index).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<15> rays, Values<15> points, double index) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_5pt_refraction_solve_with(
+            second_attempts.operations(), rays.data(), rays.size(), points.data(), points.size(), index, to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<15> rays, Values<15> points, double index) {
+    return try_solve_with(second_attempts, rays, points, index).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many rays, Many points, Many index, Batch<Solution, max_solutions> &batch) {
@@ -1992,6 +3184,19 @@ static_assert(sizeof(RefractedPose) == 12 * sizeof(double), "a row");
     return try_solve_for_refracted_pose(rays, points, index).value();
 }
 
+/// As `try_solve_for_refracted_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<RefractedPose, max_solutions>> try_solve_with_for_refracted_pose(SecondAttempts second_attempts, Values<15> rays, Values<15> points, double index) noexcept {
+    return Result<Solutions<RefractedPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_5pt_refraction_solve_with_for_refracted_pose(
+            second_attempts.operations(), rays.data(), rays.size(), points.data(), points.size(), index, to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_refracted_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<RefractedPose, max_solutions> solve_with_for_refracted_pose(SecondAttempts second_attempts, Values<15> rays, Values<15> points, double index) {
+    return try_solve_with_for_refracted_pose(second_attempts, rays, points, index).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_refracted_pose(
     std::size_t instances, Many rays, Many points, Many index, Batch<RefractedPose, max_solutions> &batch) {
@@ -2000,6 +3205,31 @@ inline void solve_batch_for_refracted_pose(
         return eliminant_pose_5pt_refraction_solve_batch_for_refracted_pose(
             instances, rays.data(), rays.size(), points.data(), points.size(), index.data(), index.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<15> rays, Values<15> points, double index, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_5pt_refraction_relative_residual(
+        rays.data(), rays.size(), points.data(), points.size(), index, reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<15> rays, Values<15> points, double index, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_5pt_refraction_error_bound(
+        rays.data(), rays.size(), points.data(), points.size(), index, reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_pose_5pt_refraction_second_attempt_operations();
 }
 
 } // namespace pose_5pt_refraction
@@ -2041,6 +3271,19 @@ static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
     return try_solve(senders, differences, distance).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<15> senders, Values<5> differences, double distance) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_5tdoa_two_receivers_solve_with(
+            second_attempts.operations(), senders.data(), senders.size(), differences.data(), differences.size(), distance, to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<15> senders, Values<5> differences, double distance) {
+    return try_solve_with(second_attempts, senders, differences, distance).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many senders, Many differences, Many distance, Batch<Solution, max_solutions> &batch) {
@@ -2070,6 +3313,19 @@ static_assert(sizeof(ReceiverPair) == 6 * sizeof(double), "a row");
     return try_solve_for_receiver_pair(senders, differences, distance).value();
 }
 
+/// As `try_solve_for_receiver_pair`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<ReceiverPair, max_solutions>> try_solve_with_for_receiver_pair(SecondAttempts second_attempts, Values<15> senders, Values<5> differences, double distance) noexcept {
+    return Result<Solutions<ReceiverPair, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_5tdoa_two_receivers_solve_with_for_receiver_pair(
+            second_attempts.operations(), senders.data(), senders.size(), differences.data(), differences.size(), distance, to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_receiver_pair`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<ReceiverPair, max_solutions> solve_with_for_receiver_pair(SecondAttempts second_attempts, Values<15> senders, Values<5> differences, double distance) {
+    return try_solve_with_for_receiver_pair(second_attempts, senders, differences, distance).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_receiver_pair(
     std::size_t instances, Many senders, Many differences, Many distance, Batch<ReceiverPair, max_solutions> &batch) {
@@ -2078,6 +3334,31 @@ inline void solve_batch_for_receiver_pair(
         return eliminant_pose_5tdoa_two_receivers_solve_batch_for_receiver_pair(
             instances, senders.data(), senders.size(), differences.data(), differences.size(), distance.data(), distance.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<15> senders, Values<5> differences, double distance, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_5tdoa_two_receivers_relative_residual(
+        senders.data(), senders.size(), differences.data(), differences.size(), distance, reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<15> senders, Values<5> differences, double distance, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_5tdoa_two_receivers_error_bound(
+        senders.data(), senders.size(), differences.data(), differences.size(), distance, reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_pose_5tdoa_two_receivers_second_attempt_operations();
 }
 
 } // namespace pose_5tdoa_two_receivers
@@ -2121,6 +3402,19 @@ static_assert(sizeof(Solution) == 6 * sizeof(double), "a row");
     return try_solve(points, images).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<18> points, Values<12> images) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_6pt_rolling_shutter_solve_with(
+            second_attempts.operations(), points.data(), points.size(), images.data(), images.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<18> points, Values<12> images) {
+    return try_solve_with(second_attempts, points, images).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many points, Many images, Batch<Solution, max_solutions> &batch) {
@@ -2152,6 +3446,19 @@ static_assert(sizeof(RollingPose) == 18 * sizeof(double), "a row");
     return try_solve_for_rolling_pose(points, images).value();
 }
 
+/// As `try_solve_for_rolling_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<RollingPose, max_solutions>> try_solve_with_for_rolling_pose(SecondAttempts second_attempts, Values<18> points, Values<12> images) noexcept {
+    return Result<Solutions<RollingPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_6pt_rolling_shutter_solve_with_for_rolling_pose(
+            second_attempts.operations(), points.data(), points.size(), images.data(), images.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_rolling_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<RollingPose, max_solutions> solve_with_for_rolling_pose(SecondAttempts second_attempts, Values<18> points, Values<12> images) {
+    return try_solve_with_for_rolling_pose(second_attempts, points, images).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_rolling_pose(
     std::size_t instances, Many points, Many images, Batch<RollingPose, max_solutions> &batch) {
@@ -2160,6 +3467,31 @@ inline void solve_batch_for_rolling_pose(
         return eliminant_pose_6pt_rolling_shutter_solve_batch_for_rolling_pose(
             instances, points.data(), points.size(), images.data(), images.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<18> points, Values<12> images, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_6pt_rolling_shutter_relative_residual(
+        points.data(), points.size(), images.data(), images.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<18> points, Values<12> images, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_6pt_rolling_shutter_error_bound(
+        points.data(), points.size(), images.data(), images.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_pose_6pt_rolling_shutter_second_attempt_operations();
 }
 
 } // namespace pose_6pt_rolling_shutter
@@ -2200,6 +3532,19 @@ static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
     return try_solve(means).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<60> means) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_npt_direct_least_squares_solve_with(
+            second_attempts.operations(), means.data(), means.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<60> means) {
+    return try_solve_with(second_attempts, means).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many means, Batch<Solution, max_solutions> &batch) {
@@ -2229,6 +3574,19 @@ static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
     return try_solve_for_pose(means).value();
 }
 
+/// As `try_solve_for_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_with_for_pose(SecondAttempts second_attempts, Values<60> means) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_npt_direct_least_squares_solve_with_for_pose(
+            second_attempts.operations(), means.data(), means.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_with_for_pose(SecondAttempts second_attempts, Values<60> means) {
+    return try_solve_with_for_pose(second_attempts, means).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_pose(
     std::size_t instances, Many means, Batch<Pose, max_solutions> &batch) {
@@ -2237,6 +3595,31 @@ inline void solve_batch_for_pose(
         return eliminant_pose_npt_direct_least_squares_solve_batch_for_pose(
             instances, means.data(), means.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<60> means, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_npt_direct_least_squares_relative_residual(
+        means.data(), means.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<60> means, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_npt_direct_least_squares_error_bound(
+        means.data(), means.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_pose_npt_direct_least_squares_second_attempt_operations();
 }
 
 /// What a point gives: the products of its coordinates and 1, times the entries of the projection
@@ -2289,6 +3672,19 @@ static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
     return try_solve(means).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<60> means) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_npt_least_squares_cayley_solve_with(
+            second_attempts.operations(), means.data(), means.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<60> means) {
+    return try_solve_with(second_attempts, means).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many means, Batch<Solution, max_solutions> &batch) {
@@ -2318,6 +3714,19 @@ static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
     return try_solve_for_pose(means).value();
 }
 
+/// As `try_solve_for_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_with_for_pose(SecondAttempts second_attempts, Values<60> means) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_npt_least_squares_cayley_solve_with_for_pose(
+            second_attempts.operations(), means.data(), means.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_with_for_pose(SecondAttempts second_attempts, Values<60> means) {
+    return try_solve_with_for_pose(second_attempts, means).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_pose(
     std::size_t instances, Many means, Batch<Pose, max_solutions> &batch) {
@@ -2326,6 +3735,31 @@ inline void solve_batch_for_pose(
         return eliminant_pose_npt_least_squares_cayley_solve_batch_for_pose(
             instances, means.data(), means.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<60> means, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_npt_least_squares_cayley_relative_residual(
+        means.data(), means.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<60> means, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_npt_least_squares_cayley_error_bound(
+        means.data(), means.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_pose_npt_least_squares_cayley_second_attempt_operations();
 }
 
 /// What a point gives: the products of its coordinates and 1, times the entries of the projection
@@ -2382,6 +3816,19 @@ static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
     return try_solve(means).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<39> means) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_npt_least_squares_quaternion_solve_with(
+            second_attempts.operations(), means.data(), means.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<39> means) {
+    return try_solve_with(second_attempts, means).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many means, Batch<Solution, max_solutions> &batch) {
@@ -2411,6 +3858,19 @@ static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
     return try_solve_for_pose(means).value();
 }
 
+/// As `try_solve_for_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_with_for_pose(SecondAttempts second_attempts, Values<39> means) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_npt_least_squares_quaternion_solve_with_for_pose(
+            second_attempts.operations(), means.data(), means.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_with_for_pose(SecondAttempts second_attempts, Values<39> means) {
+    return try_solve_with_for_pose(second_attempts, means).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_pose(
     std::size_t instances, Many means, Batch<Pose, max_solutions> &batch) {
@@ -2419,6 +3879,31 @@ inline void solve_batch_for_pose(
         return eliminant_pose_npt_least_squares_quaternion_solve_batch_for_pose(
             instances, means.data(), means.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<39> means, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_npt_least_squares_quaternion_relative_residual(
+        means.data(), means.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<39> means, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_npt_least_squares_quaternion_error_bound(
+        means.data(), means.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_pose_npt_least_squares_quaternion_second_attempt_operations();
 }
 
 /// What a point and its image give: the products of two of the point's coordinates and 1, then
@@ -2477,6 +3962,19 @@ static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
     return try_solve(means).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<17> means) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_npt_weak_perspective_solve_with(
+            second_attempts.operations(), means.data(), means.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<17> means) {
+    return try_solve_with(second_attempts, means).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many means, Batch<Solution, max_solutions> &batch) {
@@ -2507,6 +4005,19 @@ static_assert(sizeof(WeakPose) == 12 * sizeof(double), "a row");
     return try_solve_for_weak_pose(means).value();
 }
 
+/// As `try_solve_for_weak_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<WeakPose, max_solutions>> try_solve_with_for_weak_pose(SecondAttempts second_attempts, Values<17> means) noexcept {
+    return Result<Solutions<WeakPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_npt_weak_perspective_solve_with_for_weak_pose(
+            second_attempts.operations(), means.data(), means.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_weak_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<WeakPose, max_solutions> solve_with_for_weak_pose(SecondAttempts second_attempts, Values<17> means) {
+    return try_solve_with_for_weak_pose(second_attempts, means).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_weak_pose(
     std::size_t instances, Many means, Batch<WeakPose, max_solutions> &batch) {
@@ -2515,6 +4026,31 @@ inline void solve_batch_for_weak_pose(
         return eliminant_pose_npt_weak_perspective_solve_batch_for_weak_pose(
             instances, means.data(), means.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<17> means, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_npt_weak_perspective_relative_residual(
+        means.data(), means.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<17> means, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_pose_npt_weak_perspective_error_bound(
+        means.data(), means.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_pose_npt_weak_perspective_second_attempt_operations();
 }
 
 /// What a point and its image give: the products of two of the point's coordinates and 1, then
@@ -2569,6 +4105,19 @@ static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
     return try_solve(first, second, half_angle).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<9> first, Values<9> second, Values<2> half_angle) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_3pt_angle_zero_screw_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<9> first, Values<9> second, Values<2> half_angle) {
+    return try_solve_with(second_attempts, first, second, half_angle).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many second, Many half_angle, Batch<Solution, max_solutions> &batch) {
@@ -2577,6 +4126,31 @@ inline void solve_batch(
         return eliminant_relpose_3pt_angle_zero_screw_solve_batch(
             instances, first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<9> first, Values<9> second, Values<2> half_angle, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_3pt_angle_zero_screw_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<9> first, Values<9> second, Values<2> half_angle, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_3pt_angle_zero_screw_error_bound(
+        first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_relpose_3pt_angle_zero_screw_second_attempt_operations();
 }
 
 } // namespace relpose_3pt_angle_zero_screw
@@ -2619,6 +4193,19 @@ static_assert(sizeof(Solution) == 1 * sizeof(double), "a row");
     return try_solve(first, first_depths, second, second_depths).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<6> first, Values<3> first_depths, Values<6> second, Values<3> second_depths) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_3pt_depths_solve_with(
+            second_attempts.operations(), first.data(), first.size(), first_depths.data(), first_depths.size(), second.data(), second.size(), second_depths.data(), second_depths.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<6> first, Values<3> first_depths, Values<6> second, Values<3> second_depths) {
+    return try_solve_with(second_attempts, first, first_depths, second, second_depths).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many first_depths, Many second, Many second_depths, Batch<Solution, max_solutions> &batch) {
@@ -2650,6 +4237,19 @@ static_assert(sizeof(DepthPose) == 15 * sizeof(double), "a row");
     return try_solve_for_depth_pose(first, first_depths, second, second_depths).value();
 }
 
+/// As `try_solve_for_depth_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<DepthPose, max_solutions>> try_solve_with_for_depth_pose(SecondAttempts second_attempts, Values<6> first, Values<3> first_depths, Values<6> second, Values<3> second_depths) noexcept {
+    return Result<Solutions<DepthPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_3pt_depths_solve_with_for_depth_pose(
+            second_attempts.operations(), first.data(), first.size(), first_depths.data(), first_depths.size(), second.data(), second.size(), second_depths.data(), second_depths.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_depth_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<DepthPose, max_solutions> solve_with_for_depth_pose(SecondAttempts second_attempts, Values<6> first, Values<3> first_depths, Values<6> second, Values<3> second_depths) {
+    return try_solve_with_for_depth_pose(second_attempts, first, first_depths, second, second_depths).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_depth_pose(
     std::size_t instances, Many first, Many first_depths, Many second, Many second_depths, Batch<DepthPose, max_solutions> &batch) {
@@ -2658,6 +4258,31 @@ inline void solve_batch_for_depth_pose(
         return eliminant_relpose_3pt_depths_solve_batch_for_depth_pose(
             instances, first.data(), first.size(), first_depths.data(), first_depths.size(), second.data(), second.size(), second_depths.data(), second_depths.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<6> first, Values<3> first_depths, Values<6> second, Values<3> second_depths, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_3pt_depths_relative_residual(
+        first.data(), first.size(), first_depths.data(), first_depths.size(), second.data(), second.size(), second_depths.data(), second_depths.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<6> first, Values<3> first_depths, Values<6> second, Values<3> second_depths, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_3pt_depths_error_bound(
+        first.data(), first.size(), first_depths.data(), first_depths.size(), second.data(), second.size(), second_depths.data(), second_depths.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_relpose_3pt_depths_second_attempt_operations();
 }
 
 } // namespace relpose_3pt_depths
@@ -2696,6 +4321,19 @@ static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
     return try_solve(first, second).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<9> first, Values<9> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_3pt_upright_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<9> first, Values<9> second) {
+    return try_solve_with(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
@@ -2725,6 +4363,19 @@ static_assert(sizeof(RelativePose) == 12 * sizeof(double), "a row");
     return try_solve_for_relative_pose(first, second).value();
 }
 
+/// As `try_solve_for_relative_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<RelativePose, max_solutions>> try_solve_with_for_relative_pose(SecondAttempts second_attempts, Values<9> first, Values<9> second) noexcept {
+    return Result<Solutions<RelativePose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_3pt_upright_solve_with_for_relative_pose(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_relative_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<RelativePose, max_solutions> solve_with_for_relative_pose(SecondAttempts second_attempts, Values<9> first, Values<9> second) {
+    return try_solve_with_for_relative_pose(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_relative_pose(
     std::size_t instances, Many first, Many second, Batch<RelativePose, max_solutions> &batch) {
@@ -2733,6 +4384,31 @@ inline void solve_batch_for_relative_pose(
         return eliminant_relpose_3pt_upright_solve_batch_for_relative_pose(
             instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<9> first, Values<9> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_3pt_upright_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<9> first, Values<9> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_3pt_upright_error_bound(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_relpose_3pt_upright_second_attempt_operations();
 }
 
 } // namespace relpose_3pt_upright
@@ -2776,6 +4452,19 @@ static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
     return try_solve(first, second, half_angle).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<12> first, Values<12> second, Values<2> half_angle) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_4pt_angle_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<12> first, Values<12> second, Values<2> half_angle) {
+    return try_solve_with(second_attempts, first, second, half_angle).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many second, Many half_angle, Batch<Solution, max_solutions> &batch) {
@@ -2784,6 +4473,31 @@ inline void solve_batch(
         return eliminant_relpose_4pt_angle_solve_batch(
             instances, first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<12> first, Values<12> second, Values<2> half_angle, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_4pt_angle_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<12> first, Values<12> second, Values<2> half_angle, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_4pt_angle_error_bound(
+        first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_relpose_4pt_angle_second_attempt_operations();
 }
 
 } // namespace relpose_4pt_angle
@@ -2819,6 +4533,19 @@ static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
     return try_solve(basis).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<36> basis) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_5pt_solve_with(
+            second_attempts.operations(), basis.data(), basis.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<36> basis) {
+    return try_solve_with(second_attempts, basis).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many basis, Batch<Solution, max_solutions> &batch) {
@@ -2827,6 +4554,31 @@ inline void solve_batch(
         return eliminant_relpose_5pt_solve_batch(
             instances, basis.data(), basis.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<36> basis, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_5pt_relative_residual(
+        basis.data(), basis.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<36> basis, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_5pt_error_bound(
+        basis.data(), basis.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_relpose_5pt_second_attempt_operations();
 }
 
 } // namespace relpose_5pt
@@ -2869,6 +4621,19 @@ static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
     return try_solve(first, second, half_angle).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<30> first, Values<30> second, Values<2> half_angle) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_5pt_generalized_angle_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<30> first, Values<30> second, Values<2> half_angle) {
+    return try_solve_with(second_attempts, first, second, half_angle).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many second, Many half_angle, Batch<Solution, max_solutions> &batch) {
@@ -2877,6 +4642,31 @@ inline void solve_batch(
         return eliminant_relpose_5pt_generalized_angle_solve_batch(
             instances, first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<30> first, Values<30> second, Values<2> half_angle, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_5pt_generalized_angle_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<30> first, Values<30> second, Values<2> half_angle, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_5pt_generalized_angle_error_bound(
+        first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_relpose_5pt_generalized_angle_second_attempt_operations();
 }
 
 } // namespace relpose_5pt_generalized_angle
@@ -2909,6 +4699,19 @@ static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
     return try_solve(first, second).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<15> first, Values<15> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_5pt_rays_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<15> first, Values<15> second) {
+    return try_solve_with(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
@@ -2937,6 +4740,19 @@ static_assert(sizeof(RelativePose) == 9 * sizeof(double), "a row");
     return try_solve_for_relative_pose(first, second).value();
 }
 
+/// As `try_solve_for_relative_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<RelativePose, max_solutions>> try_solve_with_for_relative_pose(SecondAttempts second_attempts, Values<15> first, Values<15> second) noexcept {
+    return Result<Solutions<RelativePose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_5pt_rays_solve_with_for_relative_pose(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_relative_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<RelativePose, max_solutions> solve_with_for_relative_pose(SecondAttempts second_attempts, Values<15> first, Values<15> second) {
+    return try_solve_with_for_relative_pose(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_relative_pose(
     std::size_t instances, Many first, Many second, Batch<RelativePose, max_solutions> &batch) {
@@ -2945,6 +4761,31 @@ inline void solve_batch_for_relative_pose(
         return eliminant_relpose_5pt_rays_solve_batch_for_relative_pose(
             instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<15> first, Values<15> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_5pt_rays_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<15> first, Values<15> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_5pt_rays_error_bound(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_relpose_5pt_rays_second_attempt_operations();
 }
 
 } // namespace relpose_5pt_rays
@@ -2990,6 +4831,19 @@ static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
     return try_solve(images, directions, centres).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<10> images, Values<15> directions, Values<15> centres) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_5pt_semi_generalized_focal_solve_with(
+            second_attempts.operations(), images.data(), images.size(), directions.data(), directions.size(), centres.data(), centres.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<10> images, Values<15> directions, Values<15> centres) {
+    return try_solve_with(second_attempts, images, directions, centres).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many images, Many directions, Many centres, Batch<Solution, max_solutions> &batch) {
@@ -2998,6 +4852,31 @@ inline void solve_batch(
         return eliminant_relpose_5pt_semi_generalized_focal_solve_batch(
             instances, images.data(), images.size(), directions.data(), directions.size(), centres.data(), centres.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<10> images, Values<15> directions, Values<15> centres, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_5pt_semi_generalized_focal_relative_residual(
+        images.data(), images.size(), directions.data(), directions.size(), centres.data(), centres.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<10> images, Values<15> directions, Values<15> centres, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_5pt_semi_generalized_focal_error_bound(
+        images.data(), images.size(), directions.data(), directions.size(), centres.data(), centres.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_relpose_5pt_semi_generalized_focal_second_attempt_operations();
 }
 
 } // namespace relpose_5pt_semi_generalized_focal
@@ -3036,6 +4915,19 @@ static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
     return try_solve(basis).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<27> basis) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_6pt_focal_solve_with(
+            second_attempts.operations(), basis.data(), basis.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<27> basis) {
+    return try_solve_with(second_attempts, basis).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many basis, Batch<Solution, max_solutions> &batch) {
@@ -3044,6 +4936,31 @@ inline void solve_batch(
         return eliminant_relpose_6pt_focal_solve_batch(
             instances, basis.data(), basis.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<27> basis, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_6pt_focal_relative_residual(
+        basis.data(), basis.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<27> basis, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_6pt_focal_error_bound(
+        basis.data(), basis.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_relpose_6pt_focal_second_attempt_operations();
 }
 
 } // namespace relpose_6pt_focal
@@ -3083,6 +5000,19 @@ static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
     return try_solve(first, second).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<12> first, Values<18> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_6pt_focal_one_side_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<12> first, Values<18> second) {
+    return try_solve_with(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
@@ -3112,6 +5042,19 @@ static_assert(sizeof(FocalPose) == 10 * sizeof(double), "a row");
     return try_solve_for_focal_pose(first, second).value();
 }
 
+/// As `try_solve_for_focal_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<FocalPose, max_solutions>> try_solve_with_for_focal_pose(SecondAttempts second_attempts, Values<12> first, Values<18> second) noexcept {
+    return Result<Solutions<FocalPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_6pt_focal_one_side_solve_with_for_focal_pose(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_focal_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<FocalPose, max_solutions> solve_with_for_focal_pose(SecondAttempts second_attempts, Values<12> first, Values<18> second) {
+    return try_solve_with_for_focal_pose(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_focal_pose(
     std::size_t instances, Many first, Many second, Batch<FocalPose, max_solutions> &batch) {
@@ -3120,6 +5063,31 @@ inline void solve_batch_for_focal_pose(
         return eliminant_relpose_6pt_focal_one_side_solve_batch_for_focal_pose(
             instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<12> first, Values<18> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_6pt_focal_one_side_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<12> first, Values<18> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_6pt_focal_one_side_error_bound(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_relpose_6pt_focal_one_side_second_attempt_operations();
 }
 
 } // namespace relpose_6pt_focal_one_side
@@ -3155,6 +5123,19 @@ static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
     return try_solve(first, second).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<12> first, Values<12> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_6pt_focal_points_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<12> first, Values<12> second) {
+    return try_solve_with(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
@@ -3184,6 +5165,19 @@ static_assert(sizeof(FocalPose) == 10 * sizeof(double), "a row");
     return try_solve_for_focal_pose(first, second).value();
 }
 
+/// As `try_solve_for_focal_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<FocalPose, max_solutions>> try_solve_with_for_focal_pose(SecondAttempts second_attempts, Values<12> first, Values<12> second) noexcept {
+    return Result<Solutions<FocalPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_6pt_focal_points_solve_with_for_focal_pose(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_focal_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<FocalPose, max_solutions> solve_with_for_focal_pose(SecondAttempts second_attempts, Values<12> first, Values<12> second) {
+    return try_solve_with_for_focal_pose(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_focal_pose(
     std::size_t instances, Many first, Many second, Batch<FocalPose, max_solutions> &batch) {
@@ -3192,6 +5186,31 @@ inline void solve_batch_for_focal_pose(
         return eliminant_relpose_6pt_focal_points_solve_batch_for_focal_pose(
             instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<12> first, Values<12> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_6pt_focal_points_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<12> first, Values<12> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_6pt_focal_points_error_bound(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_relpose_6pt_focal_points_second_attempt_operations();
 }
 
 } // namespace relpose_6pt_focal_points
@@ -3229,6 +5248,19 @@ static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
     return try_solve(first, second).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<36> first, Values<36> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_6pt_generalized_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<36> first, Values<36> second) {
+    return try_solve_with(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
@@ -3237,6 +5269,31 @@ inline void solve_batch(
         return eliminant_relpose_6pt_generalized_solve_batch(
             instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<36> first, Values<36> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_6pt_generalized_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<36> first, Values<36> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_6pt_generalized_error_bound(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_relpose_6pt_generalized_second_attempt_operations();
 }
 
 } // namespace relpose_6pt_generalized
@@ -3282,6 +5339,19 @@ static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
     return try_solve(first, second).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<12> first, Values<12> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_6pt_radial_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<12> first, Values<12> second) {
+    return try_solve_with(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
@@ -3311,6 +5381,19 @@ static_assert(sizeof(RadialPose) == 10 * sizeof(double), "a row");
     return try_solve_for_radial_pose(first, second).value();
 }
 
+/// As `try_solve_for_radial_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<RadialPose, max_solutions>> try_solve_with_for_radial_pose(SecondAttempts second_attempts, Values<12> first, Values<12> second) noexcept {
+    return Result<Solutions<RadialPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_6pt_radial_solve_with_for_radial_pose(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_radial_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<RadialPose, max_solutions> solve_with_for_radial_pose(SecondAttempts second_attempts, Values<12> first, Values<12> second) {
+    return try_solve_with_for_radial_pose(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_radial_pose(
     std::size_t instances, Many first, Many second, Batch<RadialPose, max_solutions> &batch) {
@@ -3319,6 +5402,31 @@ inline void solve_batch_for_radial_pose(
         return eliminant_relpose_6pt_radial_solve_batch_for_radial_pose(
             instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<12> first, Values<12> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_6pt_radial_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<12> first, Values<12> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_6pt_radial_error_bound(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_relpose_6pt_radial_second_attempt_operations();
 }
 
 } // namespace relpose_6pt_radial
@@ -3361,6 +5469,19 @@ static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
     return try_solve(fundamental, half_angle).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<9> fundamental, Values<2> half_angle) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_7pt_angle_focal_centre_solve_with(
+            second_attempts.operations(), fundamental.data(), fundamental.size(), half_angle.data(), half_angle.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<9> fundamental, Values<2> half_angle) {
+    return try_solve_with(second_attempts, fundamental, half_angle).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many fundamental, Many half_angle, Batch<Solution, max_solutions> &batch) {
@@ -3390,6 +5511,19 @@ static_assert(sizeof(Camera) == 3 * sizeof(double), "a row");
     return try_solve_for_camera(fundamental, half_angle).value();
 }
 
+/// As `try_solve_for_camera`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Camera, max_solutions>> try_solve_with_for_camera(SecondAttempts second_attempts, Values<9> fundamental, Values<2> half_angle) noexcept {
+    return Result<Solutions<Camera, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_7pt_angle_focal_centre_solve_with_for_camera(
+            second_attempts.operations(), fundamental.data(), fundamental.size(), half_angle.data(), half_angle.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_camera`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Camera, max_solutions> solve_with_for_camera(SecondAttempts second_attempts, Values<9> fundamental, Values<2> half_angle) {
+    return try_solve_with_for_camera(second_attempts, fundamental, half_angle).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_camera(
     std::size_t instances, Many fundamental, Many half_angle, Batch<Camera, max_solutions> &batch) {
@@ -3398,6 +5532,31 @@ inline void solve_batch_for_camera(
         return eliminant_relpose_7pt_angle_focal_centre_solve_batch_for_camera(
             instances, fundamental.data(), fundamental.size(), half_angle.data(), half_angle.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<9> fundamental, Values<2> half_angle, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_7pt_angle_focal_centre_relative_residual(
+        fundamental.data(), fundamental.size(), half_angle.data(), half_angle.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<9> fundamental, Values<2> half_angle, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_7pt_angle_focal_centre_error_bound(
+        fundamental.data(), fundamental.size(), half_angle.data(), half_angle.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_relpose_7pt_angle_focal_centre_second_attempt_operations();
 }
 
 } // namespace relpose_7pt_angle_focal_centre
@@ -3449,6 +5608,19 @@ static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
     return try_solve(first, second).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<14> first, Values<14> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_7pt_focal_radial_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<14> first, Values<14> second) {
+    return try_solve_with(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
@@ -3479,6 +5651,19 @@ static_assert(sizeof(RadialFocalPose) == 11 * sizeof(double), "a row");
     return try_solve_for_radial_focal_pose(first, second).value();
 }
 
+/// As `try_solve_for_radial_focal_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<RadialFocalPose, max_solutions>> try_solve_with_for_radial_focal_pose(SecondAttempts second_attempts, Values<14> first, Values<14> second) noexcept {
+    return Result<Solutions<RadialFocalPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_7pt_focal_radial_solve_with_for_radial_focal_pose(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_radial_focal_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<RadialFocalPose, max_solutions> solve_with_for_radial_focal_pose(SecondAttempts second_attempts, Values<14> first, Values<14> second) {
+    return try_solve_with_for_radial_focal_pose(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_radial_focal_pose(
     std::size_t instances, Many first, Many second, Batch<RadialFocalPose, max_solutions> &batch) {
@@ -3487,6 +5672,31 @@ inline void solve_batch_for_radial_focal_pose(
         return eliminant_relpose_7pt_focal_radial_solve_batch_for_radial_focal_pose(
             instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<14> first, Values<14> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_7pt_focal_radial_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<14> first, Values<14> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_7pt_focal_radial_error_bound(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_relpose_7pt_focal_radial_second_attempt_operations();
 }
 
 } // namespace relpose_7pt_focal_radial
@@ -3530,6 +5740,19 @@ static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
     return try_solve(first, second).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<14> first, Values<14> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_7pt_focal_radial_one_side_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<14> first, Values<14> second) {
+    return try_solve_with(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
@@ -3560,6 +5783,19 @@ static_assert(sizeof(RadialFocalPose) == 11 * sizeof(double), "a row");
     return try_solve_for_radial_focal_pose(first, second).value();
 }
 
+/// As `try_solve_for_radial_focal_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<RadialFocalPose, max_solutions>> try_solve_with_for_radial_focal_pose(SecondAttempts second_attempts, Values<14> first, Values<14> second) noexcept {
+    return Result<Solutions<RadialFocalPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_7pt_focal_radial_one_side_solve_with_for_radial_focal_pose(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_radial_focal_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<RadialFocalPose, max_solutions> solve_with_for_radial_focal_pose(SecondAttempts second_attempts, Values<14> first, Values<14> second) {
+    return try_solve_with_for_radial_focal_pose(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_radial_focal_pose(
     std::size_t instances, Many first, Many second, Batch<RadialFocalPose, max_solutions> &batch) {
@@ -3568,6 +5804,31 @@ inline void solve_batch_for_radial_focal_pose(
         return eliminant_relpose_7pt_focal_radial_one_side_solve_batch_for_radial_focal_pose(
             instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<14> first, Values<14> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_7pt_focal_radial_one_side_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<14> first, Values<14> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_7pt_focal_radial_one_side_error_bound(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_relpose_7pt_focal_radial_one_side_second_attempt_operations();
 }
 
 } // namespace relpose_7pt_focal_radial_one_side
@@ -3611,6 +5872,19 @@ static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
     return try_solve(first, second).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<14> first, Values<14> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<14> first, Values<14> second) {
+    return try_solve_with(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
@@ -3640,6 +5914,19 @@ static_assert(sizeof(RadialEpipolar) == 10 * sizeof(double), "a row");
     return try_solve_for_radial_epipolar(first, second).value();
 }
 
+/// As `try_solve_for_radial_epipolar`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<RadialEpipolar, max_solutions>> try_solve_with_for_radial_epipolar(SecondAttempts second_attempts, Values<14> first, Values<14> second) noexcept {
+    return Result<Solutions<RadialEpipolar, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve_with_for_radial_epipolar(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_radial_epipolar`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<RadialEpipolar, max_solutions> solve_with_for_radial_epipolar(SecondAttempts second_attempts, Values<14> first, Values<14> second) {
+    return try_solve_with_for_radial_epipolar(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_radial_epipolar(
     std::size_t instances, Many first, Many second, Batch<RadialEpipolar, max_solutions> &batch) {
@@ -3648,6 +5935,31 @@ inline void solve_batch_for_radial_epipolar(
         return eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve_batch_for_radial_epipolar(
             instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<14> first, Values<14> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_7pt_focal_radial_one_side_eliminated_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<14> first, Values<14> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_7pt_focal_radial_one_side_eliminated_error_bound(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_relpose_7pt_focal_radial_one_side_eliminated_second_attempt_operations();
 }
 
 } // namespace relpose_7pt_focal_radial_one_side_eliminated
@@ -3690,6 +6002,19 @@ static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
     return try_solve(first, second).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<42> first, Values<42> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_7pt_generalized_scale_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<42> first, Values<42> second) {
+    return try_solve_with(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
@@ -3698,6 +6023,31 @@ inline void solve_batch(
         return eliminant_relpose_7pt_generalized_scale_solve_batch(
             instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<42> first, Values<42> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_7pt_generalized_scale_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<42> first, Values<42> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_relpose_7pt_generalized_scale_error_bound(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_relpose_7pt_generalized_scale_second_attempt_operations();
 }
 
 } // namespace relpose_7pt_generalized_scale
@@ -3738,6 +6088,19 @@ static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
     return try_solve(first, second).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<6> first, Values<6> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_stitching_3pt_radial_focal_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<6> first, Values<6> second) {
+    return try_solve_with(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
@@ -3767,6 +6130,19 @@ static_assert(sizeof(Panorama) == 2 * sizeof(double), "a row");
     return try_solve_for_panorama(first, second).value();
 }
 
+/// As `try_solve_for_panorama`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Panorama, max_solutions>> try_solve_with_for_panorama(SecondAttempts second_attempts, Values<6> first, Values<6> second) noexcept {
+    return Result<Solutions<Panorama, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_stitching_3pt_radial_focal_solve_with_for_panorama(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_panorama`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Panorama, max_solutions> solve_with_for_panorama(SecondAttempts second_attempts, Values<6> first, Values<6> second) {
+    return try_solve_with_for_panorama(second_attempts, first, second).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_panorama(
     std::size_t instances, Many first, Many second, Batch<Panorama, max_solutions> &batch) {
@@ -3775,6 +6151,31 @@ inline void solve_batch_for_panorama(
         return eliminant_stitching_3pt_radial_focal_solve_batch_for_panorama(
             instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<6> first, Values<6> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_stitching_3pt_radial_focal_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<6> first, Values<6> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_stitching_3pt_radial_focal_error_bound(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_stitching_3pt_radial_focal_second_attempt_operations();
 }
 
 } // namespace stitching_3pt_radial_focal
@@ -3811,6 +6212,19 @@ static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
     return try_solve(a).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<27> a) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_tensor_eigenvectors_solve_with(
+            second_attempts.operations(), a.data(), a.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<27> a) {
+    return try_solve_with(second_attempts, a).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many a, Batch<Solution, max_solutions> &batch) {
@@ -3819,6 +6233,31 @@ inline void solve_batch(
         return eliminant_tensor_eigenvectors_solve_batch(
             instances, a.data(), a.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<27> a, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_tensor_eigenvectors_relative_residual(
+        a.data(), a.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<27> a, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_tensor_eigenvectors_error_bound(
+        a.data(), a.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_tensor_eigenvectors_second_attempt_operations();
 }
 
 } // namespace tensor_eigenvectors
@@ -3855,6 +6294,19 @@ static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
     return try_solve(quadrics).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<30> quadrics) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_three_quadrics_solve_with(
+            second_attempts.operations(), quadrics.data(), quadrics.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<30> quadrics) {
+    return try_solve_with(second_attempts, quadrics).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many quadrics, Batch<Solution, max_solutions> &batch) {
@@ -3863,6 +6315,31 @@ inline void solve_batch(
         return eliminant_three_quadrics_solve_batch(
             instances, quadrics.data(), quadrics.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<30> quadrics, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_three_quadrics_relative_residual(
+        quadrics.data(), quadrics.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<30> quadrics, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_three_quadrics_error_bound(
+        quadrics.data(), quadrics.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_three_quadrics_second_attempt_operations();
 }
 
 } // namespace three_quadrics
@@ -3908,6 +6385,19 @@ static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
     return try_solve(cameras, images).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<36> cameras, Values<6> images) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_triangulation_3view_solve_with(
+            second_attempts.operations(), cameras.data(), cameras.size(), images.data(), images.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<36> cameras, Values<6> images) {
+    return try_solve_with(second_attempts, cameras, images).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many cameras, Many images, Batch<Solution, max_solutions> &batch) {
@@ -3936,6 +6426,19 @@ static_assert(sizeof(Point) == 3 * sizeof(double), "a row");
     return try_solve_for_point(cameras, images).value();
 }
 
+/// As `try_solve_for_point`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Point, max_solutions>> try_solve_with_for_point(SecondAttempts second_attempts, Values<36> cameras, Values<6> images) noexcept {
+    return Result<Solutions<Point, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_triangulation_3view_solve_with_for_point(
+            second_attempts.operations(), cameras.data(), cameras.size(), images.data(), images.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_point`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Point, max_solutions> solve_with_for_point(SecondAttempts second_attempts, Values<36> cameras, Values<6> images) {
+    return try_solve_with_for_point(second_attempts, cameras, images).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch_for_point(
     std::size_t instances, Many cameras, Many images, Batch<Point, max_solutions> &batch) {
@@ -3944,6 +6447,31 @@ inline void solve_batch_for_point(
         return eliminant_triangulation_3view_solve_batch_for_point(
             instances, cameras.data(), cameras.size(), images.data(), images.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<36> cameras, Values<6> images, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_triangulation_3view_relative_residual(
+        cameras.data(), cameras.size(), images.data(), images.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<36> cameras, Values<6> images, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_triangulation_3view_error_bound(
+        cameras.data(), cameras.size(), images.data(), images.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_triangulation_3view_second_attempt_operations();
 }
 
 } // namespace triangulation_3view
@@ -3988,6 +6516,19 @@ static_assert(sizeof(Solution) == 8 * sizeof(double), "a row");
     return try_solve(first, second, image).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<9> first, Values<9> second, Values<6> image) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_triangulation_3view_relaxed_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), image.data(), image.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<9> first, Values<9> second, Values<6> image) {
+    return try_solve_with(second_attempts, first, second, image).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many first, Many second, Many image, Batch<Solution, max_solutions> &batch) {
@@ -3996,6 +6537,31 @@ inline void solve_batch(
         return eliminant_triangulation_3view_relaxed_solve_batch(
             instances, first.data(), first.size(), second.data(), second.size(), image.data(), image.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<9> first, Values<9> second, Values<6> image, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_triangulation_3view_relaxed_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), image.data(), image.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<9> first, Values<9> second, Values<6> image, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_triangulation_3view_relaxed_error_bound(
+        first.data(), first.size(), second.data(), second.size(), image.data(), image.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_triangulation_3view_relaxed_second_attempt_operations();
 }
 
 } // namespace triangulation_3view_relaxed
@@ -4033,6 +6599,19 @@ static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
     return try_solve(centres, distances).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<9> centres, Values<3> distances) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_trilateration_solve_with(
+            second_attempts.operations(), centres.data(), centres.size(), distances.data(), distances.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<9> centres, Values<3> distances) {
+    return try_solve_with(second_attempts, centres, distances).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many centres, Many distances, Batch<Solution, max_solutions> &batch) {
@@ -4041,6 +6620,31 @@ inline void solve_batch(
         return eliminant_trilateration_solve_batch(
             instances, centres.data(), centres.size(), distances.data(), distances.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<9> centres, Values<3> distances, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_trilateration_relative_residual(
+        centres.data(), centres.size(), distances.data(), distances.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<9> centres, Values<3> distances, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_trilateration_error_bound(
+        centres.data(), centres.size(), distances.data(), distances.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_trilateration_second_attempt_operations();
 }
 
 } // namespace trilateration
@@ -4075,6 +6679,19 @@ static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
     return try_solve(p, q).value();
 }
 
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<6> p, Values<6> q) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_two_conics_solve_with(
+            second_attempts.operations(), p.data(), p.size(), q.data(), q.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<6> p, Values<6> q) {
+    return try_solve_with(second_attempts, p, q).value();
+}
+
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
     std::size_t instances, Many p, Many q, Batch<Solution, max_solutions> &batch) {
@@ -4083,6 +6700,31 @@ inline void solve_batch(
         return eliminant_two_conics_solve_batch(
             instances, p.data(), p.size(), q.data(), q.size(), to_solutions, solutions_length, counts, codes);
     });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<6> p, Values<6> q, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_two_conics_relative_residual(
+        p.data(), p.size(), q.data(), q.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<6> p, Values<6> q, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_two_conics_error_bound(
+        p.data(), p.size(), q.data(), q.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_two_conics_second_attempt_operations();
 }
 
 } // namespace two_conics

@@ -122,7 +122,8 @@ fn measures(prefix: &str, interface: &Interface) -> String {
     let DataOfOne { parameters, arguments, .. } = DataOfOne::of(interface);
     let parameters: String = parameters.iter().map(|parameter| format!("{parameter}, ")).collect();
     let docs = [
-        "/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a solution.",
+        "/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a\n\
+         /// solution.",
         "/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is\n\
          /// known to be near.",
     ];

@@ -49,10 +49,10 @@ private:
 /// times as long.
 class SecondAttempts {
 public:
-    /// Wherever solutions are missing, as `solve` does. Only so are solutions followed from data nearby.
+    /// Wherever solutions are missing, as `solve` does. Only so are they followed from data nearby.
     static constexpr SecondAttempts always() noexcept { return SecondAttempts(@NAME@_ALWAYS); }
-    /// Never: solutions that only a second attempt finds are missing, and an elimination that fails is
-    /// an error.
+    /// Never: solutions that only a second attempt finds are missing, and an elimination that fails
+    /// is an error.
     static constexpr SecondAttempts never() noexcept { return SecondAttempts(@NAME@_NEVER); }
     /// If it has at most so many operations. A problem has `second_attempt_operations()`.
     static constexpr SecondAttempts at_most(std::uint64_t operations) noexcept { return SecondAttempts(operations); }

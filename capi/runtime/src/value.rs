@@ -5,8 +5,8 @@ use crate::code::Code;
 use crate::guard::guarded;
 use crate::numbers::Numbers;
 
-/// Computes a value into room of the caller, a pointer and how many numbers it promises, and returns
-/// the number of a code. Nothing is written unless it is that of no error.
+/// Computes a value into room of the caller, a pointer and how many numbers it promises, and
+/// returns the number of a code. Nothing is written unless it is that of no error.
 ///
 /// # Safety
 /// Unless the pointer is null or misaligned, so many numbers can be written there.
