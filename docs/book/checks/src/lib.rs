@@ -4,12 +4,14 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 mod blocks;
+mod comparison;
 mod gallery;
 mod histograms;
 mod measured;
 mod pictures;
 
 pub use blocks::{Block, Mark, blocks};
+pub use comparison::comparison;
 pub use gallery::{Gallery, gallery};
 
 /// The root of the project.

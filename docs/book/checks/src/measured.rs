@@ -8,7 +8,7 @@ pub(crate) struct Measured {
 }
 
 /// The columns of published templates.
-const PUBLISHED: [&str; 3] = ["Larsson 2017", "greedy 2022", "redundant 2023"];
+pub(crate) const PUBLISHED: [&str; 3] = ["Larsson 2017", "greedy 2022", "redundant 2023"];
 
 impl Measured {
     /// Of a text in Markdown.
@@ -40,13 +40,19 @@ impl Measured {
     /// The published template with the fewest rows, of this form of the problem or of another one,
     /// which is named in brackets: `148x211 (toa3d_46)`.
     pub(crate) fn smallest_published(&self, problem: &str) -> Option<&str> {
-        let rows = |cell: &&str| cell.split('x').next().and_then(|rows| rows.parse::<usize>().ok());
-        PUBLISHED
-            .iter()
-            .filter_map(|column| self.cell(problem, column))
-            .filter(|cell| rows(cell).is_some())
-            .min_by_key(rows)
+        let cells = PUBLISHED.iter().filter_map(|column| self.cell(problem, column));
+        cells.filter(|cell| rows(cell).is_some()).min_by_key(|cell| rows(cell))
     }
+
+    /// All problems, by name.
+    pub(crate) fn problems(&self) -> impl Iterator<Item = &str> {
+        self.cells.keys().map(String::as_str)
+    }
+}
+
+/// The rows of a template, `148x211` or `148x211 (toa3d_46)`.
+pub(crate) fn rows(size: &str) -> Option<usize> {
+    size.split('x').next()?.parse().ok()
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
-use eliminant_book_checks::{Mark, blocks, gallery, page, page_path, root};
+use eliminant_book_checks::{Mark, blocks, comparison, gallery, page, page_path, root};
 use eliminant_generator::problem::Problem;
 
 #[test]
@@ -22,6 +22,13 @@ fn the_gallery_is_fresh() {
     assert!(pictures.keys().eq(fresh.pictures.keys()), "pictures of other problems: {write}");
     let stale: Vec<&String> = pictures.keys().filter(|name| pictures[*name] != fresh.pictures[*name]).collect();
     assert!(stale.is_empty(), "{stale:?} are not those of the problems as they are: {write}");
+}
+
+#[test]
+fn the_comparison_is_fresh() {
+    let fresh = comparison(&root()).expect("the page and templates/README.md are committed");
+    let write = "cargo run --manifest-path docs/book/checks/Cargo.toml --bin gallery";
+    assert!(page("comparison.md") == fresh, "comparison.md is not that of templates/README.md: {write}");
 }
 
 /// The blocks of the language page that are problems.

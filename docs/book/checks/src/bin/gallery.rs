@@ -1,19 +1,25 @@
-//! Writes the gallery of the book, and its pictures.
+//! Writes what the book shows of the catalogue: the gallery with its pictures, and the tables of the
+//! page that compares templates with published ones.
 
 use std::fs;
 use std::process::ExitCode;
 
-use eliminant_book_checks::{Gallery, gallery, page_path, root};
+use eliminant_book_checks::{Gallery, comparison, gallery, page_path, root};
 
 fn main() -> ExitCode {
-    let written = gallery(&root()).and_then(|gallery| write(&gallery).map_err(|error| error.to_string()));
-    match written {
+    match write_all() {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error}");
             ExitCode::FAILURE
         }
     }
+}
+
+fn write_all() -> Result<(), String> {
+    let text = |error: std::io::Error| error.to_string();
+    fs::write(page_path("comparison.md"), comparison(&root())?).map_err(text)?;
+    write(&gallery(&root())?).map_err(text)
 }
 
 /// Writes the page and its pictures, and removes pictures of problems that are no more.
