@@ -21,9 +21,9 @@ const LARGEST_CELL: f64 = 14.0;
 const GAP: f64 = 4.0;
 /// Around everything.
 const MARGIN: f64 = 10.0;
-/// The histogram, in pixels, and what lies below it.
+/// The histogram, in pixels, and how far below it the numbers and the two lines of the legend are.
 const HISTOGRAM: (f64, f64) = (260.0, 150.0);
-const LABELS: f64 = 40.0;
+const LABELS: [f64; 3] = [15.0, 34.0, 51.0];
 /// Fill of the residuals, and line of the errors.
 const COLOURS: [&str; 2] = ["#9ecae1", "#d55e00"];
 
@@ -32,7 +32,7 @@ pub(crate) fn svg(template: &Picture, residuals: &Histogram, errors: &Histogram)
     let (width, height) = (3.0 * MARGIN + SIDE + HISTOGRAM.0, 2.0 * MARGIN + SIDE);
     let mut text = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-         viewBox=\"0 0 {width} {height}\" font-family=\"'DejaVu Sans', Verdana, sans-serif\" font-size=\"10\">\n\
+         viewBox=\"0 0 {width} {height}\" font-family=\"'DejaVu Sans', Verdana, sans-serif\" font-size=\"13\">\n\
          <rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n"
     );
     draw_template(&mut text, template);
@@ -105,20 +105,23 @@ fn draw_histograms(text: &mut String, residuals: &Histogram, errors: &Histogram)
     );
     let _ = writeln!(text, "<path d=\"M{left:.1} {bottom:.1}h{width}\" stroke=\"#444\"/>");
     for (bin, edge) in residuals.edges.iter().enumerate().filter(|(_, edge)| *edge % 4.0 == 0.0) {
-        let (x, y) = (x(bin), bottom + 14.0);
+        let (x, y) = (x(bin), bottom + LABELS[0]);
         let _ = writeln!(text, "<path d=\"M{x:.1} {bottom:.1}v4\" stroke=\"#444\"/>");
         let _ = writeln!(text, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"middle\" fill=\"#444\">{edge}</text>");
     }
-    let y = bottom + LABELS - 8.0;
+    let [first, second] = [LABELS[1], LABELS[2]].map(|below| bottom + below);
+    let (x, y) = (left + 18.0, first - 10.0);
     let _ = writeln!(
         text,
-        "<rect x=\"{left:.1}\" y=\"{:.1}\" width=\"10\" height=\"8\" fill=\"{}\"/>",
-        y - 8.0,
+        "<rect x=\"{left:.1}\" y=\"{y:.1}\" width=\"12\" height=\"10\" fill=\"{}\"/>\n\
+         <text x=\"{x:.1}\" y=\"{first:.1}\" fill=\"#444\">log10 of residuals, random data</text>",
         COLOURS[0]
     );
-    let _ = writeln!(text, "<text x=\"{:.1}\" y=\"{y:.1}\" fill=\"#444\">residual, random data</text>", left + 14.0);
-    let middle = left + width / 2.0;
-    let _ =
-        writeln!(text, "<path d=\"M{middle:.1} {:.1}h10\" stroke=\"{}\" stroke-width=\"1.5\"/>", y - 4.0, COLOURS[1]);
-    let _ = writeln!(text, "<text x=\"{:.1}\" y=\"{y:.1}\" fill=\"#444\">error, scenes (log10)</text>", middle + 14.0);
+    let _ = writeln!(
+        text,
+        "<path d=\"M{left:.1} {:.1}h12\" stroke=\"{}\" stroke-width=\"1.5\"/>\n\
+         <text x=\"{x:.1}\" y=\"{second:.1}\" fill=\"#444\">log10 of errors, scenes</text>",
+        second - 5.0,
+        COLOURS[1]
+    );
 }
