@@ -34,8 +34,13 @@ pub fn comparison(root: &Path) -> Result<String, String> {
     let page = page("comparison.md");
     let (head, rest) = page.split_once(MARKS[0]).ok_or("comparison.md: the part does not begin")?;
     let (_, tail) = rest.split_once(MARKS[1]).ok_or("comparison.md: the part does not end")?;
-    let part = [counts(&measured), sizes(&measured), in_code(&measured), accuracy(&measured)].join("\n");
-    Ok(format!("{head}{}\n{part}\n{}{tail}", MARKS[0], MARKS[1]))
+    let part = [
+        format!("### Fewer rows, as many, or more\n\n{}", counts(&measured)),
+        format!("### Rows x columns by problem\n\n{}", sizes(&measured)),
+        format!("### In other code\n\n{}", in_code(&measured)),
+        format!("### Errors and failures\n\n{}", accuracy(&measured)),
+    ];
+    Ok(format!("{head}{}\n{}\n{}{tail}", MARKS[0], part.join("\n"), MARKS[1]))
 }
 
 /// A table of how many templates have fewer rows, as many and more than those of each publication.
