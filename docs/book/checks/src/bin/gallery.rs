@@ -1,5 +1,5 @@
-//! Writes what the book shows of the catalogue: the gallery with its pictures, and the tables of the
-//! page that compares templates with published ones.
+//! Writes what the book shows of the catalogue: the gallery with its pictures, and the tables of
+//! the page that compares templates with published ones.
 
 use std::fs;
 use std::process::ExitCode;
