@@ -15,6 +15,10 @@ const UNTOUCHED_CODE: i32 = -77;
 /// The most numbers of a result up to which a solver counts as small.
 const SMALL: usize = 100;
 
+/// Up to so many solvers are tested in full, and each of more of them in part, so that all take
+/// about as long.
+const FULL: usize = 10;
+
 /// All that a caller chooses.
 #[derive(Clone, Debug)]
 struct Call {
@@ -34,6 +38,11 @@ fn is_small(case: &Case) -> bool {
     case.most * case.row <= SMALL
 }
 
+/// The part of a number that each of so many solvers has.
+fn share(number: usize, solvers: usize) -> usize {
+    (number * FULL / solvers).clamp(number.min(2), number)
+}
+
 /// The most instances of a batch: more than a piece of a small solver has.
 fn most_instances(case: &Case) -> usize {
     if is_small(case) { 70 } else { 2 }
@@ -43,10 +52,10 @@ fn second_attempts() -> impl Strategy<Value = u64> {
     prop_oneof![Just(0), Just(u64::MAX), 1..1_000_000_000u64]
 }
 
-fn calls(case: &Case) -> impl Strategy<Value = Call> + use<> {
+fn calls(case: &Case, solvers: usize) -> impl Strategy<Value = Call> + use<> {
     let lists = case.data.len();
     let numbers_of_instance: usize = case.data.iter().map(|(length, _)| length).sum();
-    (0..=most_instances(case)).prop_flat_map(move |instances| {
+    (0..=share(most_instances(case), solvers)).prop_flat_map(move |instances| {
         let numbers = prop::collection::vec(numbers(), numbers_of_instance * instances.max(1));
         let faults_of_data = prop::collection::vec(faults(), lists);
         (second_attempts(), numbers, faults_of_data, faults(), faults(), faults()).prop_map(
@@ -251,11 +260,13 @@ fn check_of_batch(case: &Case, call: &Call, room: &BatchRoom, at: usize) -> Resu
 fn run(check: fn(&Case, &Call) -> Result<(), TestCaseError>) {
     let cases = cases();
     assert!(!cases.is_empty(), "enable problems for this test: `--features trilateration,relpose_5pt_rays`");
+    let solvers = cases.len();
     for case in cases {
-        let calls_of_case = if is_small(&case) { 400 } else { 8 };
+        let calls_of_case = if is_small(&case) { share(400, solvers) } else { share(8, solvers) };
+        let calls_of_case = u32::try_from(calls_of_case).expect("few");
         let rng_seed = RngSeed::Fixed(1);
         let config = ProptestConfig { cases: calls_of_case, rng_seed, failure_persistence: None, ..Default::default() };
-        let outcome = TestRunner::new(config).run(&calls(&case), |call| check(&case, &call));
+        let outcome = TestRunner::new(config).run(&calls(&case, solvers), |call| check(&case, &call));
         outcome.unwrap_or_else(|error| panic!("{}: {error}", case.name));
     }
 }
