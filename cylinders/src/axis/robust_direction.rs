@@ -18,6 +18,9 @@ pub(crate) const PARALLEL_PAIR: f64 = 1e-3;
 /// line of 200 pixels.
 const THRESHOLD: f64 = 0.01;
 
+/// Number of planes after which the cost of a direction is compared.
+const PART: usize = 32;
+
 /// A direction and the planes that agree with it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RobustDirection {
@@ -76,13 +79,18 @@ impl Estimator for DirectionEstimator<'_> {
         self.planes.len()
     }
 
-    fn models(&self, sample: &[usize]) -> Vec<Self::Model> {
-        common_direction(&self.planes[sample[0]], &self.planes[sample[1]]).into_iter().collect()
+    fn add_models(&self, sample: &[usize], models: &mut Vec<Self::Model>) {
+        models.extend(common_direction(&self.planes[sample[0]], &self.planes[sample[1]]));
     }
 
     /// Squares of the sines of the angles.
-    fn write_squares(&self, direction: &Self::Model, squares: &mut [f64]) {
-        squares.iter_mut().zip(self.planes).for_each(|(square, plane)| *square = plane.normal.dot(direction).powi(2));
+    fn write_squares(&self, direction: &Self::Model, squares: &mut [f64], mut go_on: impl FnMut(&[f64]) -> bool) {
+        for (part, planes) in squares.chunks_mut(PART).zip(self.planes.chunks(PART)) {
+            part.iter_mut().zip(planes).for_each(|(square, plane)| *square = plane.normal.dot(direction).powi(2));
+            if !go_on(part) {
+                return;
+            }
+        }
     }
 
     fn fitted(&self, _: &Self::Model, data: &[usize]) -> Option<Self::Model> {

@@ -412,8 +412,10 @@ impl Search<'_> {
         let mut plausible = evidence.plausible_cylinders(Some(&found.refinement.cylinder));
         if self.estimator.count() <= FEW_LINES && self.estimator.count() > found.inliers.len() {
             let least = self.truncated_cost(&found.refinement.cylinder, found);
+            let mut models = Vec::new();
             for sample in triples(self.estimator.count()) {
-                for model in self.estimator.models(&sample) {
+                self.estimator.add_models(&sample, &mut models);
+                for model in models.drain(..) {
                     let others = self.estimator.within(&model, found.threshold);
                     let Ok(refined) = self.refined(&others, &model) else { continue };
                     let plausibility = (0.5 * (least - self.truncated_cost(&refined.cylinder, found))).exp();

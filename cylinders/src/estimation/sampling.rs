@@ -50,7 +50,7 @@ impl CylinderEstimator {
     /// The mean square distance of each line.
     pub(crate) fn squares(&self, cylinder: &Cylinder) -> Vec<f64> {
         let mut squares = vec![0.0; self.count()];
-        self.write_squares(cylinder, &mut squares);
+        self.write_squares(cylinder, &mut squares, |_| true);
         squares
     }
 
@@ -89,26 +89,29 @@ impl Estimator for CylinderEstimator {
         self.planes.len()
     }
 
-    fn models(&self, sample: &[usize]) -> Vec<Cylinder> {
-        let cylinders = || {
-            let direction = self.direction(sample)?;
-            let rectification = Rectification::new(&direction, self.planes[sample[0]].1.centre);
-            let line = |index: usize| rectification.line(&self.planes[sample[index]].1);
-            let circles = tangent_circles(&[line(0)?, line(1)?, line(2)?]).ok()?;
-            let cylinder = |circle| Cylinder::from_circle(&circle, &rectification, direction);
-            Some(circles.into_iter().map(cylinder).filter(|cylinder| self.agree(cylinder, sample)).collect())
-        };
-        cylinders().unwrap_or_default()
+    fn add_models(&self, sample: &[usize], models: &mut Vec<Cylinder>) {
+        let Some(direction) = self.direction(sample) else { return };
+        let rectification = Rectification::new(&direction, self.planes[sample[0]].1.centre);
+        let line = |index: usize| rectification.line(&self.planes[sample[index]].1);
+        let [Some(first), Some(second), Some(third)] = [line(0), line(1), line(2)] else { return };
+        let Ok(circles) = tangent_circles(&[first, second, third]) else { return };
+        let cylinder = |circle| Cylinder::from_circle(&circle, &rectification, direction);
+        models.extend(circles.into_iter().map(cylinder).filter(|cylinder| self.agree(cylinder, sample)));
     }
 
-    /// The silhouettes of a view are computed once for all its lines.
-    fn write_squares(&self, cylinder: &Cylinder, squares: &mut [f64]) {
-        let mut squares = squares.iter_mut();
+    /// The silhouettes of a view are computed once for all its lines, which are a part.
+    fn write_squares(&self, cylinder: &Cylinder, squares: &mut [f64], mut go_on: impl FnMut(&[f64]) -> bool) {
+        let mut rest = squares;
         for of_view in self.measured.chunk_by(|a, b| a.view == b.view) {
             let silhouettes = of_view[0].silhouettes(cylinder);
-            for (line, square) in of_view.iter().zip(&mut squares) {
+            let (part, others) = rest.split_at_mut(of_view.len());
+            for (line, square) in of_view.iter().zip(&mut *part) {
                 *square = silhouettes.as_ref().map_or(f64::INFINITY, |silhouettes| line.square(silhouettes));
             }
+            if !go_on(part) {
+                return;
+            }
+            rest = others;
         }
     }
 

@@ -90,11 +90,12 @@ pub(crate) trait Estimator {
     /// Number of data.
     fn count(&self) -> usize;
 
-    /// Models through a minimal sample.
-    fn models(&self, sample: &[usize]) -> Vec<Self::Model>;
+    /// Appends the models through a minimal sample.
+    fn add_models(&self, sample: &[usize], models: &mut Vec<Self::Model>);
 
-    /// Writes the squared residual of each datum; infinite if the model cannot explain it.
-    fn write_squares(&self, model: &Self::Model, squares: &mut [f64]);
+    /// Writes the squared residual of each datum in turn, infinite if the model cannot explain it.
+    /// After each of a few data `go_on` gets what was written for them and says whether to go on.
+    fn write_squares(&self, model: &Self::Model, squares: &mut [f64], go_on: impl FnMut(&[f64]) -> bool);
 
     /// The model of least squares on some data, from a first guess; `None` if the data determine no
     /// model.
@@ -122,15 +123,13 @@ pub(crate) fn ransac<E: Estimator>(estimator: &E, options: &RansacOptions) -> Op
     let mut random = Xoshiro256PlusPlus::seed_from_u64(options.seed);
     let (mut best, mut least_cost, mut least_wide_cost) = (None, f64::INFINITY, f64::INFINITY);
     let (mut needed, mut samples) = (options.max_samples, 0);
-    let mut squares = vec![0.0; count];
+    let (mut sample, mut models, mut squares) = (vec![0; E::SAMPLE], Vec::new(), vec![0.0; count]);
     while samples < needed {
         samples += 1;
-        for model in estimator.models(&sample(&mut random, E::SAMPLE, count)) {
-            estimator.write_squares(&model, &mut squares);
-            let wide_cost = search.cost(&squares, WIDTHS[0]);
-            if wide_cost >= least_wide_cost {
-                continue;
-            }
+        draw(&mut random, &mut sample, count);
+        estimator.add_models(&sample, &mut models);
+        for model in models.drain(..) {
+            let Some(wide_cost) = search.cost_below(least_wide_cost, &model, WIDTHS[0], &mut squares) else { continue };
             let model = search.optimised(model, &mut squares);
             least_wide_cost = wide_cost.min(search.cost(&squares, WIDTHS[0]));
             let cost = search.cost(&squares, 1.0);
@@ -155,16 +154,16 @@ pub(crate) fn samples_needed(inliers: usize, count: usize, size: usize, options:
     (needed.ceil() as usize).clamp(1, options.max_samples)
 }
 
-/// Different indices below `count`, each the high part of a product with a random number.
-fn sample(random: &mut Xoshiro256PlusPlus, size: usize, count: usize) -> Vec<usize> {
-    let mut sample = Vec::with_capacity(size);
-    while sample.len() < size {
+/// Draws different indices below `count`, each the high part of a product with a random number.
+fn draw(random: &mut Xoshiro256PlusPlus, sample: &mut [usize], count: usize) {
+    let mut drawn = 0;
+    while drawn < sample.len() {
         let index = ((u128::from(random.next_u64()) * count as u128) >> 64) as usize;
-        if !sample.contains(&index) {
-            sample.push(index);
+        if !sample[..drawn].contains(&index) {
+            sample[drawn] = index;
+            drawn += 1;
         }
     }
-    sample
 }
 
 struct Search<'a, E> {
@@ -175,9 +174,24 @@ struct Search<'a, E> {
 impl<E: Estimator> Search<'_, E> {
     /// The cost at a multiple of the threshold.
     fn cost(&self, squares: &[f64], width: f64) -> f64 {
-        let scale = 1.0 / (width * width * self.square_threshold);
-        // A NaN counts as one: the minimum of NaN and one is one.
-        squares.iter().map(|square| (square * scale).min(1.0)).sum()
+        squares.iter().fold(0.0, |cost, square| cost + self.cost_of_datum(*square, width))
+    }
+
+    /// Writes the squared residuals of a model and sums its cost at a multiple of the threshold;
+    /// `None` as soon as the sum reaches the limit. No datum has a negative cost, and rounding does
+    /// not make a sum smaller than one of its terms, so the whole sum would reach it, too.
+    fn cost_below(&self, limit: f64, model: &E::Model, width: f64, squares: &mut [f64]) -> Option<f64> {
+        let mut cost = 0.0;
+        self.estimator.write_squares(model, squares, |part| {
+            cost = part.iter().fold(cost, |cost, square| cost + self.cost_of_datum(*square, width));
+            cost < limit
+        });
+        (cost < limit).then_some(cost)
+    }
+
+    /// A NaN counts as one: the minimum of NaN and one is one.
+    fn cost_of_datum(&self, square: f64, width: f64) -> f64 {
+        (square * (1.0 / (width * width * self.square_threshold))).min(1.0)
     }
 
     /// The data within a multiple of the threshold.
@@ -194,9 +208,7 @@ impl<E: Estimator> Search<'_, E> {
         for width in WIDTHS.into_iter().chain([1.0; REPETITIONS]) {
             let before = cost;
             if let Some(fitted) = self.estimator.fitted(&model, &self.inliers(squares, width)) {
-                self.estimator.write_squares(&fitted, &mut of_fitted);
-                let lower = self.cost(&of_fitted, 1.0);
-                if lower < cost {
+                if let Some(lower) = self.cost_below(cost, &fitted, 1.0, &mut of_fitted) {
                     (model, cost) = (fitted, lower);
                     std::mem::swap(squares, &mut of_fitted);
                 }
@@ -212,34 +224,53 @@ impl<E: Estimator> Search<'_, E> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::cell::Cell;
 
     /// The model is a number among scattered data, and a sample is one datum.
-    struct Number(Vec<f64>);
+    struct Number {
+        data: Vec<f64>,
+        /// Number of data after which costs are compared.
+        part: usize,
+        /// Number of squared residuals that were written.
+        written: Cell<usize>,
+    }
+
+    impl Number {
+        fn new(data: Vec<f64>, part: usize) -> Self {
+            Self { data, part, written: Cell::new(0) }
+        }
+    }
 
     impl Estimator for Number {
         type Model = f64;
         const SAMPLE: usize = 1;
 
         fn count(&self) -> usize {
-            self.0.len()
+            self.data.len()
         }
 
-        fn models(&self, sample: &[usize]) -> Vec<f64> {
-            sample.iter().map(|&datum| self.0[datum]).collect()
+        fn add_models(&self, sample: &[usize], models: &mut Vec<f64>) {
+            models.extend(sample.iter().map(|&datum| self.data[datum]));
         }
 
-        fn write_squares(&self, model: &f64, squares: &mut [f64]) {
-            squares.iter_mut().zip(&self.0).for_each(|(square, number)| *square = (number - model).powi(2));
+        fn write_squares(&self, model: &f64, squares: &mut [f64], mut go_on: impl FnMut(&[f64]) -> bool) {
+            for (part, data) in squares.chunks_mut(self.part).zip(self.data.chunks(self.part)) {
+                part.iter_mut().zip(data).for_each(|(square, number)| *square = (number - model).powi(2));
+                self.written.set(self.written.get() + part.len());
+                if !go_on(part) {
+                    return;
+                }
+            }
         }
 
         fn fitted(&self, _: &f64, data: &[usize]) -> Option<f64> {
-            (!data.is_empty()).then(|| data.iter().map(|&datum| self.0[datum]).sum::<f64>() / data.len() as f64)
+            (!data.is_empty()).then(|| data.iter().map(|&datum| self.data[datum]).sum::<f64>() / data.len() as f64)
         }
     }
 
     #[test]
     fn the_mean_of_the_inliers() {
-        let numbers = Number(vec![3.0, 90.0, 3.2, -50.0, 2.8, 70.0, 20.0, f64::NAN]);
+        let numbers = Number::new(vec![3.0, 90.0, 3.2, -50.0, 2.8, 70.0, 20.0, f64::NAN], 8);
         let result = ransac(&numbers, &RansacOptions::with_threshold(0.5)).expect("a model");
         assert_eq!(result.inliers, [0, 2, 4]);
         assert!((result.model - 3.0).abs() < 1e-15);
@@ -248,13 +279,31 @@ mod tests {
     }
 
     #[test]
+    fn what_is_not_summed_changes_no_bit() {
+        for seed in 0..50 {
+            let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
+            let mut number = || (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
+            let data: Vec<f64> =
+                (0..200).map(|datum| if datum % 2 > 0 { number() } else { 100.0 * number() }).collect();
+            let options = RansacOptions { seed, ..RansacOptions::with_threshold(0.3) };
+            let [early, whole] = [1, 200].map(|part| {
+                let numbers = Number::new(data.clone(), part);
+                let found = ransac(&numbers, &options).expect("a model");
+                ((found.model.to_bits(), found.inliers, found.samples), numbers.written.get())
+            });
+            assert_eq!(early.0, whole.0, "seed {seed}");
+            assert!(early.1 < whole.1, "seed {seed}: {} of {} residuals", early.1, whole.1);
+        }
+    }
+
+    #[test]
     fn no_more_data_than_a_sample() {
-        assert!(ransac(&Number(vec![1.0]), &RansacOptions::with_threshold(0.5)).is_none());
+        assert!(ransac(&Number::new(vec![1.0], 1), &RansacOptions::with_threshold(0.5)).is_none());
     }
 
     #[test]
     fn the_limit_on_samples_holds() {
-        let numbers = Number((0..100).map(f64::from).collect());
+        let numbers = Number::new((0..100).map(f64::from).collect(), 100);
         let options = RansacOptions { max_samples: 7, ..RansacOptions::with_threshold(0.5) };
         assert_eq!(ransac(&numbers, &options).expect("a model").samples, 7);
     }
@@ -264,7 +313,8 @@ mod tests {
         let mut random = Xoshiro256PlusPlus::seed_from_u64(1);
         let mut seen = [0; 5];
         for _ in 0..10_000 {
-            let sample = sample(&mut random, 3, 5);
+            let mut sample = [0; 3];
+            draw(&mut random, &mut sample, 5);
             assert!(sample[0] != sample[1] && sample[0] != sample[2] && sample[1] != sample[2]);
             sample.into_iter().for_each(|index| seen[index] += 1);
         }
