@@ -82,6 +82,7 @@ pub use matching::{
     MatchError, MatchOptions, MatchedCylinder, Matching, Progress, References, match_cylinders, match_cylinders_with,
     match_directions, match_directions_with,
 };
+pub use numerics::interrupt::{Interrupt, Interrupted};
 pub use numerics::random;
 pub use numerics::ransac::{self, RansacOptions, RansacOptionsError};
 pub use observations::bundler::{self, BundlerError, parse_bundler, read_bundler};

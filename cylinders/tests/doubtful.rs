@@ -17,7 +17,7 @@ use scene::{Can, Photograph, Setup};
 
 const WHOLE: [f64; 2] = [0.0, 1.0];
 
-fn methods(views: &[View]) -> [Method; 3] {
+fn methods(views: &[View]) -> [Method<'static>; 3] {
     [Method::LeastSquares, Method::Refined, Method::Robust(RobustOptions::of(views))]
 }
 

@@ -58,8 +58,8 @@ fn view(can: &Can, setup: &Setup, photograph: &Photograph, has_ends: bool, rando
     view.with_ends(ends).expect("end points")
 }
 
-fn method(parallel: bool, radii: Radii) -> JointMethod {
-    JointMethod { parallel, refinement: Some((radii, Loss::Quadratic)) }
+fn method(parallel: bool, radii: Radii) -> JointMethod<'static> {
+    JointMethod { parallel, refinement: Some((radii, Loss::Quadratic)), ..JointMethod::default() }
 }
 
 /// Mean of the squared errors over their variances, and the mean square error of the shared radius
@@ -175,7 +175,8 @@ fn with_ends(view: &View, ends: &[Option<[Point2<f64>; 2]>]) -> View {
 /// The warnings of each cylinder, least squares first, then refined.
 fn warnings(views: &[Vec<View>]) -> [Vec<Vec<Warning>>; 2] {
     [None, Some((Radii::Own, Loss::Quadratic))].map(|refinement| {
-        let together = estimate_together(views, &JointMethod { parallel: true, refinement }).expect("cylinders");
+        let method = JointMethod { parallel: true, refinement, ..JointMethod::default() };
+        let together = estimate_together(views, &method).expect("cylinders");
         together.cylinders.into_iter().map(|estimate| estimate.warnings).collect()
     })
 }
@@ -210,7 +211,7 @@ fn parallel_cylinders_have_the_warnings_of_single_ones() {
     }
     // With a bounded loss the wrong line has little influence.
     let error = |loss| {
-        let method = JointMethod { parallel: true, refinement: Some((Radii::Shared, loss)) };
+        let method = JointMethod { parallel: true, refinement: Some((Radii::Shared, loss)), ..JointMethod::default() };
         let radius = estimate_together(&wrong, &method).expect("cylinders").radius.expect("a radius");
         (radius.value - cans[0].radius).abs()
     };
@@ -224,7 +225,8 @@ fn a_cylinder_that_is_not_determined_is_named() {
     views[2] = views[2].iter().take(1).cloned().collect();
     let error = JointError::Cylinder { cylinder: 2, error: TriangulateError::TooFewLines { lines: 2 }.into() };
     for refinement in [None, Some((Radii::Shared, Loss::Quadratic))] {
-        assert_eq!(estimate_together(&views, &JointMethod { parallel: true, refinement }), Err(error));
+        let method = JointMethod { parallel: true, refinement, ..JointMethod::default() };
+        assert_eq!(estimate_together(&views, &method), Err(error));
     }
     assert!(estimate_together(&[], &method(PARALLEL, Radii::Shared)).is_err());
     assert!(matches!(estimate_together(&[], &method(!PARALLEL, Radii::Shared)), Err(JointError::Refine(_))));

@@ -13,7 +13,7 @@ mod scenes;
 use eliminant_cylinders::matching::{RefinedMatch, refined_matches};
 use eliminant_cylinders::simulation::ParallelSetup;
 use eliminant_cylinders::{
-    Cylinder, Estimate, MatchOptions, MatchedCylinder, Matching, View, estimate_from, match_cylinders,
+    Cylinder, Estimate, Interrupt, MatchOptions, MatchedCylinder, Matching, View, estimate_from, match_cylinders,
 };
 use nalgebra::{Point3, Unit, Vector3};
 use random::Random;
@@ -36,7 +36,7 @@ fn parallel_cylinders_share_their_direction() {
         let scene = setup.scene(seed).expect("a scene");
         let options = MatchOptions { count: Some(7), ..MatchOptions::of(&scene.views) };
         let matching = match_cylinders(&scene.views, &scene.direction, &options).expect("cylinders");
-        let refined = refined_matches(&scene.views, &matching, &[]);
+        let refined = refined_matches(&scene.views, &matching, &[], Interrupt::never()).expect("the end");
         let estimates = estimates(&refined);
         parallel += usize::from(refined.iter().all(|one| one.is_parallel));
         for (one, (found, estimate)) in refined.iter().zip(matching.cylinders.iter().zip(estimates)) {
@@ -91,9 +91,9 @@ fn cylinders_that_are_not_parallel_keep_their_directions() {
         let mut right = 0;
         for seed in 0..100 {
             let (cans, views, matching, points) = turned(turn, &mut Random::new(seed));
-            let refined = refined_matches(&views, &matching, &[]);
+            let refined = refined_matches(&views, &matching, &[], Interrupt::never()).expect("the end");
             right += usize::from(refined.iter().all(|one| one.is_parallel == is_parallel));
-            let with_points = refined_matches(&views, &matching, &points);
+            let with_points = refined_matches(&views, &matching, &points, Interrupt::never()).expect("the end");
             for (can, (of_lines, of_both)) in
                 cans.iter().zip(estimates(&refined).into_iter().zip(estimates(&with_points)))
             {

@@ -142,7 +142,8 @@ fn exact_points_and_lines_are_exact() {
 fn cylinders_share_what_they_share() {
     let can = scene::soda_can();
     let cans = [0.0, 150.0, 300.0].map(|shift| Can { base: can.base + Vector3::x() * shift, ..can });
-    let method = JointMethod { parallel: true, refinement: Some((Radii::Shared, Loss::Quadratic)) };
+    let refinement = Some((Radii::Shared, Loss::Quadratic));
+    let method = JointMethod { parallel: true, refinement, ..JointMethod::default() };
     let mut squares = [0.0; 2];
     for seed in 0..100 {
         let random = &mut Random::new(seed);

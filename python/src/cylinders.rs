@@ -4,9 +4,9 @@ use eliminant_cylinders::matching::{RefinedMatch, refined_matches};
 use eliminant_cylinders::matching_report::MatchingReport;
 use eliminant_cylinders::report::Report;
 use eliminant_cylinders::{
-    CylinderLines, Estimate, JointError, JointEstimate, JointMethod, Loss, MatchError, MatchOptions, Matching, Method,
-    Radii, RansacOptions, References, RobustOptions, Scene, Side, View, estimate, estimate_on_side, estimate_together,
-    match_cylinders, match_directions_with, parse_scene, with_points,
+    CylinderLines, Estimate, Interrupt, Interrupted, JointError, JointEstimate, JointMethod, Loss, MatchError,
+    MatchOptions, Matching, Method, Radii, RansacOptions, References, RobustOptions, Scene, Side, View, estimate,
+    estimate_on_side, estimate_together, match_cylinders, match_directions_with, parse_scene, with_points,
 };
 use nalgebra::{Point3, Unit, Vector3};
 use pyo3::exceptions::PyValueError;
@@ -14,7 +14,7 @@ use pyo3::prelude::*;
 use serde::Serialize;
 
 use crate::errors::CylinderError;
-use crate::threads::on_all_cores;
+use crate::threads::interruptible;
 
 /// What messages about a scene begin with.
 pub(crate) const SCENE: &str = "scene";
@@ -38,17 +38,25 @@ pub(crate) struct Estimator {
 #[pyfunction]
 pub(crate) fn triangulate_cylinders(py: Python<'_>, scene: &str, estimator: Estimator) -> PyResult<String> {
     estimator.check()?;
-    let reports = on_all_cores(py, || -> Result<Vec<Report>, String> {
+    let reports = until_interrupted(py, |interrupt| -> Result<Vec<Report>, String> {
         let scene = parse_scene(scene, SCENE).map_err(|error| error.to_string())?;
         let cylinders = scene.cylinders();
-        let estimates = estimator.estimates(&cylinders)?;
+        let estimates = estimator.estimates(&cylinders, interrupt)?;
         let estimates = match estimator.has_points {
-            true => estimator.with_points(estimates, &cylinders, evidence(&scene, true)?)?,
+            true => {
+                let method = estimator.joint_method(interrupt);
+                on_points(estimates, &cylinders, evidence(&scene, true)?, &method)?
+            }
             false => estimates,
         };
         Ok(cylinders.iter().zip(&estimates).map(|(lines, of)| Report::new(lines, of, &scene.points)).collect())
     });
-    json(&reports.map_err(CylinderError::new_err)?)
+    json(&reports?.map_err(CylinderError::new_err)?)
+}
+
+/// Does work that a signal ends, such as Ctrl-C.
+pub(crate) fn until_interrupted<T: Send>(py: Python<'_>, work: impl FnOnce(Interrupt<'_>) -> T + Send) -> PyResult<T> {
+    interruptible(py, |is_over| work(Interrupt::by(is_over)), |_| Ok(()))
 }
 
 pub(crate) fn json(value: &impl Serialize) -> PyResult<String> {
@@ -90,16 +98,17 @@ impl Estimator {
         }
     }
 
-    fn estimates(&self, cylinders: &[CylinderLines]) -> Result<Vec<Estimate>, String> {
+    fn estimates(&self, cylinders: &[CylinderLines], interrupt: Interrupt<'_>) -> Result<Vec<Estimate>, String> {
         if self.is_parallel || self.radii() != Radii::Own {
-            return self.together(cylinders);
+            return self.together(cylinders, interrupt);
         }
         let of_lines = |lines: &CylinderLines| {
+            interrupt.check().map_err(of_interruption)?;
             let views = &lines.views;
             let estimate = match self.side.as_deref() {
                 Some("left") => estimate_on_side(views, Side::Left),
                 Some(_) => estimate_on_side(views, Side::Right),
-                None => estimate(views, &self.method(views)),
+                None => estimate(views, &self.method(views, interrupt)),
             };
             estimate.map_err(|error| of_label(Some(lines), &error))
         };
@@ -107,45 +116,50 @@ impl Estimator {
     }
 
     /// What cylinders share.
-    fn joint_method(&self) -> JointMethod {
+    fn joint_method<'a>(&self, interrupt: Interrupt<'a>) -> JointMethod<'a> {
         let radii = self.radii();
         let refines = self.method == "refined" || radii != Radii::Own;
-        JointMethod { parallel: self.is_parallel, refinement: refines.then_some((radii, Loss::Quadratic)) }
+        JointMethod { parallel: self.is_parallel, refinement: refines.then_some((radii, Loss::Quadratic)), interrupt }
     }
 
     /// Cylinders that share a direction or a radius.
-    fn together(&self, cylinders: &[CylinderLines]) -> Result<Vec<Estimate>, String> {
+    fn together(&self, cylinders: &[CylinderLines], interrupt: Interrupt<'_>) -> Result<Vec<Estimate>, String> {
         let views: Vec<Vec<View>> = cylinders.iter().map(|lines| lines.views.clone()).collect();
-        let joint = estimate_together(&views, &self.joint_method()).map_err(|error| of_joint(cylinders, error))?;
-        Ok(joint.cylinders)
-    }
-
-    /// The estimates on these points, too.
-    fn with_points(
-        &self,
-        estimates: Vec<Estimate>,
-        cylinders: &[CylinderLines],
-        points: &[Point3<f64>],
-    ) -> Result<Vec<Estimate>, String> {
-        let views: Vec<_> = cylinders.iter().map(|lines| lines.views.clone()).collect();
-        let estimates = JointEstimate { cylinders: estimates, radius: None };
-        let joint = with_points(estimates, &views, points, &self.joint_method());
+        let joint = estimate_together(&views, &self.joint_method(interrupt));
         Ok(joint.map_err(|error| of_joint(cylinders, error))?.cylinders)
     }
 
-    fn method(&self, views: &[View]) -> Method {
+    fn method<'a>(&self, views: &[View], interrupt: Interrupt<'a>) -> Method<'a> {
         match self.method.as_str() {
             "robust" => {
                 let default = RobustOptions::of(views);
                 let threshold = self.threshold.unwrap_or(default.ransac.threshold);
                 let Self { seed, confidence, .. } = *self;
-                let ransac = RansacOptions { threshold, seed, confidence, ..default.ransac };
+                let ransac = RansacOptions { threshold, seed, confidence, interrupt, ..default.ransac };
                 Method::Robust(RobustOptions { ransac, ..default })
             }
             "refined" => Method::Refined,
             _ => Method::LeastSquares,
         }
     }
+}
+
+/// The estimates on these points, too.
+fn on_points(
+    estimates: Vec<Estimate>,
+    cylinders: &[CylinderLines],
+    points: &[Point3<f64>],
+    method: &JointMethod<'_>,
+) -> Result<Vec<Estimate>, String> {
+    let views: Vec<_> = cylinders.iter().map(|lines| lines.views.clone()).collect();
+    let estimates = JointEstimate { cylinders: estimates, radius: None };
+    let joint = with_points(estimates, &views, points, method);
+    Ok(joint.map_err(|error| of_joint(cylinders, error))?.cylinders)
+}
+
+/// Nobody reads it: the error of the signal takes its place.
+pub(crate) fn of_interruption(error: Interrupted) -> String {
+    error.to_string()
 }
 
 /// An error of one cylinder, or of all together, which has no label.
@@ -201,13 +215,13 @@ pub(crate) fn match_cylinder_lines(py: Python<'_>, scene: &str, matcher: Matcher
         return Err(PyValueError::new_err("expected a count of 1 or more, and a least support of 4 or more"));
     }
     check_directions(matcher.directions)?;
-    let report = on_all_cores(py, || -> Result<MatchingReport, String> {
+    let report = until_interrupted(py, |interrupt| -> Result<MatchingReport, String> {
         let scene = parse_scene(scene, SCENE).map_err(|error| error.to_string())?;
         let points = evidence(&scene, matcher.has_points)?;
-        let (threshold, matching) = matcher.find(&scene.views)?;
-        Ok(refined(&scene, threshold, &matching, points))
+        let (threshold, matching) = matcher.find(&scene.views, interrupt)?;
+        refined(&scene, (threshold, &matching), points, interrupt)
     });
-    json(&report.map_err(CylinderError::new_err)?)
+    json(&report?.map_err(CylinderError::new_err)?)
 }
 
 /// The points that are evidence: those of the scene, if they are asked.
@@ -218,20 +232,27 @@ pub(crate) fn evidence(scene: &Scene, is_asked: bool) -> Result<&[Point3<f64>], 
     }
 }
 
-/// The report of what was found, with the cylinders refined on their matches and these points.
-pub(crate) fn refined(scene: &Scene, threshold: f64, matching: &Matching, points: &[Point3<f64>]) -> MatchingReport {
+/// The report of what was found within a threshold, with the cylinders refined on their matches and
+/// these points.
+pub(crate) fn refined(
+    scene: &Scene,
+    (threshold, matching): (f64, &Matching),
+    points: &[Point3<f64>],
+    interrupt: Interrupt<'_>,
+) -> Result<MatchingReport, String> {
     let views = &scene.views;
     let of_match = |RefinedMatch { lines, estimate, is_parallel }: RefinedMatch| {
         estimate.map(|estimate| (Report::new(&lines, &estimate, &scene.points), is_parallel))
     };
-    let reports = refined_matches(views, matching, points).into_iter().map(of_match).collect();
-    MatchingReport::new(views, threshold, matching).with_refined(reports)
+    let refined = refined_matches(views, matching, points, interrupt).map_err(of_interruption)?;
+    let reports = refined.into_iter().map(of_match).collect();
+    Ok(MatchingReport::new(views, threshold, matching).with_refined(reports))
 }
 
 impl Matcher {
     /// The threshold and the cylinders. Without a threshold the default is doubled once, because
     /// lines drawn by hand may need more.
-    fn find(&self, views: &[View]) -> Result<(f64, Matching), String> {
+    fn find(&self, views: &[View], interrupt: Interrupt<'_>) -> Result<(f64, Matching), String> {
         let defaults = MatchOptions::of(views);
         let factors: &[f64] = if self.threshold.is_some() { &[1.0] } else { &[1.0, 2.0] };
         let direction = self.direction.map(unit).transpose()?;
@@ -242,6 +263,7 @@ impl Matcher {
                 references: if self.is_first_image { References::First } else { References::Every },
                 count: self.count,
                 least_support: self.least_support,
+                interrupt,
                 ..defaults
             };
             let along = |views: &[View], direction: &Direction| match_cylinders(views, direction, &options);
@@ -249,7 +271,7 @@ impl Matcher {
             let most = if self.count.is_some() { 1 } else { self.directions.unwrap_or(usize::MAX) };
             let matching = match &direction {
                 Some(direction) => along(views, direction),
-                None => match_directions_with(views, most, along),
+                None => match_directions_with(views, most, interrupt, along),
             };
             match matching {
                 Ok(matching) => return Ok((options.threshold, matching)),

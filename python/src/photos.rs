@@ -7,15 +7,15 @@ use eliminant_cylinders::detection::GreyImage;
 use eliminant_cylinders::photograph::Photograph;
 use eliminant_cylinders::photos::decode::decode_photograph;
 use eliminant_cylinders::photos::{LineOptions, PhotoOptions, Seen, find_in_photographs, seen};
-use eliminant_cylinders::{Scene, View, parse_scene, read_colmap};
+use eliminant_cylinders::{Interrupt, Scene, View, parse_scene, read_colmap};
 use nalgebra::Point3;
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
-use crate::cylinders::{SCENE, check_directions, check_threshold, evidence, json, of_label, refined, unit};
+use crate::cylinders::{SCENE, check_directions, check_threshold, evidence, json, of_interruption, of_label};
+use crate::cylinders::{refined, unit, until_interrupted};
 use crate::errors::CylinderError;
-use crate::threads::on_all_cores;
 
 /// Where cameras and images are, and how cylinders are found.
 #[derive(FromPyObject)]
@@ -43,21 +43,22 @@ pub(crate) fn cylinders_of_photographs(py: Python<'_>, given: Photographs<'_>) -
         Some(folder) => Images::Files(folder),
         None => Images::Arrays(arrays.iter().map(|(name, array)| grey(name, array)).collect::<Result<_, _>>()?),
     };
-    let report = on_all_cores(py, move || -> Result<_, String> {
+    let report = until_interrupted(py, move |interrupt| -> Result<_, String> {
         let (photographs, points) = cameras(scene, model)?;
         let scene = Scene { views: Vec::new(), points };
         evidence(&scene, has_points)?;
-        let seen = all_of(photographs.par_iter().map(|photograph| look(photograph, &images)).collect())?;
+        let seen = all_of(photographs.par_iter().map(|photograph| look(photograph, &images, interrupt)).collect())?;
         let views: Vec<View> = seen.iter().map(|seen| seen.view.clone()).collect();
         let mut options = PhotoOptions::of(&views);
         options.matching.threshold = threshold;
+        options.matching.interrupt = interrupt;
         options.directions = directions.unwrap_or(options.directions);
         let direction = direction.map(unit).transpose()?;
         let found = find_in_photographs(&seen, direction, &options).map_err(|error| of_label(None, &error))?;
         let scene = Scene { views: found.views, ..scene };
-        Ok(refined(&scene, threshold, &found.matching, evidence(&scene, has_points)?))
+        refined(&scene, (threshold, &found.matching), evidence(&scene, has_points)?, interrupt)
     });
-    json(&report.map_err(CylinderError::new_err)?)
+    json(&report?.map_err(CylinderError::new_err)?)
 }
 
 /// Where the photographs are.
@@ -98,7 +99,8 @@ fn all_of(looked: Vec<Result<Seen, String>>) -> Result<Vec<Seen>, String> {
 }
 
 /// Detects the candidates for silhouettes in a photograph.
-fn look(photograph: &Photograph, images: &Images) -> Result<Seen, String> {
+fn look(photograph: &Photograph, images: &Images, interrupt: Interrupt<'_>) -> Result<Seen, String> {
+    interrupt.check().map_err(of_interruption)?;
     let name = &photograph.name;
     let read;
     let image = match images {
@@ -111,7 +113,7 @@ fn look(photograph: &Photograph, images: &Images) -> Result<Seen, String> {
             None => return Err(format!("there is no image `{name}`")),
         },
     };
-    seen(photograph, image, &LineOptions::default()).map_err(|error| error.to_string())
+    seen(photograph, image, &LineOptions { interrupt, ..LineOptions::default() }).map_err(|error| error.to_string())
 }
 
 fn decoded(path: &Path) -> Result<GreyImage, String> {

@@ -32,14 +32,6 @@ fn pool() -> Option<Arc<ThreadPool>> {
     Some(threads)
 }
 
-/// Does work on all cores without the lock of the interpreter. It goes on to its end.
-pub(crate) fn on_all_cores<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> T {
-    py.detach(|| match pool() {
-        Some(pool) => pool.install(work),
-        None => work(),
-    })
-}
-
 /// Does work on all cores without the lock of the interpreter. The work asks the flag whether it
 /// must end. Between whiles `each` is called with the lock.
 ///

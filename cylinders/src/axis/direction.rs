@@ -15,6 +15,7 @@
 use nalgebra::{DMatrix, Unit, Vector3};
 use thiserror::Error;
 
+use crate::numerics::interrupt::Interrupted;
 use crate::numerics::ransac::RansacOptionsError;
 use crate::observations::view::ViewingPlane;
 
@@ -88,6 +89,9 @@ pub enum DirectionError {
     /// An option of RANSAC is out of range.
     #[error(transparent)]
     Options(#[from] RansacOptionsError),
+    /// RANSAC was interrupted.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
 }
 
 /// Least squares direction of the axis from at least three tangent planes.

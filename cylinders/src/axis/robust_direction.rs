@@ -33,7 +33,7 @@ pub struct RobustDirection {
 }
 
 /// Options for [`estimate_direction_robustly`] with a threshold of 0.01 radians.
-pub fn default_direction_options() -> RansacOptions {
+pub fn default_direction_options() -> RansacOptions<'static> {
     RansacOptions::with_threshold(THRESHOLD)
 }
 
@@ -47,7 +47,7 @@ pub fn common_direction(first: &ViewingPlane, second: &ViewingPlane) -> Option<U
 ///
 /// # Errors
 /// [`DirectionError::NoConsensus`] if fewer than three planes agree, [`DirectionError::Options`],
-/// and the errors of [`estimate_direction`] on the inliers.
+/// [`DirectionError::Interrupted`], and the errors of [`estimate_direction`] on the inliers.
 pub fn estimate_direction_robustly(
     planes: &[ViewingPlane],
     options: &RansacOptions,
@@ -55,7 +55,7 @@ pub fn estimate_direction_robustly(
     options.check()?;
     let estimator = DirectionEstimator { planes };
     let failure = |inliers| DirectionError::NoConsensus { inliers, planes: planes.len() };
-    let Some(consensus) = ransac(&estimator, options) else {
+    let Some(consensus) = ransac(&estimator, options)? else {
         // All pairs are parallel. The error of least squares shows this with the singular values.
         return Err(estimate_direction(planes).err().unwrap_or(failure(0)));
     };

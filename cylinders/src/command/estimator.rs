@@ -7,7 +7,8 @@ use super::error::CommandError;
 use super::scene::SceneArguments;
 use crate::{
     CylinderLines, Estimate, EstimateError, JointError, JointEstimate, JointMethod, Loss, Method, Radii, RansacOptions,
-    RobustOptions, Side, TriangulateError, View, estimate, estimate_on_side, estimate_together, with_points,
+    RefineError, RobustOptions, Side, TriangulateError, View, estimate, estimate_on_side, estimate_together,
+    with_points,
 };
 
 /// How to estimate.
@@ -95,6 +96,7 @@ impl EstimatorArguments {
             // An error of all cylinders together has no label.
             JointError::Direction(error) => (None, TriangulateError::Direction(error).into()),
             JointError::Refine(error) => (None, error.into()),
+            JointError::Interrupted(error) => (None, RefineError::Interrupted(error).into()),
         };
         let label = index.and_then(|index| cylinders.get(index)?.label.clone());
         CommandError::Estimate { scene: scene.path().to_owned(), label, error }
@@ -113,14 +115,15 @@ impl EstimatorArguments {
     }
 
     /// How cylinders are estimated together; `None` if they share nothing.
-    fn joint_method(&self) -> Option<JointMethod> {
+    fn joint_method(&self) -> Option<JointMethod<'static>> {
         let radii = match self.radius {
             Some(radius) => Radii::Known(radius),
             None if self.shared_radius => Radii::Shared,
             None => Radii::Own,
         };
         let refines = self.refine || radii != Radii::Own;
-        let method = JointMethod { parallel: self.parallel, refinement: refines.then_some((radii, Loss::Quadratic)) };
+        let refinement = refines.then_some((radii, Loss::Quadratic));
+        let method = JointMethod { parallel: self.parallel, refinement, ..JointMethod::default() };
         (self.parallel || radii != Radii::Own).then_some(method)
     }
 
@@ -138,7 +141,7 @@ impl EstimatorArguments {
         estimate(views, &method)
     }
 
-    fn robust_options(&self, views: &[View]) -> RobustOptions {
+    fn robust_options(&self, views: &[View]) -> RobustOptions<'static> {
         let default = RobustOptions::of(views);
         let threshold = self.threshold.unwrap_or(default.ransac.threshold);
         let ransac = RansacOptions { threshold, seed: self.seed, confidence: self.confidence, ..default.ransac };

@@ -8,7 +8,7 @@ use crate::matching_report::MatchingReport;
 use crate::page::Table;
 use crate::report::Report;
 use crate::report_table::{cylinder_table, residual_table};
-use crate::{Cylinder, CylinderLines, Matching, Scene, View};
+use crate::{Cylinder, CylinderLines, Interrupt, Matching, Scene, View};
 
 /// What was found, in the forms that subcommands show.
 pub(super) struct Found {
@@ -29,8 +29,11 @@ impl Found {
         matching: &Matching,
     ) -> Self {
         let (mut cylinders, mut reports) = (Vec::new(), Vec::new());
-        let refined = refined_matches(&views, matching, if evidence { &points } else { &[] });
-        for (RefinedMatch { lines, estimate, is_parallel }, found) in refined.into_iter().zip(&matching.cylinders) {
+        // Nothing interrupts it.
+        let refined = refined_matches(&views, matching, if evidence { &points } else { &[] }, Interrupt::never());
+        for (RefinedMatch { lines, estimate, is_parallel }, found) in
+            refined.into_iter().flatten().zip(&matching.cylinders)
+        {
             let cylinder = estimate.as_ref().map_or(found.cylinder, |estimate| estimate.cylinder);
             reports.push(estimate.map(|estimate| (Report::new(&lines, &estimate, &points), is_parallel)));
             cylinders.push((lines, cylinder));

@@ -99,8 +99,10 @@ fn search(arguments: &Arguments, views: &[View], options: &MatchOptions) -> Resu
     match (&arguments.direction, arguments.count) {
         (Some(direction), _) => along(views, direction),
         // So many cylinders would be found in any direction.
-        (None, Some(_)) => match_directions_with(views, 1, along),
-        (None, None) => match_directions_with(views, arguments.directions.unwrap_or(usize::MAX), along),
+        (None, Some(_)) => match_directions_with(views, 1, options.interrupt, along),
+        (None, None) => {
+            match_directions_with(views, arguments.directions.unwrap_or(usize::MAX), options.interrupt, along)
+        }
     }
 }
 

@@ -8,6 +8,7 @@ use super::rectangle::{PROBABILITY, Rectangle};
 use super::region::{Region, grow};
 use super::significance::log_tests;
 use super::subpixel::refined;
+use crate::numerics::interrupt::{Interrupt, Interrupted};
 
 /// Number of classes of steepness by which pixels are ordered.
 const CLASSES: f32 = 1024.0;
@@ -41,9 +42,15 @@ impl DetectedSegment {
 /// The line segments of an image, those of the steepest edges first. Values are expected from 0 to
 /// 255; an edge needs a contrast of five. Segments lie between pixels that are known.
 pub fn detect_segments(image: &GreyImage) -> Vec<DetectedSegment> {
+    // Nothing interrupts it.
+    segments(image, Interrupt::never()).unwrap_or_default()
+}
+
+/// The same, until it is interrupted.
+pub(crate) fn segments(image: &GreyImage, interrupt: Interrupt<'_>) -> Result<Vec<DetectedSegment>, Interrupted> {
     let lines = LevelLines::of(image);
     if lines.angles.is_empty() {
-        return Vec::new();
+        return Ok(Vec::new());
     }
     let log_tests = log_tests(lines.width + 1, lines.height + 1);
     let least_size = (-log_tests / PROBABILITY.log10()).ceil() as usize;
@@ -53,6 +60,7 @@ pub fn detect_segments(image: &GreyImage) -> Vec<DetectedSegment> {
         if used[seed] {
             continue;
         }
+        interrupt.check()?;
         let region = grow(&lines, seed, TOLERANCE, &mut used);
         if region.pixels.len() < least_size {
             continue;
@@ -66,7 +74,7 @@ pub fn detect_segments(image: &GreyImage) -> Vec<DetectedSegment> {
             found.push(DetectedSegment { ends, width: rectangle.width / SCALE, significance });
         }
     }
-    found
+    Ok(found)
 }
 
 /// The pixels that have a direction, in classes of steepness, the steepest first.

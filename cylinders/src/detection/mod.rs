@@ -22,5 +22,6 @@ mod significance;
 /// The place of an edge between pixels.
 mod subpixel;
 
+pub(crate) use detect::segments;
 pub use detect::{DetectedSegment, detect_segments};
 pub use grey::{GreyError, GreyImage};

@@ -22,13 +22,13 @@ const FALSE_ALARMS: f64 = 1.0;
 
 /// How a cylinder is estimated.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Method {
+pub enum Method<'a> {
     /// Constrained least squares.
     LeastSquares,
     /// The same, refined on the distances in the images.
     Refined,
     /// RANSAC, refined.
-    Robust(RobustOptions),
+    Robust(RobustOptions<'a>),
 }
 
 /// A cylinder and the results of its estimators.

@@ -16,6 +16,7 @@ use super::loss::Loss;
 use super::refine::{Measure, NO_RADIUS, RefineError, Refinement, STEPS, check};
 use super::silhouette_cost::{Frame, Observed, PARAMETERS, SilhouetteCost, moved};
 use super::uncertainty::{Block, Uncertainty};
+use crate::numerics::interrupt::Interrupt;
 use crate::numerics::levenberg_marquardt::{LeastSquares, Linearised, minimise};
 use crate::space::cylinder::{Cylinder, Side};
 use crate::space::silhouette_distance::MeasuredLine;
@@ -44,6 +45,16 @@ pub enum Directions {
     Known,
 }
 
+/// How several cylinders are refined.
+#[derive(Clone, Copy)]
+pub(super) struct Model<'a> {
+    pub(super) directions: Directions,
+    pub(super) radii: Radii,
+    pub(super) loss: Loss,
+    /// Ends the refinement between steps.
+    pub(super) interrupt: Interrupt<'a>,
+}
+
 /// Cylinders that were refined together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointRefinement {
@@ -59,18 +70,16 @@ pub struct JointRefinement {
 pub(super) fn refine_together(
     observed: &[Observed<'_>],
     initial: &[Cylinder],
-    (directions, radii): (Directions, Radii),
-    loss: Loss,
+    model: &Model<'_>,
 ) -> Result<JointRefinement, RefineError> {
-    let Optimised { cylinders, iterations, converged } =
-        optimise_together(observed, initial, (directions, radii), loss, STEPS)?;
+    let Optimised { cylinders, iterations, converged } = optimise_together(observed, initial, model, STEPS)?;
     if !converged {
         return Err(RefineError::NotConverged { iterations });
     }
     // The directions are equal where they are shared, and so are their signs.
     let cylinders: Vec<_> = cylinders.into_iter().map(Cylinder::with_canonical_sign).collect();
     let frames = frames(observed, &cylinders)?;
-    let problem = Problem::new(observed, &frames, (directions, radii), loss);
+    let problem = Problem::new(observed, &frames, model);
     let local: Vec<_> = frames.iter().zip(&cylinders).map(|(frame, cylinder)| frame.local(cylinder)).collect();
     let blocks: Vec<_> = (0..observed.len())
         .map(|index| Block { cost: &problem.costs[index], cylinder: &local[index], places: problem.places[index] })
@@ -81,7 +90,7 @@ pub(super) fn refine_together(
         Refinement::new((&cylinders[index], &frames[index]), lines, &blocks[index], &uncertainty, iterations)
     };
     let cylinders: Vec<_> = (0..observed.len()).map(refinement).collect();
-    let radius = cylinders.first().filter(|_| radii == Radii::Shared);
+    let radius = cylinders.first().filter(|_| model.radii == Radii::Shared);
     let radius = radius.map(|first| Measure { value: first.cylinder.radius, deviation: first.deviation.radius });
     Ok(JointRefinement { cylinders, radius })
 }
@@ -98,14 +107,13 @@ pub(super) struct Optimised {
 pub(super) fn optimise_together(
     observed: &[Observed<'_>],
     initial: &[Cylinder],
-    (directions, radii): (Directions, Radii),
-    loss: Loss,
+    model: &Model<'_>,
     limit: usize,
 ) -> Result<Optimised, RefineError> {
-    let start = start(initial, (directions, radii))?;
-    observed.iter().zip(&start).try_for_each(|(observed, cylinder)| check(observed.lines, cylinder, loss))?;
+    let start = start(initial, model)?;
+    observed.iter().zip(&start).try_for_each(|(observed, cylinder)| check(observed.lines, cylinder, model.loss))?;
     let frames = frames(observed, &start)?;
-    let problem = Problem::new(observed, &frames, (directions, radii), loss);
+    let problem = Problem::new(observed, &frames, model);
     let local = frames.iter().zip(&start).map(|(frame, cylinder)| frame.local(cylinder)).collect();
     let optimum = minimise(&problem, local, limit)?;
     if optimum.state.iter().any(|cylinder| cylinder.radius <= NO_RADIUS) {
@@ -116,7 +124,7 @@ pub(super) fn optimise_together(
 }
 
 /// The cylinders with what they share.
-fn start(initial: &[Cylinder], (directions, radii): (Directions, Radii)) -> Result<Vec<Cylinder>, RefineError> {
+fn start(initial: &[Cylinder], &Model { directions, radii, .. }: &Model<'_>) -> Result<Vec<Cylinder>, RefineError> {
     let Some(first) = initial.first() else { return Err(RefineError::TooFewLines { lines: 0 }) };
     let mut sorted: Vec<_> = initial.iter().map(|cylinder| cylinder.radius).collect();
     sorted.sort_by(f64::total_cmp);
@@ -141,24 +149,26 @@ fn frames(observed: &[Observed<'_>], cylinders: &[Cylinder]) -> Result<Vec<Frame
 }
 
 /// The cost of all cylinders together.
-struct Problem {
+struct Problem<'a> {
     costs: Vec<SilhouetteCost>,
     /// The place of each local parameter of each cylinder; `None` for a known one.
     places: Vec<[Option<usize>; PARAMETERS]>,
     /// Number of parameters of all cylinders.
     parameters: usize,
+    interrupt: Interrupt<'a>,
 }
 
-impl Problem {
-    fn new(observed: &[Observed<'_>], frames: &[Frame], shared: (Directions, Radii), loss: Loss) -> Self {
-        let cost = |(observed, frame): (&Observed<'_>, &Frame)| SilhouetteCost::new(*observed, frame, loss);
-        let (places, parameters) = places(observed.len(), shared);
-        Self { costs: observed.iter().zip(frames).map(cost).collect(), places, parameters }
+impl<'a> Problem<'a> {
+    fn new(observed: &[Observed<'_>], frames: &[Frame], model: &Model<'a>) -> Self {
+        let cost = |(observed, frame): (&Observed<'_>, &Frame)| SilhouetteCost::new(*observed, frame, model.loss);
+        let (places, parameters) = places(observed.len(), model);
+        let costs = observed.iter().zip(frames).map(cost).collect();
+        Self { costs, places, parameters, interrupt: model.interrupt }
     }
 }
 
 /// The places of all local parameters of so many cylinders, and the number of places.
-fn places(count: usize, (directions, radii): (Directions, Radii)) -> (Vec<[Option<usize>; PARAMETERS]>, usize) {
+fn places(count: usize, &Model { directions, radii, .. }: &Model<'_>) -> (Vec<[Option<usize>; PARAMETERS]>, usize) {
     let mut next = 0;
     let mut new = || {
         next += 1;
@@ -176,9 +186,13 @@ fn places(count: usize, (directions, radii): (Directions, Radii)) -> (Vec<[Optio
     (places, next)
 }
 
-impl LeastSquares<Dyn> for Problem {
+impl LeastSquares<Dyn> for Problem<'_> {
     type State = Vec<Cylinder>;
     type Error = RefineError;
+
+    fn check(&self) -> Result<(), RefineError> {
+        Ok(self.interrupt.check()?)
+    }
 
     fn linearise(&self, cylinders: &Vec<Cylinder>) -> Result<Linearised<Dyn>, RefineError> {
         let mut sum: Linearised<Dyn> = Linearised {
@@ -227,10 +241,11 @@ impl Known {
         (PARAMETERS - known) as f64
     }
 
-    /// Directions and radii in the refinement of one cylinder.
-    fn model(&self) -> (Directions, Radii) {
+    /// The refinement of one cylinder.
+    fn model(&self) -> Model<'static> {
         let directions = if self.direction.is_some() { Directions::Known } else { Directions::Own };
-        (directions, self.radius.map_or(Radii::Own, Radii::Known))
+        let radii = self.radius.map_or(Radii::Own, Radii::Known);
+        Model { directions, radii, loss: Loss::Quadratic, interrupt: Interrupt::never() }
     }
 
     /// Whether all lines are on the known side of a cylinder.
@@ -256,7 +271,7 @@ impl Known {
         }
         let start = Cylinder { direction: self.direction.unwrap_or(start.direction), ..*start };
         let observed = [Observed::lines(lines)];
-        let optimised = optimise_together(&observed, &[start], self.model(), Loss::Quadratic, limit).ok()?;
+        let optimised = optimise_together(&observed, &[start], &self.model(), limit).ok()?;
         optimised.cylinders.first().copied()
     }
 }

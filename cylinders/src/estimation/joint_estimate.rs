@@ -9,12 +9,13 @@ use thiserror::Error;
 use super::alternatives::PlausibleCylinders;
 use super::estimate::{Estimate, EstimateError};
 use super::evidence::PreparedLines;
-use super::joint::{Directions, JointRefinement, Known, Radii, refine_together};
+use super::joint::{Directions, JointRefinement, Known, Model, Radii, refine_together};
 use super::refine::{Loss, Measure, RefineError, Refinement};
 use super::silhouette_cost::Observed;
 use super::triangulate::{TriangulateError, triangulate, triangulate_along};
 use crate::axis::direction::{Direction, DirectionError, estimate_shared_direction};
 use crate::cross_section::circle::CircleError;
+use crate::numerics::interrupt::{Interrupt, Interrupted};
 use crate::observations::copies::IndependentLines;
 use crate::observations::view::View;
 use crate::space::cylinder::Cylinder;
@@ -28,12 +29,23 @@ const ATTEMPTS: usize = 3;
 
 /// How several cylinders are estimated.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct JointMethod {
+pub struct JointMethod<'a> {
     /// Whether they have one direction.
     pub parallel: bool,
     /// Their radii and the loss of the distances in the images; `None` for least squares in the
     /// cross-section.
     pub refinement: Option<(Radii, Loss)>,
+    /// Ends the estimate between cylinders and between the steps of joint refinements.
+    pub interrupt: Interrupt<'a>,
+}
+
+impl<'a> JointMethod<'a> {
+    /// The joint refinement: without one on the distances in the images, that of own radii.
+    pub(super) fn model(&self) -> Model<'a> {
+        let directions = if self.parallel { Directions::Shared } else { Directions::Own };
+        let (radii, loss) = self.refinement.unwrap_or((Radii::Own, Loss::Quadratic));
+        Model { directions, radii, loss, interrupt: self.interrupt }
+    }
 }
 
 /// Cylinders that were estimated together.
@@ -61,7 +73,19 @@ pub enum JointError {
     },
     /// The cylinders cannot be refined together.
     #[error(transparent)]
-    Refine(#[from] RefineError),
+    Refine(RefineError),
+    /// The method interrupts the estimate.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
+}
+
+impl From<RefineError> for JointError {
+    fn from(error: RefineError) -> Self {
+        match error {
+            RefineError::Interrupted(error) => Self::Interrupted(error),
+            error => Self::Refine(error),
+        }
+    }
 }
 
 /// Cylinders that share a direction or a radius, each given by views that contain only its own
@@ -82,11 +106,12 @@ pub fn estimate_together(cylinders: &[Vec<View>], method: &JointMethod) -> Resul
     };
     let mut starts = Vec::with_capacity(cylinders.len());
     for (cylinder, views) in cylinders.iter().enumerate() {
+        method.interrupt.check()?;
         let failure = |error| JointError::Cylinder { cylinder, error };
         starts.push(Start::new(views, direction, radius, &metric).map_err(failure)?);
     }
     match method.refinement {
-        Some((radii, loss)) => refined(starts, method.parallel, radii, loss, metric.unit),
+        Some(_) => refined(starts, &method.model(), metric.unit),
         None => Ok(JointEstimate { cylinders: starts.into_iter().map(Start::estimate).collect(), radius: None }),
     }
 }
@@ -105,7 +130,11 @@ fn shared_direction(cylinders: &[Vec<View>]) -> Result<Direction, DirectionError
 /// ```text
 ///   n log(S' / S) > q log n
 /// ```
-pub(crate) fn parallel_from(own: &[Estimate], cylinders: &[Vec<View>]) -> Option<Vec<Estimate>> {
+pub(crate) fn parallel_from(
+    own: &[Estimate],
+    cylinders: &[Vec<View>],
+    interrupt: Interrupt<'_>,
+) -> Option<Vec<Estimate>> {
     if own.len() < 2 {
         return None;
     }
@@ -114,7 +143,8 @@ pub(crate) fn parallel_from(own: &[Estimate], cylinders: &[Vec<View>]) -> Option
     let lines: Vec<_> = lines.collect::<Option<_>>()?;
     let observed: Vec<_> = lines.iter().map(|lines| Observed::lines(lines)).collect();
     let start: Vec<_> = own.iter().map(|estimate| estimate.cylinder).collect();
-    let with_one = refine_together(&observed, &start, (Directions::Shared, Radii::Own), Loss::Quadratic).ok()?;
+    let model = Model { directions: Directions::Shared, radii: Radii::Own, loss: Loss::Quadratic, interrupt };
+    let with_one = refine_together(&observed, &start, &model).ok()?;
     let with_own = own.iter().map(|estimate| estimate.refinement.as_ref().filter(|(_, unit)| *unit == metric.unit));
     let with_own: Vec<&Refinement> = with_own.map(|own| own.map(|(own, _)| own)).collect::<Option<_>>()?;
     let count = 2.0 * lines.iter().map(Vec::len).sum::<usize>() as f64;
@@ -193,24 +223,18 @@ impl<'a> Start<'a> {
 }
 
 /// The cylinders refined together.
-fn refined(
-    mut starts: Vec<Start<'_>>,
-    parallel: bool,
-    radii: Radii,
-    loss: Loss,
-    unit: DistanceUnit,
-) -> Result<JointEstimate, JointError> {
-    let directions = if parallel { Directions::Shared } else { Directions::Own };
+fn refined(mut starts: Vec<Start<'_>>, model: &Model<'_>, unit: DistanceUnit) -> Result<JointEstimate, JointError> {
     let mut attempt = 1;
     let JointRefinement { cylinders, radius } = loop {
         let initial: Vec<_> = starts.iter().map(Start::cylinder).collect();
         let lines: Vec<_> = starts.iter().map(|start| Observed::lines(&start.lines.measured)).collect();
-        let joint = refine_together(&lines, &initial, (directions, radii), loss)?;
+        let joint = refine_together(&lines, &initial, model)?;
         for (start, refinement) in starts.iter_mut().zip(&joint.cylinders) {
+            model.interrupt.check()?;
             let Cylinder { direction, radius, .. } = refinement.cylinder;
             start.known = Known {
-                direction: parallel.then_some(direction),
-                radius: (radii != Radii::Own).then_some(radius),
+                direction: (model.directions == Directions::Shared).then_some(direction),
+                radius: (model.radii != Radii::Own).then_some(radius),
                 side: None,
             };
             start.plausible = start.lines.evidence(start.known).plausible_cylinders(Some(&refinement.cylinder));

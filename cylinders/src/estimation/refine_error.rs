@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use crate::numerics::interrupt::Interrupted;
 use crate::space::silhouette_distance::MetricError;
 
 /// Why there is no refined cylinder.
@@ -46,4 +47,7 @@ pub enum RefineError {
         /// Number of steps.
         iterations: usize,
     },
+    /// The refinement of several cylinders was interrupted.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
 }

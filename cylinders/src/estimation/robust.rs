@@ -23,6 +23,7 @@ use super::refine::{Loss, RefineError, Refinement, refine_lines};
 use super::sampling::CylinderEstimator;
 use super::significance::log_false_alarms;
 use super::triangulate::{identified_planes, is_single_viewpoint};
+use crate::numerics::interrupt::Interrupted;
 use crate::numerics::ransac::{Estimator, RansacOptions, RansacOptionsError, ransac, samples_needed};
 use crate::observations::copies::IndependentLines;
 use crate::observations::scene::LineId;
@@ -79,12 +80,12 @@ const FEW_LINES: usize = 8;
 
 /// Options of the robust estimation.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RobustOptions {
+pub struct RobustOptions<'a> {
     /// How distances between lines and silhouettes are measured.
     pub metric: Metric,
     /// Options of RANSAC. The threshold is the largest root mean square distance that an inlier may
     /// have, in the unit of the metric; where the noise is small, less is allowed.
-    pub ransac: RansacOptions,
+    pub ransac: RansacOptions<'a>,
     /// Direction of the axis, if it is known. Only the final refinement changes it.
     pub direction: Option<Unit<Vector3<f64>>>,
 }
@@ -139,6 +140,9 @@ pub enum RobustError {
     /// Distances cannot be measured.
     #[error(transparent)]
     Metric(#[from] MetricError),
+    /// The options interrupt RANSAC.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
     /// No cylinder has four inliers.
     #[error(
         "{inliers} of {lines} lines agree on a cylinder, but four are needed ({samples} samples): pass more silhouette \
@@ -170,7 +174,7 @@ pub enum RobustError {
     },
 }
 
-impl RobustOptions {
+impl RobustOptions<'_> {
     /// Pixels and a largest threshold of 48 if all cameras have a calibration, radians and 0.016
     /// otherwise.
     pub fn of(views: &[View]) -> Self {
@@ -210,6 +214,8 @@ pub fn triangulate_robustly(views: &[View], options: &RobustOptions) -> Result<R
     let distinct = search.distinct(&agreement, &independent);
     let mut plausible = search.plausible(&agreement, &distinct);
     let rival = search.rival(&agreement);
+    // What was interrupted found no rival.
+    options.ransac.interrupt.check()?;
     let false_alarms = search.false_alarms(&agreement);
     plausible.cylinders.extend(rival.iter().map(|rival| search.alternative(rival, &agreement)));
     let rival = rival.map(|rival| rival.inliers.len());
@@ -251,7 +257,7 @@ fn focal_length(views: &[View], unit: DistanceUnit) -> f64 {
 /// A cylinder and the independent lines that agree with it.
 struct Agreement {
     refinement: Refinement,
-    /// Indices of independent lines.
+    /// Indices of independent lines, ascending.
     inliers: Vec<usize>,
     threshold: f64,
     log_false_alarms: f64,
@@ -259,7 +265,7 @@ struct Agreement {
 
 struct Search<'a> {
     estimator: CylinderEstimator,
-    options: &'a RobustOptions,
+    options: &'a RobustOptions<'a>,
     focal: f64,
     /// Number of samples drawn so far.
     samples: usize,
@@ -282,6 +288,7 @@ impl Search<'_> {
                         best = Some(found);
                     }
                 }
+                Err(error @ RobustError::Interrupted(_)) => return Err(error),
                 Err(error) => failure = failure.or(Some(error)),
             }
             let is_convincing = best.as_ref().is_some_and(|best| best.log_false_alarms < CONVINCING.ln());
@@ -306,7 +313,7 @@ impl Search<'_> {
     fn agreement_within(&mut self, threshold: f64) -> Result<Agreement, RobustError> {
         self.estimator.square_threshold = threshold * threshold;
         let options = RansacOptions { threshold, ..self.options.ransac };
-        let consensus = ransac(&self.estimator, &options);
+        let consensus = ransac(&self.estimator, &options)?;
         self.samples += consensus.as_ref().map_or(options.max_samples, |consensus| consensus.samples);
         let consensus = consensus.ok_or_else(|| self.no_consensus(0))?;
         if consensus.inliers.len() < 4 {
@@ -335,7 +342,7 @@ impl Search<'_> {
         let mut threshold = self.threshold(&refinement);
         for _ in 0..REPETITIONS {
             let agreeing = self.estimator.within(&refinement.cylinder, threshold);
-            if agreeing == inliers || agreeing.len() < 4 {
+            if agreeing == inliers || agreeing.len() < 4 || self.options.ransac.interrupt.is_set() {
                 break;
             }
             // A larger set of lines may fit no cylinder; then the smaller one is kept.
@@ -394,9 +401,11 @@ impl Search<'_> {
         for view in &independent.views {
             starts.push(starts[starts.len() - 1] + view.lines().len());
         }
+        // Inliers are ascending.
+        let place = |start: usize| found.inliers.partition_point(|&index| index < start);
         let agreeing = |view: usize| -> Vec<usize> {
-            let of_view = found.inliers.iter().filter(|&&index| (starts[view]..starts[view + 1]).contains(&index));
-            of_view.map(|index| index - starts[view]).collect()
+            let of_view = &found.inliers[place(starts[view])..place(starts[view + 1])];
+            of_view.iter().map(|index| index - starts[view]).collect()
         };
         let views = independent.views.iter().enumerate().map(|(index, view)| view.selected(&agreeing(index))).collect();
         distinct_planes(&IndependentLines { views, copies: Vec::new() })
@@ -442,7 +451,8 @@ impl Search<'_> {
     /// Another cylinder on which nearly as many of the other lines agree. Enough samples are drawn
     /// to find it with the required confidence.
     fn rival(&self, found: &Agreement) -> Option<Agreement> {
-        let rest: Vec<_> = (0..self.estimator.count()).filter(|index| !found.inliers.contains(index)).collect();
+        let rest: Vec<_> =
+            (0..self.estimator.count()).filter(|index| found.inliers.binary_search(index).is_err()).collect();
         let least = ((RIVAL * found.inliers.len() as f64).ceil() as usize).max(4);
         if rest.len() < least {
             return None;

@@ -118,10 +118,10 @@ impl Estimator for CylinderEstimator {
     /// Constrained least squares, followed by a few steps on the silhouette distance.
     fn fitted(&self, model: &Cylinder, data: &[usize]) -> Option<Cylinder> {
         let identified: Vec<_> = data.iter().map(|&index| self.planes[index]).collect();
-        let planes: Vec<_> = identified.iter().map(|&(_, plane)| plane).collect();
         if let Some(direction) = self.direction {
             return fit_cylinder(&identified, &direction).ok().map(|(cylinder, _)| cylinder);
         }
+        let planes: Vec<_> = identified.iter().map(|&(_, plane)| plane).collect();
         let direct =
             estimate_direction(&planes).ok().and_then(|direction| fit_cylinder(&identified, &direction.direction).ok());
         let start = direct.map_or(*model, |(cylinder, _)| cylinder);

@@ -18,9 +18,8 @@ use nalgebra::{Matrix5, Point3, Vector5};
 
 use super::alternatives::PlausibleCylinders;
 use super::estimate::{Estimate, SurfacePoints};
-use super::joint::{Directions, JointRefinement, Radii, refine_together};
+use super::joint::{Directions, JointRefinement, Model, Radii, refine_together};
 use super::joint_estimate::{JointError, JointEstimate, JointMethod, metric};
-use super::loss::Loss;
 use super::refine::{RefineError, Refinement};
 use super::silhouette_cost::{Observed, PARAMETERS, WeightedPoint};
 use super::warnings::Warning;
@@ -63,10 +62,10 @@ pub fn with_points(
     points: &[Point3<f64>],
     method: &JointMethod,
 ) -> Result<JointEstimate, JointError> {
-    let directions = if method.parallel { Directions::Shared } else { Directions::Own };
-    let (radii, loss) = method.refinement.unwrap_or((Radii::Own, Loss::Quadratic));
+    let model = method.model();
     let (metric, mut subjects) = (metric(cylinders), Vec::new());
     for (index, (estimate, views)) in estimate.cylinders.iter().zip(cylinders).enumerate() {
+        method.interrupt.check()?;
         let views = estimate.agreeing(views);
         let lines = metric
             .measured(&IndependentLines::of(&views))
@@ -74,12 +73,12 @@ pub fn with_points(
         subjects.push(Subject { views, lines, points: Vec::new(), found: SurfacePoints::default() });
     }
     for (subject, estimate) in subjects.iter_mut().zip(&mut estimate.cylinders) {
+        method.interrupt.check()?;
         subject.decide(estimate, points);
     }
     let start: Vec<_> = estimate.cylinders.iter().map(|estimate| estimate.cylinder).collect();
-    let model = (directions, radii);
-    let of_lines = refine_together(&observed(&subjects), &start, model, loss)?;
-    let JointRefinement { cylinders: refined, radius } = settled(&mut subjects, of_lines.clone(), points, model, loss)?;
+    let of_lines = refine_together(&observed(&subjects), &start, &model)?;
+    let JointRefinement { cylinders: refined, radius } = settled(&mut subjects, of_lines.clone(), points, &model)?;
     let mut estimates = Vec::with_capacity(subjects.len());
     let parts = estimate.cylinders.into_iter().zip(subjects).zip(of_lines.cylinders.iter().zip(refined));
     for (index, ((estimate, subject), (before, after))) in parts.enumerate() {
@@ -111,16 +110,16 @@ fn settled(
     subjects: &mut [Subject],
     mut joint: JointRefinement,
     points: &[Point3<f64>],
-    model: (Directions, Radii),
-    loss: Loss,
+    model: &Model<'_>,
 ) -> Result<JointRefinement, JointError> {
     let mut noise = joint.cylinders.first().map_or(0.0, |first| first.noise);
     for _ in 0..ROUNDS {
         let cylinders: Vec<_> = joint.cylinders.iter().map(|refinement| refinement.cylinder).collect();
         for (index, subject) in subjects.iter_mut().enumerate() {
+            model.interrupt.check()?;
             subject.look(&cylinders, index, points, noise);
         }
-        joint = refine_together(&observed(subjects), &cylinders, model, loss)?;
+        joint = refine_together(&observed(subjects), &cylinders, model)?;
         let variances = Variances::of(subjects, &joint, model);
         let change = (variances.of_lines.sqrt() / noise - 1.0).abs();
         let moved = subjects.iter_mut().zip(&variances.of_points).map(|(subject, variance)| {
@@ -252,7 +251,7 @@ struct Variances {
 impl Variances {
     /// Squared residuals over their number less what the parameters take. The points of cylinder k
     /// take `tr(N_k N^-1)`, where `N_k` is their part of the normal matrix `N`.
-    fn of(subjects: &[Subject], joint: &JointRefinement, (directions, radii): (Directions, Radii)) -> Self {
+    fn of(subjects: &[Subject], joint: &JointRefinement, &Model { directions, radii, .. }: &Model<'_>) -> Self {
         let (mut squares, mut lines, mut taken) = (0.0, 0.0, 0.0);
         let mut of_points = Vec::with_capacity(subjects.len());
         for (subject, refinement) in subjects.iter().zip(&joint.cylinders) {

@@ -9,7 +9,7 @@ use super::quantile::Sorted;
 use super::table::Table;
 use crate::picture::{Axis, Plot, Series};
 use crate::simulation::{ParallelScene, ParallelSetup};
-use crate::{Cylinder, MatchOptions, ViewError, match_cylinders, match_directions, match_directions_with};
+use crate::{Cylinder, MatchOptions, View, ViewError, match_cylinders, match_directions, match_directions_with};
 
 const RUNS: usize = 100;
 
@@ -167,7 +167,8 @@ fn score(row: &Row, seed: u64) -> Result<Score, ViewError> {
     let found = match told {
         Told::Nothing => match_directions(&scene.views, &options),
         Told::Number => {
-            match_directions_with(&scene.views, 1, |views, direction| match_cylinders(views, direction, &told_number))
+            let along = |views: &[View], direction: &_| match_cylinders(views, direction, &told_number);
+            match_directions_with(&scene.views, 1, options.interrupt, along)
         }
         Told::NumberAndDirection => match_cylinders(&scene.views, &scene.direction, &told_number),
     };

@@ -13,6 +13,8 @@ use nalgebra::{Unit, Vector3};
 
 use super::chance::{FALSE_ALARMS, tail};
 use crate::axis::robust_direction::{default_direction_options, estimate_direction_robustly};
+use crate::numerics::interrupt::Interrupt;
+use crate::numerics::ransac::RansacOptions;
 use crate::observations::view::View;
 
 /// Directions that differ by less than this sine are one.
@@ -24,9 +26,9 @@ pub(super) fn is_known(direction: &Unit<Vector3<f64>>, others: &[Unit<Vector3<f6
 }
 
 /// Up to `count` directions on which more lines agree than by chance, those with the most lines
-/// first.
-pub fn candidate_directions(views: &[View], count: usize) -> Vec<Unit<Vector3<f64>>> {
-    let options = default_direction_options();
+/// first. There are fewer after an interruption.
+pub fn candidate_directions(views: &[View], count: usize, interrupt: Interrupt<'_>) -> Vec<Unit<Vector3<f64>>> {
+    let options = RansacOptions { interrupt, ..default_direction_options() };
     let mut planes: Vec<_> = views.iter().flat_map(View::planes).collect();
     let mut found: Vec<Unit<Vector3<f64>>> = Vec::new();
     // A direction may be found twice, so there are more attempts than directions.

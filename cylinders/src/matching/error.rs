@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::numerics::interrupt::Interrupted;
+
 /// Why nothing can be matched.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum MatchError {
@@ -52,4 +54,7 @@ pub enum MatchError {
         /// Number of lines.
         lines: usize,
     },
+    /// The options interrupt the search.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
 }

@@ -1,5 +1,6 @@
 //! Options of the search for cylinders.
 
+use crate::numerics::interrupt::Interrupt;
 use crate::observations::view::View;
 use crate::space::silhouette_distance::DistanceUnit;
 
@@ -23,7 +24,7 @@ pub enum References {
 
 /// Options of the search for cylinders.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MatchOptions {
+pub struct MatchOptions<'a> {
     /// Largest distance between a line and its silhouette in the cross-section: an angle at the
     /// camera centre, in radians or as the pixels that it covers in the middle of the image. It is
     /// a bound: the noise of each cylinder is estimated, and its matches are within three standard
@@ -39,10 +40,12 @@ pub struct MatchOptions {
     /// cylinders is given; otherwise it means the number that the remaining lines would not reach
     /// by chance if they were random.
     pub least_support: Option<usize>,
+    /// Ends the search between pairs of lines.
+    pub interrupt: Interrupt<'a>,
 }
 
-impl MatchOptions {
-    /// Options for pairs of every image and all cylinders. The threshold is 3 pixels if all cameras
+impl MatchOptions<'_> {
+    /// Options for pairs of every image and all cylinders, without interruption. The threshold is 3 pixels if all cameras
     /// have a calibration, and 0.001 radians otherwise.
     pub fn of(views: &[View]) -> Self {
         let calibrated = views.iter().all(|view| view.camera().calibration().is_some());
@@ -50,6 +53,7 @@ impl MatchOptions {
             true => (DistanceUnit::Pixels, THRESHOLD_PIXELS),
             false => (DistanceUnit::Radians, THRESHOLD_RADIANS),
         };
-        Self { threshold, unit, references: References::Every, count: None, least_support: None }
+        let interrupt = Interrupt::never();
+        Self { threshold, unit, references: References::Every, count: None, least_support: None, interrupt }
     }
 }

@@ -12,6 +12,7 @@ use crate::estimation::joint_estimate::{JointEstimate, JointMethod, parallel_fro
 use crate::estimation::loss::Loss;
 use crate::estimation::refine_error::RefineError;
 use crate::estimation::surface_points::with_points;
+use crate::numerics::interrupt::{Interrupt, Interrupted};
 use crate::observations::scene::CylinderLines;
 use crate::observations::view::View;
 
@@ -28,31 +29,42 @@ pub struct RefinedMatch {
 
 /// Refines the cylinders of a matching in these views. `points` are evidence, too; there may be
 /// none.
-pub fn refined_matches(views: &[View], matching: &Matching, points: &[Point3<f64>]) -> Vec<RefinedMatch> {
+///
+/// # Errors
+/// [`Interrupted`] between cylinders or between the steps of joint refinements.
+pub fn refined_matches(
+    views: &[View],
+    matching: &Matching,
+    points: &[Point3<f64>],
+    interrupt: Interrupt<'_>,
+) -> Result<Vec<RefinedMatch>, Interrupted> {
     let mut refined = Vec::with_capacity(matching.cylinders.len());
     let is_same = |a: &MatchedCylinder, b: &MatchedCylinder| a.cylinder.direction == b.cylinder.direction;
     for of_direction in matching.cylinders.chunk_by(is_same) {
         let first = refined.len();
-        refined.extend(of_direction.iter().zip(first + 1..).map(|(found, number)| {
+        for (found, number) in of_direction.iter().zip(first + 1..) {
+            interrupt.check()?;
             let lines = found.lines(views, &number.to_string());
             let estimate = estimate_from(&lines.views, &found.cylinder);
-            RefinedMatch { lines, estimate, is_parallel: false }
-        }));
-        together(&mut refined[first..], points);
+            refined.push(RefinedMatch { lines, estimate, is_parallel: false });
+        }
+        together(&mut refined[first..], points, interrupt);
     }
-    refined
+    interrupt.check()?;
+    Ok(refined)
 }
 
 /// Refines the cylinders of one direction together, where that can be.
-fn together(refined: &mut [RefinedMatch], points: &[Point3<f64>]) {
+fn together(refined: &mut [RefinedMatch], points: &[Point3<f64>], interrupt: Interrupt<'_>) {
     let mut good: Vec<&mut RefinedMatch> = refined.iter_mut().filter(|one| one.estimate.is_ok()).collect();
     let views: Vec<Vec<View>> = good.iter().map(|one| one.lines.views.clone()).collect();
     let own: Vec<Estimate> = good.iter().filter_map(|one| one.estimate.clone().ok()).collect();
-    let shared = parallel_from(&own, &views);
+    let shared = parallel_from(&own, &views, interrupt);
     let is_parallel = shared.is_some();
     let mut estimates = shared.unwrap_or(own);
     if !points.is_empty() {
-        let method = JointMethod { parallel: is_parallel, refinement: Some((Radii::Own, Loss::Quadratic)) };
+        let refinement = Some((Radii::Own, Loss::Quadratic));
+        let method = JointMethod { parallel: is_parallel, refinement, interrupt };
         // Where points and lines do not determine the cylinders together, lines have to do.
         let joint = JointEstimate { cylinders: estimates.clone(), radius: None };
         if let Ok(joint) = with_points(joint, &views, points, &method) {

@@ -12,6 +12,7 @@ use super::model::Model;
 use super::options::MatchOptions;
 use super::pair::{Hypothesis, Pair, Workspace, pairs};
 use super::plan::Plan;
+use crate::numerics::interrupt::Interrupt;
 use crate::observations::scene::LineId;
 use crate::observations::view::View;
 
@@ -85,6 +86,7 @@ pub fn match_cylinders_with(
     }
     let mut plans: Vec<_> = LEVELS.map(|part| plan.narrowed(part)).into();
     let (found, least_support) = search(&mut plans, &pairs, options, progress);
+    options.interrupt.check()?;
 
     let lines = views.iter().map(|view| view.lines().len()).sum();
     if found.is_empty() {
@@ -137,9 +139,9 @@ fn search(
         }
         least = next;
         let least_matches = options.least_support.unwrap_or(LEAST_SUPPORT);
-        let demand = Demand { least: &least, least_matches, false_alarms, count };
+        let demand = Demand { least: &least, least_matches, false_alarms, count, interrupt: options.interrupt };
         extract(plans, pairs, &demand, progress, &mut found);
-        if floor.is_none() && pairs.len() > REPEATED_PAIRS {
+        if options.interrupt.is_set() || floor.is_none() && pairs.len() > REPEATED_PAIRS {
             break;
         }
     }
@@ -159,6 +161,8 @@ struct Demand<'a> {
     false_alarms: f64,
     /// Number of models at which the search ends.
     count: usize,
+    /// What ends it before.
+    interrupt: Interrupt<'a>,
 }
 
 /// The model of the best hypothesis of a pair at a level.
@@ -182,14 +186,14 @@ fn extract(
     for (level, &least) in demand.least.iter().enumerate().filter(|(_, least)| **least < usize::MAX) {
         progress(Progress::Pairs(pairs.len()));
         let plans = &*plans;
-        let mut of_level = with_workspaces(pairs.len(), |workspace, pair| {
+        let mut of_level = with_workspaces(pairs.len(), demand.interrupt, |workspace, pair| {
             let best = pairs[pair].best(&plans[level], least, workspace);
             progress(Progress::Pair);
             best.map(|best| (best, pair))
         });
         of_level.sort_by(|one, other| other.0.support.cmp(&one.0.support));
         of_level.truncate(CANDIDATES);
-        candidates.extend(with_workspaces(of_level.len(), |_, index| {
+        candidates.extend(with_workspaces(of_level.len(), demand.interrupt, |_, index| {
             let (Hypothesis { circle, .. }, pair) = of_level[index];
             Some(Candidate { pair, level, model: judge.fitted(plans, level, &circle)? })
         }));
@@ -207,7 +211,7 @@ fn extract(
         progress(Progress::Cylinder);
         let plans = &*plans;
         judge = Judge::new(&plans[0], pairs, found);
-        candidates = with_workspaces(candidates.len(), |workspace, index| {
+        candidates = with_workspaces(candidates.len(), demand.interrupt, |workspace, index| {
             let Candidate { pair, level, ref model } = candidates[index];
             let is_free =
                 model.matches.iter().all(|line| plans[0].is_free(line.line)) && pairs[pair].is_free(&plans[0]);
@@ -222,11 +226,15 @@ fn extract(
     }
 }
 
-/// What a function finds for each index below `count`, in order.
+/// What a function finds for each index below `count`, in order; nothing after an interruption.
 fn with_workspaces<T: Send>(
     count: usize,
+    interrupt: Interrupt<'_>,
     of_index: impl Fn(&mut Workspace, usize) -> Option<T> + Sync + Send,
 ) -> Vec<T> {
+    let of_index = |workspace: &mut Workspace, index| {
+        if interrupt.is_set() { None } else { of_index(workspace, index) }
+    };
     #[cfg(feature = "parallel")]
     let found: Vec<_> = (0..count).into_par_iter().map_init(Workspace::default, of_index).collect();
     #[cfg(not(feature = "parallel"))]

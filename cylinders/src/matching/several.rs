@@ -10,6 +10,7 @@ use super::options::MatchOptions;
 use super::search::match_cylinders;
 use super::selection::Selection;
 use crate::axis::direction::estimate_direction;
+use crate::numerics::interrupt::Interrupt;
 use crate::observations::scene::LineId;
 use crate::observations::view::View;
 
@@ -26,19 +27,24 @@ const CHANGE: f64 = 5e-4;
 /// # Errors
 /// [`MatchError`]: that of the direction on which most lines agree if no direction has cylinders.
 pub fn match_directions(views: &[View], options: &MatchOptions) -> Result<Matching, MatchError> {
-    match_directions_with(views, usize::MAX, |views, direction| match_cylinders(views, direction, options))
+    match_directions_with(views, usize::MAX, options.interrupt, |views, direction| {
+        match_cylinders(views, direction, options)
+    })
 }
 
-/// Like [`match_directions`], with at most `count` directions and any search along one direction.
+/// Like [`match_directions`], with at most `count` directions and any search along one direction,
+/// which ends itself after an interruption.
 ///
 /// # Errors
 /// [`MatchError`], as the search gives it.
 pub fn match_directions_with(
     views: &[View],
     count: usize,
+    interrupt: Interrupt<'_>,
     search: impl Fn(&[View], &Unit<Vector3<f64>>) -> Result<Matching, MatchError>,
 ) -> Result<Matching, MatchError> {
-    let mut progress = Progress { views, search, free: all(views), tried: Vec::new(), queue: Vec::new(), error: None };
+    let mut progress =
+        Progress { views, search, interrupt, free: all(views), tried: Vec::new(), queue: Vec::new(), error: None };
     let mut found = Matching { directions: Vec::new(), cylinders: Vec::new(), unmatched: Vec::new(), least_support: 0 };
     while found.directions.len() < count {
         let Some((direction, matching)) = progress.next() else { break };
@@ -50,6 +56,8 @@ pub fn match_directions_with(
         found.directions.push(direction);
         found.cylinders.extend(matching.cylinders);
     }
+    // What was interrupted found nothing.
+    interrupt.check()?;
     if found.cylinders.is_empty() {
         // There is no direction if no two lines are left.
         return Err(progress.error.unwrap_or(MatchError::TooFewViews { views: 0 }));
@@ -75,6 +83,7 @@ type Found = (Unit<Vector3<f64>>, Matching);
 struct Progress<'a, S> {
     views: &'a [View],
     search: S,
+    interrupt: Interrupt<'a>,
     /// Whether each line of each view belongs to no cylinder found so far.
     free: Vec<Vec<bool>>,
     /// All directions that were searched.
@@ -107,7 +116,7 @@ impl<S: Fn(&[View], &Unit<Vector3<f64>>) -> Result<Matching, MatchError>> Progre
     /// no other has cylinders.
     fn try_candidates(&mut self) {
         let selection = self.selection();
-        let mut candidates = candidate_directions(&selection.views, CANDIDATES);
+        let mut candidates = candidate_directions(&selection.views, CANDIDATES, self.interrupt);
         if self.tried.is_empty() {
             let planes: Vec<_> = self.views.iter().flat_map(View::planes).collect();
             candidates.extend(estimate_direction(&planes).ok().map(|of_all| of_all.direction));
@@ -141,6 +150,7 @@ impl<S: Fn(&[View], &Unit<Vector3<f64>>) -> Result<Matching, MatchError>> Progre
     }
 
     fn along(&self, direction: &Unit<Vector3<f64>>) -> Result<Matching, MatchError> {
+        self.interrupt.check()?;
         let selection = self.selection();
         let matching = (self.search)(&selection.views, direction)?;
         Ok(Matching { cylinders: selection.in_all(matching.cylinders), ..matching })

@@ -28,6 +28,14 @@ where
     /// Why a point has no cost.
     type Error;
 
+    /// Whether the next step may be taken: not if the work is interrupted.
+    ///
+    /// # Errors
+    /// That with which the iteration ends.
+    fn check(&self) -> Result<(), Self::Error> {
+        Ok(())
+    }
+
     /// Cost and its quadratic model about a point.
     ///
     /// # Errors
@@ -65,8 +73,8 @@ pub(crate) struct Optimum<S> {
 /// most that of the start.
 ///
 /// # Errors
-/// Fails if the cost of the start is not defined, or if the cost decreases towards points at which
-/// it is not defined.
+/// Fails if the cost of the start is not defined, if the cost decreases towards points at which it
+/// is not defined, or if the problem does not allow a step.
 pub(crate) fn minimise<P: LeastSquares<D>, D: Dim>(
     problem: &P,
     start: P::State,
@@ -80,6 +88,7 @@ where
     let (mut damping, mut growth) = (DAMPING, 2.0);
     let mut blocked = None;
     for iterations in 0..limit {
+        problem.check()?;
         let Linearised { cost, gradient, normal_matrix } = &linearised;
         let mut damped = normal_matrix.clone();
         for index in 0..gradient.len() {

@@ -18,6 +18,8 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};
 use thiserror::Error;
 
+use super::interrupt::{Interrupt, Interrupted};
+
 /// Local optimisation takes the data within these multiples of the threshold in turn. Models from
 /// samples are compared with the first multiple.
 const WIDTHS: [f64; 3] = [3.0, 2.0, 1.0];
@@ -32,7 +34,7 @@ const LITTLE: f64 = 1e-4;
 
 /// Options of RANSAC.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RansacOptions {
+pub struct RansacOptions<'a> {
     /// Largest residual of an inlier, in the unit that the estimator names.
     pub threshold: f64,
     /// Seed of the random numbers: the same seed gives the same result.
@@ -42,6 +44,8 @@ pub struct RansacOptions {
     pub confidence: f64,
     /// Limit on the number of samples.
     pub max_samples: usize,
+    /// Ends the search between samples.
+    pub interrupt: Interrupt<'a>,
 }
 
 /// Why the options are refused.
@@ -61,10 +65,10 @@ pub enum RansacOptionsError {
     },
 }
 
-impl RansacOptions {
-    /// Seed 0, confidence 0.999, at most 100,000 samples.
+impl RansacOptions<'_> {
+    /// Seed 0, confidence 0.999, at most 100,000 samples, never interrupted.
     pub fn with_threshold(threshold: f64) -> Self {
-        Self { threshold, seed: 0, confidence: 0.999, max_samples: 100_000 }
+        Self { threshold, seed: 0, confidence: 0.999, max_samples: 100_000, interrupt: Interrupt::never() }
     }
 
     pub(crate) fn check(&self) -> Result<(), RansacOptionsError> {
@@ -114,10 +118,16 @@ pub(crate) struct Consensus<M> {
 
 /// Searches for the model of least cost. `None` if no sample gives a model, or there are not more
 /// data than in a sample.
-pub(crate) fn ransac<E: Estimator>(estimator: &E, options: &RansacOptions) -> Option<Consensus<E::Model>> {
+///
+/// # Errors
+/// [`Interrupted`].
+pub(crate) fn ransac<E: Estimator>(
+    estimator: &E,
+    options: &RansacOptions,
+) -> Result<Option<Consensus<E::Model>>, Interrupted> {
     let count = estimator.count();
     if count <= E::SAMPLE {
-        return None;
+        return Ok(None);
     }
     let search = Search { estimator, square_threshold: options.threshold * options.threshold };
     let mut random = Xoshiro256PlusPlus::seed_from_u64(options.seed);
@@ -125,6 +135,7 @@ pub(crate) fn ransac<E: Estimator>(estimator: &E, options: &RansacOptions) -> Op
     let (mut needed, mut samples) = (options.max_samples, 0);
     let (mut sample, mut models, mut squares) = (vec![0; E::SAMPLE], Vec::new(), vec![0.0; count]);
     while samples < needed {
+        options.interrupt.check()?;
         samples += 1;
         draw(&mut random, &mut sample, count);
         estimator.add_models(&sample, &mut models);
@@ -141,7 +152,7 @@ pub(crate) fn ransac<E: Estimator>(estimator: &E, options: &RansacOptions) -> Op
             }
         }
     }
-    best.map(|(model, inliers)| Consensus { model, inliers, samples })
+    Ok(best.map(|(model, inliers)| Consensus { model, inliers, samples }))
 }
 
 /// Number of samples of which at least one has no outliers, with the required confidence, if
@@ -271,7 +282,7 @@ mod tests {
     #[test]
     fn the_mean_of_the_inliers() {
         let numbers = Number::new(vec![3.0, 90.0, 3.2, -50.0, 2.8, 70.0, 20.0, f64::NAN], 8);
-        let result = ransac(&numbers, &RansacOptions::with_threshold(0.5)).expect("a model");
+        let result = ransac(&numbers, &RansacOptions::with_threshold(0.5)).expect("the end").expect("a model");
         assert_eq!(result.inliers, [0, 2, 4]);
         assert!((result.model - 3.0).abs() < 1e-15);
         // log(0.001) / log(5 / 8) = 14.7.
@@ -288,7 +299,7 @@ mod tests {
             let options = RansacOptions { seed, ..RansacOptions::with_threshold(0.3) };
             let [early, whole] = [1, 200].map(|part| {
                 let numbers = Number::new(data.clone(), part);
-                let found = ransac(&numbers, &options).expect("a model");
+                let found = ransac(&numbers, &options).expect("the end").expect("a model");
                 ((found.model.to_bits(), found.inliers, found.samples), numbers.written.get())
             });
             assert_eq!(early.0, whole.0, "seed {seed}");
@@ -298,14 +309,15 @@ mod tests {
 
     #[test]
     fn no_more_data_than_a_sample() {
-        assert!(ransac(&Number::new(vec![1.0], 1), &RansacOptions::with_threshold(0.5)).is_none());
+        let found = ransac(&Number::new(vec![1.0], 1), &RansacOptions::with_threshold(0.5));
+        assert!(found.expect("the end").is_none());
     }
 
     #[test]
     fn the_limit_on_samples_holds() {
         let numbers = Number::new((0..100).map(f64::from).collect(), 100);
         let options = RansacOptions { max_samples: 7, ..RansacOptions::with_threshold(0.5) };
-        assert_eq!(ransac(&numbers, &options).expect("a model").samples, 7);
+        assert_eq!(ransac(&numbers, &options).expect("the end").expect("a model").samples, 7);
     }
 
     #[test]

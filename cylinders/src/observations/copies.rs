@@ -57,12 +57,14 @@ impl IndependentLines {
     /// Joins lines that are nearly copies: all within a multiple of the tolerance.
     pub(crate) fn within(views: &[View], multiple: f64) -> Self {
         let centres: Vec<_> = views.iter().map(|view| view.camera().centre()).collect();
+        let reaches: Vec<_> = centres.iter().map(|centre| SAME_PLACE * centre.coords.norm()).collect();
         // The groups of each view. Each starts with a line of that view.
         let mut groups: Vec<Vec<Group>> = Vec::with_capacity(views.len());
         for (index, view) in views.iter().enumerate() {
             groups.push(Vec::new());
             // Lines of other images can only be copies if they were seen from the same place.
-            let homes: Vec<_> = (0..=index).filter(|&home| same_place(&centres[home], &centres[index])).collect();
+            let homes: Vec<_> =
+                (0..=index).filter(|&home| same_place(&centres[home], &centres[index], reaches[home])).collect();
             for line in 0..view.lines().len() {
                 let id = LineId { view: index, line };
                 let is_joined = homes.iter().any(|&home| {
@@ -94,8 +96,10 @@ impl IndependentLines {
     }
 }
 
-fn same_place(one: &Point3<f64>, other: &Point3<f64>) -> bool {
-    one == other || (one - other).norm() <= SAME_PLACE * one.coords.norm()
+/// Whether two points are within a distance. Most cameras are further apart along the first axis
+/// already.
+fn same_place(one: &Point3<f64>, other: &Point3<f64>, reach: f64) -> bool {
+    one == other || ((one.x - other.x).abs() <= reach && (one - other).norm() <= reach)
 }
 
 /// The tolerance in normalised image coordinates.

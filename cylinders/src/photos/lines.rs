@@ -10,7 +10,8 @@ use nalgebra::Point2;
 use thiserror::Error;
 
 use super::ribbons::{Ribbon, ribbons};
-use crate::detection::{DetectedSegment, GreyImage, detect_segments};
+use crate::detection::{DetectedSegment, GreyImage, segments};
+use crate::numerics::interrupt::{Interrupt, Interrupted};
 use crate::observations::copies::IndependentLines;
 use crate::observations::photograph::Photograph;
 use crate::observations::view::{View, ViewError};
@@ -23,14 +24,16 @@ const SAME_POINT: f64 = 1e-6;
 
 /// Which segments become lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LineOptions {
+pub struct LineOptions<'a> {
     /// Least length of a line after its pieces are joined, as a part of the diagonal of the image.
     pub least_length: f64,
+    /// Ends the detection between its steps.
+    pub interrupt: Interrupt<'a>,
 }
 
-impl Default for LineOptions {
+impl Default for LineOptions<'_> {
     fn default() -> Self {
-        Self { least_length: LEAST_LENGTH }
+        Self { least_length: LEAST_LENGTH, interrupt: Interrupt::never() }
     }
 }
 
@@ -51,6 +54,9 @@ pub enum PhotoError {
         /// Reason.
         source: ViewError,
     },
+    /// The options interrupt the detection.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
 }
 
 /// The image that a lens without distortion would give, of the same size. Pixels outside of the
@@ -93,7 +99,9 @@ pub struct Seen {
 pub fn seen(photograph: &Photograph, image: &GreyImage, options: &LineOptions) -> Result<Seen, PhotoError> {
     let ideal = undistorted_image(photograph, image)?;
     let diagonal = (image.width() as f64).hypot(image.height() as f64);
-    let view = candidate_lines(photograph, &detect_segments(&ideal), diagonal, options)?;
+    options.interrupt.check()?;
+    let view = candidate_lines(photograph, &segments(&ideal, options.interrupt)?, diagonal, options)?;
+    options.interrupt.check()?;
     Ok(Seen { ribbons: ribbons(&view, &ideal), view, size: [image.width(), image.height()] })
 }
 

@@ -22,7 +22,7 @@ use super::lines::Seen;
 use super::ribbons::{Profile, Ribbon};
 use crate::estimation::estimate::{Estimate, Method, estimate, estimate_from};
 use crate::estimation::warnings::Warning;
-use crate::matching::MatchedCylinder;
+use crate::matching::{MatchOptions, MatchedCylinder};
 use crate::observations::view::View;
 use crate::space::cylinder::{Cylinder, LineResidual};
 use crate::space::extent::end_contacts;
@@ -62,8 +62,12 @@ struct Candidate<'a> {
 
 /// Of few photographs, the cylinders whose two silhouettes are seen as ribbons in all images that
 /// show them, two at least, or in three or more, beside those that are known; each has its own
-/// direction. The least likely by chance come first.
-pub(super) fn cylinders_of_ribbons(seen: &[Seen], known: &[MatchedCylinder], threshold: f64) -> Vec<MatchedCylinder> {
+/// direction. The least likely by chance come first. There are none after an interruption.
+pub(super) fn cylinders_of_ribbons(
+    seen: &[Seen],
+    known: &[MatchedCylinder],
+    &MatchOptions { threshold, interrupt, .. }: &MatchOptions<'_>,
+) -> Vec<MatchedCylinder> {
     if seen.len() > FEW {
         return Vec::new();
     }
@@ -74,6 +78,9 @@ pub(super) fn cylinders_of_ribbons(seen: &[Seen], known: &[MatchedCylinder], thr
     let mut candidates = Vec::new();
     for views in pairs {
         for first in &free[views[0]] {
+            if interrupt.is_set() {
+                return Vec::new();
+            }
             let of_pair = |&second| candidate(seen, (views, [*first, second]), tests, threshold);
             candidates.extend(free[views[1]].iter().filter_map(of_pair));
         }

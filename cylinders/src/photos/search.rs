@@ -45,9 +45,9 @@ const FALSE_ALARMS: f64 = 1e-4;
 
 /// How cylinders are searched.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PhotoOptions {
-    /// Options of the matching.
-    pub matching: MatchOptions,
+pub struct PhotoOptions<'a> {
+    /// Options of the matching. Its interruption ends all of the search.
+    pub matching: MatchOptions<'a>,
     /// Largest number of directions of cylinders.
     pub directions: usize,
     /// Largest number of lines of an image along one direction. The longest count.
@@ -56,7 +56,7 @@ pub struct PhotoOptions {
     pub false_alarms: f64,
 }
 
-impl PhotoOptions {
+impl PhotoOptions<'_> {
     /// Options for these views: 5 directions, 60 lines of each image, at most 1e-4 false alarms of
     /// a direction, and a threshold of 2 pixels if all cameras have a calibration.
     pub fn of(views: &[View]) -> Self {
@@ -105,7 +105,9 @@ pub fn find_in_photographs(
         return Ok(shown(&views, found?));
     }
     let known = found.as_ref().map_or(&[][..], |matching| &matching.cylinders);
-    let of_ribbons = cylinders_of_ribbons(seen, known, options.matching.threshold);
+    let of_ribbons = cylinders_of_ribbons(seen, known, &options.matching);
+    // What was interrupted found too few.
+    options.matching.interrupt.check()?;
     let mut matching = match found {
         Err(error) if of_ribbons.is_empty() => return Err(error),
         Err(_) => {
@@ -134,7 +136,8 @@ fn by_directions(
     match given {
         Some(direction) => find_along(views, &direction, options),
         None => {
-            match_directions_with(views, options.directions, |views, direction| find_along(views, direction, options))
+            let along = |views: &[View], direction: &_| find_along(views, direction, options);
+            match_directions_with(views, options.directions, options.matching.interrupt, along)
         }
     }
 }
