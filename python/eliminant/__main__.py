@@ -1,5 +1,6 @@
 """The command `eliminant`: `python -m eliminant --help`."""
 
+import signal
 import sys
 
 from ._eliminant import run_command
@@ -14,4 +15,7 @@ def main() -> int:
 
 
 if __name__ == "__main__":
+    # The interpreter would wait for the end of the command. A search sets a handler of its own.
+    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
     sys.exit(main())

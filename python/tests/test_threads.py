@@ -5,6 +5,7 @@ from __future__ import annotations
 import multiprocessing
 import os
 import pickle
+import signal
 import subprocess
 import sys
 import textwrap
@@ -55,14 +56,41 @@ SLOW = {
 }
 
 
-@pytest.mark.skipif(not hasattr(os, "fork"), reason="signals are sent as POSIX has them")
+posix = pytest.mark.skipif(not hasattr(os, "fork"), reason="signals are sent as POSIX has them")
+
+
+def listen():
+    """Ctrl-C ends a child even where this process was told to ignore it, such as in the background."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
+@posix
 @pytest.mark.parametrize("setup, call", SLOW.values(), ids=SLOW.keys())
 def test_ctrl_c_ends_what_is_slow(setup, call):
     program = textwrap.dedent(INTERRUPTED).format(setup=setup, call=call)
-    run = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=300)
+    command = [sys.executable, "-c", program]
+    run = subprocess.run(command, capture_output=True, text=True, timeout=300, preexec_fn=listen)
     words = run.stdout.split()
     assert words[:1] == ["interrupted"], run.stderr
     assert float(words[1]) < 60
+
+
+@posix
+def test_ctrl_c_ends_the_command(tmp_path):
+    (tmp_path / "quadrics.rs").write_text(QUADRICS)
+    command = [sys.executable, "-m", "eliminant", "check", "quadrics.rs"]
+    run = subprocess.Popen(
+        command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=listen
+    )
+    try:
+        # The Gröbner basis has begun by then.
+        with pytest.raises(subprocess.TimeoutExpired):
+            run.communicate(timeout=3)
+        run.send_signal(signal.SIGINT)
+        _, errors = run.communicate(timeout=30)
+    finally:
+        run.kill()
+    assert run.returncode == -signal.SIGINT and b"Traceback" not in errors
 
 
 def essentials(views):
