@@ -70,7 +70,10 @@ pub mod measuring;
 // Candidates to one choice.
 pub mod choose;
 
+// What is tried where nothing that solves well was found.
+pub mod fallback;
+
 pub use candidate::TemplateCandidate;
 pub use candidates::{Found, candidates, in_order, traced_candidates};
 pub use error::SearchError;
-pub use options::{MOST_COLUMNS, SearchOptions};
+pub use options::{MORE_COLUMNS, MOST_COLUMNS, SearchOptions};

@@ -6,6 +6,9 @@ use super::shard::Shard;
 /// The largest limit on the number of columns that can be set.
 pub const MOST_COLUMNS: usize = 20_000;
 
+/// The limit on the number of columns of a second try.
+pub const MORE_COLUMNS: usize = 1500;
+
 /// Limits and seeds of a search.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SearchOptions {

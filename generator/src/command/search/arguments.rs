@@ -6,10 +6,7 @@ use std::time::Duration;
 use super::settings::{Settings, Tracing};
 use crate::search::preference::Preference;
 use crate::search::shard::Shard;
-use crate::search::{MOST_COLUMNS, SearchOptions};
-
-/// The limit on the number of columns of a second try.
-const MORE_COLUMNS: usize = 1500;
+use crate::search::{MORE_COLUMNS, MOST_COLUMNS, SearchOptions};
 
 /// Search an elimination template and write it beside the problem
 #[derive(clap::Args, Debug)]

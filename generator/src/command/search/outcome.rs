@@ -9,7 +9,8 @@ use crate::command::error::CommandError;
 use crate::command::watch::{End, OfTrace, Watch};
 use crate::generate::plan;
 use crate::problem::Problem;
-use crate::search::choose::{Choice, Verdict, choose};
+use crate::search::choose::{Choice, choose};
+use crate::search::fallback::{Chosen, Fallback};
 use crate::search::measuring::Stability;
 use crate::search::monitor::Monitor;
 use crate::search::{Found, SearchError, TemplateCandidate, candidates, traced_candidates};
@@ -59,11 +60,8 @@ pub(super) struct Outcome {
     pub(super) file: TemplateFile,
 }
 
-/// Searches, measures and chooses. If nothing that solves well is found within the first limit on
-/// columns and the time is not over, the wider limit is tried. What it gives is taken if it solves
-/// well, or if the first limit gave nothing. Where both give nothing, even for lack of time, the
-/// trace of a Gröbner basis gives a template of any size. It is tried, too, where there is time and
-/// nothing solves well.
+/// Searches, measures and chooses, with what follows where nothing that solves well is found
+/// ([`Fallback::after`]).
 pub(super) fn search(task: Task<'_>, settings: Settings) -> Result<Outcome, CommandError> {
     let Task { path, problem, watch } = task;
     watch.say("counting solutions");
@@ -79,47 +77,36 @@ pub(super) fn search(task: Task<'_>, settings: Settings) -> Result<Outcome, Comm
     if settings.tracing == Tracing::AtOnce {
         return traced(settings);
     }
-    let tracing = settings.tracing;
-    let or_traced = |attempt: Attempt, settings: Settings| match attempt {
-        Ok(outcome) if tracing == Tracing::WhereNothingIsFound && !outcome.solves_well() && watch.end().is_none() => {
-            Ok(traced(settings).ok().filter(Outcome::solves_well).unwrap_or(outcome))
+    let (widened, limit) = (settings.widened(), settings.options.max_columns);
+    let wider = widened.map(|widened| {
+        move || {
+            watch.say(&format!("nothing good within {limit} columns; trying {}", widened.options.max_columns));
+            within(widened.clone())
         }
-        Err(SearchError::NotFound { .. } | SearchError::TooFewColumns { .. })
-            if tracing == Tracing::WhereNothingIsFound =>
-        {
-            traced(settings)
-        }
-        attempt => attempt.map_err(|error| CommandError::of_search(path, problem, error)),
+    });
+    let or_traced = || traced(settings.clone());
+    let fallback = Fallback {
+        wider: wider.as_ref().map(|wider| wider as _),
+        traced: (settings.tracing == Tracing::WhereNothingIsFound).then_some(&or_traced as _),
+        keep: &|outcome: &mut Outcome| {
+            if let Some(end) = watch.end() {
+                outcome.end = Some(end);
+                provenance::add_end(&mut outcome.file.provenance, end);
+            }
+        },
+        is_over: &|| watch.end().is_some(),
     };
-    let (narrow, widened, limit) = (settings.clone(), settings.widened(), settings.options.max_columns);
-    let mut first = within(settings)?;
-    let Some(widened) = widened.filter(|_| needs_more_columns(&first)) else { return or_traced(first, narrow) };
-    watch.say(&format!("nothing good within {limit} columns; trying {}", widened.options.max_columns));
-    let second = within(widened)?;
-    if first.is_err() || second.as_ref().is_ok_and(Outcome::solves_well) {
-        return or_traced(second, narrow);
-    }
-    if let (Ok(outcome), Some(end)) = (&mut first, watch.end()) {
-        outcome.end = Some(end);
-        provenance::add_end(&mut outcome.file.provenance, end);
-    }
-    or_traced(first, narrow)
+    let attempt = fallback.after(within(settings.clone())?)?;
+    attempt.map_err(|error| CommandError::of_search(path, problem, error))
 }
 
-/// What the search within one limit on columns came to.
-type Attempt = Result<Outcome, SearchError>;
-
-/// Whether nothing that solves well was found although there was time.
-fn needs_more_columns(attempt: &Attempt) -> bool {
-    match attempt {
-        Ok(outcome) => !outcome.solves_well() && outcome.end.is_none(),
-        Err(error) => matches!(error, SearchError::NotFound { is_over: false, .. } | SearchError::TooFewColumns { .. }),
-    }
-}
-
-impl Outcome {
+impl Chosen for Outcome {
     fn solves_well(&self) -> bool {
-        self.choice.measured[self.choice.chosen].verdict != Verdict::Rejected
+        self.choice.solves_well()
+    }
+
+    fn is_cut(&self) -> bool {
+        self.end.is_some()
     }
 }
 

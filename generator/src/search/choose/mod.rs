@@ -80,6 +80,13 @@ pub struct Choice {
     pub is_cut: bool,
 }
 
+impl Choice {
+    /// Whether the chosen candidate passed its measurements.
+    pub fn solves_well(&self) -> bool {
+        self.measured[self.chosen].verdict != Verdict::Rejected
+    }
+}
+
 /// Measures candidates and chooses one by the rule at the top of this module; `None` if there is no
 /// candidate.
 ///
