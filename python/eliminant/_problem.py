@@ -5,16 +5,15 @@ from __future__ import annotations
 import os
 import tempfile
 from pathlib import Path
-from typing import Any, Callable, List, NamedTuple, Optional, Tuple, Union
+from typing import Any, List, NamedTuple, Optional, Tuple, Union
 
 from . import _eliminant
 from ._arrays import Shape, data, whole
+from ._progress import Progress, counted, told
 from ._solutions import Named, Solutions, arranged
 from ._stability import Stability
 
 ProblemError = _eliminant.ProblemError
-
-Progress = Callable[[str, float], Any]
 
 
 class Check(NamedTuple):
@@ -137,7 +136,7 @@ class Problem:
     def search(
         self,
         budget: Optional[float] = None,
-        progress: Optional[Progress] = None,
+        progress: Progress = None,
         *,
         prefer: str = "speed",
         seed: int = 1,
@@ -146,13 +145,15 @@ class Problem:
         shuffles: int = 12,
         trials: int = 300,
         confirm: int = 10_000,
+        trace: bool = False,
     ) -> Template:
         """Searches a template, which the problem has afterwards.
 
         `budget` ends the search after about so many seconds with the best template found so far.
-        `progress` is called with a message and the seconds since the start. The other options are
-        those of the command `eliminant search`. Ctrl-C ends the search, and leaves the problem as
-        it was.
+        `progress` is called with a message and the seconds since the start; by default they are
+        shown where tqdm is installed and standard error is a terminal or this is a notebook, and
+        with False they are not. The other options are those of the command `eliminant search`.
+        Ctrl-C ends the search, and leaves the problem as it was.
         """
         settings = {
             "prefer": prefer,
@@ -162,31 +163,45 @@ class Problem:
             "shuffles": whole("shuffles", shuffles),
             "trials": whole("trials", trials),
             "confirm": whole("confirm", confirm),
+            "trace": bool(trace),
         }
-        self.template, is_cut = self._native.search(settings, budget, progress)
+        with told(progress) as report:
+            self.template, is_cut = self._native.search(settings, budget, report)
         return self.template_size._replace(is_cut=is_cut)
 
-    def solve(self, *values: Any) -> Solutions:
+    def solve(self, *values: Any, progress: Progress = None) -> Solutions:
         """The real solutions of one instance, or of a batch, by the interpreted plan.
 
         Operations and their order are those of the emitted solver, which is many times as fast.
         Complex parameters are complex arrays, or real ones whose last dimension holds real and
-        imaginary parts. Complex unknowns and results are complex arrays.
+        imaginary parts. Complex unknowns and results are complex arrays. `progress` is that of
+        `stability`, for a batch.
         """
         planned = self._solver()
         arrays, count = data(self.data, (), values, self.complex_numbers)
-        solved = planned.solve_one(arrays) if count < 0 else planned.solve_batch(arrays, count)
+        if count < 0:
+            solved = planned.solve_one(arrays)
+        else:
+            with counted(progress, self.name, " instances") as report:
+                solved = planned.solve_batch(arrays, count, report)
         solutions = arranged(self.fields, self.results, planned.solutions, solved, count >= 0, self.unknowns)
         return solutions.with_complex(self.complex_numbers)
 
-    def stability(self, trials: int = 1000, seed: int = 1, *, first: int = 0) -> Stability:
+    def stability(
+        self, trials: int = 1000, seed: int = 1, *, first: int = 0, progress: Progress = None
+    ) -> Stability:
         """Solves the random instances `first` to `first + trials`, and judges what is found.
 
         Instance k depends on the seed and k only, so that runs on parts of the instances, joined by
-        `Stability.join`, are one run. True solutions are computed to 71 digits.
+        `Stability.join`, are one run. True solutions are computed to 71 digits. `progress` is
+        called with the number of instances that are done and of all; by default there is a bar
+        where tqdm is installed and standard error is a terminal or this is a notebook, and with
+        False there is none.
         """
         first, trials, seed = whole("first", first), whole("trials", trials), whole("seed", seed)
-        return Stability.of(self.name, seed, first, self._solver().stability(first, trials, seed))
+        planned = self._solver()
+        with counted(progress, self.name, " instances") as report:
+            return Stability.of(self.name, seed, first, planned.stability(first, trials, seed, report))
 
     def emit(self) -> str:
         """The Rust source of the solver."""

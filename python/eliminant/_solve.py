@@ -6,6 +6,7 @@ from typing import Any, Dict, NamedTuple, Tuple
 
 from . import _eliminant
 from ._arrays import Array, Shape, data
+from ._progress import Progress, counted
 from ._solutions import Named, Solutions, arranged
 
 
@@ -45,6 +46,7 @@ def _solvers() -> Dict[str, Solver]:
 SOLVERS = _solvers()
 """All solvers by their names."""
 
+
 def _means() -> Dict[str, Mean]:
     means = {}
     names = list(SOLVERS)
@@ -76,7 +78,7 @@ directions in space, and are not among them.
 """
 
 
-def solve(name: str, *values: Any) -> Solutions:
+def solve(name: str, *values: Any, progress: Progress = None) -> Solutions:
     """The real solutions of one instance, or of a batch.
 
     Raises `SolveError` where the data of one instance are not finite, or degenerate. In a batch the
@@ -84,11 +86,11 @@ def solve(name: str, *values: Any) -> Solutions:
     """
     solver = SOLVERS[name]
     arrays, count = data(solver.data, HOMOGENEOUS.get(name, ()), values)
-    solved = (
-        _eliminant.solve_one(solver.number, arrays)
-        if count < 0
-        else _eliminant.solve_batch(solver.number, arrays, count)
-    )
+    if count < 0:
+        solved = _eliminant.solve_one(solver.number, arrays)
+    else:
+        with counted(progress, name, " instances") as report:
+            solved = _eliminant.solve_batch(solver.number, arrays, count, report)
     return arranged(solver.fields, solver.results, solver.most, solved, count >= 0)
 
 

@@ -15,6 +15,7 @@ import numpy as np
 
 from . import _eliminant
 from ._arrays import Array, numbers, whole
+from ._progress import Progress, counted
 
 CylinderError = _eliminant.CylinderError
 
@@ -238,6 +239,7 @@ def photos(
     directions: Optional[int] = None,
     direction: Any = None,
     points: bool = False,
+    progress: Progress = None,
 ) -> Matching:
     """Cylinders in photographs whose cameras are known, without lines.
 
@@ -247,7 +249,8 @@ def photos(
     and blue, of shape (height, width, 3), from 0 to 255. `threshold` is the largest distance of a
     line from its silhouette, in pixels, `directions` the largest number of directions, and
     `direction` that of all axes, if it is known. `points` takes those of the scene or the model near
-    a surface as evidence for the refined cylinders, too.
+    a surface as evidence for the refined cylinders, too. `progress` is that of
+    `Problem.stability`, for the photographs in which lines are detected; matching follows.
     """
     if directions is not None and direction is not None:
         raise ValueError("`directions` does not go with `direction`")
@@ -263,7 +266,8 @@ def photos(
         "direction": _direction(direction),
         "has_points": points,
     }
-    return _matching(_eliminant.cylinders_of_photographs(given))
+    with counted(progress, "lines", " photographs") as report:
+        return _matching(_eliminant.cylinders_of_photographs(given, report))
 
 
 def _brightness(name: str, value: Any) -> Any:

@@ -2,6 +2,9 @@
 
 Each takes the data of one instance, or arrays of the data of n instances. Data of one instance in
 a batch hold for all. Batches are solved on all cores, without the lock of the interpreter.
+`progress` is called with the number of instances that are done and of all; by default a long batch
+has a bar where tqdm is installed and standard error is a terminal or this is a notebook, and with
+False it has none.
 
 Written by `tools/write_solvers.py` from the problems in `templates/`.
 """
@@ -11,6 +14,7 @@ from __future__ import annotations
 import numpy.typing as npt
 
 from ._arrays import Array
+from ._progress import Progress
 from ._solutions import Solutions
 from ._solve import mean as _mean
 from ._solve import solve as _solve
@@ -82,7 +86,11 @@ __all__ = [
 ]
 
 
-def calibration_6_receivers_4_senders(ranges: npt.ArrayLike) -> Solutions:
+def calibration_6_receivers_4_senders(
+    ranges: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Positions of six receivers and four senders from all ranges between them: 38 solutions, of which
     those that can be placed in space are returned.
 
@@ -118,10 +126,10 @@ def calibration_6_receivers_4_senders(ranges: npt.ArrayLike) -> Solutions:
     - `senders`: (4, 3)
     - `receivers`: (6, 3)
     """
-    return _solve("calibration_6_receivers_4_senders", ranges)
+    return _solve("calibration_6_receivers_4_senders", ranges, progress=progress)
 
 
-def circle_least_squares(gram: npt.ArrayLike) -> Solutions:
+def circle_least_squares(gram: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
     """Circle tangent to n lines in the least-squares sense: the stationary points of the constrained
     dual conic, 9 solutions.
 
@@ -146,10 +154,10 @@ def circle_least_squares(gram: npt.ArrayLike) -> Solutions:
     - `lambda1`: ()
     - `lambda2`: ()
     """
-    return _solve("circle_least_squares", gram)
+    return _solve("circle_least_squares", gram, progress=progress)
 
 
-def circle_least_squares_dual(gram: npt.ArrayLike) -> Solutions:
+def circle_least_squares_dual(gram: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
     """Circle tangent to n lines in the least-squares sense, in three unknowns of the dual conic, 9
     solutions.
 
@@ -167,7 +175,7 @@ def circle_least_squares_dual(gram: npt.ArrayLike) -> Solutions:
     - `d4`: ()
     - `d5`: ()
     """
-    return _solve("circle_least_squares_dual", gram)
+    return _solve("circle_least_squares_dual", gram, progress=progress)
 
 
 def circle_least_squares_dual_mean_of_line(line: npt.ArrayLike) -> Array:
@@ -198,6 +206,8 @@ def circle_minimal(
     d_alpha: npt.ArrayLike,
     d_beta: npt.ArrayLike,
     d_gamma: npt.ArrayLike,
+    *,
+    progress: Progress = None,
 ) -> Solutions:
     """The circles tangent to three lines: 4 solutions (the incircle and the three excircles of the
     triangle).
@@ -221,10 +231,15 @@ def circle_minimal(
     - `a`: ()
     - `b`: ()
     """
-    return _solve("circle_minimal", d_alpha, d_beta, d_gamma)
+    return _solve("circle_minimal", d_alpha, d_beta, d_gamma, progress=progress)
 
 
-def fundamental_7pt(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+def fundamental_7pt(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Fundamental matrix of two cameras from seven points: 3 solutions.
 
     Hartley, Zisserman, "Multiple view geometry in computer vision", 2003, section 11.1.2.
@@ -246,10 +261,15 @@ def fundamental_7pt(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
 
     - `fundamental`: (3, 3)
     """
-    return _solve("fundamental_7pt", first, second)
+    return _solve("fundamental_7pt", first, second, progress=progress)
 
 
-def fundamental_8pt_radial(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+def fundamental_8pt_radial(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Fundamental matrix and the radial distortion common to both cameras from eight points: 16
     solutions.
 
@@ -278,10 +298,15 @@ def fundamental_8pt_radial(first: npt.ArrayLike, second: npt.ArrayLike) -> Solut
     - `fundamental`: (3, 3)
     - `radial`: ()
     """
-    return _solve("fundamental_8pt_radial", first, second)
+    return _solve("fundamental_8pt_radial", first, second, progress=progress)
 
 
-def fundamental_8pt_radial_one_side(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+def fundamental_8pt_radial_one_side(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Fundamental matrix and radial distortion of the second camera from eight points: 8 solutions.
 
     Kuang, Solem, Kahl, Åström, "Minimal solvers for relative pose with a single unknown radial
@@ -308,10 +333,15 @@ def fundamental_8pt_radial_one_side(first: npt.ArrayLike, second: npt.ArrayLike)
     - `fundamental`: (3, 3)
     - `radial`: ()
     """
-    return _solve("fundamental_8pt_radial_one_side", first, second)
+    return _solve("fundamental_8pt_radial_one_side", first, second, progress=progress)
 
 
-def fundamental_9pt_two_radials(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+def fundamental_9pt_two_radials(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Fundamental matrix and the two different radial distortions of two cameras from nine points: 24
     solutions.
 
@@ -342,10 +372,15 @@ def fundamental_9pt_two_radials(first: npt.ArrayLike, second: npt.ArrayLike) -> 
     - `fundamental`: (3, 3)
     - `radials`: (2,)
     """
-    return _solve("fundamental_9pt_two_radials", first, second)
+    return _solve("fundamental_9pt_two_radials", first, second, progress=progress)
 
 
-def homography_4pt(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+def homography_4pt(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Homography of two images of a plane, or of two cameras with one centre, from four points: 1
     solution.
 
@@ -371,10 +406,10 @@ def homography_4pt(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
 
     - `homography`: (3, 3)
     """
-    return _solve("homography_4pt", first, second)
+    return _solve("homography_4pt", first, second, progress=progress)
 
 
-def katsura_5() -> Solutions:
+def katsura_5(*, progress: Progress = None) -> Solutions:
     """Katsura's equations for the magnetic field of a spin glass with six unknowns: 32 solutions.
     There are no data.
 
@@ -393,10 +428,10 @@ def katsura_5() -> Solutions:
     - `y`: ()
     - `z`: ()
     """
-    return _solve("katsura_5")
+    return _solve("katsura_5", progress=progress)
 
 
-def orbit_5_lines_of_sight(sights: npt.ArrayLike) -> Solutions:
+def orbit_5_lines_of_sight(sights: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
     """Keplerian orbit from five lines of sight without times: 66 solutions.
 
     Mancini, Duff, Leykin, Christian, "Geometric solution to the angles-only initial orbit
@@ -426,7 +461,7 @@ def orbit_5_lines_of_sight(sights: npt.ArrayLike) -> Solutions:
     - `r`: ()
     - `square`: ()
     """
-    return _solve("orbit_5_lines_of_sight", sights)
+    return _solve("orbit_5_lines_of_sight", sights, progress=progress)
 
 
 def platform_forward_kinematics(
@@ -435,6 +470,8 @@ def platform_forward_kinematics(
     shift: npt.ArrayLike,
     excess: npt.ArrayLike,
     square: npt.ArrayLike,
+    *,
+    progress: Progress = None,
 ) -> Solutions:
     """Forward kinematics of the general Stewart-Gough platform, all poses with given lengths of its
     six legs: 40 solutions.
@@ -471,7 +508,7 @@ def platform_forward_kinematics(
     - `b`: ()
     - `c`: ()
     """
-    return _solve("platform_forward_kinematics", sums, differences, shift, excess, square)
+    return _solve("platform_forward_kinematics", sums, differences, shift, excess, square, progress=progress)
 
 
 def pose_1pt_2line(
@@ -479,6 +516,8 @@ def pose_1pt_2line(
     point: npt.ArrayLike,
     normals: npt.ArrayLike,
     lines: npt.ArrayLike,
+    *,
+    progress: Progress = None,
 ) -> Solutions:
     """Pose of a calibrated camera from a point and two lines: 8 solutions, of which those with the
     point in front of the camera are returned.
@@ -510,7 +549,7 @@ def pose_1pt_2line(
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("pose_1pt_2line", ray, point, normals, lines)
+    return _solve("pose_1pt_2line", ray, point, normals, lines, progress=progress)
 
 
 def pose_2pt_1line(
@@ -518,6 +557,8 @@ def pose_2pt_1line(
     points: npt.ArrayLike,
     normal: npt.ArrayLike,
     line: npt.ArrayLike,
+    *,
+    progress: Progress = None,
 ) -> Solutions:
     """Pose of a calibrated camera from two points and a line: at most 2 solutions, those with the
     points in front of the camera.
@@ -551,10 +592,15 @@ def pose_2pt_1line(
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("pose_2pt_1line", rays, points, normal, line)
+    return _solve("pose_2pt_1line", rays, points, normal, line, progress=progress)
 
 
-def pose_2pt_upright(rays: npt.ArrayLike, points: npt.ArrayLike) -> Solutions:
+def pose_2pt_upright(
+    rays: npt.ArrayLike,
+    points: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Pose of a camera whose vertical is known, as by an inertial sensor, from two points: 2
     solutions.
 
@@ -583,13 +629,15 @@ def pose_2pt_upright(rays: npt.ArrayLike, points: npt.ArrayLike) -> Solutions:
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("pose_2pt_upright", rays, points)
+    return _solve("pose_2pt_upright", rays, points, progress=progress)
 
 
 def pose_35pt_focal(
     points: npt.ArrayLike,
     horizontal: npt.ArrayLike,
     vertical: npt.ArrayLike,
+    *,
+    progress: Progress = None,
 ) -> Solutions:
     """Pose and focal length of a camera from three points and one image coordinate of a fourth: 10
     solutions.
@@ -619,10 +667,15 @@ def pose_35pt_focal(
     - `translation`: (3,)
     - `focal`: ()
     """
-    return _solve("pose_35pt_focal", points, horizontal, vertical)
+    return _solve("pose_35pt_focal", points, horizontal, vertical, progress=progress)
 
 
-def pose_3line(normals: npt.ArrayLike, lines: npt.ArrayLike) -> Solutions:
+def pose_3line(
+    normals: npt.ArrayLike,
+    lines: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Pose of a calibrated camera from three lines: 8 solutions.
 
     Dhome, Richetin, Lapresté, Rives, "Determination of the attitude of 3D objects from a single
@@ -651,10 +704,10 @@ def pose_3line(normals: npt.ArrayLike, lines: npt.ArrayLike) -> Solutions:
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("pose_3line", normals, lines)
+    return _solve("pose_3line", normals, lines, progress=progress)
 
 
-def pose_3pt(rays: npt.ArrayLike, points: npt.ArrayLike) -> Solutions:
+def pose_3pt(rays: npt.ArrayLike, points: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
     """Pose of a calibrated camera from three points: at most 4 of 8 solutions, in front of the camera.
 
     The problem `pose_3pt_depths` from measurements. `rays[k]` is the ray of point k in the camera,
@@ -677,10 +730,15 @@ def pose_3pt(rays: npt.ArrayLike, points: npt.ArrayLike) -> Solutions:
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("pose_3pt", rays, points)
+    return _solve("pose_3pt", rays, points, progress=progress)
 
 
-def pose_3pt_depths(cosines: npt.ArrayLike, squares: npt.ArrayLike) -> Solutions:
+def pose_3pt_depths(
+    cosines: npt.ArrayLike,
+    squares: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Pose of a calibrated camera from three points: their distances from the centre of the camera, 8
     solutions, which are 4 with both signs.
 
@@ -703,10 +761,15 @@ def pose_3pt_depths(cosines: npt.ArrayLike, squares: npt.ArrayLike) -> Solutions
     - `b`: ()
     - `c`: ()
     """
-    return _solve("pose_3pt_depths", cosines, squares)
+    return _solve("pose_3pt_depths", cosines, squares, progress=progress)
 
 
-def pose_3pt_upright_error_bound(points: npt.ArrayLike, cones: npt.ArrayLike) -> Solutions:
+def pose_3pt_upright_error_bound(
+    points: npt.ArrayLike,
+    cones: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Poses of a camera with known vertical direction in which the errors of three points equal their
     bounds and are stationary: 48 solutions.
 
@@ -734,10 +797,15 @@ def pose_3pt_upright_error_bound(points: npt.ArrayLike, cones: npt.ArrayLike) ->
     - `y`: ()
     - `z`: ()
     """
-    return _solve("pose_3pt_upright_error_bound", points, cones)
+    return _solve("pose_3pt_upright_error_bound", points, cones, progress=progress)
 
 
-def pose_4pt_focal(points: npt.ArrayLike, images: npt.ArrayLike) -> Solutions:
+def pose_4pt_focal(
+    points: npt.ArrayLike,
+    images: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     r"""Pose and focal lengths of a camera from four points: 8 solutions, of which those with the points
     in front of the camera are returned.
 
@@ -767,10 +835,15 @@ def pose_4pt_focal(points: npt.ArrayLike, images: npt.ArrayLike) -> Solutions:
     - `translation`: (3,)
     - `focal`: (2,)
     """
-    return _solve("pose_4pt_focal", points, images)
+    return _solve("pose_4pt_focal", points, images, progress=progress)
 
 
-def pose_4pt_focal_radial(points: npt.ArrayLike, images: npt.ArrayLike) -> Solutions:
+def pose_4pt_focal_radial(
+    points: npt.ArrayLike,
+    images: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     r"""Pose, focal length and radial distortion of a camera from four points: 16 solutions.
 
     Josephson, Byröd, "Pose estimation with radial distortion and unknown focal length", CVPR 2009,
@@ -800,10 +873,15 @@ def pose_4pt_focal_radial(points: npt.ArrayLike, images: npt.ArrayLike) -> Solut
     - `focal`: ()
     - `radial`: ()
     """
-    return _solve("pose_4pt_focal_radial", points, images)
+    return _solve("pose_4pt_focal_radial", points, images, progress=progress)
 
 
-def pose_4pt_focal_radial_cut(points: npt.ArrayLike, images: npt.ArrayLike) -> Solutions:
+def pose_4pt_focal_radial_cut(
+    points: npt.ArrayLike,
+    images: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     r"""Pose, focal length and radial distortion of a camera from four points, without the degenerate
     solutions: 12 solutions.
 
@@ -834,13 +912,15 @@ def pose_4pt_focal_radial_cut(points: npt.ArrayLike, images: npt.ArrayLike) -> S
     - `focal`: ()
     - `radial`: ()
     """
-    return _solve("pose_4pt_focal_radial_cut", points, images)
+    return _solve("pose_4pt_focal_radial_cut", points, images, progress=progress)
 
 
 def pose_4pt_generalized_scale(
     centres: npt.ArrayLike,
     rays: npt.ArrayLike,
     points: npt.ArrayLike,
+    *,
+    progress: Progress = None,
 ) -> Solutions:
     """Pose and scale of a generalised camera from four points: 8 solutions, of which those with a
     positive scale are returned.
@@ -872,10 +952,15 @@ def pose_4pt_generalized_scale(
     - `scale`: ()
     - `residual`: ()
     """
-    return _solve("pose_4pt_generalized_scale", centres, rays, points)
+    return _solve("pose_4pt_generalized_scale", centres, rays, points, progress=progress)
 
 
-def pose_4pt_upright_error_bound(points: npt.ArrayLike, cones: npt.ArrayLike) -> Solutions:
+def pose_4pt_upright_error_bound(
+    points: npt.ArrayLike,
+    cones: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Poses of a camera with known vertical direction in which the errors of four points equal their
     bounds: 28 solutions.
 
@@ -901,13 +986,15 @@ def pose_4pt_upright_error_bound(points: npt.ArrayLike, cones: npt.ArrayLike) ->
     - `y`: ()
     - `z`: ()
     """
-    return _solve("pose_4pt_upright_error_bound", points, cones)
+    return _solve("pose_4pt_upright_error_bound", points, cones, progress=progress)
 
 
 def pose_5pt_refraction(
     rays: npt.ArrayLike,
     points: npt.ArrayLike,
     index: npt.ArrayLike,
+    *,
+    progress: Progress = None,
 ) -> Solutions:
     """Pose of a calibrated camera that looks at five points through a plane at which light is
     refracted: 16 solutions.
@@ -943,13 +1030,15 @@ def pose_5pt_refraction(
     - `rotation`: (3, 3)
     - `centre`: (3,)
     """
-    return _solve("pose_5pt_refraction", rays, points, index)
+    return _solve("pose_5pt_refraction", rays, points, index, progress=progress)
 
 
 def pose_5tdoa_two_receivers(
     senders: npt.ArrayLike,
     differences: npt.ArrayLike,
     distance: npt.ArrayLike,
+    *,
+    progress: Progress = None,
 ) -> Solutions:
     """Pose of two receivers close to each other from the time differences with which they hear five
     senders: 24 solutions.
@@ -981,10 +1070,15 @@ def pose_5tdoa_two_receivers(
     - `direction`: (3,)
     - `centre`: (3,)
     """
-    return _solve("pose_5tdoa_two_receivers", senders, differences, distance)
+    return _solve("pose_5tdoa_two_receivers", senders, differences, distance, progress=progress)
 
 
-def pose_6pt_rolling_shutter(points: npt.ArrayLike, images: npt.ArrayLike) -> Solutions:
+def pose_6pt_rolling_shutter(
+    points: npt.ArrayLike,
+    images: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     r"""Pose and motion of a camera with rolling shutter from six points: 20 solutions.
 
     Albl, Kukelova, Pajdla, "R6P - rolling shutter absolute camera pose", CVPR 2015. Published as
@@ -1018,10 +1112,10 @@ def pose_6pt_rolling_shutter(points: npt.ArrayLike, images: npt.ArrayLike) -> So
     - `angular_velocity`: (3,)
     - `velocity`: (3,)
     """
-    return _solve("pose_6pt_rolling_shutter", points, images)
+    return _solve("pose_6pt_rolling_shutter", points, images, progress=progress)
 
 
-def pose_npt_direct_least_squares(means: npt.ArrayLike) -> Solutions:
+def pose_npt_direct_least_squares(means: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
     """Pose of a calibrated camera from n points, all stationary points of a least-squares cost in
     Cayley parameters: 27 solutions.
 
@@ -1049,7 +1143,7 @@ def pose_npt_direct_least_squares(means: npt.ArrayLike) -> Solutions:
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("pose_npt_direct_least_squares", means)
+    return _solve("pose_npt_direct_least_squares", means, progress=progress)
 
 
 def pose_npt_direct_least_squares_mean_of_point(ray: npt.ArrayLike, point: npt.ArrayLike) -> Array:
@@ -1066,7 +1160,7 @@ def pose_npt_direct_least_squares_mean_of_point(ray: npt.ArrayLike, point: npt.A
     return _mean("pose_npt_direct_least_squares_mean_of_point", ray, point)
 
 
-def pose_npt_least_squares_cayley(means: npt.ArrayLike) -> Solutions:
+def pose_npt_least_squares_cayley(means: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
     """Pose of a calibrated camera from n points, all stationary points of a least-squares cost over
     the rotations, by Cayley parameters: 40 solutions.
 
@@ -1093,7 +1187,7 @@ def pose_npt_least_squares_cayley(means: npt.ArrayLike) -> Solutions:
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("pose_npt_least_squares_cayley", means)
+    return _solve("pose_npt_least_squares_cayley", means, progress=progress)
 
 
 def pose_npt_least_squares_cayley_mean_of_point(ray: npt.ArrayLike, point: npt.ArrayLike) -> Array:
@@ -1110,7 +1204,11 @@ def pose_npt_least_squares_cayley_mean_of_point(ray: npt.ArrayLike, point: npt.A
     return _mean("pose_npt_least_squares_cayley_mean_of_point", ray, point)
 
 
-def pose_npt_least_squares_quaternion(means: npt.ArrayLike) -> Solutions:
+def pose_npt_least_squares_quaternion(
+    means: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Pose of a calibrated camera from n points, all stationary points of a least-squares cost in a
     quaternion that is not normalised: 40 solutions.
 
@@ -1141,7 +1239,7 @@ def pose_npt_least_squares_quaternion(means: npt.ArrayLike) -> Solutions:
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("pose_npt_least_squares_quaternion", means)
+    return _solve("pose_npt_least_squares_quaternion", means, progress=progress)
 
 
 def pose_npt_least_squares_quaternion_mean_of_point(
@@ -1162,7 +1260,7 @@ def pose_npt_least_squares_quaternion_mean_of_point(
     return _mean("pose_npt_least_squares_quaternion_mean_of_point", image, point)
 
 
-def pose_npt_weak_perspective(means: npt.ArrayLike) -> Solutions:
+def pose_npt_weak_perspective(means: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
     """Pose of a weak-perspective camera from n points, all stationary points of the least-squares
     cost: 16 solutions.
 
@@ -1195,7 +1293,7 @@ def pose_npt_weak_perspective(means: npt.ArrayLike) -> Solutions:
     - `scale`: ()
     - `translation`: (2,)
     """
-    return _solve("pose_npt_weak_perspective", means)
+    return _solve("pose_npt_weak_perspective", means, progress=progress)
 
 
 def pose_npt_weak_perspective_mean_of_point(image: npt.ArrayLike, point: npt.ArrayLike) -> Array:
@@ -1216,6 +1314,8 @@ def relpose_3pt_angle_zero_screw(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     half_angle: npt.ArrayLike,
+    *,
+    progress: Progress = None,
 ) -> Solutions:
     """Relative pose of two calibrated cameras from three point correspondences where the motion turns
     by a known angle about an axis without moving along it: 12 solutions.
@@ -1242,7 +1342,7 @@ def relpose_3pt_angle_zero_screw(
     - `v`: ()
     - `w`: ()
     """
-    return _solve("relpose_3pt_angle_zero_screw", first, second, half_angle)
+    return _solve("relpose_3pt_angle_zero_screw", first, second, half_angle, progress=progress)
 
 
 def relpose_3pt_depths(
@@ -1250,6 +1350,8 @@ def relpose_3pt_depths(
     first_depths: npt.ArrayLike,
     second: npt.ArrayLike,
     second_depths: npt.ArrayLike,
+    *,
+    progress: Progress = None,
 ) -> Solutions:
     """Relative pose of two calibrated cameras from three points with depths that are known up to scale
     and shift, as a network estimates them from each image: at most 4 solutions.
@@ -1285,10 +1387,15 @@ def relpose_3pt_depths(
     - `scale`: ()
     - `shifts`: (2,)
     """
-    return _solve("relpose_3pt_depths", first, first_depths, second, second_depths)
+    return _solve("relpose_3pt_depths", first, first_depths, second, second_depths, progress=progress)
 
 
-def relpose_3pt_upright(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+def relpose_3pt_upright(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Relative pose of two cameras whose vertical is known, as by an inertial sensor, from three
     points: 4 solutions.
 
@@ -1315,13 +1422,15 @@ def relpose_3pt_upright(first: npt.ArrayLike, second: npt.ArrayLike) -> Solution
     - `rotation`: (3, 3)
     - `translation`: (3,)
     """
-    return _solve("relpose_3pt_upright", first, second)
+    return _solve("relpose_3pt_upright", first, second, progress=progress)
 
 
 def relpose_4pt_angle(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     half_angle: npt.ArrayLike,
+    *,
+    progress: Progress = None,
 ) -> Solutions:
     """Relative pose of two calibrated cameras with a known angle of rotation from four point
     correspondences: 20 solutions.
@@ -1350,10 +1459,10 @@ def relpose_4pt_angle(
     - `v`: ()
     - `w`: ()
     """
-    return _solve("relpose_4pt_angle", first, second, half_angle)
+    return _solve("relpose_4pt_angle", first, second, half_angle, progress=progress)
 
 
-def relpose_5pt(basis: npt.ArrayLike) -> Solutions:
+def relpose_5pt(basis: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
     """Relative pose of two calibrated cameras from five point correspondences: 10 essential matrices.
 
     Nistér, "An efficient solution to the five-point relative pose problem", PAMI 2004; in this form
@@ -1363,6 +1472,8 @@ def relpose_5pt(basis: npt.ArrayLike) -> Solutions:
     `basis` spans the null space of the five epipolar equations; the essential matrix is the sum
     of its matrices, each times its weight.
 
+    Of rays or image points it is `relpose_5pt_rays`.
+
     Data, for one instance, or with n in front for a batch:
 
     - `basis`: (4, 3, 3)
@@ -1371,13 +1482,15 @@ def relpose_5pt(basis: npt.ArrayLike) -> Solutions:
 
     - `weights`: (4,)
     """
-    return _solve("relpose_5pt", basis)
+    return _solve("relpose_5pt", basis, progress=progress)
 
 
 def relpose_5pt_generalized_angle(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     half_angle: npt.ArrayLike,
+    *,
+    progress: Progress = None,
 ) -> Solutions:
     """Relative pose of two generalized cameras with a known angle of rotation from five point
     correspondences: 44 solutions.
@@ -1405,10 +1518,15 @@ def relpose_5pt_generalized_angle(
     - `v`: ()
     - `w`: ()
     """
-    return _solve("relpose_5pt_generalized_angle", first, second, half_angle)
+    return _solve("relpose_5pt_generalized_angle", first, second, half_angle, progress=progress)
 
 
-def relpose_5pt_rays(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+def relpose_5pt_rays(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Relative pose of two calibrated cameras from five points: 10 essential matrices.
 
     The problem `relpose_5pt` from measurements. `first[k]` and `second[k]` are the rays of point k
@@ -1428,13 +1546,15 @@ def relpose_5pt_rays(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
 
     - `essential`: (3, 3)
     """
-    return _solve("relpose_5pt_rays", first, second)
+    return _solve("relpose_5pt_rays", first, second, progress=progress)
 
 
 def relpose_5pt_semi_generalized_focal(
     images: npt.ArrayLike,
     directions: npt.ArrayLike,
     centres: npt.ArrayLike,
+    *,
+    progress: Progress = None,
 ) -> Solutions:
     """Pose and focal length of a camera from five points that calibrated cameras of known poses see,
     too, and one point of known position: 56 solutions.
@@ -1465,10 +1585,10 @@ def relpose_5pt_semi_generalized_focal(
     - `s`: ()
     - `depth`: ()
     """
-    return _solve("relpose_5pt_semi_generalized_focal", images, directions, centres)
+    return _solve("relpose_5pt_semi_generalized_focal", images, directions, centres, progress=progress)
 
 
-def relpose_6pt_focal(basis: npt.ArrayLike) -> Solutions:
+def relpose_6pt_focal(basis: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
     """Relative pose of two cameras with one unknown shared focal length from six point
     correspondences: 15 solutions.
 
@@ -1489,10 +1609,15 @@ def relpose_6pt_focal(basis: npt.ArrayLike) -> Solutions:
     - `weights`: (3,)
     - `w`: ()
     """
-    return _solve("relpose_6pt_focal", basis)
+    return _solve("relpose_6pt_focal", basis, progress=progress)
 
 
-def relpose_6pt_focal_one_side(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+def relpose_6pt_focal_one_side(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Relative pose of a camera with unknown focal length and a calibrated one from six points: 9
     solutions, of which those with a real focal length are returned.
 
@@ -1520,10 +1645,15 @@ def relpose_6pt_focal_one_side(first: npt.ArrayLike, second: npt.ArrayLike) -> S
     - `fundamental`: (3, 3)
     - `focal`: ()
     """
-    return _solve("relpose_6pt_focal_one_side", first, second)
+    return _solve("relpose_6pt_focal_one_side", first, second, progress=progress)
 
 
-def relpose_6pt_focal_points(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+def relpose_6pt_focal_points(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Relative pose of two cameras with one unknown shared focal length from six points: 15 solutions,
     of which those with a real focal length are returned.
 
@@ -1547,10 +1677,15 @@ def relpose_6pt_focal_points(first: npt.ArrayLike, second: npt.ArrayLike) -> Sol
     - `fundamental`: (3, 3)
     - `focal`: ()
     """
-    return _solve("relpose_6pt_focal_points", first, second)
+    return _solve("relpose_6pt_focal_points", first, second, progress=progress)
 
 
-def relpose_6pt_generalized(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+def relpose_6pt_generalized(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Relative pose of two generalized cameras from six point correspondences: 64 solutions.
 
     Stewénius, Nistér, Oskarsson, Åström, "Solutions to minimal generalized relative pose problems",
@@ -1571,10 +1706,15 @@ def relpose_6pt_generalized(first: npt.ArrayLike, second: npt.ArrayLike) -> Solu
 
     - `q`: (4,)
     """
-    return _solve("relpose_6pt_generalized", first, second)
+    return _solve("relpose_6pt_generalized", first, second, progress=progress)
 
 
-def relpose_6pt_radial(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+def relpose_6pt_radial(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """The essential matrix and the radial distortion common to two otherwise calibrated cameras from
     six points: 52 solutions.
 
@@ -1608,12 +1748,14 @@ def relpose_6pt_radial(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions
     - `essential`: (3, 3)
     - `radial`: ()
     """
-    return _solve("relpose_6pt_radial", first, second)
+    return _solve("relpose_6pt_radial", first, second, progress=progress)
 
 
 def relpose_7pt_angle_focal_centre(
     fundamental: npt.ArrayLike,
     half_angle: npt.ArrayLike,
+    *,
+    progress: Progress = None,
 ) -> Solutions:
     r"""Focal length and principal point common to two cameras from their fundamental matrix and the
     angle of rotation between them: 6 solutions.
@@ -1645,10 +1787,15 @@ def relpose_7pt_angle_focal_centre(
     - `focal`: ()
     - `centre`: (2,)
     """
-    return _solve("relpose_7pt_angle_focal_centre", fundamental, half_angle)
+    return _solve("relpose_7pt_angle_focal_centre", fundamental, half_angle, progress=progress)
 
 
-def relpose_7pt_focal_radial(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+def relpose_7pt_focal_radial(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Relative pose, focal length and radial distortion common to two cameras from seven point
     correspondences: 68 solutions, of which those with a real focal length are returned.
 
@@ -1689,10 +1836,15 @@ def relpose_7pt_focal_radial(first: npt.ArrayLike, second: npt.ArrayLike) -> Sol
     - `focal`: ()
     - `radial`: ()
     """
-    return _solve("relpose_7pt_focal_radial", first, second)
+    return _solve("relpose_7pt_focal_radial", first, second, progress=progress)
 
 
-def relpose_7pt_focal_radial_one_side(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+def relpose_7pt_focal_radial_one_side(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Relative pose, focal length and radial distortion of the first camera, the second calibrated,
     from seven points: 19 solutions, of which those with a real focal length are returned.
 
@@ -1725,12 +1877,14 @@ def relpose_7pt_focal_radial_one_side(first: npt.ArrayLike, second: npt.ArrayLik
     - `focal`: ()
     - `radial`: ()
     """
-    return _solve("relpose_7pt_focal_radial_one_side", first, second)
+    return _solve("relpose_7pt_focal_radial_one_side", first, second, progress=progress)
 
 
 def relpose_7pt_focal_radial_one_side_eliminated(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
+    *,
+    progress: Progress = None,
 ) -> Solutions:
     """Relative pose and radial distortion of the first camera, whose focal length is unknown, too, and
     eliminated, the second calibrated, from seven points: 19 solutions.
@@ -1763,10 +1917,15 @@ def relpose_7pt_focal_radial_one_side_eliminated(
     - `fundamental`: (3, 3)
     - `radial`: ()
     """
-    return _solve("relpose_7pt_focal_radial_one_side_eliminated", first, second)
+    return _solve("relpose_7pt_focal_radial_one_side_eliminated", first, second, progress=progress)
 
 
-def relpose_7pt_generalized_scale(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+def relpose_7pt_generalized_scale(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Relative pose and relative scale of two generalized cameras from seven point correspondences:
     140 solutions.
 
@@ -1792,10 +1951,15 @@ def relpose_7pt_generalized_scale(first: npt.ArrayLike, second: npt.ArrayLike) -
 
     - `q`: (4,)
     """
-    return _solve("relpose_7pt_generalized_scale", first, second)
+    return _solve("relpose_7pt_generalized_scale", first, second, progress=progress)
 
 
-def stitching_3pt_radial_focal(first: npt.ArrayLike, second: npt.ArrayLike) -> Solutions:
+def stitching_3pt_radial_focal(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Rotation between two photographs with common unknown focal length and radial distortion, a
     panorama, from three points: 18 solutions, of which those with a real focal length are returned.
 
@@ -1824,10 +1988,10 @@ def stitching_3pt_radial_focal(first: npt.ArrayLike, second: npt.ArrayLike) -> S
     - `focal`: ()
     - `radial`: ()
     """
-    return _solve("stitching_3pt_radial_focal", first, second)
+    return _solve("stitching_3pt_radial_focal", first, second, progress=progress)
 
 
-def tensor_eigenvectors(a: npt.ArrayLike) -> Solutions:
+def tensor_eigenvectors(a: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
     """Eigenvectors of a 3 x 3 x 3 tensor, scaled to eigenvalue 1: x_i = sum over j and k of a_ijk x_j
     x_k, 8 solutions with x = 0.
 
@@ -1846,10 +2010,10 @@ def tensor_eigenvectors(a: npt.ArrayLike) -> Solutions:
     - `y`: ()
     - `z`: ()
     """
-    return _solve("tensor_eigenvectors", a)
+    return _solve("tensor_eigenvectors", a, progress=progress)
 
 
-def three_quadrics(quadrics: npt.ArrayLike) -> Solutions:
+def three_quadrics(quadrics: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
     """The intersection of three general quadrics: 8 solutions by Bézout's theorem.
 
     Kukelova, Heller, Fitzgibbon, "Efficient intersection of three quadrics and applications in
@@ -1868,10 +2032,15 @@ def three_quadrics(quadrics: npt.ArrayLike) -> Solutions:
     - `y`: ()
     - `z`: ()
     """
-    return _solve("three_quadrics", quadrics)
+    return _solve("three_quadrics", quadrics, progress=progress)
 
 
-def triangulation_3view(cameras: npt.ArrayLike, images: npt.ArrayLike) -> Solutions:
+def triangulation_3view(
+    cameras: npt.ArrayLike,
+    images: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """Triangulation from three views, all stationary points of the sum of squared reprojection errors:
     47 solutions.
 
@@ -1904,13 +2073,15 @@ def triangulation_3view(cameras: npt.ArrayLike, images: npt.ArrayLike) -> Soluti
 
     - `position`: (3,)
     """
-    return _solve("triangulation_3view", cameras, images)
+    return _solve("triangulation_3view", cameras, images, progress=progress)
 
 
 def triangulation_3view_relaxed(
     first: npt.ArrayLike,
     second: npt.ArrayLike,
     image: npt.ArrayLike,
+    *,
+    progress: Progress = None,
 ) -> Solutions:
     """Triangulation from three views with two of the three epipolar constraints, all stationary points
     of the least-squares cost: 27 solutions.
@@ -1940,10 +2111,15 @@ def triangulation_3view_relaxed(
     - `x7`: ()
     - `x8`: ()
     """
-    return _solve("triangulation_3view_relaxed", first, second, image)
+    return _solve("triangulation_3view_relaxed", first, second, image, progress=progress)
 
 
-def trilateration(centres: npt.ArrayLike, distances: npt.ArrayLike) -> Solutions:
+def trilateration(
+    centres: npt.ArrayLike,
+    distances: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
     """A point at given distances from three known points: 2 solutions, mirror images in the plane of
     the three.
 
@@ -1964,10 +2140,10 @@ def trilateration(centres: npt.ArrayLike, distances: npt.ArrayLike) -> Solutions
     - `y`: ()
     - `z`: ()
     """
-    return _solve("trilateration", centres, distances)
+    return _solve("trilateration", centres, distances, progress=progress)
 
 
-def two_conics(p: npt.ArrayLike, q: npt.ArrayLike) -> Solutions:
+def two_conics(p: npt.ArrayLike, q: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
     """The intersection of two general conics: 4 solutions by Bézout's theorem.
 
     Kukelova, Bujnak, Pajdla, "Automatic Generator of Minimal Problem Solvers", ECCV 2008, use two
@@ -1985,4 +2161,4 @@ def two_conics(p: npt.ArrayLike, q: npt.ArrayLike) -> Solutions:
     - `x`: ()
     - `y`: ()
     """
-    return _solve("two_conics", p, q)
+    return _solve("two_conics", p, q, progress=progress)

@@ -9,6 +9,7 @@ use rayon::prelude::*;
 
 use crate::catalogue::{Found, SOLVERS, Sizes, Solver, Values, product};
 use crate::errors::SolveError;
+use crate::progress::Tally;
 use crate::status;
 use crate::threads::interruptible;
 
@@ -31,24 +32,39 @@ pub(crate) struct Lists<'py> {
 }
 
 /// Solves `count` instances by the solver with this number. Each array holds the data of all
-/// instances, or those that all share.
+/// instances, or those that all share. Between whiles `progress` is called with the number of
+/// instances that are done, and of all.
 #[pyfunction]
+#[pyo3(signature = (solver, arrays, count, progress = None))]
 pub(crate) fn solve_batch<'py>(
     py: Python<'py>,
     solver: usize,
     arrays: Vec<PyReadonlyArrayDyn<'py, f64>>,
     count: usize,
+    progress: Option<Py<PyAny>>,
 ) -> PyResult<Solved<'py>> {
     let solver = numbered(solver)?;
     let values = values(solver.name, solver.data, &arrays, count)?;
     let mut lists = Lists::new(py, solver.sizes, count)?;
     let mut found = lists.found()?;
+    let tally = Tally::new(progress, count);
     let piece = (PIECE_WORK / solver.operations.max(1)).clamp(1, PIECE as u64) as usize;
     if count <= piece {
         py.detach(|| (solver.solve_batch)(&values, &mut found));
+        tally.add(count);
     } else {
-        interruptible(py, |is_over| solve_pieces(solver, &values, found, piece, is_over), |_| Ok(()))?;
+        let work = |is_over: &AtomicBool| {
+            found.pieces(piece).into_par_iter().enumerate().for_each(|(number, mut found)| {
+                if !is_over.load(Ordering::Relaxed) {
+                    let values: Vec<Values<'_>> = values.iter().map(|values| values.from(number * piece)).collect();
+                    (solver.solve_batch)(&values, &mut found);
+                    tally.add(found.counts.len());
+                }
+            });
+        };
+        interruptible(py, work, |py| tally.tell(py))?;
     }
+    tally.tell(py)?;
     Ok(lists.into_arrays())
 }
 
@@ -118,16 +134,6 @@ pub(crate) fn values<'a, N: AsRef<str>, S: AsRef<[usize]>>(
         (expected == Some(scalars.len())).then_some(Values { scalars, stride }).ok_or_else(wrong)
     };
     arrays.iter().zip(data).map(of_array).collect()
-}
-
-/// Solves the pieces of a batch on all cores, until it is over.
-fn solve_pieces(solver: &Solver, values: &[Values<'_>], found: Found<'_>, piece: usize, is_over: &AtomicBool) {
-    found.pieces(piece).into_par_iter().enumerate().for_each(|(number, mut found)| {
-        if !is_over.load(Ordering::Relaxed) {
-            let values: Vec<Values<'_>> = values.iter().map(|values| values.from(number * piece)).collect();
-            (solver.solve_batch)(&values, &mut found);
-        }
-    });
 }
 
 /// As many zeros. Pages of memory are not touched before they are written.

@@ -18,6 +18,9 @@ mod catalogue;
 /// Work on all cores that Ctrl-C can end.
 mod threads;
 
+/// How many things of a batch are done, as Python hears it.
+mod progress;
+
 /// Batches of instances: pieces on all cores, results as arrays.
 mod batch;
 

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 
 use eliminant_cylinders::detection::GreyImage;
 use eliminant_cylinders::photograph::Photograph;
@@ -14,8 +15,10 @@ use pyo3::prelude::*;
 use rayon::prelude::*;
 
 use crate::cylinders::{SCENE, check_directions, check_threshold, evidence, json, of_interruption, of_label};
-use crate::cylinders::{refined, unit, until_interrupted};
+use crate::cylinders::{refined, unit};
 use crate::errors::CylinderError;
+use crate::progress::Tally;
+use crate::threads::interruptible;
 
 /// Where cameras and images are, and how cylinders are found.
 #[derive(FromPyObject)]
@@ -33,9 +36,15 @@ pub(crate) struct Photographs<'py> {
     has_points: bool,
 }
 
-/// The cylinders in photographs whose cameras are known: a JSON report.
+/// The cylinders in photographs whose cameras are known: a JSON report. Between whiles `progress`
+/// is called with the number of photographs in which lines were detected, and of all.
 #[pyfunction]
-pub(crate) fn cylinders_of_photographs(py: Python<'_>, given: Photographs<'_>) -> PyResult<String> {
+#[pyo3(signature = (given, progress = None))]
+pub(crate) fn cylinders_of_photographs(
+    py: Python<'_>,
+    given: Photographs<'_>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<String> {
     check_threshold(Some(given.threshold))?;
     check_directions(given.directions)?;
     let Photographs { scene, model, folder, arrays, threshold, directions, direction, has_points } = given;
@@ -43,11 +52,15 @@ pub(crate) fn cylinders_of_photographs(py: Python<'_>, given: Photographs<'_>) -
         Some(folder) => Images::Files(folder),
         None => Images::Arrays(arrays.iter().map(|(name, array)| grey(name, array)).collect::<Result<_, _>>()?),
     };
-    let report = until_interrupted(py, move |interrupt| -> Result<_, String> {
+    let tally = Tally::new(progress, 0);
+    let work = |is_over: &AtomicBool| -> Result<_, String> {
+        let interrupt = Interrupt::by(is_over);
         let (photographs, points) = cameras(scene, model)?;
         let scene = Scene { views: Vec::new(), points };
         evidence(&scene, has_points)?;
-        let seen = all_of(photographs.par_iter().map(|photograph| look(photograph, &images, interrupt)).collect())?;
+        tally.expect(photographs.len());
+        let look = |photograph| look(photograph, &images, interrupt).inspect(|_| tally.add(1));
+        let seen = all_of(photographs.par_iter().map(look).collect())?;
         let views: Vec<View> = seen.iter().map(|seen| seen.view.clone()).collect();
         let mut options = PhotoOptions::of(&views);
         options.matching.threshold = threshold;
@@ -57,8 +70,10 @@ pub(crate) fn cylinders_of_photographs(py: Python<'_>, given: Photographs<'_>) -
         let found = find_in_photographs(&seen, direction, &options).map_err(|error| of_label(None, &error))?;
         let scene = Scene { views: found.views, ..scene };
         refined(&scene, (threshold, &found.matching), evidence(&scene, has_points)?, interrupt)
-    });
-    json(&report?.map_err(CylinderError::new_err)?)
+    };
+    let report = interruptible(py, work, |py| tally.tell(py))?;
+    tally.tell(py)?;
+    json(&report.map_err(CylinderError::new_err)?)
 }
 
 /// Where the photographs are.

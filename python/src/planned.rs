@@ -19,7 +19,8 @@ use rayon::prelude::*;
 use crate::batch::{Lists, Solved, values};
 use crate::catalogue::{Found, Sizes, Values};
 use crate::errors::{ProblemError, SolveError};
-use crate::stability::{Figures, figures};
+use crate::progress::Tally;
+use crate::stability::{Figures, RandomInstances, figures};
 use crate::threads::interruptible;
 
 /// A problem, its template, and the plan of its solver.
@@ -132,16 +133,20 @@ fn product(term: &Term, coefficients: &[f64], x: &[f64]) -> f64 {
 
 #[pymethods]
 impl Planned {
-    /// Solves `count` instances.
+    /// Solves `count` instances. Between whiles `progress` is called with the number of those that
+    /// are done, and of all.
+    #[pyo3(signature = (arrays, count, progress = None))]
     fn solve_batch<'py>(
         &self,
         py: Python<'py>,
         arrays: Vec<PyReadonlyArrayDyn<'py, f64>>,
         count: usize,
+        progress: Option<Py<PyAny>>,
     ) -> PyResult<Solved<'py>> {
         let values = values(&self.problem.name, &self.data, &arrays, count)?;
         let mut lists = Lists::new(py, self.sizes, count)?;
         let found = lists.found()?;
+        let tally = Tally::new(progress, count);
         let work = |is_over: &AtomicBool| {
             found.pieces(1).into_par_iter().enumerate().for_each(|(at, mut found)| {
                 if is_over.load(Ordering::Relaxed) || found.is_empty() {
@@ -151,9 +156,11 @@ impl Planned {
                 if let Err(error) = self.solve(&values, 0, &mut found) {
                     found.fail(0, &error);
                 }
+                tally.add(1);
             });
         };
-        interruptible(py, work, |_| Ok(()))?;
+        interruptible(py, work, |py| tally.tell(py))?;
+        tally.tell(py)?;
         Ok(lists.into_arrays())
     }
 
@@ -173,9 +180,19 @@ impl Planned {
         source.map_err(|error| ProblemError::new_err(format!("error: {error}")))
     }
 
-    /// Solves random instances from `first` on, and judges what is found.
-    fn stability<'py>(&self, py: Python<'py>, first: usize, trials: usize, seed: u64) -> PyResult<Figures<'py>> {
-        figures(py, &self.plan, &self.solver, first..first.saturating_add(trials), seed)
+    /// Solves random instances from `first` on, and judges what is found. Between whiles `progress`
+    /// is called with the number of those that are done, and of all.
+    #[pyo3(signature = (first, trials, seed, progress = None))]
+    fn stability<'py>(
+        &self,
+        py: Python<'py>,
+        first: usize,
+        trials: usize,
+        seed: u64,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Figures<'py>> {
+        let random = RandomInstances { numbers: first..first.saturating_add(trials), seed };
+        figures(py, &self.plan, &self.solver, random, &Tally::new(progress, trials))
     }
 
     #[getter]

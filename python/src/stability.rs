@@ -12,6 +12,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
+use crate::progress::Tally;
 use crate::status;
 use crate::threads::interruptible;
 
@@ -36,22 +37,34 @@ struct Outcome {
     status: u16,
 }
 
-/// Solves these instances and judges what is found. Instance k depends on (seed, k) only.
+/// Random instances. Instance k depends on the seed and on k only.
+pub(crate) struct RandomInstances {
+    pub(crate) numbers: Range<usize>,
+    pub(crate) seed: u64,
+}
+
+/// Solves instances and judges what is found.
 pub(crate) fn figures<'py>(
     py: Python<'py>,
     plan: &Plan,
     solver: &InterpretedSolver,
-    instances: Range<usize>,
-    seed: u64,
+    instances: RandomInstances,
+    tally: &Tally,
 ) -> PyResult<Figures<'py>> {
+    let RandomInstances { numbers, seed } = instances;
     let work = |is_over: &AtomicBool| -> Vec<Outcome> {
         let outcome = |k: usize| match is_over.load(Ordering::Relaxed) {
             true => Outcome::default(),
-            false => Outcome::of(plan, solver, &random_instance(plan, seed, k)),
+            false => {
+                let outcome = Outcome::of(plan, solver, &random_instance(plan, seed, k));
+                tally.add(1);
+                outcome
+            }
         };
-        instances.into_par_iter().map(outcome).collect()
+        numbers.into_par_iter().map(outcome).collect()
     };
-    let outcomes = interruptible(py, work, |_| Ok(()))?;
+    let outcomes = interruptible(py, work, |py| tally.tell(py))?;
+    tally.tell(py)?;
     let counts = (0..COUNTS.len()).map(|at| outcomes.iter().map(|outcome| outcome.counts[at]).collect());
     let errors = (0..ERRORS.len()).map(|at| outcomes.iter().map(|outcome| outcome.errors[at]).collect());
     Ok((

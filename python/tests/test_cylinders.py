@@ -193,7 +193,9 @@ def test_photos(rng, truth, tmp_path):
     scene = cylinders.scene(poses, segments=[np.zeros((0, 4))] * 8, calibration=calibration, images=names)
     colour = [np.repeat(image[:, :, None], 3, axis=2).astype(np.uint8) for image in images]
     for given in (images, colour):
-        found = cylinders.photos(scene, dict(zip(names, given)))
+        heard = []
+        found = cylinders.photos(scene, dict(zip(names, given)), progress=lambda *count: heard.append(count))
+        assert heard[-1] == (8, 8)
         assert sorted(round(cylinder.radius, 2) for cylinder in found.cylinders) == [0.2, 0.25, 0.3]
         assert found.directions.shape == (1, 3) and abs(found.directions[0] @ direction) > 0.99999
     with pytest.raises(cylinders.CylinderError, match="there is no image `7.png`"):

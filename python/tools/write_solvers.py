@@ -19,6 +19,9 @@ HEAD = '''"""The solvers of the catalogue.
 
 Each takes the data of one instance, or arrays of the data of n instances. Data of one instance in
 a batch hold for all. Batches are solved on all cores, without the lock of the interpreter.
+`progress` is called with the number of instances that are done and of all; by default a long batch
+has a bar where tqdm is installed and standard error is a terminal or this is a notebook, and with
+False it has none.
 
 Written by `tools/write_solvers.py` from the problems in `templates/`.
 """
@@ -28,6 +31,7 @@ from __future__ import annotations
 import numpy.typing as npt
 
 from ._arrays import Array
+from ._progress import Progress
 from ._solutions import Solutions
 from ._solve import mean as _mean
 from ._solve import solve as _solve
@@ -47,6 +51,8 @@ def lines_of(docs: str) -> list[str]:
 def docstring(solver: Solver) -> str:
     """What the problem says, then shapes."""
     lines = lines_of(solver.docs)
+    if f"{solver.name}_rays" in SOLVERS:
+        lines += ["", f"Of rays or image points it is `{solver.name}_rays`."]
     lines += ["", "Data, for one instance, or with n in front for a batch:", ""]
     for name, shape in solver.data:
         note = ", or image points, one coordinate less" if name in HOMOGENEOUS.get(solver.name, ()) else ""
@@ -74,14 +80,18 @@ def docstring_of_mean(name: str, mean: Mean) -> str:
 
 def function(name: str, names: list[str], docs: str, returned: str, call: str) -> str:
     """The function of this name with these parameters, which calls another."""
-    parameters = ", ".join(f"{parameter}: npt.ArrayLike" for parameter in names)
+    typed = [f"{parameter}: npt.ArrayLike" for parameter in names]
+    arguments = [f'"{name}"', *names]
+    if call == "_solve":
+        typed += ["*", "progress: Progress = None"]
+        arguments.append("progress=progress")
+    parameters = ", ".join(typed)
     raw = "r" if "\\" in docs else ""
     opening = f"def {name}({parameters}) -> {returned}:"
     if len(opening) > 100:
-        parameters = "".join(f"    {parameter}: npt.ArrayLike,\n" for parameter in names)
+        parameters = "".join(f"    {parameter},\n" for parameter in typed)
         opening = f"def {name}(\n{parameters}) -> {returned}:"
-    arguments = ", ".join([f'"{name}"', *names])
-    return f'{opening}\n    {raw}"""{docs.strip()}\n    """\n    return {call}({arguments})\n'
+    return f'{opening}\n    {raw}"""{docs.strip()}\n    """\n    return {call}({", ".join(arguments)})\n'
 
 
 def module() -> str:
