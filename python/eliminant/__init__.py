@@ -4,6 +4,7 @@ from ._eliminant import ProblemError, SolveError, __version__
 from ._problem import Check, Problem, Template, catalogue, problem
 from ._solutions import Solutions, Status
 from ._stability import Stability
+from ._stability_summary import StabilitySummary
 from .solvers import *  # noqa: F403
 from .solvers import __all__ as _names
 
@@ -14,6 +15,7 @@ __all__ = [
     "Solutions",
     "SolveError",
     "Stability",
+    "StabilitySummary",
     "Status",
     "Template",
     "__version__",

@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from . import _eliminant
 from ._arrays import Array
+from ._stability_summary import StabilitySummary, histogram, worst
 
 Counts = npt.NDArray[np.int64]
 
@@ -68,6 +69,22 @@ class Stability:
             name: np.concatenate([getattr(part, name) for part in parts])[order] for name in array_names()
         }
         return Stability(problem=parts[0].problem, seed=parts[0].seed, **arrays)
+
+    def summary(self) -> StabilitySummary:
+        """What is left of these figures in little memory."""
+        kinds, counts = np.unique(self.status[self.status != 0], return_counts=True)
+        return StabilitySummary(
+            problem=self.problem,
+            seed=self.seed,
+            instances=len(self),
+            failed=self.failed,
+            incomplete=self.incomplete,
+            totals={name: int(getattr(self, name).sum()) for name in sorted(_eliminant.COUNTS)},
+            errors={int(kind): int(count) for kind, count in zip(kinds, counts)},
+            residual=histogram(self.residual),
+            forward_error=histogram(self.forward_error),
+            worst=worst(self.forward_error, self.instance),
+        )
 
     def __len__(self) -> int:
         return len(self.status)

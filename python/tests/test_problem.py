@@ -94,6 +94,7 @@ def test_an_exception_of_progress_ends_the_search():
         ({"prefer": "beauty"}, ValueError),
         ({"max_columns": 1}, ValueError),
         ({"trials": 0}, ValueError),
+        ({"trace": True, "max_columns": 100}, ValueError),
         ({"seed": -1}, ValueError),
         ({"shuffles": 2**64}, ValueError),
         ({"confirm": 1.5}, TypeError),
@@ -195,6 +196,68 @@ def test_stability_of_parts_is_that_of_the_whole():
     assert len(problem.stability(0)) == 0
     with pytest.raises(ValueError):
         eliminant.Stability.join([whole, problem.stability(1, seed=4)])
+
+
+def test_summaries_of_parts_are_that_of_the_whole():
+    problem = eliminant.problem("relpose_5pt")
+    whole = problem.stability(60, seed=3)
+    summary = whole.summary()
+    bounds = [0, 7, 8, 30, 60]
+    parts = [problem.stability(end - at, seed=3, first=at).summary() for at, end in zip(bounds, bounds[1:])]
+    assert eliminant.StabilitySummary.join(reversed(parts)) == summary
+    assert eliminant.StabilitySummary.join(parts[:3]) != summary
+    assert summary.instances == 60 and summary.totals["complex"] == 600 and summary.failed == 0
+    order = np.argsort(-whole.forward_error)[:10]
+    assert summary.worst == tuple((whole.forward_error[at], at) for at in order)
+    for name in ("residual", "forward_error"):
+        errors = np.sort(getattr(whole, name))
+        assert sum(getattr(summary, name).values()) == 60
+        for share, least in ((0.5, errors[29]), (0.95, errors[56]), (1.0, errors[-1])):
+            assert least <= summary.quantile(share, name) <= 1.26 * least
+    with pytest.raises(ValueError):
+        eliminant.StabilitySummary.join([summary, problem.stability(1, seed=4).summary()])
+    with pytest.raises(ValueError):
+        eliminant.StabilitySummary.join([])
+    nothing = problem.stability(0, seed=3).summary()
+    assert np.isnan(nothing.quantile(0.5)) and eliminant.StabilitySummary.join([nothing, summary]) == summary
+
+
+def test_errors_of_any_size_are_in_a_bin():
+    from eliminant._stability_summary import histogram
+
+    errors = np.array([0.0, 1e-300, 1.0, 1.0, 0.5, np.nextafter(1.0, 0.0), np.inf, 1e60, np.nan])
+    assert histogram(errors) == {-400: 2, -4: 1, -1: 1, 0: 2, 399: 2}
+
+
+CURVES = """
+fn curves(c: [[f64; 28]; 2]) -> (x, y) {
+    for f in c {
+        dot(f, [MONOMIALS]) == 0;
+    }
+}
+""".replace("MONOMIALS", ", ".join(f"x.pow({i}) * y.pow({j})" for i in range(7) for j in range(7 - i)))
+
+
+def test_where_growing_finds_nothing_the_trace_gives_a_template(rng):
+    """Two dense curves of degree 6, and no time to grow a template."""
+    problem = eliminant.Problem(CURVES)
+    few = {"budget": 1e-9, "trials": 10, "confirm": 10}
+    with pytest.raises(eliminant.ProblemError, match="no elimination template within 100 columns"):
+        problem.search(max_columns=100, **few)
+    size = problem.search(**few)
+    assert size.solutions == 36 and size.is_cut
+    curves = rng.normal(size=(2, 28))
+    points = problem.solve(curves).values
+    assert len(points) > 0
+    x, y = points.T
+    monomials = np.array([x**i * y**j for i in range(7) for j in range(7 - i)])
+    assert (np.abs(curves @ monomials) < 1e-8 * (np.abs(curves) @ np.abs(monomials))).all()
+
+
+def test_the_trace_alone():
+    problem = eliminant.Problem(CURVES)
+    size = problem.search(trace=True, trials=10, confirm=10, shuffles=0)
+    assert size.solutions == 36 and not size.is_cut
 
 
 def test_interpreted_and_emitted_solvers_agree(rng):
