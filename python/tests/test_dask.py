@@ -40,4 +40,4 @@ def test_two_workers_find_the_template_of_one_process(tmp_path):
     printed = run("dask_search.py", str(tmp_path / "two_conics.rs"), "--shards", "3", "--check", *options)
     assert "one process finds the same template" in printed
     found = eliminant.Problem.from_file(tmp_path / "two_conics.rs")
-    assert found.template_size.solutions == 4 and "seed = 3" in found.template
+    assert found.template_size.solutions == 4 and 'seed = "3"' in found.template
