@@ -150,13 +150,16 @@ uint64_t eliminant_calibration_6_receivers_4_senders_second_attempt_operations(v
  *
  * `gram` is the mean over all lines l = (a, b, c) of r r^T with r = (a^2, ab, ac, b^2, bc, c^2).
  * The dual conic is [d1 d2 d3; d2 d4 d5; d3 d5 -1]: a circle with centre (-d3, -d5) and squared
- * radius d1 + d3^2 = d4 + d5^2.
+ * radius d1 + d3^2 = d4 + d5^2, which is negative at some stationary points. The cost is the mean
+ * of (l^T D l)^2.
  *
  * Data: gram[6][6] (symmetric: the result of `mean_of_line`).
  * A row of 7 numbers, the unknowns: d1, d2, d3, d4, d5, lambda1, lambda2.
+ * A row of 4 numbers, the result circle: centre[2], squared_radius, cost.
  */
 #define ELIMINANT_CIRCLE_LEAST_SQUARES_GRAM_LENGTH 36
 #define ELIMINANT_CIRCLE_LEAST_SQUARES_UNKNOWNS 7
+#define ELIMINANT_CIRCLE_LEAST_SQUARES_LENGTH_OF_CIRCLE 4
 #define ELIMINANT_CIRCLE_LEAST_SQUARES_MAX_SOLUTIONS 9
 int32_t eliminant_circle_least_squares_solve(
     const double *gram, size_t gram_length, double *solutions, size_t capacity, size_t *count);
@@ -164,6 +167,14 @@ int32_t eliminant_circle_least_squares_solve_with(
     uint64_t second_attempts, const double *gram, size_t gram_length, double *solutions,
     size_t capacity, size_t *count);
 int32_t eliminant_circle_least_squares_solve_batch(
+    size_t instances, const double *gram, size_t gram_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_circle_least_squares_solve_for_circle(
+    const double *gram, size_t gram_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_circle_least_squares_solve_with_for_circle(
+    uint64_t second_attempts, const double *gram, size_t gram_length, double *solutions,
+    size_t capacity, size_t *count);
+int32_t eliminant_circle_least_squares_solve_batch_for_circle(
     size_t instances, const double *gram, size_t gram_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
 int32_t eliminant_circle_least_squares_relative_residual(
@@ -192,9 +203,11 @@ int32_t eliminant_circle_least_squares_mean_of_line(
  *
  * Data: gram[6][6] (symmetric: the result of `mean_of_line`).
  * A row of 3 numbers, the unknowns: d3, d4, d5.
+ * A row of 4 numbers, the result circle: centre[2], squared_radius, cost.
  */
 #define ELIMINANT_CIRCLE_LEAST_SQUARES_DUAL_GRAM_LENGTH 36
 #define ELIMINANT_CIRCLE_LEAST_SQUARES_DUAL_UNKNOWNS 3
+#define ELIMINANT_CIRCLE_LEAST_SQUARES_DUAL_LENGTH_OF_CIRCLE 4
 #define ELIMINANT_CIRCLE_LEAST_SQUARES_DUAL_MAX_SOLUTIONS 9
 int32_t eliminant_circle_least_squares_dual_solve(
     const double *gram, size_t gram_length, double *solutions, size_t capacity, size_t *count);
@@ -202,6 +215,14 @@ int32_t eliminant_circle_least_squares_dual_solve_with(
     uint64_t second_attempts, const double *gram, size_t gram_length, double *solutions,
     size_t capacity, size_t *count);
 int32_t eliminant_circle_least_squares_dual_solve_batch(
+    size_t instances, const double *gram, size_t gram_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_circle_least_squares_dual_solve_for_circle(
+    const double *gram, size_t gram_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_circle_least_squares_dual_solve_with_for_circle(
+    uint64_t second_attempts, const double *gram, size_t gram_length, double *solutions,
+    size_t capacity, size_t *count);
+int32_t eliminant_circle_least_squares_dual_solve_batch_for_circle(
     size_t instances, const double *gram, size_t gram_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
 int32_t eliminant_circle_least_squares_dual_relative_residual(
@@ -309,6 +330,55 @@ int32_t eliminant_fundamental_7pt_error_bound(
     const double *first, size_t first_length, const double *second, size_t second_length,
     const double *solution, size_t solution_length, double *error_bound);
 uint64_t eliminant_fundamental_7pt_second_attempt_operations(void);
+
+/*
+ * fundamental_8pt
+ *
+ * Fundamental matrix of two cameras from eight points: 1 solution.
+ *
+ * Hartley, Zisserman, "Multiple view geometry in computer vision", 2003, section 11.1.
+ *
+ * `first[k]` and `second[k]` are the images of point k. A fundamental matrix F satisfies
+ * `(second[k], 1) . F (first[k], 1) = 0`. It is the sum of the two matrices that span the null
+ * space of the first seven of these equations, each times its weight, which the last one gives. Of
+ * images with errors F has rank 3; that of seven points, `fundamental_7pt`, has rank 2.
+ *
+ * Data: first[8][2], second[8][2].
+ * A row of 2 numbers, the unknowns: weights[2] (given up to scale: of length 1).
+ * A row of 9 numbers, the result epipolar: fundamental[3][3].
+ */
+#define ELIMINANT_FUNDAMENTAL_8PT_FIRST_LENGTH 16
+#define ELIMINANT_FUNDAMENTAL_8PT_SECOND_LENGTH 16
+#define ELIMINANT_FUNDAMENTAL_8PT_UNKNOWNS 2
+#define ELIMINANT_FUNDAMENTAL_8PT_LENGTH_OF_EPIPOLAR 9
+#define ELIMINANT_FUNDAMENTAL_8PT_MAX_SOLUTIONS 1
+int32_t eliminant_fundamental_8pt_solve(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_fundamental_8pt_solve_with(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_fundamental_8pt_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_fundamental_8pt_solve_for_epipolar(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_fundamental_8pt_solve_with_for_epipolar(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_fundamental_8pt_solve_batch_for_epipolar(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_fundamental_8pt_relative_residual(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *relative_residual);
+int32_t eliminant_fundamental_8pt_error_bound(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *solution, size_t solution_length, double *error_bound);
+uint64_t eliminant_fundamental_8pt_second_attempt_operations(void);
 
 /*
  * fundamental_8pt_radial
@@ -561,14 +631,18 @@ uint64_t eliminant_katsura_5_second_attempt_operations(void);
  * h up to a multiple of n, this is (n.d + w.m)^2 = |n x m|^2 / h^2, and `square` is 1 / h^2. The
  * published unknowns are the entries of the orbit's dual quadric.
  *
+ * Returned are the normal of the plane, of length 1, e and h, which is the semi-latus rectum.
+ *
  * With directions and moments exchanged these are the cylinders that touch five lines: n is the
  * direction of the axis, w its moment, and `square` that of the radius.
  *
  * Data: sights[5][2][3].
  * A row of 6 numbers, the unknowns: a, b, p, q, r, square.
+ * A row of 7 numbers, the result orbit: normal[3], eccentricity[3], semi_latus_rectum.
  */
 #define ELIMINANT_ORBIT_5_LINES_OF_SIGHT_SIGHTS_LENGTH 30
 #define ELIMINANT_ORBIT_5_LINES_OF_SIGHT_UNKNOWNS 6
+#define ELIMINANT_ORBIT_5_LINES_OF_SIGHT_LENGTH_OF_ORBIT 7
 #define ELIMINANT_ORBIT_5_LINES_OF_SIGHT_MAX_SOLUTIONS 66
 int32_t eliminant_orbit_5_lines_of_sight_solve(
     const double *sights, size_t sights_length, double *solutions, size_t capacity, size_t *count);
@@ -576,6 +650,14 @@ int32_t eliminant_orbit_5_lines_of_sight_solve_with(
     uint64_t second_attempts, const double *sights, size_t sights_length, double *solutions,
     size_t capacity, size_t *count);
 int32_t eliminant_orbit_5_lines_of_sight_solve_batch(
+    size_t instances, const double *sights, size_t sights_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_orbit_5_lines_of_sight_solve_for_orbit(
+    const double *sights, size_t sights_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_orbit_5_lines_of_sight_solve_with_for_orbit(
+    uint64_t second_attempts, const double *sights, size_t sights_length, double *solutions,
+    size_t capacity, size_t *count);
+int32_t eliminant_orbit_5_lines_of_sight_solve_batch_for_orbit(
     size_t instances, const double *sights, size_t sights_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
 int32_t eliminant_orbit_5_lines_of_sight_relative_residual(
@@ -2589,9 +2671,6 @@ uint64_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_second_attempt_o
  * either ray and the scale; that the rays of any four others meet, too, are linear equations for
  * these three. What is stated depends on these five points, not on which is the first.
  *
- * Call it in a thread with a stack of more than 2 MiB: a second attempt, at twice the precision,
- * takes 2.3.
- *
  * Data: first[7][2][3], second[7][2][3].
  * A row of 4 numbers, the unknowns: q[4] (given up to scale: of length 1).
  */
@@ -2806,15 +2885,17 @@ uint64_t eliminant_triangulation_3view_second_attempt_operations(void);
  *
  * `image` holds the measured image points, one a row. The corrected ones (x1, x2), (x3, x4) and
  * (x5, x6) are the closest to these that satisfy p1^T `first` p2 = 0 and p2^T `second` p3 = 0,
- * with the multipliers x7 and x8.
+ * with the multipliers x7 and x8. The cost is the sum of the squared distances.
  *
  * Data: first[3][3] (of lower rank), second[3][3] (of lower rank), image[3][2].
  * A row of 8 numbers, the unknowns: x1, x2, x3, x4, x5, x6, x7, x8.
+ * A row of 7 numbers, the result corrected: images[3][2], cost.
  */
 #define ELIMINANT_TRIANGULATION_3VIEW_RELAXED_FIRST_LENGTH 9
 #define ELIMINANT_TRIANGULATION_3VIEW_RELAXED_SECOND_LENGTH 9
 #define ELIMINANT_TRIANGULATION_3VIEW_RELAXED_IMAGE_LENGTH 6
 #define ELIMINANT_TRIANGULATION_3VIEW_RELAXED_UNKNOWNS 8
+#define ELIMINANT_TRIANGULATION_3VIEW_RELAXED_LENGTH_OF_CORRECTED 7
 #define ELIMINANT_TRIANGULATION_3VIEW_RELAXED_MAX_SOLUTIONS 27
 int32_t eliminant_triangulation_3view_relaxed_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
@@ -2824,6 +2905,17 @@ int32_t eliminant_triangulation_3view_relaxed_solve_with(
     size_t second_length, const double *image, size_t image_length, double *solutions,
     size_t capacity, size_t *count);
 int32_t eliminant_triangulation_3view_relaxed_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, const double *image, size_t image_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_triangulation_3view_relaxed_solve_for_corrected(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *image, size_t image_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_triangulation_3view_relaxed_solve_with_for_corrected(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, const double *image, size_t image_length, double *solutions,
+    size_t capacity, size_t *count);
+int32_t eliminant_triangulation_3view_relaxed_solve_batch_for_corrected(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, const double *image, size_t image_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);

@@ -387,7 +387,8 @@ inline void solve_batch_for_positions(
 ///
 /// `gram` is the mean over all lines l = (a, b, c) of r r^T with r = (a^2, ab, ac, b^2, bc, c^2).
 /// The dual conic is [d1 d2 d3; d2 d4 d5; d3 d5 -1]: a circle with centre (-d3, -d5) and squared
-/// radius d1 + d3^2 = d4 + d5^2.
+/// radius d1 + d3^2 = d4 + d5^2, which is negative at some stationary points. The cost is the mean
+/// of (l^T D l)^2.
 namespace circle_least_squares {
 
 /// No call returns more solutions.
@@ -436,6 +437,49 @@ inline void solve_batch(
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_circle_least_squares_solve_batch(
+            instances, gram.data(), gram.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `circle_least_squares` returns beside its unknowns.
+struct Circle {
+    std::array<double, 2> centre;
+    double squared_radius;
+    double cost;
+};
+static_assert(sizeof(Circle) == 4 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each circle, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Circle, max_solutions>> try_solve_for_circle(Values<36> gram) noexcept {
+    return Result<Solutions<Circle, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_circle_least_squares_solve_for_circle(gram.data(), gram.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each circle. Throws `Error`.
+[[nodiscard]] inline Solutions<Circle, max_solutions> solve_for_circle(Values<36> gram) {
+    return try_solve_for_circle(gram).value();
+}
+
+/// As `try_solve_for_circle`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Circle, max_solutions>> try_solve_with_for_circle(SecondAttempts second_attempts, Values<36> gram) noexcept {
+    return Result<Solutions<Circle, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_circle_least_squares_solve_with_for_circle(
+            second_attempts.operations(), gram.data(), gram.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_circle`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Circle, max_solutions> solve_with_for_circle(SecondAttempts second_attempts, Values<36> gram) {
+    return try_solve_with_for_circle(second_attempts, gram).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_circle(
+    std::size_t instances, Many gram, Batch<Circle, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_circle_least_squares_solve_batch_for_circle(
             instances, gram.data(), gram.size(), to_solutions, solutions_length, counts, codes);
     });
 }
@@ -529,6 +573,49 @@ inline void solve_batch(
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_circle_least_squares_dual_solve_batch(
+            instances, gram.data(), gram.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `circle_least_squares_dual` returns beside its unknowns.
+struct Circle {
+    std::array<double, 2> centre;
+    double squared_radius;
+    double cost;
+};
+static_assert(sizeof(Circle) == 4 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each circle, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Circle, max_solutions>> try_solve_for_circle(Values<36> gram) noexcept {
+    return Result<Solutions<Circle, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_circle_least_squares_dual_solve_for_circle(gram.data(), gram.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each circle. Throws `Error`.
+[[nodiscard]] inline Solutions<Circle, max_solutions> solve_for_circle(Values<36> gram) {
+    return try_solve_for_circle(gram).value();
+}
+
+/// As `try_solve_for_circle`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Circle, max_solutions>> try_solve_with_for_circle(SecondAttempts second_attempts, Values<36> gram) noexcept {
+    return Result<Solutions<Circle, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_circle_least_squares_dual_solve_with_for_circle(
+            second_attempts.operations(), gram.data(), gram.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_circle`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Circle, max_solutions> solve_with_for_circle(SecondAttempts second_attempts, Values<36> gram) {
+    return try_solve_with_for_circle(second_attempts, gram).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_circle(
+    std::size_t instances, Many gram, Batch<Circle, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_circle_least_squares_dual_solve_batch_for_circle(
             instances, gram.data(), gram.size(), to_solutions, solutions_length, counts, codes);
     });
 }
@@ -776,6 +863,128 @@ inline void solve_batch_for_epipolar(
 }
 
 } // namespace fundamental_7pt
+
+/// Fundamental matrix of two cameras from eight points: 1 solution.
+///
+/// Hartley, Zisserman, "Multiple view geometry in computer vision", 2003, section 11.1.
+///
+/// `first[k]` and `second[k]` are the images of point k. A fundamental matrix F satisfies
+/// `(second[k], 1) . F (first[k], 1) = 0`. It is the sum of the two matrices that span the null
+/// space of the first seven of these equations, each times its weight, which the last one gives. Of
+/// images with errors F has rank 3; that of seven points, `fundamental_7pt`, has rank 2.
+namespace fundamental_8pt {
+
+/// No call returns more solutions.
+inline constexpr std::size_t max_solutions = 1;
+
+/// A solution of `fundamental_8pt`.
+struct Solution {
+    std::array<double, 2> weights; ///< given up to scale: of length 1
+};
+static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each solution, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<16> first, Values<16> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_fundamental_8pt_solve(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each solution. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<16> first, Values<16> second) {
+    return try_solve(first, second).value();
+}
+
+/// As `try_solve`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<16> first, Values<16> second) noexcept {
+    return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_fundamental_8pt_solve_with(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<16> first, Values<16> second) {
+    return try_solve_with(second_attempts, first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch(
+    std::size_t instances, Many first, Many second, Batch<Solution, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_fundamental_8pt_solve_batch(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `fundamental_8pt` returns beside its unknowns.
+struct Epipolar {
+    std::array<std::array<double, 3>, 3> fundamental;
+};
+static_assert(sizeof(Epipolar) == 9 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each epipolar, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Epipolar, max_solutions>> try_solve_for_epipolar(Values<16> first, Values<16> second) noexcept {
+    return Result<Solutions<Epipolar, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_fundamental_8pt_solve_for_epipolar(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each epipolar. Throws `Error`.
+[[nodiscard]] inline Solutions<Epipolar, max_solutions> solve_for_epipolar(Values<16> first, Values<16> second) {
+    return try_solve_for_epipolar(first, second).value();
+}
+
+/// As `try_solve_for_epipolar`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Epipolar, max_solutions>> try_solve_with_for_epipolar(SecondAttempts second_attempts, Values<16> first, Values<16> second) noexcept {
+    return Result<Solutions<Epipolar, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_fundamental_8pt_solve_with_for_epipolar(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_epipolar`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Epipolar, max_solutions> solve_with_for_epipolar(SecondAttempts second_attempts, Values<16> first, Values<16> second) {
+    return try_solve_with_for_epipolar(second_attempts, first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_epipolar(
+    std::size_t instances, Many first, Many second, Batch<Epipolar, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_fundamental_8pt_solve_batch_for_epipolar(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
+/// solution. Throws `Error`.
+[[nodiscard]] inline double relative_residual(Values<16> first, Values<16> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_fundamental_8pt_relative_residual(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
+/// known to be near. Throws `Error`.
+[[nodiscard]] inline double error_bound(Values<16> first, Values<16> second, const Solution &solution) {
+    double number = 0.0;
+    const std::int32_t code = eliminant_fundamental_8pt_error_bound(
+        first.data(), first.size(), second.data(), second.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+    if (code != ELIMINANT_OK) throw Error(code);
+    return number;
+}
+
+/// How many operations a second attempt has: see `SecondAttempts`.
+[[nodiscard]] inline std::uint64_t second_attempt_operations() noexcept {
+    return eliminant_fundamental_8pt_second_attempt_operations();
+}
+
+} // namespace fundamental_8pt
 
 /// Fundamental matrix and the radial distortion common to both cameras from eight points: 16
 /// solutions.
@@ -1383,6 +1592,8 @@ inline void solve_batch(
 /// h up to a multiple of n, this is (n.d + w.m)^2 = |n x m|^2 / h^2, and `square` is 1 / h^2. The
 /// published unknowns are the entries of the orbit's dual quadric.
 ///
+/// Returned are the normal of the plane, of length 1, e and h, which is the semi-latus rectum.
+///
 /// With directions and moments exchanged these are the cylinders that touch five lines: n is the
 /// direction of the axis, w its moment, and `square` that of the radius.
 namespace orbit_5_lines_of_sight {
@@ -1432,6 +1643,49 @@ inline void solve_batch(
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_orbit_5_lines_of_sight_solve_batch(
+            instances, sights.data(), sights.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `orbit_5_lines_of_sight` returns beside its unknowns.
+struct Orbit {
+    std::array<double, 3> normal;
+    std::array<double, 3> eccentricity;
+    double semi_latus_rectum;
+};
+static_assert(sizeof(Orbit) == 7 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each orbit, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Orbit, max_solutions>> try_solve_for_orbit(Values<30> sights) noexcept {
+    return Result<Solutions<Orbit, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_orbit_5_lines_of_sight_solve_for_orbit(sights.data(), sights.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each orbit. Throws `Error`.
+[[nodiscard]] inline Solutions<Orbit, max_solutions> solve_for_orbit(Values<30> sights) {
+    return try_solve_for_orbit(sights).value();
+}
+
+/// As `try_solve_for_orbit`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Orbit, max_solutions>> try_solve_with_for_orbit(SecondAttempts second_attempts, Values<30> sights) noexcept {
+    return Result<Solutions<Orbit, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_orbit_5_lines_of_sight_solve_with_for_orbit(
+            second_attempts.operations(), sights.data(), sights.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_orbit`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Orbit, max_solutions> solve_with_for_orbit(SecondAttempts second_attempts, Values<30> sights) {
+    return try_solve_with_for_orbit(second_attempts, sights).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_orbit(
+    std::size_t instances, Many sights, Batch<Orbit, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_orbit_5_lines_of_sight_solve_batch_for_orbit(
             instances, sights.data(), sights.size(), to_solutions, solutions_length, counts, codes);
     });
 }
@@ -5976,9 +6230,6 @@ inline void solve_batch_for_radial_epipolar(
 /// That the rays of one point meet gives the translation up to the depths of that point along
 /// either ray and the scale; that the rays of any four others meet, too, are linear equations for
 /// these three. What is stated depends on these five points, not on which is the first.
-///
-/// Call it in a thread with a stack of more than 2 MiB: a second attempt, at twice the precision,
-/// takes 2.3.
 namespace relpose_7pt_generalized_scale {
 
 /// No call returns more solutions.
@@ -6485,7 +6736,7 @@ inline void solve_batch_for_point(
 ///
 /// `image` holds the measured image points, one a row. The corrected ones (x1, x2), (x3, x4) and
 /// (x5, x6) are the closest to these that satisfy p1^T `first` p2 = 0 and p2^T `second` p3 = 0,
-/// with the multipliers x7 and x8.
+/// with the multipliers x7 and x8. The cost is the sum of the squared distances.
 namespace triangulation_3view_relaxed {
 
 /// No call returns more solutions.
@@ -6535,6 +6786,48 @@ inline void solve_batch(
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_triangulation_3view_relaxed_solve_batch(
+            instances, first.data(), first.size(), second.data(), second.size(), image.data(), image.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `triangulation_3view_relaxed` returns beside its unknowns.
+struct Corrected {
+    std::array<std::array<double, 2>, 3> images;
+    double cost;
+};
+static_assert(sizeof(Corrected) == 7 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each corrected, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Corrected, max_solutions>> try_solve_for_corrected(Values<9> first, Values<9> second, Values<6> image) noexcept {
+    return Result<Solutions<Corrected, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_triangulation_3view_relaxed_solve_for_corrected(first.data(), first.size(), second.data(), second.size(), image.data(), image.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each corrected. Throws `Error`.
+[[nodiscard]] inline Solutions<Corrected, max_solutions> solve_for_corrected(Values<9> first, Values<9> second, Values<6> image) {
+    return try_solve_for_corrected(first, second, image).value();
+}
+
+/// As `try_solve_for_corrected`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Corrected, max_solutions>> try_solve_with_for_corrected(SecondAttempts second_attempts, Values<9> first, Values<9> second, Values<6> image) noexcept {
+    return Result<Solutions<Corrected, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_triangulation_3view_relaxed_solve_with_for_corrected(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), image.data(), image.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_corrected`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Corrected, max_solutions> solve_with_for_corrected(SecondAttempts second_attempts, Values<9> first, Values<9> second, Values<6> image) {
+    return try_solve_with_for_corrected(second_attempts, first, second, image).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_corrected(
+    std::size_t instances, Many first, Many second, Many image, Batch<Corrected, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_triangulation_3view_relaxed_solve_batch_for_corrected(
             instances, first.data(), first.size(), second.data(), second.size(), image.data(), image.size(), to_solutions, solutions_length, counts, codes);
     });
 }

@@ -45,8 +45,8 @@ pub struct MatchOptions<'a> {
 }
 
 impl MatchOptions<'_> {
-    /// Options for pairs of every image and all cylinders, without interruption. The threshold is 3 pixels if all cameras
-    /// have a calibration, and 0.001 radians otherwise.
+    /// Options for pairs of every image and all cylinders, without interruption. The threshold is 3
+    /// pixels if all cameras have a calibration, and 0.001 radians otherwise.
     pub fn of(views: &[View]) -> Self {
         let calibrated = views.iter().all(|view| view.camera().calibration().is_some());
         let (unit, threshold) = match calibrated {

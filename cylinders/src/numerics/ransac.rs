@@ -218,11 +218,11 @@ impl<E: Estimator> Search<'_, E> {
         let mut of_fitted = vec![0.0; squares.len()];
         for width in WIDTHS.into_iter().chain([1.0; REPETITIONS]) {
             let before = cost;
-            if let Some(fitted) = self.estimator.fitted(&model, &self.inliers(squares, width)) {
-                if let Some(lower) = self.cost_below(cost, &fitted, 1.0, &mut of_fitted) {
-                    (model, cost) = (fitted, lower);
-                    std::mem::swap(squares, &mut of_fitted);
-                }
+            if let Some(fitted) = self.estimator.fitted(&model, &self.inliers(squares, width))
+                && let Some(lower) = self.cost_below(cost, &fitted, 1.0, &mut of_fitted)
+            {
+                (model, cost) = (fitted, lower);
+                std::mem::swap(squares, &mut of_fitted);
             }
             if width <= 1.0 && cost >= (1.0 - LITTLE) * before {
                 break;
