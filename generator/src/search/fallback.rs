@@ -30,10 +30,10 @@ pub struct Fallback<'a, T, E> {
 impl<T: Chosen, E> Fallback<'_, T, E> {
     /// The best of a first attempt and of what follows on it.
     ///
-    /// If nothing that solves well was found and the time is not over, the wider limit is tried. What
-    /// it gives is taken if it solves well, or if the first limit gave nothing. Where both give
-    /// nothing, even for lack of time, the trace gives a template of any size. It is tried, too,
-    /// where there is time and nothing solves well.
+    /// If nothing that solves well was found and the time is not over, the wider limit is tried.
+    /// What it gives is taken if it solves well, or if the first limit gave nothing. Where both
+    /// give nothing, even for lack of time, the trace gives a template of any size. It is tried,
+    /// too, where there is time and nothing solves well.
     ///
     /// # Errors
     /// Those of what is tried.
