@@ -27,6 +27,7 @@ __all__ = [
     "circle_least_squares_mean_of_line",
     "circle_minimal",
     "fundamental_7pt",
+    "fundamental_8pt",
     "fundamental_8pt_radial",
     "fundamental_8pt_radial_one_side",
     "fundamental_9pt_two_radials",
@@ -138,7 +139,8 @@ def circle_least_squares(gram: npt.ArrayLike, *, progress: Progress = None) -> S
 
     `gram` is the mean over all lines l = (a, b, c) of r r^T with r = (a^2, ab, ac, b^2, bc, c^2).
     The dual conic is [d1 d2 d3; d2 d4 d5; d3 d5 -1]: a circle with centre (-d3, -d5) and squared
-    radius d1 + d3^2 = d4 + d5^2.
+    radius d1 + d3^2 = d4 + d5^2, which is negative at some stationary points. The cost is the mean
+    of (l^T D l)^2.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -153,6 +155,12 @@ def circle_least_squares(gram: npt.ArrayLike, *, progress: Progress = None) -> S
     - `d5`: ()
     - `lambda1`: ()
     - `lambda2`: ()
+
+    Results of each solution:
+
+    - `centre`: (2,)
+    - `squared_radius`: ()
+    - `cost`: ()
     """
     return _solve("circle_least_squares", gram, progress=progress)
 
@@ -174,6 +182,12 @@ def circle_least_squares_dual(gram: npt.ArrayLike, *, progress: Progress = None)
     - `d3`: ()
     - `d4`: ()
     - `d5`: ()
+
+    Results of each solution:
+
+    - `centre`: (2,)
+    - `squared_radius`: ()
+    - `cost`: ()
     """
     return _solve("circle_least_squares_dual", gram, progress=progress)
 
@@ -262,6 +276,37 @@ def fundamental_7pt(
     - `fundamental`: (3, 3)
     """
     return _solve("fundamental_7pt", first, second, progress=progress)
+
+
+def fundamental_8pt(
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
+    *,
+    progress: Progress = None,
+) -> Solutions:
+    """Fundamental matrix of two cameras from eight points: 1 solution.
+
+    Hartley, Zisserman, "Multiple view geometry in computer vision", 2003, section 11.1.
+
+    `first[k]` and `second[k]` are the images of point k. A fundamental matrix F satisfies
+    `(second[k], 1) . F (first[k], 1) = 0`. It is the sum of the two matrices that span the null
+    space of the first seven of these equations, each times its weight, which the last one gives. Of
+    images with errors F has rank 3; that of seven points, `fundamental_7pt`, has rank 2.
+
+    Data, for one instance, or with n in front for a batch:
+
+    - `first`: (8, 2)
+    - `second`: (8, 2)
+
+    Solutions, of which there are at most 1:
+
+    - `weights`: (2,)
+
+    Results of each solution:
+
+    - `fundamental`: (3, 3)
+    """
+    return _solve("fundamental_8pt", first, second, progress=progress)
 
 
 def fundamental_8pt_radial(
@@ -445,6 +490,8 @@ def orbit_5_lines_of_sight(sights: npt.ArrayLike, *, progress: Progress = None) 
     h up to a multiple of n, this is (n.d + w.m)^2 = |n x m|^2 / h^2, and `square` is 1 / h^2. The
     published unknowns are the entries of the orbit's dual quadric.
 
+    Returned are the normal of the plane, of length 1, e and h, which is the semi-latus rectum.
+
     With directions and moments exchanged these are the cylinders that touch five lines: n is the
     direction of the axis, w its moment, and `square` that of the radius.
 
@@ -460,6 +507,12 @@ def orbit_5_lines_of_sight(sights: npt.ArrayLike, *, progress: Progress = None) 
     - `q`: ()
     - `r`: ()
     - `square`: ()
+
+    Results of each solution:
+
+    - `normal`: (3,)
+    - `eccentricity`: (3,)
+    - `semi_latus_rectum`: ()
     """
     return _solve("orbit_5_lines_of_sight", sights, progress=progress)
 
@@ -1939,9 +1992,6 @@ def relpose_7pt_generalized_scale(
     either ray and the scale; that the rays of any four others meet, too, are linear equations for
     these three. What is stated depends on these five points, not on which is the first.
 
-    Call it in a thread with a stack of more than 2 MiB: a second attempt, at twice the precision,
-    takes 2.3.
-
     Data, for one instance, or with n in front for a batch:
 
     - `first`: (7, 2, 3)
@@ -2092,7 +2142,7 @@ def triangulation_3view_relaxed(
 
     `image` holds the measured image points, one a row. The corrected ones (x1, x2), (x3, x4) and
     (x5, x6) are the closest to these that satisfy p1^T `first` p2 = 0 and p2^T `second` p3 = 0,
-    with the multipliers x7 and x8.
+    with the multipliers x7 and x8. The cost is the sum of the squared distances.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -2110,6 +2160,11 @@ def triangulation_3view_relaxed(
     - `x6`: ()
     - `x7`: ()
     - `x8`: ()
+
+    Results of each solution:
+
+    - `images`: (3, 2)
+    - `cost`: ()
     """
     return _solve("triangulation_3view_relaxed", first, second, image, progress=progress)
 
