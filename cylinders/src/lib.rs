@@ -79,8 +79,8 @@ pub use estimation::surface_points::with_points;
 pub use estimation::triangulate::{self, TriangulateError, Triangulation, triangulate, triangulate_along};
 pub use estimation::warnings::{self, Warning};
 pub use matching::{
-    MatchError, MatchOptions, MatchedCylinder, Matching, Progress, References, match_cylinders, match_cylinders_with,
-    match_directions, match_directions_with,
+    MatchError, MatchOptions, MatchedCylinder, Matching, Progress, References, match_candidate_with, match_cylinders,
+    match_cylinders_with, match_directions, match_directions_with,
 };
 pub use numerics::interrupt::{Interrupt, Interrupted};
 pub use numerics::random;

@@ -138,7 +138,8 @@ fn photographs_of_noise_and_the_search_in_them() {
     let seen: Vec<Seen> = scene.views.iter().map(of_view).collect();
     for given in [None, Some(scene.direction)] {
         let found = interrupted(|interrupt| {
-            let mut options = PhotoOptions { lines: usize::MAX, ..PhotoOptions::of(&scene.views) };
+            let mut options = PhotoOptions::of(&scene.views);
+            options.matching.lines = usize::MAX;
             options.matching.interrupt = interrupt;
             find_in_photographs(&seen, given, &options)
         });

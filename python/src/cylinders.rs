@@ -6,7 +6,8 @@ use eliminant_cylinders::report::Report;
 use eliminant_cylinders::{
     CylinderLines, Estimate, Interrupt, Interrupted, JointError, JointEstimate, JointMethod, Loss, MatchError,
     MatchOptions, Matching, Method, Radii, RansacOptions, References, RobustOptions, Scene, Side, View, estimate,
-    estimate_on_side, estimate_together, match_cylinders, match_directions_with, parse_scene, with_points,
+    estimate_on_side, estimate_together, match_candidate_with, match_cylinders, match_directions_with, parse_scene,
+    with_points,
 };
 use nalgebra::{Point3, Unit, Vector3};
 use pyo3::exceptions::PyValueError;
@@ -266,12 +267,13 @@ impl Matcher {
                 interrupt,
                 ..defaults
             };
-            let along = |views: &[View], direction: &Direction| match_cylinders(views, direction, &options);
             // A number of cylinders would be found in any direction.
             let most = if self.count.is_some() { 1 } else { self.directions.unwrap_or(usize::MAX) };
             let matching = match &direction {
-                Some(direction) => along(views, direction),
-                None => match_directions_with(views, most, interrupt, along),
+                Some(direction) => match_cylinders(views, direction, &options),
+                None => match_directions_with(views, most, interrupt, |views, direction| {
+                    match_candidate_with(views, direction, &options, &|_| {})
+                }),
             };
             match matching {
                 Ok(matching) => return Ok((options.threshold, matching)),

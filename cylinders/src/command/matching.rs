@@ -14,7 +14,8 @@ use super::output::Output;
 use super::scene::SceneArguments;
 use crate::progress::progress_bar;
 use crate::{
-    MatchError, MatchOptions, Matching, Progress, References, View, match_cylinders_with, match_directions_with,
+    MatchError, MatchOptions, Matching, Progress, References, View, match_candidate_with, match_cylinders_with,
+    match_directions_with,
 };
 
 /// Find cylinders and their silhouettes among unlabelled lines
@@ -95,26 +96,23 @@ pub(super) fn run(arguments: &Arguments, command: &str) -> Result<Output, Comman
 
 /// The cylinders along the given direction, or of all directions.
 fn search(arguments: &Arguments, views: &[View], options: &MatchOptions) -> Result<Matching, MatchError> {
-    let along = |views: &[View], direction: &Unit<Vector3<f64>>| search_along(views, direction, options);
-    match (&arguments.direction, arguments.count) {
-        (Some(direction), _) => along(views, direction),
-        // So many cylinders would be found in any direction.
-        (None, Some(_)) => match_directions_with(views, 1, options.interrupt, along),
-        (None, None) => {
-            match_directions_with(views, arguments.directions.unwrap_or(usize::MAX), options.interrupt, along)
-        }
+    if let Some(direction) = &arguments.direction {
+        return with_progress(|progress| match_cylinders_with(views, direction, options, progress));
     }
+    // So many cylinders would be found in any direction.
+    let most = if arguments.count.is_some() { 1 } else { arguments.directions.unwrap_or(usize::MAX) };
+    match_directions_with(views, most, options.interrupt, |views, direction| {
+        with_progress(|progress| match_candidate_with(views, direction, options, progress))
+    })
 }
 
 /// Shows a progress bar: the pairs searched and the cylinders found so far.
-fn search_along(
-    views: &[View],
-    direction: &Unit<Vector3<f64>>,
-    options: &MatchOptions,
+fn with_progress(
+    search: impl FnOnce(&(dyn Fn(Progress) + Sync)) -> Result<Matching, MatchError>,
 ) -> Result<Matching, MatchError> {
     let bar = progress_bar(0);
     let found = AtomicUsize::new(0);
-    let matching = match_cylinders_with(views, direction, options, &|progress| match progress {
+    let matching = search(&|progress| match progress {
         Progress::Pairs(pairs) => {
             bar.reset();
             bar.set_length(pairs as u64);

@@ -38,6 +38,14 @@ pub enum MatchError {
     /// No image has two lines along the axis.
     #[error("no view has two lines along the axis direction: there is no pair of silhouettes to start from")]
     NoPair,
+    /// Without the lines of edges, too few are left.
+    #[error("{edges} of the {lines} lines are of edges that are fixed in space, not of cylinders; too few are left")]
+    Edges {
+        /// Number of lines of edges.
+        edges: usize,
+        /// Number of lines.
+        lines: usize,
+    },
     /// Seen along the axis, all camera centres coincide: a cylinder of any size fits.
     #[error(
         "all cameras stand at one place, or above each other along the axis: the distance to the cylinders is unknown"

@@ -2,6 +2,7 @@
 
 use std::f64::consts::LN_2;
 
+use super::band::is_band;
 use super::chance::{Chance, FalseAlarms};
 use super::model::{Model, fitted};
 use super::occlusion::hidden;
@@ -38,7 +39,7 @@ impl Judge {
         for plan in plans[..=level].iter().rev() {
             let Some(fit) = fitted(plan, circle) else { break };
             circle = fit.circle;
-            let model = self.judged(&plans[0], &fit);
+            let Some(model) = self.judged(&plans[0], &fit) else { continue };
             if best.as_ref().is_none_or(|best| model.false_alarms < best.false_alarms) {
                 best = Some(model);
             }
@@ -46,12 +47,14 @@ impl Judge {
         best
     }
 
-    /// The model of a circle, with the matches within three standard deviations of the noise.
-    pub(super) fn judged(&self, plan: &Plan, fit: &CircleFit) -> Model {
+    /// The model of a circle, with the matches within three standard deviations of the noise; `None`
+    /// if they are those of a band.
+    pub(super) fn judged(&self, plan: &Plan, fit: &CircleFit) -> Option<Model> {
         let FalseAlarms { logarithm, scale } = self.false_alarms(plan, &fit.circle);
         let matches = plan.matches(&fit.circle, (DEVIATIONS * scale).min(1.0));
         let repeated = (self.repeated(plan, &matches) as f64).ln();
-        Model { fit: *fit, matches, false_alarms: logarithm - repeated }
+        let is_round = !is_band(plan, &fit.circle, &matches);
+        is_round.then(|| Model { fit: *fit, matches, false_alarms: logarithm - repeated })
     }
 
     /// Number of hypotheses that make a circle with these matches.

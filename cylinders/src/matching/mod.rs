@@ -3,6 +3,7 @@
 //! Cylinder Triangulation", the experiment on unknown matches).
 //!
 //! ```text
+//!   lines --> without those of edges that are fixed in space
 //!   two lines, of one image or of near ones, + one line of another image
 //!     --> circle in front of the cameras --> support: lines of all images near its silhouettes,
 //!         at two thresholds at which lines are sparse
@@ -15,10 +16,16 @@
 //! lines `N`. All models of one pair are bounded together in `O(N)` (`pair`), so that only few of
 //! them need to be scored.
 
+/// Flat bands, which are no cylinders.
+mod band;
+/// Cylinders along a direction that is only supposed.
+mod candidate;
 /// Support by chance, and the support that chance does not reach.
 mod chance;
 /// Candidates of the directions of the axes.
 mod directions;
+/// Edges in space, which are no silhouettes.
+mod edges;
 /// Why nothing can be matched.
 mod error;
 /// The cylinders that were found.
@@ -45,7 +52,7 @@ pub(crate) mod selection;
 /// Cylinders of several directions.
 mod several;
 
-pub(crate) use chance::tail;
+pub use candidate::match_candidate_with;
 pub use directions::candidate_directions;
 pub use error::MatchError;
 pub use found::{MatchedCylinder, Matching};

@@ -11,6 +11,15 @@ const THRESHOLD_PIXELS: f64 = 3.0;
 /// Default of the same distance in radians: three pixels at a focal length of 3000.
 const THRESHOLD_RADIANS: f64 = 1e-3;
 
+/// Default of the largest number of false alarms of the best cylinder of a direction that is only
+/// supposed. Edges of a texture are not independent of each other, as the number supposes: a
+/// rendered floor without cylinders has reached it. Small scenes with cylinders are lost at 1e-8.
+pub(super) const DIRECTION_FALSE_ALARMS: f64 = 1e-4;
+
+/// Least distance of the silhouettes of a cylinder from its axis, in thresholds: a cylinder that is
+/// thinner cannot be told from an edge.
+pub(super) const LEAST_WIDTH: f64 = 2.0;
+
 /// The images in which pairs of silhouettes are taken.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum References {
@@ -42,6 +51,12 @@ pub struct MatchOptions<'a> {
     pub least_support: Option<usize>,
     /// Ends the search between pairs of lines.
     pub interrupt: Interrupt<'a>,
+    /// Largest number of false alarms of the least doubtful cylinder of a direction, if neither the
+    /// direction nor the number of cylinders is given.
+    pub direction_false_alarms: f64,
+    /// Largest number of lines of an image along a direction, without those of edges. The first
+    /// count.
+    pub lines: usize,
 }
 
 impl MatchOptions<'_> {
@@ -53,7 +68,15 @@ impl MatchOptions<'_> {
             true => (DistanceUnit::Pixels, THRESHOLD_PIXELS),
             false => (DistanceUnit::Radians, THRESHOLD_RADIANS),
         };
-        let interrupt = Interrupt::never();
-        Self { threshold, unit, references: References::Every, count: None, least_support: None, interrupt }
+        Self {
+            threshold,
+            unit,
+            references: References::Every,
+            count: None,
+            least_support: None,
+            interrupt: Interrupt::never(),
+            direction_false_alarms: DIRECTION_FALSE_ALARMS,
+            lines: usize::MAX,
+        }
     }
 }

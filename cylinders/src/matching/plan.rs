@@ -31,7 +31,7 @@ use super::options::MatchOptions;
 use crate::cross_section::circle::Circle;
 use crate::cross_section::rectify::{Rectification, TangentLine};
 use crate::observations::scene::LineId;
-use crate::observations::view::{Camera, View};
+use crate::observations::view::{Camera, View, ViewingPlane};
 use crate::space::cylinder::{Cylinder, Side};
 use crate::space::silhouette_distance::{DistanceUnit, MeasuredLine, Metric};
 
@@ -157,8 +157,9 @@ impl Plan {
         let first = self.lines.len();
         let mut span = [f64::INFINITY, f64::NEG_INFINITY];
         for (line, plane) in view.planes().enumerate() {
-            let along = plane.normal.dot(direction).abs() <= MAX_TILT;
-            let Some(tangent) = self.rectification.line(&plane).filter(|_| along) else { continue };
+            let Some(tangent) = self.rectification.line(&plane).filter(|_| is_along(&plane, direction)) else {
+                continue;
+            };
             // The ray is the one into the image: the point of the line nearest to the principal
             // point is on it.
             let normal = if ray(&tangent.normal).dot(&forward) < 0.0 { -tangent.normal } else { tangent.normal };
@@ -317,8 +318,13 @@ pub(super) fn ray(normal: &Vector2<f64>) -> Vector2<f64> {
     Vector2::new(-normal.y, normal.x)
 }
 
+/// Whether a line is along a direction.
+pub(super) fn is_along(plane: &ViewingPlane, direction: &Unit<Vector3<f64>>) -> bool {
+    plane.normal.dot(direction).abs() <= MAX_TILT
+}
+
 /// The threshold as an angle, radians.
-fn threshold(view: usize, camera: &Camera, options: &MatchOptions) -> Result<f64, MatchError> {
+pub(super) fn threshold(view: usize, camera: &Camera, options: &MatchOptions) -> Result<f64, MatchError> {
     let threshold = match options.unit {
         DistanceUnit::Radians => options.threshold,
         DistanceUnit::Pixels => {

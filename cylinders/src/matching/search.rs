@@ -5,6 +5,7 @@ use nalgebra::{Unit, Vector3};
 use rayon::prelude::*;
 
 use super::chance::Chance;
+use super::edges::without_edges;
 use super::error::MatchError;
 use super::found::Matching;
 use super::judge::Judge;
@@ -12,8 +13,8 @@ use super::model::Model;
 use super::options::MatchOptions;
 use super::pair::{Hypothesis, Pair, Workspace, pairs};
 use super::plan::Plan;
+use super::selection::lines;
 use crate::numerics::interrupt::Interrupt;
-use crate::observations::scene::LineId;
 use crate::observations::view::View;
 
 /// Least number of matches: four circles touch three lines, and a fourth line decides.
@@ -53,8 +54,9 @@ pub enum Progress {
 /// Finds all cylinders of a direction among lines without labels, and the lines that are their
 /// silhouettes.
 ///
-/// Lines that are not along the direction are ignored. The cylinder that is the least likely by
-/// chance is taken first, and its lines match no other cylinder.
+/// Lines that are not along the direction and lines of edges that are fixed in space are ignored.
+/// The cylinder that is the least likely by chance is taken first, and its lines match no other
+/// cylinder.
 ///
 /// # Errors
 /// [`MatchError`].
@@ -79,6 +81,23 @@ pub fn match_cylinders_with(
     if let Some(least_support) = options.least_support.filter(|&least| least < LEAST_SUPPORT) {
         return Err(MatchError::LeastSupport { least_support });
     }
+    let (left, edges) = without_edges(views, direction, options)?;
+    let count = lines(views).len();
+    let matching = match_lines(&left.views, direction, options, progress).map_err(|error| match error {
+        MatchError::TooFewViews { .. } | MatchError::NoPair if edges > 0 => MatchError::Edges { edges, lines: count },
+        MatchError::NoCylinder { least_support, .. } => MatchError::NoCylinder { least_support, lines: count },
+        error => error,
+    })?;
+    Ok(left.matching_in_all(views, matching))
+}
+
+/// The cylinders among lines that are not of edges.
+fn match_lines(
+    views: &[View],
+    direction: &Unit<Vector3<f64>>,
+    options: &MatchOptions,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Matching, MatchError> {
     let plan = Plan::new(views, direction, options)?;
     let pairs = pairs(&plan, options.references);
     if !pairs.iter().any(Pair::is_of_one_view) {
@@ -88,21 +107,14 @@ pub fn match_cylinders_with(
     let (found, least_support) = search(&mut plans, &pairs, options, progress);
     options.interrupt.check()?;
 
-    let lines = views.iter().map(|view| view.lines().len()).sum();
+    let lines = lines(views).len();
     if found.is_empty() {
         return Err(MatchError::NoCylinder { least_support, lines });
     }
-    let mut unmatched: Vec<_> = views.iter().map(|view| vec![true; view.lines().len()]).collect();
-    for line in found.iter().flat_map(|model| &model.matches) {
-        let LineId { view, line } = plan.id(line.line);
-        unmatched[view][line] = false;
-    }
+    // The lines of no cylinder are those of all views, edges included.
     let cylinder = |model: &Model| model.in_space(views, &plan, direction, lines);
-    let ids = unmatched.iter().enumerate().flat_map(|(view, lines)| {
-        lines.iter().enumerate().filter(|(_, unmatched)| **unmatched).map(move |(line, _)| LineId { view, line })
-    });
     let cylinders = found.iter().map(cylinder).collect();
-    Ok(Matching { directions: vec![*direction], cylinders, unmatched: ids.collect(), least_support })
+    Ok(Matching { directions: vec![*direction], cylinders, unmatched: Vec::new(), least_support })
 }
 
 /// Searches for models with less and less support. Returns them with the least support that was
@@ -216,7 +228,7 @@ fn extract(
             let is_free =
                 model.matches.iter().all(|line| plans[0].is_free(line.line)) && pairs[pair].is_free(&plans[0]);
             let model = if is_free {
-                judge.judged(&plans[0], &model.fit)
+                judge.judged(&plans[0], &model.fit)?
             } else {
                 let best = pairs[pair].best(&plans[level], demand.least[level], workspace)?;
                 judge.fitted(plans, level, &best.circle)?

@@ -7,6 +7,12 @@ use crate::observations::scene::LineId;
 use crate::observations::view::{View, ViewingPlane};
 use crate::space::cylinder::LineResidual;
 
+/// All lines of some views.
+pub(crate) fn lines(views: &[View]) -> Vec<LineId> {
+    let ids = |(view, content): (usize, &View)| (0..content.lines().len()).map(move |line| LineId { view, line });
+    views.iter().enumerate().flat_map(ids).collect()
+}
+
 /// Some of the lines of views, and their places there.
 pub(crate) struct Selection {
     /// The views with these lines only.
@@ -28,9 +34,14 @@ impl Selection {
         Self { views, places }
     }
 
-    /// Lines of the selection, with their places in all views.
-    pub(crate) fn ids_in_all(&self, ids: Vec<LineId>) -> HashSet<LineId> {
-        ids.into_iter().map(|LineId { view, line }| LineId { view, line: self.places[view][line] }).collect()
+    /// What was found in the selection, with the places of its lines in all views.
+    pub(crate) fn matching_in_all(&self, all: &[View], matching: Matching) -> Matching {
+        let cylinders = self.in_all(matching.cylinders);
+        let taken: HashSet<LineId> = cylinders.iter().flat_map(|found| &found.matches).map(LineResidual::id).collect();
+        let lines = lines(all);
+        let count = lines.len();
+        let unmatched = lines.into_iter().filter(|id| !taken.contains(id)).collect();
+        Matching { cylinders, unmatched, ..matching }.among(count)
     }
 
     /// Cylinders that were found in the selection, with the places of their lines in all views.

@@ -1,13 +1,17 @@
 //! Cylinders of several directions: the direction with the most evidence for cylinders first, then
-//! the next one among the lines that are left. A line is used once.
+//! the next one among the lines that are left. A line is used once. Along a direction of texture
+//! there are flat bands, along one of cylinders there is one that must be round: if there are such
+//! directions, no others count.
+
+use std::cmp::Ordering;
 
 use nalgebra::{Unit, Vector3};
 
+use super::candidate::match_candidate_with;
 use super::directions::{candidate_directions, is_known};
 use super::error::MatchError;
 use super::found::{MatchedCylinder, Matching};
-use super::options::MatchOptions;
-use super::search::match_cylinders;
+use super::options::{DIRECTION_FALSE_ALARMS, MatchOptions};
 use super::selection::Selection;
 use crate::axis::direction::estimate_direction;
 use crate::numerics::interrupt::Interrupt;
@@ -22,13 +26,14 @@ const CANDIDATES: usize = 5;
 const CHANGE: f64 = 5e-4;
 
 /// Finds all cylinders of all directions among lines without labels, and the lines that are their
-/// silhouettes. Directions that differ by less than three degrees are one.
+/// silhouettes. Directions that differ by less than three degrees are one. Each must be one of
+/// cylinders by what is found along it: see [`match_candidate_with`].
 ///
 /// # Errors
 /// [`MatchError`]: that of the direction on which most lines agree if no direction has cylinders.
 pub fn match_directions(views: &[View], options: &MatchOptions) -> Result<Matching, MatchError> {
     match_directions_with(views, usize::MAX, options.interrupt, |views, direction| {
-        match_cylinders(views, direction, options)
+        match_candidate_with(views, direction, options, &|_| {})
     })
 }
 
@@ -46,8 +51,16 @@ pub fn match_directions_with(
     let mut progress =
         Progress { views, search, interrupt, free: all(views), tried: Vec::new(), queue: Vec::new(), error: None };
     let mut found = Matching { directions: Vec::new(), cylinders: Vec::new(), unmatched: Vec::new(), least_support: 0 };
+    let mut any_round = false;
     while found.directions.len() < count {
         let Some((direction, matching)) = progress.next() else { break };
+        let is_round = has_round(views, &matching);
+        if found.directions.is_empty() {
+            any_round = is_round;
+        }
+        if any_round && !is_round {
+            break;
+        }
         progress.take(&matching.cylinders);
         found.least_support = match found.least_support {
             0 => matching.least_support,
@@ -70,6 +83,11 @@ pub fn match_directions_with(
 fn evidence(matching: &Matching) -> f64 {
     let of_cylinder = |found: &MatchedCylinder| -found.false_alarms.max(f64::MIN_POSITIVE).log10();
     matching.cylinders.iter().map(of_cylinder).sum()
+}
+
+/// Whether a cylinder that is no chance must be round.
+fn has_round(views: &[View], matching: &Matching) -> bool {
+    matching.cylinders.iter().any(|found| found.false_alarms <= DIRECTION_FALSE_ALARMS && found.is_round(views))
 }
 
 /// Which lines are free: all of them.
@@ -99,8 +117,8 @@ impl<S: Fn(&[View], &Unit<Vector3<f64>>) -> Result<Matching, MatchError>> Progre
     fn next(&mut self) -> Option<Found> {
         self.try_candidates();
         loop {
-            let most = (0..self.queue.len())
-                .max_by(|&one, &other| evidence(&self.queue[one].1).total_cmp(&evidence(&self.queue[other].1)))?;
+            let most =
+                (0..self.queue.len()).max_by(|&one, &other| self.compare(&self.queue[one].1, &self.queue[other].1))?;
             let (direction, matching) = self.queue.swap_remove(most);
             // Other cylinders may have taken some of its lines.
             let is_free = matching.cylinders.iter().flat_map(|found| &found.matches);
@@ -110,6 +128,12 @@ impl<S: Fn(&[View], &Unit<Vector3<f64>>) -> Result<Matching, MatchError>> Progre
                 return Some(self.improved(direction, matching));
             }
         }
+    }
+
+    /// Directions with a cylinder that must be round come before others.
+    fn compare(&self, one: &Matching, other: &Matching) -> Ordering {
+        let [first, second] = [one, other].map(|matching| has_round(self.views, matching));
+        first.cmp(&second).then(evidence(one).total_cmp(&evidence(other)))
     }
 
     /// Searches the candidates that were not searched before; at first also that of all lines, if

@@ -138,15 +138,25 @@ fn warnings(views: &[View], matching: &Matching) -> Vec<String> {
         })
     };
     let two_images = |(index, found): (usize, &MatchedCylinder)| {
-        let mut images: Vec<_> = found.matches.iter().map(|line| line.view).collect();
-        images.dedup();
         let number = index + 1;
-        (images.len() == 2)
+        (images(found) == 2)
             .then(|| format!("only two images show cylinder {number}: a flat band in space could look like it there"))
+    };
+    let bands = |(index, found): (usize, &MatchedCylinder)| {
+        let number = index + 1;
+        (images(found) > 2 && !found.is_round(views)).then(|| {
+            format!("cylinder {number} need not be round: a flat band in space could look like it in these images")
+        })
     };
     let of_cameras = camera_warnings(views).into_iter().map(|warning| warning.to_string());
     let cylinders = || matching.cylinders.iter().enumerate();
-    of_cameras.chain(cylinders().filter_map(chance)).chain(cylinders().filter_map(two_images)).collect()
+    let doubts = cylinders().filter_map(chance).chain(cylinders().filter_map(two_images));
+    of_cameras.chain(doubts).chain(cylinders().filter_map(bands)).collect()
+}
+
+/// Number of images with matches, which are in the order of the views.
+fn images(found: &MatchedCylinder) -> usize {
+    found.matches.chunk_by(|one, other| one.view == other.view).count()
 }
 
 /// Text for people, with seven significant digits.

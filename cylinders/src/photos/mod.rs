@@ -11,8 +11,6 @@
 /// Files of photographs to grey images.
 #[cfg(feature = "photographs")]
 pub mod decode;
-/// Edges in space, which are no silhouettes.
-mod edges;
 /// Photographs to candidates of silhouettes.
 mod lines;
 /// Cylinders from the ribbons of two images.
