@@ -48,8 +48,7 @@ pub(super) fn is_band(plan: &Plan, circle: &Circle, matches: &[PlanMatch]) -> bo
 
 impl MatchedCylinder {
     /// Whether its lines in the views of the search say that it is round, even if a quarter of them
-    /// are left out. Otherwise a flat band in
-    /// space could look like it.
+    /// are left out. Otherwise a flat band in space could look like it.
     pub fn is_round(&self, views: &[View]) -> bool {
         let direction = &self.cylinder.direction;
         let first = Unit::new_normalize(direction.cross(&Vector3::ith(direction.iamin(), 1.0)));

@@ -54,7 +54,7 @@ impl Judge {
         let matches = plan.matches(&fit.circle, (DEVIATIONS * scale).min(1.0));
         let repeated = (self.repeated(plan, &matches) as f64).ln();
         let is_round = !is_band(plan, &fit.circle, &matches);
-        is_round.then(|| Model { fit: *fit, matches, false_alarms: logarithm - repeated })
+        is_round.then_some(Model { fit: *fit, matches, false_alarms: logarithm - repeated })
     }
 
     /// Number of hypotheses that make a circle with these matches.
