@@ -1,5 +1,5 @@
-//! A flat band, as a tile or the side of a box, has two edges that are fixed in space. From a narrow
-//! range of angles they look nearly like the silhouettes of a cylinder.
+//! A flat band, as a tile or the side of a box, has two edges that are fixed in space. From a
+//! narrow range of angles they look nearly like the silhouettes of a cylinder.
 //!
 //! ```text
 //!   circle: the lines on both sides have the distance r from one point p      3 parameters

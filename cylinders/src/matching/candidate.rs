@@ -20,8 +20,8 @@ use super::search::{Progress, match_cylinders_with};
 use crate::observations::view::View;
 use crate::space::cylinder::{LineResidual, Side};
 
-/// Least number of lines on each side of a cylinder, and of images that show both silhouettes of one
-/// that makes a direction one of cylinders.
+/// Least number of lines on each side of a cylinder, and of images that show both silhouettes of
+/// one that makes a direction one of cylinders.
 const BOTH_SIDES: usize = 2;
 
 /// Like [`match_cylinders_with`], for a direction that is not known to be one of cylinders: those

@@ -22,8 +22,8 @@ const MAX_TILT: f64 = 0.03;
 /// Default of the largest distance between a line and its silhouette, pixels.
 const THRESHOLD: f64 = 2.0;
 
-/// Largest number of lines of an image along one direction. Detected lines are in the order of their
-/// length, the longest first.
+/// Largest number of lines of an image along one direction. Detected lines are in the order of
+/// their length, the longest first.
 const LINES: usize = 60;
 
 /// How cylinders are searched.
