@@ -6,8 +6,8 @@
 //! lines of edges are taken away before cylinders are looked for. A point is an edge if
 //!
 //! - chance gives less than one point through which so many rays pass, and
-//! - its rays, as silhouettes of a cylinder on one side, or on the left from some cameras and on the
-//!   right from those opposite, would say that its radius is smaller than one that can be told from
+//! - its rays, as silhouettes of a cylinder on one side, or on the left from some cameras and
+//!   the right from those opposite, would say that its radius is smaller than one that can be told from
 //!   0. Rays from a narrow range of angles do not say so: there the silhouette of a cylinder passes
 //!   through a point, too.
 //!

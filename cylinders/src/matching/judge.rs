@@ -47,8 +47,8 @@ impl Judge {
         best
     }
 
-    /// The model of a circle, with the matches within three standard deviations of the noise; `None`
-    /// if they are those of a band.
+    /// The model of a circle, with the matches within three standard deviations of the noise;
+    /// `None` if they are those of a band.
     pub(super) fn judged(&self, plan: &Plan, fit: &CircleFit) -> Option<Model> {
         let FalseAlarms { logarithm, scale } = self.false_alarms(plan, &fit.circle);
         let matches = plan.matches(&fit.circle, (DEVIATIONS * scale).min(1.0));
