@@ -7,9 +7,9 @@
 //!
 //! - chance gives less than one point through which so many rays pass, and
 //! - its rays, as silhouettes of a cylinder on one side, or on the left from some cameras and
-//!   the right from those opposite, would say that its radius is smaller than one that can be told from
-//!   0. Rays from a narrow range of angles do not say so: there the silhouette of a cylinder passes
-//!   through a point, too.
+//!   on the right from those opposite, would say that its radius is smaller than one that can be
+//!   told from 0. Rays from a narrow range of angles do not say so: there the silhouette of a
+//!   cylinder passes through a point, too.
 //!
 //! With the ray normals `n_i` and camera centres `C_i`, the silhouettes on one side of a circle
 //! have `n_i^T (p - C_i) = q`, where `q` is the radius or, on the other side, its negative: linear
