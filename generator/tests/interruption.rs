@@ -2,6 +2,7 @@
 #![cfg(feature = "search")]
 
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -14,6 +15,15 @@ use eliminant_generator::search::{SearchError, SearchOptions, candidates, traced
 
 /// Steps take well under a second each. The machine may be busy.
 const SOON: Duration = Duration::from_secs(5);
+
+/// Held by the test that runs. Each works on all cores: beside each other they would measure how
+/// cores are divided.
+static CORES: Mutex<()> = Mutex::new(());
+
+fn alone() -> MutexGuard<'static, ()> {
+    // A test that failed leaves the cores to the next one.
+    CORES.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 fn read(name: &str, text: &str) -> Problem {
     Problem::parse(name, text).unwrap_or_else(|messages| panic!("{}", messages.render()))
@@ -71,6 +81,7 @@ fn moments(seconds: &[f64]) -> impl Iterator<Item = Duration> {
 
 #[test]
 fn the_count_of_solutions_is_interrupted_at_any_time() {
+    let _cores = alone();
     // 1,000 solutions: F4 takes seconds, and so does the change of order behind the saturation.
     let problem = dense(10);
     let mut interruptions = 0;
@@ -109,6 +120,7 @@ fn slowest() -> (Problem, SolutionCount) {
 
 #[test]
 fn growing_and_reducing_are_interrupted_at_any_time() {
+    let _cores = alone();
     let (problem, count) = slowest();
     for max_columns in [600, 3000] {
         let options = SearchOptions { max_columns, ..SearchOptions::default() };
@@ -130,6 +142,7 @@ fn growing_and_reducing_are_interrupted_at_any_time() {
 
 #[test]
 fn the_trace_of_a_basis_is_interrupted_at_any_time() {
+    let _cores = alone();
     let (problem, count) = slowest();
     for after in moments(&[0.01, 0.5, 1.5, 4.0, 9.0]) {
         let search = |flag: &AtomicBool| traced_candidates(&problem, &count, &SearchOptions::default(), &Until(flag));
@@ -141,6 +154,7 @@ fn the_trace_of_a_basis_is_interrupted_at_any_time() {
 
 #[test]
 fn an_interrupted_choice_counts_what_was_measured() {
+    let _cores = alone();
     let problem = read("two_conics.rs", include_str!("../../templates/two_conics.rs"));
     let count = check(&problem).unwrap();
     let never = AtomicBool::new(false);
