@@ -95,9 +95,9 @@ fn case_of_row(interface: &Interface, row: &Row) -> String {
     }},
     in_rust_with: |second_attempts, data| {{
         let _ = data;
-        let mut workspace = Workspace::new().with_second_attempts(second_attempts);
+        let mut workspace = ::eliminant::Workspace::new().with_second_attempts(second_attempts);
         let found = eliminant_c::{name}::solve_in(&mut workspace, {reads}).map_err(Code::from)?;
-        let found = {results}.map_err(|error: SolveError| Code::from(error))?;
+        let found = {results}.map_err(|error: ::eliminant::SolveError| Code::from(error))?;
         Ok(numbers_of(&found, |row, mut to| {{ {put} }}))
     }},
     operations: (

@@ -5,7 +5,7 @@
 
 pub mod faults;
 
-use eliminant::{SecondAttempts, SolveError, Workspace};
+use eliminant::SecondAttempts;
 use eliminant_capi_runtime::{Code, Numbers};
 
 /// A list of data as a caller passes it.
