@@ -65,6 +65,12 @@ const ON_RANDOM_DATA: Demands = Demands {
                     reason: "2.3e-14 measured: its coefficients are determinants, computed with cancellation",
                 },
                 Exception {
+                    problem: "fundamental_8pt",
+                    bound: 1e-12,
+                    reason: "2.8e-14 measured: its coefficients are the last equation at two matrices that are \
+                             derived in f64, computed with cancellation",
+                },
+                Exception {
                     problem: "pose_2pt_1line",
                     bound: 1e-12,
                     reason: "1.1e-13 measured: vectors across the line are derived from measurements in f64",
@@ -144,11 +150,14 @@ const ON_SCENES: Demands = Demands {
         Bounds {
             what: "quantile 0.99 of the residuals",
             usual: 1e-13,
-            exceptions: &[Exception {
-                problem: "homography_4pt",
-                bound: 1e-12,
-                reason: "1.4e-13 measured: two matrices of three points are inverted in f64",
-            }],
+            exceptions: &[
+                Exception { problem: "fundamental_8pt", bound: 1e-12, reason: "1.1e-13 measured: as on random data" },
+                Exception {
+                    problem: "homography_4pt",
+                    bound: 1e-12,
+                    reason: "1.4e-13 measured: two matrices of three points are inverted in f64",
+                },
+            ],
         },
     ),
     error: Bounds { what: "quantile 0.99 of the errors", usual: 1e-8, exceptions: &[] },
