@@ -144,12 +144,15 @@ fn growing_and_reducing_are_interrupted_at_any_time() {
 fn the_trace_of_a_basis_is_interrupted_at_any_time() {
     let _cores = alone();
     let (problem, count) = slowest();
+    let mut interruptions = 0;
     for after in moments(&[0.01, 0.5, 1.5, 4.0, 9.0]) {
         let search = |flag: &AtomicBool| traced_candidates(&problem, &count, &SearchOptions::default(), &Until(flag));
         let Some((result, took)) = interrupted(after, search) else { break };
         assert!(took < SOON, "interrupted after {after:?}, returned {took:?} later");
         assert!(!matches!(result, Err(SearchError::NotFound { is_over: false, .. })));
+        interruptions += 1;
     }
+    assert!(interruptions >= 2, "{interruptions}");
 }
 
 #[test]
