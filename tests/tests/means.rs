@@ -20,13 +20,16 @@ fn the_mean_over_lines_is_their_gram_matrix() {
     }
 }
 
-/// The sum of the moduli of the terms of the cost d^T G d, d = (d1, 2 d2, 2 d3, d4, 2 d5, -1).
-fn terms_of_cost(gram: &[[f64; 6]; 6], [x, y]: [f64; 2], squared_radius: f64) -> f64 {
+/// The cost d^T G d of a circle, d = (d1, 2 d2, 2 d3, d4, 2 d5, -1), and the sum of the moduli of
+/// its terms.
+fn cost_of(gram: &[[f64; 6]; 6], [x, y]: [f64; 2], squared_radius: f64) -> (f64, f64) {
     let d = [squared_radius - x * x, -2.0 * x * y, -2.0 * x, squared_radius - y * y, -2.0 * y, -1.0];
-    (0..6).flat_map(|i| (0..6).map(move |j| (d[i] * gram[i][j] * d[j]).abs())).sum()
+    let terms = (0..6).flat_map(|i| (0..6).map(move |j| d[i] * gram[i][j] * d[j]));
+    terms.fold((0.0, 0.0), |(sum, moduli), term| (sum + term, moduli + term.abs()))
 }
 
-/// The circle that touches all lines is among the stationary points, with a cost of zero.
+/// Every stationary point has the cost of its circle, and the circle that touches all lines is one,
+/// with a cost of zero.
 #[test]
 fn circles_come_from_any_number_of_lines() {
     for count in [5, 20, 100] {
@@ -35,16 +38,23 @@ fn circles_come_from_any_number_of_lines() {
         let lines = circle.tangents(&mut random, count);
         let lines: Vec<[f64; 3]> = lines.iter().map(|line| [line.normal.x, line.normal.y, line.offset]).collect();
         let gram = circle_least_squares::mean_of_line(&lines);
-        let is_near = |centre: [f64; 2], squared_radius: f64, cost: f64| {
-            let off = (centre[0] - circle.centre.x).hypot(centre[1] - circle.centre.y);
-            off < 1e-9
-                && (squared_radius - circle.radius * circle.radius).abs() < 1e-9
-                && cost.abs() < 1e-13 * terms_of_cost(&gram, centre, squared_radius)
+        let check = |found: &[([f64; 2], f64, f64)]| {
+            let mut touching = 0;
+            for &(centre, squared_radius, cost) in found {
+                let (expected, terms) = cost_of(&gram, centre, squared_radius);
+                assert!((cost - expected).abs() < 1e-13 * terms, "{centre:?}: {cost}, expected {expected}");
+                let off = (centre[0] - circle.centre.x).hypot(centre[1] - circle.centre.y);
+                if off < 1e-9 && (squared_radius - circle.radius * circle.radius).abs() < 1e-9 {
+                    assert!(cost.abs() < 1e-13 * terms, "{cost} of {terms}");
+                    touching += 1;
+                }
+            }
+            assert_eq!(touching, 1, "{circle:?}: {found:?}");
         };
         let found = circle_least_squares::solve_for_circle(&gram).unwrap();
-        assert!(found.iter().any(|it| is_near(it.centre, it.squared_radius, it.cost)), "{circle:?}: {found:?}");
+        check(&found.iter().map(|it| (it.centre, it.squared_radius, it.cost)).collect::<Vec<_>>());
         let found = circle_least_squares_dual::solve_for_circle(&gram).unwrap();
-        assert!(found.iter().any(|it| is_near(it.centre, it.squared_radius, it.cost)), "{circle:?}: {found:?}");
+        check(&found.iter().map(|it| (it.centre, it.squared_radius, it.cost)).collect::<Vec<_>>());
     }
 }
 
