@@ -50,6 +50,16 @@ mod on_heap {
             HeapRows { rows, memory: self }
         }
 
+        /// One entry, such as an array, as the only row. A function of its own: the array is on
+        /// the stack no longer than it takes to make it.
+        ///
+        /// # Errors
+        /// That of `make`.
+        #[inline(never)]
+        pub fn kept<V: Element, E>(&self, make: impl FnOnce() -> Result<V, E>) -> Result<HeapRows<'_, V>, E> {
+            Ok(self.filled(1, make()?))
+        }
+
         /// The list that was given back last, or one without memory.
         fn take<T: Send + 'static>(&self) -> Vec<T> {
             // No call is made while the memory is borrowed, so it never is borrowed already.

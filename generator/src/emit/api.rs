@@ -232,7 +232,8 @@ fn collected(plan: &Plan, parameters: &[TokenStream], arguments: &[Ident], names
     let binding = if plan.positive.is_empty() { quote!(points) } else { quote!(mut points) };
     let mut names = Names::of(&plan.data);
     let [given, data] = ["given", "data"].map(|name| names.take(name));
-    let all_data = derived::all_data(plan, derived::Reader::Solve, (&given, &scaling::binding(plan, &data)), &quote!());
+    let binding_of_data = scaling::binding(plan, &data);
+    let all_data = derived::data_of_solve(plan, &given, (&data, &binding_of_data), &quote!(#workspace));
     let made = scaling::of_data(plan, &data, &quote!(#workspace));
     let (count, lifetime) = (Literal::usize_unsuffixed(plan.data.len()), storage::elided(plan));
     quote! {

@@ -41,7 +41,7 @@ pub(super) fn all_data(
     (given, binding): (&Ident, &TokenStream),
     otherwise: &TokenStream,
 ) -> TokenStream {
-    let (slices, count) = (plan.data.iter().map(as_slice), Literal::usize_unsuffixed(plan.data.len()));
+    let given_data = given_data(plan, given);
     let joined = match derivations(plan, reader).next() {
         None => quote!(emitted::joined(&#given)),
         Some(_) => {
@@ -50,15 +50,43 @@ pub(super) fn all_data(
         }
     };
     quote! {
-        let #given: [&[f64]; #count] = [#(#slices),*];
+        #given_data
         let #binding = #joined;
     }
+}
+
+/// The same for a solve, which makes an instance of them. Where there is a heap they are on it.
+pub(super) fn data_of_solve(
+    plan: &Plan,
+    given: &Ident,
+    (data, binding): (&Ident, &TokenStream),
+    storage: &TokenStream,
+) -> TokenStream {
+    if !plan.is_on_heap() {
+        return all_data(plan, Reader::Solve, (given, binding), &quote!());
+    }
+    let given_data = given_data(plan, given);
+    let joined = match is_derived(plan) {
+        true => quote!(self::derived(&#given)),
+        false => quote!(Ok(emitted::joined(&#given))),
+    };
+    quote! {
+        #given_data
+        let #data = #storage.memory().kept(|| #joined)?;
+    }
+}
+
+/// The statement that makes a list of the data that are `given`.
+fn given_data(plan: &Plan, given: &Ident) -> TokenStream {
+    let (slices, count) = (plan.data.iter().map(as_slice), Literal::usize_unsuffixed(plan.data.len()));
+    quote!(let #given: [&[f64]; #count] = [#(#slices),*];)
 }
 
 /// The statements that make the `data` of results those of a solve: what only results read is 0.
 /// Otherwise it would decide how far the data of a solve are from general ones.
 pub(super) fn clear_unread(plan: &Plan, data: &Ident) -> TokenStream {
     let unread = plan.derived.iter().filter(|planned| planned.is_for_results);
+    let data = if plan.is_on_heap() { quote!(#data[0]) } else { quote!(#data) };
     let statements = unread.map(|planned| {
         let [first, end] = bounds(planned);
         quote!(#data[#first..#end].fill(0.0);)

@@ -28,10 +28,10 @@ fn coefficients_of_precision(plan: &Plan) -> TokenStream {
         return quote!(let coefficients = &self.coefficients;);
     }
     let function = program::name_of_table_function(plan);
-    let count = Literal::usize_unsuffixed(plan.coefficients.len());
+    let (count, (_, data)) = (Literal::usize_unsuffixed(plan.coefficients.len()), storage::data(plan));
     let (size, arguments) = match storage::has_coefficients_on_heap(plan) {
-        true => (quote!(emitted::OnHeap<'w, emitted::Fixed<#count>>), quote!(&self.data, self.workspace.memory())),
-        false => (quote!(emitted::Fixed<#count>), quote!(&self.data)),
+        true => (quote!(emitted::OnHeap<'w, emitted::Fixed<#count>>), quote!(&#data, self.workspace.memory())),
+        false => (quote!(emitted::Fixed<#count>), quote!(&#data)),
     };
     quote! {
         let coefficients = &R::of::<#size>(&self.coefficients, || {

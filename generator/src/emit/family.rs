@@ -54,9 +54,9 @@ pub(super) fn methods(plan: &Plan) -> TokenStream {
     let ([values, coefficients], unknowns) = (counts, Literal::usize_unsuffixed(plan.unknowns.len()));
     let workspace = storage::has_coefficients_on_heap(plan).then(|| quote!(let workspace = self.workspace;));
     let attempts = storage::allowed_attempts(plan);
-    let compute = storage::coefficients_of_data(plan);
+    let (compute, (_, kept)) = (storage::coefficients_of_data(plan), storage::data(plan));
     let (inputs, stated) = (Literal::usize_unsuffixed(plan.inputs()), Literal::usize_unsuffixed(plan.stated));
-    let data = if plan.is_presolved_at_run_time() { quote!(&self.data[..#stated]) } else { quote!(&self.data) };
+    let data = if plan.is_presolved_at_run_time() { quote!(&#kept[..#stated]) } else { quote!(&#kept) };
     quote! {
         fn family(&self) -> Option<emitted::Family<'_>> {
             let is_allowed = #attempts == ::eliminant::SecondAttempts::Always;
@@ -74,8 +74,8 @@ pub(super) fn methods(plan: &Plan) -> TokenStream {
         }
 
         fn move_to(&mut self, data: &[f64]) {
-            emitted::join_into(&[data], &mut self.data);
-            let data = &self.data;
+            emitted::join_into(&[data], &mut #kept);
+            let data = &#kept;
             #workspace
             self.coefficients = #compute;
         }

@@ -12,7 +12,7 @@ use crate::plan::value_layout::ValueLayout;
 use crate::plan::{CoefficientId, Plan};
 
 /// The version of the runtime's hidden interface that is emitted for.
-pub const RUNTIME_VERSION: u32 = 10;
+pub const RUNTIME_VERSION: u32 = 11;
 
 /// That the origin of the unknowns that presolve kept is a solution, if it is one, and how
 /// solutions are lost at which an unknown vanishes.
@@ -89,15 +89,15 @@ pub(super) fn symmetries_of(plan: &Plan) -> TokenStream {
 
 /// The coefficients at twice the precision.
 fn precise_coefficients(plan: &Plan) -> TokenStream {
-    let function = program::name_of_table_function(plan);
+    let (function, (_, data)) = (program::name_of_table_function(plan), storage::data(plan));
     let memory = storage::has_coefficients_on_heap(plan).then(|| quote!(, self.workspace.memory()));
-    quote!(self::#function::<emitted::DoubleDouble>(&self.data #memory))
+    quote!(self::#function::<emitted::DoubleDouble>(&#data #memory))
 }
 
 /// The coefficients for given data, and what they are for.
 pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut Listings) -> TokenStream {
     let (list, _) = storage::coefficients(plan, &quote!(f64));
-    let (inputs, compute) = (Literal::usize_unsuffixed(plan.inputs()), storage::coefficients_of_data(plan));
+    let ((data, _), compute) = (storage::data(plan), storage::coefficients_of_data(plan));
     let (units_field, units) = scaling::field(plan);
     let (basis, count_read) =
         (Literal::usize_unsuffixed(plan.elimination.basis), Literal::usize_unsuffixed(plan.read.len()));
@@ -117,7 +117,14 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
     let (ratios, recovered) = (ratios(plan), code::recovered(plan));
     let (solver_instance, chains) = (solver_instance(plan, &action_matrix), chains::chains(plan));
     let ((storage, storage_type), generics) = (storage::field(plan), storage::generics(plan));
-    let value = quote!(Self { coefficients: #compute, data: *data, #units #no_read #storage });
+    let value = match plan.is_on_heap() {
+        true => quote! {
+            let kept = data;
+            let data = &kept[0];
+            Self { coefficients: #compute, data: kept, #units #no_read #storage }
+        },
+        false => quote!(Self { coefficients: #compute, data: *data, #units #no_read #storage }),
+    };
     let (constructors, scalings) = (scaling::constructors(plan, &value), scaling::table(plan));
     let (parameters, quotients) = (family::table(plan), quotients(plan));
     let (version, handshake) = (Literal::u32_unsuffixed(RUNTIME_VERSION), storage::handshake(plan));
@@ -131,7 +138,7 @@ pub(super) fn instance(plan: &Plan, provenance: &Provenance, listings: &mut List
         struct Instance #generics {
             coefficients: #list,
             /// All data, one parameter after another.
-            data: [f64; #inputs],
+            data: #data,
             #units_field
             #read_field
             #storage: #storage_type,

@@ -59,9 +59,11 @@ fn functions(plan: &Plan, output: &PlannedOutput) -> TokenStream {
     let for_solve = all_data(&quote!(.or_else(|#error| self::solve(#(#arguments),*).and(Err(#error)))));
     let all_data = all_data(&quote!());
     let compute = format_ident!("{COEFFICIENTS}");
-    let (make, made) = storage::default(plan, &names.take("workspace"));
+    let workspace = names.take("workspace");
+    let (make, made) = storage::default(plan, &workspace);
     let unread = derived::clear_unread(plan, &scaled);
     let binding = if unread.is_empty() { scaling::binding(plan, &scaled) } else { quote!(mut #scaled) };
+    let copied = if plan.is_on_heap() { quote!(#workspace.memory().filled(1, #data)) } else { quote!(#data) };
     let instance = scaling::of_data(plan, &scaled, &made);
     quote! {
         /// What the problem returns for a solution.
@@ -100,7 +102,7 @@ fn functions(plan: &Plan, output: &PlannedOutput) -> TokenStream {
         ) -> Result<::eliminant::Solutions<#name, MAX_SOLUTIONS>, ::eliminant::SolveError> {
             #make
             #for_solve
-            let #binding = #data;
+            let #binding = #copied;
             #unread
             let #solutions = self::real_solutions_of(&mut #instance, &#given)?;
             let #coefficients = self::#compute(1.0, &#data);

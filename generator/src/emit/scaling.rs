@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::derived::{self, Reader};
+use super::derived;
 use super::names::Names;
 use super::shapes::parameter;
 use super::storage;
@@ -51,12 +51,19 @@ pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
     let (storage, storage_type) = storage::field(plan);
     let [count, inputs, unknowns] =
         [plan.data.len(), plan.inputs(), plan.unknowns.len()].map(Literal::usize_unsuffixed);
+    let ([changed, unchanged], all) = match plan.is_on_heap() {
+        true => {
+            let owned = storage::data(plan).0;
+            ([quote!(mut data: #owned), quote!(data: #owned)], quote!(&mut data[0]))
+        }
+        false => ([quote!(data: &mut [f64; #inputs]), quote!(data: &[f64; #inputs])], quote!(data)),
+    };
     let mut names = Names::of(&plan.data);
     let [given, data, kept, instance] = ["given", "data", "kept", "instance"].map(|name| names.take(name));
     let parameters: Vec<_> = plan.data.iter().map(parameter).collect();
     let checked = |name: &str, binding: &TokenStream, made: &TokenStream| {
         let name = format_ident!("{name}");
-        let all_data = derived::all_data(plan, Reader::Solve, (&given, binding), &quote!());
+        let all_data = derived::data_of_solve(plan, &given, (&data, binding), &quote!(#kept));
         quote! {
             fn #name(#kept: #storage_type, #(#parameters),*) -> Result<Self, ::eliminant::SolveError> {
                 #all_data
@@ -76,13 +83,14 @@ pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
 
             /// As `scaled`, from all data, which are scaled.
             #[inline(always)]
-            fn scaled_of(data: &mut [f64; #inputs], #storage: #storage_type) -> Self {
-                let exponents = SCALINGS.apply(data);
+            fn scaled_of(#changed, #storage: #storage_type) -> Self {
+                let exponents = SCALINGS.apply(#all);
                 Self::of(data, exponents, #storage)
             }
         };
     }
-    let new = checked("new", &quote!(#data), &quote!(Self::of(&#data, #no_exponents #kept)));
+    let whole = if plan.is_on_heap() { quote!(#data) } else { quote!(&#data) };
+    let new = checked("new", &quote!(#data), &quote!(Self::of(#whole, #no_exponents #kept)));
     let check = check(plan);
     quote! {
         #new
@@ -90,7 +98,7 @@ pub(super) fn constructors(plan: &Plan, value: &TokenStream) -> TokenStream {
 
         /// From values of all data, one parameter after another.
         #[inline(always)]
-        fn of(data: &[f64; #inputs], #exponents #storage: #storage_type) -> Self {
+        fn of(#unchanged, #exponents #storage: #storage_type) -> Self {
             #value
         }
 
@@ -116,16 +124,19 @@ fn check(plan: &Plan) -> TokenStream {
     }
 }
 
-/// How an array of all `data` of the problem is bound for [`of_data`].
+/// How all `data` of the problem are bound for [`of_data`].
 pub(super) fn binding(plan: &Plan, data: &Ident) -> TokenStream {
-    if has_units(plan) { quote!(mut #data) } else { quote!(#data) }
+    if has_units(plan) && !plan.is_on_heap() { quote!(mut #data) } else { quote!(#data) }
 }
 
-/// The instance that is solved, from an array of all `data` of the problem, which are scaled.
+/// The instance that is solved, from all `data` of the problem, which are scaled: an array, or its
+/// only row on the heap.
 pub(super) fn of_data(plan: &Plan, data: &Ident, storage: &TokenStream) -> TokenStream {
-    match has_units(plan) {
-        true => quote!(Instance::scaled_of(&mut #data, #storage)),
-        false => quote!(Instance::of(&#data, #storage)),
+    match (has_units(plan), plan.is_on_heap()) {
+        (true, true) => quote!(Instance::scaled_of(#data, #storage)),
+        (true, false) => quote!(Instance::scaled_of(&mut #data, #storage)),
+        (false, true) => quote!(Instance::of(#data, #storage)),
+        (false, false) => quote!(Instance::of(&#data, #storage)),
     }
 }
 

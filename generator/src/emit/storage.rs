@@ -75,6 +75,17 @@ pub(super) fn coefficients_of_data(plan: &Plan) -> TokenStream {
     }
 }
 
+/// The type of all data of an instance, and where they are in it. There may be many, because
+/// choices are among derived ones, and what is not optimised copies them with each move: where
+/// there is a heap they are on it.
+pub(super) fn data(plan: &Plan) -> (TokenStream, TokenStream) {
+    let inputs = Literal::usize_unsuffixed(plan.inputs());
+    match plan.is_on_heap() {
+        true => (quote!(emitted::HeapRows<'w, [f64; #inputs]>), quote!(self.data[0])),
+        false => (quote!([f64; #inputs]), quote!(self.data)),
+    }
+}
+
 /// A reference to the coefficients of an instance.
 pub(super) fn coefficients_of_instance(plan: &Plan) -> TokenStream {
     match has_coefficients_on_heap(plan) {
