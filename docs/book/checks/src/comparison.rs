@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 
 use crate::measured::{Measured, PUBLISHED, rows};
-use crate::page;
+use crate::{page, replaced};
 
 /// What stands before and after the part in the page.
 const MARKS: [&str; 2] = ["<!-- sizes:begin -->\n", "<!-- sizes:end -->\n"];
@@ -32,15 +32,13 @@ pub fn comparison(root: &Path) -> Result<String, String> {
     let text = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
     let measured = Measured::of(&text);
     let page = page("comparison.md");
-    let (head, rest) = page.split_once(MARKS[0]).ok_or("comparison.md: the part does not begin")?;
-    let (_, tail) = rest.split_once(MARKS[1]).ok_or("comparison.md: the part does not end")?;
     let part = [
         format!("### Fewer rows, as many, or more\n\n{}", counts(&measured)),
         format!("### Rows x columns by problem\n\n{}", sizes(&measured)),
         format!("### In other code\n\n{}", in_code(&measured)),
         format!("### Errors and failures\n\n{}", accuracy(&measured)),
     ];
-    Ok(format!("{head}{}\n{}\n{}{tail}", MARKS[0], part.join("\n"), MARKS[1]))
+    replaced(&page, MARKS, &part.join("\n")).ok_or_else(|| "comparison.md: the part does not begin or end".to_owned())
 }
 
 /// A table of how many templates have fewer rows, as many and more than those of each publication.
