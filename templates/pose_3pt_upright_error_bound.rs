@@ -6,21 +6,23 @@
 /// within the bound can be moved until four errors equal it, or three where it can be moved no
 /// further.
 ///
-/// The camera is turned about its first axis by the angle of the cosine y and the sine z, and
-/// shifted by (u, v, w). A point of `points`, one a row, in the camera's coordinates (X, Y, Z),
-/// lies on the cone a X^2 + a Y^2 + 2 b X Z + 2 c Y Z + d Z^2 = 0 with (a, b, c, d) a row of
-/// `cones`: for an image point (p, q) and a bound e that is (1, -p, -q, p^2 + q^2 - e^2). The
+/// `points[k]` is the position of point k, `images[k]` its image (p, q) for a focal length of 1 and
+/// `bound` the largest error, a length in the image. The camera's first axis is vertical: it is
+/// turned about it by the angle of the cosine y and the sine z, and shifted by (u, v, w). A point in
+/// the camera's coordinates (X, Y, Z) is on the cone (X - p Z)^2 + (Y - q Z)^2 = bound^2 Z^2. The
 /// derivatives of the three left sides by w, y and z are linearly dependent.
-fn pose_3pt_upright_error_bound(points: [[f64; 3]; 3], cones: [[f64; 4]; 3]) -> (u, v, w, y, z) {
+fn pose_3pt_upright_error_bound(points: [[f64; 3]; 3], images: [[f64; 2]; 3], bound: f64) -> (u, v, w, y, z) {
     let mut derivatives = [[0; 3]; 3];
     for k in 0..3 {
         let [p1, p2] = [points[k][1], points[k][2]];
         let seen = [points[k][0] + u, y * p1 - z * p2 + v, z * p1 + y * p2 + w];
-        let [a, b, c, d] = cones[k];
-        let [to_x, to_y, to_z] = [[a, 0, b], [0, a, c], [b, c, d]] * seen;
+        let [p, q] = images[k];
+        let d = p * p + q * q - bound * bound;
+        let [to_x, to_y, to_z] = [[1, 0, -p], [0, 1, -q], [-p, -q, d]] * seen;
         dot([to_x, to_y, to_z], seen) == 0;
         derivatives[k] = [to_z, to_y * p1 + to_z * p2, to_z * p1 - to_y * p2];
     }
     y * y + z * z - 1 == 0;
     det(derivatives) == 0;
+    Pose { rotation: [[1, 0, 0], [0, y, -z], [0, z, y]], translation: [u, v, w] }
 }

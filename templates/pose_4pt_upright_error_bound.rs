@@ -5,20 +5,18 @@
 /// direction", PAMI 2017. Published as `optpose4pt_v2`. A pose with the largest number of points
 /// within the bound can be moved until four errors equal it.
 ///
-/// The camera is turned about its first axis by the angle of the cosine y and the sine z, and
-/// shifted by (u, v, w). A point of `points`, one a row, in the camera's coordinates (X, Y, Z),
-/// lies on the cone a X^2 + a Y^2 + 2 b X Z + 2 c Y Z + d Z^2 = 0 with (a, b, c, d) a row of
-/// `cones`: for an image point (p, q) and a bound e that is (1, -p, -q, p^2 + q^2 - e^2).
-fn pose_4pt_upright_error_bound(points: [[f64; 3]; 4], cones: [[f64; 4]; 4]) -> (u, v, w, y, z) {
+/// `points[k]` is the position of point k, `images[k]` its image (p, q) for a focal length of 1 and
+/// `bound` the largest error, a length in the image. The camera's first axis is vertical: it is
+/// turned about it by the angle of the cosine y and the sine z, and shifted by (u, v, w). A point in
+/// the camera's coordinates (X, Y, Z) is on the cone (X - p Z)^2 + (Y - q Z)^2 = bound^2 Z^2.
+fn pose_4pt_upright_error_bound(points: [[f64; 3]; 4], images: [[f64; 2]; 4], bound: f64) -> (u, v, w, y, z) {
     for k in 0..4 {
-        let seen = [
-            points[k][0] + u,
-            y * points[k][1] - z * points[k][2] + v,
-            z * points[k][1] + y * points[k][2] + w,
-        ];
+        let seen = [points[k][0] + u, y * points[k][1] - z * points[k][2] + v, z * points[k][1] + y * points[k][2] + w];
+        let [p, q] = images[k];
         let round = seen[0] * seen[0] + seen[1] * seen[1];
-        let along = cones[k][1] * seen[0] + cones[k][2] * seen[1];
-        cones[k][0] * round + 2 * along * seen[2] + cones[k][3] * seen[2] * seen[2] == 0;
+        let along = p * seen[0] + q * seen[1];
+        round - 2 * along * seen[2] + (p * p + q * q - bound * bound) * seen[2] * seen[2] == 0;
     }
     y * y + z * z - 1 == 0;
+    Pose { rotation: [[1, 0, 0], [0, y, -z], [0, z, y]], translation: [u, v, w] }
 }

@@ -12,6 +12,10 @@
 /// that of the unit quaternion cosine + u i + v j + w k. The ratio of the two depths of a point
 /// follows from any other point. All polynomials are written p + w q, with p and q in u and v only,
 /// and stated with their multiple by w.
+///
+/// A pose X -> rotation X + translation takes the frame of the first camera to that of the second.
+/// The length of the translation is open, and it is of length 1; where the motion is a rotation it
+/// is not known. Its sign is the one for which the first point is in front of the first camera.
 fn relpose_4pt_angle(first: [[f64; 3]; 4], second: [[f64; 3]; 4], #[unit] half_angle: [f64; 2]) -> (u, v, w) {
     let r = rotation(u, v, half_angle);
     let square = half_angle[1].pow(2) - u * u - v * v;
@@ -24,6 +28,36 @@ fn relpose_4pt_angle(first: [[f64; 3]; 4], second: [[f64; 3]; 4], #[unit] half_a
         w * p + square * q == 0;
     }
     w * w == square;
+    let rotation = r[0] + w * r[1];
+    RelativePose { rotation: rotation, translation: translation_of(rotation, first, second) }
+}
+
+/// Any weights: combinations of the equations of all points, so that no two points decide.
+const MIXTURE: [[f64; 4]; 2] = [[0.9, -0.4, 0.7, 0.3], [0.2, 0.8, -0.5, 0.6]];
+
+/// The translation, of length 1. It is orthogonal to second x rotation first of each point.
+fn translation_of(r: [[f64; 3]; 3], first: _, second: _) -> [f64; 3] {
+    let mut n = [[0; 3]; 2];
+    for k in 0..4 {
+        for i in 0..2 {
+            n[i] += MIXTURE[i][k] * cross(second[k], r * first[k]);
+        }
+    }
+    let turned = r * first[0];
+    in_front(second[0], turned[0], turned[1], turned[2], n[0][0], n[0][1], n[0][2], n[1][0], n[1][1], n[1][2])
+}
+
+/// The vector orthogonal to (a, b, c) and (d, e, f), with the sign for which the first point is in
+/// front of the first camera: its depth is in proportion to -(second x t) . (second x turned), where
+/// (x, y, z) is its turned ray.
+fn in_front(second: _, x: f64, y: f64, z: f64, a: f64, b: f64, c: f64, d: f64, e: f64, f: f64) -> [f64; 3] {
+    let t = cross([a, b, c], [d, e, f]);
+    sign(-dot(cross(second, t), cross(second, [x, y, z]))) * sqrt(1 / dot(t, t)) * t
+}
+
+/// 1 or -1.
+fn sign(x: f64) -> f64 {
+    x * sqrt(1 / (x * x))
 }
 
 /// The rotation of cosine + u i + v j + w k as \[P, Q\], of value P + w Q.

@@ -4,33 +4,58 @@
 /// Bhayani, Sattler, Larsson, Heikkilä, Kukelova, "Partially calibrated semi-generalized pose from
 /// hybrid point correspondences", WACV 2023. Published as `hyb51f`.
 ///
-/// The known point is the origin; `centres` and `directions` are a point and the direction of the
-/// ray that a calibrated camera sees each of the others along. `images` are those of the other
-/// points, turned and scaled so that the image of the known point is (1, 0). Its depth is the
-/// unknown `depth`. The camera's rotation is that of the quaternion 1 + x i + y j, and a turn about
-/// its axis after it, by the angle of which c and s are cosine and sine, times the focal length. An
+/// `image` is that of the known `point`, relative to the principal point, and must not be there.
+/// `images[k]` is that of point k, which a calibrated camera sees along the ray from `centres[k]` in
+/// the direction `directions[k]`. Positions are relative to `point`; images are turned and scaled so
+/// that that of `point` is (1, 0), and its depth is the unknown `depth`. The rotation of the camera,
+/// which is turned with the images, is that of the quaternion 1 + x i + y j, and a turn about its
+/// axis after it, by the angle of which c and s are cosine and sine, times the focal length. An
 /// image lies on that of the ray: det(M) M^-T, the cofactors of M, maps moments of rays to lines of
 /// the image where M maps directions to points of it. The squared norm of the quaternion, which
 /// divides all cofactors, is left out.
+///
+/// A pose X -> rotation X + translation takes the world to the camera; `focal` is in the unit of
+/// images. The known point is in front of the camera.
 fn relpose_5pt_semi_generalized_focal(
+    point: [f64; 3],
+    image: [f64; 2],
     images: [[f64; 2]; 5],
-    directions: [[f64; 3]; 5],
     centres: [[f64; 3]; 5],
+    directions: [[f64; 3]; 5],
 ) -> (x, y, c, s, depth) {
+    let square = dot(image, image);
+    let [right, down] = image / square;
+    let turned = images * [[right, -down], [down, right]];
     let norm = 1 + x * x + y * y;
-    let rotation = [
+    let about = [
         [1 + x * x - y * y, 2 * x * y, 2 * y],
         [2 * x * y, 1 - x * x + y * y, -2 * x],
         [-2 * y, 2 * x, 1 - x * x - y * y],
     ];
-    let m = [[c, -s, 0], [s, c, 0], [0, 0, 1]] * rotation;
-    let cofactors = [[c, -s, 0], [s, c, 0], [0, 0, c * c + s * s]] * rotation;
-    for i in 0..5 {
-        let image = [images[i][0], images[i][1], 1];
-        let through_rotation = cofactors * cross(centres[i], directions[i]);
-        let through_position = cross([depth, 0, depth], m * directions[i]);
-        dot(image, through_rotation + through_position) == 0;
+    let m = [[c, -s, 0], [s, c, 0], [0, 0, 1]] * about;
+    let cofactors = [[c, -s, 0], [s, c, 0], [0, 0, c * c + s * s]] * about;
+    for k in 0..5 {
+        let through_rotation = cofactors * cross(centres[k] - point, directions[k]);
+        let through_position = cross([depth, 0, depth], m * directions[k]);
+        dot([turned[k][0], turned[k][1], 1], through_rotation + through_position) == 0;
     }
     depth != 0;
+    depth > 0;
     norm != 0;
+    FocalPose {
+        rotation: turned_back(m / norm, image, sqrt((c * c + s * s) * square)),
+        translation: translation_of(m / norm, image, depth, point, sqrt((c * c + s * s) * square)),
+        focal: sqrt((c * c + s * s) * square),
+    }
+}
+
+/// The rotation in images as they are given, from the turned one, whose first two rows are times
+/// the focal length in the unit of the turned images.
+fn turned_back(m: [[f64; 3]; 3], image: [f64; 2], focal: f64) -> [[f64; 3]; 3] {
+    [[image[0], -image[1], 0] / focal, [image[1], image[0], 0] / focal, [0, 0, 1]] * m
+}
+
+/// That of positions as they are given.
+fn translation_of(m: [[f64; 3]; 3], image: [f64; 2], depth: f64, point: [f64; 3], focal: f64) -> [f64; 3] {
+    depth * [image[0] / focal, image[1] / focal, 1] - turned_back(m, image, focal) * point
 }

@@ -8,6 +8,9 @@
 /// quaternion q. That the rays of one point meet gives the translation up to the
 /// depths of that point along either ray; that the rays of any three others meet, too, are linear
 /// equations for these depths.
+///
+/// A pose X -> rotation X + translation takes the first system to the second, in the unit of the
+/// points of the rays.
 fn relpose_6pt_generalized(first: [[[f64; 3]; 2]; 6], second: [[[f64; 3]; 2]; 6]) -> (#[projective] q: [f64; 4]) {
     let r = rotation(q);
     for i in 0..3 {
@@ -22,6 +25,45 @@ fn relpose_6pt_generalized(first: [[[f64; 3]; 2]; 6], second: [[[f64; 3]; 2]; 6]
             }
         }
     }
+    let n = equations_of_translation(r, first, second);
+    Pose { rotation: r, translation: solved(n)[0..3] / solved(n)[3] }
+}
+
+/// Any weights: combinations of the equations of all points, so that no three points decide.
+const MIXTURE: [[f64; 6]; 3] = [
+    [0.9, -0.4, 0.7, 0.3, -0.8, 0.5],
+    [0.2, 0.8, -0.5, 0.9, 0.4, -0.7],
+    [-0.6, 0.5, 0.3, -0.7, 0.9, 0.8],
+];
+
+/// Equations for the translation by which the rays meet: for each point
+/// n . (rotation p1 + translation - p2) = 0, with points p1 and p2 of its rays, and n orthogonal to
+/// both.
+fn equations_of_translation(r: [[f64; 3]; 3], first: _, second: _) -> [[f64; 4]; 3] {
+    let mut n = [[0; 4]; 3];
+    for k in 0..6 {
+        let normal = cross(r * first[k][1], second[k][1]);
+        let equation = concat(normal, [dot(normal, second[k][0] - r * first[k][0])]);
+        for i in 0..3 {
+            n[i] += MIXTURE[i][k] * equation;
+        }
+    }
+    n
+}
+
+/// Three linear equations: n[k][0..3] . x = n[k][3]. The solution times the determinant, and behind
+/// it the determinant, by Cramer's rule.
+fn solved(n: [[f64; 4]; 3]) -> [f64; 4] {
+    by_cramers_rule(
+        n[0][0], n[0][1], n[0][2], n[0][3], n[1][0], n[1][1], n[1][2], n[1][3], n[2][0], n[2][1], n[2][2], n[2][3],
+    )
+}
+
+fn by_cramers_rule(
+    a: f64, b: f64, c: f64, x: f64, d: f64, e: f64, f: f64, y: f64, g: f64, h: f64, i: f64, z: f64,
+) -> [f64; 4] {
+    let [p, q, r] = [cross([d, e, f], [g, h, i]), cross([g, h, i], [a, b, c]), cross([a, b, c], [d, e, f])];
+    concat(x * p + y * q + z * r, [dot([a, b, c], p)])
 }
 
 /// The rays of point j meet where those of point i do: the coefficients of the depths of point i in

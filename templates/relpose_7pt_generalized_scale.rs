@@ -10,6 +10,9 @@
 /// That the rays of one point meet gives the translation up to the depths of that point along
 /// either ray and the scale; that the rays of any four others meet, too, are linear equations for
 /// these three. What is stated depends on these five points, not on which is the first.
+///
+/// For a point of the rays, rotation p1 + translation = scale p2, with p1 in the first system and p2
+/// in the second.
 fn relpose_7pt_generalized_scale(first: [[[f64; 3]; 2]; 7], second: [[[f64; 3]; 2]; 7]) -> (#[projective] q: [f64; 4]) {
     let r = rotation(q);
     for i in 0..3 {
@@ -28,6 +31,47 @@ fn relpose_7pt_generalized_scale(first: [[[f64; 3]; 2]; 7], second: [[[f64; 3]; 
             }
         }
     }
+    let mut n = [[0; 4]; 3];
+    for k in 0..6 {
+        let met = meet(r, first[0], second[0], first[k + 1], second[k + 1]);
+        for i in 0..3 {
+            n[i] += MIXTURE[i][k] * [met[0], met[1], met[2], -met[3]];
+        }
+    }
+    ScaledPose {
+        rotation: r,
+        translation: translation_of(r, first[0], second[0], n) / solved(n)[3],
+        scale: solved(n)[2] / solved(n)[3],
+    }
+}
+
+/// Any weights: combinations of the equations of all points, so that no four points decide.
+const MIXTURE: [[f64; 6]; 3] = [
+    [0.9, -0.4, 0.7, 0.3, -0.8, 0.5],
+    [0.2, 0.8, -0.5, 0.9, 0.4, -0.7],
+    [-0.6, 0.5, 0.3, -0.7, 0.9, 0.8],
+];
+
+/// The translation times the determinant of three equations for the depths of a point and the
+/// scale.
+fn translation_of(r: [[f64; 3]; 3], first: _, second: _, n: [[f64; 4]; 3]) -> [f64; 3] {
+    let [depth, second_depth, scale, common] = solved(n);
+    scale * second[0] + second_depth * second[1] - common * (r * first[0]) - depth * (r * first[1])
+}
+
+/// Three linear equations: n[k][0..3] . x = n[k][3]. The solution times the determinant, and behind
+/// it the determinant, by Cramer's rule.
+fn solved(n: [[f64; 4]; 3]) -> [f64; 4] {
+    by_cramers_rule(
+        n[0][0], n[0][1], n[0][2], n[0][3], n[1][0], n[1][1], n[1][2], n[1][3], n[2][0], n[2][1], n[2][2], n[2][3],
+    )
+}
+
+fn by_cramers_rule(
+    a: f64, b: f64, c: f64, x: f64, d: f64, e: f64, f: f64, y: f64, g: f64, h: f64, i: f64, z: f64,
+) -> [f64; 4] {
+    let [p, q, r] = [cross([d, e, f], [g, h, i]), cross([g, h, i], [a, b, c]), cross([a, b, c], [d, e, f])];
+    concat(x * p + y * q + z * r, [dot([a, b, c], p)])
 }
 
 /// The rays of point j meet where those of point i do: the coefficients of the depths of point i in

@@ -1,23 +1,25 @@
 //! Solvers that return rotations and translations: these are those of scenes.
 
 use std::array::from_fn;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use eliminant_generator::algebra::Random;
 use eliminant_solvers::{
     calibration_6_receivers_4_senders, homography_4pt, orbit_5_lines_of_sight, pose_1pt_2line, pose_2pt_1line,
-    pose_3line, pose_4pt_focal, pose_5pt_refraction, pose_35pt_focal, pose_npt_direct_least_squares,
-    pose_npt_least_squares_cayley, pose_npt_least_squares_quaternion, pose_npt_weak_perspective, relpose_3pt_depths,
-    relpose_6pt_radial, relpose_7pt_focal_radial,
+    pose_3line, pose_4pt_focal, pose_4pt_upright_error_bound, pose_5pt_refraction, pose_35pt_focal,
+    pose_npt_direct_least_squares, pose_npt_least_squares_cayley, pose_npt_least_squares_quaternion,
+    pose_npt_weak_perspective, relpose_3pt_depths, relpose_5pt_semi_generalized_focal, relpose_6pt_radial,
+    relpose_7pt_focal_radial,
 };
 use eliminant_tests::ground_truth::{
-    Motion, Underwater, WATER, camera, distorted, image, in_ball, projective_error, two_cameras, uniform,
+    FOUND, Motion, Underwater, WATER, camera, distorted, image, in_ball, is_pose, is_rotation, projective_error,
+    two_cameras, uniform,
 };
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
 
 const SCENES: u64 = 1_000;
-/// A result is the known one if it is this close.
-const FOUND: f64 = 1e-6;
+/// The same for a solver that takes a tenth of a second.
+const SLOW_SCENES: u64 = 50;
 /// Scenes of a thousand on which it may be missing: those that are close to degenerate ones.
 const LOST: usize = 1;
 
@@ -28,7 +30,12 @@ fn check(is_found: impl Fn(&mut Random) -> bool) {
 
 /// As [`check`], where so many scenes of a thousand are close to degenerate ones.
 fn check_but_for(most: usize, is_found: impl Fn(&mut Random) -> bool) {
-    let lost: Vec<u64> = (0..SCENES).filter(|&k| !is_found(&mut Random::new(65_000_000 + k))).collect();
+    check_some(SCENES, most, is_found);
+}
+
+/// As [`check`], on fewer scenes.
+fn check_some(scenes: u64, most: usize, is_found: impl Fn(&mut Random) -> bool) {
+    let lost: Vec<u64> = (0..scenes).filter(|&k| !is_found(&mut Random::new(65_000_000 + k))).collect();
     assert!(lost.len() <= most, "{lost:?}");
 }
 
@@ -59,12 +66,6 @@ impl<const N: usize> View<N> {
     }
 }
 
-/// Whether a pose is the known one; rows are listed, nalgebra lists columns.
-fn is_pose(known: (&Matrix3<f64>, &Vector3<f64>), rotation: &[[f64; 3]; 3], translation: &[f64; 3]) -> bool {
-    (Matrix3::from(*rotation).transpose() - known.0).norm() < FOUND
-        && (Vector3::from(*translation) - known.1).norm() < FOUND * known.1.norm()
-}
-
 fn rays<const N: usize>(points: &[Vector3<f64>; N]) -> [[f64; 3]; N] {
     points.map(<[f64; 3]>::from)
 }
@@ -81,13 +82,6 @@ fn poses_and_focal_lengths_come_from_three_and_a_half_points() {
             .iter()
             .any(|pose| view.is_pose(&pose.rotation, &pose.translation) && (pose.focal / focal - 1.0).abs() < FOUND)
     });
-}
-
-/// To rounding errors: they are enlarged where solutions have few digits, since these come from
-/// several equations.
-fn is_rotation(rows: &[[f64; 3]; 3]) -> bool {
-    let matrix = Matrix3::from(*rows);
-    (matrix * matrix.transpose() - Matrix3::identity()).norm() < FOUND && matrix.determinant() > 0.0
 }
 
 #[test]
@@ -118,6 +112,62 @@ fn poses_and_focal_lengths_come_from_a_square() {
         let images = view.seen.map(|x| <[f64; 2]>::from(image(&x, focal)));
         let found = pose_4pt_focal::solve_for_focal_pose(&rays(&view.points), &images).unwrap_or_default();
         found.iter().any(|pose| view.is_pose(&pose.rotation, &pose.translation))
+    });
+}
+
+/// A camera that is turned about its first axis, which is vertical, and sees N points with errors
+/// of the length of a bound.
+fn view_with_errors<const N: usize>(random: &mut Random) -> (View<N>, [[f64; 2]; N], f64) {
+    let (angle, bound) = (uniform(random, 0.0, TAU), uniform(random, 0.005, 0.02));
+    let rotation = Rotation3::from_axis_angle(&Vector3::x_axis(), angle).into_inner();
+    let [right, down] = [(); 2].map(|()| 0.5 * random.symmetric_unit());
+    let translation = Vector3::new(right, down, uniform(random, 2.0, 6.0));
+    let points: [Vector3<f64>; N] = from_fn(|_| in_ball(random));
+    let seen = points.map(|x| rotation * x + translation);
+    let images = seen.map(|x| {
+        let (sine, cosine) = uniform(random, 0.0, TAU).sin_cos();
+        (image(&x, 1.0) + bound * Vector2::new(cosine, sine)).into()
+    });
+    (View { rotation, translation, points, seen }, images, bound)
+}
+
+/// That all errors equal the bound is tested for each pose that is found.
+#[test]
+fn poses_come_from_four_points_with_errors_at_their_bound() {
+    check(|random| {
+        let (view, images, bound) = view_with_errors::<4>(random);
+        let points = rays(&view.points);
+        let found = pose_4pt_upright_error_bound::solve_for_pose(&points, &images, bound).unwrap_or_default();
+        for pose in &found {
+            assert!(is_rotation(&pose.rotation) && pose.rotation[0] == [1.0, 0.0, 0.0]);
+            for (point, seen) in view.points.iter().zip(images) {
+                let x = Matrix3::from(pose.rotation).transpose() * point + Vector3::from(pose.translation);
+                let error = (image(&x, 1.0) - Vector2::from(seen)).norm();
+                assert!((error / bound - 1.0).abs() < FOUND, "{error} is not {bound}");
+            }
+        }
+        found.iter().any(|pose| view.is_pose(&pose.rotation, &pose.translation))
+    });
+}
+
+#[test]
+fn poses_and_focal_lengths_come_from_rays_and_a_known_point() {
+    check_some(SLOW_SCENES, 0, |random| {
+        let (view, focal) = (View::<6>::draw(random), uniform(random, 0.5, 3.0));
+        let images = view.seen.map(|x| <[f64; 2]>::from(image(&x, focal)));
+        let centres: [Vector3<f64>; 5] = from_fn(|_| view.points[5] + 4.0 * in_ball(random).normalize());
+        let directions: [[f64; 3]; 5] = from_fn(|k| (view.points[k] - centres[k]).into());
+        let found = relpose_5pt_semi_generalized_focal::solve_for_focal_pose(
+            &view.points[5].into(),
+            &images[5],
+            &from_fn(|k| images[k]),
+            &centres.map(Into::into),
+            &directions,
+        );
+        let found = found.unwrap_or_default();
+        assert!(found.iter().all(|pose| pose.focal > 0.0 && is_rotation(&pose.rotation)));
+        let is_focal = |found: f64| (found / focal - 1.0).abs() < FOUND;
+        found.iter().any(|pose| view.is_pose(&pose.rotation, &pose.translation) && is_focal(pose.focal))
     });
 }
 

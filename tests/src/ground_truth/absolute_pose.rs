@@ -140,13 +140,14 @@ fn generalized_camera(random: &mut Random) -> KnownInstance {
 }
 
 /// A camera 2 to 6 units from the centre of the unit ball, turned about its first axis, and points
-/// of the ball, each seen with an error of the length of its bound.
+/// of the ball, each seen with an error of the length of the bound.
 struct ErrorsAtBounds {
     cosine: f64,
     sine: f64,
     position: Vector3<f64>,
-    points: Vec<f64>,
-    cones: Vec<f64>,
+    bound: f64,
+    points: Vec<Vector3<f64>>,
+    images: Vec<Vector2<f64>>,
 }
 
 impl ErrorsAtBounds {
@@ -154,16 +155,16 @@ impl ErrorsAtBounds {
         let (sine, cosine) = uniform(random, 0.0, TAU).sin_cos();
         let position =
             Vector3::new(0.5 * random.symmetric_unit(), 0.5 * random.symmetric_unit(), uniform(random, 2.0, 6.0));
-        Self { cosine, sine, position, points: Vec::new(), cones: Vec::new() }
+        let bound = uniform(random, 0.005, 0.02);
+        Self { cosine, sine, position, bound, points: Vec::new(), images: Vec::new() }
     }
 
     /// Adds a point. `towards` gives the direction of its error from the point and its image.
     fn see(&mut self, random: &mut Random, towards: impl Fn(&Vector3<f64>, &Vector2<f64>) -> Vector2<f64>) {
-        let (point, bound) = (in_ball(random), uniform(random, 0.005, 0.02));
+        let point = in_ball(random);
         let image = image(&(self.turned(&point) + self.position), 1.0);
-        let q = image + bound * towards(&point, &image);
-        self.points.extend(point.data.0[0]);
-        self.cones.extend([1.0, -q.x, -q.y, q.norm_squared() - bound * bound]);
+        self.images.push(image + self.bound * towards(&point, &image));
+        self.points.push(point);
     }
 
     fn see_anywhere(&mut self, random: &mut Random) {
@@ -177,7 +178,9 @@ impl ErrorsAtBounds {
 
     fn known(self) -> KnownInstance {
         let truth = self.position.iter().copied().chain([self.cosine, self.sine]).collect();
-        KnownInstance { data: [self.points, self.cones].concat(), truths: vec![truth] }
+        let points = self.points.iter().flat_map(|x| x.data.0[0]);
+        let data = points.chain(self.images.iter().flat_map(|q| q.data.0[0])).chain([self.bound]).collect();
+        KnownInstance { data, truths: vec![truth] }
     }
 }
 
@@ -195,9 +198,10 @@ fn three_stationary_errors(random: &mut Random) -> KnownInstance {
     (0..2).for_each(|_| seen.see_anywhere(random));
     let rows: Vec<Vector3<f64>> = (0..2)
         .map(|k| {
-            let point = Vector3::from_column_slice(&seen.points[3 * k..][..3]);
-            let (x, cone) = (seen.turned(&point) + seen.position, &seen.cones[4 * k..][..4]);
-            let (to_y, to_z) = (cone[0] * x.y + cone[2] * x.z, cone[1] * x.x + cone[2] * x.y + cone[3] * x.z);
+            let (point, q) = (seen.points[k], seen.images[k]);
+            let x = seen.turned(&point) + seen.position;
+            let along = q.norm_squared() - seen.bound * seen.bound;
+            let (to_y, to_z) = (x.y - q.y * x.z, along * x.z - q.x * x.x - q.y * x.y);
             to_y * by_y(&point) + to_z * by_z(&point)
         })
         .collect();

@@ -12,6 +12,7 @@ mod optimal_pose;
 mod orbits;
 mod platforms;
 mod points;
+mod pose;
 mod radial_distortion;
 mod ranging;
 mod relative_pose;
@@ -23,6 +24,7 @@ pub use circles::{Circle, Line, gram, minimal_conic, minimal_data, normalised};
 pub use linear::{combination, coordinates, null_space, uniform, vector};
 use linear::{derived_null_space, solved, weights};
 pub use maker::{FOUND, KnownInstance, Make, Maker, largest_relative_error, projective_error, relative_error};
+pub use pose::{is_pose, is_rotation};
 pub use underwater::{Underwater, WATER};
 
 /// One maker for every problem, by name.

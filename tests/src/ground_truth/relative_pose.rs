@@ -1,7 +1,7 @@
 //! Relative pose of two cameras from points in both images.
 
 use eliminant_generator::algebra::Random;
-use nalgebra::{Matrix2, Matrix3, Rotation3, Vector2, Vector3};
+use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
 
 use super::cameras::{Motion, camera, distorted, image, in_ball, quaternion, two_cameras};
 use super::{
@@ -149,21 +149,19 @@ fn seven_points_generalized(random: &mut Random, motion: Motion) -> KnownInstanc
     KnownInstance { data, truths: vec![coordinates(&quaternion(&rotation))] }
 }
 
-/// A camera of focal length 0.5 to 3, whose image is turned and scaled so that one of six points is
-/// seen at (1, 0), and the rays from other cameras, 2 to 6 units from that point, to the other
-/// five.
+/// A camera of focal length 0.5 to 3 that sees six points of the unit ball, the position of one of
+/// them, and the rays from other cameras, 2 to 6 units from it, to the other five.
 fn five_points_and_a_known_one(random: &mut Random) -> KnownInstance {
     let (rotation, translation) = camera(random);
     let (focal, origin) = (uniform(random, 0.5, 3.0), in_ball(random));
     let in_camera = rotation * origin + translation;
     let seen = image(&in_camera, focal);
-    let turn = seen.norm_squared().recip() * Matrix2::new(seen.x, seen.y, -seen.y, seen.x);
     let (mut images, mut directions, mut centres) = (Vec::new(), Vec::new(), Vec::new());
     for _ in 0..5 {
         let point = in_ball(random);
-        let centre = in_ball(random).normalize() * uniform(random, 2.0, 6.0);
-        images.extend((turn * image(&(rotation * point + translation), focal)).data.0[0]);
-        directions.extend((point - origin - centre).normalize().data.0[0]);
+        let centre = origin + in_ball(random).normalize() * uniform(random, 2.0, 6.0);
+        images.extend(image(&(rotation * point + translation), focal).data.0[0]);
+        directions.extend((point - centre).normalize().data.0[0]);
         centres.extend(centre.data.0[0]);
     }
     // The turn of the image is one of the camera about its axis.
@@ -174,7 +172,8 @@ fn five_points_and_a_known_one(random: &mut Random) -> KnownInstance {
     let [q, r] = [cos * x + sin * y, cos * y - sin * x];
     let scaled_focal = focal / seen.norm();
     let truth = vec![q / p, r / p, scaled_focal * (cos * cos - sin * sin), scaled_focal * 2.0 * cos * sin, in_camera.z];
-    KnownInstance { data: [images, directions, centres].concat(), truths: vec![truth] }
+    let known = [&origin.data.0[0][..], &seen.data.0[0]].concat();
+    KnownInstance { data: [known, images, centres, directions].concat(), truths: vec![truth] }
 }
 
 /// The fundamental matrix, of norm 1, of two cameras with focal length 0.7 to 2 and principal point
