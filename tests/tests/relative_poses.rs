@@ -5,7 +5,7 @@ use std::array::from_fn;
 use eliminant_generator::algebra::Random;
 use eliminant_solvers::{
     relpose_3pt_angle_zero_screw, relpose_3pt_upright, relpose_4pt_angle, relpose_5pt_generalized_angle,
-    relpose_5pt_rays, relpose_6pt_generalized, relpose_7pt_generalized_scale,
+    relpose_5pt_rays, relpose_6pt_focal_points, relpose_6pt_generalized, relpose_7pt_generalized_scale,
 };
 use eliminant_tests::ground_truth::{
     FOUND, Motion, in_ball, is_pose, is_rotation, two_cameras, uniform, upright_cameras,
@@ -143,4 +143,25 @@ fn motions_of_systems_of_cameras_have_a_length() {
         let is_scale = |found: f64| (found / scale - 1.0).abs() < FOUND;
         found.iter().any(|pose| is_pose(known, &pose.rotation, &pose.translation) && is_scale(pose.scale))
     });
+}
+
+/// Images relative to the principal point, in pixels.
+#[test]
+fn motions_and_focal_lengths_come_from_six_points() {
+    for motion in [Motion::General, Motion::QuarterTurn] {
+        check(&format!("{motion:?}"), SCENES, |random| {
+            let cameras = two_cameras((random, motion), 6);
+            let focal = uniform(random, 500.0, 3000.0);
+            let scene = Rays::<6>::of(random, cameras);
+            let [first, second] =
+                [scene.first, scene.second].map(|rays| rays.map(|[x, y, z]| [focal * x / z, focal * y / z]));
+            let found = relpose_6pt_focal_points::solve_for_focal_pose(&first, &second).unwrap_or_default();
+            for pose in &found {
+                assert!(is_rotation(&pose.rotation), "{pose:?}");
+            }
+            found.iter().any(|pose| {
+                scene.is_pose(&pose.rotation, &pose.translation) && (pose.focal / focal - 1.0).abs() < FOUND
+            })
+        });
+    }
 }
