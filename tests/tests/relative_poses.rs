@@ -16,13 +16,9 @@ const SCENES: u64 = 500;
 /// The same for solvers that take a millisecond or more.
 const SLOW_SCENES: u64 = 50;
 
-/// Scenes on which the motion is not found. As of all solvers, three of a thousand may be lost.
-fn lost(scenes: u64, is_found: impl Fn(&mut Random) -> bool) -> Vec<u64> {
-    (0..scenes).filter(|&k| !is_found(&mut Random::new(66_000_000 + k))).collect()
-}
-
+/// As of all solvers, three of a thousand motions may be lost.
 fn check(what: &str, scenes: u64, is_found: impl Fn(&mut Random) -> bool) {
-    let lost = lost(scenes, is_found);
+    let lost: Vec<u64> = (0..scenes).filter(|&k| !is_found(&mut Random::new(66_000_000 + k))).collect();
     assert!(lost.len() as u64 <= scenes * 3 / 1000, "{what}: {lost:?}");
 }
 
@@ -145,23 +141,19 @@ fn motions_of_systems_of_cameras_have_a_length() {
     });
 }
 
-/// Images relative to the principal point, in pixels.
+/// Images relative to the principal point, in pixels. Where the optical axes meet or are parallel
+/// the focal length is hardly known, so special motions are left out.
 #[test]
 fn motions_and_focal_lengths_come_from_six_points() {
-    for motion in [Motion::General, Motion::QuarterTurn] {
-        check(&format!("{motion:?}"), SCENES, |random| {
-            let cameras = two_cameras((random, motion), 6);
-            let focal = uniform(random, 500.0, 3000.0);
-            let scene = Rays::<6>::of(random, cameras);
-            let [first, second] =
-                [scene.first, scene.second].map(|rays| rays.map(|[x, y, z]| [focal * x / z, focal * y / z]));
-            let found = relpose_6pt_focal_points::solve_for_focal_pose(&first, &second).unwrap_or_default();
-            for pose in &found {
-                assert!(is_rotation(&pose.rotation), "{pose:?}");
-            }
-            found.iter().any(|pose| {
-                scene.is_pose(&pose.rotation, &pose.translation) && (pose.focal / focal - 1.0).abs() < FOUND
-            })
-        });
-    }
+    check("six points", SCENES, |random| {
+        let cameras = two_cameras((random, Motion::General), 6);
+        let focal = uniform(random, 500.0, 3000.0);
+        let scene = Rays::<6>::of(random, cameras);
+        let in_pixels = |[x, y, z]: [f64; 3]| [focal * x / z, focal * y / z];
+        let [first, second] = [scene.first, scene.second].map(|rays| rays.map(in_pixels));
+        let found = relpose_6pt_focal_points::solve_for_focal_pose(&first, &second).unwrap_or_default();
+        assert!(found.iter().all(|pose| is_rotation(&pose.rotation)));
+        let is_focal = |found: f64| (found / focal - 1.0).abs() < FOUND;
+        found.iter().any(|pose| scene.is_pose(&pose.rotation, &pose.translation) && is_focal(pose.focal))
+    });
 }
