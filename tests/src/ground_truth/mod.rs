@@ -17,6 +17,7 @@ mod ranging;
 mod relative_pose;
 mod triangulation;
 mod underwater;
+mod views;
 
 pub use cameras::{Motion, camera, distorted, image, in_ball, two_cameras, upright, upright_cameras};
 pub use circles::{Circle, Line, gram, minimal_conic, minimal_data, normalised};
@@ -24,6 +25,7 @@ pub use linear::{combination, coordinates, null_space, uniform, vector};
 use linear::{derived_null_space, solved, weights};
 pub use maker::{FOUND, KnownInstance, Make, Maker, largest_relative_error, projective_error, relative_error};
 pub use underwater::{Underwater, WATER};
+pub use views::View;
 
 /// One maker for every problem, by name.
 pub fn makers() -> Vec<Maker> {
