@@ -30,7 +30,7 @@ pub enum Make {
 }
 
 impl Make {
-    /// Draws an instance; of cameras that are placed independently of each other, and of the points.
+    /// Draws an instance; of cameras that are placed independently of each other and the points.
     pub fn draw(self, random: &mut Random) -> KnownInstance {
         match self {
             Self::Scene(make) => make(random),

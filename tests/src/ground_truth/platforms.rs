@@ -5,8 +5,8 @@ use std::array::from_fn;
 use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, Rotation3, SMatrix, Vector3};
 
-use super::cameras::{cayley, in_ball};
-use super::{KnownInstance, Make, Maker, View, null_space, relative_error};
+use super::cameras::{camera, cayley, in_ball};
+use super::{KnownInstance, Make, Maker, null_space, relative_error};
 
 /// The entries of a rotation, row by row, on the products (w w, w x, w y, w z, x x, x y, x z, y y,
 /// y z, z z) of its quaternion.
@@ -26,7 +26,7 @@ const ENTRIES: [[f64; 10]; 9] = [
 pub(super) fn makers() -> Vec<Maker> {
     vec![Maker {
         name: "platform_forward_kinematics",
-        make: Make::KnownPoints(|random, view| known_pose(&Platform::draw(random, view))),
+        make: Make::Scene(|random| known_pose(&Platform::draw(random))),
         error: |_, solution, truth| relative_error(solution, truth),
     }]
 }
@@ -43,10 +43,10 @@ struct Platform {
 impl Platform {
     /// Joints of the base in the unit ball, those of the platform in one of radius 0.4, one to two
     /// units apart.
-    fn draw(random: &mut Random, view: View) -> Self {
+    fn draw(random: &mut Random) -> Self {
         let base: [Vector3<f64>; 6] = from_fn(|_| in_ball(random));
         let joints: [Vector3<f64>; 6] = from_fn(|_| 0.4 * in_ball(random));
-        let (rotation, position) = view.camera(random);
+        let (rotation, position) = camera(random);
         Self {
             base: from_fn(|k| base[k + 1] - base[0]),
             joints: from_fn(|k| joints[k + 1] - joints[0]),
@@ -139,7 +139,7 @@ mod tests {
     fn true_poses_satisfy_the_first_equations() {
         let mut random = Random::new(8);
         for _ in 0..1000 {
-            let KnownInstance { data, truths } = known_pose(&Platform::draw(&mut random, View::General));
+            let KnownInstance { data, truths } = known_pose(&Platform::draw(&mut random));
             let [a, b, c] = truths[0][..] else { panic!("three unknowns") };
             let monomials = [1.0, a, b, c, a * a, a * b, a * c, b * b, b * c, c * c];
             let value = |k: usize| data[10 * k..10 * k + 10].iter().zip(monomials).map(|(x, m)| x * m).sum::<f64>();

@@ -226,7 +226,9 @@ fn panorama(random: &mut Random, view: View) -> KnownInstance {
         View::Ideal => radial = 0.0,
         _ => {}
     }
-    let rotation = Rotation3::new(uniform(random, 0.3, 0.7) * axis);
+    // A point in the middle of the first image must be in the second one.
+    let most = if view == View::Centred { 0.6 } else { 0.7 };
+    let rotation = Rotation3::new(uniform(random, 0.3, most) * axis);
     let mut seen: Vec<[Vector2<f64>; 2]> = Vec::new();
     while seen.len() < 3 {
         let mut direction = (in_ball(random) + Vector3::new(0.0, 0.0, 1.0)).normalize();

@@ -5,19 +5,19 @@ use std::array::from_fn;
 use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix2, Matrix3, Matrix4, RowVector4, SMatrix, SVector, Vector2, Vector3, Vector4};
 
-use super::cameras::image;
-use super::{KnownInstance, Make, Maker, View, derived_null_space, relative_error};
+use super::cameras::{camera, image, in_ball};
+use super::{KnownInstance, Make, Maker, derived_null_space, relative_error};
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![
         Maker {
             name: "triangulation_3view",
-            make: Make::KnownPoints(three_depths),
+            make: Make::Scene(three_depths),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "triangulation_3view_relaxed",
-            make: Make::KnownPoints(three_views),
+            make: Make::Scene(three_views),
             error: |_, solution, truth| relative_error(&solution[..6], &truth[..6]),
         },
     ]
@@ -26,18 +26,17 @@ pub(super) fn makers() -> Vec<Maker> {
 type Camera = (Matrix3<f64>, Vector3<f64>);
 
 /// Three cameras, a point of the unit ball, and where they see it with an error of up to 0.003.
-fn seen_point(random: &mut Random, view: View) -> ([Camera; 3], Vector3<f64>, [Vector2<f64>; 3]) {
-    let cameras: [Camera; 3] = from_fn(|_| view.camera(random));
-    let point = view.point(random, &cameras[0], 0);
+fn seen_point(random: &mut Random) -> ([Camera; 3], Vector3<f64>, [Vector2<f64>; 3]) {
+    let cameras: [Camera; 3] = from_fn(|_| camera(random));
+    let point = in_ball(random);
     let exact = cameras.map(|(rotation, translation)| image(&(rotation * point + translation), 1.0));
-    let error = if view == View::Ideal { 0.0 } else { 0.003 };
-    (cameras, point, exact.map(|q| q + error * Vector2::from_fn(|_, _| random.symmetric_unit())))
+    (cameras, point, exact.map(|q| q + 0.003 * Vector2::from_fn(|_, _| random.symmetric_unit())))
 }
 
 /// The point whose images are closest to what is seen, in coordinates in which two depths relative
 /// to the third are x and y.
-fn three_depths(random: &mut Random, view: View) -> KnownInstance {
-    let (cameras, start, seen) = seen_point(random, view);
+fn three_depths(random: &mut Random) -> KnownInstance {
+    let (cameras, start, seen) = seen_point(random);
     let depth = |k: usize| {
         let (rotation, translation): &Camera = &cameras[k];
         RowVector4::from_fn(|_, j| if j == 3 { translation.z } else { rotation[(2, j)] })
@@ -95,8 +94,8 @@ fn nearest(depths: &[RowVector4<f64>; 3], offsets: &[SMatrix<f64, 2, 4>; 3], sta
 
 /// The image points that satisfy two epipolar constraints and are closest to what three cameras
 /// see.
-fn three_views(random: &mut Random, view: View) -> KnownInstance {
-    let (cameras, point, seen) = seen_point(random, view);
+fn three_views(random: &mut Random) -> KnownInstance {
+    let (cameras, point, seen) = seen_point(random);
     let exact = cameras.map(|(rotation, translation)| image(&(rotation * point + translation), 1.0));
     // p^T [t]x R p' = 0 with the rotation and the translation from the second camera of a pair to
     // the first.
@@ -157,7 +156,7 @@ mod tests {
     fn closest_points_satisfy_the_epipolar_constraints() {
         let mut random = Random::new(7);
         for _ in 0..1000 {
-            let KnownInstance { data, truths } = three_views(&mut random, View::General);
+            let KnownInstance { data, truths } = three_views(&mut random);
             let p: [Vector3<f64>; 3] = from_fn(|k| Vector3::new(truths[0][2 * k], truths[0][2 * k + 1], 1.0));
             for k in 0..2 {
                 let matrix = Matrix3::from_row_slice(&data[9 * k..9 * k + 9]);
