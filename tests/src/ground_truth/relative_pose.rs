@@ -3,7 +3,7 @@
 use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix2, Matrix3, Rotation3, Vector2, Vector3};
 
-use super::cameras::{Motion, distorted, image, in_ball, quaternion, two_cameras};
+use super::cameras::{Motion, camera, distorted, image, in_ball, quaternion, two_cameras};
 use super::{
     KnownInstance, Make, Maker, View, combination, coordinates, largest_relative_error, null_space, projective_error,
     relative_error, uniform, vector, weights,
@@ -40,7 +40,7 @@ pub(super) fn makers() -> Vec<Maker> {
         },
         Maker {
             name: "relpose_5pt_semi_generalized_focal",
-            make: Make::KnownPoints(five_points_and_a_known_one),
+            make: Make::Scene(five_points_and_a_known_one),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
@@ -152,16 +152,15 @@ fn seven_points_generalized(random: &mut Random, motion: Motion) -> KnownInstanc
 /// A camera of focal length 0.5 to 3, whose image is turned and scaled so that one of six points is
 /// seen at (1, 0), and the rays from other cameras, 2 to 6 units from that point, to the other
 /// five.
-fn five_points_and_a_known_one(random: &mut Random, view: View) -> KnownInstance {
-    let pose = view.camera(random);
-    let (focal, origin) = (uniform(random, 0.5, 3.0), view.point(random, &pose, 5));
-    let (rotation, translation) = pose;
+fn five_points_and_a_known_one(random: &mut Random) -> KnownInstance {
+    let (rotation, translation) = camera(random);
+    let (focal, origin) = (uniform(random, 0.5, 3.0), in_ball(random));
     let in_camera = rotation * origin + translation;
     let seen = image(&in_camera, focal);
     let turn = seen.norm_squared().recip() * Matrix2::new(seen.x, seen.y, -seen.y, seen.x);
     let (mut images, mut directions, mut centres) = (Vec::new(), Vec::new(), Vec::new());
-    for k in 0..5 {
-        let point = view.point(random, &pose, k);
+    for _ in 0..5 {
+        let point = in_ball(random);
         let centre = in_ball(random).normalize() * uniform(random, 2.0, 6.0);
         images.extend((turn * image(&(rotation * point + translation), focal)).data.0[0]);
         directions.extend((point - origin - centre).normalize().data.0[0]);
