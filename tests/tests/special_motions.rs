@@ -7,7 +7,7 @@ use eliminant_tests::fate::Fates;
 use eliminant_tests::ground_truth::{Make, Motion, makers};
 
 /// Problems and motions of which the true solution is lost, and why.
-const EXCEPTIONS: [(&[&str], &[Motion], &str); 3] = [
+const EXCEPTIONS: [(&[&str], &[Motion], &str); 4] = [
     (
         &["relpose_4pt_angle", "relpose_5pt_generalized_angle", "relpose_3pt_angle_zero_screw"],
         &[Motion::HalfTurn],
@@ -36,6 +36,11 @@ const EXCEPTIONS: [(&[&str], &[Motion], &str); 3] = [
             Motion::Turntable,
         ],
         "the last entry of the fundamental matrix is set to 1, and it vanishes",
+    ),
+    (
+        &["relpose_7pt_focal_radial_one_side_eliminated"],
+        &[Motion::HalfTurn],
+        "4 of 1,000 are lost, and 3 by another template: equations of these scenes are close to dependent",
     ),
 ];
 
