@@ -7,8 +7,11 @@
 /// centred at the principal point. The rotation is, up to scale, that about the optical axis times
 /// that of the quaternion (1, x, y, 0). Each row of the matrix eliminates the rotation about the
 /// optical axis, and what is unknown of the focal length, from three points: it annihilates (cos,
-/// sin, 1/f). A point X has the coordinates `rotation` X + `translation` in the camera.
+/// sin, 1/f). Where the camera looks against the third axis x and y are infinite. Points are turned
+/// before, so that this is no direction in which one would look. A point X has the coordinates
+/// `rotation` X + `translation` in the camera.
 fn pose_35pt_focal(points: [[f64; 3]; 4], horizontal: [f64; 4], vertical: [f64; 3]) -> (x, y) {
+    let points = points * frame().t();
     let rotation = [
         [1 + x * x - y * y, 2 * x * y, 2 * y],
         [2 * x * y, 1 - x * x + y * y, -2 * x],
@@ -26,12 +29,25 @@ fn pose_35pt_focal(points: [[f64; 3]; 4], horizontal: [f64; 4], vertical: [f64; 
     let gram = rows.t() * rows;
     let images = [horizontal, [vertical[0], vertical[1], vertical[2], 0]];
     Pose {
-        rotation: turned(turn(gram), rotation / (1 + x * x + y * y)),
+        rotation: turned(turn(gram), rotation / (1 + x * x + y * y)) * frame(),
         translation: translation(
             turned(turn(gram), rotation / (1 + x * x + y * y)), turn(gram)[2], points, images,
         ),
         focal: turn(gram)[2],
     }
+}
+
+/// The quaternion of the rotation to the frame in which unknowns are solved for.
+const FRAME: [f64; 4] = [23, 14, 3, 19];
+
+/// Its rotation.
+fn frame() -> [[f64; 3]; 3] {
+    let [w, x, y, z] = FRAME;
+    [
+        [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
+    ] / dot(FRAME, FRAME)
 }
 
 /// Cosine, sine and focal length, from the Gram matrix of the rows with rank 2: the third column of

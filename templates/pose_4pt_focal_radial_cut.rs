@@ -6,11 +6,11 @@
 /// formulation of the same problem, with 16.
 ///
 /// `points[k]` is the position of point k, `images[k]` its distorted image, relative to the
-/// principal point. The points must not lie in a plane. An image (u, v) lies along (u, v, 1 +
-/// radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1, 1/f) \[R t\]. That v times
-/// the first row of P minus u times the second vanishes at X leaves a null space of dimension four:
-/// these rows are the sum of its vectors, each times its weight. The third row follows from the
-/// four points. `projection` is P up to scale.
+/// principal point. The points must not lie in a plane, nor an image be at that point. An image (u,
+/// v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1,
+/// 1/f) \[R t\]. That v times the first row of P minus u times the second vanishes at X leaves a
+/// null space of dimension four: these rows are the sum of its vectors, each times its weight. The
+/// third row follows from the four points. `projection` is P up to scale.
 fn pose_4pt_focal_radial_cut(points: [[f64; 3]; 4], images: [[f64; 2]; 4]) -> (
     radial,
     #[projective] weights: [f64; 4],

@@ -7,8 +7,8 @@
 ///
 /// `points[k]` is the position of point k, `images[k]` its image (p, q) for a focal length of 1 and
 /// `bound` the largest error, a length in the image. The camera's first axis is vertical: it is
-/// turned about it by the angle of the cosine y and the sine z, and shifted by (u, v, w). A point in
-/// the camera's coordinates (X, Y, Z) is on the cone (X - p Z)^2 + (Y - q Z)^2 = bound^2 Z^2.
+/// turned about it by the angle of the cosine y and the sine z, and shifted by (u, v, w). A point
+/// in the camera's coordinates (X, Y, Z) is on the cone (X - p Z)^2 + (Y - q Z)^2 = bound^2 Z^2.
 fn pose_4pt_upright_error_bound(points: [[f64; 3]; 4], images: [[f64; 2]; 4], bound: f64) -> (u, v, w, y, z) {
     for k in 0..4 {
         let seen = [points[k][0] + u, y * points[k][1] - z * points[k][2] + v, z * points[k][1] + y * points[k][2] + w];

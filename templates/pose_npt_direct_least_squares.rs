@@ -8,7 +8,8 @@
 /// them, with the best translation, which is linear in the rotation. Without the common denominator
 /// 1 + x^2 + y^2 + z^2 of the rotation of the quaternion (1, x, y, z) it is a polynomial of degree
 /// four. `means` are those of `of_point` over 3 points or more. Rounding errors are smallest if the
-/// origin is amid the points. Half turns are at infinity.
+/// origin is amid the points. Half turns would be at infinity. Points are turned before, so that
+/// none of the poses that are at infinity is one that scenes are made of.
 fn pose_npt_direct_least_squares(#[mean(of_point)] means: [[f64; 10]; 6]) -> (x, y, z) {
     let turned = [
         [1 + x * x - y * y - z * z, 2 * (x * y - z), 2 * (x * z + y)],
@@ -20,14 +21,14 @@ fn pose_npt_direct_least_squares(#[mean(of_point)] means: [[f64; 10]; 6]) -> (x,
     let cost = cost_of_rotation(means, best);
     gradient(dot(entries, cost * entries)) == 0;
     let length = 1 + x * x + y * y + z * z;
-    Pose { rotation: turned / length, translation: best * entries / length }
+    Pose { rotation: turned * frame() / length, translation: best * entries / length }
 }
 
 /// What a point gives: the products of its coordinates and 1, times the entries of the projection
 /// across its ray. `ray` is the ray of the point in the camera, of any length.
 fn of_point(ray: [f64; 3], point: [f64; 3]) -> [[f64; 10]; 6] {
     let [a, b, c] = ray;
-    let [x, y, z] = point;
+    let [x, y, z] = frame() * point;
     let square = dot(ray, ray);
     let across = [square - a * a, -a * b, -a * c, square - b * b, -b * c, square - c * c] / square;
     let products = [x * x, x * y, x * z, x, y * y, y * z, y, z * z, z, 1];
@@ -36,6 +37,19 @@ fn of_point(ray: [f64; 3], point: [f64; 3]) -> [[f64; 10]; 6] {
         given[i] = across[i] * products;
     }
     given
+}
+
+/// The quaternion of the rotation to the frame in which unknowns are solved for.
+const FRAME: [f64; 4] = [23, 14, 3, 19];
+
+/// Its rotation.
+fn frame() -> [[f64; 3]; 3] {
+    let [w, x, y, z] = FRAME;
+    [
+        [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
+    ] / dot(FRAME, FRAME)
 }
 
 /// Where the entries of symmetric matrices stand in the means.

@@ -7,8 +7,9 @@
 /// is, of the rotation of a quaternion q that is not normalised. With the best t the mean square of
 /// the differences is a quadratic form in P, whose matrix is the covariance of the points. Since q
 /// and -q are the same rotation, the unknowns are the ratios in q = root (w, 1, y, z), and
-/// `square`, that of the root. Published templates take the principal axes of the points instead,
-/// in which the covariance is diagonal.
+/// `square`, that of the root. Points are turned before, so that the entry of 1 is not 0 for poses
+/// that scenes are made of. Published templates take the principal axes of the points instead, in
+/// which the covariance is diagonal.
 ///
 /// `means` are those of `of_point` over 4 points or more. Rounding errors are smallest if the
 /// origin is amid the points.
@@ -44,7 +45,7 @@ fn pose_npt_weak_perspective(#[mean(of_point)] means: [f64; 17]) -> (w, square, 
     let length = w * w + 1 + y * y + z * z;
     let turned = [rows[0], rows[1], [2 * (z - w * y), 2 * (y * z + w), w * w - 1 - y * y + z * z]];
     WeakPose {
-        rotation: turned / length,
+        rotation: turned * frame() / length,
         scale: square * length,
         translation: [
             centre[0] - square * dot(rows[0], mean), centre[1] - square * dot(rows[1], mean),
@@ -56,7 +57,20 @@ fn pose_npt_weak_perspective(#[mean(of_point)] means: [f64; 17]) -> (w, square, 
 /// those of the coordinates and 1 with those of the image.
 fn of_point(image: [f64; 2], point: [f64; 3]) -> [f64; 17] {
     let [u, v] = image;
-    let [x, y, z] = point;
-    let with_1 = concat(point, 1);
+    let [x, y, z] = frame() * point;
+    let with_1 = [x, y, z, 1];
     concat([x * x, x * y, x * z, x, y * y, y * z, y, z * z, z], concat(u * with_1, v * with_1))
+}
+
+/// The quaternion of the rotation to the frame in which unknowns are solved for.
+const FRAME: [f64; 4] = [23, 14, 3, 19];
+
+/// Its rotation.
+fn frame() -> [[f64; 3]; 3] {
+    let [w, x, y, z] = FRAME;
+    [
+        [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
+    ] / dot(FRAME, FRAME)
 }

@@ -7,26 +7,33 @@
 ///
 /// `first[k]` is the distorted image of point k in the first camera, relative to the principal
 /// point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
-/// first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T F x2 = 0 is, with
-/// f33 = 1, linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial f31, f32, radial
-/// f32, radial, 1: seven points give the former as combinations of these. With the focal length,
-/// diag(focal, focal, 1) F is an essential matrix; `w` is 1 / focal^2.
-fn relpose_7pt_focal_radial_one_side(first: [[f64; 2]; 7], second: [[f64; 2]; 7]) -> (w, f_31, f_32, radial) {
+/// first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T F x2 = 0 is linear
+/// in the first two rows of F, radial f33 and the monomials radial f31, radial f32, f31, f32, f33:
+/// seven points give the former as combinations of these. `third` is the third row of F, which is
+/// given up to scale. It vanishes where the first camera moves along its optical axis: then the
+/// points tell nothing of the distortion. With f33 = 1, as published, planar motions and those
+/// without a rotation are lost. With the focal length, diag(focal, focal, 1) F is an essential
+/// matrix; `w` is 1 / focal^2.
+fn relpose_7pt_focal_radial_one_side(first: [[f64; 2]; 7], second: [[f64; 2]; 7]) -> (
+    w,
+    #[projective] third: [f64; 3],
+    radial,
+) {
     let mut leading = [[0; 7]; 7];
     let mut others = [[0; 5]; 7];
     for k in 0..7 {
         let [a, b] = first[k];
         let [c, d] = second[k];
         let r = a * a + b * b;
-        leading[k] = [a * c, b * c, a * d, b * d, a, b, c];
-        others[k] = [-c * r, -d, -d * r, -r, -1];
+        leading[k] = [a * c, a * d, a, b * c, b * d, b, r];
+        others[k] = [-c * r, -d * r, -c, -d, -1];
     }
-    let [f11, f21, f12, f22, f13, f23, f_31_again] =
-        solve(leading, others) * [radial * f_31, f_32, radial * f_32, radial, 1];
-    let f = [[f11, f12, f13], [f21, f22, f23], [f_31, f_32, 1]];
+    let [f11, f12, f13, f21, f22, f23, radial_f33] =
+        solve(leading, others) * [radial * third[0], radial * third[1], third[0], third[1], third[2]];
+    let f = [[f11, f12, f13], [f21, f22, f23], third];
     let omega = [[1, 0, 0], [0, 1, 0], [0, 0, w]];
     let left = f * f.t() * omega;
-    f_31 == f_31_again;
+    radial * third[2] == radial_f33;
     det(f) == 0;
     2 * left * f == trace(left) * f;
     w > 0;

@@ -6,15 +6,16 @@
 ///
 /// `first[k]` is the distorted image of point k in the first camera, relative to the principal
 /// point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
-/// first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T F x1 = 0 is, with
-/// f33 = 1, linear in radial f13, f11, f21, f31, f12, f22, f32 and the monomials radial f23, f13,
-/// f23, radial, 1: seven points give the former as combinations of these. F diag(focal, focal, 1)
-/// is an essential matrix for some focal length: with A the first two columns of F, the third is an
-/// eigenvector of A A^T, and where mu is its eigenvalue, |third column|^2 / focal^2 = trace(A A^T)
-/// - 2 mu.
+/// first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T F x1 = 0 is linear
+/// in radial f33, the first two columns of F and the monomials radial f13, radial f23, f13, f23,
+/// f33: seven points give the former as combinations of these. `third` is the third column of F,
+/// which is given up to scale. It vanishes where the first camera moves along its optical axis:
+/// then the points tell nothing of the distortion. With f33 = 1, as published, planar motions and
+/// those without a rotation are lost. F diag(focal, focal, 1) is an essential matrix for some focal
+/// length: with A the first two columns of F, the third is an eigenvector of A A^T, and where mu is
+/// its eigenvalue, |third column|^2 / focal^2 = trace(A A^T) - 2 mu.
 fn relpose_7pt_focal_radial_one_side_eliminated(first: [[f64; 2]; 7], second: [[f64; 2]; 7]) -> (
-    f_13,
-    f_23,
+    #[projective] third: [f64; 3],
     radial,
 ) {
     let mut leading = [[0; 7]; 7];
@@ -23,15 +24,14 @@ fn relpose_7pt_focal_radial_one_side_eliminated(first: [[f64; 2]; 7], second: [[
         let [a, b] = first[k];
         let [c, d] = second[k];
         let r = a * a + b * b;
-        leading[k] = [c * r, a * c, a * d, a, b * c, b * d, b];
-        others[k] = [-d * r, -c, -d, -r, -1];
+        leading[k] = [r, a * c, a * d, a, b * c, b * d, b];
+        others[k] = [-c * r, -d * r, -c, -d, -1];
     }
-    let [radial_f13, f11, f21, f31, f12, f22, f32] =
-        solve(leading, others) * [radial * f_23, f_13, f_23, radial, 1];
+    let [radial_f33, f11, f21, f31, f12, f22, f32] =
+        solve(leading, others) * [radial * third[0], radial * third[1], third[0], third[1], third[2]];
     let left = [[f11, f12], [f21, f22], [f31, f32]];
-    let third = [f_13, f_23, 1];
-    let fundamental = [[f11, f12, f_13], [f21, f22, f_23], [f31, f32, 1]];
-    radial * f_13 == radial_f13;
+    let fundamental = [[f11, f12, third[0]], [f21, f22, third[1]], [f31, f32, third[2]]];
+    radial * third[2] == radial_f33;
     det(fundamental) == 0;
     cross(third, left * left.t() * third) == 0;
     RadialEpipolar { fundamental: fundamental, radial: radial }

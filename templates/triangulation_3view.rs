@@ -9,7 +9,8 @@
 /// and second view over that in the third, each times a constant, and z its first error in the
 /// third view. Every image is turned so that its second error does not depend on z, and scales are
 /// such that in the errors of the first two views over their depths, x and y, z has the
-/// coefficient 1.
+/// coefficient 1. The planes of depth zero must meet in one point: the three images must not all be
+/// parallel, as rectified ones are.
 ///
 /// Stated are derivatives towards seven points. Where the depth of a view vanishes, so does a power
 /// of it in the denominators; where the errors of a view vanish, too, at its centre, they do not

@@ -7,6 +7,7 @@ pub mod catalogue_page;
 pub mod comparison;
 pub mod equations;
 pub mod families;
+pub mod fate;
 pub mod ground_truth;
 pub mod histograms;
 pub mod judge;

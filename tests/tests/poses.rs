@@ -276,7 +276,7 @@ fn relative_poses_come_from_depths() {
 #[test]
 fn poses_above_water_come_from_five_points() {
     check(|random| {
-        let scene = Underwater::draw(random);
+        let scene = Underwater::draw(random, eliminant_tests::ground_truth::View::General);
         let known = (&scene.rotation, &scene.centre);
         let found = pose_5pt_refraction::solve_for_refracted_pose(&rays(&scene.rays), &rays(&scene.points), WATER)
             .unwrap_or_default();

@@ -10,7 +10,7 @@ use crate::mutate::Kind;
 use crate::outcome::Outcome;
 use crate::target::Target;
 
-const WORDS: [&str; 71] = [
+const WORDS: [&str; 84] = [
     "fn",
     "let",
     "mut",
@@ -37,6 +37,19 @@ const WORDS: [&str; 71] = [
     "skew(",
     "identity(",
     "gradient(",
+    "concat(",
+    "reshape(",
+    "solve(",
+    "inverse(",
+    "null_space(",
+    "least(",
+    "sqrt(",
+    "norm(",
+    "normalise(",
+    "#[mean(of)]",
+    "> 0;",
+    "x: [f64; 3]",
+    "Pose { x: x }",
     ".pow(2)",
     ".pow(",
     ".t()",

@@ -4,36 +4,36 @@ use std::array::from_fn;
 use std::f64::consts::TAU;
 
 use eliminant_generator::algebra::Random;
-use nalgebra::{Vector2, Vector3};
+use nalgebra::{Matrix3, Vector2, Vector3};
 
-use super::cameras::{camera, distorted, image, in_ball, quaternion};
+use super::cameras::{distorted, frame, image, in_ball, quaternion};
 use super::underwater::{Underwater, WATER};
 use super::{
-    KnownInstance, Make, Maker, coordinates, derived_null_space, projective_error, relative_error, uniform, vector,
-    weights,
+    KnownInstance, Make, Maker, View, coordinates, derived_null_space, projective_error, relative_error, uniform,
+    vector, weights,
 };
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![
         Maker {
             name: "pose_35pt_focal",
-            make: Make::Scene(three_and_a_half_points),
+            make: Make::KnownPoints(three_and_a_half_points),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "pose_3pt_depths",
-            make: Make::Scene(three_depths),
+            make: Make::KnownPoints(three_depths),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "pose_3pt_upright_error_bound",
-            make: Make::Scene(three_stationary_errors),
+            make: Make::KnownPoints(three_stationary_errors),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "pose_4pt_focal_radial",
-            make: Make::Scene(|random| {
-                let (data, weights, radial) = distorted_points(random);
+            make: Make::KnownPoints(|random, view| {
+                let (data, weights, radial) = distorted_points(random, view);
                 KnownInstance { data, truths: vec![[weights, vec![radial]].concat()] }
             }),
             error: |_, s, truth| {
@@ -43,8 +43,8 @@ pub(super) fn makers() -> Vec<Maker> {
         },
         Maker {
             name: "pose_4pt_focal_radial_cut",
-            make: Make::Scene(|random| {
-                let (data, weights, radial) = distorted_points(random);
+            make: Make::KnownPoints(|random, view| {
+                let (data, weights, radial) = distorted_points(random, view);
                 KnownInstance { data, truths: vec![[vec![radial], weights].concat()] }
             }),
             error: |_, s, truth| {
@@ -54,31 +54,31 @@ pub(super) fn makers() -> Vec<Maker> {
         },
         Maker {
             name: "pose_4pt_generalized_scale",
-            make: Make::Scene(generalized_camera),
+            make: Make::KnownPoints(generalized_camera),
             error: |_, solution, truth| projective_error(&vector(solution), &vector(truth)),
         },
         Maker {
             name: "pose_4pt_upright_error_bound",
-            make: Make::Scene(four_errors_at_bounds),
+            make: Make::KnownPoints(four_errors_at_bounds),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "pose_5pt_refraction",
-            make: Make::Scene(through_water),
+            make: Make::KnownPoints(through_water),
             error: |_, solution, truth| projective_error(&vector(solution), &vector(truth)),
         },
         Maker {
             name: "pose_6pt_rolling_shutter",
-            make: Make::Scene(rolling_shutter),
+            make: Make::KnownPoints(rolling_shutter),
             error: |_, solution, truth| relative_error(solution, truth),
         },
     ]
 }
 
 /// Points in the unit ball. The depths, and their negatives: points behind the camera.
-fn three_depths(random: &mut Random) -> KnownInstance {
-    let (rotation, translation) = camera(random);
-    let points: [Vector3<f64>; 3] = from_fn(|_| rotation * in_ball(random) + translation);
+fn three_depths(random: &mut Random, view: View) -> KnownInstance {
+    let pose = view.camera(random);
+    let points: [Vector3<f64>; 3] = from_fn(|k| pose.0 * view.point(random, &pose, k) + pose.1);
     let pairs = [(1, 2), (0, 2), (0, 1)].map(|(i, j)| (points[i], points[j]));
     let cosines = pairs.map(|(x, y)| x.dot(&y) / (x.norm() * y.norm()));
     let squares = pairs.map(|(x, y)| (x - y).norm_squared());
@@ -88,12 +88,14 @@ fn three_depths(random: &mut Random) -> KnownInstance {
 
 /// Points in the unit ball, their image coordinates for a focal length of 0.5 to 3; the rotation
 /// without its turn about the optical axis.
-fn three_and_a_half_points(random: &mut Random) -> KnownInstance {
-    let (rotation, translation) = camera(random);
+fn three_and_a_half_points(random: &mut Random, view: View) -> KnownInstance {
+    let pose = view.camera(random);
     let focal = uniform(random, 0.5, 3.0);
-    let points: Vec<Vector3<f64>> = (0..4).map(|_| in_ball(random)).collect();
+    let points = view.points(random, &pose, 4);
+    let (rotation, translation) = pose;
     let images: Vec<Vector2<f64>> = points.iter().map(|x| image(&(rotation * x + translation), focal)).collect();
-    let [w, x, y, z] = quaternion(&rotation);
+    // The points are turned before.
+    let [w, x, y, z] = quaternion(&(rotation * frame().transpose()));
     // (w, x, y, z) = (w, 0, 0, z) (1, truth, 0).
     let truth = vec![(w * x + z * y) / (w * w + z * z), (w * y - z * x) / (w * w + z * z)];
     let horizontal = images.iter().map(|x| x[0]);
@@ -104,10 +106,14 @@ fn three_and_a_half_points(random: &mut Random) -> KnownInstance {
 
 /// Positions and distorted images of four points; the weights of the null vectors in the first two
 /// rows of the camera diag(1, 1, 1/f) [R t], and the distortion.
-fn distorted_points(random: &mut Random) -> (Vec<f64>, Vec<f64>, f64) {
-    let (rotation, translation) = camera(random);
+fn distorted_points(random: &mut Random, view: View) -> (Vec<f64>, Vec<f64>, f64) {
+    // An image at the centre has no direction: it is no measurement for this problem.
+    let view = if view == View::Centred { View::General } else { view };
+    let pose = view.camera(random);
     let (focal, radial) = (uniform(random, 0.5, 3.0), -uniform(random, 0.05, 0.5) / 9.0);
-    let points: [Vector3<f64>; 4] = from_fn(|_| in_ball(random));
+    let radial = if view == View::Ideal { 0.0 } else { radial };
+    let points: [Vector3<f64>; 4] = from_fn(|k| view.point(random, &pose, k));
+    let (rotation, translation) = pose;
     let images = points.map(|x| distorted(image(&(rotation * x + translation), focal), radial));
     // Positions relative to the first, in units of their length.
     let offsets = points.map(|x| x - points[0]);
@@ -127,12 +133,17 @@ fn distorted_points(random: &mut Random) -> (Vec<f64>, Vec<f64>, f64) {
 }
 
 /// Rays of any length from different centres in the unit ball, whose unit is 0.5 to 2 times that of
-/// the points.
-fn generalized_camera(random: &mut Random) -> KnownInstance {
-    let (rotation, translation) = camera(random);
+/// the points; in some views those of a stereo rig, from either of which two points are seen.
+fn generalized_camera(random: &mut Random, view: View) -> KnownInstance {
+    let pose = view.camera(random);
     let scale = uniform(random, 0.5, 2.0);
-    let points: [Vector3<f64>; 4] = from_fn(|_| in_ball(random));
-    let centres: [Vector3<f64>; 4] = from_fn(|_| in_ball(random));
+    let points: [Vector3<f64>; 4] = from_fn(|k| view.point(random, &pose, k));
+    let (rotation, translation) = pose;
+    let mut centres: [Vector3<f64>; 4] = from_fn(|_| in_ball(random));
+    if matches!(view, View::Aligned | View::Plane | View::Frontal | View::Square | View::SquareHeadOn) {
+        let half: Vector3<f64> = 0.5 * Vector3::x();
+        centres = [-half, -half, half, half];
+    }
     let ray = |k: usize| rotation * points[k] + translation - scale * centres[k];
     let rays: [Vector3<f64>; 4] = from_fn(|k| ray(k) * uniform(random, 0.5, 2.0));
     let data = centres.iter().chain(&rays).chain(&points).flat_map(|x| x.data.0[0]).collect();
@@ -142,6 +153,7 @@ fn generalized_camera(random: &mut Random) -> KnownInstance {
 /// A camera 2 to 6 units from the centre of the unit ball, turned about its first axis, and points
 /// of the ball, each seen with an error of the length of the bound.
 struct ErrorsAtBounds {
+    view: View,
     cosine: f64,
     sine: f64,
     position: Vector3<f64>,
@@ -151,17 +163,20 @@ struct ErrorsAtBounds {
 }
 
 impl ErrorsAtBounds {
-    fn draw(random: &mut Random) -> Self {
-        let (sine, cosine) = uniform(random, 0.0, TAU).sin_cos();
+    fn draw(random: &mut Random, view: View) -> Self {
+        let (sine, cosine) = view.turn(random);
         let position =
             Vector3::new(0.5 * random.symmetric_unit(), 0.5 * random.symmetric_unit(), uniform(random, 2.0, 6.0));
+        let position = if view == View::AtOrigin { Vector3::zeros() } else { position };
         let bound = uniform(random, 0.005, 0.02);
-        Self { cosine, sine, position, bound, points: Vec::new(), images: Vec::new() }
+        Self { view, cosine, sine, position, bound, points: Vec::new(), images: Vec::new() }
     }
 
     /// Adds a point. `towards` gives the direction of its error from the point and its image.
     fn see(&mut self, random: &mut Random, towards: impl Fn(&Vector3<f64>, &Vector2<f64>) -> Vector2<f64>) {
-        let point = in_ball(random);
+        let (s, c) = (self.sine, self.cosine);
+        let pose = (Matrix3::new(1.0, 0.0, 0.0, 0.0, c, -s, 0.0, s, c), self.position);
+        let point = self.view.point(random, &pose, self.points.len());
         let image = image(&(self.turned(&point) + self.position), 1.0);
         self.images.push(image + self.bound * towards(&point, &image));
         self.points.push(point);
@@ -184,8 +199,8 @@ impl ErrorsAtBounds {
     }
 }
 
-fn four_errors_at_bounds(random: &mut Random) -> KnownInstance {
-    let mut seen = ErrorsAtBounds::draw(random);
+fn four_errors_at_bounds(random: &mut Random, view: View) -> KnownInstance {
+    let mut seen = ErrorsAtBounds::draw(random, view);
     (0..4).for_each(|_| seen.see_anywhere(random));
     seen.known()
 }
@@ -193,8 +208,8 @@ fn four_errors_at_bounds(random: &mut Random) -> KnownInstance {
 /// The third error has the direction in which the derivatives are dependent. With X and Y the
 /// point's image and (c, s) the direction from there to what is seen, the gradient of the point's
 /// cone by Y and Z is in proportion to (-s, c X + s Y).
-fn three_stationary_errors(random: &mut Random) -> KnownInstance {
-    let mut seen = ErrorsAtBounds::draw(random);
+fn three_stationary_errors(random: &mut Random, view: View) -> KnownInstance {
+    let mut seen = ErrorsAtBounds::draw(random, view);
     (0..2).for_each(|_| seen.see_anywhere(random));
     let rows: Vec<Vector3<f64>> = (0..2)
         .map(|k| {
@@ -224,8 +239,8 @@ fn by_z(point: &Vector3<f64>) -> Vector3<f64> {
 }
 
 /// A camera turned in any way looks into water.
-fn through_water(random: &mut Random) -> KnownInstance {
-    let Underwater { rotation, rays, points, .. } = Underwater::draw(random);
+fn through_water(random: &mut Random, view: View) -> KnownInstance {
+    let Underwater { rotation, rays, points, .. } = Underwater::draw(random, view);
     let data = rays.iter().chain(&points).flat_map(|x| x.data.0[0]).chain([WATER]).collect();
     KnownInstance { data, truths: vec![coordinates(&quaternion(&rotation))] }
 }
@@ -240,15 +255,21 @@ fn exposed(a: &Vector3<f64>, b: &Vector3<f64>) -> Vector2<f64> {
 
 /// Rotations of up to 0.3 from a frame in which the points are 3 to 5 units ahead, angular velocity
 /// and velocity of up to 0.3.
-fn rolling_shutter(random: &mut Random) -> KnownInstance {
-    let [turn, spin, velocity] = [(); 3].map(|()| 0.3 * in_ball(random));
+fn rolling_shutter(random: &mut Random, view: View) -> KnownInstance {
+    let [mut turn, mut spin, mut velocity] = [(); 3].map(|()| 0.3 * in_ball(random));
     let position = Vector3::new(random.symmetric_unit(), random.symmetric_unit(), uniform(random, 3.0, 5.0));
-    let mut draw = || {
-        let point = in_ball(random);
+    if matches!(view, View::Aligned | View::Frontal | View::SquareHeadOn) {
+        turn = Vector3::zeros();
+    }
+    if view == View::Ideal {
+        (spin, velocity) = (Vector3::zeros(), Vector3::zeros());
+    }
+    let draw = |k: usize| {
+        let point = view.point(random, &(Matrix3::identity(), position), k);
         let rotated = point + turn.cross(&point);
         (point, exposed(&(rotated + position), &(spin.cross(&rotated) + velocity)))
     };
-    let seen: [(Vector3<f64>, Vector2<f64>); 6] = from_fn(|_| draw());
+    let seen: [(Vector3<f64>, Vector2<f64>); 6] = from_fn(draw);
     let points = seen.iter().flat_map(|(x, _)| x.data.0[0]);
     let data = points.chain(seen.iter().flat_map(|(_, q)| q.data.0[0])).collect();
     KnownInstance { data, truths: vec![turn.iter().chain(&spin).copied().collect()] }

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use eliminant_generator::algebra::Random;
-use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector2, Vector3};
+use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector2, Vector3};
 
 use super::uniform;
 
@@ -38,11 +38,13 @@ pub enum Motion {
     QuarterTurn,
     /// About a vertical axis through the middle of the points.
     Turntable,
+    /// As the first kind, by lenses without distortion.
+    Undistorted,
 }
 
 impl Motion {
     /// All kinds.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::General,
         Self::Planar,
         Self::Forward,
@@ -51,15 +53,15 @@ impl Motion {
         Self::HalfTurn,
         Self::QuarterTurn,
         Self::Turntable,
+        Self::Undistorted,
     ];
 
     /// Rotation R and translation t of a special motion, x2 = R x1 + t, where the points are
     /// [`DEPTH`] in front of the first camera; `None` for a general one.
     fn draw(self, random: &mut Random) -> Option<(Matrix3<f64>, Vector3<f64>)> {
-        let turn = |axis: Vector3<f64>, angle: f64| Rotation3::new(axis * angle).into_inner();
         let identity = Matrix3::identity();
         Some(match self {
-            Self::General => return None,
+            Self::General | Self::Undistorted => return None,
             Self::Planar => {
                 let (angle, way) = (uniform(random, -0.5, 0.5), uniform(random, 0.0, 2.0 * PI));
                 (turn(Vector3::y(), angle), Vector3::new(way.sin(), 0.0, way.cos()))
@@ -77,8 +79,13 @@ impl Motion {
     }
 }
 
+/// The rotation about an axis of length 1.
+pub(super) fn turn(axis: Vector3<f64>, angle: f64) -> Matrix3<f64> {
+    Rotation3::new(axis * angle).into_inner()
+}
+
 /// The distance of the middle of the points from the first camera of a special motion.
-const DEPTH: f64 = 5.0;
+pub(super) const DEPTH: f64 = 5.0;
 
 /// Two cameras: rotation and translation from the first camera's coordinates to the second's, and
 /// points in the first's. The optical axes of a general motion do not meet.
@@ -107,7 +114,7 @@ pub fn upright_cameras(
     (random, motion): (&mut Random, Motion),
     points: usize,
 ) -> (Matrix3<f64>, Vector3<f64>, Vec<Vector3<f64>>) {
-    if !matches!(motion, Motion::General | Motion::HalfTurn | Motion::QuarterTurn) {
+    if !matches!(motion, Motion::General | Motion::Undistorted | Motion::HalfTurn | Motion::QuarterTurn) {
         return two_cameras((random, motion), points);
     }
     let (rotation, middle) = (upright(random), DEPTH * Vector3::z());
@@ -140,6 +147,13 @@ pub(super) fn quaternion(rotation: &Matrix3<f64>) -> [f64; 4] {
     let q = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(*rotation));
     let sign = if q.w < 0.0 { -1.0 } else { 1.0 };
     [q.w, q.i, q.j, q.k].map(|x| sign * x)
+}
+
+/// The rotation to the frame in which problems in a chart of the rotations are solved, that of the
+/// quaternion (23, 14, 3, 19).
+pub(super) fn frame() -> Matrix3<f64> {
+    let quaternion = Quaternion::new(23.0, 14.0, 3.0, 19.0);
+    UnitQuaternion::from_quaternion(quaternion).to_rotation_matrix().into_inner()
 }
 
 /// The Cayley parameters of a rotation, which is not a half turn.
@@ -185,7 +199,7 @@ mod tests {
         for _ in 0..1000 {
             let (rotation, _) = camera(&mut random);
             let [w, x, y, z] = quaternion(&rotation);
-            let again = UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w, x, y, z)).to_rotation_matrix();
+            let again = UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z)).to_rotation_matrix();
             assert!(w >= 0.0 && (again.matrix() - rotation).norm() < 1e-12);
         }
     }

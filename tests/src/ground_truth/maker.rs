@@ -3,6 +3,7 @@
 use eliminant_generator::algebra::Random;
 
 use super::cameras::Motion;
+use super::views::View;
 use crate::Case;
 use crate::statistics::worst;
 
@@ -24,14 +25,17 @@ pub enum Make {
     Scene(fn(&mut Random) -> KnownInstance),
     /// Of two cameras, between which there is a motion of any kind.
     TwoCameras(fn(&mut Random, Motion) -> KnownInstance),
+    /// Of a camera that sees points of known position, in any way.
+    KnownPoints(fn(&mut Random, View) -> KnownInstance),
 }
 
 impl Make {
-    /// Draws an instance; of two cameras that are placed independently of each other.
+    /// Draws an instance; of cameras that are placed independently of each other and the points.
     pub fn draw(self, random: &mut Random) -> KnownInstance {
         match self {
             Self::Scene(make) => make(random),
             Self::TwoCameras(make) => make(random, Motion::General),
+            Self::KnownPoints(make) => make(random, View::General),
         }
     }
 }
@@ -59,10 +63,11 @@ impl Maker {
     }
 }
 
-/// |x - truth| / |truth|.
+/// |x - truth| / |truth|; |x - truth| where the truth is 0.
 pub fn relative_error(x: &[f64], truth: &[f64]) -> f64 {
     let square = |v: &mut dyn Iterator<Item = f64>| v.map(|x| x * x).sum::<f64>().sqrt();
-    square(&mut x.iter().zip(truth).map(|(x, t)| x - t)) / square(&mut truth.iter().copied())
+    let size = square(&mut truth.iter().copied());
+    square(&mut x.iter().zip(truth).map(|(x, t)| x - t)) / if size == 0.0 { 1.0 } else { size }
 }
 
 /// Distance of the unit vectors along x and truth, up to sign.
@@ -77,7 +82,8 @@ pub fn projective_error(x: &[f64], truth: &[f64]) -> f64 {
     plus.min(minus)
 }
 
-/// The largest relative error of the unknowns, each for itself.
+/// The largest relative error of the unknowns, each for itself; that of an unknown that is 0 is
+/// absolute.
 pub fn largest_relative_error(x: &[f64], truth: &[f64]) -> f64 {
-    worst(x.iter().zip(truth).map(|(x, truth)| (x - truth).abs() / truth.abs()))
+    worst(x.iter().zip(truth).map(|(&x, &truth)| relative_error(&[x], &[truth])))
 }

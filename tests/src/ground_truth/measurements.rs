@@ -5,10 +5,10 @@ use std::array::from_fn;
 use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, Vector2, Vector3};
 
-use super::cameras::{Motion, camera, image, in_ball, two_cameras, upright, upright_cameras};
+use super::cameras::{Motion, image, two_cameras, upright_cameras};
 use super::relative_pose::epipolar_row;
 use super::{
-    KnownInstance, Make, Maker, combination, coordinates, derived_null_space, projective_error, relative_error,
+    KnownInstance, Make, Maker, View, combination, coordinates, derived_null_space, projective_error, relative_error,
     uniform, vector, weights,
 };
 use crate::statistics::worst;
@@ -61,12 +61,12 @@ fn others() -> Vec<Maker> {
     vec![
         Maker {
             name: "pose_3pt",
-            make: Make::Scene(three_points),
+            make: Make::KnownPoints(three_points),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "pose_4pt_focal",
-            make: Make::Scene(four_points),
+            make: Make::KnownPoints(four_points),
             error: |_, solution, truth| projective_error(&vector(solution), &vector(truth)),
         },
         Maker {
@@ -85,7 +85,7 @@ fn others() -> Vec<Maker> {
         },
         Maker {
             name: "pose_2pt_upright",
-            make: Make::Scene(two_points_upright),
+            make: Make::KnownPoints(two_points_upright),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
@@ -192,9 +192,10 @@ fn six_points_and_rays(random: &mut Random, motion: Motion) -> KnownInstance {
 }
 
 /// Rays of any length, and points in the unit ball.
-fn three_points(random: &mut Random) -> KnownInstance {
-    let (rotation, translation) = camera(random);
-    let points: [Vector3<f64>; 3] = from_fn(|_| in_ball(random));
+fn three_points(random: &mut Random, view: View) -> KnownInstance {
+    let pose = view.camera(random);
+    let points: [Vector3<f64>; 3] = from_fn(|k| view.point(random, &pose, k));
+    let (rotation, translation) = pose;
     let seen = points.map(|x| rotation * x + translation);
     let data = seen.iter().map(|x| x * uniform(random, 0.5, 2.0)).chain(points).flat_map(|x| x.data.0[0]).collect();
     KnownInstance { data, truths: vec![seen.map(|x| x.norm()).to_vec()] }
@@ -202,10 +203,11 @@ fn three_points(random: &mut Random) -> KnownInstance {
 
 /// Points in the unit ball and their images for a focal length of 0.5 to 3; the weights of the null
 /// vectors in the camera diag(f, f, 1) [R t].
-fn four_points(random: &mut Random) -> KnownInstance {
-    let (rotation, translation) = camera(random);
+fn four_points(random: &mut Random, view: View) -> KnownInstance {
+    let pose = view.camera(random);
     let focal = uniform(random, 0.5, 3.0);
-    let points: [Vector3<f64>; 4] = from_fn(|_| in_ball(random));
+    let points: [Vector3<f64>; 4] = from_fn(|k| view.point(random, &pose, k));
+    let (rotation, translation) = pose;
     let images = points.map(|x| image(&(rotation * x + translation), focal));
     let offsets = points.map(|x| x - points[0]);
     let unit = offsets.iter().map(Vector3::norm_squared).sum::<f64>().sqrt();
@@ -261,9 +263,12 @@ fn three_estimated_depths(random: &mut Random, motion: Motion) -> KnownInstance 
 }
 
 /// Rays of any length of an upright camera, and points in the unit ball.
-fn two_points_upright(random: &mut Random) -> KnownInstance {
-    let (rotation, (_, translation)) = (upright(random), camera(random));
-    let points: [Vector3<f64>; 2] = from_fn(|_| in_ball(random));
+fn two_points_upright(random: &mut Random, view: View) -> KnownInstance {
+    let (sin, cos) = view.turn(random);
+    let rotation = Matrix3::new(cos, 0.0, sin, 0.0, 1.0, 0.0, -sin, 0.0, cos);
+    let pose = (rotation, view.camera(random).1);
+    let points: [Vector3<f64>; 2] = from_fn(|k| view.point(random, &pose, k));
+    let translation = pose.1;
     let depths: [f64; 2] = from_fn(|_| uniform(random, 0.5, 2.0));
     let rays = (0..2).map(|k| (rotation * points[k] + translation) / depths[k]);
     let data = rays.chain(points).flat_map(|x| x.data.0[0]).collect();

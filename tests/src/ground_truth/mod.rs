@@ -18,6 +18,7 @@ mod ranging;
 mod relative_pose;
 mod triangulation;
 mod underwater;
+mod views;
 
 pub use cameras::{Motion, camera, distorted, image, in_ball, two_cameras, upright, upright_cameras};
 pub use circles::{Circle, Line, gram, minimal_conic, minimal_data, normalised};
@@ -26,6 +27,7 @@ use linear::{derived_null_space, solved, weights};
 pub use maker::{FOUND, KnownInstance, Make, Maker, largest_relative_error, projective_error, relative_error};
 pub use pose::{is_pose, is_rotation};
 pub use underwater::{Underwater, WATER};
+pub use views::View;
 
 /// One maker for every problem, by name.
 pub fn makers() -> Vec<Maker> {

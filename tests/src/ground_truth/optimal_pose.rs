@@ -3,38 +3,38 @@
 use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, SVector, Vector3};
 
-use super::cameras::{camera, cayley, image, in_ball, quaternion};
-use super::{KnownInstance, Make, Maker, coordinates, projective_error, relative_error, vector};
+use super::cameras::{cayley, frame, image, quaternion};
+use super::{KnownInstance, Make, Maker, View, coordinates, projective_error, relative_error, vector};
 
 pub(super) fn makers() -> Vec<Maker> {
     vec![
         Maker {
             name: "pose_npt_direct_least_squares",
-            make: Make::Scene(|random| {
-                let (data, rotation) = rays_and_points(random);
+            make: Make::KnownPoints(|random, view| {
+                let (data, rotation) = rays_and_points(random, view, &frame());
                 KnownInstance { data, truths: vec![cayley(&rotation)] }
             }),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
             name: "pose_npt_least_squares_cayley",
-            make: Make::Scene(|random| {
-                let (data, rotation) = rays_and_points(random);
+            make: Make::KnownPoints(|random, view| {
+                let (data, rotation) = rays_and_points(random, view, &Matrix3::identity());
                 KnownInstance { data, truths: vec![coordinates(&quaternion(&rotation))] }
             }),
             error: |_, solution, truth| projective_error(&vector(solution), &vector(truth)),
         },
         Maker {
             name: "pose_npt_least_squares_quaternion",
-            make: Make::Scene(|random| {
-                let (data, rotation) = images_and_points(random);
+            make: Make::KnownPoints(|random, view| {
+                let (data, rotation) = images_and_points(random, view);
                 KnownInstance { data, truths: vec![coordinates(&quaternion(&rotation))] }
             }),
             error: |_, solution, truth| projective_error(&vector(solution), &vector(truth)),
         },
         Maker {
             name: "pose_npt_weak_perspective",
-            make: Make::Scene(weak_perspective),
+            make: Make::KnownPoints(weak_perspective),
             error: |_, solution, truth| quaternion_error(solution, truth),
         },
     ]
@@ -54,9 +54,10 @@ fn quaternion_error(solution: &[f64], truth: &[f64]) -> f64 {
     rotation.max(relative_error(&[scale(solution)], &[scale(truth)]))
 }
 
-/// 6 to 12 points of the unit ball.
-fn points(random: &mut Random) -> Vec<Vector3<f64>> {
-    (0..6 + random.below(7)).map(|_| in_ball(random)).collect()
+/// 6 to 12 points.
+fn points(random: &mut Random, view: View, pose: &(Matrix3<f64>, Vector3<f64>)) -> Vec<Vector3<f64>> {
+    let count = 6 + random.below(7) as usize;
+    view.points(random, pose, count)
 }
 
 /// The products of the coordinates of a point and 1.
@@ -72,27 +73,27 @@ fn mean<const N: usize>(terms: impl ExactSizeIterator<Item = [f64; N]>) -> Vec<f
 }
 
 /// Points, and the rays by which a camera sees them: the means from which the squared distances of
-/// the points from the rays follow for all poses. The rotation.
-fn rays_and_points(random: &mut Random) -> (Vec<f64>, Matrix3<f64>) {
-    let (rotation, translation) = camera(random);
-    let terms = points(random).into_iter().map(|point| {
+/// the points from the rays follow for all poses. The rotation. Points are turned to a frame.
+fn rays_and_points(random: &mut Random, view: View, frame: &Matrix3<f64>) -> (Vec<f64>, Matrix3<f64>) {
+    let (rotation, translation) = view.camera(random);
+    let terms = points(random, view, &(rotation, translation)).into_iter().map(|point| {
         let ray = (rotation * point + translation).normalize();
         let across = Matrix3::identity() - ray * ray.transpose();
         let entries = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)].map(|at| across[at]);
         let mut summand = [0.0; 60];
         for (row, entry) in summand.chunks_mut(10).zip(entries) {
-            row.iter_mut().zip(products(&point)).for_each(|(place, product)| *place = entry * product);
+            row.iter_mut().zip(products(&(frame * point))).for_each(|(place, product)| *place = entry * product);
         }
         summand
     });
-    (mean(terms), rotation)
+    (mean(terms), rotation * frame.transpose())
 }
 
 /// Points and their images: the means from which the differences of the images follow for all
 /// poses.
-fn images_and_points(random: &mut Random) -> (Vec<f64>, Matrix3<f64>) {
-    let (rotation, translation) = camera(random);
-    let terms = points(random).into_iter().map(|point| {
+fn images_and_points(random: &mut Random, view: View) -> (Vec<f64>, Matrix3<f64>) {
+    let (rotation, translation) = view.camera(random);
+    let terms = points(random, view, &(rotation, translation)).into_iter().map(|point| {
         let q = image(&(rotation * point + translation), 1.0);
         let mut summand = [0.0; 40];
         for (row, factor) in summand.chunks_mut(10).zip([1.0, q.x, q.y, q.norm_squared()]) {
@@ -108,11 +109,12 @@ fn images_and_points(random: &mut Random) -> (Vec<f64>, Matrix3<f64>) {
 
 /// Points far away from a camera, and their images: the means from which the differences of the
 /// images follow for all scaled rotations.
-fn weak_perspective(random: &mut Random) -> KnownInstance {
-    let (rotation, translation) = camera(random);
-    let scale = 1.0 / translation.norm();
-    let terms = points(random).into_iter().map(|point| {
+fn weak_perspective(random: &mut Random, view: View) -> KnownInstance {
+    let (rotation, translation) = view.camera(random);
+    let (scale, frame) = (1.0 / translation.norm().max(1.0), frame());
+    let terms = points(random, view, &(rotation, translation)).into_iter().map(|point| {
         let q = scale * (rotation * point + translation);
+        let point = frame * point;
         let mut summand = [0.0; 18];
         summand[..10].copy_from_slice(&products(&point));
         for (row, factor) in summand[10..].chunks_mut(4).zip([q.x, q.y]) {
@@ -123,7 +125,7 @@ fn weak_perspective(random: &mut Random) -> KnownInstance {
     let mut data = mean(terms);
     // The mean of 1 is no datum.
     data.remove(9);
-    KnownInstance { data, truths: vec![ratios(&rotation, scale).to_vec()] }
+    KnownInstance { data, truths: vec![ratios(&(rotation * frame.transpose()), scale).to_vec()] }
 }
 
 #[cfg(test)]
@@ -150,7 +152,7 @@ mod tests {
     fn true_poses_cost_nothing() {
         let mut random = Random::new(6);
         for _ in 0..1000 {
-            let (means, rotation) = rays_and_points(&mut random);
+            let (means, rotation) = rays_and_points(&mut random, View::General, &frame());
             let of_rays = SMatrix::<f64, 12, 12>::from_fn(|at, to| {
                 means[10 * SYMMETRIC_3[at / 4][to / 4] + SYMMETRIC_4[at % 4][to % 4]]
             });
@@ -159,7 +161,7 @@ mod tests {
             assert!((found - rotation).norm() < 1e-4, "{found} {rotation}");
 
             // (u P3 - P1) X = (v P3 - P2) X = 0
-            let (mut means, rotation) = images_and_points(&mut random);
+            let (mut means, rotation) = images_and_points(&mut random, View::General);
             means.insert(9, 1.0);
             let of_images = SMatrix::<f64, 12, 12>::from_fn(|at, to| {
                 let product = |factor: usize| means[10 * factor + SYMMETRIC_4[at % 4][to % 4]];

@@ -4,25 +4,34 @@ use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
 
 use super::cameras::{Motion, distorted, image, two_cameras};
-use super::{KnownInstance, Make, Maker, largest_relative_error, solved, uniform};
+use super::{
+    KnownInstance, Make, Maker, coordinates, largest_relative_error, projective_error, solved, uniform, vector,
+};
 
 pub(super) fn makers() -> Vec<Maker> {
-    let error = |_: &[f64], solution: &[f64], truth: &[f64]| largest_relative_error(solution, truth);
-    let maker = |name, make| Maker { name, make: Make::Scene(make), error };
+    let error: fn(&[f64], &[f64], &[f64]) -> f64 = |_, solution, truth| largest_relative_error(solution, truth);
+    let maker = |name, make, error| Maker { name, make: Make::TwoCameras(make), error };
     vec![
-        maker("fundamental_8pt_radial", fundamental_eight_points),
-        maker("fundamental_8pt_radial_one_side", fundamental_eight_points_one_side),
-        maker("fundamental_9pt_two_radials", fundamental_nine_points),
-        maker("relpose_6pt_radial", six_points),
-        maker("relpose_7pt_focal_radial", seven_points),
-        maker("relpose_7pt_focal_radial_one_side", seven_points_one_side),
-        maker("relpose_7pt_focal_radial_one_side_eliminated", seven_points_one_side_eliminated),
+        maker("fundamental_8pt_radial", fundamental_eight_points, projective::<1, 3>),
+        maker("fundamental_8pt_radial_one_side", fundamental_eight_points_one_side, projective::<0, 2>),
+        maker("fundamental_9pt_two_radials", fundamental_nine_points, projective::<1, 4>),
+        maker("relpose_6pt_radial", six_points, error),
+        maker("relpose_7pt_focal_radial", seven_points, error),
+        maker("relpose_7pt_focal_radial_one_side", seven_points_one_side, projective::<1, 3>),
+        maker("relpose_7pt_focal_radial_one_side_eliminated", seven_points_one_side_eliminated, projective::<0, 2>),
     ]
+}
+
+/// The error of the unknowns FIRST..END, a vector up to scale, and of each of the others.
+fn projective<const FIRST: usize, const END: usize>(_: &[f64], solution: &[f64], truth: &[f64]) -> f64 {
+    let [own, known] = [solution, truth].map(|x| vector(&x[FIRST..END]));
+    let others = |x: &[f64]| [&x[..FIRST], &x[END..]].concat();
+    projective_error(&own, &known).max(largest_relative_error(&others(solution), &others(truth)))
 }
 
 /// Two cameras and the distorted images of points.
 struct Views {
-    /// x2^T F x1 = 0 for the undistorted images, f33 = 1.
+    /// x2^T F x1 = 0 for the undistorted images.
     fundamental: Matrix3<f64>,
     points: Vec<Correspondence>,
 }
@@ -39,8 +48,8 @@ struct Correspondence {
 
 impl Views {
     /// Two cameras with these focal lengths and distortions, of which each sees so many points.
-    fn draw(random: &mut Random, count: usize, focal: [f64; 2], radials: [f64; 2]) -> Self {
-        let (rotation, translation, points) = two_cameras((random, Motion::General), count);
+    fn draw((random, motion): (&mut Random, Motion), count: usize, focal: [f64; 2], radials: [f64; 2]) -> Self {
+        let (rotation, translation, points) = two_cameras((random, motion), count);
         let correspondence = |x: &Vector3<f64>| {
             let first: Vector2<f64> = distorted(image(x, focal[0]), radials[0]);
             let second: Vector2<f64> = distorted(image(&(rotation * x + translation), focal[1]), radials[1]);
@@ -49,7 +58,7 @@ impl Views {
         };
         let inverse = focal.map(|focal| Matrix3::from_diagonal(&Vector3::new(1.0 / focal, 1.0 / focal, 1.0)));
         let fundamental = inverse[1] * translation.cross_matrix() * rotation * inverse[0];
-        Self { fundamental: fundamental / fundamental[(2, 2)], points: points.iter().map(correspondence).collect() }
+        Self { fundamental, points: points.iter().map(correspondence).collect() }
     }
 
     /// The first camera as the second, and the second as the first.
@@ -90,9 +99,14 @@ impl Views {
     }
 }
 
+fn third_row(matrix: &Matrix3<f64>) -> Vec<f64> {
+    coordinates(&[matrix.m31, matrix.m32, matrix.m33])
+}
+
 /// Barrel distortion.
-fn radial(random: &mut Random) -> f64 {
-    -uniform(random, 0.05, 0.5)
+fn radial(random: &mut Random, motion: Motion) -> f64 {
+    let radial = -uniform(random, 0.05, 0.5);
+    if motion == Motion::Undistorted { 0.0 } else { radial }
 }
 
 /// Image points of a norm of about 1 at most: what the cameras see is a sixth to a half of its
@@ -101,31 +115,32 @@ fn focal(random: &mut Random) -> f64 {
     uniform(random, 2.0, 4.0)
 }
 
-fn fundamental_eight_points(random: &mut Random) -> KnownInstance {
-    let (focal, radial) = ([focal(random), focal(random)], radial(random));
-    let views = Views::draw(random, 8, focal, [radial; 2]);
-    let f = views.fundamental;
-    KnownInstance { data: views.images(), truths: vec![vec![radial, f[(0, 2)], f[(1, 2)]]] }
+fn fundamental_eight_points(random: &mut Random, motion: Motion) -> KnownInstance {
+    let (focal, radial) = ([focal(random), focal(random)], radial(random, motion));
+    let views = Views::draw((random, motion), 8, focal, [radial; 2]);
+    let third = coordinates(views.fundamental.column(2).as_slice());
+    KnownInstance { data: views.images(), truths: vec![[vec![radial], third].concat()] }
 }
 
-fn fundamental_eight_points_one_side(random: &mut Random) -> KnownInstance {
-    let (focal, radial) = ([focal(random), focal(random)], radial(random));
-    let views = Views::draw(random, 8, focal, [0.0, radial]);
-    KnownInstance { data: views.images(), truths: vec![vec![views.fundamental[(2, 1)], radial]] }
+fn fundamental_eight_points_one_side(random: &mut Random, motion: Motion) -> KnownInstance {
+    let (focal, radial) = ([focal(random), focal(random)], radial(random, motion));
+    let views = Views::draw((random, motion), 8, focal, [0.0, radial]);
+    KnownInstance { data: views.images(), truths: vec![[third_row(&views.fundamental), vec![radial]].concat()] }
 }
 
-fn seven_points_one_side_eliminated(random: &mut Random) -> KnownInstance {
-    let (focal, radial) = (focal(random), radial(random));
-    let views = Views::draw(random, 7, [focal, 1.0], [radial, 0.0]);
-    let f = views.fundamental;
-    KnownInstance { data: views.images(), truths: vec![vec![f[(0, 2)], f[(1, 2)], radial]] }
+fn seven_points_one_side_eliminated(random: &mut Random, motion: Motion) -> KnownInstance {
+    let (focal, radial) = (focal(random), radial(random, motion));
+    let views = Views::draw((random, motion), 7, [focal, 1.0], [radial, 0.0]);
+    let third = coordinates(views.fundamental.column(2).as_slice());
+    KnownInstance { data: views.images(), truths: vec![[third, vec![radial]].concat()] }
 }
 
-fn fundamental_nine_points(random: &mut Random) -> KnownInstance {
-    let (focal, s, t) = ([focal(random), focal(random)], radial(random), radial(random));
-    let views = Views::draw(random, 9, focal, [t, s]);
+fn fundamental_nine_points(random: &mut Random, motion: Motion) -> KnownInstance {
+    let (focal, s, t) = ([focal(random), focal(random)], radial(random, motion), radial(random, motion));
+    let views = Views::draw((random, motion), 9, focal, [t, s]);
     let f = views.fundamental;
-    KnownInstance { data: views.images(), truths: vec![vec![s, f[(2, 0)], f[(2, 1)], f[(1, 2)]]] }
+    let entries = coordinates(&[f[(2, 0)], f[(2, 1)], f[(1, 2)], f[(2, 2)]]);
+    KnownInstance { data: views.images(), truths: vec![[vec![s], entries].concat()] }
 }
 
 /// A solver takes its pick of which image is the first, and how the second one is turned: of eight
@@ -147,37 +162,37 @@ fn chosen(views: &Views, equation: impl Fn(&Correspondence) -> (Vec<f64>, Vec<f6
     (best.turned(-y.atan2(x)), x.hypot(y))
 }
 
-fn six_points(random: &mut Random) -> KnownInstance {
-    let radial = radial(random);
-    let views = Views::draw(random, 6, [1.0; 2], [radial; 2]);
+fn six_points(random: &mut Random, motion: Motion) -> KnownInstance {
+    let radial = radial(random, motion);
+    let views = Views::draw((random, motion), 6, [1.0; 2], [radial; 2]);
     let (own, unit) = chosen(&views, |&Correspondence { a, b, first, c, d, second }: &Correspondence| {
         (
             vec![a * c, b * c, a * d, b * d, c * first, c],
             vec![d, d * first, a, a * second, b, b * second, first * second, first + second, 1.0],
         )
     });
-    let e = own.fundamental.transpose();
+    let e = own.fundamental.transpose() / own.fundamental[(2, 2)];
     KnownInstance { data: views.images(), truths: vec![vec![e[(0, 2)], e[(2, 1)], e[(1, 2)], radial * unit]] }
 }
 
-fn seven_points(random: &mut Random) -> KnownInstance {
-    let (focal, radial) = (focal(random), radial(random));
-    let views = Views::draw(random, 7, [focal; 2], [radial; 2]);
+fn seven_points(random: &mut Random, motion: Motion) -> KnownInstance {
+    let (focal, radial) = (focal(random), radial(random, motion));
+    let views = Views::draw((random, motion), 7, [focal; 2], [radial; 2]);
     let (own, unit) = chosen(&views, |&Correspondence { a, b, first, c, d, second }: &Correspondence| {
         (
             vec![a * c, b * c, a * d, b * d, c * first, first * second, c],
             vec![d, d * first, a, a * second, b, b * second, first + second, 1.0],
         )
     });
-    let f = own.fundamental.transpose();
+    let f = own.fundamental.transpose() / own.fundamental[(2, 2)];
     let truth = vec![1.0 / (focal * focal), f[(2, 1)], f[(0, 2)], f[(1, 2)], radial * unit];
     KnownInstance { data: views.images(), truths: vec![truth] }
 }
 
 /// The problem states x1^T F x2 = 0.
-fn seven_points_one_side(random: &mut Random) -> KnownInstance {
-    let (focal, radial) = (focal(random), radial(random));
-    let views = Views::draw(random, 7, [focal, 1.0], [radial, 0.0]);
-    let f = views.fundamental.transpose();
-    KnownInstance { data: views.images(), truths: vec![vec![1.0 / (focal * focal), f[(2, 0)], f[(2, 1)], radial]] }
+fn seven_points_one_side(random: &mut Random, motion: Motion) -> KnownInstance {
+    let (focal, radial) = (focal(random), radial(random, motion));
+    let views = Views::draw((random, motion), 7, [focal, 1.0], [radial, 0.0]);
+    let third = third_row(&views.fundamental.transpose());
+    KnownInstance { data: views.images(), truths: vec![[vec![1.0 / (focal * focal)], third, vec![radial]].concat()] }
 }

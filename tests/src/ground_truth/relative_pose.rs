@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
 
 use super::cameras::{Motion, camera, distorted, image, in_ball, quaternion, two_cameras};
 use super::{
-    KnownInstance, Make, Maker, combination, coordinates, largest_relative_error, null_space, projective_error,
+    KnownInstance, Make, Maker, View, combination, coordinates, largest_relative_error, null_space, projective_error,
     relative_error, uniform, vector, weights,
 };
 
@@ -17,7 +17,7 @@ pub(super) fn makers() -> Vec<Maker> {
     vec![
         Maker {
             name: "relpose_3pt_angle_zero_screw",
-            make: Make::Scene(three_points),
+            make: Make::TwoCameras(three_points),
             error: |_, solution, truth| relative_error(solution, truth),
         },
         Maker {
@@ -61,7 +61,7 @@ pub(super) fn makers() -> Vec<Maker> {
         Maker { name: "relpose_6pt_focal", make: Make::TwoCameras(six_points), error: focal_error },
         Maker {
             name: "stitching_3pt_radial_focal",
-            make: Make::Scene(panorama),
+            make: Make::KnownPoints(panorama),
             error: |_, solution, truth| largest_relative_error(solution, truth),
         },
     ]
@@ -197,11 +197,12 @@ fn four_points(random: &mut Random, motion: Motion) -> KnownInstance {
 
 /// The translation of two cameras without its part along the axis of the rotation, where the points
 /// stay in front of the second.
-fn three_points(random: &mut Random) -> KnownInstance {
+fn three_points(random: &mut Random, motion: Motion) -> KnownInstance {
     loop {
-        let (rotation, translation, points) = two_cameras((random, Motion::General), 3);
+        let (rotation, translation, points) = two_cameras((random, motion), 3);
         let [_, x, y, z] = quaternion(&rotation);
-        let axis = Vector3::new(x, y, z).normalize();
+        // Zero without a rotation, which moves along no axis.
+        let axis = Vector3::new(x, y, z).try_normalize(f64::EPSILON).unwrap_or_default();
         let translation = translation - axis * axis.dot(&translation);
         let second: Vec<Vector3<f64>> = points.iter().map(|x| rotation * x + translation).collect();
         if second.iter().all(|x| x.z > 0.1) {
@@ -213,13 +214,25 @@ fn three_points(random: &mut Random) -> KnownInstance {
 /// Three directions within 35 degrees of the optical axes of both cameras, focal length 1 to 2,
 /// barrel distortion. The second camera is turned mostly sideways: a turn about the optical axis
 /// changes no angle, and leaves equations 0 = 0.
-fn panorama(random: &mut Random) -> KnownInstance {
-    let (focal, radial) = (uniform(random, 1.0, 2.0), -uniform(random, 0.05, 0.5));
-    let axis = in_ball(random).component_mul(&Vector3::new(1.0, 1.0, 0.2)).normalize();
-    let rotation = Rotation3::new(uniform(random, 0.3, 0.7) * axis);
+fn panorama(random: &mut Random, view: View) -> KnownInstance {
+    let (focal, mut radial) = (uniform(random, 1.0, 2.0), -uniform(random, 0.05, 0.5));
+    let mut axis = in_ball(random).component_mul(&Vector3::new(1.0, 1.0, 0.2)).normalize();
+    // A camera on a tripod pans or tilts.
+    match view {
+        View::Aligned => axis = Vector3::y(),
+        View::HalfTurnX => axis = Vector3::x(),
+        View::Ideal => radial = 0.0,
+        _ => {}
+    }
+    // A point in the middle of the first image must be in the second one.
+    let most = if view == View::Centred { 0.6 } else { 0.7 };
+    let rotation = Rotation3::new(uniform(random, 0.3, most) * axis);
     let mut seen: Vec<[Vector2<f64>; 2]> = Vec::new();
     while seen.len() < 3 {
-        let direction = (in_ball(random) + Vector3::new(0.0, 0.0, 1.0)).normalize();
+        let mut direction = (in_ball(random) + Vector3::new(0.0, 0.0, 1.0)).normalize();
+        if view == View::Centred && seen.is_empty() {
+            direction = Vector3::z();
+        }
         let turned = rotation * direction;
         if direction.z.min(turned.z) > 35f64.to_radians().cos() {
             seen.push([direction, turned].map(|x| distorted(image(&x, focal), radial)));

@@ -7,7 +7,7 @@ use eliminant_generator::algebra::Random;
 use nalgebra::{Matrix3, Rotation3, Vector2, Vector3};
 
 use super::cameras::in_ball;
-use super::uniform;
+use super::{View, uniform};
 
 /// A camera that looks into water.
 #[derive(Clone, Debug)]
@@ -28,15 +28,23 @@ pub const WATER: f64 = 1.33;
 impl Underwater {
     /// A camera 1 to 3 units above the water, turned in any way, that sees points up to 3 units
     /// deep, by Snell's law.
-    pub fn draw(random: &mut Random) -> Self {
-        let rotation = Rotation3::new(PI * in_ball(random)).into_inner();
-        let (foot, height) = (Vector2::from_fn(|_, _| random.symmetric_unit()), uniform(random, 1.0, 3.0));
-        let seen: [(Vector3<f64>, Vector3<f64>); 5] = from_fn(|_| {
-            let surface = Vector2::from_fn(|_, _| 2.0 * random.symmetric_unit());
+    pub fn draw(random: &mut Random, view: View) -> Self {
+        let rotation = view.rotation(random).unwrap_or_else(|| Rotation3::new(PI * in_ball(random)).into_inner());
+        let (foot, height) = (
+            Vector2::from_fn(|_, _| if view == View::AtOrigin { 0.0 } else { random.symmetric_unit() }),
+            uniform(random, 1.0, 3.0),
+        );
+        let flat = matches!(view, View::Plane | View::Frontal | View::Square | View::SquareHeadOn);
+        let bottom = uniform(random, 0.5, 3.0);
+        let seen: [(Vector3<f64>, Vector3<f64>); 5] = from_fn(|k| {
+            let mut surface = Vector2::from_fn(|_, _| 2.0 * random.symmetric_unit());
+            if view == View::Centred && k == 0 {
+                surface = foot;
+            }
             let direction = (surface - foot).push(height).normalize();
             let sine = direction.xy() / WATER;
             let refracted = sine / (1.0 - sine.norm_squared()).sqrt();
-            let depth = uniform(random, 0.5, 3.0);
+            let depth = if flat { bottom } else { uniform(random, 0.5, 3.0) };
             (uniform(random, 0.5, 2.0) * direction, (surface + depth * refracted).push(depth))
         });
         Self {
