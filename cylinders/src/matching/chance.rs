@@ -227,7 +227,7 @@ mod tests {
     #[test]
     fn false_alarms_of_several_cylinders_are_those_of_their_product() {
         assert_eq!(joint_false_alarms(&[]), 1.0);
-        for alone in [1e-300, 1e-4, 0.3, 1.0, 7.0] {
+        for alone in [1e-300_f64, 1e-4, 0.3, 1.0, 7.0] {
             assert!((joint_false_alarms(&[alone]) / alone.min(1.0) - 1.0).abs() < 1e-12);
         }
         assert!((joint_false_alarms(&[0.1, 0.02]) - 0.002 * (1.0 - 0.002_f64.ln())).abs() < 1e-15);
