@@ -70,7 +70,7 @@ fn the_number_of_directions_may_be_limited_and_no_cylinder_is_an_error() {
     let scene = scene(4, 1);
     let options = MatchOptions::of(&scene.views);
     let along = |views: &[View], direction: &_| match_cylinders(views, direction, &options);
-    let matching = match_directions_with(&scene.views, 2, options.interrupt, along).expect("cylinders");
+    let matching = match_directions_with(&scene.views, 2, &options, along).expect("cylinders");
     assert_eq!(matching.directions.len(), 2);
     let none = MatchOptions { least_support: Some(25), ..options };
     assert!(matches!(match_directions(&scene.views, &none), Err(MatchError::NoCylinder { .. })));

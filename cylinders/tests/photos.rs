@@ -60,6 +60,16 @@ fn cylinders_on_a_chequered_floor_are_found_and_nothing_else() {
     check(&found.matching.cylinders.iter().map(|found| found.cylinder).collect::<Vec<_>>(), &scene);
 }
 
+/// As the example `render_photos` does for more seeds.
+#[test]
+fn seven_cylinders_in_twelve_photographs_are_found_and_nothing_else() {
+    let distortion = Distortion::default();
+    let setup = RenderingSetup { cylinders: 7, images: 12, width: 960, height: 720, noise: 2.0, distortion };
+    let scene = setup.scene(1).expect("a scene");
+    let found = found(&scene).expect("cylinders");
+    check(&found.matching.cylinders.iter().map(|found| found.cylinder).collect::<Vec<_>>(), &scene);
+}
+
 #[test]
 fn a_chequered_floor_without_cylinders_gives_none() {
     let scene = rendered(0, Distortion::default(), 2);

@@ -271,7 +271,7 @@ impl Matcher {
             let most = if self.count.is_some() { 1 } else { self.directions.unwrap_or(usize::MAX) };
             let matching = match &direction {
                 Some(direction) => match_cylinders(views, direction, &options),
-                None => match_directions_with(views, most, interrupt, |views, direction| {
+                None => match_directions_with(views, most, &options, |views, direction| {
                     match_candidate_with(views, direction, &options, &|_| {})
                 }),
             };

@@ -101,7 +101,7 @@ fn search(arguments: &Arguments, views: &[View], options: &MatchOptions) -> Resu
     }
     // So many cylinders would be found in any direction.
     let most = if arguments.count.is_some() { 1 } else { arguments.directions.unwrap_or(usize::MAX) };
-    match_directions_with(views, most, options.interrupt, |views, direction| {
+    match_directions_with(views, most, options, |views, direction| {
         with_progress(|progress| match_candidate_with(views, direction, options, progress))
     })
 }

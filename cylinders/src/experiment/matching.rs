@@ -168,7 +168,7 @@ fn score(row: &Row, seed: u64) -> Result<Score, ViewError> {
         Told::Nothing => match_directions(&scene.views, &options),
         Told::Number => {
             let along = |views: &[View], direction: &_| match_cylinders(views, direction, &told_number);
-            match_directions_with(&scene.views, 1, options.interrupt, along)
+            match_directions_with(&scene.views, 1, &options, along)
         }
         Told::NumberAndDirection => match_cylinders(&scene.views, &scene.direction, &told_number),
     };

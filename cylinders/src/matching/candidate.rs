@@ -7,11 +7,13 @@
 //!   seen as one line in each image has no width.
 //! - Matching keeps what chance gives less than once among random lines. Lines of a texture are not
 //!   random, and several directions are tried: a direction needs a cylinder with far fewer false
-//!   alarms, and with both silhouettes in two images. Then it is that of cylinders, and for the
-//!   others along it matching is enough.
+//!   alarms, and with both silhouettes in two images. Where each cylinder has few lines, those that
+//!   must be round may have so few false alarms together. Then it is a direction of cylinders, and
+//!   for the others along it matching is enough.
 
 use nalgebra::{Unit, Vector3};
 
+use super::chance::joint_false_alarms;
 use super::error::MatchError;
 use super::found::{MatchedCylinder, Matching};
 use super::options::{LEAST_WIDTH, MatchOptions};
@@ -24,9 +26,9 @@ use crate::space::cylinder::{LineResidual, Side};
 /// one that makes a direction one of cylinders.
 const BOTH_SIDES: usize = 2;
 
-/// Like [`match_cylinders_with`], for a direction that is not known to be one of cylinders: those
-/// that are found must say so themselves, at least one of them with at most
-/// `options.direction_false_alarms`. If their number is given, all that are found count.
+/// Like [`match_cylinders_with`], for a direction that is not known to be one of cylinders. Those
+/// that are found must say so themselves, with at most `options.direction_false_alarms`: one of
+/// them, or all that must be round together. If their number is given, all that are found count.
 ///
 /// # Errors
 /// [`MatchError`].
@@ -45,13 +47,21 @@ pub fn match_candidate_with(
         matching.cylinders.into_iter().partition(|found| is_wide(found, views, options));
     let decides =
         |found: &MatchedCylinder| found.false_alarms <= options.direction_false_alarms && shows_both_sides(found);
-    if !cylinders.iter().any(decides) {
+    if !cylinders.iter().any(decides) && !has_round(&cylinders, views, options) {
         let lines = views.iter().map(|view| view.lines().len()).sum();
         return Err(MatchError::NoCylinder { least_support: matching.least_support, lines });
     }
     matching.unmatched.extend(others.iter().flat_map(lines));
     matching.unmatched.sort_unstable_by_key(|id| (id.view, id.line));
     Ok(Matching { cylinders, ..matching })
+}
+
+/// Whether the cylinders that must be round are no chance, one of them or all together.
+pub(super) fn has_round(cylinders: &[MatchedCylinder], views: &[View], options: &MatchOptions) -> bool {
+    let round = cylinders.iter().filter(|found| shows_both_sides(found) && found.is_round(views));
+    let round: Vec<f64> = round.map(|found| found.false_alarms).collect();
+    let is_no_chance = |false_alarms: f64| false_alarms <= options.direction_false_alarms;
+    round.iter().any(|alone| is_no_chance(*alone)) || is_no_chance(joint_false_alarms(&round))
 }
 
 /// Whether a cylinder has lines on both sides that are apart from each other.

@@ -124,6 +124,27 @@ impl Chance {
     }
 }
 
+/// Expected number of sets of cylinders as good by chance, from the false alarms of each, which
+/// bound its probability by chance. The product `e` of `k` such numbers is as small by chance with
+/// a probability of at most
+///
+/// ```text
+///   e (1 + x + x^2 / 2! + ... + x^(k-1) / (k-1)!),    x = -ln e
+/// ```
+///
+/// (Fisher, "Statistical Methods for Research Workers", 1932). One for none.
+pub(super) fn joint_false_alarms(of_each: &[f64]) -> f64 {
+    let x: f64 = of_each.iter().map(|alone| -alone.clamp(f64::MIN_POSITIVE, 1.0).ln()).sum();
+    // The first terms may be less than the smallest number, so their logarithms are computed.
+    let mut logarithm = -x;
+    let terms = (1..=of_each.len()).map(|next| {
+        let term = logarithm.exp();
+        logarithm += (x / next as f64).ln();
+        term
+    });
+    if of_each.is_empty() { 1.0 } else { terms.sum() }
+}
+
 /// How much a circle stands out from chance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct FalseAlarms {
@@ -199,6 +220,21 @@ mod tests {
         assert!(near(3, 0.0, 24) > 1000.0_f64.ln() && near(3, 0.0, 3) == 1000.0_f64.ln());
         let unknown = Chance { probability: f64::NAN, ..chance };
         assert_eq!(unknown.false_alarms(vec![0.1; 6], 24).logarithm, 1000.0_f64.ln());
+    }
+
+    /// Pairs of even random numbers have a product of at most `e` with the probability
+    /// `e (1 - ln e)`.
+    #[test]
+    fn false_alarms_of_several_cylinders_are_those_of_their_product() {
+        assert_eq!(joint_false_alarms(&[]), 1.0);
+        for alone in [1e-300_f64, 1e-4, 0.3, 1.0, 7.0] {
+            assert!((joint_false_alarms(&[alone]) / alone.min(1.0) - 1.0).abs() < 1e-12);
+        }
+        assert!((joint_false_alarms(&[0.1, 0.02]) - 0.002 * (1.0 - 0.002_f64.ln())).abs() < 1e-15);
+        assert_eq!(joint_false_alarms(&[1.0; 5]), 1.0);
+        assert_eq!(joint_false_alarms(&[1e-200; 9]), 0.0);
+        // Cylinders that chance gives once make the others no better.
+        assert!(joint_false_alarms(&[1e-3, 1.0, 1.0]) > 1e-3 && joint_false_alarms(&[0.01; 5]) < 1e-4);
     }
 
     /// The mean over random lines of the ratio by which a circle stands out is at most one, so that

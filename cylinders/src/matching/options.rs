@@ -14,7 +14,7 @@ const THRESHOLD_RADIANS: f64 = 1e-3;
 /// Default of the largest number of false alarms of the best cylinder of a direction that is only
 /// supposed. Edges of a texture are not independent of each other, as the number supposes: a
 /// rendered floor without cylinders has reached it. Small scenes with cylinders are lost at 1e-8.
-pub(super) const DIRECTION_FALSE_ALARMS: f64 = 1e-4;
+const DIRECTION_FALSE_ALARMS: f64 = 1e-4;
 
 /// Least distance of the silhouettes of a cylinder from its axis, in thresholds: a cylinder that is
 /// thinner cannot be told from an edge.
@@ -51,8 +51,8 @@ pub struct MatchOptions<'a> {
     pub least_support: Option<usize>,
     /// Ends the search between pairs of lines.
     pub interrupt: Interrupt<'a>,
-    /// Largest number of false alarms of the least doubtful cylinder of a direction, if neither the
-    /// direction nor the number of cylinders is given.
+    /// Largest number of false alarms of the least doubtful cylinder of a direction, or of all that
+    /// must be round together, if neither the direction nor the number of cylinders is given.
     pub direction_false_alarms: f64,
     /// Largest number of lines of an image along a direction, without those of edges. The first
     /// count.

@@ -1,20 +1,19 @@
 //! Cylinders of several directions: the direction with the most evidence for cylinders first, then
 //! the next one among the lines that are left. A line is used once. Along a direction of texture
-//! there are flat bands, along one of cylinders there is one that must be round: if there are such
-//! directions, no others count.
+//! there are flat bands, along one of cylinders there are some that must be round: if there are
+//! such directions, no others count.
 
 use std::cmp::Ordering;
 
 use nalgebra::{Unit, Vector3};
 
-use super::candidate::match_candidate_with;
+use super::candidate::{has_round, match_candidate_with};
 use super::directions::{candidate_directions, is_known};
 use super::error::MatchError;
 use super::found::{MatchedCylinder, Matching};
-use super::options::{DIRECTION_FALSE_ALARMS, MatchOptions};
+use super::options::MatchOptions;
 use super::selection::Selection;
 use crate::axis::direction::estimate_direction;
-use crate::numerics::interrupt::Interrupt;
 use crate::observations::scene::LineId;
 use crate::observations::view::View;
 
@@ -32,34 +31,36 @@ const CHANGE: f64 = 5e-4;
 /// # Errors
 /// [`MatchError`]: that of the direction on which most lines agree if no direction has cylinders.
 pub fn match_directions(views: &[View], options: &MatchOptions) -> Result<Matching, MatchError> {
-    match_directions_with(views, usize::MAX, options.interrupt, |views, direction| {
+    match_directions_with(views, usize::MAX, options, |views, direction| {
         match_candidate_with(views, direction, options, &|_| {})
     })
 }
 
 /// Like [`match_directions`], with at most `count` directions and any search along one direction,
-/// which ends itself after an interruption.
+/// which ends itself after an interruption. Of the options only `interrupt` and
+/// `direction_false_alarms` are used here.
 ///
 /// # Errors
 /// [`MatchError`], as the search gives it.
 pub fn match_directions_with(
     views: &[View],
     count: usize,
-    interrupt: Interrupt<'_>,
+    options: &MatchOptions,
     search: impl Fn(&[View], &Unit<Vector3<f64>>) -> Result<Matching, MatchError>,
 ) -> Result<Matching, MatchError> {
-    let mut progress =
-        Progress { views, search, interrupt, free: all(views), tried: Vec::new(), queue: Vec::new(), error: None };
+    let (free, tried, queue) = (all(views), Vec::new(), Vec::new());
+    let mut progress = Progress { views, search, options, free, tried, queue, error: None };
     let mut found = Matching { directions: Vec::new(), cylinders: Vec::new(), unmatched: Vec::new(), least_support: 0 };
     let mut any_round = false;
     while found.directions.len() < count {
         let Some((direction, matching)) = progress.next() else { break };
-        let is_round = has_round(views, &matching);
+        let is_round = has_round(&matching.cylinders, views, options);
         if found.directions.is_empty() {
             any_round = is_round;
         }
         if any_round && !is_round {
-            break;
+            // It may have lost lines to others since it was searched; the next one may be round.
+            continue;
         }
         progress.take(&matching.cylinders);
         found.least_support = match found.least_support {
@@ -70,7 +71,7 @@ pub fn match_directions_with(
         found.cylinders.extend(matching.cylinders);
     }
     // What was interrupted found nothing.
-    interrupt.check()?;
+    options.interrupt.check()?;
     if found.cylinders.is_empty() {
         // There is no direction if no two lines are left.
         return Err(progress.error.unwrap_or(MatchError::TooFewViews { views: 0 }));
@@ -85,11 +86,6 @@ fn evidence(matching: &Matching) -> f64 {
     matching.cylinders.iter().map(of_cylinder).sum()
 }
 
-/// Whether a cylinder that is no chance must be round.
-fn has_round(views: &[View], matching: &Matching) -> bool {
-    matching.cylinders.iter().any(|found| found.false_alarms <= DIRECTION_FALSE_ALARMS && found.is_round(views))
-}
-
 /// Which lines are free: all of them.
 fn all(views: &[View]) -> Vec<Vec<bool>> {
     views.iter().map(|view| vec![true; view.lines().len()]).collect()
@@ -101,7 +97,7 @@ type Found = (Unit<Vector3<f64>>, Matching);
 struct Progress<'a, S> {
     views: &'a [View],
     search: S,
-    interrupt: Interrupt<'a>,
+    options: &'a MatchOptions<'a>,
     /// Whether each line of each view belongs to no cylinder found so far.
     free: Vec<Vec<bool>>,
     /// All directions that were searched.
@@ -132,7 +128,7 @@ impl<S: Fn(&[View], &Unit<Vector3<f64>>) -> Result<Matching, MatchError>> Progre
 
     /// Directions with a cylinder that must be round come before others.
     fn compare(&self, one: &Matching, other: &Matching) -> Ordering {
-        let [first, second] = [one, other].map(|matching| has_round(self.views, matching));
+        let [first, second] = [one, other].map(|matching| has_round(&matching.cylinders, self.views, self.options));
         first.cmp(&second).then(evidence(one).total_cmp(&evidence(other)))
     }
 
@@ -140,7 +136,7 @@ impl<S: Fn(&[View], &Unit<Vector3<f64>>) -> Result<Matching, MatchError>> Progre
     /// no other has cylinders.
     fn try_candidates(&mut self) {
         let selection = self.selection();
-        let mut candidates = candidate_directions(&selection.views, CANDIDATES, self.interrupt);
+        let mut candidates = candidate_directions(&selection.views, CANDIDATES, self.options.interrupt);
         if self.tried.is_empty() {
             let planes: Vec<_> = self.views.iter().flat_map(View::planes).collect();
             candidates.extend(estimate_direction(&planes).ok().map(|of_all| of_all.direction));
@@ -174,7 +170,7 @@ impl<S: Fn(&[View], &Unit<Vector3<f64>>) -> Result<Matching, MatchError>> Progre
     }
 
     fn along(&self, direction: &Unit<Vector3<f64>>) -> Result<Matching, MatchError> {
-        self.interrupt.check()?;
+        self.options.interrupt.check()?;
         let selection = self.selection();
         let matching = (self.search)(&selection.views, direction)?;
         Ok(Matching { cylinders: selection.in_all(matching.cylinders), ..matching })

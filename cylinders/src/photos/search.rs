@@ -111,7 +111,7 @@ fn by_directions(
         Some(direction) => find_along(views, &direction, options),
         None => {
             let along = |views: &[View], direction: &_| find_along(views, direction, options);
-            match_directions_with(views, options.directions, options.matching.interrupt, along)
+            match_directions_with(views, options.directions, &options.matching, along)
         }
     }
 }
