@@ -48,8 +48,8 @@ const LEVELS: [f64; 3] = [0.125, 0.25, 0.5];
 const TAKEN: f64 = 2.0;
 
 /// Largest expected number of points of a level by chance. With one, silhouettes are lost: all
-/// seven cylinders of four directions are found in 9 of 20 scenes instead of 12. With a hundredth, boxes
-/// give a false cylinder (`cylinders/tests/texture.rs`, other seeds).
+/// seven cylinders of four directions are found in 9 of 20 scenes instead of 12. With a hundredth,
+/// boxes give a false cylinder (`cylinders/tests/texture.rs`, other seeds).
 const FALSE_ALARMS: f64 = 0.1;
 
 /// Standard deviation of the lines of an edge, in thresholds, and how many of them its radius must
