@@ -5,8 +5,7 @@
 //! cylinder instead. Many edges at regular distances can pretend to be a cylinder, so that the
 //! lines of edges are taken away before cylinders are looked for. A point is an edge if
 //!
-//! - chance gives less than a tenth of a point through which so many rays pass: there are several
-//!   levels and directions, and each point that chance makes costs silhouettes. And
+//! - chance gives less than one point through which so many rays pass, and
 //! - its rays, as silhouettes of a cylinder on one side, or on the left from some cameras and
 //!   on the right from those opposite, would say that its radius is smaller than one that can be
 //!   told from 0. Rays from a narrow range of angles do not say so: there the silhouette of a
@@ -46,11 +45,6 @@ const LEVELS: [f64; 3] = [0.125, 0.25, 0.5];
 
 /// The lines of an edge are within so many times the distance at which it was found.
 const TAKEN: f64 = 2.0;
-
-/// Largest expected number of points of a level by chance. With one, silhouettes are lost: all
-/// seven cylinders of four directions are found in 9 of 20 scenes instead of 12. With a hundredth,
-/// boxes give a false cylinder (`cylinders/tests/texture.rs`, other seeds).
-const FALSE_ALARMS: f64 = 0.1;
 
 /// Standard deviation of the lines of an edge, in thresholds, and how many of them its radius must
 /// be less than what can be told from 0.
@@ -160,7 +154,7 @@ impl Rays {
                 queue.push((now, point));
                 continue;
             }
-            if self.false_alarms(points.len(), views, level) > FALSE_ALARMS {
+            if self.false_alarms(points.len(), views, level) > 1.0 {
                 break;
             }
             if self.is_thin(&points[point], &through) {
