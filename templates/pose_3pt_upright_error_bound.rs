@@ -9,8 +9,8 @@
 /// `points[k]` is the position of point k, `images[k]` its image (p, q) for a focal length of 1 and
 /// `bound` the largest error, a length in the image. The camera's first axis is vertical: it is
 /// turned about it by the angle of the cosine y and the sine z, and shifted by (u, v, w). A point
-/// in the camera's coordinates (X, Y, Z) is on the cone (X - p Z)^2 + (Y - q Z)^2 = bound^2 Z^2. The
-/// derivatives of the three left sides by w, y and z are linearly dependent.
+/// in the camera's coordinates (X, Y, Z) is on the cone (X - p Z)^2 + (Y - q Z)^2 = bound^2 Z^2.
+/// The derivatives of the three left sides by w, y and z are linearly dependent.
 fn pose_3pt_upright_error_bound(points: [[f64; 3]; 3], images: [[f64; 2]; 3], bound: f64) -> (u, v, w, y, z) {
     let mut derivatives = [[0; 3]; 3];
     for k in 0..3 {

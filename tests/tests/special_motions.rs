@@ -7,7 +7,7 @@ use eliminant_tests::fate::Fates;
 use eliminant_tests::ground_truth::{Make, Motion, makers};
 
 /// Problems and motions of which the true solution is lost, and why.
-const EXCEPTIONS: [(&[&str], &[Motion], &str); 4] = [
+const EXCEPTIONS: [(&[&str], &[Motion], &str); 5] = [
     (
         &["relpose_4pt_angle", "relpose_5pt_generalized_angle", "relpose_3pt_angle_zero_screw"],
         &[Motion::HalfTurn],
@@ -36,6 +36,11 @@ const EXCEPTIONS: [(&[&str], &[Motion], &str); 4] = [
             Motion::Turntable,
         ],
         "the last entry of the fundamental matrix is set to 1, and it vanishes",
+    ),
+    (
+        &["fundamental_8pt_radial"],
+        &[Motion::Undistorted],
+        "5 of 1,000 are lost, and of 6 more the true solution is no isolated one",
     ),
     (
         &["relpose_7pt_focal_radial_one_side_eliminated"],

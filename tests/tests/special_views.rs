@@ -29,11 +29,15 @@ const DEGENERATE: [Exception; 3] = [
 ];
 
 /// Where the true solution is lost, and why.
-const LOST: [Exception; 1] = [(
-    &["pose_6pt_rolling_shutter"],
-    &[View::Plane, View::Frontal, View::Square, View::SquareHeadOn],
-    "the elimination is singular for points in a plane",
-)];
+const LOST: [Exception; 3] = [
+    (
+        &["pose_6pt_rolling_shutter"],
+        &[View::Plane, View::Frontal, View::Square, View::SquareHeadOn],
+        "the elimination is singular for points in a plane",
+    ),
+    (&["pose_3pt_upright_error_bound"], &[View::AtOrigin], "4 of 40 are lost, at which u, v and w are 0"),
+    (&["pose_4pt_upright_error_bound"], &[View::Plane], "4 of 1,000 are lost, and of a square in space 3"),
+];
 
 fn is_among(exceptions: &[Exception], name: &str, view: View) -> bool {
     exceptions.iter().any(|(names, views, _)| names.contains(&name) && views.contains(&view))

@@ -56,10 +56,11 @@ pub(super) fn derived_null_space(rows: &[Vec<f64>]) -> Vec<f64> {
 }
 
 /// The rows X with leading X = right for as many rows of each: the leading unknowns of linear
-/// equations in terms of the others.
+/// equations in terms of the others. NaN where they do not determine them.
 pub(super) fn solved(leading: &[Vec<f64>], right: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let matrix = |rows: &[Vec<f64>]| DMatrix::from_fn(rows.len(), rows[0].len(), |i, j| rows[i][j]);
-    let solution = matrix(leading).lu().solve(&matrix(right)).expect("random instances are not degenerate");
+    let right = matrix(right);
+    let solution = matrix(leading).lu().solve(&right).unwrap_or_else(|| right.map(|_| f64::NAN));
     solution.row_iter().map(|row| row.iter().copied().collect()).collect()
 }
 
