@@ -387,21 +387,24 @@ uint64_t eliminant_fundamental_8pt_second_attempt_operations(void);
  * solutions.
  *
  * Kukelova, Pajdla, "A minimal solution to the autocalibration of radial distortion", CVPR 2007.
- * Published as `8ptF_radial`.
+ * Published as `8ptF_radial`, with f33 = 1, which loses planar motions and those without a
+ * rotation: f33 is 0.
  *
  * `first[k]` and `second[k]` are the distorted images of point k, relative to the centre of
  * distortion. An image x lies along (x, 1 + radial |x|^2), the division model. Then x2^T F x1 = 0
- * is, with f33 = 1, linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the
- * monomials radial f13, radial f23, radial^2, f13, f23, radial, 1: eight points give the former as
- * combinations of these.
+ * is linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the monomials radial f13,
+ * radial f23, radial^2 f33, f13, f23, radial f33, f33: eight points give the former as
+ * combinations of these. `third` is the third column of F, which is given up to scale. It vanishes
+ * where the first camera moves along its optical axis; without a rotation such points tell nothing
+ * of the distortion.
  *
  * Data: first[8][2], second[8][2].
- * A row of 3 numbers, the unknowns: radial, f_13, f_23.
+ * A row of 4 numbers, the unknowns: radial, third[3] (given up to scale: of length 1).
  * A row of 10 numbers, the result radial_epipolar: fundamental[3][3], radial.
  */
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_FIRST_LENGTH 16
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_SECOND_LENGTH 16
-#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_UNKNOWNS 3
+#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_UNKNOWNS 4
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_LENGTH_OF_RADIAL_EPIPOLAR 10
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_MAX_SOLUTIONS 16
 int32_t eliminant_fundamental_8pt_radial_solve(
@@ -438,21 +441,24 @@ uint64_t eliminant_fundamental_8pt_radial_second_attempt_operations(void);
  * Fundamental matrix and radial distortion of the second camera from eight points: 8 solutions.
  *
  * Kuang, Solem, Kahl, Åström, "Minimal solvers for relative pose with a single unknown radial
- * distortion", CVPR 2014. Published as `8ptF_radial_1s`.
+ * distortion", CVPR 2014. Published as `8ptF_radial_1s`, with f33 = 1, which loses planar motions
+ * and those without a rotation: f33 is 0.
  *
  * `first[k]` is the image of point k in a camera without distortion, `second[k]` the distorted one
  * in the other, relative to the centre of distortion. There an image x lies along (x, 1 + radial
- * |x|^2), the division model. Then x2^T F x1 = 0 is linear in the nine entries of F, the third row
- * also multiplied by `radial`. Eight points, and f33 = 1, give f11, f21, f31, f12, f22, f13, f23
- * and radial f31 as combinations of radial f32, radial, f32 and 1.
+ * |x|^2), the division model. Then x2^T F x1 = 0 is linear in the nine entries of F and in
+ * `third`, its third row, times `radial`. Eight points give the first two rows, radial f31 and
+ * radial f32 as combinations of radial f33 and `third`. F is given up to scale. `third` vanishes
+ * where the second camera moves along its optical axis: then the points tell nothing of the
+ * distortion.
  *
  * Data: first[8][2], second[8][2].
- * A row of 2 numbers, the unknowns: f_32, radial.
+ * A row of 4 numbers, the unknowns: third[3] (given up to scale: of length 1), radial.
  * A row of 10 numbers, the result radial_epipolar: fundamental[3][3], radial.
  */
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_FIRST_LENGTH 16
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_SECOND_LENGTH 16
-#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_UNKNOWNS 2
+#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_UNKNOWNS 4
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_LENGTH_OF_RADIAL_EPIPOLAR 10
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_MAX_SOLUTIONS 8
 int32_t eliminant_fundamental_8pt_radial_one_side_solve(
@@ -916,7 +922,9 @@ uint64_t eliminant_pose_2pt_upright_second_attempt_operations(void);
  * centred at the principal point. The rotation is, up to scale, that about the optical axis times
  * that of the quaternion (1, x, y, 0). Each row of the matrix eliminates the rotation about the
  * optical axis, and what is unknown of the focal length, from three points: it annihilates (cos,
- * sin, 1/f). A point X has the coordinates `rotation` X + `translation` in the camera.
+ * sin, 1/f). Where the camera looks against the third axis x and y are infinite. Points are turned
+ * before, so that this is no direction in which one would look. A point X has the coordinates
+ * `rotation` X + `translation` in the camera.
  *
  * Data: points[4][3], horizontal[4], vertical[3].
  * A row of 2 numbers, the unknowns: x, y.
@@ -1114,35 +1122,47 @@ uint64_t eliminant_pose_3pt_depths_second_attempt_operations(void);
  * within the bound can be moved until four errors equal it, or three where it can be moved no
  * further.
  *
- * The camera is turned about its first axis by the angle of the cosine y and the sine z, and
- * shifted by (u, v, w). A point of `points`, one a row, in the camera's coordinates (X, Y, Z),
- * lies on the cone a X^2 + a Y^2 + 2 b X Z + 2 c Y Z + d Z^2 = 0 with (a, b, c, d) a row of
- * `cones`: for an image point (p, q) and a bound e that is (1, -p, -q, p^2 + q^2 - e^2). The
- * derivatives of the three left sides by w, y and z are linearly dependent.
+ * `points[k]` is the position of point k, `images[k]` its image (p, q) for a focal length of 1 and
+ * `bound` the largest error, a length in the image. The camera's first axis is vertical: it is
+ * turned about it by the angle of the cosine y and the sine z, and shifted by (u, v, w). A point
+ * in the camera's coordinates (X, Y, Z) is on the cone (X - p Z)^2 + (Y - q Z)^2 = bound^2 Z^2.
+ * The derivatives of the three left sides by w, y and z are linearly dependent.
  *
- * Data: points[3][3], cones[3][4].
+ * Data: points[3][3], images[3][2], bound.
  * A row of 5 numbers, the unknowns: u, v, w, y, z.
+ * A row of 12 numbers, the result pose: rotation[3][3], translation[3].
  */
 #define ELIMINANT_POSE_3PT_UPRIGHT_ERROR_BOUND_POINTS_LENGTH 9
-#define ELIMINANT_POSE_3PT_UPRIGHT_ERROR_BOUND_CONES_LENGTH 12
+#define ELIMINANT_POSE_3PT_UPRIGHT_ERROR_BOUND_IMAGES_LENGTH 6
 #define ELIMINANT_POSE_3PT_UPRIGHT_ERROR_BOUND_UNKNOWNS 5
+#define ELIMINANT_POSE_3PT_UPRIGHT_ERROR_BOUND_LENGTH_OF_POSE 12
 #define ELIMINANT_POSE_3PT_UPRIGHT_ERROR_BOUND_MAX_SOLUTIONS 48
 int32_t eliminant_pose_3pt_upright_error_bound_solve(
-    const double *points, size_t points_length, const double *cones, size_t cones_length,
-    double *solutions, size_t capacity, size_t *count);
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    double bound, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_3pt_upright_error_bound_solve_with(
-    uint64_t second_attempts, const double *points, size_t points_length, const double *cones,
-    size_t cones_length, double *solutions, size_t capacity, size_t *count);
+    uint64_t second_attempts, const double *points, size_t points_length, const double *images,
+    size_t images_length, double bound, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_3pt_upright_error_bound_solve_batch(
-    size_t instances, const double *points, size_t points_length, const double *cones,
-    size_t cones_length, double *solutions, size_t solutions_length, size_t *counts,
-    int32_t *codes);
+    size_t instances, const double *points, size_t points_length, const double *images,
+    size_t images_length, const double *bound, size_t bound_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_pose_3pt_upright_error_bound_solve_for_pose(
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    double bound, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_3pt_upright_error_bound_solve_with_for_pose(
+    uint64_t second_attempts, const double *points, size_t points_length, const double *images,
+    size_t images_length, double bound, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_3pt_upright_error_bound_solve_batch_for_pose(
+    size_t instances, const double *points, size_t points_length, const double *images,
+    size_t images_length, const double *bound, size_t bound_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
 int32_t eliminant_pose_3pt_upright_error_bound_relative_residual(
-    const double *points, size_t points_length, const double *cones, size_t cones_length,
-    const double *solution, size_t solution_length, double *relative_residual);
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    double bound, const double *solution, size_t solution_length, double *relative_residual);
 int32_t eliminant_pose_3pt_upright_error_bound_error_bound(
-    const double *points, size_t points_length, const double *cones, size_t cones_length,
-    const double *solution, size_t solution_length, double *error_bound);
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    double bound, const double *solution, size_t solution_length, double *error_bound);
 uint64_t eliminant_pose_3pt_upright_error_bound_second_attempt_operations(void);
 
 /*
@@ -1209,11 +1229,11 @@ uint64_t eliminant_pose_4pt_focal_second_attempt_operations(void);
  * for camera with unknown focal length and radial distortion", ACCV 2010. Published as `p4p_fr`.
  *
  * `points[k]` is the position of point k, `images[k]` its distorted image, relative to the
- * principal point. The points must not lie in a plane. An image (u, v) lies along (u, v, 1 +
- * radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1, 1/f) \[R t\]. That v times
- * the first row of P minus u times the second vanishes at X leaves a null space of dimension four:
- * these rows are the sum of its vectors, each times its weight. The third row follows from the
- * four points. `projection` is P up to scale.
+ * principal point. The points must not lie in a plane, nor an image be at that point. An image (u,
+ * v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1,
+ * 1/f) \[R t\]. That v times the first row of P minus u times the second vanishes at X leaves a
+ * null space of dimension four: these rows are the sum of its vectors, each times its weight. The
+ * third row follows from the four points. `projection` is P up to scale.
  *
  * Data: points[4][3], images[4][2].
  * A row of 5 numbers, the unknowns: weights[4] (given up to scale: of length 1), radial.
@@ -1263,11 +1283,11 @@ uint64_t eliminant_pose_4pt_focal_radial_second_attempt_operations(void);
  * formulation of the same problem, with 16.
  *
  * `points[k]` is the position of point k, `images[k]` its distorted image, relative to the
- * principal point. The points must not lie in a plane. An image (u, v) lies along (u, v, 1 +
- * radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1, 1/f) \[R t\]. That v times
- * the first row of P minus u times the second vanishes at X leaves a null space of dimension four:
- * these rows are the sum of its vectors, each times its weight. The third row follows from the
- * four points. `projection` is P up to scale.
+ * principal point. The points must not lie in a plane, nor an image be at that point. An image (u,
+ * v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1,
+ * 1/f) \[R t\]. That v times the first row of P minus u times the second vanishes at X leaves a
+ * null space of dimension four: these rows are the sum of its vectors, each times its weight. The
+ * third row follows from the four points. `projection` is P up to scale.
  *
  * Data: points[4][3], images[4][2].
  * A row of 5 numbers, the unknowns: radial, weights[4] (given up to scale: of length 1).
@@ -1374,34 +1394,46 @@ uint64_t eliminant_pose_4pt_generalized_scale_second_attempt_operations(void);
  * direction", PAMI 2017. Published as `optpose4pt_v2`. A pose with the largest number of points
  * within the bound can be moved until four errors equal it.
  *
- * The camera is turned about its first axis by the angle of the cosine y and the sine z, and
- * shifted by (u, v, w). A point of `points`, one a row, in the camera's coordinates (X, Y, Z),
- * lies on the cone a X^2 + a Y^2 + 2 b X Z + 2 c Y Z + d Z^2 = 0 with (a, b, c, d) a row of
- * `cones`: for an image point (p, q) and a bound e that is (1, -p, -q, p^2 + q^2 - e^2).
+ * `points[k]` is the position of point k, `images[k]` its image (p, q) for a focal length of 1 and
+ * `bound` the largest error, a length in the image. The camera's first axis is vertical: it is
+ * turned about it by the angle of the cosine y and the sine z, and shifted by (u, v, w). A point
+ * in the camera's coordinates (X, Y, Z) is on the cone (X - p Z)^2 + (Y - q Z)^2 = bound^2 Z^2.
  *
- * Data: points[4][3], cones[4][4].
+ * Data: points[4][3], images[4][2], bound.
  * A row of 5 numbers, the unknowns: u, v, w, y, z.
+ * A row of 12 numbers, the result pose: rotation[3][3], translation[3].
  */
 #define ELIMINANT_POSE_4PT_UPRIGHT_ERROR_BOUND_POINTS_LENGTH 12
-#define ELIMINANT_POSE_4PT_UPRIGHT_ERROR_BOUND_CONES_LENGTH 16
+#define ELIMINANT_POSE_4PT_UPRIGHT_ERROR_BOUND_IMAGES_LENGTH 8
 #define ELIMINANT_POSE_4PT_UPRIGHT_ERROR_BOUND_UNKNOWNS 5
+#define ELIMINANT_POSE_4PT_UPRIGHT_ERROR_BOUND_LENGTH_OF_POSE 12
 #define ELIMINANT_POSE_4PT_UPRIGHT_ERROR_BOUND_MAX_SOLUTIONS 28
 int32_t eliminant_pose_4pt_upright_error_bound_solve(
-    const double *points, size_t points_length, const double *cones, size_t cones_length,
-    double *solutions, size_t capacity, size_t *count);
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    double bound, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_4pt_upright_error_bound_solve_with(
-    uint64_t second_attempts, const double *points, size_t points_length, const double *cones,
-    size_t cones_length, double *solutions, size_t capacity, size_t *count);
+    uint64_t second_attempts, const double *points, size_t points_length, const double *images,
+    size_t images_length, double bound, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_pose_4pt_upright_error_bound_solve_batch(
-    size_t instances, const double *points, size_t points_length, const double *cones,
-    size_t cones_length, double *solutions, size_t solutions_length, size_t *counts,
-    int32_t *codes);
+    size_t instances, const double *points, size_t points_length, const double *images,
+    size_t images_length, const double *bound, size_t bound_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_pose_4pt_upright_error_bound_solve_for_pose(
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    double bound, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_4pt_upright_error_bound_solve_with_for_pose(
+    uint64_t second_attempts, const double *points, size_t points_length, const double *images,
+    size_t images_length, double bound, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_pose_4pt_upright_error_bound_solve_batch_for_pose(
+    size_t instances, const double *points, size_t points_length, const double *images,
+    size_t images_length, const double *bound, size_t bound_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
 int32_t eliminant_pose_4pt_upright_error_bound_relative_residual(
-    const double *points, size_t points_length, const double *cones, size_t cones_length,
-    const double *solution, size_t solution_length, double *relative_residual);
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    double bound, const double *solution, size_t solution_length, double *relative_residual);
 int32_t eliminant_pose_4pt_upright_error_bound_error_bound(
-    const double *points, size_t points_length, const double *cones, size_t cones_length,
-    const double *solution, size_t solution_length, double *error_bound);
+    const double *points, size_t points_length, const double *images, size_t images_length,
+    double bound, const double *solution, size_t solution_length, double *error_bound);
 uint64_t eliminant_pose_4pt_upright_error_bound_second_attempt_operations(void);
 
 /*
@@ -1588,7 +1620,8 @@ uint64_t eliminant_pose_6pt_rolling_shutter_second_attempt_operations(void);
  * them, with the best translation, which is linear in the rotation. Without the common denominator
  * 1 + x^2 + y^2 + z^2 of the rotation of the quaternion (1, x, y, z) it is a polynomial of degree
  * four. `means` are those of `of_point` over 3 points or more. Rounding errors are smallest if the
- * origin is amid the points. Half turns are at infinity.
+ * origin is amid the points. Half turns would be at infinity. Points are turned before, so that
+ * none of the poses that are at infinity is one that scenes are made of.
  *
  * Data: means[6][10] (the result of `mean_of_point`).
  * A row of 3 numbers, the unknowns: x, y, z.
@@ -1759,8 +1792,9 @@ int32_t eliminant_pose_npt_least_squares_quaternion_mean_of_point(
  * is, of the rotation of a quaternion q that is not normalised. With the best t the mean square of
  * the differences is a quadratic form in P, whose matrix is the covariance of the points. Since q
  * and -q are the same rotation, the unknowns are the ratios in q = root (w, 1, y, z), and
- * `square`, that of the root. Published templates take the principal axes of the points instead,
- * in which the covariance is diagonal.
+ * `square`, that of the root. Points are turned before, so that the entry of 1 is not 0 for poses
+ * that scenes are made of. Published templates take the principal axes of the points instead, in
+ * which the covariance is diagonal.
  *
  * `means` are those of `of_point` over 4 points or more. Rounding errors are smallest if the
  * origin is amid the points.
@@ -1821,13 +1855,19 @@ int32_t eliminant_pose_npt_weak_perspective_mean_of_point(
  * polynomials are written p + w q, with p and q in u and v only, and stated with their multiple by
  * w.
  *
+ * A pose X -> rotation X + translation takes the frame of the first camera to that of the second.
+ * The length of the translation is open, and it is of length 1; where the motion is a rotation it
+ * is not known. Its sign is the one for which the first point is in front of the first camera.
+ *
  * Data: first[3][3], second[3][3], half_angle[2] (of length 1).
  * A row of 3 numbers, the unknowns: u, v, w.
+ * A row of 12 numbers, the result relative_pose: rotation[3][3], translation[3].
  */
 #define ELIMINANT_RELPOSE_3PT_ANGLE_ZERO_SCREW_FIRST_LENGTH 9
 #define ELIMINANT_RELPOSE_3PT_ANGLE_ZERO_SCREW_SECOND_LENGTH 9
 #define ELIMINANT_RELPOSE_3PT_ANGLE_ZERO_SCREW_HALF_ANGLE_LENGTH 2
 #define ELIMINANT_RELPOSE_3PT_ANGLE_ZERO_SCREW_UNKNOWNS 3
+#define ELIMINANT_RELPOSE_3PT_ANGLE_ZERO_SCREW_LENGTH_OF_RELATIVE_POSE 12
 #define ELIMINANT_RELPOSE_3PT_ANGLE_ZERO_SCREW_MAX_SOLUTIONS 12
 int32_t eliminant_relpose_3pt_angle_zero_screw_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
@@ -1838,6 +1878,18 @@ int32_t eliminant_relpose_3pt_angle_zero_screw_solve_with(
     size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
     size_t capacity, size_t *count);
 int32_t eliminant_relpose_3pt_angle_zero_screw_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_relpose_3pt_angle_zero_screw_solve_for_relative_pose(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *half_angle, size_t half_angle_length, double *solutions, size_t capacity,
+    size_t *count);
+int32_t eliminant_relpose_3pt_angle_zero_screw_solve_with_for_relative_pose(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
+    size_t capacity, size_t *count);
+int32_t eliminant_relpose_3pt_angle_zero_screw_solve_batch_for_relative_pose(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
@@ -1933,9 +1985,11 @@ uint64_t eliminant_relpose_3pt_depths_second_attempt_operations(void);
  * problem for the case of two known orientation angles", ECCV 2010.
  *
  * `first[k]` and `second[k]` are the rays of point k in frames of the cameras whose y axes are
- * vertical, of any length. The unknowns are cosine and sine of the turn about the vertical. A pose
- * X -> rotation X + translation takes the frame of the first camera to that of the second. The
- * length of the translation is open, and so is its sign: with one of them the points are in front.
+ * vertical, of any length. The unknowns are cosine and sine of the turn about the vertical.
+ *
+ * A pose X -> rotation X + translation takes the frame of the first camera to that of the second.
+ * The length of the translation is open, and it is of length 1; where the motion is a rotation it
+ * is not known. Its sign is the one for which the first point is in front of the first camera.
  *
  * Data: first[3][3], second[3][3].
  * A row of 2 numbers, the unknowns: c, s.
@@ -1992,13 +2046,19 @@ uint64_t eliminant_relpose_3pt_upright_second_attempt_operations(void);
  * follows from any other point. All polynomials are written p + w q, with p and q in u and v only,
  * and stated with their multiple by w.
  *
+ * A pose X -> rotation X + translation takes the frame of the first camera to that of the second.
+ * The length of the translation is open, and it is of length 1; where the motion is a rotation it
+ * is not known. Its sign is the one for which the first point is in front of the first camera.
+ *
  * Data: first[4][3], second[4][3], half_angle[2] (of length 1).
  * A row of 3 numbers, the unknowns: u, v, w.
+ * A row of 12 numbers, the result relative_pose: rotation[3][3], translation[3].
  */
 #define ELIMINANT_RELPOSE_4PT_ANGLE_FIRST_LENGTH 12
 #define ELIMINANT_RELPOSE_4PT_ANGLE_SECOND_LENGTH 12
 #define ELIMINANT_RELPOSE_4PT_ANGLE_HALF_ANGLE_LENGTH 2
 #define ELIMINANT_RELPOSE_4PT_ANGLE_UNKNOWNS 3
+#define ELIMINANT_RELPOSE_4PT_ANGLE_LENGTH_OF_RELATIVE_POSE 12
 #define ELIMINANT_RELPOSE_4PT_ANGLE_MAX_SOLUTIONS 20
 int32_t eliminant_relpose_4pt_angle_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
@@ -2009,6 +2069,18 @@ int32_t eliminant_relpose_4pt_angle_solve_with(
     size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
     size_t capacity, size_t *count);
 int32_t eliminant_relpose_4pt_angle_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_relpose_4pt_angle_solve_for_relative_pose(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *half_angle, size_t half_angle_length, double *solutions, size_t capacity,
+    size_t *count);
+int32_t eliminant_relpose_4pt_angle_solve_with_for_relative_pose(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
+    size_t capacity, size_t *count);
+int32_t eliminant_relpose_4pt_angle_solve_batch_for_relative_pose(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
@@ -2073,13 +2145,18 @@ uint64_t eliminant_relpose_5pt_second_attempt_operations(void);
  * All polynomials are written p + w q, with p and q in u and v only, and stated with their
  * multiple by w.
  *
+ * A pose X -> rotation X + translation takes the first system to the second, in the unit of the
+ * points of the rays.
+ *
  * Data: first[5][2][3], second[5][2][3], half_angle[2] (of length 1).
  * A row of 3 numbers, the unknowns: u, v, w.
+ * A row of 12 numbers, the result pose: rotation[3][3], translation[3].
  */
 #define ELIMINANT_RELPOSE_5PT_GENERALIZED_ANGLE_FIRST_LENGTH 30
 #define ELIMINANT_RELPOSE_5PT_GENERALIZED_ANGLE_SECOND_LENGTH 30
 #define ELIMINANT_RELPOSE_5PT_GENERALIZED_ANGLE_HALF_ANGLE_LENGTH 2
 #define ELIMINANT_RELPOSE_5PT_GENERALIZED_ANGLE_UNKNOWNS 3
+#define ELIMINANT_RELPOSE_5PT_GENERALIZED_ANGLE_LENGTH_OF_POSE 12
 #define ELIMINANT_RELPOSE_5PT_GENERALIZED_ANGLE_MAX_SOLUTIONS 44
 int32_t eliminant_relpose_5pt_generalized_angle_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
@@ -2090,6 +2167,18 @@ int32_t eliminant_relpose_5pt_generalized_angle_solve_with(
     size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
     size_t capacity, size_t *count);
 int32_t eliminant_relpose_5pt_generalized_angle_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_relpose_5pt_generalized_angle_solve_for_pose(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    const double *half_angle, size_t half_angle_length, double *solutions, size_t capacity,
+    size_t *count);
+int32_t eliminant_relpose_5pt_generalized_angle_solve_with_for_pose(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
+    size_t capacity, size_t *count);
+int32_t eliminant_relpose_5pt_generalized_angle_solve_batch_for_pose(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, const double *half_angle, size_t half_angle_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
@@ -2112,14 +2201,19 @@ uint64_t eliminant_relpose_5pt_generalized_angle_second_attempt_operations(void)
  * in both cameras, of any length. An essential matrix E satisfies `second[k] . E first[k] = 0`; it
  * is the sum of the matrices that span the null space of these equations, each times its weight.
  *
+ * A pose X -> rotation X + translation takes the frame of the first camera to that of the second;
+ * the translation has the length 1. Of the four poses of an essential matrix it is the one with the
+ * first point in front of both cameras: Horn, "Recovering baseline and orientation from essential
+ * matrix", 1990. For a solution that belongs to the scene all points are in front.
+ *
  * Data: first[5][3], second[5][3].
  * A row of 4 numbers, the unknowns: weights[4] (given up to scale: of length 1).
- * A row of 9 numbers, the result relative_pose: essential[3][3].
+ * A row of 21 numbers, the result relative_pose: essential[3][3], rotation[3][3], translation[3].
  */
 #define ELIMINANT_RELPOSE_5PT_RAYS_FIRST_LENGTH 15
 #define ELIMINANT_RELPOSE_5PT_RAYS_SECOND_LENGTH 15
 #define ELIMINANT_RELPOSE_5PT_RAYS_UNKNOWNS 4
-#define ELIMINANT_RELPOSE_5PT_RAYS_LENGTH_OF_RELATIVE_POSE 9
+#define ELIMINANT_RELPOSE_5PT_RAYS_LENGTH_OF_RELATIVE_POSE 21
 #define ELIMINANT_RELPOSE_5PT_RAYS_MAX_SOLUTIONS 10
 int32_t eliminant_relpose_5pt_rays_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
@@ -2158,43 +2252,71 @@ uint64_t eliminant_relpose_5pt_rays_second_attempt_operations(void);
  * Bhayani, Sattler, Larsson, Heikkilä, Kukelova, "Partially calibrated semi-generalized pose from
  * hybrid point correspondences", WACV 2023. Published as `hyb51f`.
  *
- * The known point is the origin; `centres` and `directions` are a point and the direction of the
- * ray that a calibrated camera sees each of the others along. `images` are those of the other
- * points, turned and scaled so that the image of the known point is (1, 0). Its depth is the
- * unknown `depth`. The camera's rotation is that of the quaternion 1 + x i + y j, and a turn about
- * its axis after it, by the angle of which c and s are cosine and sine, times the focal length. An
+ * `image` is that of the known `point`, relative to the principal point, and must not be there.
+ * `images[k]` is that of point k, which a calibrated camera sees along the ray from `centres[k]` in
+ * the direction `directions[k]`. Positions are relative to `point`; images are turned and scaled so
+ * that that of `point` is (1, 0), and its depth is the unknown `depth`. The rotation of the camera,
+ * which is turned with the images, is that of the quaternion 1 + x i + y j, and a turn about its
+ * axis after it, by the angle of which c and s are cosine and sine, times the focal length. An
  * image lies on that of the ray: det(M) M^-T, the cofactors of M, maps moments of rays to lines of
  * the image where M maps directions to points of it. The squared norm of the quaternion, which
  * divides all cofactors, is left out.
  *
- * Data: images[5][2], directions[5][3], centres[5][3].
+ * A pose X -> rotation X + translation takes the world to the camera; `focal` is in the unit of
+ * images. The known point is in front of the camera.
+ *
+ * Data: point[3], image[2], images[5][2], centres[5][3], directions[5][3].
  * A row of 5 numbers, the unknowns: x, y, c, s, depth.
+ * A row of 13 numbers, the result focal_pose: rotation[3][3], translation[3], focal.
  */
+#define ELIMINANT_RELPOSE_5PT_SEMI_GENERALIZED_FOCAL_POINT_LENGTH 3
+#define ELIMINANT_RELPOSE_5PT_SEMI_GENERALIZED_FOCAL_IMAGE_LENGTH 2
 #define ELIMINANT_RELPOSE_5PT_SEMI_GENERALIZED_FOCAL_IMAGES_LENGTH 10
-#define ELIMINANT_RELPOSE_5PT_SEMI_GENERALIZED_FOCAL_DIRECTIONS_LENGTH 15
 #define ELIMINANT_RELPOSE_5PT_SEMI_GENERALIZED_FOCAL_CENTRES_LENGTH 15
+#define ELIMINANT_RELPOSE_5PT_SEMI_GENERALIZED_FOCAL_DIRECTIONS_LENGTH 15
 #define ELIMINANT_RELPOSE_5PT_SEMI_GENERALIZED_FOCAL_UNKNOWNS 5
+#define ELIMINANT_RELPOSE_5PT_SEMI_GENERALIZED_FOCAL_LENGTH_OF_FOCAL_POSE 13
 #define ELIMINANT_RELPOSE_5PT_SEMI_GENERALIZED_FOCAL_MAX_SOLUTIONS 56
 int32_t eliminant_relpose_5pt_semi_generalized_focal_solve(
-    const double *images, size_t images_length, const double *directions, size_t directions_length,
-    const double *centres, size_t centres_length, double *solutions, size_t capacity,
+    const double *point, size_t point_length, const double *image, size_t image_length,
+    const double *images, size_t images_length, const double *centres, size_t centres_length,
+    const double *directions, size_t directions_length, double *solutions, size_t capacity,
     size_t *count);
 int32_t eliminant_relpose_5pt_semi_generalized_focal_solve_with(
-    uint64_t second_attempts, const double *images, size_t images_length, const double *directions,
-    size_t directions_length, const double *centres, size_t centres_length, double *solutions,
+    uint64_t second_attempts, const double *point, size_t point_length, const double *image,
+    size_t image_length, const double *images, size_t images_length, const double *centres,
+    size_t centres_length, const double *directions, size_t directions_length, double *solutions,
     size_t capacity, size_t *count);
 int32_t eliminant_relpose_5pt_semi_generalized_focal_solve_batch(
-    size_t instances, const double *images, size_t images_length, const double *directions,
-    size_t directions_length, const double *centres, size_t centres_length, double *solutions,
+    size_t instances, const double *point, size_t point_length, const double *image,
+    size_t image_length, const double *images, size_t images_length, const double *centres,
+    size_t centres_length, const double *directions, size_t directions_length, double *solutions,
+    size_t solutions_length, size_t *counts, int32_t *codes);
+int32_t eliminant_relpose_5pt_semi_generalized_focal_solve_for_focal_pose(
+    const double *point, size_t point_length, const double *image, size_t image_length,
+    const double *images, size_t images_length, const double *centres, size_t centres_length,
+    const double *directions, size_t directions_length, double *solutions, size_t capacity,
+    size_t *count);
+int32_t eliminant_relpose_5pt_semi_generalized_focal_solve_with_for_focal_pose(
+    uint64_t second_attempts, const double *point, size_t point_length, const double *image,
+    size_t image_length, const double *images, size_t images_length, const double *centres,
+    size_t centres_length, const double *directions, size_t directions_length, double *solutions,
+    size_t capacity, size_t *count);
+int32_t eliminant_relpose_5pt_semi_generalized_focal_solve_batch_for_focal_pose(
+    size_t instances, const double *point, size_t point_length, const double *image,
+    size_t image_length, const double *images, size_t images_length, const double *centres,
+    size_t centres_length, const double *directions, size_t directions_length, double *solutions,
     size_t solutions_length, size_t *counts, int32_t *codes);
 int32_t eliminant_relpose_5pt_semi_generalized_focal_relative_residual(
-    const double *images, size_t images_length, const double *directions, size_t directions_length,
-    const double *centres, size_t centres_length, const double *solution, size_t solution_length,
-    double *relative_residual);
+    const double *point, size_t point_length, const double *image, size_t image_length,
+    const double *images, size_t images_length, const double *centres, size_t centres_length,
+    const double *directions, size_t directions_length, const double *solution,
+    size_t solution_length, double *relative_residual);
 int32_t eliminant_relpose_5pt_semi_generalized_focal_error_bound(
-    const double *images, size_t images_length, const double *directions, size_t directions_length,
-    const double *centres, size_t centres_length, const double *solution, size_t solution_length,
-    double *error_bound);
+    const double *point, size_t point_length, const double *image, size_t image_length,
+    const double *images, size_t images_length, const double *centres, size_t centres_length,
+    const double *directions, size_t directions_length, const double *solution,
+    size_t solution_length, double *error_bound);
 uint64_t eliminant_relpose_5pt_semi_generalized_focal_second_attempt_operations(void);
 
 /*
@@ -2296,14 +2418,20 @@ uint64_t eliminant_relpose_6pt_focal_one_side_second_attempt_operations(void);
  * that span the null space of the epipolar equations, each times its weight. w is 1 / focal^2 in
  * units of the length of all images.
  *
+ * A pose X -> rotation X + translation takes the frame of the first camera to that of the second;
+ * the translation has the length 1. Of the four poses of an essential matrix it is the one with the
+ * first point in front of both cameras, as in `relpose_5pt_rays`. For a solution that belongs to
+ * the scene all points are in front.
+ *
  * Data: first[6][2], second[6][2].
  * A row of 4 numbers, the unknowns: weights[3] (given up to scale: of length 1), w.
- * A row of 10 numbers, the result focal_pose: fundamental[3][3], focal.
+ * A row of 22 numbers, the result focal_pose: fundamental[3][3], focal, rotation[3][3],
+ *   translation[3].
  */
 #define ELIMINANT_RELPOSE_6PT_FOCAL_POINTS_FIRST_LENGTH 12
 #define ELIMINANT_RELPOSE_6PT_FOCAL_POINTS_SECOND_LENGTH 12
 #define ELIMINANT_RELPOSE_6PT_FOCAL_POINTS_UNKNOWNS 4
-#define ELIMINANT_RELPOSE_6PT_FOCAL_POINTS_LENGTH_OF_FOCAL_POSE 10
+#define ELIMINANT_RELPOSE_6PT_FOCAL_POINTS_LENGTH_OF_FOCAL_POSE 22
 #define ELIMINANT_RELPOSE_6PT_FOCAL_POINTS_MAX_SOLUTIONS 15
 int32_t eliminant_relpose_6pt_focal_points_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
@@ -2347,12 +2475,17 @@ uint64_t eliminant_relpose_6pt_focal_points_second_attempt_operations(void);
  * depths of that point along either ray; that the rays of any three others meet, too, are linear
  * equations for these depths.
  *
+ * A pose X -> rotation X + translation takes the first system to the second, in the unit of the
+ * points of the rays.
+ *
  * Data: first[6][2][3], second[6][2][3].
  * A row of 4 numbers, the unknowns: q[4] (given up to scale: of length 1).
+ * A row of 12 numbers, the result pose: rotation[3][3], translation[3].
  */
 #define ELIMINANT_RELPOSE_6PT_GENERALIZED_FIRST_LENGTH 36
 #define ELIMINANT_RELPOSE_6PT_GENERALIZED_SECOND_LENGTH 36
 #define ELIMINANT_RELPOSE_6PT_GENERALIZED_UNKNOWNS 4
+#define ELIMINANT_RELPOSE_6PT_GENERALIZED_LENGTH_OF_POSE 12
 #define ELIMINANT_RELPOSE_6PT_GENERALIZED_MAX_SOLUTIONS 64
 int32_t eliminant_relpose_6pt_generalized_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
@@ -2361,6 +2494,16 @@ int32_t eliminant_relpose_6pt_generalized_solve_with(
     uint64_t second_attempts, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_6pt_generalized_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_relpose_6pt_generalized_solve_for_pose(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_6pt_generalized_solve_with_for_pose(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_6pt_generalized_solve_batch_for_pose(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
@@ -2558,18 +2701,21 @@ uint64_t eliminant_relpose_7pt_focal_radial_second_attempt_operations(void);
  *
  * `first[k]` is the distorted image of point k in the first camera, relative to the principal
  * point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
- * first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T F x2 = 0 is, with
- * f33 = 1, linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial f31, f32, radial
- * f32, radial, 1: seven points give the former as combinations of these. With the focal length,
- * diag(focal, focal, 1) F is an essential matrix; `w` is 1 / focal^2.
+ * first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T F x2 = 0 is linear
+ * in the first two rows of F, radial f33 and the monomials radial f31, radial f32, f31, f32, f33:
+ * seven points give the former as combinations of these. `third` is the third row of F, which is
+ * given up to scale. It vanishes where the first camera moves along its optical axis: then the
+ * points tell nothing of the distortion. With f33 = 1, as published, planar motions and those
+ * without a rotation are lost. With the focal length, diag(focal, focal, 1) F is an essential
+ * matrix; `w` is 1 / focal^2.
  *
  * Data: first[7][2], second[7][2].
- * A row of 4 numbers, the unknowns: w, f_31, f_32, radial.
+ * A row of 5 numbers, the unknowns: w, third[3] (given up to scale: of length 1), radial.
  * A row of 11 numbers, the result radial_focal_pose: fundamental[3][3], focal, radial.
  */
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_FIRST_LENGTH 14
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_SECOND_LENGTH 14
-#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_UNKNOWNS 4
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_UNKNOWNS 5
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_LENGTH_OF_RADIAL_FOCAL_POSE 11
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_MAX_SOLUTIONS 19
 int32_t eliminant_relpose_7pt_focal_radial_one_side_solve(
@@ -2611,20 +2757,22 @@ uint64_t eliminant_relpose_7pt_focal_radial_one_side_second_attempt_operations(v
  *
  * `first[k]` is the distorted image of point k in the first camera, relative to the principal
  * point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
- * first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T F x1 = 0 is, with
- * f33 = 1, linear in radial f13, f11, f21, f31, f12, f22, f32 and the monomials radial f23, f13,
- * f23, radial, 1: seven points give the former as combinations of these. F diag(focal, focal, 1)
- * is an essential matrix for some focal length: with A the first two columns of F, the third is an
- * eigenvector of A A^T, and where mu is its eigenvalue, |third column|^2 / focal^2 = trace(A A^T)
- * - 2 mu.
+ * first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T F x1 = 0 is linear
+ * in radial f33, the first two columns of F and the monomials radial f13, radial f23, f13, f23,
+ * f33: seven points give the former as combinations of these. `third` is the third column of F,
+ * which is given up to scale. It vanishes where the first camera moves along its optical axis:
+ * then the points tell nothing of the distortion. With f33 = 1, as published, planar motions and
+ * those without a rotation are lost. F diag(focal, focal, 1) is an essential matrix for some focal
+ * length: with A the first two columns of F, the third is an eigenvector of A A^T, and where mu is
+ * its eigenvalue, |third column|^2 / focal^2 = trace(A A^T) - 2 mu.
  *
  * Data: first[7][2], second[7][2].
- * A row of 3 numbers, the unknowns: f_13, f_23, radial.
+ * A row of 4 numbers, the unknowns: third[3] (given up to scale: of length 1), radial.
  * A row of 10 numbers, the result radial_epipolar: fundamental[3][3], radial.
  */
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_FIRST_LENGTH 14
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_SECOND_LENGTH 14
-#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_UNKNOWNS 3
+#define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_UNKNOWNS 4
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_LENGTH_OF_RADIAL_EPIPOLAR 10
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_ONE_SIDE_ELIMINATED_MAX_SOLUTIONS 19
 int32_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_solve(
@@ -2671,12 +2819,17 @@ uint64_t eliminant_relpose_7pt_focal_radial_one_side_eliminated_second_attempt_o
  * either ray and the scale; that the rays of any four others meet, too, are linear equations for
  * these three. What is stated depends on these five points, not on which is the first.
  *
+ * For a point of the rays, rotation p1 + translation = scale p2, with p1 in the first system and p2
+ * in the second.
+ *
  * Data: first[7][2][3], second[7][2][3].
  * A row of 4 numbers, the unknowns: q[4] (given up to scale: of length 1).
+ * A row of 13 numbers, the result scaled_pose: rotation[3][3], translation[3], scale.
  */
 #define ELIMINANT_RELPOSE_7PT_GENERALIZED_SCALE_FIRST_LENGTH 42
 #define ELIMINANT_RELPOSE_7PT_GENERALIZED_SCALE_SECOND_LENGTH 42
 #define ELIMINANT_RELPOSE_7PT_GENERALIZED_SCALE_UNKNOWNS 4
+#define ELIMINANT_RELPOSE_7PT_GENERALIZED_SCALE_LENGTH_OF_SCALED_POSE 13
 #define ELIMINANT_RELPOSE_7PT_GENERALIZED_SCALE_MAX_SOLUTIONS 140
 int32_t eliminant_relpose_7pt_generalized_scale_solve(
     const double *first, size_t first_length, const double *second, size_t second_length,
@@ -2685,6 +2838,16 @@ int32_t eliminant_relpose_7pt_generalized_scale_solve_with(
     uint64_t second_attempts, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t capacity, size_t *count);
 int32_t eliminant_relpose_7pt_generalized_scale_solve_batch(
+    size_t instances, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
+    int32_t *codes);
+int32_t eliminant_relpose_7pt_generalized_scale_solve_for_scaled_pose(
+    const double *first, size_t first_length, const double *second, size_t second_length,
+    double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_7pt_generalized_scale_solve_with_for_scaled_pose(
+    uint64_t second_attempts, const double *first, size_t first_length, const double *second,
+    size_t second_length, double *solutions, size_t capacity, size_t *count);
+int32_t eliminant_relpose_7pt_generalized_scale_solve_batch_for_scaled_pose(
     size_t instances, const double *first, size_t first_length, const double *second,
     size_t second_length, double *solutions, size_t solutions_length, size_t *counts,
     int32_t *codes);
@@ -2830,7 +2993,8 @@ uint64_t eliminant_three_quadrics_second_attempt_operations(void);
  * and second view over that in the third, each times a constant, and z its first error in the
  * third view. Every image is turned so that its second error does not depend on z, and scales are
  * such that in the errors of the first two views over their depths, x and y, z has the
- * coefficient 1.
+ * coefficient 1. The planes of depth zero must meet in one point: the three images must not all be
+ * parallel, as rectified ones are.
  *
  * Stated are derivatives towards seven points. Where the depth of a view vanishes, so does a power
  * of it in the denominators; where the errors of a view vanish, too, at its centre, they do not

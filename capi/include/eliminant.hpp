@@ -990,13 +990,16 @@ inline void solve_batch_for_epipolar(
 /// solutions.
 ///
 /// Kukelova, Pajdla, "A minimal solution to the autocalibration of radial distortion", CVPR 2007.
-/// Published as `8ptF_radial`.
+/// Published as `8ptF_radial`, with f33 = 1, which loses planar motions and those without a
+/// rotation: f33 is 0.
 ///
 /// `first[k]` and `second[k]` are the distorted images of point k, relative to the centre of
 /// distortion. An image x lies along (x, 1 + radial |x|^2), the division model. Then x2^T F x1 = 0
-/// is, with f33 = 1, linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the
-/// monomials radial f13, radial f23, radial^2, f13, f23, radial, 1: eight points give the former as
-/// combinations of these.
+/// is linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the monomials radial f13,
+/// radial f23, radial^2 f33, f13, f23, radial f33, f33: eight points give the former as
+/// combinations of these. `third` is the third column of F, which is given up to scale. It vanishes
+/// where the first camera moves along its optical axis; without a rotation such points tell nothing
+/// of the distortion.
 namespace fundamental_8pt_radial {
 
 /// No call returns more solutions.
@@ -1005,10 +1008,9 @@ inline constexpr std::size_t max_solutions = 16;
 /// A solution of `fundamental_8pt_radial`.
 struct Solution {
     double radial;
-    double f_13;
-    double f_23;
+    std::array<double, 3> third; ///< given up to scale: of length 1
 };
-static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
 [[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<16> first, Values<16> second) noexcept {
@@ -1117,13 +1119,16 @@ inline void solve_batch_for_radial_epipolar(
 /// Fundamental matrix and radial distortion of the second camera from eight points: 8 solutions.
 ///
 /// Kuang, Solem, Kahl, Åström, "Minimal solvers for relative pose with a single unknown radial
-/// distortion", CVPR 2014. Published as `8ptF_radial_1s`.
+/// distortion", CVPR 2014. Published as `8ptF_radial_1s`, with f33 = 1, which loses planar motions
+/// and those without a rotation: f33 is 0.
 ///
 /// `first[k]` is the image of point k in a camera without distortion, `second[k]` the distorted one
 /// in the other, relative to the centre of distortion. There an image x lies along (x, 1 + radial
-/// |x|^2), the division model. Then x2^T F x1 = 0 is linear in the nine entries of F, the third row
-/// also multiplied by `radial`. Eight points, and f33 = 1, give f11, f21, f31, f12, f22, f13, f23
-/// and radial f31 as combinations of radial f32, radial, f32 and 1.
+/// |x|^2), the division model. Then x2^T F x1 = 0 is linear in the nine entries of F and in
+/// `third`, its third row, times `radial`. Eight points give the first two rows, radial f31 and
+/// radial f32 as combinations of radial f33 and `third`. F is given up to scale. `third` vanishes
+/// where the second camera moves along its optical axis: then the points tell nothing of the
+/// distortion.
 namespace fundamental_8pt_radial_one_side {
 
 /// No call returns more solutions.
@@ -1131,10 +1136,10 @@ inline constexpr std::size_t max_solutions = 8;
 
 /// A solution of `fundamental_8pt_radial_one_side`.
 struct Solution {
-    double f_32;
+    std::array<double, 3> third; ///< given up to scale: of length 1
     double radial;
 };
-static_assert(sizeof(Solution) == 2 * sizeof(double), "a row");
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
 [[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<16> first, Values<16> second) noexcept {
@@ -2207,7 +2212,9 @@ inline void solve_batch_for_pose(
 /// centred at the principal point. The rotation is, up to scale, that about the optical axis times
 /// that of the quaternion (1, x, y, 0). Each row of the matrix eliminates the rotation about the
 /// optical axis, and what is unknown of the focal length, from three points: it annihilates (cos,
-/// sin, 1/f). A point X has the coordinates `rotation` X + `translation` in the camera.
+/// sin, 1/f). Where the camera looks against the third axis x and y are infinite. Points are turned
+/// before, so that this is no direction in which one would look. A point X has the coordinates
+/// `rotation` X + `translation` in the camera.
 namespace pose_35pt_focal {
 
 /// No call returns more solutions.
@@ -2668,11 +2675,11 @@ inline void solve_batch(
 /// within the bound can be moved until four errors equal it, or three where it can be moved no
 /// further.
 ///
-/// The camera is turned about its first axis by the angle of the cosine y and the sine z, and
-/// shifted by (u, v, w). A point of `points`, one a row, in the camera's coordinates (X, Y, Z),
-/// lies on the cone a X^2 + a Y^2 + 2 b X Z + 2 c Y Z + d Z^2 = 0 with (a, b, c, d) a row of
-/// `cones`: for an image point (p, q) and a bound e that is (1, -p, -q, p^2 + q^2 - e^2). The
-/// derivatives of the three left sides by w, y and z are linearly dependent.
+/// `points[k]` is the position of point k, `images[k]` its image (p, q) for a focal length of 1 and
+/// `bound` the largest error, a length in the image. The camera's first axis is vertical: it is
+/// turned about it by the angle of the cosine y and the sine z, and shifted by (u, v, w). A point
+/// in the camera's coordinates (X, Y, Z) is on the cone (X - p Z)^2 + (Y - q Z)^2 = bound^2 Z^2.
+/// The derivatives of the three left sides by w, y and z are linearly dependent.
 namespace pose_3pt_upright_error_bound {
 
 /// No call returns more solutions.
@@ -2689,56 +2696,98 @@ struct Solution {
 static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<9> points, Values<12> cones) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<9> points, Values<6> images, double bound) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_pose_3pt_upright_error_bound_solve(points.data(), points.size(), cones.data(), cones.size(), to_solutions, max_solutions, to_count);
+        return eliminant_pose_3pt_upright_error_bound_solve(points.data(), points.size(), images.data(), images.size(), bound, to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<9> points, Values<12> cones) {
-    return try_solve(points, cones).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<9> points, Values<6> images, double bound) {
+    return try_solve(points, images, bound).value();
 }
 
 /// As `try_solve`, with a bound on second attempts.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<9> points, Values<12> cones) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<9> points, Values<6> images, double bound) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
         return eliminant_pose_3pt_upright_error_bound_solve_with(
-            second_attempts.operations(), points.data(), points.size(), cones.data(), cones.size(), to_solutions, max_solutions, to_count);
+            second_attempts.operations(), points.data(), points.size(), images.data(), images.size(), bound, to_solutions, max_solutions, to_count);
     });
 }
 
 /// As `solve`, with a bound on second attempts. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<9> points, Values<12> cones) {
-    return try_solve_with(second_attempts, points, cones).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<9> points, Values<6> images, double bound) {
+    return try_solve_with(second_attempts, points, images, bound).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many points, Many cones, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many points, Many images, Many bound, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_pose_3pt_upright_error_bound_solve_batch(
-            instances, points.data(), points.size(), cones.data(), cones.size(), to_solutions, solutions_length, counts, codes);
+            instances, points.data(), points.size(), images.data(), images.size(), bound.data(), bound.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `pose_3pt_upright_error_bound` returns beside its unknowns.
+struct Pose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
+};
+static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_for_pose(Values<9> points, Values<6> images, double bound) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_3pt_upright_error_bound_solve_for_pose(points.data(), points.size(), images.data(), images.size(), bound, to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each pose. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_for_pose(Values<9> points, Values<6> images, double bound) {
+    return try_solve_for_pose(points, images, bound).value();
+}
+
+/// As `try_solve_for_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_with_for_pose(SecondAttempts second_attempts, Values<9> points, Values<6> images, double bound) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_3pt_upright_error_bound_solve_with_for_pose(
+            second_attempts.operations(), points.data(), points.size(), images.data(), images.size(), bound, to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_with_for_pose(SecondAttempts second_attempts, Values<9> points, Values<6> images, double bound) {
+    return try_solve_with_for_pose(second_attempts, points, images, bound).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_pose(
+    std::size_t instances, Many points, Many images, Many bound, Batch<Pose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_3pt_upright_error_bound_solve_batch_for_pose(
+            instances, points.data(), points.size(), images.data(), images.size(), bound.data(), bound.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
 /// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
 /// solution. Throws `Error`.
-[[nodiscard]] inline double relative_residual(Values<9> points, Values<12> cones, const Solution &solution) {
+[[nodiscard]] inline double relative_residual(Values<9> points, Values<6> images, double bound, const Solution &solution) {
     double number = 0.0;
     const std::int32_t code = eliminant_pose_3pt_upright_error_bound_relative_residual(
-        points.data(), points.size(), cones.data(), cones.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+        points.data(), points.size(), images.data(), images.size(), bound, reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
     if (code != ELIMINANT_OK) throw Error(code);
     return number;
 }
 
 /// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
 /// known to be near. Throws `Error`.
-[[nodiscard]] inline double error_bound(Values<9> points, Values<12> cones, const Solution &solution) {
+[[nodiscard]] inline double error_bound(Values<9> points, Values<6> images, double bound, const Solution &solution) {
     double number = 0.0;
     const std::int32_t code = eliminant_pose_3pt_upright_error_bound_error_bound(
-        points.data(), points.size(), cones.data(), cones.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+        points.data(), points.size(), images.data(), images.size(), bound, reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
     if (code != ELIMINANT_OK) throw Error(code);
     return number;
 }
@@ -2886,11 +2935,11 @@ inline void solve_batch_for_focal_pose(
 /// for camera with unknown focal length and radial distortion", ACCV 2010. Published as `p4p_fr`.
 ///
 /// `points[k]` is the position of point k, `images[k]` its distorted image, relative to the
-/// principal point. The points must not lie in a plane. An image (u, v) lies along (u, v, 1 +
-/// radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1, 1/f) \[R t\]. That v times
-/// the first row of P minus u times the second vanishes at X leaves a null space of dimension four:
-/// these rows are the sum of its vectors, each times its weight. The third row follows from the
-/// four points. `projection` is P up to scale.
+/// principal point. The points must not lie in a plane, nor an image be at that point. An image (u,
+/// v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1,
+/// 1/f) \[R t\]. That v times the first row of P minus u times the second vanishes at X leaves a
+/// null space of dimension four: these rows are the sum of its vectors, each times its weight. The
+/// third row follows from the four points. `projection` is P up to scale.
 namespace pose_4pt_focal_radial {
 
 /// No call returns more solutions.
@@ -3016,11 +3065,11 @@ inline void solve_batch_for_radial_pose(
 /// formulation of the same problem, with 16.
 ///
 /// `points[k]` is the position of point k, `images[k]` its distorted image, relative to the
-/// principal point. The points must not lie in a plane. An image (u, v) lies along (u, v, 1 +
-/// radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1, 1/f) \[R t\]. That v times
-/// the first row of P minus u times the second vanishes at X leaves a null space of dimension four:
-/// these rows are the sum of its vectors, each times its weight. The third row follows from the
-/// four points. `projection` is P up to scale.
+/// principal point. The points must not lie in a plane, nor an image be at that point. An image (u,
+/// v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1,
+/// 1/f) \[R t\]. That v times the first row of P minus u times the second vanishes at X leaves a
+/// null space of dimension four: these rows are the sum of its vectors, each times its weight. The
+/// third row follows from the four points. `projection` is P up to scale.
 namespace pose_4pt_focal_radial_cut {
 
 /// No call returns more solutions.
@@ -3274,10 +3323,10 @@ inline void solve_batch_for_scaled_pose(
 /// direction", PAMI 2017. Published as `optpose4pt_v2`. A pose with the largest number of points
 /// within the bound can be moved until four errors equal it.
 ///
-/// The camera is turned about its first axis by the angle of the cosine y and the sine z, and
-/// shifted by (u, v, w). A point of `points`, one a row, in the camera's coordinates (X, Y, Z),
-/// lies on the cone a X^2 + a Y^2 + 2 b X Z + 2 c Y Z + d Z^2 = 0 with (a, b, c, d) a row of
-/// `cones`: for an image point (p, q) and a bound e that is (1, -p, -q, p^2 + q^2 - e^2).
+/// `points[k]` is the position of point k, `images[k]` its image (p, q) for a focal length of 1 and
+/// `bound` the largest error, a length in the image. The camera's first axis is vertical: it is
+/// turned about it by the angle of the cosine y and the sine z, and shifted by (u, v, w). A point
+/// in the camera's coordinates (X, Y, Z) is on the cone (X - p Z)^2 + (Y - q Z)^2 = bound^2 Z^2.
 namespace pose_4pt_upright_error_bound {
 
 /// No call returns more solutions.
@@ -3294,56 +3343,98 @@ struct Solution {
 static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<12> points, Values<16> cones) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<12> points, Values<8> images, double bound) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_pose_4pt_upright_error_bound_solve(points.data(), points.size(), cones.data(), cones.size(), to_solutions, max_solutions, to_count);
+        return eliminant_pose_4pt_upright_error_bound_solve(points.data(), points.size(), images.data(), images.size(), bound, to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<12> points, Values<16> cones) {
-    return try_solve(points, cones).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<12> points, Values<8> images, double bound) {
+    return try_solve(points, images, bound).value();
 }
 
 /// As `try_solve`, with a bound on second attempts.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<12> points, Values<16> cones) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<12> points, Values<8> images, double bound) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
         return eliminant_pose_4pt_upright_error_bound_solve_with(
-            second_attempts.operations(), points.data(), points.size(), cones.data(), cones.size(), to_solutions, max_solutions, to_count);
+            second_attempts.operations(), points.data(), points.size(), images.data(), images.size(), bound, to_solutions, max_solutions, to_count);
     });
 }
 
 /// As `solve`, with a bound on second attempts. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<12> points, Values<16> cones) {
-    return try_solve_with(second_attempts, points, cones).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<12> points, Values<8> images, double bound) {
+    return try_solve_with(second_attempts, points, images, bound).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many points, Many cones, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many points, Many images, Many bound, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_pose_4pt_upright_error_bound_solve_batch(
-            instances, points.data(), points.size(), cones.data(), cones.size(), to_solutions, solutions_length, counts, codes);
+            instances, points.data(), points.size(), images.data(), images.size(), bound.data(), bound.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `pose_4pt_upright_error_bound` returns beside its unknowns.
+struct Pose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
+};
+static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_for_pose(Values<12> points, Values<8> images, double bound) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_4pt_upright_error_bound_solve_for_pose(points.data(), points.size(), images.data(), images.size(), bound, to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each pose. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_for_pose(Values<12> points, Values<8> images, double bound) {
+    return try_solve_for_pose(points, images, bound).value();
+}
+
+/// As `try_solve_for_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_with_for_pose(SecondAttempts second_attempts, Values<12> points, Values<8> images, double bound) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_pose_4pt_upright_error_bound_solve_with_for_pose(
+            second_attempts.operations(), points.data(), points.size(), images.data(), images.size(), bound, to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_with_for_pose(SecondAttempts second_attempts, Values<12> points, Values<8> images, double bound) {
+    return try_solve_with_for_pose(second_attempts, points, images, bound).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_pose(
+    std::size_t instances, Many points, Many images, Many bound, Batch<Pose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_pose_4pt_upright_error_bound_solve_batch_for_pose(
+            instances, points.data(), points.size(), images.data(), images.size(), bound.data(), bound.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
 /// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
 /// solution. Throws `Error`.
-[[nodiscard]] inline double relative_residual(Values<12> points, Values<16> cones, const Solution &solution) {
+[[nodiscard]] inline double relative_residual(Values<12> points, Values<8> images, double bound, const Solution &solution) {
     double number = 0.0;
     const std::int32_t code = eliminant_pose_4pt_upright_error_bound_relative_residual(
-        points.data(), points.size(), cones.data(), cones.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+        points.data(), points.size(), images.data(), images.size(), bound, reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
     if (code != ELIMINANT_OK) throw Error(code);
     return number;
 }
 
 /// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
 /// known to be near. Throws `Error`.
-[[nodiscard]] inline double error_bound(Values<12> points, Values<16> cones, const Solution &solution) {
+[[nodiscard]] inline double error_bound(Values<12> points, Values<8> images, double bound, const Solution &solution) {
     double number = 0.0;
     const std::int32_t code = eliminant_pose_4pt_upright_error_bound_error_bound(
-        points.data(), points.size(), cones.data(), cones.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+        points.data(), points.size(), images.data(), images.size(), bound, reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
     if (code != ELIMINANT_OK) throw Error(code);
     return number;
 }
@@ -3760,7 +3851,8 @@ inline void solve_batch_for_rolling_pose(
 /// them, with the best translation, which is linear in the rotation. Without the common denominator
 /// 1 + x^2 + y^2 + z^2 of the rotation of the quaternion (1, x, y, z) it is a polynomial of degree
 /// four. `means` are those of `of_point` over 3 points or more. Rounding errors are smallest if the
-/// origin is amid the points. Half turns are at infinity.
+/// origin is amid the points. Half turns would be at infinity. Points are turned before, so that
+/// none of the poses that are at infinity is one that scenes are made of.
 namespace pose_npt_direct_least_squares {
 
 /// No call returns more solutions.
@@ -4185,8 +4277,9 @@ inline void solve_batch_for_pose(
 /// is, of the rotation of a quaternion q that is not normalised. With the best t the mean square of
 /// the differences is a quadratic form in P, whose matrix is the covariance of the points. Since q
 /// and -q are the same rotation, the unknowns are the ratios in q = root (w, 1, y, z), and
-/// `square`, that of the root. Published templates take the principal axes of the points instead,
-/// in which the covariance is diagonal.
+/// `square`, that of the root. Points are turned before, so that the entry of 1 is not 0 for poses
+/// that scenes are made of. Published templates take the principal axes of the points instead, in
+/// which the covariance is diagonal.
 ///
 /// `means` are those of `of_point` over 4 points or more. Rounding errors are smallest if the
 /// origin is amid the points.
@@ -4334,6 +4427,10 @@ inline void solve_batch_for_weak_pose(
 /// follows from any other point, and from the translation being orthogonal to (u, v, w). All
 /// polynomials are written p + w q, with p and q in u and v only, and stated with their multiple by
 /// w.
+///
+/// A pose X -> rotation X + translation takes the frame of the first camera to that of the second.
+/// The length of the translation is open, and it is of length 1; where the motion is a rotation it
+/// is not known. Its sign is the one for which the first point is in front of the first camera.
 namespace relpose_3pt_angle_zero_screw {
 
 /// No call returns more solutions.
@@ -4378,6 +4475,48 @@ inline void solve_batch(
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_relpose_3pt_angle_zero_screw_solve_batch(
+            instances, first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `relpose_3pt_angle_zero_screw` returns beside its unknowns.
+struct RelativePose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
+};
+static_assert(sizeof(RelativePose) == 12 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each relative_pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<RelativePose, max_solutions>> try_solve_for_relative_pose(Values<9> first, Values<9> second, Values<2> half_angle) noexcept {
+    return Result<Solutions<RelativePose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_3pt_angle_zero_screw_solve_for_relative_pose(first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each relative_pose. Throws `Error`.
+[[nodiscard]] inline Solutions<RelativePose, max_solutions> solve_for_relative_pose(Values<9> first, Values<9> second, Values<2> half_angle) {
+    return try_solve_for_relative_pose(first, second, half_angle).value();
+}
+
+/// As `try_solve_for_relative_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<RelativePose, max_solutions>> try_solve_with_for_relative_pose(SecondAttempts second_attempts, Values<9> first, Values<9> second, Values<2> half_angle) noexcept {
+    return Result<Solutions<RelativePose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_3pt_angle_zero_screw_solve_with_for_relative_pose(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_relative_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<RelativePose, max_solutions> solve_with_for_relative_pose(SecondAttempts second_attempts, Values<9> first, Values<9> second, Values<2> half_angle) {
+    return try_solve_with_for_relative_pose(second_attempts, first, second, half_angle).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_relative_pose(
+    std::size_t instances, Many first, Many second, Many half_angle, Batch<RelativePose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_3pt_angle_zero_screw_solve_batch_for_relative_pose(
             instances, first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, solutions_length, counts, codes);
     });
 }
@@ -4548,9 +4687,11 @@ inline void solve_batch_for_depth_pose(
 /// problem for the case of two known orientation angles", ECCV 2010.
 ///
 /// `first[k]` and `second[k]` are the rays of point k in frames of the cameras whose y axes are
-/// vertical, of any length. The unknowns are cosine and sine of the turn about the vertical. A pose
-/// X -> rotation X + translation takes the frame of the first camera to that of the second. The
-/// length of the translation is open, and so is its sign: with one of them the points are in front.
+/// vertical, of any length. The unknowns are cosine and sine of the turn about the vertical.
+///
+/// A pose X -> rotation X + translation takes the frame of the first camera to that of the second.
+/// The length of the translation is open, and it is of length 1; where the motion is a rotation it
+/// is not known. Its sign is the one for which the first point is in front of the first camera.
 namespace relpose_3pt_upright {
 
 /// No call returns more solutions.
@@ -4681,6 +4822,10 @@ inline void solve_batch_for_relative_pose(
 /// that of the unit quaternion cosine + u i + v j + w k. The ratio of the two depths of a point
 /// follows from any other point. All polynomials are written p + w q, with p and q in u and v only,
 /// and stated with their multiple by w.
+///
+/// A pose X -> rotation X + translation takes the frame of the first camera to that of the second.
+/// The length of the translation is open, and it is of length 1; where the motion is a rotation it
+/// is not known. Its sign is the one for which the first point is in front of the first camera.
 namespace relpose_4pt_angle {
 
 /// No call returns more solutions.
@@ -4725,6 +4870,48 @@ inline void solve_batch(
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_relpose_4pt_angle_solve_batch(
+            instances, first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `relpose_4pt_angle` returns beside its unknowns.
+struct RelativePose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
+};
+static_assert(sizeof(RelativePose) == 12 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each relative_pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<RelativePose, max_solutions>> try_solve_for_relative_pose(Values<12> first, Values<12> second, Values<2> half_angle) noexcept {
+    return Result<Solutions<RelativePose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_4pt_angle_solve_for_relative_pose(first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each relative_pose. Throws `Error`.
+[[nodiscard]] inline Solutions<RelativePose, max_solutions> solve_for_relative_pose(Values<12> first, Values<12> second, Values<2> half_angle) {
+    return try_solve_for_relative_pose(first, second, half_angle).value();
+}
+
+/// As `try_solve_for_relative_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<RelativePose, max_solutions>> try_solve_with_for_relative_pose(SecondAttempts second_attempts, Values<12> first, Values<12> second, Values<2> half_angle) noexcept {
+    return Result<Solutions<RelativePose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_4pt_angle_solve_with_for_relative_pose(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_relative_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<RelativePose, max_solutions> solve_with_for_relative_pose(SecondAttempts second_attempts, Values<12> first, Values<12> second, Values<2> half_angle) {
+    return try_solve_with_for_relative_pose(second_attempts, first, second, half_angle).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_relative_pose(
+    std::size_t instances, Many first, Many second, Many half_angle, Batch<RelativePose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_4pt_angle_solve_batch_for_relative_pose(
             instances, first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, solutions_length, counts, codes);
     });
 }
@@ -4850,6 +5037,9 @@ inline void solve_batch(
 /// either ray; that the rays of any three others meet, too, are linear equations for these depths.
 /// All polynomials are written p + w q, with p and q in u and v only, and stated with their
 /// multiple by w.
+///
+/// A pose X -> rotation X + translation takes the first system to the second, in the unit of the
+/// points of the rays.
 namespace relpose_5pt_generalized_angle {
 
 /// No call returns more solutions.
@@ -4898,6 +5088,48 @@ inline void solve_batch(
     });
 }
 
+/// What `relpose_5pt_generalized_angle` returns beside its unknowns.
+struct Pose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
+};
+static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_for_pose(Values<30> first, Values<30> second, Values<2> half_angle) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_5pt_generalized_angle_solve_for_pose(first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each pose. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_for_pose(Values<30> first, Values<30> second, Values<2> half_angle) {
+    return try_solve_for_pose(first, second, half_angle).value();
+}
+
+/// As `try_solve_for_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_with_for_pose(SecondAttempts second_attempts, Values<30> first, Values<30> second, Values<2> half_angle) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_5pt_generalized_angle_solve_with_for_pose(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_with_for_pose(SecondAttempts second_attempts, Values<30> first, Values<30> second, Values<2> half_angle) {
+    return try_solve_with_for_pose(second_attempts, first, second, half_angle).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_pose(
+    std::size_t instances, Many first, Many second, Many half_angle, Batch<Pose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_5pt_generalized_angle_solve_batch_for_pose(
+            instances, first.data(), first.size(), second.data(), second.size(), half_angle.data(), half_angle.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
 /// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
 /// solution. Throws `Error`.
 [[nodiscard]] inline double relative_residual(Values<30> first, Values<30> second, Values<2> half_angle, const Solution &solution) {
@@ -4930,6 +5162,11 @@ inline void solve_batch(
 /// The problem `relpose_5pt` from measurements. `first[k]` and `second[k]` are the rays of point k
 /// in both cameras, of any length. An essential matrix E satisfies `second[k] . E first[k] = 0`; it
 /// is the sum of the matrices that span the null space of these equations, each times its weight.
+///
+/// A pose X -> rotation X + translation takes the frame of the first camera to that of the second;
+/// the translation has the length 1. Of the four poses of an essential matrix it is the one with the
+/// first point in front of both cameras: Horn, "Recovering baseline and orientation from essential
+/// matrix", 1990. For a solution that belongs to the scene all points are in front.
 namespace relpose_5pt_rays {
 
 /// No call returns more solutions.
@@ -4979,8 +5216,10 @@ inline void solve_batch(
 /// What `relpose_5pt_rays` returns beside its unknowns.
 struct RelativePose {
     std::array<std::array<double, 3>, 3> essential;
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
 };
-static_assert(sizeof(RelativePose) == 9 * sizeof(double), "a row");
+static_assert(sizeof(RelativePose) == 21 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each relative_pose, or the code of an error.
 [[nodiscard]] inline Result<Solutions<RelativePose, max_solutions>> try_solve_for_relative_pose(Values<15> first, Values<15> second) noexcept {
@@ -5050,14 +5289,18 @@ inline void solve_batch_for_relative_pose(
 /// Bhayani, Sattler, Larsson, Heikkilä, Kukelova, "Partially calibrated semi-generalized pose from
 /// hybrid point correspondences", WACV 2023. Published as `hyb51f`.
 ///
-/// The known point is the origin; `centres` and `directions` are a point and the direction of the
-/// ray that a calibrated camera sees each of the others along. `images` are those of the other
-/// points, turned and scaled so that the image of the known point is (1, 0). Its depth is the
-/// unknown `depth`. The camera's rotation is that of the quaternion 1 + x i + y j, and a turn about
-/// its axis after it, by the angle of which c and s are cosine and sine, times the focal length. An
+/// `image` is that of the known `point`, relative to the principal point, and must not be there.
+/// `images[k]` is that of point k, which a calibrated camera sees along the ray from `centres[k]` in
+/// the direction `directions[k]`. Positions are relative to `point`; images are turned and scaled so
+/// that that of `point` is (1, 0), and its depth is the unknown `depth`. The rotation of the camera,
+/// which is turned with the images, is that of the quaternion 1 + x i + y j, and a turn about its
+/// axis after it, by the angle of which c and s are cosine and sine, times the focal length. An
 /// image lies on that of the ray: det(M) M^-T, the cofactors of M, maps moments of rays to lines of
 /// the image where M maps directions to points of it. The squared norm of the quaternion, which
 /// divides all cofactors, is left out.
+///
+/// A pose X -> rotation X + translation takes the world to the camera; `focal` is in the unit of
+/// images. The known point is in front of the camera.
 namespace relpose_5pt_semi_generalized_focal {
 
 /// No call returns more solutions.
@@ -5074,56 +5317,99 @@ struct Solution {
 static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<10> images, Values<15> directions, Values<15> centres) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<3> point, Values<2> image, Values<10> images, Values<15> centres, Values<15> directions) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
-        return eliminant_relpose_5pt_semi_generalized_focal_solve(images.data(), images.size(), directions.data(), directions.size(), centres.data(), centres.size(), to_solutions, max_solutions, to_count);
+        return eliminant_relpose_5pt_semi_generalized_focal_solve(point.data(), point.size(), image.data(), image.size(), images.data(), images.size(), centres.data(), centres.size(), directions.data(), directions.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// Real solutions of one instance: each solution. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<10> images, Values<15> directions, Values<15> centres) {
-    return try_solve(images, directions, centres).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve(Values<3> point, Values<2> image, Values<10> images, Values<15> centres, Values<15> directions) {
+    return try_solve(point, image, images, centres, directions).value();
 }
 
 /// As `try_solve`, with a bound on second attempts.
-[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<10> images, Values<15> directions, Values<15> centres) noexcept {
+[[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve_with(SecondAttempts second_attempts, Values<3> point, Values<2> image, Values<10> images, Values<15> centres, Values<15> directions) noexcept {
     return Result<Solutions<Solution, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
         return eliminant_relpose_5pt_semi_generalized_focal_solve_with(
-            second_attempts.operations(), images.data(), images.size(), directions.data(), directions.size(), centres.data(), centres.size(), to_solutions, max_solutions, to_count);
+            second_attempts.operations(), point.data(), point.size(), image.data(), image.size(), images.data(), images.size(), centres.data(), centres.size(), directions.data(), directions.size(), to_solutions, max_solutions, to_count);
     });
 }
 
 /// As `solve`, with a bound on second attempts. Throws `Error`.
-[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<10> images, Values<15> directions, Values<15> centres) {
-    return try_solve_with(second_attempts, images, directions, centres).value();
+[[nodiscard]] inline Solutions<Solution, max_solutions> solve_with(SecondAttempts second_attempts, Values<3> point, Values<2> image, Values<10> images, Values<15> centres, Values<15> directions) {
+    return try_solve_with(second_attempts, point, image, images, centres, directions).value();
 }
 
 /// Many instances, one after another in each list. Throws `Error` if a list does not fit.
 inline void solve_batch(
-    std::size_t instances, Many images, Many directions, Many centres, Batch<Solution, max_solutions> &batch) {
+    std::size_t instances, Many point, Many image, Many images, Many centres, Many directions, Batch<Solution, max_solutions> &batch) {
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_relpose_5pt_semi_generalized_focal_solve_batch(
-            instances, images.data(), images.size(), directions.data(), directions.size(), centres.data(), centres.size(), to_solutions, solutions_length, counts, codes);
+            instances, point.data(), point.size(), image.data(), image.size(), images.data(), images.size(), centres.data(), centres.size(), directions.data(), directions.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `relpose_5pt_semi_generalized_focal` returns beside its unknowns.
+struct FocalPose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
+    double focal;
+};
+static_assert(sizeof(FocalPose) == 13 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each focal_pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<FocalPose, max_solutions>> try_solve_for_focal_pose(Values<3> point, Values<2> image, Values<10> images, Values<15> centres, Values<15> directions) noexcept {
+    return Result<Solutions<FocalPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_5pt_semi_generalized_focal_solve_for_focal_pose(point.data(), point.size(), image.data(), image.size(), images.data(), images.size(), centres.data(), centres.size(), directions.data(), directions.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each focal_pose. Throws `Error`.
+[[nodiscard]] inline Solutions<FocalPose, max_solutions> solve_for_focal_pose(Values<3> point, Values<2> image, Values<10> images, Values<15> centres, Values<15> directions) {
+    return try_solve_for_focal_pose(point, image, images, centres, directions).value();
+}
+
+/// As `try_solve_for_focal_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<FocalPose, max_solutions>> try_solve_with_for_focal_pose(SecondAttempts second_attempts, Values<3> point, Values<2> image, Values<10> images, Values<15> centres, Values<15> directions) noexcept {
+    return Result<Solutions<FocalPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_5pt_semi_generalized_focal_solve_with_for_focal_pose(
+            second_attempts.operations(), point.data(), point.size(), image.data(), image.size(), images.data(), images.size(), centres.data(), centres.size(), directions.data(), directions.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_focal_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<FocalPose, max_solutions> solve_with_for_focal_pose(SecondAttempts second_attempts, Values<3> point, Values<2> image, Values<10> images, Values<15> centres, Values<15> directions) {
+    return try_solve_with_for_focal_pose(second_attempts, point, image, images, centres, directions).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_focal_pose(
+    std::size_t instances, Many point, Many image, Many images, Many centres, Many directions, Batch<FocalPose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_5pt_semi_generalized_focal_solve_batch_for_focal_pose(
+            instances, point.data(), point.size(), image.data(), image.size(), images.data(), images.size(), centres.data(), centres.size(), directions.data(), directions.size(), to_solutions, solutions_length, counts, codes);
     });
 }
 
 /// The largest |f| / (sum of the moduli of the terms of f) of all equations f = 0 at a
 /// solution. Throws `Error`.
-[[nodiscard]] inline double relative_residual(Values<10> images, Values<15> directions, Values<15> centres, const Solution &solution) {
+[[nodiscard]] inline double relative_residual(Values<3> point, Values<2> image, Values<10> images, Values<15> centres, Values<15> directions, const Solution &solution) {
     double number = 0.0;
     const std::int32_t code = eliminant_relpose_5pt_semi_generalized_focal_relative_residual(
-        images.data(), images.size(), directions.data(), directions.size(), centres.data(), centres.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+        point.data(), point.size(), image.data(), image.size(), images.data(), images.size(), centres.data(), centres.size(), directions.data(), directions.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
     if (code != ELIMINANT_OK) throw Error(code);
     return number;
 }
 
 /// A bound on the error of a solution, relative to its largest unknown. Infinite if no solution is
 /// known to be near. Throws `Error`.
-[[nodiscard]] inline double error_bound(Values<10> images, Values<15> directions, Values<15> centres, const Solution &solution) {
+[[nodiscard]] inline double error_bound(Values<3> point, Values<2> image, Values<10> images, Values<15> centres, Values<15> directions, const Solution &solution) {
     double number = 0.0;
     const std::int32_t code = eliminant_relpose_5pt_semi_generalized_focal_error_bound(
-        images.data(), images.size(), directions.data(), directions.size(), centres.data(), centres.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
+        point.data(), point.size(), image.data(), image.size(), images.data(), images.size(), centres.data(), centres.size(), directions.data(), directions.size(), reinterpret_cast<const double *>(&solution), sizeof(Solution) / sizeof(double), &number);
     if (code != ELIMINANT_OK) throw Error(code);
     return number;
 }
@@ -5353,6 +5639,11 @@ inline void solve_batch_for_focal_pose(
 /// point k, relative to the principal points. The fundamental matrix is the sum of the matrices
 /// that span the null space of the epipolar equations, each times its weight. w is 1 / focal^2 in
 /// units of the length of all images.
+///
+/// A pose X -> rotation X + translation takes the frame of the first camera to that of the second;
+/// the translation has the length 1. Of the four poses of an essential matrix it is the one with the
+/// first point in front of both cameras, as in `relpose_5pt_rays`. For a solution that belongs to
+/// the scene all points are in front.
 namespace relpose_6pt_focal_points {
 
 /// No call returns more solutions.
@@ -5404,8 +5695,10 @@ inline void solve_batch(
 struct FocalPose {
     std::array<std::array<double, 3>, 3> fundamental;
     double focal;
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
 };
-static_assert(sizeof(FocalPose) == 10 * sizeof(double), "a row");
+static_assert(sizeof(FocalPose) == 22 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each focal_pose, or the code of an error.
 [[nodiscard]] inline Result<Solutions<FocalPose, max_solutions>> try_solve_for_focal_pose(Values<12> first, Values<12> second) noexcept {
@@ -5479,6 +5772,9 @@ inline void solve_batch_for_focal_pose(
 /// quaternion q. That the rays of one point meet gives the translation up to the
 /// depths of that point along either ray; that the rays of any three others meet, too, are linear
 /// equations for these depths.
+///
+/// A pose X -> rotation X + translation takes the first system to the second, in the unit of the
+/// points of the rays.
 namespace relpose_6pt_generalized {
 
 /// No call returns more solutions.
@@ -5521,6 +5817,48 @@ inline void solve_batch(
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_relpose_6pt_generalized_solve_batch(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `relpose_6pt_generalized` returns beside its unknowns.
+struct Pose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
+};
+static_assert(sizeof(Pose) == 12 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_for_pose(Values<36> first, Values<36> second) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_6pt_generalized_solve_for_pose(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each pose. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_for_pose(Values<36> first, Values<36> second) {
+    return try_solve_for_pose(first, second).value();
+}
+
+/// As `try_solve_for_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<Pose, max_solutions>> try_solve_with_for_pose(SecondAttempts second_attempts, Values<36> first, Values<36> second) noexcept {
+    return Result<Solutions<Pose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_6pt_generalized_solve_with_for_pose(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<Pose, max_solutions> solve_with_for_pose(SecondAttempts second_attempts, Values<36> first, Values<36> second) {
+    return try_solve_with_for_pose(second_attempts, first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_pose(
+    std::size_t instances, Many first, Many second, Batch<Pose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_6pt_generalized_solve_batch_for_pose(
             instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
 }
@@ -5964,10 +6302,13 @@ inline void solve_batch_for_radial_focal_pose(
 ///
 /// `first[k]` is the distorted image of point k in the first camera, relative to the principal
 /// point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
-/// first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T F x2 = 0 is, with
-/// f33 = 1, linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial f31, f32, radial
-/// f32, radial, 1: seven points give the former as combinations of these. With the focal length,
-/// diag(focal, focal, 1) F is an essential matrix; `w` is 1 / focal^2.
+/// first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T F x2 = 0 is linear
+/// in the first two rows of F, radial f33 and the monomials radial f31, radial f32, f31, f32, f33:
+/// seven points give the former as combinations of these. `third` is the third row of F, which is
+/// given up to scale. It vanishes where the first camera moves along its optical axis: then the
+/// points tell nothing of the distortion. With f33 = 1, as published, planar motions and those
+/// without a rotation are lost. With the focal length, diag(focal, focal, 1) F is an essential
+/// matrix; `w` is 1 / focal^2.
 namespace relpose_7pt_focal_radial_one_side {
 
 /// No call returns more solutions.
@@ -5976,11 +6317,10 @@ inline constexpr std::size_t max_solutions = 19;
 /// A solution of `relpose_7pt_focal_radial_one_side`.
 struct Solution {
     double w;
-    double f_31;
-    double f_32;
+    std::array<double, 3> third; ///< given up to scale: of length 1
     double radial;
 };
-static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
+static_assert(sizeof(Solution) == 5 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
 [[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<14> first, Values<14> second) noexcept {
@@ -6095,12 +6435,14 @@ inline void solve_batch_for_radial_focal_pose(
 ///
 /// `first[k]` is the distorted image of point k in the first camera, relative to the principal
 /// point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
-/// first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T F x1 = 0 is, with
-/// f33 = 1, linear in radial f13, f11, f21, f31, f12, f22, f32 and the monomials radial f23, f13,
-/// f23, radial, 1: seven points give the former as combinations of these. F diag(focal, focal, 1)
-/// is an essential matrix for some focal length: with A the first two columns of F, the third is an
-/// eigenvector of A A^T, and where mu is its eigenvalue, |third column|^2 / focal^2 = trace(A A^T)
-/// - 2 mu.
+/// first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T F x1 = 0 is linear
+/// in radial f33, the first two columns of F and the monomials radial f13, radial f23, f13, f23,
+/// f33: seven points give the former as combinations of these. `third` is the third column of F,
+/// which is given up to scale. It vanishes where the first camera moves along its optical axis:
+/// then the points tell nothing of the distortion. With f33 = 1, as published, planar motions and
+/// those without a rotation are lost. F diag(focal, focal, 1) is an essential matrix for some focal
+/// length: with A the first two columns of F, the third is an eigenvector of A A^T, and where mu is
+/// its eigenvalue, |third column|^2 / focal^2 = trace(A A^T) - 2 mu.
 namespace relpose_7pt_focal_radial_one_side_eliminated {
 
 /// No call returns more solutions.
@@ -6108,11 +6450,10 @@ inline constexpr std::size_t max_solutions = 19;
 
 /// A solution of `relpose_7pt_focal_radial_one_side_eliminated`.
 struct Solution {
-    double f_13;
-    double f_23;
+    std::array<double, 3> third; ///< given up to scale: of length 1
     double radial;
 };
-static_assert(sizeof(Solution) == 3 * sizeof(double), "a row");
+static_assert(sizeof(Solution) == 4 * sizeof(double), "a row");
 
 /// Real solutions of one instance: each solution, or the code of an error.
 [[nodiscard]] inline Result<Solutions<Solution, max_solutions>> try_solve(Values<14> first, Values<14> second) noexcept {
@@ -6230,6 +6571,9 @@ inline void solve_batch_for_radial_epipolar(
 /// That the rays of one point meet gives the translation up to the depths of that point along
 /// either ray and the scale; that the rays of any four others meet, too, are linear equations for
 /// these three. What is stated depends on these five points, not on which is the first.
+///
+/// For a point of the rays, rotation p1 + translation = scale p2, with p1 in the first system and p2
+/// in the second.
 namespace relpose_7pt_generalized_scale {
 
 /// No call returns more solutions.
@@ -6272,6 +6616,49 @@ inline void solve_batch(
     batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
                               std::int32_t *codes) {
         return eliminant_relpose_7pt_generalized_scale_solve_batch(
+            instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
+    });
+}
+
+/// What `relpose_7pt_generalized_scale` returns beside its unknowns.
+struct ScaledPose {
+    std::array<std::array<double, 3>, 3> rotation;
+    std::array<double, 3> translation;
+    double scale;
+};
+static_assert(sizeof(ScaledPose) == 13 * sizeof(double), "a row");
+
+/// Real solutions of one instance: each scaled_pose, or the code of an error.
+[[nodiscard]] inline Result<Solutions<ScaledPose, max_solutions>> try_solve_for_scaled_pose(Values<42> first, Values<42> second) noexcept {
+    return Result<Solutions<ScaledPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_7pt_generalized_scale_solve_for_scaled_pose(first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// Real solutions of one instance: each scaled_pose. Throws `Error`.
+[[nodiscard]] inline Solutions<ScaledPose, max_solutions> solve_for_scaled_pose(Values<42> first, Values<42> second) {
+    return try_solve_for_scaled_pose(first, second).value();
+}
+
+/// As `try_solve_for_scaled_pose`, with a bound on second attempts.
+[[nodiscard]] inline Result<Solutions<ScaledPose, max_solutions>> try_solve_with_for_scaled_pose(SecondAttempts second_attempts, Values<42> first, Values<42> second) noexcept {
+    return Result<Solutions<ScaledPose, max_solutions>>::of([&](double *to_solutions, std::size_t *to_count) {
+        return eliminant_relpose_7pt_generalized_scale_solve_with_for_scaled_pose(
+            second_attempts.operations(), first.data(), first.size(), second.data(), second.size(), to_solutions, max_solutions, to_count);
+    });
+}
+
+/// As `solve_for_scaled_pose`, with a bound on second attempts. Throws `Error`.
+[[nodiscard]] inline Solutions<ScaledPose, max_solutions> solve_with_for_scaled_pose(SecondAttempts second_attempts, Values<42> first, Values<42> second) {
+    return try_solve_with_for_scaled_pose(second_attempts, first, second).value();
+}
+
+/// Many instances, one after another in each list. Throws `Error` if a list does not fit.
+inline void solve_batch_for_scaled_pose(
+    std::size_t instances, Many first, Many second, Batch<ScaledPose, max_solutions> &batch) {
+    batch.fill(instances, [&](double *to_solutions, std::size_t solutions_length, std::size_t *counts,
+                              std::int32_t *codes) {
+        return eliminant_relpose_7pt_generalized_scale_solve_batch_for_scaled_pose(
             instances, first.data(), first.size(), second.data(), second.size(), to_solutions, solutions_length, counts, codes);
     });
 }
@@ -6606,7 +6993,8 @@ inline void solve_batch(
 /// and second view over that in the third, each times a constant, and z its first error in the
 /// third view. Every image is turned so that its second error does not depend on z, and scales are
 /// such that in the errors of the first two views over their depths, x and y, z has the
-/// coefficient 1.
+/// coefficient 1. The planes of depth zero must meet in one point: the three images must not all be
+/// parallel, as rectified ones are.
 ///
 /// Stated are derivatives towards seven points. Where the depth of a view vanishes, so does a power
 /// of it in the denominators; where the errors of a view vanish, too, at its centre, they do not
