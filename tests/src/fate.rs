@@ -10,7 +10,9 @@ use crate::measure::affordable;
 use crate::statistics::complex;
 
 /// Scenes of each kind and problem.
-const SCENES: u64 = 1_000;
+pub const SCENES: u64 = 1_000;
+/// The same where all are known to be lost: these take all attempts of a solver.
+pub const FEW_SCENES: u64 = 40;
 /// Operations for the scenes of one kind and problem.
 const WORK: u64 = 400_000_000;
 /// The part of the scenes of which the true solution may be missing.
@@ -71,9 +73,9 @@ pub struct Fates {
 }
 
 impl Fates {
-    /// Solves scenes that are drawn with different seeds: 1,000, or as many as can be afforded.
-    pub fn of(maker: &Maker, case: &Case, draw: impl Fn(&mut Random) -> KnownInstance + Sync) -> Self {
-        let scenes = affordable(&case.planned().plan, SCENES, WORK);
+    /// Solves scenes that are drawn with different seeds: so many, or as many as can be afforded.
+    pub fn of(maker: &Maker, case: &Case, most: u64, draw: impl Fn(&mut Random) -> KnownInstance + Sync) -> Self {
+        let scenes = affordable(&case.planned().plan, SCENES, WORK).min(most);
         let fate = |k| Fate::of(maker, case, &draw(&mut Random::new(31_000_000 + k)));
         let fates: Vec<Fate> = (0..scenes).into_par_iter().map(fate).collect();
         let count = |wanted| fates.iter().filter(|fate| **fate == wanted).count();
@@ -87,7 +89,12 @@ impl Fates {
 
     /// Whether more truths are lost than chance has it.
     pub fn loses(self) -> bool {
-        self.lost as f64 > LOST * self.scenes() as f64
+        self.loses_more_than(LOST)
+    }
+
+    /// Whether more than this part of the truths are lost.
+    pub fn loses_more_than(self, part: f64) -> bool {
+        self.lost as f64 > part * self.scenes() as f64
     }
 
     /// Whether the truth of most scenes is no isolated solution.

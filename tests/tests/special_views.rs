@@ -3,7 +3,7 @@
 //! some charts. No solver of a pose may lose a solution because of it.
 
 use eliminant_tests::cases;
-use eliminant_tests::fate::Fates;
+use eliminant_tests::fate::{FEW_SCENES, Fates, SCENES};
 use eliminant_tests::ground_truth::{Make, View, makers};
 
 /// Problems and views.
@@ -29,15 +29,16 @@ const DEGENERATE: [Exception; 3] = [
 ];
 
 /// Where the true solution is lost, and why.
-const LOST: [Exception; 3] = [
-    (
-        &["pose_6pt_rolling_shutter"],
-        &[View::Plane, View::Frontal, View::Square, View::SquareHeadOn],
-        "the elimination is singular for points in a plane",
-    ),
-    (&["pose_3pt_upright_error_bound"], &[View::AtOrigin], "4 of 40 are lost, at which u, v and w are 0"),
-    (&["pose_4pt_upright_error_bound"], &[View::Plane], "4 of 1,000 are lost, and of a square in space 3"),
-];
+const LOST: [Exception; 1] = [(
+    &["pose_6pt_rolling_shutter"],
+    &[View::Plane, View::Frontal, View::Square, View::SquareHeadOn],
+    "the elimination is singular for points in a plane",
+)];
+
+/// Problems and views of which more true solutions are lost than chance has it, and at most which
+/// part. A camera at the origin has unknowns of 0.
+const PARTLY_LOST: [(&str, View, f64); 2] =
+    [("pose_3pt_upright_error_bound", View::AtOrigin, 0.1), ("pose_4pt_upright_error_bound", View::Plane, 5e-3)];
 
 fn is_among(exceptions: &[Exception], name: &str, view: View) -> bool {
     exceptions.iter().any(|(names, views, _)| names.contains(&name) && views.contains(&view))
@@ -50,10 +51,13 @@ fn no_view_is_special() {
         let Make::KnownPoints(make) = maker.make else { continue };
         assert_eq!(maker.name, case.name);
         for view in View::ALL {
-            let fates = Fates::of(maker, &case, |random| make(random, view));
+            let most = if is_among(&LOST, case.name, view) { FEW_SCENES } else { SCENES };
+            let fates = Fates::of(maker, &case, most, |random| make(random, view));
             println!("{}, {view:?}: {fates:?}", case.name);
             let known = [&LOST[..], &DEGENERATE[..]].map(|exceptions| is_among(exceptions, case.name, view));
-            if [fates.loses(), fates.is_degenerate()] != known {
+            let part = PARTLY_LOST.iter().find(|(name, kind, _)| *name == case.name && *kind == view);
+            let loses = part.map_or(fates.loses(), |(.., part)| fates.loses_more_than(*part));
+            if [loses, fates.is_degenerate()] != known {
                 faults.push((case.name, view, fates));
             }
         }
