@@ -319,13 +319,16 @@ def fundamental_8pt_radial(
     solutions.
 
     Kukelova, Pajdla, "A minimal solution to the autocalibration of radial distortion", CVPR 2007.
-    Published as `8ptF_radial`.
+    Published as `8ptF_radial`, with f33 = 1, which loses planar motions and those without a
+    rotation: f33 is 0.
 
     `first[k]` and `second[k]` are the distorted images of point k, relative to the centre of
     distortion. An image x lies along (x, 1 + radial |x|^2), the division model. Then x2^T F x1 = 0
-    is, with f33 = 1, linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the
-    monomials radial f13, radial f23, radial^2, f13, f23, radial, 1: eight points give the former as
-    combinations of these.
+    is linear in f11, f21, f31, f12, f22, f32, radial f31, radial f32 and the monomials radial f13,
+    radial f23, radial^2 f33, f13, f23, radial f33, f33: eight points give the former as
+    combinations of these. `third` is the third column of F, which is given up to scale. It vanishes
+    where the first camera moves along its optical axis; without a rotation such points tell nothing
+    of the distortion.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -335,8 +338,7 @@ def fundamental_8pt_radial(
     Solutions, of which there are at most 16:
 
     - `radial`: ()
-    - `f_13`: ()
-    - `f_23`: ()
+    - `third`: (3,)
 
     Results of each solution:
 
@@ -355,13 +357,16 @@ def fundamental_8pt_radial_one_side(
     """Fundamental matrix and radial distortion of the second camera from eight points: 8 solutions.
 
     Kuang, Solem, Kahl, Åström, "Minimal solvers for relative pose with a single unknown radial
-    distortion", CVPR 2014. Published as `8ptF_radial_1s`.
+    distortion", CVPR 2014. Published as `8ptF_radial_1s`, with f33 = 1, which loses planar motions
+    and those without a rotation: f33 is 0.
 
     `first[k]` is the image of point k in a camera without distortion, `second[k]` the distorted one
     in the other, relative to the centre of distortion. There an image x lies along (x, 1 + radial
-    |x|^2), the division model. Then x2^T F x1 = 0 is linear in the nine entries of F, the third row
-    also multiplied by `radial`. Eight points, and f33 = 1, give f11, f21, f31, f12, f22, f13, f23
-    and radial f31 as combinations of radial f32, radial, f32 and 1.
+    |x|^2), the division model. Then x2^T F x1 = 0 is linear in the nine entries of F and in
+    `third`, its third row, times `radial`. Eight points give the first two rows, radial f31 and
+    radial f32 as combinations of radial f33 and `third`. F is given up to scale. `third` vanishes
+    where the second camera moves along its optical axis: then the points tell nothing of the
+    distortion.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -370,7 +375,7 @@ def fundamental_8pt_radial_one_side(
 
     Solutions, of which there are at most 8:
 
-    - `f_32`: ()
+    - `third`: (3,)
     - `radial`: ()
 
     Results of each solution:
@@ -701,7 +706,9 @@ def pose_35pt_focal(
     centred at the principal point. The rotation is, up to scale, that about the optical axis times
     that of the quaternion (1, x, y, 0). Each row of the matrix eliminates the rotation about the
     optical axis, and what is unknown of the focal length, from three points: it annihilates (cos,
-    sin, 1/f). A point X has the coordinates `rotation` X + `translation` in the camera.
+    sin, 1/f). Where the camera looks against the third axis x and y are infinite. Points are turned
+    before, so that this is no direction in which one would look. A point X has the coordinates
+    `rotation` X + `translation` in the camera.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -819,7 +826,8 @@ def pose_3pt_depths(
 
 def pose_3pt_upright_error_bound(
     points: npt.ArrayLike,
-    cones: npt.ArrayLike,
+    images: npt.ArrayLike,
+    bound: npt.ArrayLike,
     *,
     progress: Progress = None,
 ) -> Solutions:
@@ -831,16 +839,17 @@ def pose_3pt_upright_error_bound(
     within the bound can be moved until four errors equal it, or three where it can be moved no
     further.
 
-    The camera is turned about its first axis by the angle of the cosine y and the sine z, and
-    shifted by (u, v, w). A point of `points`, one a row, in the camera's coordinates (X, Y, Z),
-    lies on the cone a X^2 + a Y^2 + 2 b X Z + 2 c Y Z + d Z^2 = 0 with (a, b, c, d) a row of
-    `cones`: for an image point (p, q) and a bound e that is (1, -p, -q, p^2 + q^2 - e^2). The
-    derivatives of the three left sides by w, y and z are linearly dependent.
+    `points[k]` is the position of point k, `images[k]` its image (p, q) for a focal length of 1 and
+    `bound` the largest error, a length in the image. The camera's first axis is vertical: it is
+    turned about it by the angle of the cosine y and the sine z, and shifted by (u, v, w). A point
+    in the camera's coordinates (X, Y, Z) is on the cone (X - p Z)^2 + (Y - q Z)^2 = bound^2 Z^2.
+    The derivatives of the three left sides by w, y and z are linearly dependent.
 
     Data, for one instance, or with n in front for a batch:
 
     - `points`: (3, 3)
-    - `cones`: (3, 4)
+    - `images`: (3, 2)
+    - `bound`: ()
 
     Solutions, of which there are at most 48:
 
@@ -849,8 +858,13 @@ def pose_3pt_upright_error_bound(
     - `w`: ()
     - `y`: ()
     - `z`: ()
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
     """
-    return _solve("pose_3pt_upright_error_bound", points, cones, progress=progress)
+    return _solve("pose_3pt_upright_error_bound", points, images, bound, progress=progress)
 
 
 def pose_4pt_focal(
@@ -904,11 +918,11 @@ def pose_4pt_focal_radial(
     for camera with unknown focal length and radial distortion", ACCV 2010. Published as `p4p_fr`.
 
     `points[k]` is the position of point k, `images[k]` its distorted image, relative to the
-    principal point. The points must not lie in a plane. An image (u, v) lies along (u, v, 1 +
-    radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1, 1/f) \[R t\]. That v times
-    the first row of P minus u times the second vanishes at X leaves a null space of dimension four:
-    these rows are the sum of its vectors, each times its weight. The third row follows from the
-    four points. `projection` is P up to scale.
+    principal point. The points must not lie in a plane, nor an image be at that point. An image (u,
+    v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1,
+    1/f) \[R t\]. That v times the first row of P minus u times the second vanishes at X leaves a
+    null space of dimension four: these rows are the sum of its vectors, each times its weight. The
+    third row follows from the four points. `projection` is P up to scale.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -943,11 +957,11 @@ def pose_4pt_focal_radial_cut(
     formulation of the same problem, with 16.
 
     `points[k]` is the position of point k, `images[k]` its distorted image, relative to the
-    principal point. The points must not lie in a plane. An image (u, v) lies along (u, v, 1 +
-    radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1, 1/f) \[R t\]. That v times
-    the first row of P minus u times the second vanishes at X leaves a null space of dimension four:
-    these rows are the sum of its vectors, each times its weight. The third row follows from the
-    four points. `projection` is P up to scale.
+    principal point. The points must not lie in a plane, nor an image be at that point. An image (u,
+    v) lies along (u, v, 1 + radial (u^2 + v^2)), the division model, of P X with P = diag(1, 1,
+    1/f) \[R t\]. That v times the first row of P minus u times the second vanishes at X leaves a
+    null space of dimension four: these rows are the sum of its vectors, each times its weight. The
+    third row follows from the four points. `projection` is P up to scale.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -1010,7 +1024,8 @@ def pose_4pt_generalized_scale(
 
 def pose_4pt_upright_error_bound(
     points: npt.ArrayLike,
-    cones: npt.ArrayLike,
+    images: npt.ArrayLike,
+    bound: npt.ArrayLike,
     *,
     progress: Progress = None,
 ) -> Solutions:
@@ -1021,15 +1036,16 @@ def pose_4pt_upright_error_bound(
     direction", PAMI 2017. Published as `optpose4pt_v2`. A pose with the largest number of points
     within the bound can be moved until four errors equal it.
 
-    The camera is turned about its first axis by the angle of the cosine y and the sine z, and
-    shifted by (u, v, w). A point of `points`, one a row, in the camera's coordinates (X, Y, Z),
-    lies on the cone a X^2 + a Y^2 + 2 b X Z + 2 c Y Z + d Z^2 = 0 with (a, b, c, d) a row of
-    `cones`: for an image point (p, q) and a bound e that is (1, -p, -q, p^2 + q^2 - e^2).
+    `points[k]` is the position of point k, `images[k]` its image (p, q) for a focal length of 1 and
+    `bound` the largest error, a length in the image. The camera's first axis is vertical: it is
+    turned about it by the angle of the cosine y and the sine z, and shifted by (u, v, w). A point
+    in the camera's coordinates (X, Y, Z) is on the cone (X - p Z)^2 + (Y - q Z)^2 = bound^2 Z^2.
 
     Data, for one instance, or with n in front for a batch:
 
     - `points`: (4, 3)
-    - `cones`: (4, 4)
+    - `images`: (4, 2)
+    - `bound`: ()
 
     Solutions, of which there are at most 28:
 
@@ -1038,8 +1054,13 @@ def pose_4pt_upright_error_bound(
     - `w`: ()
     - `y`: ()
     - `z`: ()
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
     """
-    return _solve("pose_4pt_upright_error_bound", points, cones, progress=progress)
+    return _solve("pose_4pt_upright_error_bound", points, images, bound, progress=progress)
 
 
 def pose_5pt_refraction(
@@ -1179,7 +1200,8 @@ def pose_npt_direct_least_squares(means: npt.ArrayLike, *, progress: Progress = 
     them, with the best translation, which is linear in the rotation. Without the common denominator
     1 + x^2 + y^2 + z^2 of the rotation of the quaternion (1, x, y, z) it is a polynomial of degree
     four. `means` are those of `of_point` over 3 points or more. Rounding errors are smallest if the
-    origin is amid the points. Half turns are at infinity.
+    origin is amid the points. Half turns would be at infinity. Points are turned before, so that
+    none of the poses that are at infinity is one that scenes are made of.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -1323,8 +1345,9 @@ def pose_npt_weak_perspective(means: npt.ArrayLike, *, progress: Progress = None
     is, of the rotation of a quaternion q that is not normalised. With the best t the mean square of
     the differences is a quadratic form in P, whose matrix is the covariance of the points. Since q
     and -q are the same rotation, the unknowns are the ratios in q = root (w, 1, y, z), and
-    `square`, that of the root. Published templates take the principal axes of the points instead,
-    in which the covariance is diagonal.
+    `square`, that of the root. Points are turned before, so that the entry of 1 is not 0 for poses
+    that scenes are made of. Published templates take the principal axes of the points instead, in
+    which the covariance is diagonal.
 
     `means` are those of `of_point` over 4 points or more. Rounding errors are smallest if the
     origin is amid the points.
@@ -1383,6 +1406,10 @@ def relpose_3pt_angle_zero_screw(
     polynomials are written p + w q, with p and q in u and v only, and stated with their multiple by
     w.
 
+    A pose X -> rotation X + translation takes the frame of the first camera to that of the second.
+    The length of the translation is open, and it is of length 1; where the motion is a rotation it
+    is not known. Its sign is the one for which the first point is in front of the first camera.
+
     Data, for one instance, or with n in front for a batch:
 
     - `first`: (3, 3), or image points, one coordinate less
@@ -1394,6 +1421,11 @@ def relpose_3pt_angle_zero_screw(
     - `u`: ()
     - `v`: ()
     - `w`: ()
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
     """
     return _solve("relpose_3pt_angle_zero_screw", first, second, half_angle, progress=progress)
 
@@ -1456,9 +1488,11 @@ def relpose_3pt_upright(
     problem for the case of two known orientation angles", ECCV 2010.
 
     `first[k]` and `second[k]` are the rays of point k in frames of the cameras whose y axes are
-    vertical, of any length. The unknowns are cosine and sine of the turn about the vertical. A pose
-    X -> rotation X + translation takes the frame of the first camera to that of the second. The
-    length of the translation is open, and so is its sign: with one of them the points are in front.
+    vertical, of any length. The unknowns are cosine and sine of the turn about the vertical.
+
+    A pose X -> rotation X + translation takes the frame of the first camera to that of the second.
+    The length of the translation is open, and it is of length 1; where the motion is a rotation it
+    is not known. Its sign is the one for which the first point is in front of the first camera.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -1500,6 +1534,10 @@ def relpose_4pt_angle(
     follows from any other point. All polynomials are written p + w q, with p and q in u and v only,
     and stated with their multiple by w.
 
+    A pose X -> rotation X + translation takes the frame of the first camera to that of the second.
+    The length of the translation is open, and it is of length 1; where the motion is a rotation it
+    is not known. Its sign is the one for which the first point is in front of the first camera.
+
     Data, for one instance, or with n in front for a batch:
 
     - `first`: (4, 3), or image points, one coordinate less
@@ -1511,6 +1549,11 @@ def relpose_4pt_angle(
     - `u`: ()
     - `v`: ()
     - `w`: ()
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
     """
     return _solve("relpose_4pt_angle", first, second, half_angle, progress=progress)
 
@@ -1559,6 +1602,9 @@ def relpose_5pt_generalized_angle(
     All polynomials are written p + w q, with p and q in u and v only, and stated with their
     multiple by w.
 
+    A pose X -> rotation X + translation takes the first system to the second, in the unit of the
+    points of the rays.
+
     Data, for one instance, or with n in front for a batch:
 
     - `first`: (5, 2, 3)
@@ -1570,6 +1616,11 @@ def relpose_5pt_generalized_angle(
     - `u`: ()
     - `v`: ()
     - `w`: ()
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
     """
     return _solve("relpose_5pt_generalized_angle", first, second, half_angle, progress=progress)
 
@@ -1586,6 +1637,11 @@ def relpose_5pt_rays(
     in both cameras, of any length. An essential matrix E satisfies `second[k] . E first[k] = 0`; it
     is the sum of the matrices that span the null space of these equations, each times its weight.
 
+    A pose X -> rotation X + translation takes the frame of the first camera to that of the second;
+    the translation has the length 1. Of the four poses of an essential matrix it is the one with the
+    first point in front of both cameras: Horn, "Recovering baseline and orientation from essential
+    matrix", 1990. For a solution that belongs to the scene all points are in front.
+
     Data, for one instance, or with n in front for a batch:
 
     - `first`: (5, 3), or image points, one coordinate less
@@ -1598,14 +1654,18 @@ def relpose_5pt_rays(
     Results of each solution:
 
     - `essential`: (3, 3)
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
     """
     return _solve("relpose_5pt_rays", first, second, progress=progress)
 
 
 def relpose_5pt_semi_generalized_focal(
+    point: npt.ArrayLike,
+    image: npt.ArrayLike,
     images: npt.ArrayLike,
-    directions: npt.ArrayLike,
     centres: npt.ArrayLike,
+    directions: npt.ArrayLike,
     *,
     progress: Progress = None,
 ) -> Solutions:
@@ -1615,20 +1675,26 @@ def relpose_5pt_semi_generalized_focal(
     Bhayani, Sattler, Larsson, Heikkilä, Kukelova, "Partially calibrated semi-generalized pose from
     hybrid point correspondences", WACV 2023. Published as `hyb51f`.
 
-    The known point is the origin; `centres` and `directions` are a point and the direction of the
-    ray that a calibrated camera sees each of the others along. `images` are those of the other
-    points, turned and scaled so that the image of the known point is (1, 0). Its depth is the
-    unknown `depth`. The camera's rotation is that of the quaternion 1 + x i + y j, and a turn about
-    its axis after it, by the angle of which c and s are cosine and sine, times the focal length. An
+    `image` is that of the known `point`, relative to the principal point, and must not be there.
+    `images[k]` is that of point k, which a calibrated camera sees along the ray from `centres[k]` in
+    the direction `directions[k]`. Positions are relative to `point`; images are turned and scaled so
+    that that of `point` is (1, 0), and its depth is the unknown `depth`. The rotation of the camera,
+    which is turned with the images, is that of the quaternion 1 + x i + y j, and a turn about its
+    axis after it, by the angle of which c and s are cosine and sine, times the focal length. An
     image lies on that of the ray: det(M) M^-T, the cofactors of M, maps moments of rays to lines of
     the image where M maps directions to points of it. The squared norm of the quaternion, which
     divides all cofactors, is left out.
 
+    A pose X -> rotation X + translation takes the world to the camera; `focal` is in the unit of
+    images. The known point is in front of the camera.
+
     Data, for one instance, or with n in front for a batch:
 
+    - `point`: (3,)
+    - `image`: (2,)
     - `images`: (5, 2)
-    - `directions`: (5, 3)
     - `centres`: (5, 3)
+    - `directions`: (5, 3)
 
     Solutions, of which there are at most 56:
 
@@ -1637,8 +1703,14 @@ def relpose_5pt_semi_generalized_focal(
     - `c`: ()
     - `s`: ()
     - `depth`: ()
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
+    - `focal`: ()
     """
-    return _solve("relpose_5pt_semi_generalized_focal", images, directions, centres, progress=progress)
+    return _solve("relpose_5pt_semi_generalized_focal", point, image, images, centres, directions, progress=progress)
 
 
 def relpose_6pt_focal(basis: npt.ArrayLike, *, progress: Progress = None) -> Solutions:
@@ -1715,6 +1787,11 @@ def relpose_6pt_focal_points(
     that span the null space of the epipolar equations, each times its weight. w is 1 / focal^2 in
     units of the length of all images.
 
+    A pose X -> rotation X + translation takes the frame of the first camera to that of the second;
+    the translation has the length 1. Of the four poses of an essential matrix it is the one with the
+    first point in front of both cameras, as in `relpose_5pt_rays`. For a solution that belongs to
+    the scene all points are in front.
+
     Data, for one instance, or with n in front for a batch:
 
     - `first`: (6, 2)
@@ -1729,6 +1806,8 @@ def relpose_6pt_focal_points(
 
     - `fundamental`: (3, 3)
     - `focal`: ()
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
     """
     return _solve("relpose_6pt_focal_points", first, second, progress=progress)
 
@@ -1750,6 +1829,9 @@ def relpose_6pt_generalized(
     depths of that point along either ray; that the rays of any three others meet, too, are linear
     equations for these depths.
 
+    A pose X -> rotation X + translation takes the first system to the second, in the unit of the
+    points of the rays.
+
     Data, for one instance, or with n in front for a batch:
 
     - `first`: (6, 2, 3)
@@ -1758,6 +1840,11 @@ def relpose_6pt_generalized(
     Solutions, of which there are at most 64:
 
     - `q`: (4,)
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
     """
     return _solve("relpose_6pt_generalized", first, second, progress=progress)
 
@@ -1907,10 +1994,13 @@ def relpose_7pt_focal_radial_one_side(
 
     `first[k]` is the distorted image of point k in the first camera, relative to the principal
     point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
-    first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T F x2 = 0 is, with
-    f33 = 1, linear in f11, f21, f12, f22, f13, f23, f31 and the monomials radial f31, f32, radial
-    f32, radial, 1: seven points give the former as combinations of these. With the focal length,
-    diag(focal, focal, 1) F is an essential matrix; `w` is 1 / focal^2.
+    first image lies along (x1, 1 + radial |x1|^2), the division model. Then x1^T F x2 = 0 is linear
+    in the first two rows of F, radial f33 and the monomials radial f31, radial f32, f31, f32, f33:
+    seven points give the former as combinations of these. `third` is the third row of F, which is
+    given up to scale. It vanishes where the first camera moves along its optical axis: then the
+    points tell nothing of the distortion. With f33 = 1, as published, planar motions and those
+    without a rotation are lost. With the focal length, diag(focal, focal, 1) F is an essential
+    matrix; `w` is 1 / focal^2.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -1920,8 +2010,7 @@ def relpose_7pt_focal_radial_one_side(
     Solutions, of which there are at most 19:
 
     - `w`: ()
-    - `f_31`: ()
-    - `f_32`: ()
+    - `third`: (3,)
     - `radial`: ()
 
     Results of each solution:
@@ -1947,12 +2036,14 @@ def relpose_7pt_focal_radial_one_side_eliminated(
 
     `first[k]` is the distorted image of point k in the first camera, relative to the principal
     point, `second[k]` that in the calibrated one, in units of its focal length. A point x1 of the
-    first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T F x1 = 0 is, with
-    f33 = 1, linear in radial f13, f11, f21, f31, f12, f22, f32 and the monomials radial f23, f13,
-    f23, radial, 1: seven points give the former as combinations of these. F diag(focal, focal, 1)
-    is an essential matrix for some focal length: with A the first two columns of F, the third is an
-    eigenvector of A A^T, and where mu is its eigenvalue, |third column|^2 / focal^2 = trace(A A^T)
-    - 2 mu.
+    first image lies along (x1, 1 + radial |x1|^2), the division model. Then x2^T F x1 = 0 is linear
+    in radial f33, the first two columns of F and the monomials radial f13, radial f23, f13, f23,
+    f33: seven points give the former as combinations of these. `third` is the third column of F,
+    which is given up to scale. It vanishes where the first camera moves along its optical axis:
+    then the points tell nothing of the distortion. With f33 = 1, as published, planar motions and
+    those without a rotation are lost. F diag(focal, focal, 1) is an essential matrix for some focal
+    length: with A the first two columns of F, the third is an eigenvector of A A^T, and where mu is
+    its eigenvalue, |third column|^2 / focal^2 = trace(A A^T) - 2 mu.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -1961,8 +2052,7 @@ def relpose_7pt_focal_radial_one_side_eliminated(
 
     Solutions, of which there are at most 19:
 
-    - `f_13`: ()
-    - `f_23`: ()
+    - `third`: (3,)
     - `radial`: ()
 
     Results of each solution:
@@ -1992,6 +2082,9 @@ def relpose_7pt_generalized_scale(
     either ray and the scale; that the rays of any four others meet, too, are linear equations for
     these three. What is stated depends on these five points, not on which is the first.
 
+    For a point of the rays, rotation p1 + translation = scale p2, with p1 in the first system and p2
+    in the second.
+
     Data, for one instance, or with n in front for a batch:
 
     - `first`: (7, 2, 3)
@@ -2000,6 +2093,12 @@ def relpose_7pt_generalized_scale(
     Solutions, of which there are at most 140:
 
     - `q`: (4,)
+
+    Results of each solution:
+
+    - `rotation`: (3, 3)
+    - `translation`: (3,)
+    - `scale`: ()
     """
     return _solve("relpose_7pt_generalized_scale", first, second, progress=progress)
 
@@ -2102,7 +2201,8 @@ def triangulation_3view(
     and second view over that in the third, each times a constant, and z its first error in the
     third view. Every image is turned so that its second error does not depend on z, and scales are
     such that in the errors of the first two views over their depths, x and y, z has the
-    coefficient 1.
+    coefficient 1. The planes of depth zero must meet in one point: the three images must not all be
+    parallel, as rectified ones are.
 
     Stated are derivatives towards seven points. Where the depth of a view vanishes, so does a power
     of it in the denominators; where the errors of a view vanish, too, at its centre, they do not
