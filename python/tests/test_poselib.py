@@ -67,11 +67,8 @@ def test_four_points_with_focal_length(rng):
     view = scenes.one_view(rng, N, 4)
     image = FOCAL * view["image"]
     result = eliminant.pose_35pt_focal(view["points"], image[..., 0], image[:, :3, 1])
-    # The rotation takes the optical axis to (2 y, -2 x, 1 - x^2 - y^2) over its length, but for the
-    # last turn: a row of the true rotation.
-    x, y = result.x, result.y
-    axis = np.stack([-2 * y, 2 * x, 1 - x * x - y * y], axis=-1) / (1 + x * x + y * y)[..., None]
-    distance = np.linalg.norm(axis - view["rotation"][:, None, 2], axis=-1)
+    difference = result.rotation - view["rotation"][:, None]
+    distance = np.linalg.norm(difference, axis=(2, 3))
     ours = (np.nan_to_num(distance, nan=np.inf) < 1e-6).any(axis=1).mean()
     calls = (poselib.p4pf(image[at], view["points"][at], False) for at in range(N))
     theirs = np.mean([has_focal(focals, FOCAL) for _, focals in calls])
