@@ -38,8 +38,8 @@ fn translation_of(r: [[f64; 3]; 3], first: _, second: _) -> [f64; 3] {
 }
 
 /// The vector orthogonal to (a, b, c) and (d, e, f), with the sign for which the first point is in
-/// front of the first camera: its depth is in proportion to -(second x t) . (second x turned), where
-/// (x, y, z) is its turned ray.
+/// front of the first camera: its depth is in proportion to -(second x t) . (second x turned),
+/// where (x, y, z) is its turned ray.
 fn in_front(second: _, x: f64, y: f64, z: f64, a: f64, b: f64, c: f64, d: f64, e: f64, f: f64) -> [f64; 3] {
     let t = cross([a, b, c], [d, e, f]);
     sign(-dot(cross(second, t), cross(second, [x, y, z]))) * sqrt(1 / dot(t, t)) * t

@@ -5,9 +5,9 @@
 /// is the sum of the matrices that span the null space of these equations, each times its weight.
 ///
 /// A pose X -> rotation X + translation takes the frame of the first camera to that of the second;
-/// the translation has the length 1. Of the four poses of an essential matrix it is the one with the
-/// first point in front of both cameras: Horn, "Recovering baseline and orientation from essential
-/// matrix", 1990. For a solution that belongs to the scene all points are in front.
+/// the translation has the length 1. Of the four poses of an essential matrix it is the one with
+/// the first point in front of both cameras: Horn, "Recovering baseline and orientation from
+/// essential matrix", 1990. For a solution that belongs to the scene all points are in front.
 fn relpose_5pt_rays(first: [[f64; 3]; 5], second: [[f64; 3]; 5]) -> (#[projective] weights: [f64; 4]) {
     let mut rows = [[0; 9]; 5];
     for k in 0..5 {
@@ -33,8 +33,8 @@ const ROOT_2: f64 = 1.4142135623730951;
 /// Any vector that no baseline is orthogonal to but by chance.
 const REFERENCE: [f64; 3] = [0.48, 0.6, 0.64];
 
-/// E = \[b\] R, with \[b\] the matrix of the cross product by b, has the norm 1: b b^T = 1/2 - E E^T.
-/// This is the reference times that.
+/// E = \[b\] R, with \[b\] the matrix of the cross product by b, has the norm 1: b b^T = 1/2 - E
+/// E^T. This is the reference times that.
 fn along_baseline(e: [[f64; 3]; 3]) -> [f64; 3] {
     REFERENCE / 2 - e * (e.t() * REFERENCE)
 }

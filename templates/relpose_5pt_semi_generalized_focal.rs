@@ -5,14 +5,14 @@
 /// hybrid point correspondences", WACV 2023. Published as `hyb51f`.
 ///
 /// `image` is that of the known `point`, relative to the principal point, and must not be there.
-/// `images[k]` is that of point k, which a calibrated camera sees along the ray from `centres[k]` in
-/// the direction `directions[k]`. Positions are relative to `point`; images are turned and scaled so
-/// that that of `point` is (1, 0), and its depth is the unknown `depth`. The rotation of the camera,
-/// which is turned with the images, is that of the quaternion 1 + x i + y j, and a turn about its
-/// axis after it, by the angle of which c and s are cosine and sine, times the focal length. An
-/// image lies on that of the ray: det(M) M^-T, the cofactors of M, maps moments of rays to lines of
-/// the image where M maps directions to points of it. The squared norm of the quaternion, which
-/// divides all cofactors, is left out.
+/// `images[k]` is that of point k, which a calibrated camera sees along the ray from `centres[k]`
+/// in the direction `directions[k]`. Positions are relative to `point`; images are turned and
+/// scaled so that that of `point` is (1, 0), and its depth is the unknown `depth`. The rotation of
+/// the camera, which is turned with the images, is that of the quaternion 1 + x i + y j, and a turn
+/// about its axis after it, by the angle of which c and s are cosine and sine, times the focal
+/// length. An image lies on that of the ray: det(M) M^-T, the cofactors of M, maps moments of rays
+/// to lines of the image where M maps directions to points of it. The squared norm of the
+/// quaternion, which divides all cofactors, is left out.
 ///
 /// A pose X -> rotation X + translation takes the world to the camera; `focal` is in the unit of
 /// images. The known point is in front of the camera.

@@ -7,9 +7,9 @@
 /// units of the length of all images.
 ///
 /// A pose X -> rotation X + translation takes the frame of the first camera to that of the second;
-/// the translation has the length 1. Of the four poses of an essential matrix it is the one with the
-/// first point in front of both cameras, as in `relpose_5pt_rays`. For a solution that belongs to
-/// the scene all points are in front.
+/// the translation has the length 1. Of the four poses of an essential matrix it is the one with
+/// the first point in front of both cameras, as in `relpose_5pt_rays`. For a solution that belongs
+/// to the scene all points are in front.
 fn relpose_6pt_focal_points(first: [[f64; 2]; 6], second: [[f64; 2]; 6]) -> (#[projective] weights: [f64; 3], w) {
     // In units in which images are about 1, so that all entries of the matrix keep their digits.
     let unit = norm([first, second]);

@@ -11,8 +11,8 @@
 /// either ray and the scale; that the rays of any four others meet, too, are linear equations for
 /// these three. What is stated depends on these five points, not on which is the first.
 ///
-/// For a point of the rays, rotation p1 + translation = scale p2, with p1 in the first system and p2
-/// in the second.
+/// For a point of the rays, rotation p1 + translation = scale p2, with p1 in the first system and
+/// p2 in the second.
 fn relpose_7pt_generalized_scale(first: [[[f64; 3]; 2]; 7], second: [[[f64; 3]; 2]; 7]) -> (#[projective] q: [f64; 4]) {
     let r = rotation(q);
     for i in 0..3 {

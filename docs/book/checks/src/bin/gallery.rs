@@ -1,6 +1,6 @@
 //! Writes what the book shows of the catalogue: the gallery with its pictures, and the tables of
-//! pages that follow from other tables: templates beside published ones, accuracy before and now, and
-//! how far the aims of speed are.
+//! pages that follow from other tables: templates beside published ones, accuracy before and now,
+//! and how far the aims of speed are.
 
 use std::fs;
 use std::process::ExitCode;
