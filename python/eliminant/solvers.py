@@ -1638,9 +1638,9 @@ def relpose_5pt_rays(
     is the sum of the matrices that span the null space of these equations, each times its weight.
 
     A pose X -> rotation X + translation takes the frame of the first camera to that of the second;
-    the translation has the length 1. Of the four poses of an essential matrix it is the one with the
-    first point in front of both cameras: Horn, "Recovering baseline and orientation from essential
-    matrix", 1990. For a solution that belongs to the scene all points are in front.
+    the translation has the length 1. Of the four poses of an essential matrix it is the one with
+    the first point in front of both cameras: Horn, "Recovering baseline and orientation from
+    essential matrix", 1990. For a solution that belongs to the scene all points are in front.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -1676,14 +1676,14 @@ def relpose_5pt_semi_generalized_focal(
     hybrid point correspondences", WACV 2023. Published as `hyb51f`.
 
     `image` is that of the known `point`, relative to the principal point, and must not be there.
-    `images[k]` is that of point k, which a calibrated camera sees along the ray from `centres[k]` in
-    the direction `directions[k]`. Positions are relative to `point`; images are turned and scaled so
-    that that of `point` is (1, 0), and its depth is the unknown `depth`. The rotation of the camera,
-    which is turned with the images, is that of the quaternion 1 + x i + y j, and a turn about its
-    axis after it, by the angle of which c and s are cosine and sine, times the focal length. An
-    image lies on that of the ray: det(M) M^-T, the cofactors of M, maps moments of rays to lines of
-    the image where M maps directions to points of it. The squared norm of the quaternion, which
-    divides all cofactors, is left out.
+    `images[k]` is that of point k, which a calibrated camera sees along the ray from `centres[k]`
+    in the direction `directions[k]`. Positions are relative to `point`; images are turned and
+    scaled so that that of `point` is (1, 0), and its depth is the unknown `depth`. The rotation of
+    the camera, which is turned with the images, is that of the quaternion 1 + x i + y j, and a turn
+    about its axis after it, by the angle of which c and s are cosine and sine, times the focal
+    length. An image lies on that of the ray: det(M) M^-T, the cofactors of M, maps moments of rays
+    to lines of the image where M maps directions to points of it. The squared norm of the
+    quaternion, which divides all cofactors, is left out.
 
     A pose X -> rotation X + translation takes the world to the camera; `focal` is in the unit of
     images. The known point is in front of the camera.
@@ -1788,9 +1788,9 @@ def relpose_6pt_focal_points(
     units of the length of all images.
 
     A pose X -> rotation X + translation takes the frame of the first camera to that of the second;
-    the translation has the length 1. Of the four poses of an essential matrix it is the one with the
-    first point in front of both cameras, as in `relpose_5pt_rays`. For a solution that belongs to
-    the scene all points are in front.
+    the translation has the length 1. Of the four poses of an essential matrix it is the one with
+    the first point in front of both cameras, as in `relpose_5pt_rays`. For a solution that belongs
+    to the scene all points are in front.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -2082,8 +2082,8 @@ def relpose_7pt_generalized_scale(
     either ray and the scale; that the rays of any four others meet, too, are linear equations for
     these three. What is stated depends on these five points, not on which is the first.
 
-    For a point of the rays, rotation p1 + translation = scale p2, with p1 in the first system and p2
-    in the second.
+    For a point of the rays, rotation p1 + translation = scale p2, with p1 in the first system and
+    p2 in the second.
 
     Data, for one instance, or with n in front for a batch:
 
