@@ -103,9 +103,12 @@ fn motions_come_from_a_known_angle() {
     });
 }
 
-/// Rays through points in either system of cameras: a point of the ray and its direction. Points of
-/// the second system are in a unit `scale` times as long.
-fn systems<const N: usize>(random: &mut Random, scale: f64) -> (Rays<0>, [[[[f64; 3]; 2]; N]; 2], Vector3<f64>) {
+/// Rays of a system of cameras: a point of each and its direction.
+type System<const N: usize> = [[[f64; 3]; 2]; N];
+
+/// Rays through points in either system. Points of the second one are in a unit `scale` times as
+/// long.
+fn systems<const N: usize>(random: &mut Random, scale: f64) -> (Rays<0>, [System<N>; 2], Vector3<f64>) {
     let (rotation, translation, points) = two_cameras((random, Motion::General), N);
     let mut ray = |x: Vector3<f64>| {
         let centre = in_ball(random);
