@@ -55,9 +55,14 @@ fn solved_shares(family: Family, first_seed: u64) -> Vec<(&'static str, f64)> {
 
 /// Problems whose coefficients are powers of their data, the orders of magnitude of these data, and
 /// between which shares of instances the template is not singular to `f64`.
-const OF_POWERS: [(&str, f64, RangeInclusive<f64>); 3] = [
+const OF_POWERS: [(&str, f64, RangeInclusive<f64>); 6] = [
     // Squares: data over two orders of magnitude make coefficients over four.
     ("pose_5tdoa_two_receivers", 1.0, 0.999..=1.0),
+    // Squares of images and of the bound, and the products of a determinant of derivatives.
+    ("pose_3pt_upright_error_bound", 1.0, 0.98..=1.0),
+    // Products and squares of images in derived data. 0.999 measured.
+    ("fundamental_8pt_radial_one_side", 1.0, 0.998..=1.0),
+    ("relpose_7pt_focal_radial_one_side", 1.0, 0.998..=1.0),
     // Fourth powers: data over two make coefficients over eight. Ranges over eight are none of any
     // receivers, and make coefficients over 32, twice the digits of `f64`.
     ("calibration_6_receivers_4_senders", 1.0, 0.9..=1.0),
@@ -78,8 +83,9 @@ fn on_random_data() {
 
 #[test]
 fn on_scenes() {
-    // On 1 of 628 scenes of `pose_npt_least_squares_quaternion` the template is singular to `f64`.
-    assert_shares(&solved_shares(Family::Scene, 1_500_000), 0.99..=1.0);
+    // On 11 of 1,000 scenes the template of `relpose_7pt_focal_radial_one_side` is singular to
+    // `f64`, on 1 of 628 that of `pose_npt_least_squares_quaternion`.
+    assert_shares(&solved_shares(Family::Scene, 1_500_000), 0.98..=1.0);
 }
 
 /// Each input times its own power of ten, over ever wider ranges: from data that are solved like
