@@ -292,11 +292,6 @@ fn all_solutions_are_found_on_random_data() {
 
 #[test]
 fn solve_gives_the_real_ones_of_solve_complex_on_scenes() {
-    let exceptions = &[Exception {
-        problem: "fundamental_8pt_radial_one_side",
-        bound: 1e-2,
-        reason: "4e-3 measured: where a determinant gives the solutions",
-    }];
-    let real = Bounds { what: "solve does not give the real ones", usual: 1e-3, exceptions };
+    let real = Bounds { what: "solve does not give the real ones", usual: 1e-3, exceptions: &[] };
     check_claims(Family::Scene, 53_000_000, SCENES, &[(real, |o| o.real_ones_agree)]);
 }
