@@ -69,6 +69,9 @@ const OF_POWERS: [(&str, f64, RangeInclusive<f64>); 6] = [
     ("calibration_6_receivers_4_senders", 4.0, 0.0..=0.0),
 ];
 
+/// The problem whose template is singular to `f64` on more scenes than those of others: 11 of 1,000.
+const OFTEN_SINGULAR: &str = "relpose_7pt_focal_radial_one_side";
+
 /// Asserts that the share of solved instances of every problem is in a range.
 fn assert_shares(shares: &[(&str, f64)], range: RangeInclusive<f64>) {
     let outside: Vec<&(&str, f64)> = shares.iter().filter(|(_, share)| !range.contains(share)).collect();
@@ -83,9 +86,11 @@ fn on_random_data() {
 
 #[test]
 fn on_scenes() {
-    // On 11 of 1,000 scenes the template of `relpose_7pt_focal_radial_one_side` is singular to
-    // `f64`, on 1 of 628 that of `pose_npt_least_squares_quaternion`.
-    assert_shares(&solved_shares(Family::Scene, 1_500_000), 0.98..=1.0);
+    let shares = solved_shares(Family::Scene, 1_500_000);
+    let (often, others): (Vec<_>, Vec<_>) = shares.into_iter().partition(|(name, _)| *name == OFTEN_SINGULAR);
+    assert!(matches!(often[..], [(_, share)] if share >= 0.98), "{often:?}");
+    // On 1 of 628 scenes of `pose_npt_least_squares_quaternion` the template is singular to `f64`.
+    assert_shares(&others, 0.99..=1.0);
 }
 
 /// Each input times its own power of ten, over ever wider ranges: from data that are solved like
