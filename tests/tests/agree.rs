@@ -69,7 +69,8 @@ const OF_POWERS: [(&str, f64, RangeInclusive<f64>); 6] = [
     ("calibration_6_receivers_4_senders", 4.0, 0.0..=0.0),
 ];
 
-/// The problem whose template is singular to `f64` on more scenes than those of others: 11 of 1,000.
+/// The problem whose template is singular to `f64` on more scenes than those of others are: on 11
+/// of 1,000.
 const OFTEN_SINGULAR: &str = "relpose_7pt_focal_radial_one_side";
 
 /// Asserts that the share of solved instances of every problem is in a range.
