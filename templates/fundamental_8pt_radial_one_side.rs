@@ -6,29 +6,31 @@
 ///
 /// `first[k]` is the image of point k in a camera without distortion, `second[k]` the distorted one
 /// in the other, relative to the centre of distortion. There an image x lies along (x, 1 + radial
-/// |x|^2), the division model. Then x2^T F x1 = 0 is linear in the nine entries of F and in
-/// `third`, its third row, times `radial`. Eight points give the first two rows, radial f31 and
-/// radial f32 as combinations of radial f33 and `third`. F is given up to scale. `third` vanishes
-/// where the second camera moves along its optical axis: then the points tell nothing of the
-/// distortion.
-fn fundamental_8pt_radial_one_side(first: [[f64; 2]; 8], second: [[f64; 2]; 8]) -> (
-    #[projective] third: [f64; 3],
-    radial,
-) {
+/// |x|^2), the division model. Then x2^T F x1 = 0 is, with f32 = 1, linear in the first two rows of
+/// F, radial f31, radial f32 and in radial f33, f31, 1, f33: eight points give the former as
+/// combinations of these. The first image is turned, which turns (f31, f32): for usual motions one
+/// of these is 0 if it is not. Both vanish where the second camera moves along its optical axis:
+/// then the points tell nothing of the distortion.
+fn fundamental_8pt_radial_one_side(first: [[f64; 2]; 8], second: [[f64; 2]; 8]) -> (f_31, f_33, radial) {
+    let [cos, sin] = TURN;
+    let turned = first * [[cos, -sin], [sin, cos]];
     let mut leading = [[0; 8]; 8];
     let mut others = [[0; 4]; 8];
     for k in 0..8 {
-        let [a, b] = first[k];
+        let [a, b] = turned[k];
         let [c, d] = second[k];
         let s = c * c + d * d;
         leading[k] = [a * c, b * c, c, a * d, b * d, d, a * s, b * s];
         others[k] = [-s, -a, -b, -1];
     }
     let [f11, f12, f13, f21, f22, f23, radial_f31, radial_f32] =
-        solve(leading, others) * concat(radial * third[2], third);
-    let fundamental = [[f11, f12, f13], [f21, f22, f23], third];
-    det(fundamental) == 0;
-    radial * third[0] == radial_f31;
-    radial * third[1] == radial_f32;
-    RadialEpipolar { fundamental: fundamental, radial: radial }
+        solve(leading, others) * [radial * f_33, f_31, 1, f_33];
+    let own = [[f11, f12, f13], [f21, f22, f23], [f_31, 1, f_33]];
+    radial * f_31 == radial_f31;
+    radial == radial_f32;
+    det(own) == 0;
+    RadialEpipolar { fundamental: own * [[cos, sin, 0], [-sin, cos, 0], [0, 0, 1]], radial: radial }
 }
+
+/// Cosine and sine of the angle by which the image is turned.
+const TURN: [f64; 2] = [5 / 13, 12 / 13];

@@ -2,36 +2,44 @@
 /// solutions.
 ///
 /// Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
-/// problems for cameras with radial distortion", CVIU 114, 2010. Published as `rdist9p`, with f13
-/// and f23 eliminated in place of t and f13.
+/// problems for cameras with radial distortion", CVIU 114, 2010. Published as `rdist9p`, with f33 =
+/// 1, which loses planar motions and those without a rotation: f33 is 0.
 ///
 /// `first[k]` and `second[k]` are the distorted images of point k, relative to the centres of
 /// distortion. An image x lies along (x, 1 + radial |x|^2), the division model: with s for `radial`
-/// in the second image and t in the first. Then x2^T F x1 = 0 is, with f33 = 1, linear in f11, f12,
-/// f21, f22, t, f13, t f13, t f23, s t and in s f31, s f32, s, f31, f32, f23, 1: nine points give
-/// the former as combinations of these.
-fn fundamental_9pt_two_radials(first: [[f64; 2]; 9], second: [[f64; 2]; 9]) -> (s, f_31, f_32, f_23) {
+/// in the second image and t in the first. Then x2^T F x1 = 0 is, with f23 = 1, linear in f11, f12,
+/// f21, f22, t f13, t, t f33, s t f33, f13 and in s f31, s f32, s f33, f31, f32, f33, 1: nine points
+/// give the former as combinations of these. The second image is turned, which turns (f13, f23):
+/// for usual motions one of these is 0 if it is not. Both vanish where the first camera moves along
+/// its optical axis; without a rotation such points tell nothing of the distortions.
+fn fundamental_9pt_two_radials(first: [[f64; 2]; 9], second: [[f64; 2]; 9]) -> (s, f_31, f_32, f_33) {
+    let [cos, sin] = TURN;
+    let turned = second * [[cos, -sin], [sin, cos]];
     let mut leading = [[0; 9]; 9];
     let mut others = [[0; 7]; 9];
     for k in 0..9 {
         let [a, b] = first[k];
-        let [c, d] = second[k];
+        let [c, d] = turned[k];
         let [p, q] = [a * a + b * b, c * c + d * d];
-        leading[k] = [c * a, c * b, d * a, d * b, p, c, c * p, d * p, p * q];
-        others[k] = [-a * q, -b * q, -q, -a, -b, -d, -1];
+        leading[k] = [c * a, c * b, d * a, d * b, c * p, d * p, p, p * q, c];
+        others[k] = [-a * q, -b * q, -q, -a, -b, -1, -d];
     }
-    let [f11, f12, f21, f22, t, f13, t_f13, t_f23, s_t] =
-        solve(leading, others) * [s * f_31, s * f_32, s, f_31, f_32, f_23, 1];
-    let fundamental = [[f11, f12, f13], [f21, f22, f_23], [f_31, f_32, 1]];
+    let [f11, f12, f21, f22, t_f13, t, t_f33, s_t_f33, f13] =
+        solve(leading, others) * [s * f_31, s * f_32, s * f_33, f_31, f_32, f_33, 1];
+    let own = [[f11, f12, f13], [f21, f22, 1], [f_31, f_32, f_33]];
     t * f13 == t_f13;
-    t * f_23 == t_f23;
-    s * t == s_t;
-    det(fundamental) == 0;
+    t * f_33 == t_f33;
+    s * t_f33 == s_t_f33;
+    det(own) == 0;
     // These follow, and have a lower degree than the products that they follow from.
-    det([[f11, f12, f13], [f21, f22, f_23], [s * f_31, s * f_32, s]]) == 0;
-    det([[f11, f12, t_f13], [f21, f22, t_f23], [f_31, f_32, t]]) == 0;
-    det([[f11, f12, t_f13], [f21, f22, t_f23], [s * f_31, s * f_32, s_t]]) == 0;
-    t_f13 * f_23 == t_f23 * f13;
-    s_t * [f13, f_23] == s * [t_f13, t_f23];
-    RadialEpipolar { fundamental: fundamental, radials: [t, s] }
+    det([own[0], own[1], [s * f_31, s * f_32, s * f_33]]) == 0;
+    det([[f11, f12, t_f13], [f21, f22, t], [f_31, f_32, t_f33]]) == 0;
+    det([[f11, f12, t_f13], [f21, f22, t], [s * f_31, s * f_32, s_t_f33]]) == 0;
+    t_f33 * f13 == t_f13 * f_33;
+    s_t_f33 * f13 == s * t_f13 * f_33;
+    s * t * f_33 == s_t_f33;
+    RadialEpipolar { fundamental: [[cos, -sin, 0], [sin, cos, 0], [0, 0, 1]] * own, radials: [t, s] }
 }
+
+/// Cosine and sine of the angle by which the second image is turned.
+const TURN: [f64; 2] = [5 / 13, 12 / 13];

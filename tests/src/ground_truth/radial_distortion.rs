@@ -9,14 +9,13 @@ use super::{
 };
 
 pub(super) fn makers() -> Vec<Maker> {
-    let error: fn(&[f64], &[f64], &[f64]) -> f64 = |_, solution, truth| largest_relative_error(solution, truth);
     let maker = |name, make, error| Maker { name, make: Make::TwoCameras(make), error };
     vec![
         maker("fundamental_8pt_radial", fundamental_eight_points, projective::<1, 3>),
-        maker("fundamental_8pt_radial_one_side", fundamental_eight_points_one_side, projective::<0, 2>),
-        maker("fundamental_9pt_two_radials", fundamental_nine_points, error),
-        maker("relpose_6pt_radial", six_points, error),
-        maker("relpose_7pt_focal_radial", seven_points, error),
+        maker("fundamental_8pt_radial_one_side", fundamental_eight_points_one_side, with_one::<0, 2>),
+        maker("fundamental_9pt_two_radials", fundamental_nine_points, with_one::<1, 4>),
+        maker("relpose_6pt_radial", six_points, with_one::<0, 3>),
+        maker("relpose_7pt_focal_radial", seven_points, with_one::<1, 4>),
         maker("relpose_7pt_focal_radial_one_side", seven_points_one_side, projective::<1, 3>),
         maker("relpose_7pt_focal_radial_one_side_eliminated", seven_points_one_side_eliminated, projective::<0, 2>),
     ]
@@ -24,6 +23,19 @@ pub(super) fn makers() -> Vec<Maker> {
 
 /// The error of the unknowns FIRST..END, a vector up to scale, and of each of the others.
 fn projective<const FIRST: usize, const END: usize>(_: &[f64], solution: &[f64], truth: &[f64]) -> f64 {
+    error_with::<FIRST, END>(vector, solution, truth)
+}
+
+/// The same where the other entry of the vector is 1.
+fn with_one<const FIRST: usize, const END: usize>(_: &[f64], solution: &[f64], truth: &[f64]) -> f64 {
+    error_with::<FIRST, END>(|unknowns| [unknowns, &[1.0]].concat(), solution, truth)
+}
+
+fn error_with<const FIRST: usize, const END: usize>(
+    vector: fn(&[f64]) -> Vec<f64>,
+    solution: &[f64],
+    truth: &[f64],
+) -> f64 {
     let [own, known] = [solution, truth].map(|x| vector(&x[FIRST..END]));
     let others = |x: &[f64]| [&x[..FIRST], &x[END..]].concat();
     projective_error(&own, &known).max(largest_relative_error(&others(solution), &others(truth)))
@@ -84,6 +96,12 @@ impl Views {
         Self { fundamental: self.fundamental * turn.transpose(), points: self.points.iter().map(turn_point).collect() }
     }
 
+    /// F with f23 = 1 where the second image is turned.
+    fn with_second_turned(&self) -> Matrix3<f64> {
+        let turned = self.exchanged().turned(TURN).exchanged().fundamental;
+        turned / turned[(1, 2)]
+    }
+
     /// The points of the first image, then those of the second.
     fn images(&self) -> Vec<f64> {
         let first = self.points.iter().flat_map(|point| [point.a, point.b]);
@@ -99,9 +117,8 @@ impl Views {
     }
 }
 
-fn third_row(matrix: &Matrix3<f64>) -> Vec<f64> {
-    coordinates(&[matrix.m31, matrix.m32, matrix.m33])
-}
+/// By how much solvers turn an image whatever its points are: (5, 12) / 13 becomes (1, 0).
+const TURN: f64 = -1.176_005_207_095_135_2;
 
 /// Barrel distortion.
 fn radial(random: &mut Random, motion: Motion) -> f64 {
@@ -125,7 +142,8 @@ fn fundamental_eight_points(random: &mut Random, motion: Motion) -> KnownInstanc
 fn fundamental_eight_points_one_side(random: &mut Random, motion: Motion) -> KnownInstance {
     let (focal, radial) = ([focal(random), focal(random)], radial(random, motion));
     let views = Views::draw((random, motion), 8, focal, [0.0, radial]);
-    KnownInstance { data: views.images(), truths: vec![[third_row(&views.fundamental), vec![radial]].concat()] }
+    let f = views.exchanged().with_second_turned();
+    KnownInstance { data: views.images(), truths: vec![vec![f[(0, 2)], f[(2, 2)], radial]] }
 }
 
 fn seven_points_one_side_eliminated(random: &mut Random, motion: Motion) -> KnownInstance {
@@ -138,53 +156,47 @@ fn seven_points_one_side_eliminated(random: &mut Random, motion: Motion) -> Know
 fn fundamental_nine_points(random: &mut Random, motion: Motion) -> KnownInstance {
     let (focal, s, t) = ([focal(random), focal(random)], radial(random, motion), radial(random, motion));
     let views = Views::draw((random, motion), 9, focal, [t, s]);
-    let f = views.fundamental / views.fundamental[(2, 2)];
-    KnownInstance { data: views.images(), truths: vec![vec![s, f[(2, 0)], f[(2, 1)], f[(1, 2)]]] }
+    let f = views.with_second_turned();
+    KnownInstance { data: views.images(), truths: vec![vec![s, f[(2, 0)], f[(2, 1)], f[(2, 2)]]] }
 }
 
 /// A solver takes its pick of which image is the first, and how the second one is turned: of eight
-/// choices that with the smallest combinations. Then it turns the first image, and chooses the unit
-/// of the distortion, so that f31 = radial f13 + 0 radial f23 + ...: the views of which that is
-/// true, and the unit. `others` lists the monomials d, d first, a, a second, b, b second and
-/// further ones, and the last of the leading unknowns is f31.
-fn chosen(views: &Views, equation: impl Fn(&Correspondence) -> (Vec<f64>, Vec<f64>)) -> (Views, f64) {
+/// choices that with the smallest combinations.
+fn chosen(views: &Views, equation: impl Fn(&Correspondence) -> (Vec<f64>, Vec<f64>)) -> Views {
     let choices = [views.exchanged(), views.exchanged().exchanged()].into_iter().flat_map(|exchanged| {
         let turns: [[f64; 2]; 4] = [[1.0, 0.0], [0.8, 0.6], [0.0, 1.0], [-0.8, 0.6]];
         turns.map(|[cos, sin]| exchanged.turned(-sin.atan2(cos)).exchanged())
     });
     let squares = |views: &Views| views.affine(&equation).iter().map(|x| x * x).sum::<f64>();
-    let best = choices.min_by(|a, b| squares(a).total_cmp(&squares(b))).expect("one of eight");
-    let (leading, others) = equation(&best.points[0]);
-    // The coefficients of radial f13 and radial f23.
-    let f31 = &best.affine(&equation)[(leading.len() - 1) * others.len()..];
-    let (x, y) = (f31[3], f31[5]);
-    (best.turned(-y.atan2(x)), x.hypot(y))
+    choices.min_by(|a, b| squares(a).total_cmp(&squares(b))).expect("one of eight")
 }
 
 fn six_points(random: &mut Random, motion: Motion) -> KnownInstance {
     let radial = radial(random, motion);
     let views = Views::draw((random, motion), 6, [1.0; 2], [radial; 2]);
-    let (own, unit) = chosen(&views, |&Correspondence { a, b, first, c, d, second }: &Correspondence| {
+    let chosen = chosen(&views, |&Correspondence { a, b, first, c, d, second }: &Correspondence| {
         (
             vec![a * c, b * c, a * d, b * d, c * first, c],
             vec![d, d * first, a, a * second, b, b * second, first * second, first + second, 1.0],
         )
     });
-    let e = own.fundamental.transpose() / own.fundamental[(2, 2)];
-    KnownInstance { data: views.images(), truths: vec![vec![e[(0, 2)], e[(2, 1)], e[(1, 2)], radial * unit]] }
+    let transposed = chosen.turned(TURN).fundamental.transpose();
+    let e = transposed / transposed[(1, 2)];
+    KnownInstance { data: views.images(), truths: vec![vec![e[(0, 2)], e[(2, 1)], e[(2, 2)], radial]] }
 }
 
 fn seven_points(random: &mut Random, motion: Motion) -> KnownInstance {
     let (focal, radial) = (focal(random), radial(random, motion));
     let views = Views::draw((random, motion), 7, [focal; 2], [radial; 2]);
-    let (own, unit) = chosen(&views, |&Correspondence { a, b, first, c, d, second }: &Correspondence| {
+    let chosen = chosen(&views, |&Correspondence { a, b, first, c, d, second }: &Correspondence| {
         (
             vec![a * c, b * c, a * d, b * d, c * first, first * second, c],
             vec![d, d * first, a, a * second, b, b * second, first + second, 1.0],
         )
     });
-    let f = own.fundamental.transpose() / own.fundamental[(2, 2)];
-    let truth = vec![1.0 / (focal * focal), f[(2, 1)], f[(0, 2)], f[(1, 2)], radial * unit];
+    let transposed = chosen.turned(TURN).fundamental.transpose();
+    let f = transposed / transposed[(1, 2)];
+    let truth = vec![1.0 / (focal * focal), f[(0, 2)], f[(2, 1)], f[(2, 2)], radial];
     KnownInstance { data: views.images(), truths: vec![truth] }
 }
 
@@ -192,6 +204,6 @@ fn seven_points(random: &mut Random, motion: Motion) -> KnownInstance {
 fn seven_points_one_side(random: &mut Random, motion: Motion) -> KnownInstance {
     let (focal, radial) = (focal(random), radial(random, motion));
     let views = Views::draw((random, motion), 7, [focal, 1.0], [radial, 0.0]);
-    let third = third_row(&views.fundamental.transpose());
+    let third = coordinates(views.fundamental.column(2).as_slice());
     KnownInstance { data: views.images(), truths: vec![[vec![1.0 / (focal * focal)], third, vec![radial]].concat()] }
 }
