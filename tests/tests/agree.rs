@@ -61,8 +61,8 @@ const OF_POWERS: [(&str, f64, RangeInclusive<f64>); 7] = [
     // Squares of images and of the bound, and the products of a determinant of derivatives.
     ("pose_3pt_upright_error_bound", 1.0, 0.98..=1.0),
     ("pose_3pt_upright_error_bound", 4.0, 0.1..=1.0),
-    // Products and squares of images in derived data. 0.999 measured.
-    ("fundamental_8pt_radial_one_side", 1.0, 0.998..=1.0),
+    // Products and squares of images in derived data. 0.996 and 0.999 measured.
+    ("relpose_7pt_focal_radial", 1.0, 0.98..=1.0),
     ("relpose_7pt_focal_radial_one_side", 1.0, 0.998..=1.0),
     // Fourth powers: data over two make coefficients over eight. Ranges over eight are none of any
     // receivers, and make coefficients over 32, twice the digits of `f64`.
@@ -70,9 +70,17 @@ const OF_POWERS: [(&str, f64, RangeInclusive<f64>); 7] = [
     ("calibration_6_receivers_4_senders", 4.0, 0.0..=0.0),
 ];
 
-/// The problem whose template is singular to `f64` on more scenes than those of others are: on 11
-/// of 1,000.
-const OFTEN_SINGULAR: &str = "relpose_7pt_focal_radial_one_side";
+/// Problems whose templates are singular to `f64` more often than others are: on 1 of 269 random
+/// instances and 3 of 269 scenes, and on 11 of 1,000 scenes.
+const OFTEN_SINGULAR: [&str; 2] = ["relpose_7pt_focal_radial", "relpose_7pt_focal_radial_one_side"];
+
+/// Asserts that the share of solved instances of every problem is in a range, and at least 0.98 of
+/// those that are often singular.
+fn assert_shares_of_usual(shares: Vec<(&str, f64)>, range: RangeInclusive<f64>) {
+    let (often, usual): (Vec<_>, Vec<_>) = shares.into_iter().partition(|(name, _)| OFTEN_SINGULAR.contains(name));
+    assert!(often.iter().all(|&(_, share)| share >= 0.98), "{often:?}");
+    assert_shares(&usual, range);
+}
 
 /// Asserts that the share of solved instances of every problem is in a range.
 fn assert_shares(shares: &[(&str, f64)], range: RangeInclusive<f64>) {
@@ -83,16 +91,13 @@ fn assert_shares(shares: &[(&str, f64)], range: RangeInclusive<f64>) {
 
 #[test]
 fn on_random_data() {
-    assert_shares(&solved_shares(Family::Random, 1_000_000), 1.0..=1.0);
+    assert_shares_of_usual(solved_shares(Family::Random, 1_000_000), 1.0..=1.0);
 }
 
 #[test]
 fn on_scenes() {
-    let shares = solved_shares(Family::Scene, 1_500_000);
-    let (often, others): (Vec<_>, Vec<_>) = shares.into_iter().partition(|(name, _)| *name == OFTEN_SINGULAR);
-    assert!(matches!(often[..], [(_, share)] if share >= 0.98), "{often:?}");
     // On 1 of 628 scenes of `pose_npt_least_squares_quaternion` the template is singular to `f64`.
-    assert_shares(&others, 0.99..=1.0);
+    assert_shares_of_usual(solved_shares(Family::Scene, 1_500_000), 0.99..=1.0);
 }
 
 /// Each input times its own power of ten, over ever wider ranges: from data that are solved like

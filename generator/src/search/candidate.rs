@@ -63,7 +63,6 @@ impl TemplateCandidate {
             operations: self.plan.operations().total(),
             rows: self.template.rows(),
             basis: self.template.basis.len(),
-            loses_zeros: self.plan.zeros.lacks_pairs || self.plan.zeros.is_misread,
         }
     }
 }

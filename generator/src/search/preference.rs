@@ -32,8 +32,6 @@ pub struct Cost {
     pub rows: usize,
     /// |B|.
     pub basis: usize,
-    /// Whether solutions at which some unknown vanishes may be lost.
-    pub loses_zeros: bool,
 }
 
 impl Preference {

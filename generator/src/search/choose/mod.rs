@@ -20,9 +20,8 @@
 //!    measured on [`Measuring::confirm`] instances one after another, each only until it is
 //!    rejected. The order is that of the preference, with two exceptions. For *speed*, the time
 //!    of second attempts is added, and of those that take at most [`EQUAL_COST`] times the least
-//!    one that keeps solutions at which some unknown vanishes comes first, then the one with fewest
-//!    rows, then the one with fewest operations. For *stability*, the order is fewest unsolved
-//!    instances, then smallest 99 % quantile, then smallest median.
+//!    the one with fewest rows comes first, then the one with fewest operations. For *stability*,
+//!    the order is fewest unsolved instances, then smallest 99 % quantile, then smallest median.
 //!    The first finalist that lasts and lacks a solution on at most one instance in
 //!    [`INCOMPLETE_ONE_IN`] is *accepted*. If none is, further candidates are screened, up to
 //!    [`SCREENED_AT_MOST`] and until all measurements together take [`MEASURING_WORK`].

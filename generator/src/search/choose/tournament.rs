@@ -243,17 +243,14 @@ impl Tournament<'_> {
     }
 
     /// Sorts by the expected time. Candidates that are as fast as the fastest, as far as the model
-    /// tells, come first: those that lose no zeros, then in the order of their rows and operations.
+    /// tells, come first, in the order of their rows and operations.
     fn sort_by_speed(&self, candidates: &mut [usize]) {
         let expected = |at: usize| self.expected_nanoseconds(at);
         let least = candidates.iter().map(|&at| expected(at)).fold(f64::INFINITY, f64::min);
         let is_fast = |at: usize| expected(at) <= EQUAL_COST * least;
-        let key = |at: usize| match is_fast(at) {
-            true => (self.costs[at].loses_zeros, self.costs[at].rows),
-            false => (true, usize::MAX),
-        };
+        let rows = |at: usize| if is_fast(at) { self.costs[at].rows } else { usize::MAX };
         let cost = |at: usize| if is_fast(at) { self.expected_operations(at) } else { expected(at) };
-        candidates.sort_by(|&a, &b| key(a).cmp(&key(b)).then(cost(a).total_cmp(&cost(b))).then(a.cmp(&b)));
+        candidates.sort_by(|&a, &b| rows(a).cmp(&rows(b)).then(cost(a).total_cmp(&cost(b))).then(a.cmp(&b)));
     }
 
     fn p99(&self, at: usize) -> f64 {
