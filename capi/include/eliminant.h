@@ -446,19 +446,19 @@ uint64_t eliminant_fundamental_8pt_radial_second_attempt_operations(void);
  *
  * `first[k]` is the image of point k in a camera without distortion, `second[k]` the distorted one
  * in the other, relative to the centre of distortion. There an image x lies along (x, 1 + radial
- * |x|^2), the division model. Then x2^T F x1 = 0 is linear in the nine entries of F and in
- * `third`, its third row, times `radial`. Eight points give the first two rows, radial f31 and
- * radial f32 as combinations of radial f33 and `third`. F is given up to scale. `third` vanishes
- * where the second camera moves along its optical axis: then the points tell nothing of the
- * distortion.
+ * |x|^2), the division model. Then x2^T F x1 = 0 is, with f32 = 1, linear in the first two rows of
+ * F, radial f31, radial f32 and in radial f33, f31, 1, f33: eight points give the former as
+ * combinations of these. The first image is turned, which turns (f31, f32): for usual motions one
+ * of these is 0 if it is not. Both vanish where the second camera moves along its optical axis:
+ * then the points tell nothing of the distortion.
  *
  * Data: first[8][2], second[8][2].
- * A row of 4 numbers, the unknowns: third[3] (given up to scale: of length 1), radial.
+ * A row of 3 numbers, the unknowns: f_31, f_33, radial.
  * A row of 10 numbers, the result radial_epipolar: fundamental[3][3], radial.
  */
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_FIRST_LENGTH 16
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_SECOND_LENGTH 16
-#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_UNKNOWNS 4
+#define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_UNKNOWNS 3
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_LENGTH_OF_RADIAL_EPIPOLAR 10
 #define ELIMINANT_FUNDAMENTAL_8PT_RADIAL_ONE_SIDE_MAX_SOLUTIONS 8
 int32_t eliminant_fundamental_8pt_radial_one_side_solve(
@@ -496,17 +496,19 @@ uint64_t eliminant_fundamental_8pt_radial_one_side_second_attempt_operations(voi
  * solutions.
  *
  * Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
- * problems for cameras with radial distortion", CVIU 114, 2010. Published as `rdist9p`, with f13
- * and f23 eliminated in place of t and f13.
+ * problems for cameras with radial distortion", CVIU 114, 2010. Published as `rdist9p`, with f33 =
+ * 1, which loses planar motions and those without a rotation: f33 is 0.
  *
  * `first[k]` and `second[k]` are the distorted images of point k, relative to the centres of
  * distortion. An image x lies along (x, 1 + radial |x|^2), the division model: with s for `radial`
- * in the second image and t in the first. Then x2^T F x1 = 0 is, with f33 = 1, linear in f11, f12,
- * f21, f22, t, f13, t f13, t f23, s t and in s f31, s f32, s, f31, f32, f23, 1: nine points give
- * the former as combinations of these.
+ * in the second image and t in the first. Then x2^T F x1 = 0 is, with f23 = 1, linear in f11, f12,
+ * f21, f22, t f13, t, t f33, s t f33, f13 and in s f31, s f32, s f33, f31, f32, f33, 1: nine points
+ * give the former as combinations of these. The second image is turned, which turns (f13, f23):
+ * for usual motions one of these is 0 if it is not. Both vanish where the first camera moves along
+ * its optical axis; without a rotation such points tell nothing of the distortions.
  *
  * Data: first[9][2], second[9][2].
- * A row of 4 numbers, the unknowns: s, f_31, f_32, f_23.
+ * A row of 4 numbers, the unknowns: s, f_31, f_32, f_33.
  * A row of 11 numbers, the result radial_epipolar: fundamental[3][3], radials[2].
  */
 #define ELIMINANT_FUNDAMENTAL_9PT_TWO_RADIALS_FIRST_LENGTH 18
@@ -2522,20 +2524,20 @@ uint64_t eliminant_relpose_6pt_generalized_second_attempt_operations(void);
  * six points: 52 solutions.
  *
  * Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
- * problems for cameras with radial distortion", CVIU 114, 2010. Published as `relpose_6p_rad`.
+ * problems for cameras with radial distortion", CVIU 114, 2010. Published as `relpose_6p_rad`, with e33 = 1, which loses planar motions
+ * and those without a rotation: e33 is 0.
  *
  * `first[k]` and `second[k]` are the distorted images of point k, relative to the centre of
  * distortion and in units of the focal length. An image x lies along (x, 1 + radial |x|^2), the
- * division model. Then x1^T E x2 = 0 is, with e33 = 1, linear in e11, e21, e12, e22, radial e31,
- * e31 and the monomials e32, radial e32, e13, radial e13, e23, radial e23, radial^2, radial, 1:
- * six points give the former as combinations of these. How well depends on which image is the
+ * division model. Then x1^T E x2 = 0 is, with e23 = 1, linear in e11, e21, e12, e22, radial e31,
+ * e31 and the monomials e32, radial e32, e13, radial e13, 1, radial, radial^2 e33, radial e33,
+ * e33: six points give the former as combinations of these. How well depends on which image is the
  * first, and on how the second one is turned about its centre: the best of eight choices is taken.
- * The first image may be turned, too, which turns (e13, e23), and `radial` may have any unit: they
- * are such that in e31 radial e23 has the coefficient 0 and radial e13 the coefficient 1, which is
- * a divisor of all that follows.
+ * The first image is turned, too, which turns (e13, e23): for usual motions one of these is 0 if
+ * it is not.
  *
  * Data: first[6][2], second[6][2].
- * A row of 4 numbers, the unknowns: e_13, e_32, e_23, radial.
+ * A row of 4 numbers, the unknowns: e_13, e_32, e_33, radial.
  * A row of 10 numbers, the result radial_pose: essential[3][3], radial.
  */
 #define ELIMINANT_RELPOSE_6PT_RADIAL_FIRST_LENGTH 12
@@ -2635,25 +2637,20 @@ uint64_t eliminant_relpose_7pt_angle_focal_centre_second_attempt_operations(void
  * correspondences: 68 solutions, of which those with a real focal length are returned.
  *
  * Jiang, Kuang, Solem, Åström, "A minimal solution to relative pose with unknown focal length and
- * radial distortion", ACCV 2014. Published as `relpose_7p_fr`.
+ * radial distortion", ACCV 2014. Published as `relpose_7p_fr`, with f33 = 1, which loses
+ * planar motions and those without a rotation: f33 is 0.
  *
  * `first[k]` and `second[k]` are the distorted images of point k, relative to the principal point.
- * An image x lies along (x, 1 + radial |x|^2), the division model. Then x1^T F x2 = 0 is, with f33
- * = 1, linear in f11, f21, f12, f22, radial f31, radial^2, f31 and the monomials f32, radial f32,
- * f13, radial f13, f23, radial f23, radial, 1: seven points give the former as combinations of
- * these. How well depends on which image is the first, and on how the second one is turned about
- * its centre: the best of eight choices is taken. The first image may be turned, too, which turns
- * (f13, f23), and `radial` may have any unit: they are such that in f31 radial f23 has the
- * coefficient 0 and radial f13 the coefficient 1. With the focal length, diag(focal, focal, 1) F
- * diag(focal, focal, 1) is an essential matrix; `w` is 1 / focal^2.
- *
- * Everything is p + radial q, two polynomials without `radial`, modulo the equation that gives
- * radial^2, and most equations are stated times `radial`, too. There are points at infinity, near
- * which residuals are small; there the factors that are stated not to vanish are small beside
- * their terms.
+ * An image x lies along (x, 1 + radial |x|^2), the division model. Then x1^T F x2 = 0 is, with f23
+ * = 1, linear in f11, f21, f12, f22, radial f31, radial^2 f33, f31 and the monomials f32, radial
+ * f32, f13, radial f13, 1, radial, radial f33, f33: seven points give the former as combinations
+ * of these. How well depends on which image is the first, and on how the second one is turned
+ * about its centre: the best of eight choices is taken. The first image is turned, too, which
+ * turns (f13, f23): for usual motions one of these is 0 if it is not. With the focal length,
+ * diag(focal, focal, 1) F diag(focal, focal, 1) is an essential matrix; `w` is 1 / focal^2.
  *
  * Data: first[7][2], second[7][2].
- * A row of 5 numbers, the unknowns: w, f_32, f_13, f_23, radial.
+ * A row of 5 numbers, the unknowns: w, f_13, f_32, f_33, radial.
  * A row of 11 numbers, the result radial_focal_pose: fundamental[3][3], focal, radial.
  */
 #define ELIMINANT_RELPOSE_7PT_FOCAL_RADIAL_FIRST_LENGTH 14
