@@ -55,14 +55,13 @@ fn solved_shares(family: Family, first_seed: u64) -> Vec<(&'static str, f64)> {
 
 /// Problems whose coefficients are powers of their data, the orders of magnitude of these data, and
 /// between which shares of instances the template is not singular to `f64`.
-const OF_POWERS: [(&str, f64, RangeInclusive<f64>); 7] = [
+const OF_POWERS: [(&str, f64, RangeInclusive<f64>); 6] = [
     // Squares: data over two orders of magnitude make coefficients over four.
     ("pose_5tdoa_two_receivers", 1.0, 0.999..=1.0),
     // Squares of images and of the bound, and the products of a determinant of derivatives.
     ("pose_3pt_upright_error_bound", 1.0, 0.98..=1.0),
     ("pose_3pt_upright_error_bound", 4.0, 0.1..=1.0),
-    // Products and squares of images in derived data. 0.996 and 0.999 measured.
-    ("relpose_7pt_focal_radial", 1.0, 0.98..=1.0),
+    // Products and squares of images in derived data. 0.999 measured.
     ("relpose_7pt_focal_radial_one_side", 1.0, 0.998..=1.0),
     // Fourth powers: data over two make coefficients over eight. Ranges over eight are none of any
     // receivers, and make coefficients over 32, twice the digits of `f64`.
@@ -70,17 +69,9 @@ const OF_POWERS: [(&str, f64, RangeInclusive<f64>); 7] = [
     ("calibration_6_receivers_4_senders", 4.0, 0.0..=0.0),
 ];
 
-/// Problems whose templates are singular to `f64` more often than others are: on 1 of 269 random
-/// instances and 3 of 269 scenes, and on 11 of 1,000 scenes.
-const OFTEN_SINGULAR: [&str; 2] = ["relpose_7pt_focal_radial", "relpose_7pt_focal_radial_one_side"];
-
-/// Asserts that the share of solved instances of every problem is in a range, and at least 0.98 of
-/// those that are often singular.
-fn assert_shares_of_usual(shares: Vec<(&str, f64)>, range: RangeInclusive<f64>) {
-    let (often, usual): (Vec<_>, Vec<_>) = shares.into_iter().partition(|(name, _)| OFTEN_SINGULAR.contains(name));
-    assert!(often.iter().all(|&(_, share)| share >= 0.98), "{often:?}");
-    assert_shares(&usual, range);
-}
+/// The problem whose template is singular to `f64` on more scenes than those of others are: on 11
+/// of 1,000.
+const OFTEN_SINGULAR: &str = "relpose_7pt_focal_radial_one_side";
 
 /// Asserts that the share of solved instances of every problem is in a range.
 fn assert_shares(shares: &[(&str, f64)], range: RangeInclusive<f64>) {
@@ -91,13 +82,16 @@ fn assert_shares(shares: &[(&str, f64)], range: RangeInclusive<f64>) {
 
 #[test]
 fn on_random_data() {
-    assert_shares_of_usual(solved_shares(Family::Random, 1_000_000), 1.0..=1.0);
+    assert_shares(&solved_shares(Family::Random, 1_000_000), 1.0..=1.0);
 }
 
 #[test]
 fn on_scenes() {
+    let shares = solved_shares(Family::Scene, 1_500_000);
+    let (often, others): (Vec<_>, Vec<_>) = shares.into_iter().partition(|(name, _)| *name == OFTEN_SINGULAR);
+    assert!(matches!(often[..], [(_, share)] if share >= 0.98), "{often:?}");
     // On 1 of 628 scenes of `pose_npt_least_squares_quaternion` the template is singular to `f64`.
-    assert_shares_of_usual(solved_shares(Family::Scene, 1_500_000), 0.99..=1.0);
+    assert_shares(&others, 0.99..=1.0);
 }
 
 /// Each input times its own power of ten, over ever wider ranges: from data that are solved like

@@ -7,7 +7,7 @@ use eliminant_tests::fate::{FEW_SCENES, Fates, SCENES};
 use eliminant_tests::ground_truth::{Make, Motion, makers};
 
 /// Problems and motions of which the true solution is lost, and why.
-const LOST: [(&[&str], &[Motion], &str); 2] = [
+const LOST: [(&[&str], &[Motion], &str); 3] = [
     (
         &["relpose_4pt_angle", "relpose_5pt_generalized_angle", "relpose_3pt_angle_zero_screw"],
         &[Motion::HalfTurn],
@@ -20,12 +20,24 @@ const LOST: [(&[&str], &[Motion], &str); 2] = [
             "fundamental_8pt_radial_one_side",
             "fundamental_9pt_two_radials",
             "relpose_6pt_radial",
-            "relpose_7pt_focal_radial",
             "relpose_7pt_focal_radial_one_side",
             "relpose_7pt_focal_radial_one_side_eliminated",
         ],
         &[Motion::Forward],
         "points move along lines through the centre of distortion, whatever the distortion is: it is not determined",
+    ),
+    (
+        &["relpose_7pt_focal_radial"],
+        &[
+            Motion::Planar,
+            Motion::Forward,
+            Motion::Sideways,
+            Motion::Translation,
+            Motion::HalfTurn,
+            Motion::QuarterTurn,
+            Motion::Turntable,
+        ],
+        "the last entry of the fundamental matrix is set to 1, and it vanishes",
     ),
 ];
 

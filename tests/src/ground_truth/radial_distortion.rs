@@ -9,13 +9,14 @@ use super::{
 };
 
 pub(super) fn makers() -> Vec<Maker> {
+    let largest: fn(&[f64], &[f64], &[f64]) -> f64 = |_, solution, truth| largest_relative_error(solution, truth);
     let maker = |name, make, error| Maker { name, make: Make::TwoCameras(make), error };
     vec![
         maker("fundamental_8pt_radial", fundamental_eight_points, projective::<1, 3>),
         maker("fundamental_8pt_radial_one_side", fundamental_eight_points_one_side, with_one::<0, 2>),
         maker("fundamental_9pt_two_radials", fundamental_nine_points, with_one::<1, 4>),
         maker("relpose_6pt_radial", six_points, with_one::<0, 3>),
-        maker("relpose_7pt_focal_radial", seven_points, with_one::<1, 4>),
+        maker("relpose_7pt_focal_radial", seven_points, largest),
         maker("relpose_7pt_focal_radial_one_side", seven_points_one_side, projective::<1, 3>),
         maker("relpose_7pt_focal_radial_one_side_eliminated", seven_points_one_side_eliminated, projective::<0, 2>),
     ]
@@ -188,15 +189,20 @@ fn six_points(random: &mut Random, motion: Motion) -> KnownInstance {
 fn seven_points(random: &mut Random, motion: Motion) -> KnownInstance {
     let (focal, radial) = (focal(random), radial(random, motion));
     let views = Views::draw((random, motion), 7, [focal; 2], [radial; 2]);
-    let chosen = chosen(&views, |&Correspondence { a, b, first, c, d, second }: &Correspondence| {
+    let equation = |&Correspondence { a, b, first, c, d, second }: &Correspondence| {
         (
             vec![a * c, b * c, a * d, b * d, c * first, first * second, c],
             vec![d, d * first, a, a * second, b, b * second, first + second, 1.0],
         )
-    });
-    let transposed = chosen.turned(TURN).fundamental.transpose();
-    let f = transposed / transposed[(1, 2)];
-    let truth = vec![1.0 / (focal * focal), f[(0, 2)], f[(2, 1)], f[(2, 2)], radial];
+    };
+    let chosen = chosen(&views, equation);
+    // The solver turns the first image, and chooses the unit of the distortion, so that f31 =
+    // radial f13 + 0 radial f23 + ...
+    let f31 = &chosen.affine(equation)[6 * 8..];
+    let (x, y) = (f31[3], f31[5]);
+    let (own, unit) = (chosen.turned(-y.atan2(x)), x.hypot(y));
+    let f = own.fundamental.transpose() / own.fundamental[(2, 2)];
+    let truth = vec![1.0 / (focal * focal), f[(2, 1)], f[(0, 2)], f[(1, 2)], radial * unit];
     KnownInstance { data: views.images(), truths: vec![truth] }
 }
 
