@@ -362,11 +362,11 @@ def fundamental_8pt_radial_one_side(
 
     `first[k]` is the image of point k in a camera without distortion, `second[k]` the distorted one
     in the other, relative to the centre of distortion. There an image x lies along (x, 1 + radial
-    |x|^2), the division model. Then x2^T F x1 = 0 is linear in the nine entries of F and in
-    `third`, its third row, times `radial`. Eight points give the first two rows, radial f31 and
-    radial f32 as combinations of radial f33 and `third`. F is given up to scale. `third` vanishes
-    where the second camera moves along its optical axis: then the points tell nothing of the
-    distortion.
+    |x|^2), the division model. Then x2^T F x1 = 0 is, with f32 = 1, linear in the first two rows of
+    F, radial f31, radial f32 and in radial f33, f31, 1, f33: eight points give the former as
+    combinations of these. The first image is turned, which turns (f31, f32): for usual motions one
+    of these is 0 if it is not. Both vanish where the second camera moves along its optical axis:
+    then the points tell nothing of the distortion.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -375,7 +375,8 @@ def fundamental_8pt_radial_one_side(
 
     Solutions, of which there are at most 8:
 
-    - `third`: (3,)
+    - `f_31`: ()
+    - `f_33`: ()
     - `radial`: ()
 
     Results of each solution:
@@ -396,14 +397,16 @@ def fundamental_9pt_two_radials(
     solutions.
 
     Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
-    problems for cameras with radial distortion", CVIU 114, 2010. Published as `rdist9p`, with f13
-    and f23 eliminated in place of t and f13.
+    problems for cameras with radial distortion", CVIU 114, 2010. Published as `rdist9p`, with f33 =
+    1, which loses planar motions and those without a rotation: f33 is 0.
 
     `first[k]` and `second[k]` are the distorted images of point k, relative to the centres of
     distortion. An image x lies along (x, 1 + radial |x|^2), the division model: with s for `radial`
-    in the second image and t in the first. Then x2^T F x1 = 0 is, with f33 = 1, linear in f11, f12,
-    f21, f22, t, f13, t f13, t f23, s t and in s f31, s f32, s, f31, f32, f23, 1: nine points give
-    the former as combinations of these.
+    in the second image and t in the first. Then x2^T F x1 = 0 is, with f23 = 1, linear in f11, f12,
+    f21, f22, t f13, t, t f33, s t f33, f13 and in s f31, s f32, s f33, f31, f32, f33, 1: nine points
+    give the former as combinations of these. The second image is turned, which turns (f13, f23):
+    for usual motions one of these is 0 if it is not. Both vanish where the first camera moves along
+    its optical axis; without a rotation such points tell nothing of the distortions.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -415,7 +418,7 @@ def fundamental_9pt_two_radials(
     - `s`: ()
     - `f_31`: ()
     - `f_32`: ()
-    - `f_23`: ()
+    - `f_33`: ()
 
     Results of each solution:
 
@@ -1859,17 +1862,17 @@ def relpose_6pt_radial(
     six points: 52 solutions.
 
     Kukelova, Byröd, Josephson, Pajdla, Åström, "Fast and robust numerical solutions to minimal
-    problems for cameras with radial distortion", CVIU 114, 2010. Published as `relpose_6p_rad`.
+    problems for cameras with radial distortion", CVIU 114, 2010. Published as `relpose_6p_rad`, with
+    e33 = 1, which loses planar motions and those without a rotation: e33 is 0.
 
     `first[k]` and `second[k]` are the distorted images of point k, relative to the centre of
     distortion and in units of the focal length. An image x lies along (x, 1 + radial |x|^2), the
-    division model. Then x1^T E x2 = 0 is, with e33 = 1, linear in e11, e21, e12, e22, radial e31,
-    e31 and the monomials e32, radial e32, e13, radial e13, e23, radial e23, radial^2, radial, 1:
-    six points give the former as combinations of these. How well depends on which image is the
+    division model. Then x1^T E x2 = 0 is, with e23 = 1, linear in e11, e21, e12, e22, radial e31,
+    e31 and the monomials e32, radial e32, e13, radial e13, 1, radial, radial^2 e33, radial e33,
+    e33: six points give the former as combinations of these. How well depends on which image is the
     first, and on how the second one is turned about its centre: the best of eight choices is taken.
-    The first image may be turned, too, which turns (e13, e23), and `radial` may have any unit: they
-    are such that in e31 radial e23 has the coefficient 0 and radial e13 the coefficient 1, which is
-    a divisor of all that follows.
+    The first image is turned, too, which turns (e13, e23): for usual motions one of these is 0 if
+    it is not.
 
     Data, for one instance, or with n in front for a batch:
 
@@ -1880,7 +1883,7 @@ def relpose_6pt_radial(
 
     - `e_13`: ()
     - `e_32`: ()
-    - `e_23`: ()
+    - `e_33`: ()
     - `radial`: ()
 
     Results of each solution:
